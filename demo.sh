@@ -23,7 +23,7 @@ cd "$(dirname "$0")"
 . .ci/common.sh
 
 installPackages build bake view demo
-buildPreset release
+buildPreset release --target pointrt-bake pointrt-view
 bin=build/release/bin
 
 bake_options=()

@@ -79,14 +79,21 @@ buildJobs() {
     echo "$jobs"
 }
 
-# buildPreset PRESET [OPTION...]: configures, with cmake's OPTIONs, and builds into build/PRESET.
+# buildPreset PRESET [OPTION...] [--target TARGET...]: configures, with cmake's OPTIONs, and builds into build/PRESET:
+# everything, or the TARGETs.
 buildPreset() {
-    local started=$SECONDS output
-    say "building with the $1 preset, $(buildJobs) at a time"
-    output=$(cmake --preset "$@" 2>&1) || {
+    local started=$SECONDS preset=$1 output
+    shift
+    local options=()
+    while [ $# -gt 0 ] && [ "$1" != --target ]; do
+        options+=("$1")
+        shift
+    done
+    say "building with the $preset preset, $(buildJobs) at a time"
+    output=$(cmake --preset "$preset" "${options[@]}" 2>&1) || {
         printf '%s\n' "$output" >&2
         die "cmake could not configure the build"
     }
-    cmake --build --preset "$1" --parallel "$(buildJobs)"
+    cmake --build --preset "$preset" --parallel "$(buildJobs)" "$@"
     say "built in $((SECONDS - started)) s"
 }

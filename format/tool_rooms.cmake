@@ -22,6 +22,14 @@ pointrt_room(format/cli USES format/base
   PURPOSE "Command lines: what all tools share, and the manual pages and shell completions made of the options.")
 target_link_libraries(pointrt_cli PUBLIC $<BUILD_INTERFACE:CLI11::CLI11>)
 
+pointrt_room(format/crs USES format/base
+  PURPOSE "Projected coordinate systems: names, units, areas of use and meridian convergence, by PROJ.")
+# The header only: the library is opened at run time.
+find_path(PROJ_INCLUDE_DIR proj.h REQUIRED)
+target_include_directories(pointrt_crs SYSTEM PRIVATE ${PROJ_INCLUDE_DIR})
+target_link_libraries(pointrt_crs PRIVATE ${CMAKE_DL_LIBS})
+target_compile_options(pointrt_crs PRIVATE -Wconversion)
+
 # LAZ and E57 are read by Rust crates, where there is a Rust compiler.
 set(POINTRT_LAZ_E57 AUTO CACHE STRING "Read LAZ and E57 files (needs Rust): AUTO, ON or OFF")
 set_property(CACHE POINTRT_LAZ_E57 PROPERTY STRINGS AUTO ON OFF)
@@ -42,7 +50,7 @@ set(unused_readers e57.cpp laz.cpp)
 if(has_rust)
   list(TRANSFORM unused_readers REPLACE "\\.cpp$" "_absent.cpp")
 endif()
-pointrt_room(format/pointio USES format/include/pointrt format/base format/set EXCLUDE ${unused_readers}
+pointrt_room(format/pointio USES format/include/pointrt format/base format/crs format/set EXCLUDE ${unused_readers}
   PURPOSE "Points with named columns read and written: .pro files and tile sets, PLY, text, LAS, LAZ, E57.")
 target_link_libraries(pointrt_pointio PUBLIC fmt::fmt nlohmann_json::nlohmann_json)
 target_compile_options(pointrt_pointio PRIVATE -Wconversion)

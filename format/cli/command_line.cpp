@@ -13,7 +13,7 @@
 namespace pointrt {
 namespace {
 
-/// What ends the parsing when there is something to print.
+/// Thrown to end the parsing when --generate has text to print.
 struct Generated {
     std::string text;
 };
@@ -25,14 +25,14 @@ struct Generator {
 constexpr std::array kGenerators = {Generator{"man", manualPage}, Generator{"bash", bashCompletion},
                                     Generator{"zsh", zshCompletion}, Generator{"fish", fishCompletion}};
 
-/// "pointrt-rays cast", which shells complete as a part of pointrt-rays.
-bool isPartOfTool(std::string_view name) { return name.find(' ') != name.npos; }
+/// True for "pointrt-rays cast": its completions are part of those of pointrt-rays.
+bool isSubcommand(std::string_view name) { return name.find(' ') != name.npos; }
 
 std::string generatorNames(std::string_view command) {
     std::string names;
     for (const Generator& each : kGenerators) {
         names += (names.empty() ? "" : "|") + std::string(each.name);
-        if (isPartOfTool(command)) break;
+        if (isSubcommand(command)) break;
     }
     return names;
 }
@@ -44,7 +44,7 @@ void print(const std::string& text) {
         throw Error{ExitCode::kCannotWrite, "standard output: cannot write"};
 }
 
-/// Without their dashes.
+/// Long option names without their dashes.
 std::vector<std::string_view> longNames(const CLI::App& app) {
     std::vector<std::string_view> names;
     for (const CLI::Option* option : app.get_options())
@@ -61,27 +61,26 @@ std::string unknownOption(const CLI::App& app, std::string_view written) {
            (near.empty() ? "" : ", did you mean --" + std::string(near) + "?");
 }
 
-/// What CLI11 takes for something else than was meant: an empty argument, mostly a variable of the shell that is not
-/// set; -output, which it reads as -o utput; and -o=FILE, of which it makes a file called "=FILE".
+/// Refuses arguments that CLI11 would misread: an empty argument, usually from a shell variable that is not set;
+/// -output, which CLI11 reads as -o utput; and -o=FILE, which it reads as a file named "=FILE".
 void refuseSlips(const CLI::App& app, int argc, const char* const* argv) {
     const std::vector<std::string_view> names = longNames(app);
     for (int i = 1; i < argc; ++i) {
         const std::string_view argument = argv[i], before = i > 1 ? argv[i - 1] : "";
         if (argument == "--") return;
-        if (argument.empty())
-            refuse((before.starts_with('-') ? std::string(before) + ": " : "") + "an empty argument is given");
+        if (argument.empty()) refuse((before.starts_with('-') ? std::string(before) + ": " : "") + "empty argument");
         if (!argument.starts_with('-') || argument.size() < 3 || argument[1] == '-') continue;
         if (std::find(names.begin(), names.end(), argument.substr(1, argument.find('=') - 1)) != names.end())
             refuse(unknownOption(app, argument));
         if (argument[2] == '=' && app.get_option_no_throw(std::string(argument.substr(0, 2))))
-            refuse(std::string(argument) + ": a blank, not an =, goes between " + std::string(argument.substr(0, 2)) +
-                   " and its value");
+            refuse(std::string(argument) + ": write " + std::string(argument.substr(0, 2)) +
+                   " VALUE, with a space and no =");
     }
 }
 
-/// The first thing that no option asked for, "" where there is none. Options come first: what follows one that is
-/// unknown is mostly its value.
-std::string unexpected(const CLI::App& app, OutputSuffixes outputs) {
+/// An error line for the first argument that no option takes, or "". Unknown options come first: an argument after one
+/// is probably its value.
+std::string unexpectedArgument(const CLI::App& app, OutputSuffixes outputs) {
     std::vector<std::string> extras = app.remaining();
     std::erase(extras, "--");
     const auto isOption = [](const std::string& extra) { return extra.size() > 1 && extra.front() == '-'; };
@@ -95,7 +94,7 @@ std::string unexpected(const CLI::App& app, OutputSuffixes outputs) {
     return "unexpected argument " + extra;
 }
 
-/// CLI11's "--output: 1 required FILE missing" in English.
+/// CLI11's message, with "--output: 1 required FILE missing" shortened to "--output: FILE missing".
 std::string reasonOf(const CLI::ParseError& error) {
     std::string reason = error.what();
     const std::string needless = "1 required ";
@@ -130,7 +129,7 @@ ValueText valueText(const std::string& placeholder, const std::string& candidate
     return value;
 }
 
-/// Also where the tool itself says what is missing, and --help that it must not be.
+/// Also true for options that the tool itself requires, to report their absence better than CLI11 does.
 bool isRequired(const CLI::Option& option) {
     return option.get_required() || option.get_option_text().ends_with("REQUIRED");
 }
@@ -148,7 +147,7 @@ OptionText optionText(const CommandLine& app, const CLI::Option& option) {
                     .value = valueText(placeholder, candidates == app.candidates.end() ? "" : candidates->second),
                     .required = isRequired(option),
                     .repeats = option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll};
-    for (const CLI::Option* other : option.get_excludes()) text.help += ". Not with " + other->get_name();
+    for (const CLI::Option* other : option.get_excludes()) text.help += " (not with " + other->get_name() + ")";
     return text;
 }
 
@@ -163,15 +162,12 @@ void addCommonOptions(CommandLine& app, const std::string& version, const std::s
     app.examples = examples;
     app.notes = notes;
     app.wrong_input = wrong_input;
-    app.footer("Examples:\n" + examples + "\n" + notes + (notes.empty() ? "" : "\n") + "Exit codes: 0 done, 1 " +
-               wrong_input + ", 2 wrong usage, 3 this machine cannot, 4 cannot write.");
-    app.set_version_flag("--version", app.get_name() + " " + version, "Print the version and end");
+    app.set_version_flag("--version", app.get_name() + " " + version, "Print the version and exit");
     app.add_option_function<std::string>(
            "--generate", [&app](const std::string& what) { throw Generated{generatedText(describe(app), what)}; },
-           isPartOfTool(app.get_name()) ? "Print the manual page and end"
-                                        : "Print the manual page, or what completes command lines in a shell, and end")
+           isSubcommand(app.get_name()) ? "Print the manual page and exit" : "Print a manual page or shell completions")
         ->type_name(generatorNames(app.get_name()));
-    app.set_help_flag("-h,--help", "Print this help and end");
+    app.set_help_flag("-h,--help", "Print this help and exit");
 }
 
 CommandText describe(const CommandLine& app) {
@@ -204,7 +200,7 @@ CommandText describe(const CommandLine& app) {
 std::string generatedText(const CommandText& command, const std::string& what) {
     for (const Generator& each : kGenerators) {
         if (each.name == what) return each.make(command);
-        if (isPartOfTool(command.name)) break;
+        if (isSubcommand(command.name)) break;
     }
     refuse("--generate: '" + what + "' is none of " + generatorNames(command.name));
 }
@@ -215,15 +211,15 @@ std::optional<int> parseCommandLine(CommandLine& app, int argc, const char* cons
         app.parse(argc, argv);
         return {};
     } catch (const CLI::CallForHelp&) {
-        print(app.help());
+        print(helpText(describe(app)));
     } catch (const CLI::CallForVersion& version) {
         print(std::string(version.what()) + "\n");
     } catch (const Generated& generated) {
         print(generated.text);
     } catch (const CLI::ParseError& error) {
-        // what lacks an option may have it misspelt
-        const std::string said = unexpected(app, outputs);
-        refuse(said.empty() ? reasonOf(error) : said);
+        // a missing option may be there, misspelt
+        const std::string unexpected = unexpectedArgument(app, outputs);
+        refuse(unexpected.empty() ? reasonOf(error) : unexpected);
     }
     return static_cast<int>(ExitCode::kDone);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the command lines of all tools have in common: --help, --version, --generate, and what is said of a slip. For
-// the one file of a tool that knows CLI11.
+// The command line features that all tools share: --help, --version, --generate, and error lines for mistakes. Each
+// tool includes this, and with it CLI11, only where it defines its options.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -16,35 +16,36 @@
 
 namespace pointrt {
 
-/// CLI11's, and what that has no place for.
+/// CLI::App with the texts that CLI11 has no place for.
 struct CommandLine : CLI::App {
     using CLI::App::App;
-    std::map<const CLI::Option*, std::string> candidates; ///< see completes
-    std::string examples, notes, wrong_input;             ///< as CommandText has them
+    std::map<const CLI::Option*, std::string> candidates; ///< see completes()
+    std::string examples, notes, wrong_input;             ///< see CommandText
 };
 
-/// Files that people write without the option they belong to: {".png", "-o"}.
+/// Suffixes of output files, with the option to suggest when such a file is given without one: {".png", "-o"}.
 using OutputSuffixes = std::initializer_list<std::pair<std::string_view, std::string_view>>;
 
-/// What shells offer as values of the option of this name where its placeholder does not tell: words, or suffixes of
-/// files with their dots, blanks between them. A placeholder with bars, as on|off, tells words, FILE and FOLDER files.
+/// Sets the values that shells offer for an option if its placeholder does not imply them: words, or suffixes of files
+/// with their dots, separated by spaces. Placeholders with bars such as on|off imply words, FILE and FOLDER imply
+/// files.
 void completes(CommandLine& app, const std::string& option, const std::string& candidates);
 
-/// Gives --help its end, and adds --version, --generate and --help themselves.
-/// @param wrong_input what exit code 1 says: "a scan is wrong"
-/// @param examples lines of two columns or one, each begun with the tool's name
+/// Adds --version, --generate and --help, and the texts that end the help.
+/// @param wrong_input when exit code 1 is returned: "a scan is malformed"
+/// @param examples,notes see CommandText
 void addCommonOptions(CommandLine& app, const std::string& version, const std::string& wrong_input,
                       const std::string& examples, const std::string& notes = "");
 
-/// What --help says, as data. To be called when all options are there.
+/// The command line as data. Call it after all options have been added.
 CommandText describe(const CommandLine& app);
 
-/// What --generate prints, which is "man" or the name of a shell. Throws Error kBadUsage for others; of a command of a
-/// tool there is the manual page alone.
+/// The output of --generate for "man" or the name of a shell; subcommands have a manual page only. Throws Error
+/// kBadUsage for other words.
 std::string generatedText(const CommandText& command, const std::string& what);
 
-/// Parses the command line. Returns an exit code where the run ends here: --help, --version and --generate, whose text
-/// goes to standard output. Throws Error kBadUsage with one line for anything wrong.
+/// Parses the command line. Returns an exit code if the run ends here, after --help, --version or --generate has
+/// printed its text to standard output. Throws Error kBadUsage with one line for mistakes.
 std::optional<int> parseCommandLine(CommandLine& app, int argc, const char* const* argv, OutputSuffixes outputs = {});
 
 } // namespace pointrt

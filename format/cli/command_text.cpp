@@ -6,8 +6,30 @@
 
 namespace pointrt {
 
+std::string synopsis(const CommandText& command, const SynopsisStyle& style) {
+    std::string text = style.literal(command.name);
+    if (!command.commands.empty()) return text + " " + style.placeholder("COMMAND") + " ...";
+    text += " [" + style.placeholder("OPTION") + "]...";
+    const ValueText& input = command.input.value;
+    if (input.placeholder.empty()) return text;
+    const std::string name = style.placeholder(input.placeholder) + (command.input.repeats ? "..." : "");
+    text += command.input.required ? " " + name : " [" + name + "]";
+    for (const OptionText& option : command.options)
+        if (option.required)
+            text += " " + style.literal(option.short_name.empty() ? option.long_name : option.short_name) + " " +
+                    style.placeholder(option.value.placeholder);
+    return text;
+}
+
+std::string optionHelp(const OptionText& option) { return option.help + (option.required ? " (required)" : ""); }
+
+std::vector<std::string> exitMeanings(const CommandText& command) {
+    return {"success", "bad input: " + command.wrong_input, "wrong usage of the command line",
+            "unsupported on this machine (no Vulkan device, out of memory)", "cannot write the output"};
+}
+
 std::string shortHelp(const OptionText& option) {
-    constexpr std::size_t kLongest = 60; // beside the names, on a terminal of 80 to 100 columns
+    constexpr std::size_t kLongest = 60; // beside the option's names, on a terminal of 80 to 100 columns
     std::string_view text = option.help;
     for (const std::string_view end : {" (", ";", ": ", ", or ", "\n"}) text = text.substr(0, text.find(end));
     if (text.size() <= kLongest) return std::string(text);

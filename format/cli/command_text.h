@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A command line as text: what --help says of it, as plain data that manual pages and completions are made of.
+// A command line as plain data: --help, manual pages and shell completions are generated from it.
 #pragma once
 
 #include <string>
@@ -8,55 +8,71 @@
 
 namespace pointrt {
 
-/// What an option's value can be.
+/// The values that an option takes.
 struct ValueText {
-    std::string placeholder;        ///< as --help has it: "FILE", "auto|off|STRENGTH"; empty for a switch
-    std::vector<std::string> words; ///< that it can be; where the placeholder has capitals, other values as well
+    std::string placeholder;        ///< as --help shows it: "FILE", "auto|off|STRENGTH"; empty for a switch
+    std::vector<std::string> words; ///< literal values; a placeholder with capitals allows others too
     bool is_file = false;
-    std::vector<std::string> suffixes; ///< of files that fit, with their dots; empty: all files do
+    std::vector<std::string> suffixes; ///< of the files to offer, with their dots; empty: all files
 };
 
-/// An option, or what stands without one, which has no names.
+/// An option, or the positional argument, which has no names.
 struct OptionText {
     std::string short_name, long_name; ///< with their dashes
     std::string heading, help;
     ValueText value;
     bool required = false;
-    bool repeats = false; ///< or several values, one after the other
+    bool repeats = false; ///< can be given several times, or takes several values
 
     bool takesValue() const { return !value.placeholder.empty(); }
 };
 
 struct CommandText {
     std::string name;    ///< "pointrt-bake", "pointrt-rays cast"
-    std::string purpose; ///< one line, begun in lower case, with no full stop
-    std::string about;   ///< sentences
+    std::string purpose; ///< one line without a capital and a full stop
+    std::string about;   ///< sentences, one or more lines
     std::string version;
-    OptionText input;                ///< its placeholder is empty where there is none
-    std::vector<OptionText> options; ///< in the order of --help, those of one heading together
-    std::string examples;            ///< lines
-    std::string notes;               ///< sentences; a line is a line of --help
-    std::string wrong_input;         ///< what exit code 1 says: "a scan is wrong"
-    std::vector<CommandText> commands;
+    OptionText input;                ///< the positional argument; its placeholder is empty if there is none
+    std::vector<OptionText> options; ///< in the order of --help, grouped by heading
+    std::string examples;    ///< lines: "  COMMAND", or "  COMMAND   DESCRIPTION" with three spaces or more between
+    std::string notes;       ///< paragraphs, separated by empty lines; other line breaks do not count
+    std::string wrong_input; ///< when exit code 1 is returned: "a scan is malformed"
+    std::vector<CommandText> commands; ///< subcommands
 };
 
-/// What people ask --generate for.
+/// The text of --help, at most 80 columns wide unless a single word is wider.
+std::string helpText(const CommandText& command);
+
+/// The outputs of --generate.
 std::string manualPage(const CommandText& command);
 std::string bashCompletion(const CommandText& command);
 std::string zshCompletion(const CommandText& command);
 std::string fishCompletion(const CommandText& command);
 
-/// The beginning of an option's help, which stands in a line of a list: as far as a comment, 60 characters at most.
+/// How --help and manual pages mark up words to type and placeholders for them.
+struct SynopsisStyle {
+    std::string (*literal)(std::string_view text);
+    std::string (*placeholder)(std::string_view text);
+};
+/// "pointrt-bake [OPTION]... SCAN... -o FILE".
+std::string synopsis(const CommandText& command, const SynopsisStyle& style);
+
+/// The help of an option, with "(required)" where it is.
+std::string optionHelp(const OptionText& option);
+/// The start of an option's help for completion lists: up to the first comment, at most 60 characters.
 std::string shortHelp(const OptionText& option);
-/// name as shells take names of functions: "pointrt_rays_cast".
+/// The meanings of exit codes 0, 1, 2 ...
+std::vector<std::string> exitMeanings(const CommandText& command);
+
+/// name as an identifier of a shell function: "pointrt_rays_cast".
 std::string functionName(std::string_view name);
 /// "cast" of "pointrt-rays cast".
 std::string_view lastWord(std::string_view name);
 std::string joinedWords(const std::vector<std::string>& words, std::string_view separator);
-/// text with each of these characters behind a backslash.
+/// text with a backslash before each of these characters.
 std::string escaped(std::string_view text, std::string_view characters);
-/// For a shell: in single quotes, those of its own written as close.
-/// @param quote what stands for a quote within: '\'' for POSIX shells, \' for fish
+/// text in single quotes for a shell.
+/// @param quote replaces each single quote within text: '\'' for POSIX shells, \' for fish
 std::string inShellQuotes(std::string_view text, std::string_view quote);
 
 } // namespace pointrt

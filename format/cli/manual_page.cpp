@@ -9,7 +9,7 @@
 namespace pointrt {
 namespace {
 
-/// text within a line, as troff shows it. A dash stays one that can be copied to a shell.
+/// text escaped for use within a line of troff. Dashes stay ASCII, so that commands can be copied to a shell.
 std::string troff(std::string_view text) {
     std::string result;
     for (const char c : text) {
@@ -25,12 +25,12 @@ std::string troff(std::string_view text) {
     return result;
 }
 
-/// Lines of their own, none of which is a request.
+/// text as lines of troff, none of which is taken for a request. An empty line starts a paragraph.
 std::string troffLines(std::string_view text) {
     std::string result;
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
-        result += (text.starts_with('.') ? "\\&" : "") + troff(text.substr(0, end)) + "\n";
+        result += (end == 0 ? ".PP" : text.starts_with('.') ? "\\&" : "") + troff(text.substr(0, end)) + "\n";
         text.remove_prefix(std::min(end + 1, text.size()));
     }
     return result;
@@ -39,7 +39,7 @@ std::string troffLines(std::string_view text) {
 std::string bold(std::string_view text) { return "\\fB" + troff(text) + "\\fR"; }
 std::string italic(std::string_view text) { return "\\fI" + troff(text) + "\\fR"; }
 
-/// A placeholder: words in bold, what stands for something else in italics.
+/// A placeholder with its literal words in bold and the rest in italics.
 std::string placeholderText(std::string_view placeholder) {
     std::string text;
     for (std::size_t begin = 0; begin <= placeholder.size();) {
@@ -61,7 +61,7 @@ std::string optionParagraph(const OptionText& option) {
     std::string names = option.short_name.empty() ? "" : bold(option.short_name) + ", ";
     names += bold(option.long_name);
     if (option.takesValue()) names += " " + placeholderText(option.value.placeholder);
-    return ".TP\n" + names + "\n" + sentence((option.required ? "Required. " : "") + option.help);
+    return ".TP\n" + names + "\n" + sentence(optionHelp(option));
 }
 
 std::string section(const std::string& heading, const std::string& text) {
@@ -71,21 +71,6 @@ std::string section(const std::string& heading, const std::string& text) {
 std::string dashed(std::string name) {
     std::ranges::replace(name, ' ', '-');
     return name;
-}
-
-std::string synopsis(const CommandText& command) {
-    std::string text = bold(command.name);
-    if (!command.commands.empty()) return text + " " + italic("COMMAND") + " ...\n";
-    text += " [" + italic("OPTION") + "]...";
-    const ValueText& input = command.input.value;
-    if (input.placeholder.empty()) return text + "\n";
-    const std::string name = italic(input.placeholder) + (command.input.repeats ? "..." : "");
-    text += command.input.required ? " " + name : " [" + name + "]";
-    for (const OptionText& option : command.options)
-        if (option.required)
-            text += " " + bold(option.short_name.empty() ? option.long_name : option.short_name) + " " +
-                    placeholderText(option.value.placeholder);
-    return text + "\n";
 }
 
 std::string commandList(const CommandText& command) {
@@ -108,14 +93,17 @@ std::string optionSections(const CommandText& command) {
     return text;
 }
 
+std::string capitalized(std::string text) {
+    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    return text;
+}
+
 std::string exitStatus(const CommandText& command) {
-    const auto row = [](const char* code, const std::string& meaning) {
-        return std::string(".TP\n.B ") + code + "\n" + sentence(meaning);
-    };
-    return row("0", "Done") + row("1", "Bad input: " + command.wrong_input) +
-           row("2", "Wrong usage of the command line") +
-           row("3", "This machine cannot do it: no Vulkan device, not enough memory") +
-           row("4", "The output cannot be written");
+    std::string text;
+    int code = 0;
+    for (const std::string& meaning : exitMeanings(command))
+        text += ".TP\n.B " + std::to_string(code++) + "\n" + sentence(capitalized(meaning));
+    return text;
 }
 
 std::string seeAlso(const CommandText& command) {
@@ -136,7 +124,7 @@ std::string manualPage(const CommandText& command) {
     std::string page = ".\\\" made by " + tool + " --generate\n.TH " + troff(title) + " 1 \"\" \"pointrt " +
                        command.version + "\" \"User Commands\"\n.nh\n.ad l\n";
     page += section("NAME", troff(name) + " \\- " + troff(command.purpose) + "\n");
-    page += section("SYNOPSIS", synopsis(command));
+    page += section("SYNOPSIS", synopsis(command, {bold, placeholderText}) + "\n");
     page += section("DESCRIPTION", troffLines(command.about));
     page += section("COMMANDS", commandList(command));
     page += section("OPTIONS", optionSections(command));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Splats as a point cloud that other tools read.
+// Exports splats as a point cloud.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace pointrt {
 
-/// Writes every splat of source, in its order, with normal, radius, colour and all attributes, as openPointSink says:
-/// PLY, LAS or LAZ by the end of path; "-" is PLY to standard output. Throws as that does, also when path exists and
-/// not overwrite.
+/// Writes every splat of source, in its order, with normal, radius, colour and all attributes: PLY, LAS or LAZ by the
+/// suffix of path; "-" is PLY on standard output. Throws as openPointSink does, also if path exists and overwrite is
+/// false.
 void exportPoints(const ExportSource& source, const std::string& path, bool overwrite);
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The splats that an export writes: those of a file, or of all tiles of a set that hold original ones.
+// The splats to export: those of a file, or of all original tiles of a set.
 #pragma once
 
 #include <cstdint>
@@ -14,22 +14,22 @@
 
 namespace pointrt {
 
-/// Some splats of a file, by number.
+/// Receives some splats of a file, by index.
 using UseSplats = std::function<void(const ProFile& file, std::span<const std::uint32_t> splats)>;
 
-/// What is said of all of them, and a way to have them part by part: one file is open at a time.
+/// The description of all splats, and a way to visit them part by part, with one file open at a time.
 struct ExportSource {
-    PointOutline outline; ///< values of columns are those of the one file, else null
+    PointOutline outline; ///< columns of a tile set have no values
     /// Calls use for each part.
     std::function<void(const UseSplats& use)> forEachPart;
 };
 
-/// All splats once, in input order (in file order where the file has none), but those that fill gaps. file must live as
-/// long.
+/// Every splat once, in input order (file order if it is not recorded), except those that fill gaps.
+/// @param file must outlive the result
 ExportSource exportSource(const ProFile& file);
 
-/// Those in the cores of tiles without children, tile by tile, each as a file's. Opens every tile of them twice.
-/// Throws Error as openTile.
+/// The splats in the cores of original tiles, tile by tile, each in the order of its file. Opens each of these tiles
+/// twice. Throws Error as openTile.
 ExportSource exportSource(const TileSet& set, const std::string& folder);
 
 } // namespace pointrt

@@ -8,7 +8,7 @@ namespace pointrt {
 
 namespace {
 
-/// False once there are too many.
+/// False if there are too many different values.
 bool countValues(const pro_attribute& attribute, std::size_t numbers, Histogram& histogram) {
     if (attribute.type >= PRO_TYPE_F32) return false;
     for (std::size_t i = 0; i < numbers; ++i) {
@@ -21,7 +21,7 @@ bool countValues(const pro_attribute& attribute, std::size_t numbers, Histogram&
 void countBins(const pro_attribute& attribute, std::size_t numbers, Histogram& histogram) {
     constexpr double kLast = Histogram::kBins - 1;
     histogram.bins.resize(Histogram::kBins);
-    // halves, as the width of all finite doubles is none of them
+    // halves, because the full range of doubles has an infinite width
     const double width = attribute.high / 2 - attribute.low / 2;
     for (std::size_t i = 0; i < numbers; ++i) {
         const double value = pro_attribute_value(&attribute, i);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the values of an attribute are spread.
+// The distribution of an attribute's values.
 #pragma once
 
 #include <cstddef>
@@ -12,9 +12,9 @@
 namespace pointrt {
 
 struct Histogram {
-    /// How often each value is there, where they are whole and there are at most kMostValues of them; else empty.
+    /// The count of each value, for integers with at most kMostValues different values; else empty.
     std::map<double, std::uint64_t> values;
-    /// How many lie in each of kBins equal parts of low to high, the upper end in the last.
+    /// Counts in kBins equal bins from low to high, which the last bin includes.
     std::vector<std::uint64_t> bins;
     std::uint64_t not_finite = 0;
 
@@ -22,7 +22,8 @@ struct Histogram {
     static constexpr std::size_t kBins = 16;
 };
 
-/// Over all components. count: of splats
+/// Over all components.
+/// @param count of splats
 Histogram histogramOf(const pro_attribute& attribute, std::size_t count);
 
 } // namespace pointrt

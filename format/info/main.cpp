@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// pointrt-info: tells what is in a .pro file, checks it, exports it.
+// pointrt-info: summarizes, verifies and exports .pro files and tile sets.
 #include <unistd.h>
 
 #include "format/base/error.h"
@@ -25,43 +25,43 @@ struct Options {
 };
 
 constexpr const char* kExamples = "  pointrt-info scan.pro\n"
-                                  "  pointrt-info scan.pro --verify && echo good\n"
+                                  "  pointrt-info scan.pro --verify && echo valid\n"
                                   "  pointrt-info scan.pro --json | jq .splats\n"
                                   "  pointrt-info scan.pro --export splats.ply\n"
                                   "  pointrt-info scan.pro --export points.laz\n";
 
 void addOptions(CommandLine& app, Options& options) {
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    app.add_option("FILE", options.input, "The .pro file, or the folder NAME.proset of a tile set")
+    app.add_option("FILE", options.input, "A .pro file or the folder of a tile set (NAME.proset)")
         ->required()
         ->type_name("");
     completes(app, "FILE", ".pro .proset");
     app.add_flag("--json", options.json, "Print JSON instead of text");
-    app.add_flag("--verify", options.verify, "Make every check there is; exit 1 on findings");
+    app.add_flag("--verify", options.verify, "Verify all checksums and contents; exit with 1 on findings");
     app.add_option(
            "--export", options.export_path,
-           "Write the splats in input order, a set's tile by tile, as PLY, LAS or LAZ, by its suffix; - is PLY to "
-           "standard output; one that is there is kept without -f")
+           "Write the splats to a new .ply, .las or .laz file, in input order or tile by tile; - is PLY on standard "
+           "output")
         ->type_name("FILE");
     completes(app, "--export", ".ply .las .laz");
-    app.add_flag("-f,--force", options.force, "Let --export overwrite a file");
-    app.add_flag("-q,--quiet", options.quiet, "No reports, only errors and what is asked for: --verify lists findings");
-    addCommonOptions(app, POINTRT_VERSION, "FILE is wrong", kExamples);
+    app.add_flag("-f,--force", options.force, "Let --export overwrite an existing file");
+    app.add_flag("-q,--quiet", options.quiet, "Print only errors and findings");
+    addCommonOptions(app, POINTRT_VERSION, "FILE cannot be read or is malformed", kExamples);
 }
 
 void checkOptions(const Options& options) {
     const auto usage = [](const std::string& text) { throw Error(ExitCode::kBadUsage, text); };
     const std::string& path = options.export_path;
-    if (options.input == "-") usage("-: a .pro is mapped where it lies, so it must be a file");
-    if (path.empty() && options.force) usage("--force goes with --export");
+    if (options.input == "-") usage("-: a .pro is memory-mapped, so it must be a file");
+    if (path.empty() && options.force) usage("--force needs --export");
     if (path.empty()) return;
     if (options.json || options.verify)
         usage(std::string("--export and ") + (options.json ? "--json" : "--verify") + " exclude each other");
     if (path == "-" && isatty(STDOUT_FILENO) == 1)
-        usage("--export -: standard output is a terminal; let a file or a pipe take the splats");
+        usage("--export -: standard output is a terminal; redirect the splats to a file or a pipe");
     if (path != "-" && isSameFile(options.input, path)) usage(path + ": is the input");
     if (path != "-" && !path.ends_with(".ply") && !path.ends_with(".las") && !path.ends_with(".laz"))
-        usage(path + ": --export writes PLY, LAS and LAZ, so its name must end in .ply, .las or .laz");
+        usage(path + ": --export writes .ply, .las or .laz");
 }
 
 struct FindingList {
@@ -134,7 +134,7 @@ int runOptions(const Options& options) {
 
 int main(int argc, char** argv) {
     return runTool("pointrt-info", [&] {
-        CommandLine app("Tells what is in a .pro file.", "pointrt-info");
+        CommandLine app("Summarizes, verifies and exports .pro files and tile sets.", "pointrt-info");
         Options options;
         addOptions(app, options);
         if (const auto done =

@@ -63,7 +63,7 @@ std::string materialsText(const ProFile& file) {
     return text;
 }
 
-/// "2: 61 %, 5: 39 %" of so few values that a line holds them, else bars from the least to the greatest.
+/// "2: 61 %, 5: 39 %" for a few different values, else bars from the lowest to the highest.
 std::string histogramText(const Histogram& histogram, std::uint64_t numbers) {
     constexpr std::size_t kListed = 8;
     std::string text;
@@ -101,7 +101,7 @@ std::string sensorsText(const pro_world& world) {
     return fmt::format("{} of {} scans", known, world.sensor_count);
 }
 
-/// Range and median, over the radius and in input units.
+/// Range and median, in radii and in input units.
 std::string noiseText(const Summary& summary, const ProFile& file) {
     const NoiseSummary& noise = summary.noise;
     if (file.noise().empty()) return "none";
@@ -136,7 +136,7 @@ Json levelsJson(const Summary& summary) {
     return levels;
 }
 
-/// Null where the file has none.
+/// Null if the file has none.
 Json indexJson(const Summary& summary, const pro_index* index) {
     if (!index) return nullptr;
     return {{"bytes", summary.index_bytes},     {"grid", {index->size[0], index->size[1], index->size[2]}},
@@ -182,7 +182,7 @@ Json attributesJson(const ProFile& file) {
     return attributes;
 }
 
-/// Null for a scan without.
+/// Null if the scan has none.
 Json sensorsJson(const pro_world& world) {
     Json sensors = Json::array();
     for (std::uint32_t i = 0; i < world.sensor_count; ++i) {
@@ -192,7 +192,7 @@ Json sensorsJson(const pro_world& world) {
     return sensors;
 }
 
-/// Null where the scan is clean.
+/// Null for a clean scan.
 Json noiseJson(const Summary& summary, const ProFile& file) {
     if (file.noise().empty()) return nullptr;
     const NoiseSummary& noise = summary.noise;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A summary for people, and for programs.
+// The summary of a file as text and as JSON.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace pointrt {
 
-/// Several lines; lengths are marked as input units. Free to change between versions.
+/// Several lines, with lengths in input units. The text may change between versions.
 std::string summaryText(const std::string& path, const Summary& summary, const ProFile& file);
 
-/// One JSON object; keys keep their meaning. Metadata that is not JSON becomes a string.
+/// One JSON object; its keys are stable. Metadata that is not JSON becomes a string.
 std::string summaryJson(const Summary& summary, const ProFile& file);
 
 } // namespace pointrt

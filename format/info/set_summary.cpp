@@ -32,7 +32,7 @@ double medianSpacing(const TileSet& set, std::uint32_t level) {
         if (tile.level == level) spacings.push_back(tile.spacing);
     const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
     std::nth_element(spacings.begin(), middle, spacings.end());
-    return *middle; // a set that was read has tiles on each level
+    return *middle; // a valid set has tiles on each level
 }
 
 pro_world worldOf(const TileSet& set) {
@@ -53,7 +53,7 @@ std::string tilesText(const SetSummary& summary) {
     const std::string count =
         fmt::format("{}, {} of them with original splats", summary.all.tiles, summary.all.original_tiles);
     if (summary.damaged.empty()) return count;
-    return fmt::format("{}; {} not there or not as set.json names them: --verify lists them", count,
+    return fmt::format("{}; {} missing or different from set.json; list them with --verify", count,
                        summary.damaged.size());
 }
 
@@ -144,7 +144,7 @@ std::string setSummaryText(const std::string& folder, const SetSummary& summary,
     };
     const SetLevelSummary& all = summary.all;
     line("size", fmt::format("{}, {:.1f} bytes a splat", humanBytes(all.bytes), share(all.bytes, set.splats)));
-    line("splats", fmt::format("{}, and {} merged; {:.1f} % of what is stored repeats neighbours'", set.splats,
+    line("splats", fmt::format("{}, and {} merged; {:.1f} % of stored splats are copies of neighbours'", set.splats,
                                all.splats - set.splats, 100 * share(all.stored - all.splats, all.stored)));
     line("tiles", tilesText(summary));
     if (set.input_points > 0) line("input points", std::to_string(set.input_points));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What pointrt-info tells of a set, from set.json and the tiles' headers, for people and for programs.
+// The summary of a tile set that pointrt-info prints as text or JSON.
 #pragma once
 
 #include <cstdint>
@@ -12,23 +12,23 @@ namespace pointrt {
 
 struct SetLevelSummary {
     std::uint64_t tiles = 0, original_tiles = 0, splats = 0, stored = 0, bytes = 0;
-    double error = 0;   ///< the largest, input units
-    double spacing = 0; ///< median of its tiles', input units
+    double error = 0;   ///< largest of its tiles, input units
+    double spacing = 0; ///< median of its tiles, input units
 };
 
 struct SetSummary {
-    std::vector<SetLevelSummary> levels; ///< the finest first
-    SetLevelSummary all;                 ///< sums; no error or spacing
-    std::vector<std::string> damaged;    ///< a line for each tile that is not there or not the one
+    std::vector<SetLevelSummary> levels; ///< finest first
+    SetLevelSummary all;                 ///< sums; without error and spacing
+    std::vector<std::string> damaged;    ///< a line for each missing or mismatching tile
 };
 
-/// Reads the tiles' headers.
+/// Reads set.json and the headers of all tiles.
 SetSummary summarizeSet(const TileSet& set, const std::string& folder);
 
-/// Several lines; free to change between versions.
+/// Several lines, which may change between versions.
 std::string setSummaryText(const std::string& folder, const SetSummary& summary, const TileSet& set);
 
-/// One JSON object; keys keep their meaning.
+/// One JSON object; its keys are stable.
 std::string setSummaryJson(const SetSummary& summary, const TileSet& set);
 
 } // namespace pointrt

@@ -14,7 +14,7 @@ namespace {
 
 std::vector<LevelSummary> countLevels(std::span<const std::uint32_t> nodes) {
     std::vector<LevelSummary> levels;
-    std::size_t first = 0, end = 1; // the words of one depth; the root's group holds nothing else
+    std::size_t first = 0, end = 1; // the words of one depth; the group of the root holds only the root
     while (first < end) {
         LevelSummary level;
         for (std::size_t i = first; i < end; ++i) {
@@ -43,7 +43,7 @@ std::vector<SectionSummary> listSections(std::span<const std::byte> bytes) {
     for (SectionSummary& section : sections) {
         section.kind.assign(reinterpret_cast<const char*>(record + PRO_SEC_OFF_KIND), 4);
         for (char& c : section.kind)
-            if (c < ' ' || c > '~') c = '?'; // an unknown kind may be anything
+            if (c < ' ' || c > '~') c = '?'; // an unknown kind may have any bytes
         section.stride = load<std::uint32_t>(record + PRO_SEC_OFF_STRIDE);
         section.count = load<std::uint64_t>(record + PRO_SEC_OFF_COUNT);
         section.offset = load<std::uint64_t>(record + PRO_SEC_OFF_OFFSET);
@@ -54,7 +54,7 @@ std::vector<SectionSummary> listSections(std::span<const std::byte> bytes) {
     return sections;
 }
 
-/// A file that opens has all of them or none.
+/// A valid file has all of these sections or none.
 std::uint64_t indexBytes(const std::vector<SectionSummary>& sections) {
     constexpr std::array<std::string_view, 7> kKinds = {"ENTR", "BRKS", "CELS", "SLBS", "DSCS", "DSPL", "BLDS"};
     std::uint64_t bytes = 0;
@@ -81,7 +81,7 @@ NoiseSummary summarizeNoise(const ProFile& file) {
         ++counts[file.noise()[i]];
     }
     if (file.noise().empty()) return summary;
-    // the code of the splat with so many before it
+    // the code at this rank among all splats
     const auto codeAt = [&](std::uint64_t place) {
         std::size_t code = 0;
         for (std::uint64_t before = counts[0]; before <= place; before += counts[++code]) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What pointrt-info tells of a file, counted once for both ways of printing.
+// The summary of a file that pointrt-info prints as text or JSON.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct SectionSummary {
     bool required = false;
 };
 
-/// Of NOIS, over the radius and in input units; zeros without it.
+/// Of section NOIS, in radii and in input units; 0 without it.
 struct NoiseSummary {
     double low_radii = 0, median_radii = 0, high_radii = 0;
     double low = 0, high = 0; ///< the median is in the header
@@ -34,13 +34,13 @@ struct Summary {
     std::vector<SectionSummary> sections;
     std::uint64_t nodes = 0; ///< 1 + 8 * inner
     std::uint64_t empty_leaves = 0;
-    std::uint64_t border_leaves = 0; ///< filled with references only
+    std::uint64_t border_leaves = 0; ///< filled leaves with references only
     std::uint64_t references = 0;    ///< members + refs
-    std::uint64_t index_bytes = 0;   ///< of the tracing index's sections, 0 without one
+    std::uint64_t index_bytes = 0;   ///< of the sections of the tracing index, 0 without one
     NoiseSummary noise;
     double references_per_splat = 0, bytes_per_splat = 0;
-    double position_error = 0; ///< largest distance of a stored from a given position, input units
-    double radius_error = 0;   ///< largest growth of a radius, as a share of it
+    double position_error = 0; ///< largest distance between stored and input position, input units
+    double radius_error = 0;   ///< largest relative growth of a radius
 };
 
 Summary summarize(const ProFile& file);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How lengths, sizes and directions read, of files and of sets.
+// Sizes, vectors and units as text.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,10 @@ namespace pointrt {
 /// "1.5 KiB (1536 bytes)".
 std::string humanBytes(std::uint64_t bytes);
 
-/// Ten digits: millimetres in a national grid of metres.
+/// With ten digits, which resolve millimetres in a national grid.
 std::string vectorText(const double v[3]);
 
-/// "x", "-z", or the vector where it is along none of the axes.
+/// "x", "-z", or the vector if it is not along an axis.
 std::string upText(const pro_world& world);
 
 std::string unitText(const pro_world& world);

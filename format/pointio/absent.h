@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a build without Rust says of files that it would need it for.
+// The error of builds without Rust for formats that need it.
 #pragma once
 
 #include <string>

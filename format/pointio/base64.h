@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bytes as text: RFC 4648.
+// Base64 (RFC 4648).
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@ namespace pointrt {
 
 std::string toBase64(std::string_view bytes);
 
-/// Nothing where the text is not what toBase64 writes.
+/// None if text is not as toBase64 writes it.
 std::optional<std::string> fromBase64(std::string_view text);
 
 } // namespace pointrt

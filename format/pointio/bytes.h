@@ -14,7 +14,7 @@
 
 namespace pointrt {
 
-static_assert(std::endian::native == std::endian::little, "numbers of files are read as they lie there");
+static_assert(std::endian::native == std::endian::little, "numbers are read without conversion");
 
 /// The number at `at`, which must lie in bytes.
 template <typename Number>
@@ -25,21 +25,21 @@ Number loadAt(std::string_view bytes, std::size_t at) {
     return number;
 }
 
-/// bytes[at, at + size), as far as they are there.
+/// bytes[at, at + size), cut off at the end of bytes.
 inline std::string_view cut(std::string_view bytes, std::uint64_t at, std::uint64_t size) {
     return at > bytes.size() ? std::string_view{} : bytes.substr(at, size);
 }
 
-/// Whether [at, at + size) lies in so many bytes.
+/// Whether [at, at + size) lies in [0, bytes).
 inline bool liesIn(std::uint64_t at, std::uint64_t size, std::uint64_t bytes) {
     return at <= bytes && size <= bytes - at;
 }
 
-/// Text in a field of fixed length: up to the first 0.
+/// The text of a field of fixed length, up to the first 0.
 inline std::string fieldText(std::string_view field) { return std::string(field.substr(0, field.find('\0'))); }
 
-/// Throws Error for a file that is wrong; the reader adds its name. Libraries' own words may quote any byte of the
-/// file.
+/// Throws Error kBadInput without the file's name, which the reader adds. Escapes reason, as messages of libraries may
+/// quote bytes of the file.
 [[noreturn]] inline void refuseFile(const std::string& reason) {
     throw Error(ExitCode::kBadInput, printable(reason, reason.size()));
 }

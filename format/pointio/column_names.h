@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the numbers of a column are called where each has a name of its own.
+// Names of the components of a column, for formats with a name for each number.
 #pragma once
 
 #include <string>
@@ -9,8 +9,7 @@
 
 namespace pointrt {
 
-/// One for each component. The names of attributes may hold anything: blanks, control characters, and what is among
-/// separators, become '_'.
+/// One name for each component. Blanks, control characters and separators in names of attributes become '_'.
 std::vector<std::string> componentNames(const PointColumn& column, const std::string& separators);
 
 } // namespace pointrt

@@ -11,7 +11,7 @@ namespace pointrt {
 namespace {
 
 constexpr std::size_t kInfoBytes = 160, kEntryBytes = 32;
-/// Levels whose nodes' numbers fit in the 31 bits that they have.
+/// Coordinates of nodes have 31 bits, so there are no deeper levels.
 constexpr std::int32_t kDeepest = 30;
 
 struct Info {
@@ -25,7 +25,7 @@ struct Info {
           root_bytes(loadAt<std::uint64_t>(bytes, 48)) {}
 };
 
-/// One entry of a page of the hierarchy: a node, or a page where points is -1.
+/// An entry of a page of the hierarchy: a node, or another page if points is -1.
 struct Entry {
     std::int32_t level, place[3];
     std::uint64_t at;
@@ -51,15 +51,15 @@ CopcBox boxOf(const Info& info, const Entry& entry) {
 void checkEntry(const LasFile& file, const Entry& entry) {
     if (entry.level < 0 || entry.level > kDeepest || entry.bytes < 0 || entry.points < -1 ||
         !liesIn(entry.at, static_cast<std::uint64_t>(entry.bytes), file.bytes.size()))
-        refuseFile("COPC hierarchy: leads out of the file");
+        refuseFile("COPC hierarchy: points outside the file");
 }
 
 struct Page {
     std::uint64_t at, bytes;
 };
 
-/// Walks all pages below the root's. As many entries as the file has room for are all there can be: pages that lead in
-/// circles, or lie over each other, have more.
+/// Walks all pages from the root's. Reads at most as many entries as the file has room for, which stops at cyclic and
+/// overlapping pages.
 template <typename Use>
 void forEntries(const LasFile& file, Page root, const Use& use) {
     std::uint64_t room = file.bytes.size() / kEntryBytes;
@@ -67,9 +67,9 @@ void forEntries(const LasFile& file, Page root, const Use& use) {
     while (!pages.empty()) {
         const Page page = pages.back();
         pages.pop_back();
-        if (!liesIn(page.at, page.bytes, file.bytes.size())) refuseFile("COPC hierarchy: leads out of the file");
+        if (!liesIn(page.at, page.bytes, file.bytes.size())) refuseFile("COPC hierarchy: points outside the file");
         for (std::uint64_t at = 0; at + kEntryBytes <= page.bytes; at += kEntryBytes) {
-            if (room-- == 0) refuseFile("COPC hierarchy: leads in circles");
+            if (room-- == 0) refuseFile("COPC hierarchy: is cyclic");
             const Entry entry(file.bytes.substr(page.at + at, kEntryBytes));
             checkEntry(file, entry);
             if (entry.points == -1) pages.push_back({entry.at, static_cast<std::uint64_t>(entry.bytes)});
@@ -87,13 +87,13 @@ bool isCopc(const LasFile& file) {
     return file.header.packed && info && info->data.size() >= kInfoBytes;
 }
 
-std::vector<LazChunk> copcChunks(const LasFile& file, const CopcChoice& wanted) {
+std::vector<LazChunk> copcChunks(const LasFile& file, const CopcChoice& is_selected) {
     const Info info(infoOf(file)->data);
-    if (!std::isfinite(info.half_size) || info.half_size <= 0) refuseFile("COPC hierarchy: has no size");
+    if (!std::isfinite(info.half_size) || info.half_size <= 0) refuseFile("COPC hierarchy: the size must be above 0");
     std::vector<LazChunk> chunks;
     std::uint64_t points = 0;
     forEntries(file, {info.root_at, info.root_bytes}, [&](const Entry& entry) {
-        if (!wanted(entry.level, boxOf(info, entry))) return;
+        if (!is_selected(entry.level, boxOf(info, entry))) return;
         chunks.push_back({entry.at, static_cast<std::uint64_t>(entry.bytes), static_cast<std::uint64_t>(entry.points)});
         points += chunks.back().points;
     });
@@ -101,7 +101,7 @@ std::vector<LazChunk> copcChunks(const LasFile& file, const CopcChoice& wanted) 
         refuseFile(fmt::format("COPC hierarchy: has {} points, the file {}", points, file.header.point_count));
     std::sort(chunks.begin(), chunks.end(), [](const LazChunk& a, const LazChunk& b) { return a.at < b.at; });
     for (std::size_t i = 1; i < chunks.size(); ++i)
-        if (chunks[i - 1].at + chunks[i - 1].bytes > chunks[i].at) refuseFile("COPC hierarchy: has points twice");
+        if (chunks[i - 1].at + chunks[i - 1].bytes > chunks[i].at) refuseFile("COPC hierarchy: chunks overlap");
     return chunks;
 }
 

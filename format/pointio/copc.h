@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// COPC: LAZ files whose chunks are the nodes of an octree, each with points that those above it lack.
+// COPC: LAZ files whose chunks are the nodes of an octree; each adds points to those of its ancestors.
 // After "COPC Specification 1.0", https://copc.io.
 #pragma once
 
@@ -17,13 +17,13 @@ struct CopcBox {
     std::array<double, 3> low, high;
 };
 
-/// Which nodes: the root has level 0.
+/// Selects nodes. The root has level 0.
 using CopcChoice = std::function<bool(int level, const CopcBox& box)>;
 
 bool isCopc(const LasFile& file);
 
-/// The chunks of the nodes that are wanted, in the order of the file. Throws Error (kBadInput, without the file's name)
-/// where the hierarchy leads out of the file, in circles, or to points that overlap.
-std::vector<LazChunk> copcChunks(const LasFile& file, const CopcChoice& wanted);
+/// The chunks of the selected nodes, in the order of the file. Throws Error (kBadInput, without the file's name) if the
+/// hierarchy is cyclic, points outside the file, or has overlapping chunks.
+std::vector<LazChunk> copcChunks(const LasFile& file, const CopcChoice& is_selected);
 
 } // namespace pointrt

@@ -9,7 +9,7 @@
 namespace pointrt {
 namespace {
 
-constexpr std::size_t kFlushBytes = 1u << 20; // many lines, and little beside a block
+constexpr std::size_t kFlushBytes = 1u << 20; // many lines, small compared to a block
 
 class CsvPoints final : public PointSink {
 public:

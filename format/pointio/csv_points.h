@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points as text, one a line.
+// Writes points as text, one per line.
 #pragma once
 
 #include <memory>

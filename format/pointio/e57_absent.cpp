@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// In place of e57.cpp where there is no Rust.
+// Replaces e57.cpp in builds without Rust.
 #include "format/pointio/absent.h"
 #include "format/pointio/e57.h"
 

@@ -8,11 +8,11 @@
 
 namespace pointrt {
 
-/// Splat numbers in the order of their input points; in file order where the file does not know it. Splats that fill
-/// gaps between points are left out.
+/// Indices of splats in the order of their input points, or in file order if the file does not record it. Excludes
+/// splats that fill gaps.
 std::vector<std::uint32_t> inputOrder(const ProFile& file);
 
-/// How many these are.
+/// The number of these splats.
 std::uint64_t inputCount(const ProFile& file);
 
 } // namespace pointrt

@@ -13,13 +13,13 @@ namespace {
 constexpr std::size_t kGlobalEncoding = 6, kMajor = 24, kMinor = 25, kHeaderBytes = 94, kPointOffset = 96,
                       kVlrCount = 100, kPointFormat = 104, kRecordBytes = 105, kLegacyCount = 107, kScale = 131,
                       kOffset = 155, kEvlrOffset = 235, kEvlrCount = 243, kCount = 247;
-/// Bytes of the header up to 1.2, and of that of 1.4.
+/// Header sizes of versions up to 1.2, and of 1.4.
 constexpr std::size_t kShortHeader = 227, kLongHeader = 375;
 constexpr std::uint8_t kPackedBit = 0x80;
 
 constexpr std::uint16_t kRecordBytesOf[] = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
 
-/// A count of 64 bits came with 1.4; before, and where it is 0, the old one of 32 bits holds.
+/// The 64-bit count of LAS 1.4, else, and if that is 0, the 32-bit one.
 std::uint64_t countOf(std::string_view bytes, bool is_long) {
     const std::uint64_t count = is_long ? loadAt<std::uint64_t>(bytes, kCount) : 0;
     return count > 0 ? count : loadAt<std::uint32_t>(bytes, kLegacyCount);
@@ -28,9 +28,9 @@ std::uint64_t countOf(std::string_view bytes, bool is_long) {
 void checkNumbers(const LasHeader& header, std::uint8_t format_bits) {
     if (header.version_major != 1 || header.version_minor > 4)
         refuseFile(
-            fmt::format("is LAS {}.{}; versions 1.0 to 1.4 are read", header.version_major, header.version_minor));
+            fmt::format("is LAS {}.{}; versions 1.0 to 1.4 are supported", header.version_major, header.version_minor));
     if ((format_bits & ~kPackedBit) >= std::size(kRecordBytesOf))
-        refuseFile(fmt::format("has points of format {}; 0 to {} are read", format_bits & ~kPackedBit,
+        refuseFile(fmt::format("has point format {}; 0 to {} are supported", format_bits & ~kPackedBit,
                                std::size(kRecordBytesOf) - 1));
     if (header.header_bytes < kShortHeader)
         refuseFile(fmt::format("has a header of {} bytes; LAS has {}", header.header_bytes, kShortHeader));
@@ -39,10 +39,10 @@ void checkNumbers(const LasHeader& header, std::uint8_t format_bits) {
                                lasRecordBytes(header.point_format)));
     for (int axis = 0; axis < 3; ++axis)
         if (!std::isfinite(header.scale[axis]) || header.scale[axis] == 0 || !std::isfinite(header.offset[axis]))
-            refuseFile("has coordinates without a scale: it is 0 or no number in the header");
+            refuseFile("the coordinate scale in the header is 0 or not finite");
 }
 
-/// Reads up to count records from at on; false where the file ends before.
+/// Reads up to count records, starting at byte at. False if the file ends before.
 bool readVlrs(LasFile& file, std::uint64_t at, std::uint64_t count, bool extended) {
     const std::uint64_t head = extended ? 60 : 54;
     for (std::uint64_t i = 0; i < count; ++i) {
@@ -60,7 +60,8 @@ bool readVlrs(LasFile& file, std::uint64_t at, std::uint64_t count, bool extende
 void checkPoints(const LasFile& file) {
     const LasHeader& header = file.header;
     if (header.point_offset < kShortHeader || header.point_offset > file.bytes.size())
-        refuseFile(fmt::format("has points from byte {} on, but {} bytes", header.point_offset, file.bytes.size()));
+        refuseFile(
+            fmt::format("points start at byte {}, but the file has {} bytes", header.point_offset, file.bytes.size()));
     const std::uint64_t room = (file.bytes.size() - header.point_offset) / header.record_bytes;
     if (!header.packed && header.point_count > room)
         refuseFile(fmt::format("promises {} points, but has the bytes of {}", header.point_count, room));
@@ -69,7 +70,7 @@ void checkPoints(const LasFile& file) {
 } // namespace
 
 LasHeader readLasHeader(std::string_view bytes) {
-    if (!bytes.starts_with("LASF")) refuseFile("is no LAS file");
+    if (!bytes.starts_with("LASF")) refuseFile("is not a LAS file");
     if (bytes.size() < kShortHeader) refuseFile("ends within the header");
     LasHeader header;
     header.global_encoding = loadAt<std::uint16_t>(bytes, kGlobalEncoding);
@@ -103,7 +104,7 @@ LasFile openLas(std::string_view bytes) {
     LasFile file{bytes, readLasHeader(bytes), {}, {}};
     if (!readVlrs(file, file.header.header_bytes, file.header.vlr_count, false) ||
         !readVlrs(file, file.header.evlr_offset, file.header.evlr_count, true))
-        file.notes.push_back("lacks records that its header promises: what they say of it is not known");
+        file.notes.push_back("lacks records that its header announces; their content is ignored");
     checkPoints(file);
     return file;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// LAS files, 1.0 to 1.4: what stands before and behind the points. LAZ files are LAS files with packed points.
+// LAS files, 1.0 to 1.4: header and variable length records. LAZ files are LAS files with compressed points.
 // After "LAS Specification 1.4 - R15", ASPRS 2019.
 #pragma once
 
@@ -12,16 +12,16 @@
 
 namespace pointrt {
 
-/// The public header block; what a file's version lacks is 0.
+/// The public header block. Fields that the version of the file lacks are 0.
 struct LasHeader {
     std::uint8_t version_major = 1, version_minor = 2;
     std::uint16_t header_bytes = 0;
     std::uint32_t point_offset = 0, vlr_count = 0;
     std::uint8_t point_format = 0; ///< 0 to 10
-    bool packed = false;           ///< the points are LAZ
+    bool packed = false;           ///< points are compressed (LAZ)
     std::uint16_t record_bytes = 0;
     std::uint64_t point_count = 0;
-    std::array<double, 3> scale{}, offset{}; ///< coordinate = offset + scale * whole number; finite, scale not 0
+    std::array<double, 3> scale{}, offset{}; ///< coordinate = offset + scale * integer; finite, scale not 0
     std::uint16_t global_encoding = 0;
     std::uint64_t evlr_offset = 0;
     std::uint32_t evlr_count = 0;
@@ -31,28 +31,29 @@ struct LasHeader {
 struct LasVlr {
     std::string user_id, description;
     std::uint16_t record_id = 0;
-    bool extended = false; ///< behind the points
+    bool extended = false; ///< after the points
     std::string_view data;
 };
 
 struct LasFile {
-    std::string_view bytes; ///< of the file; data of VLRs lies in them
+    std::string_view bytes; ///< of the file; data of VLRs are views of them
     LasHeader header;
     std::vector<LasVlr> vlrs;
-    std::vector<std::string> notes; ///< what a user should know of it
+    std::vector<std::string> notes; ///< for the user
 };
 
-/// Reads all but the points. Throws Error (kBadInput, a reason without the file's name) when there is no LAS header of
-/// a known version and point format, its numbers make no sense, or points that are not packed do not fit in the file.
+/// Reads header and records. Throws Error (kBadInput, without the file's name) for an unknown version or point format,
+/// invalid numbers in the header, and uncompressed points that do not fit in the file.
 LasFile openLas(std::string_view bytes);
 
-/// The header alone: nothing of it is held against what follows. Throws as openLas.
+/// Reads the header without checking it against the rest of the file. Throws as openLas.
 LasHeader readLasHeader(std::string_view bytes);
 
-/// The first VLR of these, null where there is none.
+/// The first such VLR, or null.
 const LasVlr* findVlr(const LasFile& file, std::string_view user_id, std::uint16_t record_id);
 
-/// Bytes of a point before its extra bytes. point_format: 0 to 10
+/// Bytes of a point before its extra bytes.
+/// @param point_format 0 to 10
 std::uint16_t lasRecordBytes(std::uint8_t point_format);
 
 inline constexpr std::string_view kLasSpecUser = "LASF_Spec", kLasCrsUser = "LASF_Projection";

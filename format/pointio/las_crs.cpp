@@ -6,8 +6,9 @@
 #include <fmt/format.h>
 #include <optional>
 
-#include "format/base/wkt.h"
+#include "format/crs/projected_crs.h"
 #include "format/pointio/bytes.h"
+#include "format/pointio/wkt.h"
 
 namespace pointrt {
 namespace {
@@ -18,7 +19,7 @@ constexpr std::uint16_t kWktRecord = 2112, kGeoKeysRecord = 34735, kGeoDoublesRe
 
 /// The factor of UNIT["name", factor, ...].
 double factorOf(std::string_view unit) {
-    const std::size_t quote = unit.rfind('"', unit.find(',')); // the name may have no comma
+    const std::size_t quote = unit.rfind('"', unit.find(',')); // not a comma within the name
     std::size_t at = unit.find(',', quote == std::string_view::npos ? 0 : quote);
     if (at == std::string_view::npos) return 0;
     while (at + 1 < unit.size() && (unit[at] == ',' || unit[at] == ' ')) ++at;
@@ -27,7 +28,7 @@ double factorOf(std::string_view unit) {
     return std::isfinite(factor) && factor > 0 ? factor : 0;
 }
 
-/// Of a projected or geocentric system; its axes name the unit where it does not itself.
+/// The unit of a projected or geocentric system, or of its first axis.
 double unitOf(std::string_view system) {
     if (const auto unit = wktChild(system, {"UNIT", "LENGTHUNIT"})) return factorOf(*unit);
     if (const auto axis = wktChild(system, {"AXIS"}))
@@ -35,10 +36,10 @@ double unitOf(std::string_view system) {
     return 0;
 }
 
-/// A system bound to another one, of a compound one: no deeper than that do systems hold systems.
+/// Nesting of systems: a bound system in a compound one, and the other way round.
 constexpr int kDeepest = 4;
 
-/// Adds what the system of that keyword says; false where it is none of x and y.
+/// Reads the system of this keyword into crs. False if it is not a horizontal one.
 bool takeSystem(std::string_view keyword, std::string_view content, LasCrs& crs, int depth = 0) {
     if (isOneOf(keyword, {"COMPD_CS", "COMPOUNDCRS", "BOUNDCRS", "SOURCECRS"}) && depth < kDeepest) {
         forWktChildren(content, [&](std::string_view inner, std::string_view its) {
@@ -52,14 +53,14 @@ bool takeSystem(std::string_view keyword, std::string_view content, LasCrs& crs,
     } else if (isOneOf(keyword, {"GEOGCS", "GEOGCRS", "GEOGRAPHICCRS"})) {
         crs.kind = Kind::kGeographic;
     } else if (isOneOf(keyword, {"GEOCCS", "GEODCRS", "GEODETICCRS"})) {
-        // GEODCRS has angles or lengths
+        // GEODCRS is geographic or geocentric
         crs.metres_per_unit = keyword == "GEOCCS" || content.find("Cartesian") != content.npos ? 1 : 0;
         crs.kind = crs.metres_per_unit > 0 ? Kind::kGeocentric : Kind::kGeographic;
     }
     return crs.kind != Kind::kUnknown;
 }
 
-// ---- GeoTIFF keys: four whole numbers each, "OGC GeoTIFF Standard 1.1" ----
+// ---- GeoTIFF keys: four integers each, "OGC GeoTIFF Standard 1.1" ----
 
 enum GeoKey : std::uint16_t {
     kModelType = 1024,
@@ -73,14 +74,14 @@ constexpr std::uint16_t kUserDefined = 32767;
 struct GeoKeys {
     std::string_view directory, doubles;
 
-    /// The value of a key that is a whole number; 0 where it is not there.
+    /// The value of a key with an integer; 0 if absent.
     std::uint16_t number(GeoKey key) const {
         for (std::size_t at = 8; at + 8 <= directory.size(); at += 8)
             if (loadAt<std::uint16_t>(directory, at) == key && loadAt<std::uint16_t>(directory, at + 2) == 0)
                 return loadAt<std::uint16_t>(directory, at + 6);
         return 0;
     }
-    /// Of a key that is a real; 0 where it is not there.
+    /// The value of a key with a double; 0 if absent.
     double real(GeoKey key) const {
         for (std::size_t at = 8; at + 8 <= directory.size(); at += 8) {
             const std::size_t place = 8 * std::size_t{loadAt<std::uint16_t>(directory, at + 6)};
@@ -92,21 +93,21 @@ struct GeoKeys {
     }
 };
 
-/// EPSG's codes of units of length.
+/// EPSG codes of units of length.
 double metresOfUnit(std::uint16_t code) {
     switch (code) {
     case 9001:
         return 1;
     case 9002: // international foot
         return 0.3048;
-    case 9003: // foot of the US survey
+    case 9003: // US survey foot
         return 1200.0 / 3937.0;
     default:
         return 0;
     }
 }
 
-/// Where keys name no unit: that of the systems that whole ranges of EPSG's codes are known to have.
+/// Common systems in metres, which read the same with and without PROJ.
 bool isMetricCrs(std::uint16_t code) {
     const auto within = [code](int first, int last) { return code >= first && code <= last; };
     return within(32601, 32760)    // UTM, WGS 84
@@ -115,6 +116,14 @@ bool isMetricCrs(std::uint16_t code) {
            || within(25828, 25838) // UTM, ETRS89
            || within(28348, 28358) // MGA, GDA94
            || code == 3857;        // Web Mercator
+}
+
+/// The unit of a projected system, for files whose keys name none; 0 if unknown.
+double metresOfEpsgCrs(std::uint16_t code) {
+    if (isMetricCrs(code)) return 1;
+    if (code == 0 || code == kUserDefined || !isProjInstalled()) return 0;
+    const auto crs = projectedCrs(fmt::format("EPSG:{}", code));
+    return crs ? crs->metres_per_unit : 0;
 }
 
 LasCrs crsOfKeys(const GeoKeys& keys) {
@@ -143,7 +152,7 @@ LasCrs crsOfKeys(const GeoKeys& keys) {
     if (unit == kUserDefined && std::isfinite(size) && size > 0)
         crs.metres_per_unit = size;
     else
-        crs.metres_per_unit = unit == 0 && isMetricCrs(projected) ? 1 : metresOfUnit(unit);
+        crs.metres_per_unit = unit == 0 ? metresOfEpsgCrs(projected) : metresOfUnit(unit);
     return crs;
 }
 
@@ -158,7 +167,7 @@ LasCrs crsOfWkt(std::string_view wkt) {
 }
 
 LasCrs lasCrs(const LasFile& file) {
-    constexpr std::size_t kLongest = 65535; // what a record before the points holds; longer ones are none of these
+    constexpr std::size_t kLongest = 65535; // the most that a VLR before the points holds
     const LasVlr* const wkt = findVlr(file, kLasCrsUser, kWktRecord);
     if (wkt && wkt->data.size() <= kLongest) {
         LasCrs crs = crsOfWkt(fieldText(wkt->data));

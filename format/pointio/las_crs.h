@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The coordinate system that a LAS file names.
+// The coordinate system of a LAS file.
 #pragma once
 
 #include <string>
@@ -12,11 +12,12 @@ namespace pointrt {
 struct LasCrs {
     enum class Kind { kUnknown, kProjected, kGeographic, kGeocentric };
     Kind kind = Kind::kUnknown;
-    std::string name;           ///< WKT, or "EPSG:N"; "" where the file names none
-    double metres_per_unit = 0; ///< of x and y; 0 where that is not known, or they are degrees
+    std::string name;           ///< WKT, or "EPSG:N"; "" if the file names none
+    double metres_per_unit = 0; ///< of x and y; 0 if unknown or in degrees
 };
 
-/// From a WKT record, or else from GeoTIFF keys. Keys that make no sense are left out.
+/// Reads a WKT record, or else GeoTIFF keys, of which it ignores invalid ones. Keys without a unit take that of the
+/// EPSG code, if PROJ is installed.
 LasCrs lasCrs(const LasFile& file);
 
 /// Kind and unit of a coordinate system in WKT, version 1 or 2.

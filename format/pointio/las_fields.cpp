@@ -25,7 +25,7 @@ LasField whole(const char* name, std::uint32_t type, std::size_t at, bool minor 
     return field;
 }
 
-/// Some bits of the byte at `at`.
+/// A bit field of the byte at `at`.
 LasField bits(const char* name, std::size_t at, std::uint8_t shift, std::uint8_t count, bool minor = false) {
     LasField field = whole(name, PRO_TYPE_U8, at, minor);
     field.shift = shift;
@@ -80,9 +80,9 @@ LasField rgb(std::size_t at) {
     return field;
 }
 
-/// A descriptor of the extra bytes record: 192 bytes.
+/// A descriptor in the extra bytes record: 192 bytes.
 struct Descriptor {
-    std::uint8_t type, options; ///< options of type 0: its bytes
+    std::uint8_t type, options; ///< for type 0, options is the number of bytes
     std::string name;
     double scale[3], offset[3];
 
@@ -99,7 +99,7 @@ struct Descriptor {
 };
 constexpr std::size_t kDescriptorBytes = 192;
 
-/// Types 1 to 10 in the specification's order; 11 to 20 are two of them, 21 to 30 three.
+/// Types 1 to 10 in the order of the specification; 11 to 20 have two components, 21 to 30 three.
 constexpr std::uint32_t kExtraTypes[] = {PRO_TYPE_U8,  PRO_TYPE_I8,  PRO_TYPE_U16, PRO_TYPE_I16, PRO_TYPE_U32,
                                          PRO_TYPE_I32, PRO_TYPE_U64, PRO_TYPE_I64, PRO_TYPE_F32, PRO_TYPE_F64};
 constexpr std::uint8_t kLastExtraType = 30;
@@ -114,7 +114,7 @@ LasField describedField(const Descriptor& descriptor, std::size_t at) {
     for (std::size_t i = 0; i < field.components; ++i) {
         const double scale = descriptor.hasScale() ? descriptor.scale[i] : 1;
         const double offset = descriptor.hasOffset() ? descriptor.offset[i] : 0;
-        if (!std::isfinite(scale) || scale == 0 || !std::isfinite(offset)) return field; // raw numbers mean more
+        if (!std::isfinite(scale) || scale == 0 || !std::isfinite(offset)) return field; // keeps raw numbers
         field.multiply[i] = scale;
         field.add[i] = offset;
     }
@@ -123,22 +123,21 @@ LasField describedField(const Descriptor& descriptor, std::size_t at) {
     return field;
 }
 
-/// Makes the name one that an attribute may have and no field before has.
+/// Makes the name valid and unique.
 void settleName(std::string& name, const std::vector<LasField>& fields) {
     name = uniqueName(name.empty() ? "ExtraBytes" : name, PRO_ATTRIBUTE_NAME_MAX, [&](const std::string& each) {
         return std::any_of(fields.begin(), fields.end(), [&](const LasField& field) { return field.name == each; });
     });
 }
 
-/// Bytes without a meaning; more than 16 of a point are no attribute any more.
+/// Undescribed bytes per point to keep, at most.
 constexpr std::size_t kMostBareBytes = 16;
 
-/// descriptor: "" where the file has none of them
+/// @param descriptor of the bytes; "" if the file has none
 void addBareBytes(LasFile& file, std::vector<LasField>& fields, const std::string& name, std::string_view descriptor,
                   std::size_t at, std::size_t bytes) {
     if (bytes > kMostBareBytes)
-        file.notes.push_back(
-            fmt::format("has {} bytes a point that nothing describes: {} are kept", bytes, kMostBareBytes));
+        file.notes.push_back(fmt::format("has {} undescribed bytes per point; keeps {}", bytes, kMostBareBytes));
     bytes = std::min(bytes, kMostBareBytes);
     for (std::size_t done = 0; done < bytes; done += PRO_ATTRIBUTE_COMPONENTS_MAX) {
         LasField field = whole(name.c_str(), PRO_TYPE_U8, at + done);
@@ -159,7 +158,7 @@ void addExtraFields(LasFile& file, std::vector<LasField>& fields) {
     std::string_view rest = vlr ? vlr->data : std::string_view{};
     for (; rest.size() >= kDescriptorBytes && at < end; rest.remove_prefix(kDescriptorBytes)) {
         const Descriptor descriptor(rest);
-        if (descriptor.type > kLastExtraType) break; // of a size that nobody knows: so is where the next one lies
+        if (descriptor.type > kLastExtraType) break; // of unknown size, so the next field cannot be located
         if (descriptor.type == 0) {
             const std::size_t bytes = std::min<std::size_t>(descriptor.options, end - at);
             addBareBytes(file, fields, descriptor.name, rest.substr(0, kDescriptorBytes), at, bytes);
@@ -182,7 +181,7 @@ void copyOut(const char* from, std::size_t stride, std::size_t count, char* to) 
     for (std::size_t i = 0; i < count; ++i) std::memcpy(to + i * kSize, from + i * stride, kSize);
 }
 
-/// Sizes that are frequent are copied by a loop of their own, which the compiler unrolls.
+/// Loops with a fixed size for common sizes, which the compiler unrolls.
 void copyOut(const char* from, std::size_t stride, std::size_t count, std::size_t size, char* to) {
     switch (size) {
     case 1:
@@ -211,7 +210,7 @@ void unpackScaled(const LasField& field, const char* records, std::size_t stride
         }
 }
 
-/// The raw number whose value is nearest; the least or most there is where it is farther.
+/// The raw number whose value is nearest, clamped to the range of its type.
 template <typename Number>
 Number rawOf(double value) {
     if constexpr (std::is_floating_point_v<Number>) return static_cast<Number>(value);
@@ -259,8 +258,7 @@ std::vector<LasField> lasFields(std::uint8_t point_format) {
 std::vector<LasField> lasFields(LasFile& file) {
     std::vector<LasField> fields = lasFields(file.header.point_format);
     addExtraFields(file, fields);
-    if (wavePacketAt(file.header.point_format) > 0)
-        file.notes.push_back("has waveforms: they are left out, the points are read");
+    if (wavePacketAt(file.header.point_format) > 0) file.notes.push_back("waveforms are ignored");
     return fields;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The attributes of LAS points: where each lies in a point's record, under which name it is known.
+// The attributes of LAS points: their names, and their places in point records.
 #pragma once
 
 #include <cstdint>
@@ -13,39 +13,39 @@ namespace pointrt {
 /// An attribute of a point, as laspy names it. Types are PRO_TYPE_* (pro_layout.h).
 struct LasField {
     std::string name;
-    std::uint32_t type = 0, components = 1; ///< as handed on
+    std::uint32_t type = 0, components = 1; ///< of the attribute
     std::size_t at = 0;                     ///< byte of the record
-    std::uint8_t shift = 0, mask = 0;       ///< of a byte that has several; mask 0: it has not
-    /// Nearly always 0 in all points: not worth keeping then.
+    std::uint8_t shift = 0, mask = 0;       ///< of bit fields; mask 0: whole bytes
+    /// Usually 0 for all points, and then dropped.
     bool minor = false;
-    bool extra = false;         ///< one of the extra bytes
+    bool extra = false;         ///< from the extra bytes
     std::uint32_t raw_type = 0; ///< in the record
-    /// Of extra bytes with a scale: value = add + multiply * raw number, as a double.
+    /// Extra bytes with a scale: value = add + multiply * raw number, as a double.
     bool scaled = false;
-    std::string descriptor; ///< of described extra bytes, as in the file: 192 bytes
-    bool continues = false; ///< bytes without a meaning that belong to those of the field before
+    std::string descriptor; ///< the 192 bytes that describe extra bytes in the file
+    bool continues = false; ///< undescribed bytes that continue those of the previous field
     double multiply[3] = {1, 1, 1}, add[3] = {0, 0, 0};
 };
 
-/// In the order of the record: those of the point format, then those of the extra bytes. Extra bytes that nothing
-/// describes are "ExtraBytes", four to an attribute; names that are taken or empty get a number, those of more than 31
-/// bytes are cut. What is left out is added to the file's notes.
+/// All fields in the order of the record: those of the point format, then the extra bytes. Undescribed extra bytes
+/// become attributes "ExtraBytes" of four bytes each. Duplicate and empty names get a number; names are cut to 31
+/// bytes. Adds a note to the file for omitted fields.
 std::vector<LasField> lasFields(LasFile& file);
 
-/// Of the point format alone.
+/// The fields of the point format only.
 std::vector<LasField> lasFields(std::uint8_t point_format);
 
-/// Bytes of a point's value.
+/// Bytes of the value of a point.
 std::size_t fieldBytes(const LasField& field);
 
-/// Where a point format has wave packets, 29 bytes; 0 where it has none.
+/// The byte at which a point format has its wave packet of 29 bytes; 0 if it has none.
 std::size_t wavePacketAt(std::uint8_t point_format);
 
-/// The values of one field of many points: those of record i go to values + i * fieldBytes(field).
+/// Reads one field of many points. The value of record i goes to values + i * fieldBytes(field).
 void unpackField(const LasField& field, const char* records, std::size_t record_bytes, std::size_t count, char* values);
 
-/// The way back into records whose other bits stay; bits start as 0. A scaled value is rounded to the nearest raw
-/// number.
+/// Writes one field into records, whose bits of this field must be 0, and keeps all others. Rounds a scaled value to
+/// the nearest raw number.
 void packField(const LasField& field, const char* values, std::size_t record_bytes, std::size_t count, char* records);
 
 } // namespace pointrt

@@ -17,23 +17,23 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kDescriptorBytes = 192;
 constexpr std::uint16_t kWktRecord = 2112, kGeoKeysRecord = 34735;
-/// Bits of the header's global encoding: those of waveforms, and the one that says the system is in WKT.
+/// Bits of the header's global encoding: waveforms, and coordinate system in WKT.
 constexpr std::uint16_t kWaveformBits = 0b110, kWktBit = 0b10000;
 
 bool isReal(std::uint32_t type) { return type >= PRO_TYPE_F32; }
 
 bool hasSign(std::uint32_t type) { return type == PRO_TYPE_I8 || type == PRO_TYPE_I16 || type == PRO_TYPE_I32; }
 
-/// Least and most that a field of whole numbers takes.
+/// The range of an integer field.
 std::array<double, 2> limitsOf(const LasField& field) {
     const double bits = static_cast<double>(8 * pro_type_bytes(field.type));
     const double most = field.mask != 0 ? field.mask : std::exp2(hasSign(field.type) ? bits - 1 : bits) - 1;
     return {hasSign(field.type) ? -most - 1 : 0, most};
 }
 
-/// Whether all values are known, and whole numbers.
+/// Whether all values are in memory and integers.
 bool areWhole(const PointColumn& column) {
-    if (!column.values) return false; // of many files: not worth looking through them
+    if (!column.values) return false; // in many files, which are not worth reading for this
     return withType(column.type, [&](auto number) {
         const auto* values = static_cast<const decltype(number)*>(column.values);
         return std::all_of(values, values + column.value_rows * column.components, [](auto each) {
@@ -43,7 +43,7 @@ bool areWhole(const PointColumn& column) {
     });
 }
 
-/// Whether a field that is not scaled takes every value of a column as it is.
+/// Whether an unscaled field holds every value of a column exactly.
 bool holds(const LasField& field, const PointColumn& column) {
     if (field.components != column.components) return false;
     if (field.type == column.type && field.mask == 0) return true;
@@ -56,14 +56,14 @@ bool holds(const LasField& field, const PointColumn& column) {
 
 bool isAttribute(const PointColumn& column) { return column.role == PointRole::kAttribute; }
 
-/// Null where there is none.
+/// Null if there is none.
 const PointColumn* attributeOf(const PointOutline& points, std::string_view name) {
     const auto found = std::find_if(points.columns.begin(), points.columns.end(),
                                     [&](const PointColumn& each) { return isAttribute(each) && name == each.name; });
     return found == points.columns.end() ? nullptr : &*found;
 }
 
-/// points.columns.size() where there is none.
+/// points.columns.size() if there is none.
 std::size_t colorColumn(const PointOutline& points) {
     const auto found = std::find_if(points.columns.begin(), points.columns.end(),
                                     [](const PointColumn& each) { return each.role == PointRole::kColor; });
@@ -72,7 +72,7 @@ std::size_t colorColumn(const PointOutline& points) {
 
 bool hasColors(const PointOutline& points) { return colorColumn(points) < points.columns.size(); }
 
-/// Whether the attribute is there and may hold more than fields of formats 0 to 5 can.
+/// Whether the attribute exists and may exceed the fields of formats 0 to 5.
 bool exceedsOld(const PointOutline& points, const char* name, double most) {
     const PointColumn* const attribute = attributeOf(points, name);
     if (!attribute) return false;
@@ -81,7 +81,7 @@ bool exceedsOld(const PointOutline& points, const char* name, double most) {
     return high > most && high <= 255;
 }
 
-/// The smallest point format that takes all of the attributes of LAS; no old one where the source had a new one.
+/// The smallest point format with all of these attributes; 6 or later if the source had one of these.
 std::uint8_t chooseFormat(const PointOutline& points, const std::optional<LasSource>& source) {
     const auto has = [&](const char* name) { return attributeOf(points, name) != nullptr; };
     const std::uint8_t before = source ? source->header.point_format : 0;
@@ -104,7 +104,8 @@ LasSource::Record recordOf(std::string_view user, std::uint16_t id, const std::s
 
 // ---- extra bytes ----
 
-/// The descriptor of an attribute as a LAS file has it. type: of the specification
+/// The descriptor of an extra bytes attribute.
+/// @param type of the specification
 std::string descriptorOf(std::uint8_t type, std::uint8_t options, const std::string& name) {
     std::string bytes(kDescriptorBytes, '\0');
     bytes[2] = static_cast<char>(type);
@@ -113,16 +114,16 @@ std::string descriptorOf(std::uint8_t type, std::uint8_t options, const std::str
     return bytes;
 }
 
-/// The types of the specification: 1 to 10, and 10 more for each component.
+/// The type in the specification: 1 to 10, plus 10 for each further component.
 std::uint8_t extraType(const PointColumn& attribute) {
-    constexpr std::uint8_t kTypes[] = {2, 1, 4, 3, 6, 5, 8, 7, 9, 10}; // of PRO_TYPE_I8 on
+    constexpr std::uint8_t kTypes[] = {2, 1, 4, 3, 6, 5, 8, 7, 9, 10}; // from PRO_TYPE_I8
     return static_cast<std::uint8_t>(kTypes[attribute.type - PRO_TYPE_I8] + 10 * (attribute.components - 1));
 }
 
-/// A field for an attribute that the source did not have. Arrays of four are no type of LAS: bytes without a meaning.
+/// A field for an attribute that the source lacks. Four components are no type of LAS and become undescribed bytes.
 std::string newExtraField(const PointColumn& attribute, bool name_taken, LasField& field) {
     field.name = attribute.name;
-    if (name_taken) field.name += "_2"; // LAS has something of that name, which cannot hold these numbers
+    if (name_taken) field.name += "_2"; // the LAS field of this name cannot hold these numbers
     field.type = field.raw_type = attribute.type;
     field.components = attribute.components;
     field.extra = true;
@@ -147,8 +148,8 @@ std::vector<LasField> sourceExtraFields(const std::optional<LasSource>& source) 
     return fields;
 }
 
-/// As the source described it. Bytes without a meaning, which are attributes of four at a time, are one again where
-/// they follow each other. before: name of the source's field before
+/// Repeats the source's descriptor. Joins consecutive attributes of four undescribed bytes.
+/// @param before name of the previous field in the source
 void describeAgain(const LasField& field, const std::string& before, const LasExport& plan, std::string& descriptors) {
     constexpr std::size_t kType = 2, kOptions = 3;
     const bool bare = field.descriptor[kType] == 0;
@@ -162,7 +163,7 @@ void describeAgain(const LasField& field, const std::string& before, const LasEx
     if (bare) descriptors[descriptors.size() - kDescriptorBytes + kOptions] = bytes;
 }
 
-/// Gives an attribute extra bytes at the end of the record.
+/// Appends an attribute to the extra bytes of the record.
 void addExtra(const PointOutline& points, std::size_t number, const std::vector<LasField>& known, LasExport& plan,
               std::string& descriptors) {
     const PointColumn& attribute = points.columns[number];
@@ -185,7 +186,7 @@ void addExtra(const PointOutline& points, std::size_t number, const std::vector<
     plan.columns.push_back({field, number});
 }
 
-/// Null where something takes the field of that name, or the point format has none.
+/// Null if the field is in use or the point format lacks it.
 const LasField* unusedField(const LasExport& plan, const char* name) {
     const bool used = std::any_of(plan.columns.begin(), plan.columns.end(), [&](const LasColumn& column) {
         return column.field.name == name && !column.field.extra;
@@ -226,26 +227,26 @@ bool fits(const PointOutline& points, const LasHeader& header) {
     return true;
 }
 
-/// A tenth to the whole of the steps that positions are exact to: the file's rounding adds at most half of that.
+/// The power of ten in (0.1, 1] times position_step: rounding adds at most half of it.
 void chooseScale(const PointOutline& points, LasHeader& header) {
     const double step = std::max(points.position_step, std::numeric_limits<double>::min());
     for (std::size_t axis = 0; axis < 3; ++axis) {
         header.scale[axis] = std::pow(10.0, std::floor(std::log10(step)));
         header.offset[axis] = std::floor(points.bounds_min[axis]);
-        // where a coordinate is large, the next whole number is far in such steps
+        // large coordinates need a coarser step to fit in 32 bits
         if ((points.bounds_min[axis] - header.offset[axis]) / header.scale[axis] > 1e9)
             header.offset[axis] = points.bounds_min[axis];
     }
 }
 
-/// GeoTIFF keys that name a system of EPSG's.
+/// GeoTIFF keys that name an EPSG system.
 std::string geoKeys(std::uint16_t code, bool projected) {
     const std::uint16_t kind = projected ? 1 : 2, key = projected ? 3072 : 2048;
     const std::uint16_t words[] = {1, 1, 0, 2, 1024, 0, 1, kind, key, 0, 1, code};
     return {reinterpret_cast<const char*>(words), sizeof words};
 }
 
-/// The coordinate system, of a scan that did not come from a LAS file.
+/// The coordinate system of a scan that did not come from a LAS file.
 void describeCrs(const PointOutline& points, const Json& metadata, LasDescription& description) {
     const Json world = metadata.is_object() ? metadata.value("world", Json::object()) : Json::object();
     const std::string crs = world.is_object() && world.contains("crs") && world["crs"].is_string()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of points goes where in a LAS file.
+// The layout of points in a LAS file.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace pointrt {
 
-/// A field of the points, and the number of the outline's column that it takes its values from.
+/// A field of LAS points, and the index of the column whose values it takes.
 struct LasColumn {
     LasField field;
     std::size_t column = 0;
@@ -19,15 +19,15 @@ struct LasColumn {
 struct LasExport {
     LasDescription description;
     std::vector<LasColumn> columns;
-    const LasField* colors = nullptr; ///< takes the column of colours, as no attribute has any
+    const LasField* colors = nullptr; ///< takes color_column; null if an attribute holds colours
     std::size_t color_column = 0;
-    const LasField* returns = nullptr; ///< no attribute numbers returns: the only one of each point
-    std::vector<LasField> fields;      ///< of the point format
+    const LasField* returns = nullptr; ///< set if no attribute numbers returns: each point is the only return
+    std::vector<LasField> fields;      ///< all fields of the point format
 };
 
-/// The version, point format, scale and records of the LAS file that the scan came from, as far as they can hold what
-/// the points have; else the smallest point format that can, and a scale of a power of ten finer than their steps.
-/// Attributes that are none of LAS become extra bytes; normals and radii are left out.
+/// Keeps version, point format, scale and records of the LAS file that the scan came from, if they can hold the points;
+/// else uses the smallest point format that can, and the next power of ten below position_step as scale. Other
+/// attributes become extra bytes. Omits normals and radii.
 LasExport planLas(const PointOutline& outline, bool packed);
 
 } // namespace pointrt

@@ -41,12 +41,12 @@ void storeNumber(double value, std::uint32_t type, char* to) {
         return put(static_cast<std::int16_t>(value));
     case PRO_TYPE_U16:
         return put(static_cast<std::uint16_t>(value));
-    default: // planLas puts no other type into another one
+    default: // planLas converts no other types
         return put(value);
     }
 }
 
-/// The values of a column, as its field has them.
+/// The values of a column in the type of its field.
 std::vector<char> valuesOf(const PointColumn& column, const LasField& field, std::size_t number, Rows rows) {
     const std::size_t bytes = fieldBytes(field), each = pro_type_bytes(field.type);
     const std::byte* from = rows.block.columns[number].data() + rows.first * column.rowBytes();
@@ -61,7 +61,7 @@ std::vector<char> valuesOf(const PointColumn& column, const LasField& field, std
     return values;
 }
 
-/// Bytes of colours times 257, so that 255 is as bright as there is.
+/// Colour bytes times 257, so that 255 becomes 65535.
 void putColors(const LasField& field, std::size_t column, Rows rows, std::size_t record_bytes, char* records) {
     const std::byte* from = rows.block.columns[column].data() + 3 * rows.first;
     for (std::size_t i = 0; i < rows.count; ++i) {
@@ -72,7 +72,7 @@ void putColors(const LasField& field, std::size_t column, Rows rows, std::size_t
     }
 }
 
-/// The only return of each.
+/// Return 1 of 1 for every point.
 void putReturns(const LasField& field, const LasHeader& header, std::size_t count, char* records) {
     const int returns = header.point_format < 6 ? 1 << 3 : 1 << 4;
     for (std::size_t i = 0; i < count; ++i) {
@@ -101,7 +101,7 @@ public:
     }
 
 private:
-    /// The file throws where it cannot.
+    /// The file throws if writing fails.
     LasTarget target() {
         return {[this](const void* data, std::size_t bytes) {
                     file_.append(data, bytes);
@@ -146,7 +146,7 @@ private:
             appendNumber(PRO_TYPE_F64, reinterpret_cast<const std::byte*>(position + axis), place);
         }
         throw Error(ExitCode::kBadInput,
-                    file_.name() + ": the point " + place + " lies too far off for the whole numbers of LAS");
+                    file_.name() + ": the point " + place + " is too far away for the 32-bit integers of LAS");
     }
 
     PointFile file_;

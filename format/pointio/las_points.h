@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points as LAS or LAZ.
+// Writes points as LAS or LAZ.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace pointrt {
 
-/// As planLas lays it out. Throws Error kCannotRun for packed ones in a build without LAZ.
+/// With the layout of planLas. Throws Error kCannotRun if packed is set in a build without LAZ.
 std::unique_ptr<PointSink> lasPoints(PointFile file, const PointOutline& outline, bool packed);
 
 } // namespace pointrt

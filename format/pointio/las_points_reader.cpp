@@ -17,7 +17,7 @@
 namespace pointrt {
 namespace {
 
-/// Calls act and returns what it does; errors, which do not know it, get the file's name.
+/// Calls act and returns its result. Prefixes errors with the file's name.
 template <typename Act>
 auto named(const std::string& path, const Act& act) {
     try {
@@ -27,7 +27,7 @@ auto named(const std::string& path, const Act& act) {
     }
 }
 
-/// What a writer of LAS takes over.
+/// The metadata that a LAS writer uses.
 std::string metadataOf(LasFile& file) {
     nlohmann::ordered_json metadata;
     metadata["source_header"] = parseMetadata(lasSourceHeader(file, false));
@@ -35,7 +35,7 @@ std::string metadataOf(LasFile& file) {
     return dumpJson(metadata, false);
 }
 
-/// Of what has fewer bits than its type, the range is known without a look at the points.
+/// Bit fields have a known range without reading the points.
 PointColumn columnOf(const LasField& field) {
     PointColumn column{field.name, field.type, field.components};
     if (field.mask != 0) column.range = {{0, static_cast<double>(field.mask)}};
@@ -79,7 +79,7 @@ private:
         const LasHeader& header = file_.header;
         for (const LasField& field : fields_) outline_.columns.push_back(columnOf(field));
         outline_.count = header.point_count;
-        // the source's scale and offset are kept, and hold what they held: nothing hangs on the bounds
+        // a writer keeps the source's scale and offset, so the bounds do not matter
         outline_.bounds_min = outline_.bounds_max = header.offset;
         outline_.position_step = std::abs(*std::min_element(
             header.scale.begin(), header.scale.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
@@ -94,7 +94,7 @@ private:
             position[axis] = file_.header.scale[axis] * whole[axis] + file_.header.offset[axis];
     }
 
-    /// Of the next points.
+    /// Records of the next points.
     const char* recordsOf(std::size_t count) {
         const std::size_t bytes = file_.header.record_bytes;
         if (!file_.header.packed) return file_.bytes.data() + file_.header.point_offset + done_ * bytes;
@@ -122,7 +122,7 @@ private:
     LazLayout layout_;
     PointOutline outline_;
     std::optional<LazStream> stream_;
-    std::size_t chunk_ = 0; ///< the next one
+    std::size_t chunk_ = 0; ///< index of the next chunk
     std::uint64_t left_in_chunk_ = 0, done_ = 0;
     std::vector<char> unpacked_;
 };

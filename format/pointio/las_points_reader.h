@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points of LAS and LAZ files.
+// Reads points of LAS and LAZ files.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace pointrt {
 
-/// Columns: all fields of the point format and of the extra bytes, as laspy names them. Errors as openPointReader's.
+/// Columns are all fields of the point format and the extra bytes, named as in laspy. Throws as openPointReader does.
 /// @param path for messages
 std::unique_ptr<PointReader> readLasPoints(const std::string& path, std::unique_ptr<format::MappedFile> file);
 

@@ -16,9 +16,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 20;
 
-/// Whether a record is about this file's bytes, not about what it measured.
+/// Whether a record describes the layout of the file.
 bool isAboutBytes(const LasVlr& vlr) {
-    constexpr std::uint16_t kLaxRecord = 30; // LAStools' index of the points' places
+    constexpr std::uint16_t kLaxRecord = 30; // spatial index of LAStools
     constexpr std::uint16_t kFirstWaveform = 100, kLastWaveform = 354;
     if (vlr.user_id == kLaszipUser || vlr.user_id == kCopcUser) return true;
     if (vlr.user_id == "LAStools") return vlr.record_id == kLaxRecord;
@@ -64,7 +64,7 @@ std::string lasSourceHeader(LasFile& file, bool moved) {
         json["vlrs"].push_back(recordJson(vlr));
     }
     if (left_out > 0)
-        file.notes.push_back(fmt::format("has {} records too long to keep: an export lacks them", left_out));
+        file.notes.push_back(fmt::format("has {} records too long to keep; exports will lack them", left_out));
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -77,7 +77,7 @@ std::optional<LasSource> parseLasSource(std::string_view text) {
         source.header = readLasHeader(source.header_bytes);
         for (const Json& record : json.at("vlrs")) source.records.push_back(recordOf(record));
         return source;
-    } catch (const std::exception&) { // of a key or type of JSON, of base64, of the header
+    } catch (const std::exception&) { // in JSON, base64 or the header
         return std::nullopt;
     }
 }

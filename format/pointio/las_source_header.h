@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a LAS file says beside its points, as the text that a .pro keeps under "source_header".
+// Header and records of a LAS file as text, which a .pro keeps under "source_header".
 #pragma once
 
 #include <optional>
@@ -12,15 +12,16 @@
 namespace pointrt {
 
 /// JSON: "format" ("las"), "point_format", "packed", "scale", "offset" for people; "header" (base64, the public header
-/// block) and "vlrs" (each "user_id", "record_id", "description", "extended", "data" in base64) for a writer. Records
-/// that describe how this file lies on disk, waveforms and what is past 1 MiB in all is left out; the last is added to
-/// the file's notes. moved: the points are not where the coordinate system says any more, so it is left out too.
+/// block) and "vlrs" (each "user_id", "record_id", "description", "extended", "data" in base64) for a writer. Omits
+/// records on the layout of the file, waveforms, and records beyond 1 MiB in total, for which it adds a note to the
+/// file.
+/// @param moved the points have left the coordinate system, so its records are omitted, too
 std::string lasSourceHeader(LasFile& file, bool moved);
 
-/// What a writer takes from it.
+/// The header and records for a writer.
 struct LasSource {
     LasHeader header;
-    std::string header_bytes; ///< all of it
+    std::string header_bytes; ///< the public header block
     struct Record {
         LasVlr vlr; ///< without its data
         std::string data;
@@ -28,7 +29,7 @@ struct LasSource {
     std::vector<Record> records;
 };
 
-/// Nothing where the text is not what lasSourceHeader writes.
+/// None if the text is not as lasSourceHeader writes it.
 std::optional<LasSource> parseLasSource(std::string_view json);
 
 } // namespace pointrt

@@ -11,9 +11,9 @@
 namespace pointrt {
 namespace {
 
-/// Points of a chunk, as other writers have them.
+/// Points per chunk, as in LASzip.
 constexpr std::size_t kChunkPoints = 50000;
-/// Chunks that are packed at the same time: one for each core of what most machines have.
+/// Chunks compressed in parallel.
 constexpr std::size_t kChunksAtOnce = 8;
 
 template <typename Number>
@@ -23,7 +23,7 @@ void store(std::string& bytes, std::size_t at, Number number) {
 
 std::size_t headerSize(std::uint8_t version_minor) { return version_minor >= 4 ? 375 : version_minor == 3 ? 235 : 227; }
 
-/// Text of a field, as much as fits, and zeros.
+/// Text of a field, cut off or padded with zeros.
 void appendField(std::string& bytes, const std::string& text, std::size_t size) {
     bytes += text.substr(0, size);
     bytes.append(size - std::min(size, text.size()), '\0');
@@ -42,7 +42,7 @@ std::string recordHead(const LasSource::Record& record, bool extended) {
     return head;
 }
 
-/// Whether a record goes behind the points: only 1.4 has such.
+/// Whether a record goes after the points, which needs version 1.4.
 bool isBehind(const LasSource::Record& record, const LasHeader& header) {
     const bool is_long = record.data.size() > std::numeric_limits<std::uint16_t>::max();
     return header.version_minor >= 4 && (record.vlr.extended || is_long);
@@ -68,7 +68,7 @@ LasWriter::LasWriter(const LasDescription& description, LasTarget target)
         laszip_ = lazRecord(header.point_format, extra, kChunkPoints);
         description_.records.insert(description_.records.begin(), laszipRecord(laszip_));
     }
-    // what is too long for its place in an old version is left out
+    // omits records that are too long for older versions
     std::erase_if(description_.records, [&](const LasSource::Record& record) {
         return !isBehind(record, header) && record.data.size() > std::numeric_limits<std::uint16_t>::max();
     });
@@ -84,7 +84,7 @@ bool LasWriter::putRecord(const LasSource::Record& record) {
     return put(head.data(), head.size()) && put(record.data.data(), record.data.size());
 }
 
-/// The header as far as it is known yet, records, and where the place of LAZ's chunk table will be told.
+/// Writes a preliminary header, the records, and room for the offset of LAZ's chunk table.
 bool LasWriter::begin() {
     std::string head = headerBytes();
     if (!put(head.data(), head.size())) return false;
@@ -107,22 +107,22 @@ void LasWriter::countPoint(const char* record) {
     }
 }
 
-/// Packs the chunks that are full, several at a time; the last one of all too.
+/// Compresses full chunks in parallel; with last, the final one, too.
 bool LasWriter::packFull(bool last) {
     const std::size_t bytes = kChunkPoints * description_.header.record_bytes;
-    const std::size_t chunks = last ? (waiting_.size() + bytes - 1) / bytes : waiting_.size() / bytes;
+    const std::size_t chunks = last ? (pending_.size() + bytes - 1) / bytes : pending_.size() / bytes;
     std::vector<std::string> packed(chunks);
     forAll(chunks, [&](std::size_t k) {
-        const std::size_t size = std::min(bytes, waiting_.size() - k * bytes);
-        packed[k] = packChunk(laszip_, std::string_view(waiting_.data() + k * bytes, size));
+        const std::size_t size = std::min(bytes, pending_.size() - k * bytes);
+        packed[k] = packChunk(laszip_, std::string_view(pending_.data() + k * bytes, size));
     });
     for (const std::string& chunk : packed) {
         if (!put(chunk.data(), chunk.size())) return false;
         chunk_points_.push_back(kChunkPoints);
         chunk_bytes_.push_back(chunk.size());
     }
-    waiting_.erase(waiting_.begin(),
-                   waiting_.begin() + static_cast<std::ptrdiff_t>(std::min(chunks * bytes, waiting_.size())));
+    pending_.erase(pending_.begin(),
+                   pending_.begin() + static_cast<std::ptrdiff_t>(std::min(chunks * bytes, pending_.size())));
     return true;
 }
 
@@ -133,8 +133,8 @@ bool LasWriter::add(const char* records, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) countPoint(records + i * header.record_bytes);
     const std::size_t bytes = count * header.record_bytes;
     if (!header.packed) return put(records, bytes);
-    waiting_.insert(waiting_.end(), records, records + bytes);
-    return waiting_.size() < kChunksAtOnce * kChunkPoints * header.record_bytes || packFull(false);
+    pending_.insert(pending_.end(), records, records + bytes);
+    return pending_.size() < kChunksAtOnce * kChunkPoints * header.record_bytes || packFull(false);
 }
 
 bool LasWriter::finish() {
@@ -157,7 +157,7 @@ bool LasWriter::finish() {
 
 std::string LasWriter::headerBytes() const {
     const LasHeader& header = description_.header;
-    std::string bytes = description_.header_bytes.substr(0, 227); // what came with 1.3 and 1.4 is settled below
+    std::string bytes = description_.header_bytes.substr(0, 227); // fields of 1.3 and 1.4 are set below
     bytes.resize(headerSize(header.version_minor), '\0');
     bytes.replace(0, 4, "LASF");
     const auto behind =
@@ -171,7 +171,7 @@ std::string LasWriter::headerBytes() const {
     store(bytes, 100, static_cast<std::uint32_t>(description_.records.size() - behind));
     store(bytes, 104, static_cast<std::uint8_t>(header.point_format | (header.packed ? 0x80 : 0)));
     store(bytes, 105, header.record_bytes);
-    // the counts of 32 bits: of old formats, and of no more points than they can tell
+    // 32-bit counts, if the point format and the number of points permit
     const bool has_old_counts = header.point_format < 6 && count_ <= std::numeric_limits<std::uint32_t>::max();
     store(bytes, 107, static_cast<std::uint32_t>(has_old_counts ? count_ : 0));
     for (std::size_t i = 0; i < 5; ++i)

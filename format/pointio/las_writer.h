@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// LAS and LAZ files, written.
+// Writes LAS and LAZ files.
 #pragma once
 
 #include <array>
@@ -12,29 +12,29 @@
 
 namespace pointrt {
 
-/// Where a file's bytes go. Each returns false where it cannot.
+/// Receives the bytes of a file. The functions return false on failure.
 struct LasTarget {
     std::function<bool(const void* data, std::size_t bytes)> write;
-    /// In place of bytes that were written before.
+    /// Overwrites bytes written before.
     std::function<bool(std::uint64_t offset, const void* data, std::size_t bytes)> overwrite;
 };
 
-/// What a file says beside its points.
+/// Header and records of a file.
 struct LasDescription {
     LasHeader header;                       ///< version, point format, record_bytes, packed, scale and offset
-    std::string header_bytes;               ///< of the file that it came from, whose other fields are taken over; or ""
-    std::vector<LasSource::Record> records; ///< with those of the extra bytes, without those of LAZ
+    std::string header_bytes;               ///< of the source file, for all other fields; or ""
+    std::vector<LasSource::Record> records; ///< including extra bytes, without LAZ
 };
 
-/// Writes the header, its records and the points, in order. Records of points are in memory a few chunks at a time.
+/// Writes header, records and points, in this order. Holds a few chunks of points in memory.
 class LasWriter {
 public:
     /// Throws Error (kCannotRun) for a packed file in a build without Rust.
     LasWriter(const LasDescription& description, LasTarget target);
 
-    /// Points as records; more than 2^32 - 1 in all want version 1.4. False where they cannot be written.
+    /// Appends point records; more than 2^32 - 1 in total need version 1.4. False if writing fails.
     bool add(const char* records, std::size_t count);
-    /// The rest: what the points make of the header, chunk table, records behind the points.
+    /// Writes the last chunk, the chunk table, extended records, and the header's counts and bounds.
     bool finish();
 
 private:
@@ -47,13 +47,13 @@ private:
 
     LasDescription description_;
     LasTarget target_;
-    std::string laszip_; ///< payload of the record of LAZ
+    std::string laszip_; ///< payload of the LASzip VLR
     std::uint64_t at_ = 0, count_ = 0;
     std::uint32_t point_offset_ = 0;
     std::uint64_t evlr_offset_ = 0;
     std::array<std::uint64_t, 15> returns_{}; ///< points of each return number
     std::array<std::int32_t, 3> low_, high_;
-    std::vector<char> waiting_; ///< records that fill no chunk yet
+    std::vector<char> pending_; ///< records of the unfinished chunks
     std::vector<std::uint64_t> chunk_points_, chunk_bytes_;
 };
 

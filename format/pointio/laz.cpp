@@ -12,27 +12,26 @@
 namespace pointrt {
 namespace {
 
-/// How the points are packed, the first field of the LASzip record.
+/// The compressor: the first field of the LASzip record.
 enum Compressor : std::uint16_t { kAllInOne = 1, kChunked = 2, kLayered = 3 };
 
-/// Offsets in the LASzip record, and its bytes without its items.
+/// Offsets in the LASzip record, and its size without items.
 constexpr std::size_t kCompressor = 0, kChunkPoints = 12, kShortestRecord = 34;
 constexpr std::uint32_t kVariable = 0xFFFFFFFF;
-/// Where the chunk table is, ahead of the chunks.
+/// Bytes of the chunk table offset, which precedes the chunks.
 constexpr std::size_t kTableOffset = 8;
-/// Version and number of chunks, ahead of the table's entries.
+/// Bytes of version and number of chunks, which precede the entries of the table.
 constexpr std::size_t kTableHead = 8;
 
-/// The same point again and again packs into a three thousandth; scans into a quarter to a twentieth. What promises
-/// more is not asked how much it holds, but for the first 64 MiB: memory is not to be had for a few bytes.
+/// Equal points compress to a three thousandth, scans to a quarter to a twentieth. Files that announce a higher ratio
+/// are refused, beyond 64 MiB of points: a few bytes must not claim any amount of memory.
 constexpr std::uint64_t kMostGain = 1000, kFreeBytes = std::uint64_t{64} << 20;
 
 const std::uint8_t* bytesAt(std::string_view bytes) { return reinterpret_cast<const std::uint8_t*>(bytes.data()); }
 
 const LasVlr& laszipVlr(const LasFile& file) {
     const LasVlr* const vlr = findVlr(file, kLaszipUser, kLaszipRecord);
-    if (!vlr || vlr->data.size() < kShortestRecord)
-        refuseFile("is packed, but lacks the record that says how ('laszip encoded')");
+    if (!vlr || vlr->data.size() < kShortestRecord) refuseFile("is compressed, but lacks the record 'laszip encoded'");
     return *vlr;
 }
 
@@ -44,10 +43,10 @@ void checkGain(const LasFile& file) {
         refuseFile(fmt::format("promises {} points, more than its {} bytes can hold", header.point_count, bytes));
 }
 
-/// Where the table lies; 0 where there is none. A writer that could not go back has put that at the file's end.
+/// The byte of the chunk table, or 0. Writers to a pipe put its offset at the end of the file.
 std::uint64_t tableAt(const LasFile& file) {
     const std::uint64_t first = file.header.point_offset + kTableOffset, size = file.bytes.size();
-    if (!liesIn(file.header.point_offset, kTableOffset, size)) refuseFile("ends ahead of its points");
+    if (!liesIn(file.header.point_offset, kTableOffset, size)) refuseFile("ends before its points");
     const auto good = [&](std::int64_t at) {
         return at >= 0 && static_cast<std::uint64_t>(at) >= first &&
                liesIn(static_cast<std::uint64_t>(at), kTableHead, size);
@@ -57,17 +56,17 @@ std::uint64_t tableAt(const LasFile& file) {
     return good(at) ? static_cast<std::uint64_t>(at) : 0;
 }
 
-/// What a table says, not yet believed.
+/// A chunk table, not yet validated.
 struct Table {
     std::vector<std::uint64_t> counts, sizes;
 };
 
-/// Empty where the table is broken.
+/// Empty if the table is malformed.
 Table readTable(const LasFile& file, std::uint64_t at, bool has_counts) {
     Table table;
     const std::string_view bytes = file.bytes.substr(at);
     const auto chunks = loadAt<std::uint32_t>(bytes, 4);
-    // each chunk starts with a point as it is; one without points may have no bytes
+    // a chunk starts with an uncompressed point; a chunk without points may be empty
     if (chunks > 1 + (at - file.header.point_offset) / lasRecordBytes(file.header.point_format)) return table;
     table.counts.resize(chunks);
     table.sizes.resize(chunks);
@@ -78,13 +77,13 @@ Table readTable(const LasFile& file, std::uint64_t at, bool has_counts) {
     return table;
 }
 
-/// One run of chunks whose sizes only reading them tells.
+/// A single run of chunks of unknown sizes.
 void makeRun(const LasFile& file, std::uint64_t at, LazLayout& layout) {
     layout.in_one_run = true;
     layout.chunks = {{at, file.bytes.size() - at, file.header.point_count}};
 }
 
-/// The chunks of a table; false where they do not lie in the file.
+/// The chunks of a table. False if they do not lie within the file.
 bool takeTable(const LasFile& file, const Table& table, bool variable, LazLayout& layout) {
     std::uint64_t at = file.header.point_offset + kTableOffset, left = file.header.point_count;
     for (std::size_t i = 0; i < table.sizes.size() && left > 0; ++i) {
@@ -101,13 +100,12 @@ bool append(void* text, const std::uint8_t* data, std::size_t bytes) {
     try {
         static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), bytes);
         return true;
-    } catch (const std::bad_alloc&) { // must not go through Rust
+    } catch (const std::bad_alloc&) { // must not unwind through Rust
         return false;
     }
 }
 
-/// What work writes by the function and the argument that it is given. Records of our own are never wrong: what fails
-/// is this machine.
+/// The bytes that work writes through its callback. Our own records are valid, so a failure is the machine's.
 template <typename Work>
 std::string written(const Work& work) {
     std::string text;
@@ -124,7 +122,7 @@ LazLayout lazLayout(const LasFile& file) {
     layout.record_bytes = file.header.record_bytes;
     const auto compressor = loadAt<std::uint16_t>(layout.record, kCompressor);
     if (compressor < kAllInOne || compressor > kLayered)
-        refuseFile(fmt::format("is packed in a way that is not known ({})", compressor));
+        refuseFile(fmt::format("has an unknown compressor ({})", compressor));
     checkGain(file);
     layout.layered = compressor == kLayered;
     if (compressor == kAllInOne) {
@@ -139,7 +137,7 @@ LazLayout lazLayout(const LasFile& file) {
     const Table table = table_at > 0 ? readTable(file, table_at, variable) : Table{};
     if (takeTable(file, table, variable, layout)) return layout;
     layout.chunks.clear();
-    if (variable && !layout.layered) refuseFile("lacks a whole table of its chunks, which vary in size");
+    if (variable && !layout.layered) refuseFile("lacks a complete chunk table, which chunks of variable size need");
     makeRun(file, file.header.point_offset + kTableOffset, layout);
     return layout;
 }
@@ -161,10 +159,10 @@ void LazStream::openNext() {
     scan_error error{};
     reader_ = scan_laz_open(bytesAt(layout_.record), layout_.record.size(), layout_.record_bytes, bytesAt(rest_),
                             rest_.size(), &error);
-    if (!reader_) refuseFile(fmt::format("packed points: {}", error.text));
+    if (!reader_) refuseFile(fmt::format("compressed points: {}", error.text));
     left_in_chunk_ = chunk_points_;
     if (left_in_chunk_ > 0) return;
-    if (!liesIn(layout_.record_bytes, 4, rest_.size())) refuseFile("packed points: is cut short");
+    if (!liesIn(layout_.record_bytes, 4, rest_.size())) refuseFile("compressed points: is cut short");
     left_in_chunk_ = std::max<std::uint64_t>(1, loadAt<std::uint32_t>(rest_, layout_.record_bytes));
 }
 
@@ -174,7 +172,7 @@ void LazStream::read(char* records, std::size_t count) {
         const std::size_t now = std::min<std::uint64_t>(count, left_in_chunk_);
         scan_error error{};
         if (!scan_laz_read(reader_, reinterpret_cast<std::uint8_t*>(records), now * layout_.record_bytes, &error))
-            refuseFile(fmt::format("packed points: {}", error.text));
+            refuseFile(fmt::format("compressed points: {}", error.text));
         records += now * layout_.record_bytes;
         count -= now;
         left_in_chunk_ -= now;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// In place of laz.cpp where there is no Rust.
+// Replaces laz.cpp in builds without Rust.
 #include "format/pointio/absent.h"
 #include "format/pointio/laz.h"
 

@@ -6,7 +6,7 @@ namespace pointrt {
 using Json = nlohmann::ordered_json;
 
 Json parseMetadata(std::string_view text) {
-    constexpr int kDepthMax = 64; // printing recurses; provenance needs three or four
+    constexpr int kDepthMax = 64; // printing recurses; provenance has a depth of three or four
     if (text.empty()) return nullptr;
     bool too_deep = false;
     const auto watch_depth = [&](int depth, Json::parse_event_t, Json&) {

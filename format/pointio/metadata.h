@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The META section as JSON, whatever its bytes are.
+// The META section as JSON, tolerating any bytes.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,10 +7,11 @@
 
 namespace pointrt {
 
-/// Null for no text; a string where the text is not JSON or nests deeper than can be printed safely.
+/// Null for an empty text; a string if the text is not JSON or nests too deeply to print.
 nlohmann::ordered_json parseMetadata(std::string_view text);
 
-/// Bytes that are not UTF-8 are replaced. @param ascii escapes all else, so that no terminal acts on it
+/// Replaces bytes that are not UTF-8.
+/// @param ascii escape other characters, so that terminals do not interpret them
 std::string dumpJson(const nlohmann::ordered_json& json, bool ascii);
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers of files as text.
+// Numbers as text.
 #pragma once
 
 #include <charconv>
@@ -11,7 +11,8 @@
 
 namespace pointrt {
 
-/// The number at from, as short as it reads the same, appended to text. type: PRO_TYPE_*
+/// Appends the number at from in its shortest form that reads back exactly.
+/// @param type PRO_TYPE_*
 inline void appendNumber(std::uint32_t type, const std::byte* from, std::string& text) {
     withType(type, [&](auto number) {
         std::memcpy(&number, from, sizeof number);

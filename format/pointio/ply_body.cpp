@@ -29,7 +29,7 @@ double loadNumber(const char* from, bool swaps) {
     return static_cast<double>(number);
 }
 
-/// Whether a type has this number; floats take those between rounded.
+/// Whether the type holds this number; floats round.
 bool fits(double value, std::uint32_t type) {
     return withType(type, [&](auto number) {
         using Limits = std::numeric_limits<decltype(number)>;
@@ -78,7 +78,8 @@ double PlyBody::numberOf(std::string_view word, std::uint32_t type) const {
     const auto [stop, error] = std::from_chars(begin, end, value);
     if (error == std::errc() && stop == end && fits(value, type)) return value;
     throw Error(ExitCode::kBadInput, path_ + ":" + std::to_string(line_) + ": \"" +
-                                         printable(std::string(word.substr(0, 40))) + "\" is no " + typeName(type));
+                                         printable(std::string(word.substr(0, 40))) + "\" is not a number of type " +
+                                         typeName(type));
 }
 
 } // namespace pointrt::format

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The vertices of a PLY file one after the other, in any of its three encodings.
+// Reads the vertices of a PLY file in sequence, in any of the three encodings.
 #pragma once
 
 #include <span>
@@ -13,11 +13,11 @@ namespace pointrt::format {
 class PlyBody {
 public:
     /// @param path for messages
-    /// @param header, file live as long as this
+    /// @param file, header must outlive this
     PlyBody(std::string path, std::string_view file, const PlyHeader& header);
 
-    /// The next vertex, a number for each property. All numbers of PLY are exact as doubles. Throws Error kBadInput
-    /// "PATH:LINE: reason" where text is no number of the property's type, and where the file ends.
+    /// Reads the next vertex, a number for each property; doubles hold all types of PLY exactly. Throws Error kBadInput
+    /// "PATH:LINE: reason" for text that is not a number of the type, and at the end of the file.
     void next(std::span<double> numbers);
 
 private:

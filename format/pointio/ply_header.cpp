@@ -13,7 +13,7 @@
 namespace pointrt::format {
 namespace {
 
-constexpr const char* kAdvice = ": make a .pro of it with pointrt-bake, which is taken as well";
+constexpr const char* kAdvice = "; bake it to a .pro with pointrt-bake, which is accepted, too";
 
 std::uint32_t typeNamed(std::string_view word) {
     constexpr std::pair<std::string_view, std::uint32_t> kTypes[] = {
@@ -42,7 +42,7 @@ public:
     HeaderReader(const std::string& path, std::string_view file) : path_(path), file_(file) {}
 
     PlyHeader read() {
-        nextLine(); // "ply", by which the file was known
+        nextLine(); // "ply", which is already checked
         while (true) {
             const std::vector<std::string_view> words = wordsOf(nextLine());
             if (words.empty()) continue;
@@ -81,7 +81,7 @@ private:
         else if (word == "binary_big_endian")
             header_.encoding = PlyEncoding::kBigEndian;
         else
-            refuseLine("is no format of PLY");
+            refuseLine("unknown PLY format");
         has_format_ = true;
     }
 
@@ -90,10 +90,10 @@ private:
         const bool counts =
             words.size() == 3 && std::from_chars(words[2].data(), words[2].data() + words[2].size(), count).ptr ==
                                      words[2].data() + words[2].size();
-        if (!counts) refuseLine("is no element with a count");
+        if (!counts) refuseLine("not an element with a count");
         in_vertices_ = words[1] == "vertex" && !has_vertices_;
         if (!in_vertices_) {
-            if (!has_vertices_ && count > 0) refuseLine("has elements ahead of its vertices" + std::string(kAdvice));
+            if (!has_vertices_ && count > 0) refuseLine("has elements before its vertices" + std::string(kAdvice));
             return;
         }
         has_vertices_ = true;
@@ -103,8 +103,8 @@ private:
     void takeProperty(const std::vector<std::string_view>& words) {
         if (words.size() > 1 && words[1] == "list") refuseLine("its vertices have lists" + std::string(kAdvice));
         const std::uint32_t type = words.size() == 3 ? typeNamed(words[1]) : 0;
-        if (type == 0) refuseLine("is no property with a type of PLY");
-        if (has(words[2])) refuseLine("there are two of " + printable(std::string(words[2])));
+        if (type == 0) refuseLine("not a property with a PLY type");
+        if (has(words[2])) refuseLine("duplicate property " + printable(std::string(words[2])));
         header_.properties.push_back({std::string(words[2]), type});
     }
 
@@ -114,10 +114,10 @@ private:
     }
 
     void finish() const {
-        if (!has_format_) refuse("has no line that says its format");
+        if (!has_format_) refuse("the header lacks its format line");
         for (const char* name : {"x", "y", "z"})
-            if (!has(name)) refuse(std::string("has no vertices with ") + name);
-        // text has a digit and something between for each number
+            if (!has(name)) refuse(std::string("its vertices lack ") + name);
+        // text needs a digit and a separator for each number
         const bool is_text = header_.encoding == PlyEncoding::kText;
         const std::uint64_t row = is_text ? 2 * header_.properties.size() : header_.rowBytes();
         const std::uint64_t room = (file_.size() - header_.bytes + (is_text ? 1 : 0)) / row;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The header of a PLY file whose vertices are to be read.
+// The header of a PLY file, for reading its vertices.
 #pragma once
 
 #include <cstddef>
@@ -14,21 +14,21 @@ enum class PlyEncoding { kText, kLittleEndian, kBigEndian };
 
 struct PlyProperty {
     std::string name;
-    std::uint32_t type = 0; ///< PRO_TYPE_*, none of 64-bit integers
+    std::uint32_t type = 0; ///< PRO_TYPE_* except 64-bit integers
 };
 
 struct PlyHeader {
     PlyEncoding encoding = PlyEncoding::kText;
     std::uint64_t vertices = 0;
-    std::vector<PlyProperty> properties; ///< of a vertex, each of another name, x, y and z among them
+    std::vector<PlyProperty> properties; ///< of a vertex, with unique names that include x, y and z
     std::size_t bytes = 0, lines = 0;    ///< of the header
 
-    std::size_t rowBytes() const; ///< of a vertex, where they are not text
+    std::size_t rowBytes() const; ///< bytes of a binary vertex
 };
 
-/// What follows the vertices is of no account. Lines with words that PLY does not know are skipped: scans of Stanford's
-/// have some. Throws Error kBadInput "PATH[:LINE]: reason" for what is no PLY header, for vertices without x, y and z,
-/// with lists or behind other elements, and for more of them than there can be in the file.
+/// Ignores elements after the vertices, and unknown lines, which some Stanford scans have. Throws Error kBadInput
+/// "PATH[:LINE]: reason" for malformed headers, vertices without x, y and z, with lists or after other elements, and
+/// for more vertices than the file has room for.
 /// @param path for messages
 PlyHeader readPlyHeader(const std::string& path, std::string_view file);
 

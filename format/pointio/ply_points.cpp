@@ -11,21 +11,21 @@
 namespace pointrt {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "values are written as they lie in memory");
+static_assert(std::endian::native == std::endian::little, "values are written without conversion");
 
-constexpr std::size_t kPointsAtOnce = 16384; // of at most some hundred bytes each
+constexpr std::size_t kPointsAtOnce = 16384; // of some hundred bytes each at most
 constexpr std::size_t kMostDigits = 20;      // of a count of 64 bits
 
 bool isWide(std::uint32_t type) { return type == PRO_TYPE_I64 || type == PRO_TYPE_U64; }
 
-/// The types' words in a PLY header, which has none for 64-bit integers.
+/// Type names in PLY headers. 64-bit integers have none and become double.
 const char* plyType(std::uint32_t type) {
     constexpr const char* kWords[] = {"char", "uchar",  "short",  "ushort", "int",
                                       "uint", "double", "double", "float",  "double"};
     return kWords[type - PRO_TYPE_I8];
 }
 
-/// Of a count that is not known yet a comment makes up for the digits that it may get.
+/// If the count is not known yet, a comment reserves room for its digits.
 std::string header(const PointOutline& outline, std::uint64_t count) {
     const std::string digits = std::to_string(count);
     std::string text = "ply\nformat binary_little_endian 1.0\n";
@@ -44,7 +44,7 @@ void appendBytes(std::vector<char>& rows, const void* from, std::size_t bytes) {
     rows.insert(rows.end(), first, first + bytes);
 }
 
-/// Integers of 64 bits as doubles.
+/// Converts 64-bit integers to doubles.
 void appendWide(std::vector<char>& rows, const PointColumn& column, const std::byte* from) {
     withType(column.type, [&](auto number) {
         for (std::uint32_t c = 0; c < column.components; ++c) {

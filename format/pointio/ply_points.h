@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points as binary PLY.
+// Writes points as binary PLY.
 #pragma once
 
 #include <memory>

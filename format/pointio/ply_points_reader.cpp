@@ -14,11 +14,11 @@
 namespace pointrt {
 namespace {
 
-/// Properties of these names, all there and of types that will do, are a column of several numbers.
+/// Properties that form a column, if all exist with a suitable type.
 struct Group {
     std::vector<std::string> names;
     PointColumn column;
-    bool bytes_only; ///< else any type is taken
+    bool bytes_only; ///< else any type
 };
 
 const std::vector<Group>& groups() {
@@ -29,7 +29,7 @@ const std::vector<Group>& groups() {
     return all;
 }
 
-/// Where a property's numbers go.
+/// The destination of a property.
 struct Place {
     static constexpr std::size_t kPosition = static_cast<std::size_t>(-1);
     std::size_t column = kPosition, component = 0;
@@ -119,7 +119,7 @@ private:
         }
     }
 
-    /// Of all positions that are finite.
+    /// Bounds of all finite positions.
     void findBounds() {
         constexpr std::size_t kAtOnce = 65536;
         bool is_first = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points of PLY files.
+// Reads points of PLY files.
 #pragma once
 
 #include <memory>
@@ -10,8 +10,8 @@
 
 namespace pointrt {
 
-/// The vertices. Columns: normals (nx ny nz), radius, colours (red green blue, as bytes), then every other property as
-/// an attribute of its type. Looks at all of them once, for the bounds. Errors as openPointReader's.
+/// Columns are normals (nx ny nz), radius, colours (red green blue, as bytes), then every other property as an
+/// attribute of its type. Reads all vertices once for the bounds. Throws as openPointReader does.
 /// @param path for messages
 std::unique_ptr<PointReader> readPlyPoints(const std::string& path, std::unique_ptr<format::MappedFile> file);
 

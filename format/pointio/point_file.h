@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bytes of a point cloud on their way to a file or to standard output.
+// Output of a point cloud to a file or to standard output.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace pointrt {
 
-/// A file that has its name when all of it is there; "-" is standard output, which gets the pieces as they come. Each
+/// The file appears under its name, complete, on commit; "-" is standard output, which is written at once. Every
 /// function throws Error kCannotWrite "PATH: reason".
 class PointFile {
 public:
@@ -20,7 +20,7 @@ public:
     /// "standard output" for "-".
     const std::string& name() const { return name_; }
     void append(const void* data, std::size_t bytes);
-    /// In place of bytes that were written before; of a file only.
+    /// Overwrites bytes written before. Files only.
     void overwrite(std::uint64_t offset, const void* data, std::size_t bytes);
     void commit();
 

@@ -13,7 +13,7 @@ PointFormat pointFormat(const std::string& path) {
     if (path.ends_with(".las")) return PointFormat::kLas;
     if (path.ends_with(".laz")) return PointFormat::kLaz;
     if (path.ends_with(".csv")) return PointFormat::kCsv;
-    throw Error(ExitCode::kBadUsage, path + ": points are written as .ply, .las, .laz and .csv");
+    throw Error(ExitCode::kBadUsage, path + ": points are written as .ply, .las, .laz or .csv");
 }
 
 std::unique_ptr<PointSink> openPointSink(const std::string& path, const PointOutline& outline,

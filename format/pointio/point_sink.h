@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where points go, block by block, as they come: PLY, LAS, LAZ and text.
+// Writes points as PLY, LAS, LAZ or text, block by block.
 #pragma once
 
 #include <memory>
@@ -10,27 +10,27 @@
 
 namespace pointrt {
 
-/// What is written appears whole under its name with finish, or not at all; standard output gets it as it comes. Each
-/// function throws Error kCannotWrite "PATH: reason".
+/// The file appears under its name, complete, on finish; standard output is written at once. Every function throws
+/// Error kCannotWrite "PATH: reason".
 class PointSink {
 public:
     virtual ~PointSink() = default;
-    /// The next points. Throws Error kBadInput for those that the format cannot hold (LAS: too far away, not finite).
+    /// Appends points. Throws Error kBadInput for points that the format cannot hold (LAS: too far away, not finite).
     virtual void add(const PointBlock& block) = 0;
     virtual void finish() = 0;
 };
 
 enum class PointFormat { kPly, kLas, kLaz, kCsv };
 
-/// By the name's end; "-" is PLY. Throws Error kBadUsage "PATH: points are written as ..." where the name says nothing.
+/// By the suffix; "-" is PLY. Throws Error kBadUsage for other suffixes.
 PointFormat pointFormat(const std::string& path);
 
-/// Opens path, by its name's end:
+/// Opens path for writing, in the format of its suffix:
 /// - .ply: binary little-endian, double x y z, then a property for each component (NAME, or NAME_0 ... of several;
 ///   64-bit integers as double)
-/// - .las, .laz: as planLas says
-/// - .csv: text under a line of names, numbers as short as they read the same
-/// @param existing kKept: one that has the name already is an error, which names --force
+/// - .las, .laz: see planLas
+/// - .csv: text with a line of names; numbers in their shortest exact form
+/// @param existing kKept: an existing file is an error, which mentions --force
 /// Throws Error: kCannotWrite; kBadUsage as pointFormat; kCannotRun for LAZ in a build without it.
 std::unique_ptr<PointSink> openPointSink(const std::string& path, const PointOutline& outline,
                                          format::Existing existing = format::Existing::kReplaced);

@@ -17,7 +17,7 @@ PointColumn columnOf(const pro_attribute& attribute, std::uint64_t splats) {
             splats};
 }
 
-/// What a splat has itself.
+/// The columns that every splat has.
 void putSplat(const ProFile& file, const pro_splat& splat, PointRole role, std::byte* to) {
     const auto radius = static_cast<float>(file.radius(splat));
     if (role == PointRole::kNormal) std::memcpy(to, splat.normal, sizeof splat.normal);

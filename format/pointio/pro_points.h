@@ -10,12 +10,12 @@
 
 namespace pointrt {
 
-/// Columns: the normal and radius (input units) of each splat, its colour where the file has colours, and all
-/// attributes, with ranges and values. count is that of all splats. file must live as long as the columns' values.
+/// Columns are the normal and radius (input units) of each splat, its colour if the file has colours, and all
+/// attributes, with ranges and values. count is the number of splats. file must outlive the columns' values.
 PointOutline outlineOf(const ProFile& file);
 
-/// Puts these splats of file in place of what block holds.
-/// @param columns as outlineOf gives them, or some of them; attributes that file lacks are 0
+/// Overwrites block with these splats of file.
+/// @param columns from outlineOf, all or some; attributes that file lacks are 0
 void gatherPoints(const ProFile& file, std::span<const std::uint32_t> splats, std::span<const PointColumn> columns,
                   PointBlock& block);
 

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The tile's, with the coordinate system where only set.json has it.
+/// The metadata of a tile, with the coordinate system of set.json if it has none.
 std::string metadataOf(const TileSet& set, const ProFile& tile) {
     Json json = parseMetadata(tile.metadata());
     if (!json.is_object()) json = Json::object();
@@ -35,7 +35,7 @@ PointOutline outlineOf(const TileSet& set, const std::string& folder) {
     outline.bounds_max = set.bounds_max;
     outline.metres_per_unit = set.metres;
     outline.metadata = metadataOf(set, file);
-    const std::size_t own = outline.columns.size() - set.attributes.size(); // normals and so on stand first
+    const std::size_t own = outline.columns.size() - set.attributes.size(); // normals, radii and colours come first
     for (std::size_t i = 0; i < set.attributes.size(); ++i) {
         outline.columns[own + i].range = {{set.attributes[i].low, set.attributes[i].high}};
         outline.columns[own + i].values = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The points of a tile set: the original splats, once each.
+// The points of a tile set: each original splat once.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,11 @@
 
 namespace pointrt {
 
-/// As outlineOf has it of a file, for all tiles: bounds, ranges and coordinate system are the set's, values are null.
-/// count is what set.json says. Opens a tile. Throws Error as openTile.
+/// outlineOf for all tiles: bounds, ranges, coordinate system and count are from set.json, values are null. Opens one
+/// tile. Throws Error as openTile.
 PointOutline outlineOf(const TileSet& set, const std::string& folder);
 
-/// Numbers of a tile's splats whose centres lie in its core, in the order of inputOrder.
+/// Indices of a tile's splats with centres in its core, in the order of inputOrder.
 std::vector<std::uint32_t> coreNumbers(const ProFile& tile);
 
 } // namespace pointrt

@@ -25,7 +25,7 @@ T load(const Header& header, std::size_t offset) {
     return value;
 }
 
-/// Where the section of splats begins, if it has so many.
+/// The offset of the section of splats, if it has this many.
 std::optional<std::uint64_t> placeOfSplats(const Header& header, std::uint64_t splats) {
     const std::size_t sections =
         std::min<std::size_t>(load<std::uint32_t>(header, PRO_OFF_SECTION_COUNT), PRO_SECTION_MAX);
@@ -56,17 +56,17 @@ std::vector<pro_splat> coreSplats(const TileSet& set, const SetTile& tile, const
     requireTile(set, tile, folder);
     const std::string path = tilePath(folder, tile);
     std::ifstream file;
-    file.rdbuf()->pubsetbuf(nullptr, 0); // splats lie far apart: what is read ahead is read in vain
+    file.rdbuf()->pubsetbuf(nullptr, 0); // splats are far apart, so reading ahead is wasted
     file.open(path, std::ios::binary);
     Header header;
     const auto place = read(file, 0, header.data(), header.size()) ? placeOfSplats(header, tile.stored) : std::nullopt;
-    if (!place) throw Error(ExitCode::kBadInput, path + ": its splats cannot be read");
+    if (!place) throw Error(ExitCode::kBadInput, path + ": cannot read its splats");
     const SetLevel& level = set.levels[tile.level];
     std::vector<pro_splat> splats;
     for (std::uint64_t i = first; i < tile.stored; i += step) {
         Words words;
         if (!read(file, *place + i * sizeof words, reinterpret_cast<char*>(words.data()), sizeof words))
-            throw Error(ExitCode::kBadInput, path + ": its splats cannot be read");
+            throw Error(ExitCode::kBadInput, path + ": cannot read its splats");
         pro_splat splat;
         pro_splat_decode(words.data(), static_cast<float>(level.radius_max), static_cast<float>(level.radius_step),
                          &splat);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Splats of a tile's core; some of them, read without opening its file: for what is to be known of a whole set, about.
+// Splats in the core of a tile. A sample of them can be read without opening the file, for estimates over a whole set.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,12 @@
 
 namespace pointrt {
 
-/// Whether the centre lies in the core of the tile whose file the splat is of: the middle half of its cube, half open.
+/// Whether the centre lies in the core of the splat's tile: the half-open middle half of its cube on each axis.
 bool isInCore(const pro_splat& splat);
 
-/// Of the splats number first, first + step, ... of a tile's file those whose centres lie in its core, in cube units of
-/// cubeOf(set, tile). Besides them only the header is read: no section is checked, and what is wrong in one gives other
-/// splats, all of them finite. Throws Error as requireTile, and kBadInput "FILE: reason" for one without splats.
+/// Reads splats first, first + step, ... of a tile's file and returns those with centres in its core, in cube units of
+/// cubeOf(set, tile). Reads only them and the header, without verifying sections; a damaged section yields other,
+/// finite splats. Throws Error as requireTile, and kBadInput "FILE: reason" if splats cannot be read.
 /// @param step at least 1
 std::vector<pro_splat> coreSplats(const TileSet& set, const SetTile& tile, const std::string& folder,
                                   std::uint64_t first, std::uint64_t step);

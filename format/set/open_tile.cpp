@@ -17,7 +17,7 @@ namespace pointrt {
 
 namespace {
 
-/// The fields of a file's header that tell which tile it is.
+/// The header fields that identify a tile.
 struct TileHeader {
     std::uint64_t bytes = 0, checksum = 0;
     std::uint32_t splats = 0;
@@ -48,7 +48,7 @@ TileHeader loadHeader(const std::byte* header, std::uint64_t bytes) {
             load<std::array<double, 3>>(header, PRO_OFF_BOUNDS_MAX)};
 }
 
-/// Closes when it goes.
+/// Closes the descriptor.
 struct Descriptor {
     int number;
     ~Descriptor() {
@@ -57,7 +57,7 @@ struct Descriptor {
 };
 
 TileHeader readHeader(const std::string& path) {
-    // O_NONBLOCK: a named pipe must be refused, not waited for
+    // O_NONBLOCK: refuse a named pipe instead of waiting for its writer
     const Descriptor file{open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
     struct stat status {};
     if (file.number < 0 || fstat(file.number, &status) != 0) refuse(path, std::generic_category().message(errno));
@@ -66,12 +66,12 @@ TileHeader readHeader(const std::string& path) {
     const ssize_t read = pread(file.number, header.data(), header.size(), 0);
     if (read < 0) refuse(path, std::generic_category().message(errno));
     if (static_cast<std::size_t>(read) < header.size() || status.st_size < PRO_HEADER_BYTES)
-        refuse(path, "has " + std::to_string(status.st_size) + " bytes, fewer than a .pro file's header");
+        refuse(path, "has " + std::to_string(status.st_size) + " bytes, fewer than the header of a .pro file");
     if (load<std::uint32_t>(header.data(), PRO_OFF_MAGIC) != PRO_MAGIC_WORD0) refuse(path, "is not a .pro file");
     return loadHeader(header.data(), static_cast<std::uint64_t>(status.st_size));
 }
 
-/// "" for the tile that the set names.
+/// "" if it is the tile that the set names.
 std::string differenceOf(const TileSet& set, const SetTile& tile, const TileHeader& header) {
     const auto both = [](const auto& is, const auto& wanted, const char* what) {
         return std::to_string(is) + what + ", not " + std::to_string(wanted);
@@ -84,8 +84,8 @@ std::string differenceOf(const TileSet& set, const SetTile& tile, const TileHead
     if (header.cube.scale != cube.scale) return "its cube is not two cores wide";
     if (header.cube.origin != cube.origin) return "its cube is not around its core";
     const SetLevel& level = set.levels[tile.level];
-    if (header.radius_max != static_cast<float>(level.radius_max)) return "its radius_max is not its level's";
-    if (header.radius_step != static_cast<float>(level.radius_step)) return "its radius_step is not its level's";
+    if (header.radius_max != static_cast<float>(level.radius_max)) return "its radius_max differs from its level's";
+    if (header.radius_step != static_cast<float>(level.radius_step)) return "its radius_step differs from its level's";
     return {};
 }
 
@@ -107,8 +107,8 @@ bool hasAttributesOf(const TileSet& set, const ProFile& file) {
 void requireContent(const TileSet& set, const ProFile& file, const std::string& path) {
     const auto is = [&](std::uint32_t flag) { return (file.info().flags & flag) != 0; };
     if (is(PRO_FLAG_COLOR) != set.colors || is(PRO_FLAG_ORIENTED) != set.oriented)
-        refuse(path, "is of another set (colours or orientation are not as in set.json)");
-    if (!hasAttributesOf(set, file)) refuse(path, "is of another set (its attributes are not those of set.json)");
+        refuse(path, "belongs to another set (colours or orientation differ from set.json)");
+    if (!hasAttributesOf(set, file)) refuse(path, "belongs to another set (attributes differ from set.json)");
 }
 
 } // namespace
@@ -147,7 +147,7 @@ ProFile openTile(const TileSet& set, const SetTile& tile, const std::string& fol
     requireSame(set, tile, readHeader(path), path);
     try {
         ProFile file(path, open_flags);
-        // again: the name may have gone to another file meanwhile
+        // again, as another file may have taken the name meanwhile
         requireSame(set, tile, loadHeader(file.bytes().data(), file.bytes().size()), path);
         requireContent(set, file, path);
         return file;

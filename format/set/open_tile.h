@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tiles' files, held against what set.json says of them.
+// Opens the files of tiles and checks them against set.json.
 #pragma once
 
 #include <cstdint>
@@ -13,22 +13,21 @@ namespace pointrt {
 /// "NAME.proset/tiles/0-1-2-3.pro".
 std::string tilePath(const std::string& folder, const SetTile& tile);
 
-/// Fills in stored, bytes and checksum of a file that has just been written. Reads its header only.
-/// Throws Error{kBadInput, "FILE: reason"} for what is no .pro file.
+/// Sets stored, bytes and checksum from the header of a file. Throws Error{kBadInput, "FILE: reason"} if it is not a
+/// .pro file.
 void describeTile(const std::string& folder, SetTile& tile);
 
-/// Whether the file is there and is the one that set.json names: its size, checksum, splats, cube and radii. Reads its
-/// header only, so that a set of a thousand tiles takes milliseconds.
-/// Throws Error{kBadInput, "FILE: is not the tile that set.json names (why)"} or "FILE: reason" where it cannot be
-/// read.
+/// Checks that the file exists and matches set.json: size, checksum, splats, cube and radii. Reads only the header, so
+/// a thousand tiles take milliseconds. Throws Error{kBadInput, "FILE: is not the tile that set.json names (why)"}, or
+/// "FILE: reason" if it cannot be read.
 void requireTile(const TileSet& set, const SetTile& tile, const std::string& folder);
 
-/// The same, and a box around all discs of the file, those repeated from neighbours too, in input coordinates: around
-/// their centres, with the largest radius that the header allows.
+/// requireTile that returns a box around all discs of the file, including copies from neighbours, in input coordinates:
+/// the bounds of centres, enlarged by the largest radius.
 TileBox discBoundsOf(const TileSet& set, const SetTile& tile, const std::string& folder);
 
-/// As requireTile, and opens it; flags and attributes are held against the set as well.
-/// @param open_flags PRO_OPEN_*. Throws Error, its code as that of the format's library
+/// Opens the file after requireTile, and checks flags and attributes, too. Throws Error.
+/// @param open_flags PRO_OPEN_*
 ProFile openTile(const TileSet& set, const SetTile& tile, const std::string& folder, std::uint32_t open_flags);
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside format/set: why a set is not taken.
+// Internal to format/set: why a set is invalid.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace pointrt {
 
-/// what() is the place and the reason, without the file's name.
+/// what() is place and reason, without the file's name.
 struct SetFault : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

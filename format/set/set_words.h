@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside format/set: words of set.json that reading and writing share.
+// Internal to format/set: values of set.json for reading and writing.
 #pragma once
 
 #include <charconv>
@@ -13,9 +13,9 @@ namespace pointrt {
 
 constexpr const char* kSetFormat = "pointrt tile set";
 
-constexpr std::size_t kChecksumDigits = 16; // of 64 bits
+constexpr std::size_t kChecksumDigits = 16; // 64 bits
 
-/// Checksums are 16 hexadecimal digits, as most readers of JSON have doubles for numbers.
+/// Checksums are 16 hexadecimal digits, because most JSON readers store numbers as doubles.
 inline std::string checksumWord(std::uint64_t checksum) {
     constexpr const char* kDigits = "0123456789abcdef";
     std::string word(kChecksumDigits, '0');

@@ -11,13 +11,13 @@ namespace pointrt {
 
 namespace {
 
-/// A cell's axis so that its bits rise with it.
+/// Maps a signed coordinate to an unsigned one of the same order.
 std::uint32_t raised(std::int32_t cell) { return static_cast<std::uint32_t>(cell) ^ 0x80000000u; }
 
 /// Whether the highest bit of a is below that of b (Chan, "Closest-point problems simplified on the RAM", 2002).
 bool hasLowerTop(std::uint32_t a, std::uint32_t b) { return a < b && a < (a ^ b); }
 
-/// Morton order: the axis whose cells differ in the highest bit decides, z before y before x.
+/// Morton order: the axis with the highest differing bit decides, z before y before x.
 bool isCellBefore(const TileCell& a, const TileCell& b) {
     std::size_t deciding = 2;
     std::uint32_t most = raised(a[2]) ^ raised(b[2]);

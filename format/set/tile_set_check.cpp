@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a set is one: what SPEC.md asks of set.json beyond its types.
+// Validates a set: the rules of SPEC.md for set.json beyond types.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,13 +18,13 @@ namespace {
 // as in a file's header
 constexpr double kLengthMin = 1e-30, kLengthMax = 1e30;
 constexpr double kUpTolerance = 1e-5;
-/// A quarter of a core's edge, in cube units.
+/// A quarter of the edge of a core, in cube units.
 constexpr double kRadiusMax = 0.125;
-/// Position steps of a tile to an edge of its core.
+/// Position steps of a tile along an edge of its core.
 constexpr double kStepsOfCore = 1 << (PRO_POSITION_BITS - 1);
-/// Up to here doubles are exact, and so are the numbers of most readers of JSON.
+/// The largest integer that doubles, and so most JSON readers, hold exactly.
 constexpr std::uint64_t kWholeMax = std::uint64_t{1} << 53;
-constexpr std::size_t kFileNameMax = 255; // of most file systems
+constexpr std::size_t kFileNameMax = 255; // limit of most file systems
 
 [[noreturn]] void refuse(const std::string& reason) { throw SetFault(reason); }
 
@@ -68,14 +68,14 @@ void checkWorld(const TileSet& set) {
 
 void checkSettings(const TileSet& set) {
     const auto settings = nlohmann::json::parse(set.settings, nullptr, false);
-    require(settings.is_object(), "settings: are no JSON object");
+    require(settings.is_object(), "settings: must be a JSON object");
 }
 
 void checkLevel(const SetLevel& level, const char* place) {
     requireOf(level.radius_max >= double{PRO_RADIUS_MIN} && level.radius_max <= kRadiusMax && isFloat(level.radius_max),
-              place, "radius_max is no float from 2^-60 to 0.125");
+              place, "radius_max must be a float from 2^-60 to 0.125");
     requireOf(level.radius_step >= 0 && level.radius_step <= 1 && isFloat(level.radius_step), place,
-              "radius_step is no float from 0 to 1");
+              "radius_step must be a float from 0 to 1");
 }
 
 void checkAttribute(const SetAttribute& attribute, const char* place) {
@@ -83,7 +83,7 @@ void checkAttribute(const SetAttribute& attribute, const char* place) {
     const std::string& name = attribute.name;
     requireOf(!name.empty() && name.size() <= PRO_ATTRIBUTE_NAME_MAX && std::none_of(name.begin(), name.end(), control),
               place, "its name is empty, too long or has control characters");
-    requireOf(attribute.type >= PRO_TYPE_I8 && attribute.type <= PRO_TYPE_F64, place, "is of no type that there is");
+    requireOf(attribute.type >= PRO_TYPE_I8 && attribute.type <= PRO_TYPE_F64, place, "has an unknown type");
     requireOf(attribute.components >= 1 && attribute.components <= PRO_ATTRIBUTE_COMPONENTS_MAX, place,
               "components are not 1 to 4");
     requireOf(std::isfinite(attribute.low) && std::isfinite(attribute.high) && attribute.low <= attribute.high, place,
@@ -102,7 +102,7 @@ void checkAttributes(const TileSet& set) {
     if (twice != names.end()) refuse("attributes: " + printable(*twice) + " is there twice");
 }
 
-/// A name that leads nowhere but into tiles/.
+/// A name that cannot leave tiles/.
 bool isTileFile(std::string_view file) {
     constexpr std::string_view kFolder = "tiles/", kSuffix = ".pro";
     if (!file.starts_with(kFolder) || !file.ends_with(kSuffix)) return false;
@@ -117,8 +117,8 @@ bool isTileFile(std::string_view file) {
 
 void checkTile(const TileSet& set, const SetTile& tile) {
     constexpr std::uint64_t kSplatsMax = std::numeric_limits<std::uint32_t>::max();
-    require(tile.level < set.levels.size(), "level is none of levels");
-    require(isTileFile(tile.file), "file is no plain name in tiles/ that ends in .pro");
+    require(tile.level < set.levels.size(), "level does not exist");
+    require(isTileFile(tile.file), "file must be a plain name in tiles/ that ends in .pro");
     require(tile.splats >= 1 && tile.splats <= tile.stored, "splats are none, or more than stored");
     require(tile.stored <= kSplatsMax, "stored are more than 2^32 - 1");
     require(tile.bytes >= PRO_HEADER_BYTES && tile.bytes <= kWholeMax, "bytes are not those of a .pro file");
@@ -133,7 +133,7 @@ void checkOrder(const TileSet& set, std::size_t i) {
     refuse("does not follow the one before: highest level first, then in Morton order");
 }
 
-/// What follows from a tile's parent.
+/// Constraints between a tile and its parent.
 void checkParent(const TileSet& set, const SetTile& tile, std::vector<bool>& has_children) {
     const auto parent = findTile(set, tile.level + 1, parentOf(tile.cell));
     require(parent.has_value(), "its parent does not exist");
@@ -141,7 +141,7 @@ void checkParent(const TileSet& set, const SetTile& tile, std::vector<bool>& has
     has_children[*parent] = true;
 }
 
-/// Calls check(number) for each tile; faults get its number and place.
+/// Calls check(index) for each tile; faults get its index and cell.
 template <typename Check>
 void forEachTile(const TileSet& set, const Check& check) {
     for (std::size_t i = 0; i < set.tiles.size(); ++i) {
@@ -183,7 +183,7 @@ void checkFiles(const TileSet& set) {
 
 void checkSums(const TileSet& set) {
     std::vector<SetLevel> sums(set.levels.size());
-    std::uint64_t splats = 0; // of up to 2^20 tiles of less than 2^32: no overflow
+    std::uint64_t splats = 0; // at most 2^20 tiles of less than 2^32 splats: no overflow
     for (const SetTile& tile : set.tiles) {
         SetLevel& sum = sums[tile.level];
         ++sum.tiles;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// set.json to a TileSet. The file may be anybody's: nothing is kept that is not asked for, tiles are taken one by one,
-// and there are bounds for all that is kept meanwhile.
+// Reads set.json, which may be hostile: keeps only known keys, converts tiles one by one, and bounds everything that is
+// held meanwhile.
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -19,12 +19,12 @@ namespace pointrt {
 
 namespace {
 
-/// Not ordered_json, whose time is quadratic in an object's keys.
+/// ordered_json would take quadratic time in the keys of an object.
 using Json = nlohmann::json;
 
 constexpr int kDepthMax = 64; // settings; printing recurses
-/// Of JSON at a time: a quarter of a million sensors. The parser looks through a list whenever an object in it ends, so
-/// the product of both bounds its time: half a second.
+/// Limits of JSON held at a time: a quarter of a million sensors. The parser scans a list at the end of each object in
+/// it, so the product of both limits bounds its time to half a second.
 constexpr std::size_t kValuesMax = std::size_t{1} << 20, kObjectsMax = 256;
 
 constexpr std::string_view kKeys[] = {"format", "version",  "splats",  "input_points", "lattice",  "bounds",
@@ -32,7 +32,7 @@ constexpr std::string_view kKeys[] = {"format", "version",  "splats",  "input_po
                                       "levels", "settings", "sensors", "attributes",   "tiles"};
 
 const Json& memberOf(const Json& object, const char* key) {
-    if (!object.is_object()) throw SetFault("is no object");
+    if (!object.is_object()) throw SetFault("is not an object");
     const auto found = object.find(key);
     if (found == object.end()) throw SetFault(std::string(key) + " is missing");
     return *found;
@@ -120,7 +120,7 @@ SetAttribute attributeOf(const Json& json) {
     SetAttribute attribute{wordOf(json, "name"), PRO_TYPE_I8, wholeOf<std::uint32_t>(json, "components"),
                            numberOf(json, "low"), numberOf(json, "high")};
     while (attribute.type <= PRO_TYPE_F64 && type != typeName(attribute.type)) ++attribute.type;
-    return attribute; // what is no type is for the check
+    return attribute; // the check refuses unknown types
 }
 
 std::array<double, 4> sensorOf(const Json& json) {
@@ -129,7 +129,7 @@ std::array<double, 4> sensorOf(const Json& json) {
     return {place[0], place[1], place[2], 1};
 }
 
-/// The list's elements, each by read; faults get its number.
+/// Reads each element of a list; faults get its index.
 template <typename Element, typename Read>
 std::vector<Element> readList(const Json& json, const char* key, const Read& read) {
     std::vector<Element> list;
@@ -148,20 +148,19 @@ void requireVersion(const Json& version) {
     if (!number) throw SetFault("version is not a whole number");
     if (*number != kTileSetVersion)
         throw SetFault("version " + version.dump() + ", but only " + std::to_string(kTileSetVersion) +
-                       " can be read: this program is too old, or the file is damaged");
+                       " is supported: this program is too old, or the file is damaged");
 }
 
-/// Called by the parser for each value. Takes tiles out as they come, so that at no time more than one of them is there
-/// as JSON.
+/// A callback of the parser for each value. Converts tiles at once, so that at most one of them exists as JSON.
 class TileTaker {
 public:
     explicit TileTaker(std::vector<SetTile>& tiles) : tiles_(tiles) {}
 
-    /// @return whether the parser keeps it
+    /// @return whether the parser keeps the value
     bool operator()(int depth, Json::parse_event_t event, Json& value) {
         if (depth > kDepthMax) throw SetFault("nests deeper than " + std::to_string(kDepthMax));
         if (depth == 0 && event != Json::parse_event_t::object_start && event != Json::parse_event_t::object_end)
-            throw SetFault("is no JSON object");
+            throw SetFault("is not a JSON object");
         if (depth == 1 && event == Json::parse_event_t::key) return enter(value.get_ref<const std::string&>());
         if (depth == 1 && event == Json::parse_event_t::value && key_ == "version") requireVersion(value);
         const bool is_tile = depth == kTileDepth && key_ == "tiles";
@@ -169,7 +168,7 @@ public:
         count(event);
         if (!is_tile) return true;
         if (event == Json::parse_event_t::value || event == Json::parse_event_t::array_start)
-            throw SetFault(placeIn("tiles", tiles_.size()) + "is no object");
+            throw SetFault(placeIn("tiles", tiles_.size()) + "is not an object");
         if (event != Json::parse_event_t::object_end) return true;
         take(value);
         return false;
@@ -197,14 +196,14 @@ private:
         held_ = before_;
     }
 
-    static constexpr int kTileDepth = 2; ///< in the list, in the whole
+    static constexpr int kTileDepth = 2; ///< in the list within the object
     struct Held {
         std::size_t values = 0, objects = 0;
     };
 
     std::vector<SetTile>& tiles_;
     std::string key_;
-    Held held_, before_; ///< as JSON; and when the tile began that is being read
+    Held held_, before_; ///< JSON held now, and before the current tile
 };
 
 std::size_t lineOf(std::string_view text, std::size_t byte) {
@@ -219,8 +218,8 @@ Json parse(std::string_view text, std::vector<SetTile>& tiles) {
         return Json::parse(text.begin(), text.end(), callback);
     } catch (const Json::parse_error& error) {
         throw SetFault("line " + std::to_string(lineOf(text, error.byte)) + " is not JSON");
-    } catch (const Json::exception&) { // a number that is no double
-        throw SetFault("has a number beyond all bounds");
+    } catch (const Json::exception&) { // a number out of the range of doubles
+        throw SetFault("has a number out of range");
     }
 }
 
@@ -250,7 +249,7 @@ TileSet readText(std::string_view text) {
     set.attributes = readList<SetAttribute>(json, "attributes", attributeOf);
     set.sensors = readList<std::array<double, 4>>(json, "sensors", sensorOf);
     set.levels = readList<SetLevel>(json, "levels", levelOf);
-    listOf(json, "tiles"); // its elements have been taken
+    listOf(json, "tiles"); // its elements are already converted
     if (const std::string fault = findTileSetFault(set); !fault.empty()) throw SetFault(fault);
     return set;
 }
@@ -271,7 +270,7 @@ TileSet readTileSet(const std::string& folder) {
     format::MappedFile file;
     if (!file.map(path.c_str())) refuse(file.error());
     if (file.bytes().size() > kTileSetBytesMax)
-        refuse("has " + std::to_string(file.bytes().size()) + " bytes, more than any set");
+        refuse("has " + std::to_string(file.bytes().size()) + " bytes, more than the limit for sets");
     return parseTileSet({reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size()}, path);
 }
 

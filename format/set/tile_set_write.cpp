@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 /// On one line.
 std::string text(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-/// `"key": value,` on a line of its own; a list has a line for each element.
+/// A line `"key": value,`; a list has a line for each element.
 void addLine(std::string& out, const char* key, const Json& value) {
     out += std::string("  \"") + key + "\": " + text(value) + ",\n";
 }
@@ -73,7 +73,7 @@ std::string jsonOf(const TileSet& set) {
     addLine(out, "colors", set.colors);
     addLine(out, "oriented", set.oriented);
     addLine(out, "noise", set.noise);
-    // sorted by key, as the reader has them
+    // sorted by key, as in the reader
     addLine(out, "settings", nlohmann::json::parse(set.settings));
     addList(out, "attributes", set.attributes, attributeJson, ",\n");
     addList(out, "sensors", set.sensors, sensorJson, ",\n");
@@ -87,7 +87,7 @@ std::string jsonOf(const TileSet& set) {
 void writeTileSet(const TileSet& set, const std::string& folder) {
     const std::string path = setFileOf(folder);
     if (const std::string fault = findTileSetFault(set); !fault.empty())
-        throw Error(ExitCode::kCannotRun, path + ": would not be a set: " + fault);
+        throw Error(ExitCode::kCannotRun, path + ": would be invalid: " + fault);
     const std::string json = jsonOf(set);
     format::AtomicFile out;
     if (!out.open(path) || !out.write(json.data(), json.size()) || !out.commit())

@@ -20,8 +20,8 @@ using Offset = std::array<std::int32_t, 3>; ///< from cell to cell, -1 to 1
 
 constexpr std::int32_t kCoreSteps = 1 << (PRO_POSITION_BITS - 1);
 constexpr std::int32_t kCoreLow = kCoreSteps / 2, kCoreHigh = kCoreLow + kCoreSteps;
-/// Inside the core by so much, in cube units, a point is there whatever rounding did: floats around 0.5 are good to
-/// 2^-24, and sums of some of them to a few times that.
+/// Margin in cube units within which rounding cannot move a point out of the core: floats around 0.5 are exact to
+/// 2^-24, sums of some of them to a few times that.
 constexpr float kSure = 4 * PRO_POSITION_STEP;
 
 Words wordsOf(const ProFile& file, std::size_t splat) {
@@ -36,7 +36,7 @@ Code codeOf(const Words& words) {
             static_cast<std::int32_t>(words[1] >> PRO_Y_HIGH_BITS & PRO_POSITION_MASK)};
 }
 
-/// Only of codes that the cube holds.
+/// For codes within the cube.
 Words withCode(Words words, const Code& code) {
     const auto x = static_cast<std::uint32_t>(code[0]), y = static_cast<std::uint32_t>(code[1]);
     words[0] = x | y << PRO_POSITION_BITS;
@@ -44,7 +44,7 @@ Words withCode(Words words, const Code& code) {
     return words;
 }
 
-/// Which cell the position is in, seen from the tile's own.
+/// The cell of the position, relative to the tile's own.
 Offset offsetOf(const Code& code) {
     Offset offset;
     for (std::size_t axis = 0; axis < 3; ++axis) offset[axis] = code[axis] < kCoreLow ? -1 : code[axis] >= kCoreHigh;
@@ -63,7 +63,7 @@ Offset offsetOfSlot(std::size_t slot) {
     return {at % 3 - 1, at / 3 % 3 - 1, at / 9 - 1};
 }
 
-/// The cell beside it; nothing beyond the numbers that cells can have.
+/// The neighbouring cell, or none beyond the range of cells.
 std::optional<TileCell> cellBeside(const TileCell& cell, const Offset& offset) {
     TileCell beside;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -71,7 +71,7 @@ std::optional<TileCell> cellBeside(const TileCell& cell, const Offset& offset) {
     return beside;
 }
 
-/// Whether original splats of a coarser level stand in the cell.
+/// Whether the cell is in an original tile of a coarser level.
 bool isInOriginalTile(const TileSet& set, std::uint32_t level, TileCell cell) {
     while (++level < set.levels.size()) {
         cell = parentOf(cell);
@@ -80,11 +80,12 @@ bool isInOriginalTile(const TileSet& set, std::uint32_t level, TileCell cell) {
     return false;
 }
 
-/// One of the outermost points of the disc along the axes is in the core. @param splat in the tile's cube
+/// Whether one of the extreme points of the disc along the axes lies in the core.
+/// @param splat in the cube of the tile
 bool surelyCrossesCore(const pro_splat& splat) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const float slope = 1 - splat.normal[axis] * splat.normal[axis];
-        if (slope < kSure) continue; // that axis is the normal
+        if (slope < kSure) continue; // the normal is along this axis
         const float reach = splat.radius / std::sqrt(slope);
         for (const float side : {-reach, reach}) {
             bool inside = true;
@@ -107,7 +108,7 @@ struct Tile {
     void add(std::string text) { findings.push_back({0, std::move(text)}); }
 };
 
-/// Splats of the file by the cell that they are in, sorted.
+/// The splats of the file by cell, sorted.
 using BySlot = std::array<std::vector<Words>, kSlots>;
 
 BySlot splatsBySlot(const ProFile& file) {
@@ -121,7 +122,7 @@ BySlot splatsBySlot(const ProFile& file) {
     return slots;
 }
 
-/// Splats that the neighbour owns, as the tile has them to have: calls visit(words, splat) for those near the core.
+/// Calls visit(words, splat) for splats that the neighbour owns near the core, encoded as in the tile.
 template <typename Visit>
 void forEachNear(const ProFile& neighbour, const Offset& offset, const Visit& visit) {
     const auto reach = static_cast<std::int32_t>(std::ceil(double{neighbour.info().radius_max} * PRO_POSITION_STEPS));
@@ -146,16 +147,16 @@ void forEachNear(const ProFile& neighbour, const Offset& offset, const Visit& vi
     }
 }
 
-/// @param repeats of the neighbour, sorted
+/// @param repeats copies from the neighbour, sorted
 void compareWith(Tile& tile, const SetTile& owner, const Offset& offset, const std::vector<Words>& repeats) {
     std::optional<ProFile> file;
     try {
         file = openTile(tile.set, owner, tile.folder, PRO_OPEN_SKIP_CHECKSUMS);
     } catch (const Error&) {
-        return; // which is a finding of the neighbour's
+        return; // the neighbour has its own finding
     }
     std::vector<bool> owned(repeats.size());
-    // cleaning moves points across borders: then it is the merged tile's own splats that stand for them
+    // cleaning can move points across borders, where the merged tile's own splats represent them
     const bool alike = tile.tile.isOriginal() == owner.isOriginal();
     std::size_t missing = 0;
     forEachNear(*file, offset, [&](const Words& words, const auto& splat) {
@@ -165,7 +166,8 @@ void compareWith(Tile& tile, const SetTile& owner, const Offset& offset, const s
     });
     const auto strange = std::count(owned.begin(), owned.end(), false);
     if (strange > 0)
-        tile.add(std::to_string(strange) + " of its splats are in " + owner.file + "'s core but not its own");
+        tile.add(std::to_string(strange) + " of its splats lie in the core of " + owner.file +
+                 " but are not its splats");
     if (missing > 0) tile.add("lacks " + std::to_string(missing) + " splats of " + owner.file + " that cross its core");
 }
 
@@ -179,25 +181,25 @@ void checkRepeats(Tile& tile, const ProFile& file) {
         const auto cell = cellBeside(tile.tile.cell, offset);
         const auto owner = cell ? findTile(tile.set, tile.tile.level, *cell) : std::nullopt;
         if (owner && tile.tile.isOriginal() && !tile.set.tiles[*owner].isOriginal())
-            continue; // what it repeats from there are original splats of finer levels, coded anew
+            continue; // copies from there are re-encoded original splats of finer levels
         if (owner) {
             compareWith(tile, tile.set.tiles[*owner], offset, slots[slot]);
         } else if (!slots[slot].empty() && !(cell && isInOriginalTile(tile.set, tile.tile.level, *cell))) {
-            tile.add(std::to_string(slots[slot].size()) + " of its splats are where no tile is");
+            tile.add(std::to_string(slots[slot].size()) + " of its splats are in cells without a tile");
         }
     }
     if (own != tile.tile.splats)
         tile.add("its core holds " + std::to_string(own) + " splats, not " + std::to_string(tile.tile.splats));
 }
 
-/// What set.json says of all tiles. Merged splats are means of original ones, so they do not leave their ranges.
+/// Ranges in set.json, which hold for merged splats, too, as these are means of original ones.
 void checkRanges(Tile& tile, const ProFile& file) {
     for (std::size_t i = 0; i < file.attributes().size(); ++i) {
         const pro_attribute& is = file.attributes()[i];
         const SetAttribute& all = tile.set.attributes[i];
         const bool has_none = is.low == 0 && is.high == 0; // or zeros
         if (!has_none && (is.low < all.low || is.high > all.high))
-            tile.add("attribute " + all.name + " goes beyond set.json's low and high");
+            tile.add("attribute " + all.name + " exceeds the range in set.json");
     }
     const double step = file.info().scale / double{PRO_POSITION_STEPS};
     for (std::size_t i = 0; i < file.info().splat_count; ++i) {
@@ -206,7 +208,7 @@ void checkRanges(Tile& tile, const ProFile& file) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double at = place[axis];
             if (at >= tile.set.bounds_min[axis] - step && at <= tile.set.bounds_max[axis] + step) continue;
-            return tile.add("its splats go beyond set.json's bounds");
+            return tile.add("its splats exceed the bounds in set.json");
         }
     }
 }
@@ -215,7 +217,7 @@ void addFinding(const pro_message* message, void* findings) {
     static_cast<std::vector<TileFinding>*>(findings)->push_back({message->finding, message->text});
 }
 
-/// An error's line without the file's name, which callers have.
+/// An error line without the file's name, which callers add.
 std::string reasonOf(const std::string& line, const std::string& path) {
     return line.starts_with(path + ": ") ? line.substr(path.size() + 2) : line;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every check of a tile that there is: what its file is, and whether it agrees with its neighbours.
+// All checks of a tile: of its file, and against its neighbours.
 #pragma once
 
 #include <cstddef>
@@ -11,18 +11,21 @@
 
 namespace pointrt {
 
-/// number: of SPEC.md, what pro_verify finds; 0 for what is of sets. text: without the file's name.
+/// number: of pro_verify, as in SPEC.md, or 0 for checks of sets. text: without the file's name.
 struct TileFinding {
     std::uint32_t number = 0;
     std::string text;
 };
 
-/// That the file is the one that set.json names, that pro_verify finds nothing, that its core holds as many splats as
-/// set.json says, that repeats from tiles of its level (of an original tile: from original ones) are their owners'
-/// splats to the bit, and that no splat of a neighbour of its level, merged as it is or not, is missing whose disc
-/// surely crosses the core, and that nothing leaves the set's bounds and ranges of attributes. Neighbours that cannot
-/// be opened have findings of their own. Reads the file and those of up to 26 neighbours. From several threads. @param
-/// number below set.tiles.size()
+/// Checks that
+/// - the file is the one that set.json names, and pro_verify has no findings;
+/// - its core holds as many splats as set.json states;
+/// - copies from tiles of its level (for an original tile: from original ones) equal their owners' splats to the bit;
+/// - no splat of a neighbour of its level and kind whose disc certainly crosses the core is missing;
+/// - splats stay within the set's bounds and ranges of attributes.
+/// Ignores neighbours that cannot be opened, which have findings of their own. Reads the file and up to 26 neighbours.
+/// Thread-safe.
+/// @param number index of the tile
 std::vector<TileFinding> verifyTile(const TileSet& set, const std::string& folder, std::size_t number);
 
 } // namespace pointrt

@@ -165,8 +165,8 @@ private:
     void beginAnew() const {
         const std::string plan = planFile(work_);
         for (const fs::directory_entry& entry : fs::directory_iterator(work_))
-            if (entry.path() != plan) takeAway(entry.path());
-        takeAway(plan);
+            if (entry.path() != plan) removeTree(entry.path());
+        removeTree(plan);
     }
 
     void plan() {
@@ -190,7 +190,7 @@ private:
         if (isSplit(plan)) return;
         progress_.begin("split", plan.points_read);
         splitPoints(plan, request_, [&](const ReadStatus& status) { progress_.update(status.share); });
-        plan.traits = readPlan(work_).traits;
+        plan.statistics = readPlan(work_).statistics;
         std::uint64_t bytes = 0;
         for (const PlanTile& tile : plan.tiles) bytes += fs::file_size(bucketFile(plan, tile));
         add("split", plan.points, bytes);

@@ -6,7 +6,7 @@
 
 #include "format/base/axis_name.h"
 #include "format/base/error.h"
-#include "preprocess/input/source.h"
+#include "preprocess/input/input_file.h"
 #include "preprocess/input/text.h"
 
 namespace pointrt {
@@ -73,7 +73,7 @@ AttributeChoice parseAttributes(const std::string& text) {
 }
 
 Eigen::Affine3d readTransform(const std::string& path) {
-    const Source source = openSource(path);
+    const InputFile source = openInputFile(path);
     std::string_view rest = source.bytes;
     std::vector<double> values;
     while (true) {

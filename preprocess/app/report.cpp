@@ -138,7 +138,7 @@ std::string missedBound(const BakeReport& report) {
                        pruning.harm_bound, report.harm_allowed);
 }
 
-/// ", z is up: its ground" where that was found out; nothing where it was said.
+/// ", z is up: ground" where that was found out; nothing where it was said.
 std::string foundUp(const BakeReport& report) {
     if (report.up_from != "data") return {};
     const Vec3d& up = report.world.up;

@@ -56,7 +56,7 @@ Json toJson(const SetReport& report) {
     json["up"] = vectorJson(plan.world.up);
     json["up_from"] = plan.up_from;
     json["up_reason"] = plan.up_reason;
-    json["noise"] = plan.traits.noise;
+    json["noise"] = plan.statistics.noise;
     json["files"] = filesJson(plan);
     json["notes"] = Json::array();
     for (const Note& note : plan.notes) json["notes"].push_back(noteLine(note));

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A tile set baked by Slurm: slurm.sh SITE.proset SCAN ... [-- OPTION ...]
-# Submits its steps as jobs that wait for one another, those of blocks as arrays. Submitted again, it goes on where jobs
-# failed or were ended. POINTRT_BAKE names the program; SBATCH_... set what Slurm wants to know.
+# Bakes a tile set with Slurm: slurm.sh SITE.proset SCAN ... [-- OPTION ...]
+# Submits the steps as dependent jobs, those of blocks as arrays. Run it again to resume after jobs failed or were
+# cancelled. POINTRT_BAKE names the program; SBATCH_... variables set Slurm's options.
 set -euo pipefail
 set=${1:?slurm.sh SITE.proset SCAN ... [-- OPTION ...]}
 shift
@@ -14,7 +14,7 @@ done
 [ $# -eq 0 ] || shift
 command+=("$@")
 
-# submit NAME STEP [SBATCH OPTION ...]: prints the number of the job.
+# submit NAME STEP [SBATCH OPTION ...]: prints the job number.
 submit() {
     local name=$1 step=$2
     shift 2
@@ -23,10 +23,10 @@ submit() {
 }
 
 mkdir -p "$set.work"
-submit plan split --wait >/dev/null # the plan is made on the way, and says how many blocks there are
+submit plan split --wait >/dev/null # also makes the plan, which has the number of blocks
 last=$(($(sed 's/.*"first_tile_of_block":\[\([0-9,]*\)\].*/\1/' "$set.work/plan.json" | tr -dc , | wc -c) - 1))
 of_blocks=(--array="0-$last" --output="$set.work/slurm-%x-%a.log")
-# shellcheck disable=SC2016 # the jobs themselves know their numbers
+# shellcheck disable=SC2016 # expanded in the job
 block=$(submit block 'block:$SLURM_ARRAY_TASK_ID' "${of_blocks[@]}")
 levels=$(submit levels levels --dependency="afterok:$block")
 # shellcheck disable=SC2016

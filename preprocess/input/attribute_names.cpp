@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kLongestName = 31; // PRO_ATTRIBUTE_NAME_MAX of the format
 
-/// Spelling without case, underscores and blanks, and the attribute's name.
+/// Spelling in lower case without underscores and blanks, and the attribute's name.
 struct Spelling {
     std::string_view letters, name;
 };
@@ -61,7 +61,7 @@ bool hasPrefix(std::string_view written) {
                       [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
 }
 
-/// Bytes of the character of UTF-8 that text starts with; 0 where it starts with none, or with a control character.
+/// Length in bytes of the UTF-8 character at the start of text; 0 if there is none or it is a control character.
 std::size_t characterSize(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char first = byte(0);
@@ -73,13 +73,13 @@ std::size_t characterSize(std::string_view text) {
     if (size == 0 || size > text.size()) return 0;
     for (std::size_t i = 1; i < size; ++i)
         if ((byte(i) & 0xc0) != 0x80) return 0;
-    // Too long for what they are, halves of pairs, beyond the last one: RFC 3629.
+    // Overlong encodings, surrogates, beyond the last code point: RFC 3629.
     const bool bad = (first == 0xe0 && byte(1) < 0xa0) || (first == 0xed && byte(1) >= 0xa0) ||
                      (first == 0xf0 && byte(1) < 0x90) || (first == 0xf4 && byte(1) >= 0x90);
     return bad ? 0 : size;
 }
 
-/// Each byte that is not UTF-8 becomes a question mark.
+/// Replaces each byte that is not UTF-8 by a question mark.
 std::string cleaned(std::string_view written) {
     std::string name;
     while (!written.empty()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What attributes are called: one thing has one name, however the program that wrote the file spells it.
+// Names of attributes: one name for one quantity, however the program that wrote the file spells it.
 #pragma once
 
 #include <optional>
@@ -9,16 +9,15 @@
 
 namespace pointrt {
 
-/// The name of an attribute that a file calls `written`: that of laspy for what LAS has, whatever its case, the
-/// underscores and blanks in it and CloudCompare's "scalar_" before it; else the word itself, as UTF-8 of at most 31
-/// bytes without control characters. "" where nothing is left of it.
+/// The name of an attribute that a file calls `written`: laspy's name for a LAS field, ignoring case, underscores,
+/// blanks and CloudCompare's prefix "scalar_"; else the word itself, as UTF-8 of at most 31 bytes without control
+/// characters. "" if nothing is left of it.
 std::string attributeName(std::string_view written);
 
-/// Names the columns of one file, no two alike.
+/// Names the columns of one file uniquely.
 class AttributeNames {
 public:
-    /// The attribute's name, or the word as it is written where another column has that name; nothing where that is
-    /// taken too.
+    /// The attribute's name, or the word as written if another column has that name; nullopt if that is taken too.
     std::optional<std::string> take(std::string_view written);
 
 private:

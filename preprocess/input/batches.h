@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points handed on in batches while they are read, so that memory is bounded whatever the files hold. What the whole of
-// a scan decides, such as the scale of its colours, comes out of one reading and is used in the next.
+// Points handed on in batches while files are read, which bounds memory whatever their size. Properties of a whole
+// scan, such as the scale of its colours, are found in a first pass over the files and used in a second.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -9,39 +9,65 @@
 #include <vector>
 
 #include "preprocess/cloud/cloud.h"
+#include "preprocess/input/point_storage.h"
 
 namespace pointrt {
 
-/// Of points without a colour among others that have some.
-inline constexpr Rgb8 kGreyColor = {200, 200, 200};
-
 /// Points of one scan.
 struct PointBatch {
-    /// Arrays that are not as long as positions are absent: normals, colours, radii of files without them, attributes
-    /// of values that are all 0. Its positions are not to be used.
+    /// Arrays shorter than `positions` are absent: normals, colours and radii if the file has none, attributes if all
+    /// of their values are 0. Cloud::positions must not be used.
     const Cloud& cloud;
     const std::vector<Vec3d>& positions; ///< input coordinates
     std::size_t scan = 0;                ///< its number
-    /// Names of attributes whose types are but the reader's, so far: Columns::loose.
-    const std::vector<std::string>& loose;
+    /// Names of attributes for which no file has declared a type so far: Columns::untyped.
+    const std::vector<std::string>& untyped;
 };
 
-/// Where a Sink's points go.
-struct Batches {
-    std::size_t points = std::size_t{1} << 20; ///< from so many on they are handed on
+/// What batches are and where they go.
+struct BatchOptions {
+    std::size_t points = std::size_t{1} << 20; ///< hand a batch on from this many points
     std::function<void(const PointBatch&)> take;
-    /// Largest values of the scans' colours, of those that come in more than bytes. What the first reading finds, in
-    /// which batches have no such colours.
-    std::vector<float> largest_color;
-    bool scales_known = false; ///< largest_color comes from an earlier reading
-    bool colors = false;       ///< some scan had any, once all are read
+    /// The largest colour value of each scan, as a first pass found it; 0 for scans with 8-bit colours. Null in the
+    /// first pass, whose batches have no colours but 8-bit ones.
+    const std::vector<float>* largest_color = nullptr;
+    std::uint64_t points_before = 0; ///< points handed on by a reading that this one continues
+};
 
-    std::vector<Vec3d> positions; ///< of the cloud's points, which are the next batch
-    std::uint64_t handed_on = 0;
-    Eigen::AlignedBox3d scan_box; ///< of the scan's points that are handed on
+/// What a pass over the files finds about colours.
+struct BatchFindings {
+    std::vector<float> largest_color; ///< by scan, see BatchOptions
+    bool colors = false;              ///< some scan has colours
+};
 
-    /// Makes room for the next batch; arrays keep their memory and attributes their types.
-    void empty(Cloud& cloud);
+/// Removes the points; arrays keep their memory, and attributes their types.
+void removePoints(Cloud& cloud);
+
+/// Storage of a Sink that hands its points on.
+class BatchStorage : public PointStorage {
+public:
+    BatchStorage(Cloud& cloud, const Columns& columns, BatchOptions options);
+
+    std::uint64_t count() const override { return handed_on_ + cloud_.positions.size(); }
+    bool keepsPoints() const override { return false; }
+    std::size_t lengthFor(std::uint64_t vertices) const override;
+    void beginScan() override { scan_box_.setEmpty(); }
+    void positionAdded(const Vec3d& position) override { positions_.push_back(position); }
+    void verticesAdded(CurrentScan& scan) override;
+    void finishScan(CurrentScan& scan, const InputFile& input) override;
+    ScanBox boxOf(const ScanRange&) const override { return {scan_box_.center(), scan_box_.sizes()}; }
+
+    const BatchFindings& findings() const { return findings_; }
+
+private:
+    BatchOptions options_;
+    BatchFindings findings_;
+    std::vector<Vec3d> positions_; ///< of the next batch's points
+    std::uint64_t handed_on_ = 0;  ///< points
+    Eigen::AlignedBox3d scan_box_; ///< of the scan's points that were handed on
+
+    void scaleColors(CurrentScan& scan);
+    void handOn(CurrentScan& scan);
 };
 
 } // namespace pointrt

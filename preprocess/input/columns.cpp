@@ -23,7 +23,7 @@ bool isSigned(Scalar type) {
     return type == Scalar::kI8 || type == Scalar::kI16 || type == Scalar::kI32 || type == Scalar::kI64;
 }
 
-/// The smallest type that holds every value of both; doubles for integers of 64 bits that meet others.
+/// The smallest type that holds every value of both; double for 64-bit integers with any other type.
 Scalar commonType(Scalar a, Scalar b) {
     if (a == b) return a;
     if (isReal(a) || isReal(b)) {
@@ -36,7 +36,7 @@ Scalar commonType(Scalar a, Scalar b) {
     return size <= 2 ? Scalar::kI16 : size == 4 ? Scalar::kI32 : size == 8 ? Scalar::kI64 : Scalar::kF64;
 }
 
-/// A number of one type as the bytes of another that holds it.
+/// Converts a number to another type, which must hold it.
 void convert(const char* from, Scalar from_type, char* to, Scalar to_type) {
     if (isReal(to_type) || isReal(from_type))
         storeScalar(to, to_type, loadScalar(from, from_type, false));
@@ -52,31 +52,31 @@ void fillTo(Attribute& attribute, std::size_t count) {
         storeScalar(attribute.values.data() + at, attribute.type, std::numeric_limits<double>::quiet_NaN());
 }
 
-void forget(std::vector<std::string>& names, const std::string& name) {
+void remove(std::vector<std::string>& names, const std::string& name) {
     names.erase(std::remove(names.begin(), names.end(), name), names.end());
 }
 
-/// The attribute that takes a column, as wide as it needs.
+/// The attribute that stores a column, widened if needed.
 std::size_t attributeFor(Cloud& cloud, Columns& columns, const ColumnTraits& column) {
     auto& all = cloud.attributes;
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const Attribute& each) { return each.name == column.name; });
     if (found == all.end()) {
         all.push_back({column.name, column.type, column.components, {}});
-        if (column.loose) columns.loose.push_back(column.name);
+        if (column.untyped) columns.untyped.push_back(column.name);
         return all.size() - 1;
     }
     if (found->components != column.components)
-        throw Error(ExitCode::kBadInput, fmt::format("{}: {} numbers each, {} in a file before", column.name,
+        throw Error(ExitCode::kBadInput, fmt::format("{}: has {} components, but {} in an earlier file", column.name,
                                                      column.components, found->components));
     changeType(*found, commonType(found->type, column.type));
-    if (!column.loose) forget(columns.loose, column.name);
+    if (!column.untyped) remove(columns.untyped, column.name);
     return static_cast<std::size_t>(found - all.begin());
 }
 
-/// A name stays minor as long as no column of it is anything else.
-void settleMinor(Columns& columns, const ColumnTraits& column, bool is_new, bool all_wanted) {
-    if (!column.minor || !all_wanted) return forget(columns.minor, column.name);
+/// An attribute stays minor as long as its columns are minor in all files.
+void updateMinor(Columns& columns, const ColumnTraits& column, bool is_new, bool all_wanted) {
+    if (!column.minor || !all_wanted) return remove(columns.minor, column.name);
     if (is_new) columns.minor.push_back(column.name);
 }
 
@@ -93,7 +93,7 @@ bool isMinor(const Attribute& attribute, const Columns& columns) {
     return std::find(columns.minor.begin(), columns.minor.end(), attribute.name) != columns.minor.end();
 }
 
-/// Whether nothing but 0 came so far, for which no memory is taken.
+/// Whether all values so far are 0, which takes no memory.
 bool isAbsent(const Attribute& attribute, const Columns& columns) {
     return attribute.values.empty() && isMinor(attribute, columns);
 }
@@ -119,8 +119,8 @@ bool holdsAll(const Attribute& attribute) {
     return true;
 }
 
-/// Types that loose values are offered, the smallest first; doubles, which they are compared as, do not tell large
-/// whole numbers apart.
+/// Types to convert untyped values to, the smallest first. Values are compared as doubles, which do not distinguish
+/// large integers: hence no 64-bit types.
 constexpr Scalar kNarrowTypes[] = {Scalar::kU8,  Scalar::kI8,  Scalar::kU16, Scalar::kI16,
                                    Scalar::kU32, Scalar::kI32, Scalar::kF32};
 
@@ -153,27 +153,27 @@ std::uint32_t bitOf(Scalar type) { return 1u << static_cast<int>(type); }
 
 } // namespace
 
-bool AttributeChoice::wants(std::string_view name) const {
+bool AttributeChoice::selects(std::string_view name) const {
     return all || std::find(names.begin(), names.end(), name) != names.end();
 }
 
 void beginColumns(Columns& columns, Cloud& cloud, const std::vector<ColumnTraits>& traits,
                   const AttributeChoice& choice, std::size_t room) {
-    columns.wanted.clear();
+    columns.selected.clear();
     std::size_t offset = 0;
     for (std::size_t trait = 0; trait < traits.size(); ++trait) {
         const ColumnTraits& column = traits[trait];
-        if (std::find(columns.offered.begin(), columns.offered.end(), column.name) == columns.offered.end())
-            columns.offered.push_back(column.name);
-        if (choice.wants(column.name)) {
+        if (std::find(columns.available.begin(), columns.available.end(), column.name) == columns.available.end())
+            columns.available.push_back(column.name);
+        if (choice.selects(column.name)) {
             const std::size_t before = cloud.attributes.size();
-            columns.wanted.push_back({offset, trait, column.type, attributeFor(cloud, columns, column)});
-            settleMinor(columns, column, cloud.attributes.size() > before, choice.all);
+            columns.selected.push_back({offset, trait, column.type, attributeFor(cloud, columns, column)});
+            updateMinor(columns, column, cloud.attributes.size() > before, choice.all);
         }
         offset += scalarSize(column.type) * column.components;
     }
     fillAttributes(cloud, columns);
-    for (const Columns::Column& column : columns.wanted) {
+    for (const Columns::Column& column : columns.selected) {
         Attribute& attribute = cloud.attributes[column.attribute];
         const std::size_t bytes = room * attribute.bytesEach();
         if (bytes > attribute.values.capacity())
@@ -182,7 +182,7 @@ void beginColumns(Columns& columns, Cloud& cloud, const std::vector<ColumnTraits
 }
 
 void addValues(const Columns& columns, Cloud& cloud, const char* values) {
-    for (const Columns::Column& column : columns.wanted) {
+    for (const Columns::Column& column : columns.selected) {
         Attribute& attribute = cloud.attributes[column.attribute];
         const char* const from = values + column.offset;
         const std::size_t at = attribute.values.size();
@@ -199,7 +199,7 @@ void addValues(const Columns& columns, Cloud& cloud, const char* values) {
 
 void addColumns(const Columns& columns, Cloud& cloud, std::span<const char* const> arrays,
                 std::span<const std::uint32_t> kept, std::size_t count) {
-    for (const Columns::Column& column : columns.wanted) {
+    for (const Columns::Column& column : columns.selected) {
         Attribute& attribute = cloud.attributes[column.attribute];
         const char* const from = arrays[column.trait];
         const std::size_t size = attribute.bytesEach();
@@ -226,23 +226,23 @@ void fillAttributes(Cloud& cloud, const Columns& columns) {
             fillTo(attribute, cloud.positions.size());
 }
 
-void requireOffered(const Columns& columns, const AttributeChoice& choice) {
-    const std::vector<std::string_view> offered(columns.offered.begin(), columns.offered.end());
+void requireAvailable(const Columns& columns, const AttributeChoice& choice) {
+    const std::vector<std::string_view> available(columns.available.begin(), columns.available.end());
     for (const std::string& name : choice.names) {
-        if (std::find(offered.begin(), offered.end(), name) != offered.end()) continue;
-        const std::string_view near = nearestName(name, offered);
+        if (std::find(available.begin(), available.end(), name) != available.end()) continue;
+        const std::string_view near = nearestName(name, available);
         std::string list;
-        for (const std::string_view each : offered) list += (list.empty() ? "" : ", ") + printable(each);
+        for (const std::string_view each : available) list += (list.empty() ? "" : ", ") + printable(each);
         throw Error(ExitCode::kBadInput,
-                    fmt::format("--attributes: no scan has '{}'{}; there {}", printable(name),
+                    fmt::format("--attributes: no scan has '{}'{}; {}", printable(name),
                                 near.empty() ? "" : fmt::format(", did you mean '{}'?", printable(near)),
-                                list.empty() ? "is none" : "are " + list));
+                                list.empty() ? "the scans have no attributes" : "available: " + list));
     }
 }
 
 void narrowAttributes(Cloud& cloud, const Columns& columns) {
     for (Attribute& attribute : cloud.attributes)
-        if (std::find(columns.loose.begin(), columns.loose.end(), attribute.name) != columns.loose.end())
+        if (std::find(columns.untyped.begin(), columns.untyped.end(), attribute.name) != columns.untyped.end())
             changeType(attribute, smallestType(attribute));
 }
 
@@ -257,15 +257,15 @@ void changeType(Attribute& attribute, Scalar type) {
     attribute.type = type;
 }
 
-void ValueSurvey::add(const Attribute& attribute, bool loose) {
+void ValueSurvey::add(const Attribute& attribute, bool untyped) {
     values += countOf(attribute);
     any = any || !isZero(attribute.values.data(), attribute.values.size());
     for (const Scalar type : kNarrowTypes)
-        if (loose && (held_by & bitOf(type)) != 0 && !holdsAllAs(type, attribute)) held_by &= ~bitOf(type);
+        if (untyped && (held_by & bitOf(type)) != 0 && !holdsAllAs(type, attribute)) held_by &= ~bitOf(type);
 }
 
 Scalar ValueSurvey::smallestType(Scalar type, bool all_have) const {
-    const bool has_nan = isReal(type) && !all_have; // stands for what is missing
+    const bool has_nan = isReal(type) && !all_have; // NaN marks missing values
     for (const Scalar each : kNarrowTypes)
         if ((held_by & bitOf(each)) != 0 && (isReal(each) || !has_nan)) return each;
     return type;

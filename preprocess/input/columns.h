@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Attributes while they are read: the packed values of a file's vertices into the arrays of the cloud.
+// Attributes of the cloud, filled from the packed values of a file's vertices.
 #pragma once
 
 #include <cstddef>
@@ -13,84 +13,84 @@
 
 namespace pointrt {
 
-/// Which attributes are asked for, by name.
+/// Selection of attributes by name.
 struct AttributeChoice {
     bool all = true;
-    std::vector<std::string> names; ///< where not all are
+    std::vector<std::string> names; ///< if not all
 
-    bool wants(std::string_view name) const;
+    bool selects(std::string_view name) const;
 };
 
-/// What a file has of each vertex besides position, normal, colour and radius.
+/// A value of each vertex besides position, normal, colour and radius.
 struct ColumnTraits {
     std::string name;
     Scalar type = Scalar::kF32;
     std::uint32_t components = 1;
-    /// The type is but the reader's: once everything is read, values move to the smallest that holds all of them
-    /// exactly (narrowAttributes).
-    bool loose = false;
-    /// Left out where all values of all files are 0 and attributes were not asked for by name (dropMinorAttributes).
+    /// The file declares no type, the reader chose one: once all files are read, values are converted to the smallest
+    /// type that holds all of them exactly (narrowAttributes).
+    bool untyped = false;
+    /// Dropped if all values of all files are 0, unless attributes were selected by name (dropMinorAttributes).
     bool minor = false;
 };
 
-/// The columns of the file that is being read.
+/// The columns of the current file.
 struct Columns {
     struct Column {
         std::size_t offset;    ///< in a vertex's packed values
-        std::size_t trait;     ///< its number
-        Scalar type;           ///< there
-        std::size_t attribute; ///< of the cloud
+        std::size_t trait;     ///< index into the traits
+        Scalar type;           ///< of the packed values
+        std::size_t attribute; ///< index into Cloud::attributes
     };
-    std::vector<Column> wanted;
-    /// Names of attributes that no file gave a type of its own.
-    std::vector<std::string> loose;
-    /// All names that files had, asked for or not, each once.
-    std::vector<std::string> offered;
-    /// Names of attributes that every file before thought minor.
+    std::vector<Column> selected;
+    /// Names of attributes that are untyped in all files so far.
+    std::vector<std::string> untyped;
+    /// All names in the files so far, selected or not, each once.
+    std::vector<std::string> available;
+    /// Names of attributes that are minor in all files so far.
     std::vector<std::string> minor;
 };
 
-/// Makes the cloud's attributes ready for a file's vertices: new ones get their fill for the points before, a type
-/// that cannot hold the file's values becomes one that can, at best exactly. Throws Error (kBadInput, "NAME: reason")
-/// when an attribute's number of components differs from that of the files before.
+/// Prepares the cloud's attributes for a file's vertices: new ones are filled for the points before, and a type that
+/// cannot hold the file's values is widened, exactly if possible. Throws Error (kBadInput, "NAME: reason") if the
+/// number of components differs from that in the files before.
 void beginColumns(Columns& columns, Cloud& cloud, const std::vector<ColumnTraits>& traits,
                   const AttributeChoice& choice, std::size_t room);
 
 /// Appends one vertex's values, packed in the order and types of the traits, to the cloud.
 void addValues(const Columns& columns, Cloud& cloud, const char* values);
 
-/// The same of many vertices: array k of the values has those of trait k. kept: numbers of the vertices whose values
-/// are wanted, in this order, of so many.
+/// Appends the values of many vertices. arrays[k] holds those of trait k for `count` vertices; kept: indices of the
+/// vertices to append, in this order.
 void addColumns(const Columns& columns, Cloud& cloud, std::span<const char* const> arrays,
                 std::span<const std::uint32_t> kept, std::size_t count);
 
-/// Fills all attributes up to the cloud's number of positions: 0, or NaN in reals. Minor ones that are empty, as they
-/// are until one of their values is not 0, stay so.
+/// Fills all attributes up to the cloud's number of positions, with 0, or NaN in reals. Minor ones stay empty until
+/// one of their values is not 0.
 void fillAttributes(Cloud& cloud, const Columns& columns);
 
-/// Throws Error (kBadInput) naming an attribute that is asked for and that no file has, and those that there are.
-void requireOffered(const Columns& columns, const AttributeChoice& choice);
+/// Throws Error (kBadInput) if a selected attribute is in no file; the message lists the available ones.
+void requireAvailable(const Columns& columns, const AttributeChoice& choice);
 
-/// Gives attributes that only loose columns went into the smallest type that holds their values exactly.
+/// Converts attributes that are untyped in all files to the smallest type that holds their values exactly.
 void narrowAttributes(Cloud& cloud, const Columns& columns);
 
-/// What is known of an attribute whose values come in batches: as much as narrowAttributes and dropMinorAttributes ask
-/// of all of them.
+/// Statistics of an attribute whose values come in batches: what narrowAttributes and dropMinorAttributes need to
+/// decide about all of them.
 struct ValueSurvey {
     std::uint32_t held_by = ~0u; ///< bit t: Scalar t holds all values so far exactly
     bool any = false;            ///< some value is not 0
-    std::uint64_t values = 0;    ///< of so many points
+    std::uint64_t values = 0;    ///< points with a value
 
-    /// @param loose whether its type may become another one, which takes time to know
-    void add(const Attribute& attribute, bool loose);
-    /// The type that narrowAttributes chooses where all points have a value, and where some have not.
+    /// @param untyped whether its type may change; testing the types takes time
+    void add(const Attribute& attribute, bool untyped);
+    /// The type that narrowAttributes would choose. all_have: every point has a value
     Scalar smallestType(Scalar type, bool all_have) const;
 };
 
-/// Moves the values to another type, which holds them.
+/// Converts the values to another type, which must hold them.
 void changeType(Attribute& attribute, Scalar type);
 
-/// Drops attributes that only minor columns went into, none of whose values is anything but 0.
+/// Drops attributes that are minor in all files and 0 throughout.
 void dropMinorAttributes(Cloud& cloud, const Columns& columns);
 
 } // namespace pointrt

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "preprocess/input/sink.h"
+#include "preprocess/input/notes.h"
 
 namespace pointrt {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 constexpr double kEarthRadius = 6378137, kFlattening = 1 / 298.257223563;
 
 bool areDegrees(const Eigen::AlignedBox3d& box) {
-    constexpr double kMostEast = 360, kMostNorth = 90; // files count from the east or from Greenwich
+    constexpr double kMostEast = 360, kMostNorth = 90; // 0 to 360 east, or -180 to 180
     return box.min().y() >= -kMostNorth && box.max().y() <= kMostNorth && box.min().x() >= -kMostEast &&
            box.max().x() <= kMostEast;
 }
@@ -23,7 +23,7 @@ bool areDegrees(const Eigen::AlignedBox3d& box) {
 } // namespace
 
 Eigen::Vector2d metresPerDegree(double latitude) {
-    constexpr double kSquare = kFlattening * (2 - kFlattening); // of the eccentricity
+    constexpr double kSquare = kFlattening * (2 - kFlattening); // squared eccentricity
     constexpr double kDegree = std::numbers::pi / 180;
     const double sine = std::sin(latitude * kDegree), flat = 1 - kSquare * sine * sine;
     const double across = kEarthRadius / std::sqrt(flat), along = across * (1 - kSquare) / flat;
@@ -34,8 +34,9 @@ bool scaleDegrees(Cloud& cloud, const std::string& file) {
     Eigen::AlignedBox3d box;
     for (const Vec3f& position : cloud.positions) box.extend(cloud.origin + position.cast<double>());
     if (!areDegrees(box)) {
-        addNote(cloud, file,
-                "names a coordinate system in degrees, but has no such coordinates: they stay as they are");
+        addNote(
+            cloud, file,
+            "declares a coordinate system in degrees, but its coordinates are not degrees: they are kept unchanged");
         return false;
     }
     const Vec3d middle(box.center().x(), box.center().y(), 0);
@@ -54,9 +55,10 @@ bool scaleDegrees(Cloud& cloud, const std::string& file) {
     cloud.world.metres_per_unit = 1;
     cloud.world.crs.clear();
     addNote(cloud, file,
-            fmt::format("is in degrees: x and y are made metres around {:.7f}, {:.7f}, where a degree is {:.3f} and "
-                        "{:.3f} m; --transform with a matrix, be it that of 1, keeps degrees",
-                        middle.x(), middle.y(), metres.x(), metres.y()));
+            fmt::format(
+                "is in degrees: x and y are converted to metres around {:.7f}, {:.7f}, where a degree is {:.3f} and "
+                "{:.3f} m; any --transform, also the identity, keeps degrees",
+                middle.x(), middle.y(), metres.x(), metres.y()));
     return true;
 }
 

@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Clouds in degrees of longitude and latitude beside metres of height.
+// Clouds with degrees of longitude and latitude but heights in metres.
 #pragma once
 
 #include "preprocess/cloud/cloud.h"
 
 namespace pointrt {
 
-/// Metres that a degree of longitude and one of latitude are long, on the ellipsoid of WGS 84: the radii of curvature
+/// Lengths in metres of a degree of longitude and of latitude on the WGS 84 ellipsoid, from the radii of curvature
 /// of the parallel and of the meridian (J. P. Snyder, Map Projections: A Working Manual, USGS 1987, equations 4-18 to
 /// 4-21).
 /// @param latitude degrees, within 90 of the equator
 Eigen::Vector2d metresPerDegree(double latitude);
 
-/// Metres in x to the east and in y to the north of the middle of all points, which are in degrees of longitude and
-/// latitude: true to scale there; a kilometre north of it x is off by 0.016% times the tangent of the latitude.
-/// Positions are off by up to 3 mm within a degree of the cloud's origin, as they are floats of degrees before. z
-/// stays, and so do attributes, normals and radii. The cloud is in no named coordinate system any more, and a note in
-/// the name of file says how to go back. Returns false, and changes nothing but for a note, where the coordinates
-/// cannot be degrees.
+/// Converts degrees of longitude and latitude to metres east (x) and north (y) of the middle of all points. The scale
+/// is exact there; a kilometre north of it x is off by 0.016% times the tangent of the latitude. Positions are off by
+/// up to 3 mm within a degree of the cloud's origin, since they were floats in degrees. z, attributes, normals and
+/// radii stay. The cloud loses its named coordinate system; a note for the file says how to keep degrees. Returns
+/// false, with a note and nothing changed, if the coordinates cannot be degrees.
 bool scaleDegrees(Cloud& cloud, const std::string& file);
 
 } // namespace pointrt

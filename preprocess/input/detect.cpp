@@ -10,10 +10,10 @@
 namespace pointrt {
 namespace {
 
-/// The bytes in which the kind of a file shows; long comments may stand before it.
+/// Bytes at the start of a file that decide its format; long comments may come first.
 constexpr std::size_t kSniffed = 1 << 16;
 
-/// The first format for which holds is true; null where there is none.
+/// The first format for which holds is true, or null.
 template <typename Predicate>
 const InputFormat* firstFormat(const Predicate& holds) {
     const auto formats = inputFormats();
@@ -25,7 +25,7 @@ const InputFormat* formatNamed(std::string_view name) {
     return firstFormat([&](const InputFormat& format) { return format.name == name; });
 }
 
-/// The lower-case suffix of a name, ".gz" left out.
+/// The suffix of a name in lower case, without ".gz".
 std::string suffixOf(std::string name) {
     for (char& letter : name) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
     if (name.ends_with(".gz")) name.resize(name.size() - 3);
@@ -37,7 +37,7 @@ const InputFormat* formatOfSuffix(std::string_view suffix) {
     return firstFormat([&](const InputFormat& format) {
         bool is_one = false;
         forSuffixes(format, [&](std::string_view each) { is_one = is_one || each == suffix; });
-        return is_one && format.content != Content::kColumns; // which any text would do for
+        return is_one && format.content != Content::kColumns; // any text matches it
     });
 }
 
@@ -89,17 +89,17 @@ SuffixOf suffixKind(const std::string& name) {
     return known ? SuffixOf::kScan : SuffixOf::kOther;
 }
 
-const InputFormat& formatOf(const Source& source, std::string_view name) {
+const InputFormat& formatOf(const InputFile& input, std::string_view name) {
     const InputFormat* const named = formatNamed(name);
     if (!name.empty() && !named)
         throw Error(ExitCode::kBadUsage, fmt::format("unknown input format {}", inQuotes(name)));
-    if (!formatOfStart(source.bytes)) refuseForeignStart(source);
+    if (!formatOfStart(input.bytes)) refuseForeignStart(input);
     if (named) return *named;
-    if (const InputFormat* const format = formatOfContent(source.bytes)) return *format;
-    if (const InputFormat* const format = formatOfSuffix(suffixOf(source.name))) return *format;
-    refuseForeignSuffix(source, suffixOf(source.name));
-    if (const InputFormat* const format = formatOfPlainText(source.bytes)) return *format;
-    refuse(source, fmt::format("is of no known format; this build reads {}", readableFormats()));
+    if (const InputFormat* const format = formatOfContent(input.bytes)) return *format;
+    if (const InputFormat* const format = formatOfSuffix(suffixOf(input.name))) return *format;
+    refuseForeignSuffix(input, suffixOf(input.name));
+    if (const InputFormat* const format = formatOfPlainText(input.bytes)) return *format;
+    refuse(input, fmt::format("has an unknown format; this build reads {}", readableFormats()));
 }
 
 } // namespace pointrt

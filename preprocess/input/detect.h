@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which format a source is of.
+// Detects the format of a file.
 #pragma once
 
 #include "preprocess/input/formats.h"
 
 namespace pointrt {
 
-/// The format of that name or, when it is "", the one told by the content first and the suffix second.
-/// Throws Error: unknown format name (usage); a known format that this build does not read, no known format.
-const InputFormat& formatOf(const Source& source, std::string_view name);
+/// The format with this name or, if it is "", detected from the content first and the suffix second.
+/// Throws Error if the name is unknown (kBadUsage), or the format is unknown or not supported by this build.
+const InputFormat& formatOf(const InputFile& input, std::string_view name);
 
-/// Whether a name ends as those of scans do, ".gz" left out; .txt and .csv, which may be anything, apart.
+/// What the suffix of a name says, without ".gz". .txt and .csv may be anything and are a class of their own.
 enum class SuffixOf { kScan, kText, kOther };
 SuffixOf suffixKind(const std::string& name);
 

@@ -47,20 +47,20 @@ bool decodeMeshCounts(draco::DecoderBuffer& buffer, std::uint8_t method, Counts&
     return decodeCount(buffer, kVariable, counts.points) && decodeCount(buffer, kVariable, counts.faces);
 }
 
-/// Leaves the buffer behind the header.
-draco::DracoHeader decodeHeader(const Source& source, draco::DecoderBuffer& buffer) {
-    buffer.Init(source.bytes.data(), source.bytes.size());
+/// Advances the buffer past the header.
+draco::DracoHeader decodeHeader(const InputFile& input, draco::DecoderBuffer& buffer) {
+    buffer.Init(input.bytes.data(), input.bytes.size());
     draco::DracoHeader header;
     if (!draco::PointCloudDecoder::DecodeHeader(&buffer, &header).ok() || header.encoder_method > 1)
-        refuse(source, "the Draco header is broken or cut short");
+        refuse(input, "the Draco header is invalid or truncated");
     buffer.set_bitstream_version(DRACO_BITSTREAM_VERSION(header.version_major, header.version_minor));
     return header;
 }
 
 /// Reads the file up to its counts of points and faces.
-bool decodeCounts(const Source& source, Counts& counts) {
+bool decodeCounts(const InputFile& input, Counts& counts) {
     draco::DecoderBuffer buffer;
-    const draco::DracoHeader header = decodeHeader(source, buffer);
+    const draco::DracoHeader header = decodeHeader(input, buffer);
     draco::GeometryMetadata ignored;
     const bool has_metadata =
         buffer.bitstream_version() >= DRACO_BITSTREAM_VERSION(1, 3) && (header.flags & METADATA_FLAG_MASK) != 0;
@@ -69,8 +69,8 @@ bool decodeCounts(const Source& source, Counts& counts) {
     return buffer.Decode(&counts.points);
 }
 
-/// The library allocates what a file promises. What a file may ask for is this much, and as much for each of its bytes
-/// as sixteen points of it: the best compressed regular grid of points has seven a byte.
+/// The library allocates what a file promises. A file may request this much, plus sixteen points for each of its
+/// bytes: the best compressed regular grid has seven points per byte.
 constexpr std::uint64_t kPointsAtLeast = 1 << 20, kPointsPerByte = 16;
 constexpr std::uint64_t kBytesPerPoint = 64;
 
@@ -78,15 +78,15 @@ bool promisesTooMuch(std::uint64_t points, std::size_t file_size) {
     return points > kPointsAtLeast + kPointsPerByte * file_size;
 }
 
-void checkCounts(const Source& source) {
+void checkCounts(const InputFile& input) {
     Counts counts;
-    if (!decodeCounts(source, counts)) refuse(source, "the Draco header is broken or cut short");
-    if (promisesTooMuch(counts.points, source.bytes.size()) || promisesTooMuch(counts.faces, source.bytes.size()))
-        refuse(source, fmt::format("the header promises {} points and {} faces in {} bytes", counts.points,
-                                   counts.faces, source.bytes.size()));
+    if (!decodeCounts(input, counts)) refuse(input, "the Draco header is invalid or truncated");
+    if (promisesTooMuch(counts.points, input.bytes.size()) || promisesTooMuch(counts.faces, input.bytes.size()))
+        refuse(input, fmt::format("the header promises {} points and {} faces in {} bytes", counts.points, counts.faces,
+                                  input.bytes.size()));
 }
 
-/// A decoder of the library that looks at the size of the attributes before they are decoded.
+/// A decoder of the library that checks the size of attributes before decoding them.
 template <typename Decoder>
 struct Guarded : GuardedAttributes<Decoder> {
     std::size_t file_size = 0;
@@ -102,18 +102,18 @@ protected:
     }
 };
 
-/// A mesh is also a point cloud; mesh points to it where it is one.
+/// `mesh` points to `points` if these are a mesh.
 struct Decoded {
     std::unique_ptr<draco::PointCloud> points;
     const draco::Mesh* mesh = nullptr;
 };
 
 template <typename Decoder, typename Geometry>
-draco::Status decodeInto(const Source& source, Geometry& geometry) {
+draco::Status decodeInto(const InputFile& input, Geometry& geometry) {
     draco::DecoderBuffer buffer;
-    buffer.Init(source.bytes.data(), source.bytes.size());
+    buffer.Init(input.bytes.data(), input.bytes.size());
     Guarded<Decoder> decoder;
-    decoder.file_size = source.bytes.size();
+    decoder.file_size = input.bytes.size();
     try {
         return decoder.Decode(draco::DecoderOptions(), &buffer, &geometry);
     } catch (const std::bad_alloc&) {
@@ -122,26 +122,26 @@ draco::Status decodeInto(const Source& source, Geometry& geometry) {
     return draco::Status(draco::Status::DRACO_ERROR, "impossible sizes");
 }
 
-Decoded decode(const Source& source) {
+Decoded decode(const InputFile& input) {
     draco::DecoderBuffer ignored;
-    const draco::DracoHeader header = decodeHeader(source, ignored);
+    const draco::DracoHeader header = decodeHeader(input, ignored);
     Decoded decoded;
     draco::Status status;
     if (header.encoder_type == draco::TRIANGULAR_MESH) {
         auto mesh = std::make_unique<draco::Mesh>();
         const bool sequential = header.encoder_method == draco::MESH_SEQUENTIAL_ENCODING;
-        status = sequential ? decodeInto<draco::MeshSequentialDecoder>(source, *mesh)
-                            : decodeInto<draco::MeshEdgebreakerDecoder>(source, *mesh);
+        status = sequential ? decodeInto<draco::MeshSequentialDecoder>(input, *mesh)
+                            : decodeInto<draco::MeshEdgebreakerDecoder>(input, *mesh);
         decoded.mesh = mesh.get();
         decoded.points = std::move(mesh);
     } else {
         decoded.points = std::make_unique<draco::PointCloud>();
         const bool sequential = header.encoder_method == draco::POINT_CLOUD_SEQUENTIAL_ENCODING;
-        status = sequential ? decodeInto<draco::PointCloudSequentialDecoder>(source, *decoded.points)
-                            : decodeInto<draco::PointCloudKdTreeDecoder>(source, *decoded.points);
+        status = sequential ? decodeInto<draco::PointCloudSequentialDecoder>(input, *decoded.points)
+                            : decodeInto<draco::PointCloudKdTreeDecoder>(input, *decoded.points);
     }
     if (!status.ok())
-        refuse(source, fmt::format("the Draco data is broken or cut short: {}", inQuotes(status.error_msg_string())));
+        refuse(input, fmt::format("the Draco data is invalid or truncated: {}", inQuotes(status.error_msg_string())));
     return decoded;
 }
 
@@ -185,7 +185,7 @@ std::optional<Scalar> scalarOf(draco::DataType type) {
     }
 }
 
-/// What a writer calls an attribute, or its number.
+/// The name that the writer gave an attribute, or its number.
 std::string nameOf(const draco::PointCloud& points, int id) {
     std::string name;
     const draco::AttributeMetadata* const metadata = points.GetAttributeMetadataByAttributeId(id);
@@ -193,7 +193,7 @@ std::string nameOf(const draco::PointCloud& points, int id) {
     return fmt::format("generic_{}", points.attribute(id)->unique_id());
 }
 
-/// Attributes that are packed one after the other, each with the bytes of its first `bytes`.
+/// Attributes to pack one after the other, `bytes` of each.
 struct PackedColumns {
     struct Column {
         const PointAttribute* attribute;
@@ -211,7 +211,7 @@ struct PackedColumns {
     }
 };
 
-/// Colours of 16 bits, and all that the library has no meaning for; coordinates in textures are a mesh's.
+/// 16-bit colours and generic attributes; texture coordinates of meshes are left out.
 PackedColumns packedColumns(const draco::PointCloud& points, bool mesh) {
     constexpr std::uint32_t kMostComponents = 4;
     PackedColumns packed;
@@ -232,43 +232,43 @@ PackedColumns packedColumns(const draco::PointCloud& points, bool mesh) {
             scalar && components >= 1 && components <= kMostComponents ? names.take(written) : std::nullopt;
         if (name)
             packed.add(attribute, *name, *scalar, components);
-        else if (packed.unread.size() < 80) // a line's worth
+        else if (packed.unread.size() < 80) // about one line
             packed.unread += (packed.unread.empty() ? "" : ", ") + inQuotes(written);
     }
     return packed;
 }
 
-draco::AttributeValueIndex valueOf(const Source& source, const PointAttribute& attribute, draco::PointIndex point) {
+draco::AttributeValueIndex valueOf(const InputFile& input, const PointAttribute& attribute, draco::PointIndex point) {
     const draco::AttributeValueIndex value = attribute.mapped_index(point);
-    if (value.value() >= attribute.size()) refuse(source, "the Draco data is broken: a value is missing");
+    if (value.value() >= attribute.size()) refuse(input, "the Draco data is invalid: a value is missing");
     return value;
 }
 
-void pack(const Source& source, const PackedColumns& packed, draco::PointIndex point, char* into) {
+void pack(const InputFile& input, const PackedColumns& packed, draco::PointIndex point, char* into) {
     for (const PackedColumns::Column& column : packed.columns) {
-        std::memcpy(into, column.attribute->GetAddress(valueOf(source, *column.attribute, point)), column.bytes);
+        std::memcpy(into, column.attribute->GetAddress(valueOf(input, *column.attribute, point)), column.bytes);
         into += column.bytes;
     }
 }
 
-void load(const Source& source, const PointAttribute* attribute, draco::PointIndex point, double* into) {
+void load(const InputFile& input, const PointAttribute* attribute, draco::PointIndex point, double* into) {
     if (!attribute) return;
-    const draco::AttributeValueIndex value = valueOf(source, *attribute, point);
+    const draco::AttributeValueIndex value = valueOf(input, *attribute, point);
     const std::uint8_t* const bytes = attribute->GetAddress(value);
-    if (attribute->data_type() == draco::DT_UINT8) { // as it is, even where it is marked as a share of 1
+    if (attribute->data_type() == draco::DT_UINT8) { // unchanged, even if marked as normalised
         std::copy(bytes, bytes + 3, into);
-    } else if (attribute->data_type() == draco::DT_BOOL) { // which the library loads as bool, whatever the byte is
+    } else if (attribute->data_type() == draco::DT_BOOL) { // the library loads any byte as a bool
         std::transform(bytes, bytes + 3, into, [](std::uint8_t byte) { return byte != 0; });
     } else if (!attribute->ConvertValue<double>(value, 3, into)) {
-        refuse(source, "the Draco data has values that are no numbers");
+        refuse(input, "the Draco data has values that are not numbers");
     }
 }
 
-void addVertices(const Source& source, const draco::PointCloud& points, bool mesh, Sink& sink) {
+void addVertices(const InputFile& input, const draco::PointCloud& points, bool mesh, Sink& sink) {
     const PointAttribute* const positions = attributeOf(points, GeometryAttribute::POSITION);
     const PointAttribute* const normals = attributeOf(points, GeometryAttribute::NORMAL);
     const PointAttribute* const colors = attributeOf(points, GeometryAttribute::COLOR);
-    if (!positions) refuse(source, "the Draco data has no positions");
+    if (!positions) refuse(input, "the Draco data has no positions");
     ScanTraits traits;
     traits.vertices = points.num_points();
     traits.normals = normals != nullptr;
@@ -278,39 +278,38 @@ void addVertices(const Source& source, const draco::PointCloud& points, bool mes
     const PackedColumns packed = packedColumns(points, mesh);
     traits.columns = packed.traits;
     if (!packed.unread.empty())
-        addNote(sink.cloud, source.name,
-                "attributes of more than 4 numbers, or whose name is another's, are not read: " + packed.unread);
-    beginScan(sink, source, traits);
+        sink.note(input, "attributes with more than 4 components or a duplicate name are not read: " + packed.unread);
+    sink.beginScan(input, traits);
     Row row{};
     std::vector<char> values(packed.size);
     for (draco::PointIndex i(0); i < points.num_points(); ++i) {
-        load(source, positions, i, &row[kX]);
-        load(source, normals, i, &row[kNormalX]);
-        load(source, colors, i, &row[kRed]);
-        pack(source, packed, i, values.data());
-        addVertex(sink, row, values.data());
+        load(input, positions, i, &row[kX]);
+        load(input, normals, i, &row[kNormalX]);
+        load(input, colors, i, &row[kRed]);
+        pack(input, packed, i, values.data());
+        sink.addVertex(row, values.data());
     }
 }
 
-void addFaces(const Source& source, const draco::Mesh& mesh, Sink& sink) {
+void addFaces(const InputFile& input, const draco::Mesh& mesh, Sink& sink) {
     for (draco::FaceIndex i(0); i < mesh.num_faces(); ++i) {
         const auto& face = mesh.face(i);
         const std::uint32_t corners[] = {face[0].value(), face[1].value(), face[2].value()};
         for (const std::uint32_t corner : corners)
             if (corner >= mesh.num_points())
-                refuseAt(source, fmt::format("face {}", i.value()), "vertex index out of range");
-        addPolygon(sink, corners);
+                refuseAt(input, fmt::format("face {}", i.value()), "vertex index out of range");
+        sink.addPolygon(corners);
     }
 }
 
 bool isDracoStart(std::string_view bytes) { return bytes.starts_with("DRACO"); }
 
-void readDraco(const Source& source, Sink& sink) {
-    checkCounts(source);
-    const Decoded decoded = decode(source);
-    addVertices(source, *decoded.points, decoded.mesh != nullptr, sink);
-    if (decoded.mesh) addFaces(source, *decoded.mesh, sink);
-    finishScan(sink, source);
+void readDraco(const InputFile& input, Sink& sink) {
+    checkCounts(input);
+    const Decoded decoded = decode(input);
+    addVertices(input, *decoded.points, decoded.mesh != nullptr, sink);
+    if (decoded.mesh) addFaces(input, *decoded.mesh, sink);
+    sink.finishScan(input);
 }
 
 } // namespace

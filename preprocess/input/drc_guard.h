@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Draco's decoders with checks that they lack. A byte of the file becomes a PredictionSchemeMethod whatever it is, and
-// what a value that the enumeration cannot hold does is not defined; a second number of points is made room for.
+// Draco's decoders with checks that they lack. They convert any byte of the file to a PredictionSchemeMethod, which is
+// undefined for values outside the enumeration, and allocate memory for a second, unchecked number of points.
 #pragma once
 
 #include <array>
@@ -20,8 +20,8 @@ namespace pointrt {
 
 using DracoController = draco::SequentialAttributeDecodersController;
 
-/// What a controller keeps to itself, of which the guard needs the order of points that it was made with and that order
-/// as numbers. (An explicit instantiation may name what is private.)
+/// Accesses private members of a controller: the point sequencer that it was made with and its point ids. (An explicit
+/// instantiation may name private members.)
 std::unique_ptr<draco::PointsSequencer>& sequencerOf(DracoController& controller);
 std::vector<draco::PointIndex>& pointsOf(DracoController& controller);
 template <auto sequencer, auto points>
@@ -33,7 +33,7 @@ struct ControllerAccess {
 };
 template struct ControllerAccess<&DracoController::sequencer_, &DracoController::point_ids_>;
 
-/// Decodes attributes one after the other as its base does, and looks at the byte first that each begins with.
+/// Decodes attributes one after the other as its base does, but first checks the byte that each begins with.
 class GuardedController : public DracoController {
 public:
     using DracoController::DracoController;
@@ -59,13 +59,13 @@ protected:
 private:
     struct Each {
         draco::SequentialAttributeDecoder* decoder;
-        bool predicts; ///< begins with its method
+        bool predicts; ///< begins with its prediction method
     };
     std::vector<Each> decoders_; ///< in the order of the attributes
 };
 
-/// Decodes a k-d tree of points as its base does. Before 2.3 there are a method, a level and once more the number of
-/// points in front of it, whatever the header says; of none the tree's own number would be believed.
+/// Decodes a k-d tree of points as its base does. Before version 2.3 a method, a level and the number of points precede
+/// the tree; the base trusts that number, whatever the header says.
 class GuardedKdTree : public draco::KdTreeAttributesDecoder {
 protected:
     bool DecodeDataNeededByPortableTransforms(draco::DecoderBuffer* buffer) override {
@@ -80,7 +80,7 @@ protected:
     }
 };
 
-/// A decoder of files whose attributes are guarded.
+/// A file decoder with these checks.
 template <typename Decoder>
 class GuardedAttributes : public Decoder {
 protected:

@@ -16,26 +16,26 @@
 namespace pointrt {
 namespace {
 
-/// Points read at once: with some 20 columns of 8 bytes they stay in a core's cache.
+/// Points read at once: about 20 columns of 8 bytes fit in a core's cache.
 constexpr std::size_t kBatch = 4096;
 
-/// What a user should know of all scans of a file.
+/// Counts over all scans of a file, for notes.
 struct Counts {
-    std::uint64_t points = 0, invalid = 0, directions = 0; ///< directions: of the invalid ones
+    std::uint64_t points = 0, invalid = 0, directions = 0; ///< directions: invalid points with a valid direction
     std::uint64_t colors_invalid = 0, values_invalid = 0, colors_beyond = 0;
 };
 
-/// Columns of a batch, as read and as numbers.
+/// A batch of points, by columns.
 struct Batch {
     const E57Scan& scan;
     const E57Plan& plan;
-    std::vector<std::vector<std::int64_t>> raw; ///< of each wanted column: 8 bytes a number hold all kinds
+    std::vector<std::vector<std::int64_t>> raw; ///< [columns], if used; 8 bytes per number hold every kind
     std::vector<void*> columns;
 
     Batch(const E57Scan& of_scan, const E57Plan& by_plan) : scan(of_scan), plan(by_plan), raw(scan.columns.size()) {
         for (std::size_t i = 0; i < raw.size(); ++i) {
-            if (plan.wanted[i]) raw[i].resize(kBatch);
-            columns.push_back(plan.wanted[i] ? raw[i].data() : nullptr);
+            if (plan.used[i]) raw[i].resize(kBatch);
+            columns.push_back(plan.used[i] ? raw[i].data() : nullptr);
         }
     }
 
@@ -59,7 +59,7 @@ struct Batch {
         return {number(triple[0], i), number(triple[1], i), number(triple[2], i)};
     }
 
-    /// 0 where no column says otherwise.
+    /// The value of a state column; 0 without one.
     double state(const std::optional<std::size_t>& column, std::size_t i) const {
         return column ? number(*column, i) : 0;
     }
@@ -82,8 +82,8 @@ struct Reader {
 
     Reader(const Batch& of_batch, Counts& into) : batch(of_batch), counts(into), values(batch.plan.value_bytes) {}
 
-    /// NaN, which is left out and counted, where the file marks both kinds of coordinates as invalid: 1 stands for a
-    /// direction alone, 2 for nothing.
+    /// Sets NaN, which is dropped and counted, if both kinds of coordinates are marked invalid: 1 means that only the
+    /// direction is valid, 2 that nothing is.
     void readPosition(std::size_t i) {
         const E57Plan& plan = batch.plan;
         const double cartesian = plan.cartesian ? batch.state(plan.cartesian_invalid, i) : 2;
@@ -95,7 +95,7 @@ struct Reader {
         setPosition(row, Vec3d::Constant(std::numeric_limits<double>::quiet_NaN()));
     }
 
-    /// In [0, 1] between the scan's limits.
+    /// The value's share of the range between the scan's limits, clamped to [0, 1].
     double shareOf(const E57Limits& limits, double value) {
         const double share = (value - limits.least) / (limits.most - limits.least);
         counts.colors_beyond += share < 0 || share > 1;
@@ -113,7 +113,7 @@ struct Reader {
     }
 
     void readColor(std::size_t i) {
-        constexpr double kGrey = 200; // as points of other files without colours
+        constexpr double kGrey = 200; // as kGreyColor
         const E57Plan& plan = batch.plan;
         const bool invalid = batch.state(plan.color_invalid, i) != 0;
         counts.colors_invalid += invalid;
@@ -150,26 +150,26 @@ struct Reader {
     }
 };
 
-/// Runs work whose errors lack the file's name and the place.
+/// Runs work and prefixes its errors with the file's name and the place.
 template <typename Work>
-auto naming(const Source& source, const std::string& place, const Work& work) {
+auto naming(const InputFile& input, const std::string& place, const Work& work) {
     try {
         return work();
     } catch (const Error& error) {
-        throw Error(error.code, fmt::format("{}{}: {}", source.name, place.empty() ? "" : ":" + place, error.what()));
+        throw Error(error.code, fmt::format("{}{}: {}", input.name, place.empty() ? "" : ":" + place, error.what()));
     }
 }
 
-Pose poseOf(const Source& source, const E57Scan& scan, const std::string& title) {
+Pose poseOf(const InputFile& input, const E57Scan& scan, const std::string& title) {
     const auto [w, x, y, z] = scan.rotation;
     const Eigen::Quaterniond rotation(w, x, y, z);
     const Vec3d translation(scan.translation[0], scan.translation[1], scan.translation[2]);
     if (!(rotation.norm() > 0) || !std::isfinite(rotation.norm()) || !translation.allFinite())
-        refuseAt(source, title, "its pose is no rotation and translation");
+        refuseAt(input, title, "its pose is not a rotation and translation");
     return {rotation.normalized().toRotationMatrix(), translation};
 }
 
-/// The columns of the grid's indices, where these are whole numbers.
+/// The columns of the grid indices, if these are integers.
 struct GridColumns {
     std::size_t row, column;
 };
@@ -185,8 +185,8 @@ std::optional<GridColumns> gridColumnsOf(const E57Scan& scan) {
     return GridColumns{*row, *column};
 }
 
-/// Whether the frame's origin is where the scanner stood. Scans that were put together to one have coordinates of a
-/// common frame, and a pose that says nothing if any.
+/// Whether the scanner was at the origin of the scan's frame. Merged scans have coordinates of a common frame, and an
+/// identity pose or none.
 bool isScannerFrame(const E57Scan& scan, const E57Plan& plan, const Pose& pose) {
     const auto is_index = [](const E57Column& column) {
         return column.name == kE57RowIndex || column.name == kE57ColumnIndex;
@@ -195,47 +195,47 @@ bool isScannerFrame(const E57Scan& scan, const E57Plan& plan, const Pose& pose) 
     return is_grid || plan.spherical || !pose.linear.isIdentity() || !pose.translation.isZero();
 }
 
-/// What to call a scan in messages: its name, or its number from 1.
+/// Title of a scan in messages: its name, or its number from 1.
 std::string titleOf(const E57File& file, std::size_t number) {
     const std::string& name = file.scans[number].name;
     return name.empty() ? fmt::format("scan {}", number + 1) : inQuotes(name);
 }
 
-/// A scan's points, batch by batch.
+/// Reads a scan's points in batches.
 struct Stream {
     E57Points points;
-    LetGoBehind let_go;
+    ReleasePagesBehind release_pages;
 
-    Stream(const Source& source, const E57File& file, std::size_t number)
-        : points(e57Points(file, number)), let_go{source} {}
+    Stream(const InputFile& input, const E57File& file, std::size_t number)
+        : points(e57Points(file, number)), release_pages{input} {}
 
     std::size_t read(const std::vector<void*>& columns) {
-        let_go(e57Position(points));
+        release_pages(e57Position(points));
         return readE57Points(points, kBatch, columns.data());
     }
 };
 
-/// Converters of LAS keep its numbers of returns, which start with 1: some are then as large as their count. It takes
-/// one reading of these two columns to know.
-bool countsReturnsFromOne(const Source& source, const E57File& file, std::size_t number) {
+/// Converters from LAS keep its return numbers, which start at 1, so that some equal the count of returns. Reads these
+/// two columns to find out.
+bool countsReturnsFromOne(const InputFile& input, const E57File& file, std::size_t number) {
     const std::vector<E57Column>& columns = file.scans[number].columns;
     std::array<std::int64_t, kBatch> indices, counts;
-    std::vector<void*> wanted;
+    std::vector<void*> buffers;
     for (const E57Column& column : columns) {
         const bool whole = column.kind == E57Kind::kWhole;
-        wanted.push_back(whole && column.name == kE57ReturnIndex   ? indices.data()
-                         : whole && column.name == kE57ReturnCount ? counts.data()
-                                                                   : nullptr);
+        buffers.push_back(whole && column.name == kE57ReturnIndex   ? indices.data()
+                          : whole && column.name == kE57ReturnCount ? counts.data()
+                                                                    : nullptr);
     }
-    if (std::count(wanted.begin(), wanted.end(), nullptr) + 2 != std::ssize(wanted)) return false;
-    Stream stream(source, file, number);
-    while (const std::size_t count = stream.read(wanted))
+    if (std::count(buffers.begin(), buffers.end(), nullptr) + 2 != std::ssize(buffers)) return false;
+    Stream stream(input, file, number);
+    while (const std::size_t count = stream.read(buffers))
         for (std::size_t i = 0; i < count; ++i)
             if (counts[i] > 0 && indices[i] >= counts[i]) return true;
     return false;
 }
 
-/// The cells of a scan's indices.
+/// The range of a scan's grid indices.
 struct GridFrame {
     std::int64_t first_row = 0, last_row = 0, first_column = 0, last_column = 0;
 
@@ -246,8 +246,8 @@ struct GridFrame {
         return 1 + static_cast<std::uint64_t>(last_column) - static_cast<std::uint64_t>(first_column);
     }
 
-    /// A grid has points in one of so many cells at least: a box of the street in the sphere of a scanner. That bounds
-    /// the memory by the size of the file.
+    /// Whether at least one of kCellsPerPoint cells has a point, as in a part of a street cut from a scanner's sphere.
+    /// Bounds memory by the size of the file.
     bool fits(std::uint64_t points) const {
         constexpr std::uint64_t kCellsPerPoint = 16;
         std::uint64_t cells = 0;
@@ -256,17 +256,17 @@ struct GridFrame {
     }
 };
 
-/// As the points have them, for files whose limits say nothing: it takes one reading of these two columns.
-GridFrame readGridFrame(const Source& source, const E57File& file, std::size_t number, const GridColumns& indices) {
+/// Measured in a pass over these two columns, for files without usable limits.
+GridFrame readGridFrame(const InputFile& input, const E57File& file, std::size_t number, const GridColumns& indices) {
     constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min(),
                            kMost = std::numeric_limits<std::int64_t>::max();
     std::array<std::int64_t, kBatch> rows, columns;
-    std::vector<void*> wanted(file.scans[number].columns.size());
-    wanted[indices.row] = rows.data();
-    wanted[indices.column] = columns.data();
+    std::vector<void*> buffers(file.scans[number].columns.size());
+    buffers[indices.row] = rows.data();
+    buffers[indices.column] = columns.data();
     GridFrame frame{kMost, kLeast, kMost, kLeast};
-    Stream stream(source, file, number);
-    while (const std::size_t count = stream.read(wanted))
+    Stream stream(input, file, number);
+    while (const std::size_t count = stream.read(buffers))
         for (std::size_t i = 0; i < count; ++i) {
             frame.first_row = std::min(frame.first_row, rows[i]);
             frame.last_row = std::max(frame.last_row, rows[i]);
@@ -276,22 +276,22 @@ GridFrame readGridFrame(const Source& source, const E57File& file, std::size_t n
     return frame;
 }
 
-GridFrame gridFrameOf(const Source& source, const E57File& file, std::size_t number, const GridColumns& indices) {
+GridFrame gridFrameOf(const InputFile& input, const E57File& file, std::size_t number, const GridColumns& indices) {
     const E57Scan& scan = file.scans[number];
     const E57Column &row = scan.columns[indices.row], &column = scan.columns[indices.column];
     const GridFrame by_limits{row.least, row.most, column.least, column.most};
-    return by_limits.fits(scan.points) ? by_limits : readGridFrame(source, file, number, indices);
+    return by_limits.fits(scan.points) ? by_limits : readGridFrame(input, file, number, indices);
 }
 
-/// Puts a scan's points into their cells.
+/// Puts a scan's points into the cells of its grid.
 struct GridFiller {
     std::optional<GridColumns> indices;
     GridFrame frame;
 
-    /// Begins the grid, where the scan has one.
-    GridFiller(const Source& source, const E57File& file, std::size_t number, Sink& sink)
+    /// Begins the grid, if the scan has one.
+    GridFiller(const InputFile& input, const E57File& file, std::size_t number, Sink& sink)
         : indices(gridColumnsOf(file.scans[number])) {
-        if (indices) frame = gridFrameOf(source, file, number, *indices);
+        if (indices) frame = gridFrameOf(input, file, number, *indices);
         if (indices && !frame.fits(file.scans[number].points)) indices.reset();
         if (indices) beginGrid(sink, frame.rows(), frame.columns());
     }
@@ -306,49 +306,34 @@ struct GridFiller {
     }
 };
 
-/// Arrays that grow scan by scan leave holes behind them, and are copied over and over.
-void makeRoomForAll(Sink& sink, std::size_t points) {
-    if (sink.batches) return;
-    Cloud& cloud = sink.cloud;
-    cloud.positions.reserve(points);
-    if (sink.traits.normals) cloud.normals.reserve(points);
-    if (sink.traits.colors) cloud.colors.reserve(points);
-    if (sink.sensor) cloud.sensor_of_point.reserve(points);
-    for (const Columns::Column& column : sink.columns.wanted) {
-        Attribute& attribute = cloud.attributes[column.attribute];
-        attribute.values.reserve(points * attribute.bytesEach());
-    }
-}
-
-/// @param room of all points that the cloud will have after the file, 0 where that is not known
-void readScan(const Source& source, const E57File& file, std::size_t number, std::size_t room, Sink& sink,
+/// @param room number of points that the cloud will have after the file, 0 if unknown
+void readScan(const InputFile& input, const E57File& file, std::size_t number, std::size_t room, Sink& sink,
               Counts& counts) {
     const E57Scan& scan = file.scans[number];
     const std::string title = titleOf(file, number);
-    const E57Plan plan =
-        naming(source, title, [&] { return planE57(scan, countsReturnsFromOne(source, file, number)); });
-    const Pose pose = poseOf(source, scan, title);
-    Stream stream = naming(source, title, [&] { return Stream(source, file, number); });
-    sink.world_from_scan = pose;
-    beginScan(sink, source, plan.traits);
-    if (isScannerFrame(scan, plan, pose)) sink.sensor = Vec3d::Zero();
-    makeRoomForAll(sink, room);
+    const E57Plan plan = naming(input, title, [&] { return planE57(scan, countsReturnsFromOne(input, file, number)); });
+    const Pose pose = poseOf(input, scan, title);
+    Stream stream = naming(input, title, [&] { return Stream(input, file, number); });
+    sink.transform.input_from_scan = pose;
+    sink.beginScan(input, plan.traits);
+    if (isScannerFrame(scan, plan, pose)) sink.setScanSensor(Vec3d::Zero());
+    sink.reserve(room); // arrays that grow scan by scan leave holes in memory, and are copied over and over
     Batch batch(scan, plan);
     Reader reader(batch, counts);
-    const GridFiller grid = naming(source, title, [&] { return GridFiller(source, file, number, sink); });
+    const GridFiller grid = naming(input, title, [&] { return GridFiller(input, file, number, sink); });
     const auto next = [&] { return stream.read(batch.columns); };
-    while (const std::size_t count = naming(source, title, next))
+    while (const std::size_t count = naming(input, title, next))
         for (std::size_t i = 0; i < count; ++i) {
             reader.read(i);
-            grid.add(batch, i, addVertex(sink, reader.row, reader.values.data()), sink);
+            grid.add(batch, i, sink.addVertex(reader.row, reader.values.data()), sink);
         }
     const bool alone = file.scans.size() == 1 && scan.name.empty();
-    finishScan(sink, source, alone ? "" : scan.name.empty() ? title : scan.name, Emptiness::kAllowed);
-    sink.world_from_scan.reset();
+    sink.finishScan(input, alone ? "" : scan.name.empty() ? title : scan.name, Emptiness::kAllowed);
+    sink.transform.input_from_scan.reset();
     counts.points += scan.points;
 }
 
-void readScans(const Source& source, const E57File& file, Sink& sink, Counts& counts) {
+void readScans(const InputFile& input, const E57File& file, Sink& sink, Counts& counts) {
     std::uint64_t all = 0, before = 0; // points
     for (const E57Scan& scan : file.scans) all += scan.points;
     const std::size_t room = sink.filter.drops() ? 0 : sink.cloud.positions.size() + all;
@@ -359,12 +344,12 @@ void readScans(const Source& source, const E57File& file, Sink& sink, Counts& co
     for (std::size_t i = 0; i < file.scans.size(); ++i) {
         const double first = share_of(before), last = share_of(before += file.scans[i].points);
         if (progress) sink.progress = [&](double share) { progress(first + share * (last - first)); };
-        readScan(source, file, i, room, sink, counts);
+        readScan(input, file, i, room, sink, counts);
     }
     sink.progress = progress;
 }
 
-/// Well-known text, or the number of a register: else the field holds something that no other program would know.
+/// Whether text is WKT or an EPSG code; other contents are specific to the program that wrote them.
 bool isCoordinateSystem(std::string_view text) {
     return text.starts_with("EPSG:") || (!text.empty() && text.back() == ']' && text.find('[') != text.npos);
 }
@@ -375,58 +360,57 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-/// E57 is in metres; that z is up is what scanners and their programs do, the standard leaves it open.
-void frameWorld(const Source& source, const E57File& file, Sink& sink) {
+/// E57 is in metres. The standard does not define up; scanners and their software use z.
+void setFrame(const InputFile& input, const E57File& file, Sink& sink) {
     const std::string_view system = trimmed(file.coordinate_metadata);
     const bool is_known = isCoordinateSystem(system);
     if (!system.empty() && !is_known)
-        addNote(sink.cloud, source.name, fmt::format("its coordinate system is not understood: {}", inQuotes(system)));
+        sink.note(input, fmt::format("its coordinate system is not recognised: {}", inQuotes(system)));
     WorldFrame frame;
     frame.up = Vec3d::UnitZ();
     frame.up_by_custom = !is_known;
     frame.metres_per_unit = 1;
     if (is_known) frame.crs = system;
-    setWorldFrame(sink, source, frame);
+    sink.setWorldFrame(input, frame);
 }
 
-void note(const Source& source, Sink& sink, const Counts& counts, std::size_t images) {
+void note(const InputFile& input, Sink& sink, const Counts& counts, std::size_t images) {
     const auto say = [&](std::uint64_t count, const std::string& text) {
-        if (count > 0) addNote(sink.cloud, source.name, text);
+        if (count > 0) sink.note(input, text);
     };
-    say(counts.invalid, fmt::format("{} of its {} points are marked invalid, {} of them as directions alone: left out",
-                                    counts.invalid, counts.points, counts.directions));
+    say(counts.invalid,
+        fmt::format("{} of its {} points are marked invalid and left out, {} of them have a valid direction",
+                    counts.invalid, counts.points, counts.directions));
     say(counts.colors_invalid,
         fmt::format("{} of its colours are marked invalid: those points are grey", counts.colors_invalid));
-    say(counts.colors_beyond,
-        fmt::format("{} of its colour values are beyond the limits that it gives for them: cut off",
-                    counts.colors_beyond));
+    say(counts.colors_beyond, fmt::format("{} of its colour values are beyond the limits it declares for them: clamped",
+                                          counts.colors_beyond));
     say(counts.values_invalid,
-        fmt::format("{} of its intensities or times are marked invalid: they are kept as NaN, or 0 where whole",
+        fmt::format("{} of its intensities or times are marked invalid: they become NaN, or 0 in integers",
                     counts.values_invalid));
-    say(images, fmt::format("holds {} pictures too, which are not read", images));
+    say(images, fmt::format("also holds {} pictures, which are not read", images));
 }
 
-void requireKept(const Source& source, const Counts& counts, std::size_t kept) {
+void requireKept(const InputFile& input, const Counts& counts, std::size_t kept) {
     if (kept > 0) return;
-    if (counts.points == 0) refuse(source, "holds no points");
+    if (counts.points == 0) refuse(input, "holds no points");
     if (counts.invalid == counts.points)
-        refuse(source, fmt::format("all of its {} points are marked invalid", counts.points));
-    refuse(source, fmt::format("none of its {} points is finite and asked for", counts.points));
+        refuse(input, fmt::format("all of its {} points are marked invalid", counts.points));
+    refuse(input, fmt::format("none of its {} points is finite and passes the filters", counts.points));
 }
 
 bool isE57Start(std::string_view bytes) { return bytes.starts_with("ASTM-E57"); }
 
-void readE57(const Source& source, Sink& sink) {
-    const E57File file = naming(source, "", [&] { return openE57(source.bytes); });
+void readE57(const InputFile& input, Sink& sink) {
+    const E57File file = naming(input, "", [&] { return openE57(input.bytes); });
     if (file.scans.empty())
-        refuse(source,
-               file.images == 0 ? "holds no scans" : fmt::format("holds {} pictures and no scans", file.images));
-    const std::uint64_t before = keptPoints(sink);
+        refuse(input, file.images == 0 ? "holds no scans" : fmt::format("holds {} pictures and no scans", file.images));
+    const std::uint64_t before = sink.pointCount();
     Counts counts;
-    frameWorld(source, file, sink);
-    readScans(source, file, sink, counts);
-    requireKept(source, counts, keptPoints(sink) - before);
-    note(source, sink, counts, file.images);
+    setFrame(input, file, sink);
+    readScans(input, file, sink, counts);
+    requireKept(input, counts, sink.pointCount() - before);
+    note(input, sink, counts, file.images);
 }
 
 } // namespace

@@ -17,8 +17,8 @@ constexpr std::size_t kLongestName = 31; // of an attribute in a .pro
 
 struct KnownName {
     std::string_view column, attribute;
-    std::string_view invalid = ""; ///< the column that tells where it means nothing
-    bool loose = false;            ///< indices: their limits are those of the grid
+    std::string_view invalid = ""; ///< the column that marks invalid values
+    bool untyped = false;          ///< indices, whose limits are those of the grid
 };
 
 constexpr KnownName kKnown[] = {
@@ -30,7 +30,7 @@ constexpr KnownName kKnown[] = {
     {"timeStamp", "time_stamp", "isTimeStampInvalid"},
 };
 
-/// Columns that say something of others, or are read with others.
+/// Columns that qualify others or are read with them.
 constexpr std::string_view kNoAttributes[] = {
     "cartesianX",         "cartesianY",        "cartesianZ",         "cartesianInvalidState",
     "sphericalRange",     "sphericalAzimuth",  "sphericalElevation", "sphericalInvalidState",
@@ -55,8 +55,8 @@ constexpr std::string_view kOfLas[] = {"return_number",
                                        "nir"};
 
 template <typename List, typename Item>
-bool holds(const List& list, const Item& wanted) {
-    return std::find(std::begin(list), std::end(list), wanted) != std::end(list);
+bool holds(const List& list, const Item& item) {
+    return std::find(std::begin(list), std::end(list), item) != std::end(list);
 }
 
 std::optional<std::size_t> find(const E57Scan& scan, std::string_view name) {
@@ -67,7 +67,7 @@ std::optional<std::size_t> find(const E57Scan& scan, std::string_view name) {
 
 std::string_view withoutPrefix(std::string_view name) { return name.substr(name.find(':') + 1); }
 
-/// As find, of an extension by whatever prefix.
+/// As find, for the column of an extension under any prefix.
 std::optional<std::size_t> findExtension(const E57Scan& scan, std::string_view name) {
     for (std::size_t i = 0; i < scan.columns.size(); ++i)
         if (withoutPrefix(scan.columns[i].name) == name) return i;
@@ -93,7 +93,7 @@ std::string snakeCase(std::string_view name) {
     return snake;
 }
 
-/// Cut to what an attribute may have, between two characters of UTF-8.
+/// Truncates a name to the limit of attributes, between two UTF-8 characters.
 std::string cutName(std::string_view name) {
     std::size_t size = std::min(name.size(), kLongestName);
     while (size > 0 && size < name.size() && (static_cast<unsigned char>(name[size]) & 0xC0) == 0x80) --size;
@@ -136,7 +136,7 @@ Scalar typeFor(const E57Column& column, std::int64_t add) {
     return Scalar::kF64;
 }
 
-/// Where the file gives no limits a type is but the reader's.
+/// Without limits in the file the attribute is untyped.
 bool hasNoLimits(const E57Column& column) {
     return column.kind == E57Kind::kWhole && column.least == std::numeric_limits<std::int64_t>::min() &&
            column.most == std::numeric_limits<std::int64_t>::max();
@@ -150,8 +150,8 @@ void addAttribute(E57Plan& plan, const E57Scan& scan, std::size_t number, const 
         throw Error(ExitCode::kBadInput, fmt::format("has two columns '{}'", known.attribute));
     const std::int64_t add = column.name == kE57ReturnIndex && !returns_from_one ? 1 : 0;
     const Scalar type = typeFor(column, add);
-    const bool loose = known.loose || hasNoLimits(column) || column.kind == E57Kind::kScaled;
-    plan.traits.columns.push_back({std::string(known.attribute), type, 1, loose});
+    const bool untyped = known.untyped || hasNoLimits(column) || column.kind == E57Kind::kScaled;
+    plan.traits.columns.push_back({std::string(known.attribute), type, 1, untyped});
     plan.attributes.push_back({number, find(scan, known.invalid), type, plan.value_bytes, add});
     plan.value_bytes += scalarSize(type);
 }
@@ -161,7 +161,7 @@ void planPositions(E57Plan& plan, const E57Scan& scan) {
     plan.spherical = findThree(scan, find, "sphericalRange", "sphericalAzimuth", "sphericalElevation");
     if (!plan.cartesian && !plan.spherical) throw Error(ExitCode::kBadInput, "has no coordinates");
     if (plan.cartesian) plan.cartesian_invalid = find(scan, "cartesianInvalidState");
-    // those of both kinds are read as cartesian ones, where these are valid
+    // if a point has both kinds, the cartesian ones are used unless invalid
     if (plan.cartesian && !plan.cartesian_invalid) plan.spherical.reset();
     if (plan.spherical) plan.spherical_invalid = find(scan, "sphericalInvalidState");
 }
@@ -172,7 +172,7 @@ bool haveUsefulLimits(const E57Scan& scan) {
     });
 }
 
-/// Steps that a colour has between its limits; reals have as many as one likes.
+/// Number of steps between a colour's limits; unbounded for reals.
 double stepsOf(const E57Column& column, const E57Limits& limits) {
     if (column.kind == E57Kind::kSingle || column.kind == E57Kind::kDouble)
         return std::numeric_limits<double>::infinity();
@@ -213,19 +213,19 @@ void planAttributes(E57Plan& plan, const E57Scan& scan, bool returns_from_one) {
 }
 
 void markWanted(E57Plan& plan, std::size_t columns) {
-    plan.wanted.resize(columns);
+    plan.used.resize(columns);
     for (const auto& triple : {plan.cartesian, plan.spherical, plan.normals, plan.colors})
         if (triple)
-            for (const std::size_t column : *triple) plan.wanted[column] = true;
+            for (const std::size_t column : *triple) plan.used[column] = true;
     for (const auto& column : {plan.cartesian_invalid, plan.spherical_invalid, plan.color_invalid})
-        if (column) plan.wanted[*column] = true;
+        if (column) plan.used[*column] = true;
     for (const E57Attribute& attribute : plan.attributes) {
-        plan.wanted[attribute.column] = true;
-        if (attribute.invalid) plan.wanted[*attribute.invalid] = true;
+        plan.used[attribute.column] = true;
+        if (attribute.invalid) plan.used[*attribute.invalid] = true;
     }
 }
 
-/// The standard knows 20, extensions add a few.
+/// The standard has 20, extensions add a few.
 constexpr std::size_t kMostColumns = 1024;
 
 void checkColumns(const E57Scan& scan) {

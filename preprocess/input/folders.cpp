@@ -24,7 +24,7 @@ std::vector<std::string> scansIn(const std::string& folder) {
     }
     if (scans.empty()) scans = texts;
     if (failure) throw Error(ExitCode::kBadInput, folder + ": " + failure.message());
-    if (scans.empty()) throw Error(ExitCode::kBadInput, folder + ": the folder holds no scan that this build reads");
+    if (scans.empty()) throw Error(ExitCode::kBadInput, folder + ": the folder has no scan that this build reads");
     std::sort(scans.begin(), scans.end());
     return scans;
 }

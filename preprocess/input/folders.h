@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Folders of scans as the files in them.
+// Replaces folders of scans by their files.
 #pragma once
 
 #include <string>
@@ -7,10 +7,9 @@
 
 namespace pointrt {
 
-/// Replaces each folder by the files in it whose names have a suffix that this build reads (".gz" behind it or not), in
-/// the order of their names, .txt and .csv only where there is nothing else; hidden files and folders below are left
-/// out. Where there are .conf files only those are taken: they name the others. Throws Error (kBadInput) for a folder
-/// without any.
+/// Replaces each folder by its files with a suffix that this build reads (with or without ".gz"), sorted by name. .txt
+/// and .csv files count only if there is nothing else; hidden files and subfolders are ignored. If there are .conf
+/// files, only these are used: they name the others. Throws Error (kBadInput) for a folder without any scan.
 std::vector<std::string> filesOf(const std::vector<std::string>& paths);
 
 } // namespace pointrt

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files that people mistake for scans that this build reads.
+// Files that are easily mistaken for supported scans.
 #pragma once
 
 #include <string_view>
 
-#include "preprocess/input/source.h"
+#include "preprocess/input/input_file.h"
 
 namespace pointrt {
 
-/// Throws Error, which says what the file is and what to do, where its first bytes are those of a format that is known
-/// but not read.
-void refuseForeignStart(const Source& source);
+/// Throws Error, which names the format and gives advice, if the first bytes are those of a known but unsupported
+/// format.
+void refuseForeignStart(const InputFile& input);
 
-/// As that, where its suffix (in lower case, without a dot) tells it: for formats whose bytes do not.
-void refuseForeignSuffix(const Source& source, std::string_view suffix);
+/// The same by the suffix (lower case, without a dot), for formats without a signature.
+void refuseForeignSuffix(const InputFile& input, std::string_view suffix);
 
 } // namespace pointrt

@@ -11,13 +11,13 @@ std::span<const InputFormat> inputFormats() {
     return kFormats;
 }
 
-void readSource(const InputFormat& format, const Source& source, Sink& sink) {
-    if (sink.level && !format.reader.knows_levels) noteWithoutLevels(source, sink);
-    format.reader.read(source, sink);
+void readInput(const InputFormat& format, const InputFile& input, Sink& sink) {
+    if (sink.level && !format.reader.has_levels) noteWithoutLevels(input, sink);
+    format.reader.read(input, sink);
 }
 
-void noteWithoutLevels(const Source& source, Sink& sink) {
-    addNote(sink.cloud, source.name, "has no levels of detail: it is read whole");
+void noteWithoutLevels(const InputFile& input, Sink& sink) {
+    sink.note(input, "has no levels of detail: all of it is read");
 }
 
 std::string readableFormats() {

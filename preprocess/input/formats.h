@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The formats that are read. To add one: its file, which defines a FormatReader, here its row, and CMakeLists.txt.
+// The supported formats. To add one: a file that defines its FormatReader, and a row here.
 #pragma once
 
 #include <span>
@@ -10,34 +10,34 @@
 
 namespace pointrt {
 
-/// What the bytes of a file may be.
+/// Possible contents of a file.
 enum class Content {
-    kAny,     ///< text or binary, told by its start or by a line of a header
-    kText,    ///< nothing but text, told by a line
-    kColumns, ///< text that no other format knows
+    kAny,     ///< text or binary, recognised by its start or a header line
+    kText,    ///< text only, recognised by a line
+    kColumns, ///< text that no other format recognises
 };
 
-/// What the code of a format does.
+/// The code of a format.
 struct FormatReader {
-    /// Whether a file's first bytes are those of the format; null where they do not tell.
+    /// Recognises the format by a file's first bytes; null if it has no signature.
     bool (*isStart)(std::string_view bytes) = nullptr;
-    /// Whether a line of text tells the format; comments are left out. first: of the file. Null where no line does.
+    /// Recognises the format by a line of text that is not a comment; null if no line decides. first: of the file
     bool (*isLine)(std::string_view line, bool first) = nullptr;
-    /// Throws Error with "FILE[:PLACE]: reason" when the source is malformed.
-    void (*read)(const Source& source, Sink& sink);
-    /// Whether read goes on with points handed on in batches: no faces, no grid, nothing that looks at all of them.
-    /// Null where it never does.
-    bool (*readsInBatches)(const Source& source) = nullptr;
-    /// Whether a file may have levels of detail: read minds Sink::level, and notes where a file has none.
-    bool knows_levels = false;
+    /// Throws Error with "FILE[:PLACE]: reason" if the input is malformed.
+    void (*read)(const InputFile& input, Sink& sink);
+    /// Whether the file can be read into batches: it has no faces, no grid, nothing that needs all points at once. Null
+    /// if no file of the format can.
+    bool (*readsInBatches)(const InputFile& input) = nullptr;
+    /// Files may have levels of detail: read() honours Sink::level and adds a note if a file has none.
+    bool has_levels = false;
 };
 
-/// FormatReader::readsInBatches of formats whose files always are.
-inline bool alwaysInBatches(const Source&) { return true; }
+/// FormatReader::readsInBatches of formats whose files always can be.
+inline bool alwaysInBatches(const InputFile&) { return true; }
 
-/// The one list: reader, name of --input-format, title for people, suffixes in lower case, content. Option, help,
-/// messages and detection come from here. A file defines "const FormatReader readers::kName{...}", which does not
-/// compile for a name that is not in it; a name that no file defines does not link.
+/// The list of formats: reader, name for --input-format, title, suffixes in lower case, content. The option, help,
+/// messages and detection use it. A format's file defines "const FormatReader readers::kName{...}", which compiles only
+/// for a name in this list; a name without a definition does not link.
 // clang-format off
 #define POINTRT_INPUT_FORMATS(FORMAT)                                                                                  \
     FORMAT(kPly, "ply", "PLY", "ply", kAny)                                                                            \
@@ -63,20 +63,20 @@ POINTRT_INPUT_FORMATS(POINTRT_DECLARE_READER)
 /// A row of the list.
 struct InputFormat {
     const FormatReader& reader;
-    std::string_view name, title, suffixes; ///< suffixes: a blank between two
+    std::string_view name, title, suffixes; ///< suffixes: separated by blanks
     Content content;
 };
 
-/// Reads by the format's code, and notes what was asked for that the format does not have.
-void readSource(const InputFormat& format, const Source& source, Sink& sink);
+/// Reads a file, and adds a note if levels of detail are requested and the format has none.
+void readInput(const InputFormat& format, const InputFile& input, Sink& sink);
 
-/// Notes that a file has no levels of detail, of which some were asked for.
-void noteWithoutLevels(const Source& source, Sink& sink);
+/// Adds a note that a file has no levels of detail.
+void noteWithoutLevels(const InputFile& input, Sink& sink);
 
 /// In the order of the list.
 std::span<const InputFormat> inputFormats();
 
-/// Their titles, for messages: "PLY, PCD and OBJ".
+/// Titles of all formats, for messages: "PLY, PCD and OBJ".
 std::string readableFormats();
 
 /// Calls use(suffix) for each suffix of a format.

@@ -8,8 +8,8 @@
 namespace pointrt {
 namespace {
 
-/// Below it a Gaussian is more air than surface. Of a trained person those are 55 % of all Gaussians, but only 9 % of
-/// what they cover; at 0.5, 78 % and 24 %, there are holes, and at 0.1 a fur of faint ones hides the face.
+/// Fainter Gaussians are more air than surface. In a trained model of a person they are 55 % of all Gaussians, but 9 %
+/// of the covered area; at 0.5 (78 % and 24 %) holes appear, and at 0.1 a fur of faint ones hides the face.
 constexpr float kLeastOpacity = 0.2f;
 
 /// Radius of a disc in standard deviations: the viewer blends discs with the weight (1 - d^2 / r^2)^2, which falls to a
@@ -17,19 +17,18 @@ constexpr float kLeastOpacity = 0.2f;
 /// %.
 constexpr float kRadiusDeviations = 2.2f;
 
-/// The flattest axis is no normal where it is not much shorter than the next one: neighbours tell better then.
+/// The shortest axis is the normal only if it is much shorter than the next one; otherwise neighbours estimate better.
 constexpr float kFlattest = 0.3f;
 
-/// Skies and far backgrounds are shells of a few huge Gaussians, which as discs would hide what lies before them:
-/// left out are those whose radius exceeds this share of the box that holds all but the outermost hundredths of the
-/// centres, by its longest edge.
+/// Skies and far backgrounds are shells of a few huge Gaussians, which as discs would hide what lies before them. Drops
+/// those whose radius exceeds this share of the longest edge of the box of all centres but the outermost hundredths.
 constexpr double kLargestShare = 0.25, kOutermost = 0.01;
 
-/// So many at most measure the box.
+/// The box is measured from at most this many centres.
 constexpr std::uint64_t kMeasured = 1 << 16;
 
 struct Disc {
-    Vec3f normal = Vec3f::Zero(); ///< unit length, either side; zero where the Gaussian is round
+    Vec3f normal = Vec3f::Zero(); ///< unit length, either sign; zero if the Gaussian is round
     float radius = 0;
 };
 
@@ -72,29 +71,30 @@ struct LeftOut {
     std::uint64_t faint = 0, huge = 0;
 };
 
-void noteLosses(const Source& source, const GaussianFile& file, const LeftOut& left_out, Sink& sink) {
-    std::string text = fmt::format("Gaussian splats are read as opaque round discs of {} deviations: lost are how "
-                                   "transparent and how long they are",
-                                   kRadiusDeviations);
-    if (!file.lost.empty()) text += " and " + file.lost;
+void noteLosses(const InputFile& input, const GaussianFile& file, const LeftOut& left_out, Sink& sink) {
+    const std::string lost =
+        file.lost.empty() ? "transparency and elongation" : "transparency, elongation and " + file.lost;
+    std::string text =
+        fmt::format("Gaussian splats are read as opaque round discs of radius {} standard deviations, without {}",
+                    kRadiusDeviations, lost);
     std::string left;
     if (left_out.faint > 0)
         left = fmt::format("{} of {} with an opacity below {}", left_out.faint, file.count, kLeastOpacity);
-    if (left_out.huge > 0) left += fmt::format("{}{} as large as a sky", left.empty() ? "" : " and ", left_out.huge);
-    if (!left.empty()) text += "; left out are " + left;
-    addNote(sink.cloud, source.name, text);
+    if (left_out.huge > 0) left += fmt::format("{}{} as large as the sky", left.empty() ? "" : " and ", left_out.huge);
+    if (!left.empty()) text += "; left out: " + left;
+    sink.note(input, text);
 }
 
 } // namespace
 
-void readGaussians(const Source& source, const GaussianFile& file, const EachGaussian& each, Sink& sink) {
+void readGaussians(const InputFile& input, const GaussianFile& file, const EachGaussian& each, Sink& sink) {
     const double largest = kLargestShare * sizeOf(file, each);
     ScanTraits traits;
     traits.vertices = file.count;
     traits.normals = traits.colors = traits.radii = true;
     traits.normal_sides = traits.faces = false;
     traits.columns.push_back({"opacity", Scalar::kF32});
-    beginScan(sink, source, traits);
+    sink.beginScan(input, traits);
     LeftOut left_out;
     Row row{};
     each([&](const Gaussian& gaussian) {
@@ -102,23 +102,23 @@ void readGaussians(const Source& source, const GaussianFile& file, const EachGau
         const bool faint = !(gaussian.opacity >= kLeastOpacity), huge = largest > 0 && disc.radius > largest;
         left_out.faint += faint;
         left_out.huge += !faint && huge;
-        if (faint || huge) return skipVertex(sink);
+        if (faint || huge) return sink.skipVertex();
         for (int axis = 0; axis < 3; ++axis) {
             row[kX + axis] = gaussian.position[axis];
             row[kNormalX + axis] = disc.normal[axis];
             row[kRed + axis] = 255.0 * std::clamp(gaussian.color[axis], 0.0f, 1.0f);
         }
         row[kRadius] = disc.radius;
-        addVertex(sink, row, reinterpret_cast<const char*>(&gaussian.opacity));
+        sink.addVertex(row, reinterpret_cast<const char*>(&gaussian.opacity));
     });
     if (file.count > 0 && left_out.faint + left_out.huge == file.count)
-        refuse(source,
+        refuse(input,
                fmt::format("none of its {} Gaussian splats has an opacity of {} and more", file.count, kLeastOpacity));
-    noteLosses(source, file, left_out, sink);
+    noteLosses(input, file, left_out, sink);
     WorldFrame frame;
     frame.up = file.up;
-    setWorldFrame(sink, source, frame);
-    finishScan(sink, source);
+    sink.setWorldFrame(input, frame);
+    sink.finishScan(input);
 }
 
 } // namespace pointrt

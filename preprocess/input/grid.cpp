@@ -12,7 +12,7 @@ namespace {
 
 constexpr bool isPoint(std::uint32_t cell) { return cell < RangeGrid::kLeftOut; }
 
-/// Whether no point lies in two cells. first: the scan's first point
+/// Whether each point is in one cell only. first: the scan's first point
 bool isOneToOne(const RangeGrid& grid, std::size_t first, std::size_t points) {
     std::vector<bool> seen(points);
     for (const std::uint32_t cell : grid.point_of_cell) {
@@ -23,37 +23,37 @@ bool isOneToOne(const RangeGrid& grid, std::size_t first, std::size_t points) {
     return true;
 }
 
-/// The angle between two points, seen from the sensor; NaN where one is missing.
+/// The angle between two points as seen from the sensor; NaN if one is missing.
 double angleBetween(const Cloud& cloud, const Vec3f& sensor, std::uint32_t a, std::uint32_t b) {
     if (!isPoint(a) || !isPoint(b)) return std::numeric_limits<double>::quiet_NaN();
     const Vec3d u = (cloud.positions[a] - sensor).cast<double>(), v = (cloud.positions[b] - sensor).cast<double>();
     return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
-/// Whether the last column lies beside the first: seen from the sensor it does so in more than half of the rows that
-/// tell, not much further than neighbours within the row do. A turn has more columns than a few.
-bool goesRound(const Cloud& cloud, const Vec3f& sensor, const RangeGrid& grid) {
+/// Whether the last column is adjacent to the first: seen from the sensor, in more than half of the rows with these
+/// points they are hardly further apart than neighbours within the row. A full turn has more than a few columns.
+bool wrapsAround(const Cloud& cloud, const Vec3f& sensor, const RangeGrid& grid) {
     constexpr std::uint32_t kFewestColumns = 16;
-    constexpr double kStepsApart = 1.75; // between one, and two where a column is missing
+    constexpr double kStepsApart = 1.75; // between 1, and 2 if a column is missing
     if (grid.columns < kFewestColumns) return false;
-    std::size_t near = 0, told = 0;
+    std::size_t near = 0, rows = 0;
     for (std::uint32_t row = 0; row < grid.rows; ++row) {
         const std::uint32_t first = grid.at(row, 0), last = grid.at(row, grid.columns - 1);
         const double step = angleBetween(cloud, sensor, first, grid.at(row, 1));
         const double gap = angleBetween(cloud, sensor, first, last);
         if (!(step > 0) || std::isnan(gap)) continue;
-        ++told;
+        ++rows;
         near += gap < kStepsApart * step;
     }
-    return 2 * near > told;
+    return 2 * near > rows;
 }
 
-/// What is wrong with the grid, or "".
+/// Why the grid is invalid, or "".
 std::string faultOf(const GridBuilder& built, std::size_t first, std::size_t points) {
-    constexpr std::uint64_t kClashShare = 4; // fewer than one in so many are echoes
+    constexpr std::uint64_t kCollisionShare = 4; // fewer than one in 4 are echoes
     if (built.beyond > 0) return fmt::format("{} of its points lie outside its grid", built.beyond);
-    if (kClashShare * built.clashes > built.taken + built.clashes)
-        return fmt::format("{} of its points lie in cells of its grid that others have", built.clashes);
+    if (kCollisionShare * built.collisions > built.occupied + built.collisions)
+        return fmt::format("{} of its points lie in occupied cells of its grid", built.collisions);
     if (!isOneToOne(*built.grid, first, points)) return "some of its points lie in two cells of its grid";
     return "";
 }
@@ -64,7 +64,7 @@ void beginGrid(Sink& sink, std::uint64_t rows, std::uint64_t columns) {
     sink.grid = {};
     std::uint64_t cells = 0;
     const bool overflow = __builtin_mul_overflow(rows, columns, &cells);
-    if (sink.batches || rows < 2 || columns < 2 || overflow || cells >= RangeGrid::kLeftOut) return;
+    if (!sink.keepsPoints() || rows < 2 || columns < 2 || overflow || cells >= RangeGrid::kLeftOut) return;
     RangeGrid& grid = sink.grid.grid.emplace();
     grid.rows = static_cast<std::uint32_t>(rows);
     grid.columns = static_cast<std::uint32_t>(columns);
@@ -80,24 +80,25 @@ void setCell(Sink& sink, std::uint64_t row, std::uint64_t column, std::uint32_t 
     }
     std::uint32_t& cell = built.grid->point_of_cell[row * built.grid->columns + column];
     if (cell != RangeGrid::kNoPoint) {
-        ++built.clashes;
+        ++built.collisions;
         return;
     }
     cell = vertex;
-    ++built.taken;
+    ++built.occupied;
     built.left_out += vertex == RangeGrid::kLeftOut;
 }
 
-void finishGrid(Sink& sink, const Source& source) {
+void finishGrid(Sink& sink, const InputFile& input) {
     GridBuilder built = std::exchange(sink.grid, {});
     Cloud& cloud = sink.cloud;
-    if (!built.grid || built.taken == 0 || 2 * built.left_out > built.taken) return;
-    const std::string fault = faultOf(built, sink.first_position, cloud.positions.size() - sink.first_position);
-    if (!fault.empty()) return addNote(cloud, source.name, fault + ": it is read without");
+    if (!built.grid || built.occupied == 0 || 2 * built.left_out > built.occupied) return;
+    const std::size_t first = sink.scans.back().first_position;
+    const std::string fault = faultOf(built, first, cloud.positions.size() - first);
+    if (!fault.empty()) return sink.note(input, fault + ": the scan is read without its grid");
     RangeGrid& grid = cloud.grids.emplace_back(std::move(*built.grid));
     grid.scan = static_cast<std::uint32_t>(cloud.scans.size() - 1);
     if (const auto& sensor = cloud.scans.back().sensor)
-        grid.wraps = goesRound(cloud, (*sensor - cloud.origin).cast<float>(), grid);
+        grid.wraps = wrapsAround(cloud, (*sensor - cloud.origin).cast<float>(), grid);
 }
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The range grid of a scan while that is read: which vertex is the sample of which cell.
+// Builds the range grid of a scan while it is read: which vertex is the sample of which cell.
 #pragma once
 
 #include <cstdint>
@@ -9,30 +9,30 @@
 
 namespace pointrt {
 
-struct Sink;
-struct Source;
+class Sink;
+struct InputFile;
 
-/// Of the scan that is being read.
+/// Grid of the current scan.
 struct GridBuilder {
     std::optional<RangeGrid> grid;
-    std::uint64_t taken = 0;    ///< samples, those left out included
-    std::uint64_t left_out = 0; ///< of them
-    std::uint64_t clashes = 0;  ///< vertices whose cell was taken
-    std::uint64_t beyond = 0;   ///< vertices outside the grid
+    std::uint64_t occupied = 0;   ///< cells with a sample, filtered ones included
+    std::uint64_t left_out = 0;   ///< of them, filtered
+    std::uint64_t collisions = 0; ///< vertices whose cell was occupied
+    std::uint64_t beyond = 0;     ///< vertices outside the grid
 };
 
-/// Says that the vertices of the scan that has begun are samples of a grid. Takes 4 bytes a cell: the caller has seen
-/// that the file has room for as many. A grid of one row or column, or of more cells than points can be told apart, is
-/// none, and so is that of points that are handed on in batches.
+/// Declares the vertices of the current scan to be samples of a grid. Allocates 4 bytes per cell: the caller must have
+/// checked that the file can hold as many. Ignored for a grid of one row or column or of more cells than 32-bit indices
+/// distinguish, and if the sink keeps no points.
 void beginGrid(Sink& sink, std::uint64_t rows, std::uint64_t columns);
 
-/// Puts a vertex, as addVertex returned it, into its cell. The first one stays in a cell: scanners that hear several
-/// echoes of a pulse give all of them its row and column. Does nothing where no grid has begun.
+/// Stores a vertex, as returned by addVertex, in its cell. A cell keeps its first vertex: scanners that record several
+/// echoes of a pulse give all of them its row and column. Does nothing without a grid.
 void setCell(Sink& sink, std::uint64_t row, std::uint64_t column, std::uint32_t vertex);
 
-/// Hands the grid of the scan that ends to the cloud, whose last scan that is, its sensor known. What cannot be a grid
-/// is left out with a note: vertices outside it, one vertex in two cells, or so many in cells of others that these tell
-/// nothing. One of which less than half of the samples stayed says nothing any more, and is left out too.
-void finishGrid(Sink& sink, const Source& source);
+/// Moves the grid of the finished scan to the cloud; the scan and its sensor must be there already. Drops an invalid
+/// grid with a note: vertices outside it, a vertex in two cells, or too many vertices in occupied cells. Also drops a
+/// grid of which less than half of the samples passed the filters.
+void finishGrid(Sink& sink, const InputFile& input);
 
 } // namespace pointrt

@@ -8,15 +8,15 @@
 namespace pointrt {
 namespace {
 
-/// Deflate makes up to 1032 bytes of one. Scans are packed 3 to 20 times as dense, binary depth frames that are mostly
-/// holes some 50 times: room for twice that, any small file, and nothing that has to be unpacked on disk first.
+/// Deflate expands a byte to at most 1032. Scans compress 3 to 20 times, binary depth frames that are mostly holes
+/// about 50 times: the limits allow twice that and any small file, but nothing that must be unpacked on disk first.
 constexpr std::size_t kUnpackedAtLeast = std::size_t{64} << 20, kUnpackedPerByte = 100;
 constexpr std::size_t kLargestUnpacked = std::size_t{8} << 30;
 constexpr std::size_t kBlock = std::size_t{1} << 20;
 
 struct Inflater {
     z_stream stream{};
-    /// 15 is the largest window, 16 more asks for the gzip wrapper.
+    /// 15 is the largest window, 16 more selects the gzip wrapper.
     bool ready = inflateInit2(&stream, 15 + 16) == Z_OK;
     ~Inflater() { inflateEnd(&stream); }
 };
@@ -39,42 +39,42 @@ int inflateBlock(z_stream& stream, std::string& unpacked) {
     return result;
 }
 
-/// True where another gzip member follows; anything else after the end is padding.
+/// Whether another gzip member follows; anything else after the end is padding.
 bool anotherMember(const z_stream& stream) {
     return stream.avail_in >= 2 && stream.next_in[0] == 0x1f && stream.next_in[1] == 0x8b;
 }
 
-void checkSize(const Source& source, std::size_t unpacked) {
-    if (unpacked > kLargestUnpacked) refuse(source, "unpacks to more than 8 GiB: unpack it first");
-    if (unpacked > kUnpackedAtLeast + kUnpackedPerByte * source.bytes.size())
-        refuse(source, "unpacks to more than 100 times its size, as scans do not: unpack it first where it is one");
+void checkSize(const InputFile& input, std::size_t unpacked) {
+    if (unpacked > kLargestUnpacked) refuse(input, "unpacks to more than 8 GiB; unpack it first");
+    if (unpacked > kUnpackedAtLeast + kUnpackedPerByte * input.bytes.size())
+        refuse(input, "unpacks to more than 100 times its size, unlike scans; if it is one, unpack it first");
 }
 
 } // namespace
 
 bool isGzip(std::string_view bytes) { return bytes.size() >= 2 && bytes[0] == '\x1f' && bytes[1] == '\x8b'; }
 
-void unpackGzip(Source& source) {
+void unpackGzip(InputFile& input) {
     Inflater inflater;
     if (!inflater.ready) throw std::bad_alloc();
     auto unpacked = std::make_shared<std::string>();
-    std::string_view rest = source.bytes;
+    std::string_view rest = input.bytes;
     for (;;) {
         feed(inflater.stream, rest);
         const int result = inflateBlock(inflater.stream, *unpacked);
-        checkSize(source, unpacked->size());
+        checkSize(input, unpacked->size());
         if (result == Z_STREAM_END) {
             if (!anotherMember(inflater.stream)) break;
             inflateReset(&inflater.stream);
         } else if (result == Z_BUF_ERROR) {
-            refuse(source, "the gzip data is cut short");
+            refuse(input, "the gzip data is truncated");
         } else if (result != Z_OK) {
-            refuse(source, "the gzip data is broken");
+            refuse(input, "the gzip data is invalid");
         }
     }
-    source.bytes = *unpacked;
-    source.owner = std::move(unpacked);
-    source.mapped = false;
+    input.bytes = *unpacked;
+    input.owner = std::move(unpacked);
+    input.mapped = false;
 }
 
 } // namespace pointrt

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scans packed with gzip.
+// Scans compressed with gzip.
 #pragma once
 
-#include "preprocess/input/source.h"
+#include "preprocess/input/input_file.h"
 
 namespace pointrt {
 
 bool isGzip(std::string_view bytes);
 
-/// Replaces the bytes of source by what they unpack to. Throws Error when they are cut short or broken, and when they
-/// unpack to more than 64 MiB and 100 bytes for each of theirs, or to more than 8 GiB.
-void unpackGzip(Source& source);
+/// Replaces the bytes of input by their decompressed data. Throws Error if they are truncated or invalid, or expand to
+/// more than 64 MiB plus 100 times their size, or to more than 8 GiB.
+void unpackGzip(InputFile& input);
 
 } // namespace pointrt

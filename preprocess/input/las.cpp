@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// LAS files, LAZ and COPC among them.
+// LAS files, including LAZ and COPC.
 
 #include <algorithm>
 
@@ -13,13 +13,13 @@
 namespace pointrt {
 namespace {
 
-/// Runs work of format/pointio, whose errors do not name the file.
+/// Runs work of format/pointio and prefixes its errors with the file's name.
 template <typename Work>
-auto named(const Source& source, const Work& work) {
+auto naming(const InputFile& input, const Work& work) {
     try {
         return work();
     } catch (const Error& error) {
-        throw Error(error.code, fmt::format("{}: {}", source.name, error.what()));
+        throw Error(error.code, fmt::format("{}: {}", input.name, error.what()));
     }
 }
 
@@ -36,28 +36,28 @@ ScanTraits traitsOf(const LasFile& file, const std::vector<LasField>& fields, st
         traits.colors = true;
         traits.color_scale = ColorScale::k16Bit;
     }
-    // A few bytes of a LAZ file may promise any number: room is made for what is usual, more as it comes.
-    const std::uint64_t usual = file.bytes.size() - file.header.point_offset;
-    traits.vertices = std::min(points, usual);
+    // A few bytes of a LAZ file may promise any number of points: reserve no more than its size makes plausible.
+    const std::uint64_t plausible = file.bytes.size() - file.header.point_offset;
+    traits.vertices = std::min(points, plausible);
     return traits;
 }
 
-/// The chunks to read; a file that is not COPC is read whole.
-std::vector<LazChunk> chunksOf(const Source& source, const LasFile& file, const LazLayout& layout, Sink& sink) {
-    const bool chooses = sink.level || sink.filter.options().bounds;
-    if (sink.level && !isCopc(file)) noteWithoutLevels(source, sink);
+/// The chunks to read: all of them, unless the file is COPC.
+std::vector<LazChunk> chunksOf(const InputFile& input, const LasFile& file, const LazLayout& layout, Sink& sink) {
+    const bool selects = sink.level || sink.filter.options().bounds;
+    if (sink.level && !isCopc(file)) noteWithoutLevels(input, sink);
     if (!file.header.packed) {
         const std::uint64_t bytes = file.header.point_count * file.header.record_bytes;
         return {{file.header.point_offset, bytes, file.header.point_count}};
     }
-    return chooses && isCopc(file) ? wantedNodes(file, sink) : layout.chunks;
+    return selects && isCopc(file) ? selectedNodes(file, sink) : layout.chunks;
 }
 
-/// Scans from the air see every surface from above; a box that is this much wider than high, in metres this wide, was
-/// hardly scanned otherwise.
+/// Airborne scans see every surface from above. A box this much wider than high, and this wide in metres, was hardly
+/// scanned otherwise.
 bool isAirborne(const Sink& sink, const LasCrs& crs) {
     constexpr double kFlat = 2, kWide = 50;
-    const ScanBox box = boxOfScan(sink);
+    const ScanBox box = sink.lastScanBox();
     Vec3d size = box.size;
     if (crs.kind == LasCrs::Kind::kGeographic)
         size.head<2>() = size.head<2>().cwiseProduct(metresPerDegree(box.center.y()));
@@ -65,50 +65,51 @@ bool isAirborne(const Sink& sink, const LasCrs& crs) {
     return width > kFlat * size.z() && width * (crs.metres_per_unit > 0 ? crs.metres_per_unit : 1) > kWide;
 }
 
-/// Up is z in every system of coordinates that LAS files are in, but for those that measure from the earth's middle.
-void tellFrame(const LasCrs& crs, const Source& source, Sink& sink) {
+/// Up is z in all coordinate systems of LAS files but geocentric ones.
+void setFrame(const LasCrs& crs, const InputFile& input, Sink& sink) {
     WorldFrame frame;
     if (crs.kind != LasCrs::Kind::kGeocentric) frame.up = Vec3d::UnitZ();
     frame.metres_per_unit = crs.metres_per_unit;
     frame.crs = crs.name;
     frame.from_above = !frame.up.isZero() && isAirborne(sink, crs);
-    setWorldFrame(sink, source, frame);
+    sink.setWorldFrame(input, frame);
     if (crs.kind != LasCrs::Kind::kGeographic) return;
-    if (!sink.scales_degrees) addNote(sink.cloud, source.name, "is in degrees: x and y are not as long as z");
+    if (!sink.scales_degrees) sink.note(input, "is in degrees: x and y have another unit than z");
     ++sink.files_in_degrees;
 }
 
-void addBlock(const Source& source, const LasBlock& block, Sink& sink) {
+void addBlock(const InputFile& input, const LasBlock& block, Sink& sink) {
     std::vector<const char*> columns;
     for (const std::vector<char>& values : block.values) columns.push_back(values.data());
-    addVertices(sink, block.positions, columns);
-    letGo(source, block.done_bytes);
+    sink.addVertices(block.positions, columns);
+    releasePages(input, block.done_bytes);
 }
 
-/// Reads the points with all of their attributes, and what header and records say of the frame. Of a COPC file only
-/// nodes that reach into the filter's bounds and are not below the sink's level.
-void readLas(const Source& source, Sink& sink) {
-    LasFile file = named(source, [&] { return openLas(source.bytes); });
+/// Reads points with all attributes, and the frame from the header and records. From a COPC file only nodes that
+/// overlap the filter's bounds and are no finer than the sink's level.
+void readLas(const InputFile& input, Sink& sink) {
+    LasFile file = naming(input, [&] { return openLas(input.bytes); });
     const std::vector<LasField> fields = lasFields(file);
-    LazLayout layout = file.header.packed ? named(source, [&] { return lazLayout(file); }) : LazLayout{};
-    const std::vector<LazChunk> chunks = named(source, [&] { return chunksOf(source, file, layout, sink); });
+    LazLayout layout = file.header.packed ? naming(input, [&] { return lazLayout(file); }) : LazLayout{};
+    const std::vector<LazChunk> chunks = naming(input, [&] { return chunksOf(input, file, layout, sink); });
     std::uint64_t points = 0;
     for (const LazChunk& chunk : chunks) points += chunk.points;
 
-    const bool is_first = keptPoints(sink) == 0;
-    beginScan(sink, source, traitsOf(file, fields, points));
-    // what addVertices throws names no file either
-    named(source, [&] {
+    const bool is_first = sink.pointCount() == 0;
+    sink.beginScan(input, traitsOf(file, fields, points));
+    // errors of addVertices do not name the file either
+    naming(input, [&] {
         forLasBlocks({file, fields, std::move(layout), chunks},
-                     [&](const LasBlock& block) { addBlock(source, block, sink); });
+                     [&](const LasBlock& block) { addBlock(input, block, sink); });
     });
-    finishScan(sink, source);
+    sink.finishScan(input);
 
     const LasCrs crs = lasCrs(file);
-    tellFrame(crs, source, sink);
-    const bool scaled = sink.scales_degrees && crs.kind == LasCrs::Kind::kGeographic; // once all is read
-    if (is_first) sink.cloud.source_header = lasSourceHeader(file, sink.world_from_input || scaled);
-    for (const std::string& note : file.notes) addNote(sink.cloud, source.name, note);
+    setFrame(crs, input, sink);
+    const bool will_be_scaled =
+        sink.scales_degrees && crs.kind == LasCrs::Kind::kGeographic; // after all files are read
+    if (is_first) sink.cloud.source_header = lasSourceHeader(file, sink.transform.world_from_input || will_be_scaled);
+    for (const std::string& note : file.notes) sink.note(input, note);
 }
 
 } // namespace
@@ -116,6 +117,6 @@ void readLas(const Source& source, Sink& sink) {
 const FormatReader readers::kLas{.isStart = [](std::string_view bytes) { return bytes.starts_with("LASF"); },
                                  .read = readLas,
                                  .readsInBatches = alwaysInBatches,
-                                 .knows_levels = true};
+                                 .has_levels = true};
 
 } // namespace pointrt

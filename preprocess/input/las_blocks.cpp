@@ -14,29 +14,29 @@
 namespace pointrt {
 namespace {
 
-/// Bytes of records in a block, and of all blocks that are under way: with their arrays, which take about twice as
-/// much again, and the program, less than 64 MiB.
+/// Bytes of records in a block, and in all blocks in flight: with their arrays, about twice as large, and the program
+/// they take less than 64 MiB.
 constexpr std::size_t kMostRecordBytes = std::size_t{8} << 20, kMostUnderWay = std::size_t{12} << 20;
 constexpr std::size_t kBlockPoints = std::size_t{1} << 16;
 
-/// A block on its way through the pipeline.
+/// A block in the pipeline.
 struct Job {
-    std::optional<LazChunk> chunk; ///< to be unpacked
-    const char* records = nullptr; ///< or the records as they are, in the file or in `unpacked`
+    std::optional<LazChunk> chunk; ///< to unpack
+    const char* records = nullptr; ///< or uncompressed records, in the file or in `unpacked`
     std::vector<char> unpacked;
     std::size_t points = 0;
     LasBlock block;
-    std::exception_ptr failure; ///< told when its turn comes, so that it is always the same one
+    std::exception_ptr failure; ///< rethrown in file order, so that the first error is reported
 };
 using JobPointer = std::shared_ptr<Job>;
 
-/// Cuts the chunks into jobs. Chunks that are too large for a block, or whose bytes are not known, are unpacked here,
-/// one piece after the other.
+/// Divides the chunks into jobs. Unpacks chunks here, piece by piece, if they are too large for a block or their size
+/// is not known.
 class Jobs {
 public:
     explicit Jobs(const LasPlan& plan) : plan_(plan), record_bytes_(plan.file.header.record_bytes) {}
 
-    /// Null at the end.
+    /// The next job; null at the end.
     JobPointer next() {
         while (chunk_ < plan_.chunks.size() && done_ == plan_.chunks[chunk_].points) {
             ++chunk_;
@@ -58,8 +58,8 @@ public:
         return job;
     }
 
-    /// Its memory serves the next one.
-    void giveBack(const JobPointer& job) {
+    /// Returns a job, whose memory is reused.
+    void release(const JobPointer& job) {
         const std::lock_guard guard(mutex_);
         idle_.push_back(job);
     }
@@ -102,7 +102,7 @@ private:
     const LasPlan& plan_;
     const std::size_t record_bytes_;
     std::size_t chunk_ = 0;
-    std::uint64_t done_ = 0; ///< points of that chunk
+    std::uint64_t done_ = 0; ///< points of the current chunk
     bool failed_ = false;
     std::unique_ptr<LazStream> stream_;
     std::mutex mutex_;
@@ -115,7 +115,7 @@ void unpackChunk(const LasPlan& plan, Job& job) {
     job.records = job.unpacked.data();
 }
 
-/// The points [first, first + count) to their places in the arrays.
+/// Decodes the points [first, first + count) into the arrays.
 void toArrays(const LasPlan& plan, std::size_t first, std::size_t count, Job& job) {
     const LasHeader& header = plan.file.header;
     for (std::size_t i = first; i < first + count; ++i) {
@@ -132,9 +132,9 @@ void toArrays(const LasPlan& plan, std::size_t first, std::size_t count, Job& jo
     }
 }
 
-/// A few points at a time, so that their records stay in the cache from field to field.
+/// Decodes a few points at a time, so that their records stay in the cache from field to field.
 void toArrays(const LasPlan& plan, Job& job) {
-    constexpr std::size_t kAtOnce = 2048; // of some 30 bytes: with the arrays, what a core has for itself
+    constexpr std::size_t kAtOnce = 2048; // of about 30 bytes: with the arrays they fit in a core's own cache
     job.block.positions.resize(job.points);
     job.block.values.resize(plan.fields.size());
     for (std::size_t f = 0; f < plan.fields.size(); ++f)
@@ -178,7 +178,7 @@ void forLasBlocks(const LasPlan& plan, const std::function<void(const LasBlock&)
     const auto handOn = [&](const JobPointer& job) {
         if (job->failure) std::rethrow_exception(job->failure);
         use(job->block);
-        jobs.giveBack(job);
+        jobs.release(job);
     };
     using tbb::filter_mode;
     tbb::parallel_pipeline(jobsAtOnce(plan),

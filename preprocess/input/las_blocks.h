@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points of a LAS file in blocks: unpacked on all cores, handed on in the order of the file.
+// Points of a LAS file in blocks, unpacked on all cores and delivered in the order of the file.
 #pragma once
 
 #include <functional>
@@ -14,21 +14,21 @@ namespace pointrt {
 /// Points in arrays.
 struct LasBlock {
     std::vector<Vec3d> positions;
-    std::vector<std::vector<char>> values; ///< of each field, in the fields' order
-    std::uint64_t done_bytes = 0;          ///< of the file, so many are not needed any more
+    std::vector<std::vector<char>> values; ///< [fields], in the fields' order
+    std::uint64_t done_bytes = 0;          ///< leading bytes of the file that are not needed any more
 };
 
-/// What is to be read of a file.
+/// What to read from a file.
 struct LasPlan {
     const LasFile& file;
     const std::vector<LasField>& fields;
-    LazLayout layout;             ///< of packed points
-    std::vector<LazChunk> chunks; ///< that are wanted; of points that are not packed one, which has all of them
+    LazLayout layout;             ///< of compressed points
+    std::vector<LazChunk> chunks; ///< to read; a single one for uncompressed points
 };
 
-/// Calls use for blocks of at most some 64 Ki points, or a chunk of a LAZ file where that has up to 8 MiB. Takes less
-/// than 64 MiB whatever the file says. Throws Error (kBadInput, without the file's name) where packed points are
-/// broken, the first ones in the file, and what use throws.
+/// Calls use for blocks of at most about 64 Ki points, or for each chunk of a LAZ file of up to 8 MiB. Takes less than
+/// 64 MiB whatever the file says. Throws Error (kBadInput, without the file's name) for the first invalid compressed
+/// points in the file, and whatever use throws.
 void forLasBlocks(const LasPlan& plan, const std::function<void(const LasBlock&)>& use);
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which nodes of a COPC file a bake wants.
+// Selects nodes of a COPC file.
 #pragma once
 
 #include "format/pointio/copc.h"
@@ -7,7 +7,7 @@
 
 namespace pointrt {
 
-/// The chunks of nodes down to the sink's level that reach into the bounds of its filter.
-std::vector<LazChunk> wantedNodes(const LasFile& file, const Sink& sink);
+/// Chunks of the nodes down to the sink's level that overlap the bounds of its filter.
+std::vector<LazChunk> selectedNodes(const LasFile& file, const Sink& sink);
 
 } // namespace pointrt

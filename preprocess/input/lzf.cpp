@@ -20,14 +20,14 @@ bool unpackLzf(std::string_view packed, std::size_t unpacked_size, std::string& 
     const auto byteAt = [&](std::size_t index) -> std::size_t { return static_cast<std::uint8_t>(packed[index]); };
     while (at < packed.size()) {
         const std::size_t control = byteAt(at++);
-        if (control < 32) { // control + 1 bytes as they are
+        if (control < 32) { // control + 1 literal bytes
             const std::size_t length = control + 1;
             if (length > packed.size() - at || length > unpacked_size - unpacked.size()) return false;
             unpacked.append(packed.substr(at, length));
             at += length;
             continue;
         }
-        std::size_t length = control >> 5; // the upper 3 bits; 7 means that a byte more follows
+        std::size_t length = control >> 5; // the upper 3 bits; 7 means that another byte follows
         const std::size_t more = length == 7 ? 2 : 1;
         if (more > packed.size() - at) return false;
         if (length == 7) length += byteAt(at++);

@@ -29,7 +29,7 @@ void addMeshNormals(Cloud& cloud) {
     cloud.normals.resize(cloud.positions.size(), Vec3f::Zero());
     for (std::size_t i = 0; i < sums.size(); ++i) {
         const double length = sums[i].stableNorm();
-        // Below this, rounding alone is left of faces that cancel.
+        // Below this, faces cancel and only rounding errors are left.
         if (cloud.normals[i].isZero(0) && length > 1e-9) cloud.normals[i] = (sums[i] / length).cast<float>();
     }
 }

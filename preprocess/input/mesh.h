@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Meshes as clouds: normals of their vertices, points spread over their faces.
+// Meshes as clouds: normals of their vertices, points sampled over their faces.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "format/base/error.h"
 #include "preprocess/cloud/cloud.h"
-#include "preprocess/input/sink.h"
+#include "preprocess/input/scan_traits.h"
 
 namespace pointrt {
 
@@ -17,39 +18,40 @@ namespace pointrt {
 /// normals from polygonal facets", 1998). Unit length; vertices without faces, or whose faces cancel, keep zero.
 void addMeshNormals(Cloud& cloud);
 
-/// Which meshes are points spread over their faces, and how many those are.
+/// Which meshes to sample, and with how many points.
 struct MeshSampling {
     std::vector<bool> scans;  ///< [scans], true: its faces are sampled
-    std::uint64_t points = 0; ///< over the faces of all of these; 0: none is sampled
+    std::uint64_t points = 0; ///< over the faces of all of these; 0: no mesh is sampled
 };
 
-/// With a number wanted: that many points, over all meshes; of 0 none. Without one the meshes whose discs would stand
-/// off their faces, with a note for each: twice as many points as a picture of them has pixels, 100,000 to a million,
-/// which for a mesh of more than half a million vertices is none. cloud.normals must hold a normal per vertex
-/// (addMeshNormals).
-MeshSampling chooseSampling(Cloud& cloud, const std::vector<ScanRange>& scans, std::optional<std::uint64_t> wanted);
+/// Given a number, samples all meshes with that many points, or none if it is 0. Without a number, selects the meshes
+/// whose discs would stand off their faces, with a note for each: twice as many points as a picture of them has pixels,
+/// 100,000 to a million; meshes of more than half a million vertices are not sampled. cloud.normals must hold a normal
+/// per vertex (addMeshNormals).
+MeshSampling chooseSampling(Cloud& cloud, const std::vector<ScanRange>& scans, std::optional<std::uint64_t> count);
 
-/// Throws Error (kBadUsage): samples are wanted of a file that has no faces.
+/// Throws Error (kBadUsage): a file without faces cannot be sampled.
 [[noreturn]] void refuseSampling(const std::string& file);
 
-/// Drops the vertices of meshes that no face uses, and counts them: what programs leave behind lies inside or beside
-/// the surface. A file whose faces use less than a tenth of its vertices is a cloud with some faces: its points stay,
-/// and a note says so. bereft: vertices that count as used (Sink). Of sampled meshes it only counts and says.
-void dropUnused(Cloud& cloud, std::vector<ScanRange>& scans, const std::vector<std::uint32_t>& bereft,
+/// Drops and counts the vertices of meshes that no face uses: leftovers of editing lie inside or beside the surface. A
+/// file whose faces use less than a tenth of its vertices is a cloud with some faces: its points stay, with a note.
+/// Vertices of sampled meshes are only counted.
+/// @param removed_corners vertices that count as used (Sink::cornersOfRemovedFaces)
+void dropUnused(Cloud& cloud, std::vector<ScanRange>& scans, const std::vector<std::uint32_t>& removed_corners,
                 const std::vector<bool>& sampled);
 
-/// Keeps the points whose flag is set, with all that belongs to them. Faces must not use others.
+/// Keeps the points whose flag is set, with their attributes. Faces must not use other points.
 void keepPoints(Cloud& cloud, const std::vector<bool>& keep);
 
 /// Replaces the vertices of sampled meshes by points spread evenly over all of their faces, with unit normals,
-/// interpolated colours and the attributes of the nearest corner; other points stay, in front. The faces go. The same
-/// seed gives the same points. cloud.normals must hold a normal per vertex (addMeshNormals).
-/// Returns the number of samples of each scan. Throws Error, which names the first of them, when the faces have no
+/// interpolated colours and the attributes of the nearest corner; other points stay, in front. Removes the faces. The
+/// same seed gives the same points. cloud.normals must hold a normal per vertex (addMeshNormals).
+/// Returns the number of samples of each scan. Throws Error, which names the first sampled mesh, if the faces have no
 /// area.
 std::vector<std::uint64_t> sampleMeshes(Cloud& cloud, const std::vector<ScanRange>& scans, const MeshSampling& sampling,
                                         std::uint64_t seed);
 
-/// The scan that a point belongs to; scans lie one after the other.
+/// The scan of a point; the ranges of scans are consecutive.
 std::size_t scanOf(const std::vector<ScanRange>& scans, std::size_t point);
 
 } // namespace pointrt

@@ -1,45 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a mesh's vertices are worth as points: which belong to its surface, and whether they are dense enough for it.
+// Quality of a mesh's vertices as points: which belong to its surface, and whether they are dense enough for it.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <tuple>
 
 #include "preprocess/cloud/keep_flagged.h"
 #include "preprocess/input/mesh.h"
+#include "preprocess/input/notes.h"
 
 namespace pointrt {
 namespace {
 
-/// Discs around vertices an edge e apart have radii of 1.4 e / sqrt(3), 1.6 e across: with edges of this share of the
-/// diagonal a dozen of them span the mesh. Models of 50000 faces and more that were measured have 0.005 to 0.04, those
+/// Discs around vertices with edges of length e have radii of 1.4 e / sqrt(3), a width of 1.6 e: with edges of this
+/// share of the diagonal a dozen discs span the mesh. Measured models of 50000 faces and more have 0.005 to 0.04, those
 /// of a thousand and fewer 0.06 and up.
 constexpr double kCoarseEdge = 0.05;
 
-/// Those radii over the edge.
+/// Radius of these discs over the edge length.
 constexpr double kRadiusOverEdge = 0.8;
 
-/// What discs may stand off the faces in the mean, over the diagonal: a pixel of a picture of 512, which shows the
-/// diagonal 420 pixels long.
+/// Largest mean distance of discs from the faces, over the diagonal: a pixel in a picture of 512 pixels, which shows
+/// the diagonal 420 pixels long.
 constexpr double kStandOff = 1 / 420.0;
 
-/// Samples to a diagonal, three to two such pixels, as far as their number in all allows: with one to a pixel edges
-/// come out ragged.
+/// Samples along a diagonal, three to two such pixels, as far as the total allows: one per pixel leaves ragged edges.
 constexpr double kSamplesAcross = 630;
 constexpr double kLeastSamples = 100'000, kMostSamples = 1'000'000;
-/// Fewer would give up detail that the vertices have.
+/// Fewer samples would lose detail of the vertices.
 constexpr double kSamplesPerVertex = 2;
 
-/// Faces that use less than this share of the vertices are not what a file is about.
+/// Faces that use less than this share of the vertices do not make a file a mesh.
 constexpr std::size_t kFewFaces = 10;
 
-/// Which points a face uses; of meshes that are not sampled the bereft too.
+/// Flags points used by a face and, in meshes that are not sampled, corners of removed faces.
 std::vector<bool> usedPoints(const Cloud& cloud, const std::vector<ScanRange>& scans,
-                             const std::vector<std::uint32_t>& bereft, const std::vector<bool>& sampled) {
+                             const std::vector<std::uint32_t>& removed_corners, const std::vector<bool>& sampled) {
     std::vector<bool> used(cloud.positions.size());
     for (const auto& face : cloud.triangles)
         for (const std::uint32_t corner : face) used[corner] = true;
-    for (const std::uint32_t point : bereft)
+    for (const std::uint32_t point : removed_corners)
         if (!sampled[scanOf(scans, point)]) used[point] = true;
     return used;
 }
@@ -52,7 +53,7 @@ void keepFlaggedValues(Attribute& attribute, const std::vector<bool>& keep) {
     attribute.values.resize(static_cast<std::size_t>(kept - attribute.values.data()));
 }
 
-/// Numbers of the points that faces use.
+/// Indices of the points that faces use, ascending.
 std::vector<std::uint32_t> cornersOf(const Cloud& cloud) {
     std::vector<std::uint32_t> corners;
     for (const auto& face : cloud.triangles) corners.insert(corners.end(), face.begin(), face.end());
@@ -61,9 +62,9 @@ std::vector<std::uint32_t> cornersOf(const Cloud& cloud) {
     return corners;
 }
 
-/// [points], the first corner at the place of each, whose normal the one disc there gets: files with an own vertex for
-/// each face and corner have several.
-std::vector<std::uint32_t> firstsAtPlaces(const Cloud& cloud) {
+/// [points], the first corner at the position of each, whose normal the single disc there gets: files with separate
+/// vertices for each face have several corners at a position.
+std::vector<std::uint32_t> firstsAtPositions(const Cloud& cloud) {
     std::vector<std::uint32_t> corners = cornersOf(cloud), firsts(cloud.positions.size());
     const auto key = [&](std::uint32_t point) {
         const Vec3f& p = cloud.positions[point];
@@ -77,10 +78,10 @@ std::vector<std::uint32_t> firstsAtPlaces(const Cloud& cloud) {
     return firsts;
 }
 
-/// What is asked of the faces of one mesh.
+/// Statistics of the faces of one mesh.
 struct FaceSizes {
     std::size_t faces = 0, flat = 0, corners = 0;
-    double area = 0, area_times_edge = 0, area_times_stand_off = 0; ///< edge: a face's longest
+    double area = 0, area_times_edge = 0, area_times_stand_off = 0; ///< edge: the longest of a face
     Eigen::AlignedBox3d box;
 
     void add(const Cloud& cloud, const std::array<std::uint32_t, 3>& face, const std::vector<std::uint32_t>& firsts) {
@@ -91,7 +92,7 @@ struct FaceSizes {
         ++faces;
         flat += twice_area == 0;
         if (twice_area == 0) return;
-        double sine = 0; // between the face and the discs at its corners, in the mean
+        double sine = 0; // mean over the corners of the sine between face and disc
         for (const std::uint32_t corner : face) {
             const Vec3d normal = cloud.normals[firsts[corner]].cast<double>().stableNormalized();
             sine += normal.cross(cross / twice_area).norm() / 3;
@@ -101,7 +102,7 @@ struct FaceSizes {
         area_times_stand_off += twice_area / 2 * longest * kRadiusOverEdge * sine;
     }
     double diagonal() const { return box.isEmpty() ? 0 : box.diagonal().norm(); }
-    /// Whether discs at the vertices do not make its surface: there are too few, or they stand off the faces.
+    /// Whether discs at the vertices would not represent the surface: too few, or too far from the faces.
     bool areCoarse() const {
         return area > 0 && (area_times_edge > kCoarseEdge * diagonal() * area ||
                             area_times_stand_off > kStandOff * diagonal() * area);
@@ -109,14 +110,14 @@ struct FaceSizes {
 };
 
 std::vector<FaceSizes> faceSizes(const Cloud& cloud, const std::vector<ScanRange>& scans) {
-    const std::vector<std::uint32_t> firsts = firstsAtPlaces(cloud);
+    const std::vector<std::uint32_t> firsts = firstsAtPositions(cloud);
     std::vector<FaceSizes> sizes(scans.size());
     for (const auto& face : cloud.triangles) sizes[scanOf(scans, face[0])].add(cloud, face, firsts);
     for (const std::uint32_t corner : cornersOf(cloud)) ++sizes[scanOf(scans, corner)].corners;
     return sizes;
 }
 
-/// Points of one spacing for all of these meshes, which one picture shows.
+/// Number of points with one spacing for all of these meshes, since a single picture shows them.
 double samplesFor(const std::vector<FaceSizes>& sizes, const std::vector<bool>& sampled) {
     FaceSizes all;
     for (std::size_t i = 0; i < sizes.size(); ++i) {
@@ -130,7 +131,7 @@ double samplesFor(const std::vector<FaceSizes>& sizes, const std::vector<bool>& 
     return std::clamp(std::round(enough), kLeastSamples, kMostSamples);
 }
 
-/// The meshes that vertices alone do not show, and a note for each.
+/// Selects the meshes whose vertices do not represent their surface, with a note for each.
 MeshSampling chooseCoarse(Cloud& cloud, const std::vector<ScanRange>& scans) {
     const std::vector<FaceSizes> sizes = faceSizes(cloud, scans);
     MeshSampling sampling{std::vector<bool>(scans.size())};
@@ -144,8 +145,8 @@ MeshSampling chooseCoarse(Cloud& cloud, const std::vector<ScanRange>& scans) {
         if (!sampling.scans[i]) continue;
         const std::string flat = sizes[i].flat > 0 ? fmt::format(", but {} without area", sizes[i].flat) : "";
         addNote(cloud, scans[i].name,
-                fmt::format("its {} vertices are too few for its faces: points are spread over these{}; "
-                            "--sample N spreads N, --sample 0 takes the vertices",
+                fmt::format("its {} vertices are too few for its faces: points are sampled over the faces{}; "
+                            "--sample N samples N, --sample 0 uses the vertices",
                             sizes[i].corners, flat));
     }
     return sampling;
@@ -179,17 +180,17 @@ std::size_t scanOf(const std::vector<ScanRange>& scans, std::size_t point) {
     return static_cast<std::size_t>(after - scans.begin()) - 1;
 }
 
-MeshSampling chooseSampling(Cloud& cloud, const std::vector<ScanRange>& scans, std::optional<std::uint64_t> wanted) {
-    if (!wanted && !cloud.triangles.empty()) return chooseCoarse(cloud, scans);
-    MeshSampling sampling{std::vector<bool>(scans.size()), wanted.value_or(0)};
+MeshSampling chooseSampling(Cloud& cloud, const std::vector<ScanRange>& scans, std::optional<std::uint64_t> count) {
+    if (!count && !cloud.triangles.empty()) return chooseCoarse(cloud, scans);
+    MeshSampling sampling{std::vector<bool>(scans.size()), count.value_or(0)};
     for (std::size_t i = 0; i < scans.size(); ++i) sampling.scans[i] = sampling.points > 0 && scans[i].has_faces;
     return sampling;
 }
 
-void dropUnused(Cloud& cloud, std::vector<ScanRange>& scans, const std::vector<std::uint32_t>& bereft,
+void dropUnused(Cloud& cloud, std::vector<ScanRange>& scans, const std::vector<std::uint32_t>& removed_corners,
                 const std::vector<bool>& sampled) {
     if (cloud.triangles.empty()) return;
-    std::vector<bool> keep = usedPoints(cloud, scans, bereft, sampled);
+    std::vector<bool> keep = usedPoints(cloud, scans, removed_corners, sampled);
     std::size_t kept = 0;
     std::vector<ScanRange> left = scans;
     for (std::size_t i = 0; i < scans.size(); ++i) {
@@ -200,7 +201,7 @@ void dropUnused(Cloud& cloud, std::vector<ScanRange>& scans, const std::vector<s
         const bool few = kFewFaces * used < scan.position_count;
         if (scan.has_faces && few)
             addNote(cloud, scan.name,
-                    fmt::format("its faces use {} of {} points only; {}", used, scan.position_count,
+                    fmt::format("its faces use only {} of {} points; {}", used, scan.position_count,
                                 sampled[i] ? "the others are not sampled" : "the others stay, as points"));
         if (scan.has_faces && (sampled[i] || !few)) cloud.points_unused += scan.position_count - used;
         if (!scan.has_faces || sampled[i] || few) std::fill(first, last, true);

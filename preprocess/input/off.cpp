@@ -11,37 +11,38 @@ struct Header {
     std::uint64_t vertices = 0, faces = 0;
 };
 
-std::uint64_t count(const Source& source, std::string_view& line) {
+std::uint64_t count(const InputFile& input, std::string_view& line) {
     const std::string_view word = nextWord(line);
     std::uint64_t value = 0;
-    if (!wholeInteger(word, value)) refuseLine(source, word.data(), "the numbers of vertices and faces are needed");
+    if (!wholeInteger(word, value)) refuseLine(input, word.data(), "expected the numbers of vertices and faces");
     return value;
 }
 
 /// "0 0 0\n" is the shortest vertex, "0\n" the shortest face.
-void checkPromises(const Source& source, const Header& header, std::size_t left) {
+void checkPromises(const InputFile& input, const Header& header, std::size_t left) {
     if (header.vertices > left / 6 + 1 || header.faces > left / 2 + 1)
-        refuse(source, fmt::format("the header promises {} vertices and {} faces, only {} bytes are left for them",
-                                   header.vertices, header.faces, left));
+        refuse(input, fmt::format("the header promises {} vertices and {} faces, but only {} bytes follow",
+                                  header.vertices, header.faces, left));
 }
 
-Header readHeader(const Source& source, Lines& lines) {
+Header readHeader(const InputFile& input, Lines& lines) {
     std::string_view line;
-    if (!lines.next(line)) refuse(source, "does not start with OFF");
+    if (!lines.next(line)) refuse(input, "does not start with OFF");
     Header header;
     const std::string_view keyword = nextWord(line);
     header.normals = keyword == "NOFF" || keyword == "CNOFF";
     header.colors = keyword == "COFF" || keyword == "CNOFF";
     if (keyword != "OFF" && !header.normals && !header.colors)
-        refuseLine(source, keyword.data(),
-                   fmt::format("this build reads OFF, COFF, NOFF and CNOFF, not {}", inQuotes(keyword)));
+        refuseLine(
+            input, keyword.data(),
+            fmt::format("unsupported keyword {}; this build reads OFF, COFF, NOFF and CNOFF", inQuotes(keyword)));
     std::string_view words = line;
     const std::string_view next = nextWord(words);
-    if (next == "BINARY") refuse(source, "binary OFF is not read by this build, only text");
-    if (next.empty() && !lines.next(line)) refuse(source, "cut short after its first word");
-    header.vertices = count(source, line);
-    header.faces = count(source, line);
-    checkPromises(source, header, lines.rest.size());
+    if (next == "BINARY") refuse(input, "binary OFF is not supported, only text");
+    if (next.empty() && !lines.next(line)) refuse(input, "truncated after its first word");
+    header.vertices = count(input, line);
+    header.faces = count(input, line);
+    checkPromises(input, header, lines.rest.size());
     return header;
 }
 
@@ -51,81 +52,83 @@ struct Vertex {
     std::size_t size = 0;
 };
 
-Vertex parseVertex(const Source& source, std::string_view line, std::size_t least) {
+Vertex parseVertex(const InputFile& input, std::string_view line, std::size_t least) {
     Vertex vertex;
     const char* const place = line.data();
     for (std::string_view word = nextWord(line); !word.empty() && vertex.size < 10; word = nextWord(line))
         if (!wholeNumber(word, vertex.values[vertex.size++]))
-            refuseLine(source, place, fmt::format("{} is no number", inQuotes(word)));
+            refuseLine(input, place, fmt::format("{} is not a number", inQuotes(word)));
     if (vertex.size < least)
-        refuseLine(source, place, fmt::format("has {} numbers, {} are needed", vertex.size, least));
+        refuseLine(input, place, fmt::format("has {} numbers, but {} are needed", vertex.size, least));
     return vertex;
 }
 
-/// Colours may follow a position whatever the first word says; the first vertex tells.
-void settleColors(const Source& source, Lines lines, Header& header) {
+/// Colours may follow a position whatever the keyword says: decided by the first vertex.
+void detectColors(const InputFile& input, Lines lines, Header& header) {
     std::string_view line;
     const std::size_t first = header.normals ? 6 : 3;
     if (header.vertices == 0 || !lines.next(line)) return;
-    header.colors = parseVertex(source, line, first).size >= first + 3;
+    header.colors = parseVertex(input, line, first).size >= first + 3;
 }
 
-void readVertices(const Source& source, const Header& header, Lines& lines, Sink& sink) {
+void readVertices(const InputFile& input, const Header& header, Lines& lines, Sink& sink) {
     const std::size_t color_at = header.normals ? 6 : 3;
     Row row{};
     std::string_view line;
     for (std::uint64_t i = 0; i < header.vertices; ++i) {
-        if (!lines.next(line))
-            refuse(source, fmt::format("cut short: {} of {} vertices are there", i, header.vertices));
-        const Vertex vertex = parseVertex(source, line, color_at + (header.colors ? 3 : 0));
+        if (!lines.next(line)) refuse(input, fmt::format("truncated: found {} of {} vertices", i, header.vertices));
+        const Vertex vertex = parseVertex(input, line, color_at + (header.colors ? 3 : 0));
         for (std::size_t axis = 0; axis < 3; ++axis) {
             row[kX + axis] = vertex.values[axis];
             if (header.normals) row[kNormalX + axis] = vertex.values[3 + axis];
             if (header.colors) row[kRed + axis] = vertex.values[color_at + axis];
         }
-        addVertex(sink, row);
+        sink.addVertex(row);
     }
 }
 
-void readFaces(const Source& source, const Header& header, Lines& lines, Sink& sink) {
+void readFaces(const InputFile& input, const Header& header, Lines& lines, Sink& sink) {
     std::vector<std::uint32_t> corners;
     std::string_view line;
     for (std::uint64_t i = 0; i < header.faces; ++i) {
-        if (!lines.next(line)) refuse(source, fmt::format("cut short: {} of {} faces are there", i, header.faces));
+        if (!lines.next(line)) refuse(input, fmt::format("truncated: found {} of {} faces", i, header.faces));
         std::uint64_t size = 0;
         if (!wholeInteger(nextWord(line), size))
-            refuseLine(source, line.data(), "a face starts with its number of corners");
+            refuseLine(input, line.data(), "a face starts with its number of corners");
         corners.clear();
         for (std::uint64_t k = 0; k < size; ++k) {
             const std::string_view word = nextWord(line);
             std::uint64_t index = 0;
-            if (!wholeInteger(word, index) || index >= header.vertices)
-                refuseLine(source, word.data(),
-                           fmt::format("{} is no index of one of {} vertices", inQuotes(word), header.vertices));
+            if (!wholeInteger(word, index))
+                refuseLine(input, word.data(), fmt::format("{} is not a vertex index", inQuotes(word)));
+            if (index >= header.vertices)
+                refuseLine(
+                    input, word.data(),
+                    fmt::format("vertex index {} is out of range (the file has {} vertices)", index, header.vertices));
             corners.push_back(static_cast<std::uint32_t>(index));
         }
-        addPolygon(sink, corners);
+        sink.addPolygon(corners);
     }
 }
 
 bool isKeywordLine(std::string_view line, bool first) {
     const std::string_view word = nextWord(line);
-    return first && word.ends_with("OFF") && word.size() <= 9; // the longest is ST, C, N, 4 and n before it
+    return first && word.ends_with("OFF") && word.size() <= 9; // the longest is STCN4nOFF
 }
 
-void readOff(const Source& source, Sink& sink) {
-    Lines lines{source.bytes, true};
-    Header header = readHeader(source, lines);
-    settleColors(source, lines, header);
+void readOff(const InputFile& input, Sink& sink) {
+    Lines lines{input.bytes, true};
+    Header header = readHeader(input, lines);
+    detectColors(input, lines, header);
     ScanTraits traits;
     traits.vertices = header.vertices;
     traits.normals = header.normals;
     traits.colors = header.colors;
     traits.color_scale = ColorScale::kReal;
-    beginScan(sink, source, traits);
-    readVertices(source, header, lines, sink);
-    readFaces(source, header, lines, sink);
-    finishScan(sink, source);
+    sink.beginScan(input, traits);
+    readVertices(input, header, lines, sink);
+    readFaces(input, header, lines, sink);
+    sink.finishScan(input);
 }
 
 } // namespace

@@ -10,27 +10,27 @@
 namespace pointrt {
 namespace {
 
-/// The lines of a header before they are put together.
+/// The entries of a header, before they are combined into fields.
 struct Entries {
     std::vector<PcdField> fields;
     std::optional<std::uint64_t> width, height, points;
     std::array<double, 7> viewpoint = {0, 0, 0, 1, 0, 0, 0}; ///< translation, quaternion w x y z
 };
 
-std::uint64_t integer(const Source& source, std::string_view word, std::string_view keyword) {
+std::uint64_t integer(const InputFile& input, std::string_view word, std::string_view keyword) {
     std::uint64_t value = 0;
     if (!wholeInteger(word, value))
-        refuseLine(source, word.data(), fmt::format("{} takes whole numbers, not {}", keyword, inQuotes(word)));
+        refuseLine(input, word.data(), fmt::format("{} takes whole numbers, not {}", keyword, inQuotes(word)));
     return value;
 }
 
-/// Calls set(field, word) for each word of a line that has one per field.
+/// Calls set(field, word) for each word of a line with one word per field.
 template <typename Set>
-void setFields(const Source& source, std::string_view line, std::string_view keyword, Entries& entries, Set&& set) {
+void setFields(const InputFile& input, std::string_view line, std::string_view keyword, Entries& entries, Set&& set) {
     const char* const place = line.data();
     for (PcdField& field : entries.fields) {
         const std::string_view word = nextWord(line);
-        if (word.empty()) refuseLine(source, place, fmt::format("{} has fewer entries than FIELDS", keyword));
+        if (word.empty()) refuseLine(input, place, fmt::format("{} has fewer entries than FIELDS", keyword));
         set(field, word);
     }
 }
@@ -44,40 +44,40 @@ void setNames(std::string_view line, Entries& entries) {
     }
 }
 
-void setViewpoint(const Source& source, std::string_view line, Entries& entries) {
+void setViewpoint(const InputFile& input, std::string_view line, Entries& entries) {
     const char* const place = line.data();
     for (double& value : entries.viewpoint)
-        if (!wholeNumber(nextWord(line), value)) refuseLine(source, place, "VIEWPOINT takes 7 numbers");
+        if (!wholeNumber(nextWord(line), value)) refuseLine(input, place, "VIEWPOINT needs 7 numbers");
 }
 
-PcdData dataOf(const Source& source, std::string_view word) {
+PcdData dataOf(const InputFile& input, std::string_view word) {
     if (word == "ascii") return PcdData::kAscii;
     if (word == "binary") return PcdData::kBinary;
     if (word == "binary_compressed") return PcdData::kCompressed;
-    refuseLine(source, word.data(), fmt::format("unknown DATA {}", inQuotes(word)));
+    refuseLine(input, word.data(), fmt::format("unknown DATA {}", inQuotes(word)));
 }
 
-void parseEntry(const Source& source, std::string_view keyword, std::string_view line, Entries& entries) {
+void parseEntry(const InputFile& input, std::string_view keyword, std::string_view line, Entries& entries) {
     std::string_view rest = line;
     if (keyword == "FIELDS" || keyword == "COLUMNS")
         setNames(line, entries);
     else if (keyword == "SIZE")
-        setFields(source, line, keyword, entries,
-                  [&](PcdField& field, std::string_view word) { field.size = integer(source, word, keyword); });
+        setFields(input, line, keyword, entries,
+                  [&](PcdField& field, std::string_view word) { field.size = integer(input, word, keyword); });
     else if (keyword == "TYPE")
-        setFields(source, line, keyword, entries,
+        setFields(input, line, keyword, entries,
                   [](PcdField& field, std::string_view word) { field.type = word.size() == 1 ? word[0] : '?'; });
     else if (keyword == "COUNT")
-        setFields(source, line, keyword, entries,
-                  [&](PcdField& field, std::string_view word) { field.count = integer(source, word, keyword); });
+        setFields(input, line, keyword, entries,
+                  [&](PcdField& field, std::string_view word) { field.count = integer(input, word, keyword); });
     else if (keyword == "WIDTH")
-        entries.width = integer(source, nextWord(rest), keyword);
+        entries.width = integer(input, nextWord(rest), keyword);
     else if (keyword == "HEIGHT")
-        entries.height = integer(source, nextWord(rest), keyword);
+        entries.height = integer(input, nextWord(rest), keyword);
     else if (keyword == "POINTS")
-        entries.points = integer(source, nextWord(rest), keyword);
+        entries.points = integer(input, nextWord(rest), keyword);
     else if (keyword == "VIEWPOINT")
-        setViewpoint(source, line, entries);
+        setViewpoint(input, line, entries);
 }
 
 std::optional<Scalar> scalarOf(char type, std::size_t size) {
@@ -91,64 +91,64 @@ std::optional<Scalar> scalarOf(char type, std::size_t size) {
     return std::nullopt;
 }
 
-void settleField(const Source& source, PcdField& field) {
-    // Wide enough for any histogram, small enough that sums stay far from overflow.
+void settleField(const InputFile& input, PcdField& field) {
+    // Large enough for any histogram, small enough that sums cannot overflow.
     constexpr std::uint64_t kLargestCount = 1u << 24;
     const auto scalar = scalarOf(field.type, field.size);
     if (!scalar)
-        refuse(source, fmt::format("field {} has type {} of {} bytes, which PCD does not know", inQuotes(field.name),
-                                   inQuotes({&field.type, 1}), field.size));
+        refuse(input, fmt::format("field {} has type {} of {} bytes, which is not a PCD type", inQuotes(field.name),
+                                  inQuotes({&field.type, 1}), field.size));
     if (field.count < 1 || field.count > kLargestCount)
-        refuse(source, fmt::format("field {} has an impossible COUNT of {}", inQuotes(field.name), field.count));
+        refuse(input, fmt::format("field {} has an impossible COUNT of {}", inQuotes(field.name), field.count));
     field.scalar = *scalar;
     field.packed_color = (field.name == "rgb" || field.name == "rgba") && field.size == 4 && field.count == 1;
 }
 
-void settleFields(const Source& source, PcdHeader& header) {
+void settleFields(const InputFile& input, PcdHeader& header) {
     constexpr std::size_t kMaxFields = 1 << 16;
-    if (header.fields.size() > kMaxFields) refuse(source, "more than 65536 fields");
-    std::vector<Role> roles;
+    if (header.fields.size() > kMaxFields) refuse(input, "more than 65536 fields");
+    std::vector<Dimension> dimensions;
     for (PcdField& field : header.fields) {
-        settleField(source, field);
-        roles.push_back(field.count == 1 ? roleOfName(field.name) : kIgnored);
+        settleField(input, field);
+        dimensions.push_back(field.count == 1 ? dimensionOfName(field.name) : kIgnored);
         header.point_size += field.size * field.count;
     }
-    settleRoles(roles);
-    if (!hasPositions(roles))
-        refuse(source, header.fields.empty() ? "no PCD header with FIELDS" : "FIELDS has no x, y and z");
-    for (std::size_t i = 0; i < roles.size(); ++i) header.fields[i].role = roles[i];
+    resolveDimensions(dimensions);
+    if (!hasPositions(dimensions))
+        refuse(input, header.fields.empty() ? "no PCD header with FIELDS" : "FIELDS has no x, y and z");
+    for (std::size_t i = 0; i < dimensions.size(); ++i) header.fields[i].dimension = dimensions[i];
 }
 
-/// Numbers of 1 to 4 that are nothing else are attributes; "_" stands for room left free.
+/// Fields of 1 to 4 numbers without another meaning become attributes; "_" is padding.
 void settleAttributes(PcdHeader& header) {
     constexpr std::uint64_t kMostComponents = 4;
     AttributeNames names;
     for (PcdField& field : header.fields) {
-        if (field.role != kIgnored || field.packed_color || field.name == "_") continue;
+        if (field.dimension != kIgnored || field.packed_color || field.name == "_") continue;
         const auto name = field.count <= kMostComponents ? names.take(field.name) : std::nullopt;
         if (name) {
             field.place = header.packed_size;
             header.columns.push_back({*name, field.scalar, static_cast<std::uint32_t>(field.count)});
             header.packed_size += field.size * field.count;
-        } else if (header.unread.size() < 80) { // a line's worth
+        } else if (header.unread.size() < 80) { // about one line
             header.unread += (header.unread.empty() ? "" : ", ") + inQuotes(field.name);
         }
     }
 }
 
-std::uint64_t pointCount(const Source& source, const Entries& entries) {
+std::uint64_t pointCount(const InputFile& input, const Entries& entries) {
     const std::uint64_t height = entries.height.value_or(1);
-    if (!entries.width && !entries.points) refuse(source, "the PCD header has neither WIDTH nor POINTS");
+    if (!entries.width && !entries.points) refuse(input, "the PCD header has neither WIDTH nor POINTS");
     if (!entries.width) return *entries.points;
     std::uint64_t cells = 0;
     const bool overflow = __builtin_mul_overflow(*entries.width, height, &cells);
     if (overflow || (entries.points && *entries.points != cells))
-        refuse(source, fmt::format("WIDTH {} times HEIGHT {} is not POINTS {}", *entries.width, height,
-                                   entries.points.value_or(0)));
+        refuse(input, fmt::format("WIDTH {} times HEIGHT {} differs from POINTS {}", *entries.width, height,
+                                  entries.points.value_or(0)));
     return cells;
 }
 
-/// The default viewpoint of an unorganised cloud means nothing; that of an organised one is its camera.
+/// The default viewpoint of an unorganised cloud is meaningless; that of an organised one is its camera.
 std::optional<Vec3d> sensorOf(const Entries& entries) {
     const bool organised = entries.height.value_or(1) > 1;
     const bool by_default = entries.viewpoint == std::array<double, 7>{0, 0, 0, 1, 0, 0, 0};
@@ -158,28 +158,28 @@ std::optional<Vec3d> sensorOf(const Entries& entries) {
 
 } // namespace
 
-PcdHeader readPcdHeader(const Source& source) {
+PcdHeader readPcdHeader(const InputFile& input) {
     PcdHeader header;
     Entries entries;
-    std::string_view rest = source.bytes, line;
+    std::string_view rest = input.bytes, line;
     while (nextLine(rest, line)) {
         const std::string_view keyword = nextWord(line);
         if (keyword != "DATA") {
-            parseEntry(source, keyword, line, entries);
+            parseEntry(input, keyword, line, entries);
             continue;
         }
-        header.data = dataOf(source, nextWord(line));
+        header.data = dataOf(input, nextWord(line));
         header.body = rest;
         header.fields = std::move(entries.fields);
-        settleFields(source, header);
+        settleFields(input, header);
         settleAttributes(header);
-        header.points = pointCount(source, entries);
+        header.points = pointCount(input, entries);
         header.grid_rows = entries.width ? entries.height.value_or(1) : 1;
         header.grid_columns = entries.width.value_or(header.points);
         header.sensor = sensorOf(entries);
         return header;
     }
-    refuse(source, "no PCD header: there is no DATA line");
+    refuse(input, "no PCD header: there is no DATA line");
 }
 
 } // namespace pointrt

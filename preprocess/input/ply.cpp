@@ -11,7 +11,7 @@
 namespace pointrt {
 namespace {
 
-/// Of the Stanford 3D Scanning Repository: each cell takes a byte of the file at least.
+/// Range grids of the Stanford 3D Scanning Repository. Each cell takes at least a byte of the file.
 bool isRangeGrid(const PlyHeader& header, const PlyElement& element) {
     std::uint64_t cells = 0;
     return element.name == "range_grid" && element.properties.size() == 1 && element.properties.front().is_list &&
@@ -19,20 +19,20 @@ bool isRangeGrid(const PlyHeader& header, const PlyElement& element) {
            cells == element.count;
 }
 
-/// The elements of one file, read with one kind of values.
+/// Reads the elements of one file, text or binary.
 template <typename Values>
 struct Reader {
     const PlyHeader& header;
     Sink& sink;
     PlyBody<Values> body;
     std::vector<std::uint32_t> corners;
-    std::vector<std::uint32_t> vertices; ///< as addVertex returned them, where a grid asks for them
+    std::vector<std::uint32_t> vertices; ///< as addVertex returned them, if there is a grid
 
     void readVertices(const PlyElement& element) {
         Row row{};
         std::vector<char> packed(header.packed_size);
-        const bool for_grid = header.grid_rows > 0 && !sink.batches;
-        LetGoBehind let_go{body.source};
+        const bool for_grid = header.grid_rows > 0 && sink.keepsPoints();
+        ReleasePagesBehind release_pages{body.input};
         for (std::uint64_t i = 0; i < element.count; ++i) {
             for (const PlyProperty& property : element.properties) {
                 if (property.is_list)
@@ -40,21 +40,21 @@ struct Reader {
                 else if (property.place)
                     body.valueAs(element, i, property.type, packed.data() + *property.place);
                 else
-                    body.value(element, i, property.type, row[property.role]);
+                    body.value(element, i, property.type, row[property.dimension]);
             }
             if (header.harmonic_colors) evaluateHarmonics(row);
-            const std::uint32_t vertex = addVertex(sink, row, packed.data());
+            const std::uint32_t vertex = sink.addVertex(row, packed.data());
             if (for_grid) vertices.push_back(vertex);
-            if (sink.batches) let_go(static_cast<std::uint64_t>(body.values.at - body.source.begin()));
+            if (!sink.keepsPoints()) release_pages(static_cast<std::uint64_t>(body.values.at - body.input.begin()));
         }
     }
 
     static void evaluateHarmonics(Row& row) {
-        for (const Role role : {kRed, kGreen, kBlue})
-            row[role] = std::clamp(0.5 + kConstantHarmonic * row[role], 0.0, 1.0);
+        for (const Dimension dimension : {kRed, kGreen, kBlue})
+            row[dimension] = std::clamp(0.5 + kConstantHarmonic * row[dimension], 0.0, 1.0);
     }
 
-    /// Corners of a face or a strip; a strip's -1 starts a new one.
+    /// Reads the corners of a face or a strip; -1 starts a new strip.
     void readCorners(const PlyElement& element, std::uint64_t index, const PlyProperty& property, bool strip) {
         const std::uint64_t length = body.listLength(element, index, property);
         const auto vertex_count = static_cast<double>(vertexElement(header).count);
@@ -67,22 +67,23 @@ struct Reader {
                 continue;
             }
             if (!(corner >= 0 && corner < vertex_count))
-                refuseAt(body.source, fmt::format("{} {}", element.name, index),
-                         fmt::format("vertex index {} is out of range, there are {} vertices", corner, vertex_count));
+                refuseAt(
+                    body.input, fmt::format("{} {}", element.name, index),
+                    fmt::format("vertex index {} is out of range (the file has {} vertices)", corner, vertex_count));
             corners.push_back(static_cast<std::uint32_t>(corner));
         }
         if (strip)
             flushStrip();
         else
-            addPolygon(sink, corners);
+            sink.addPolygon(corners);
     }
 
-    /// Every other triangle of a strip has its first two corners swapped, so that all face one way.
+    /// Swaps the first two corners of every other triangle, so that all face the same way.
     void flushStrip() {
         for (std::size_t i = 2; i < corners.size(); ++i) {
             const std::size_t odd = i % 2;
             const std::uint32_t triangle[] = {corners[i - 2 + odd], corners[i - 1 - odd], corners[i]};
-            addPolygon(sink, triangle);
+            sink.addPolygon(triangle);
         }
         corners.clear();
     }
@@ -98,7 +99,7 @@ struct Reader {
             }
     }
 
-    /// A list of a vertex or none for each cell, row by row; what names vertices that are not there is no grid.
+    /// Reads a list of at most one vertex for each cell, row by row. An index of a missing vertex invalidates the grid.
     void readGrid(const PlyElement& element) {
         beginGrid(sink, header.grid_rows, header.grid_columns);
         const PlyProperty& cell = element.properties.front();
@@ -135,9 +136,9 @@ ScanTraits traitsOf(const PlyHeader& header) {
     traits.faces = hasFaces(header);
     traits.columns = header.columns;
     for (const PlyProperty& property : vertex.properties) {
-        traits.normals = traits.normals || property.role == kNormalX;
-        traits.radii = traits.radii || property.role == kRadius;
-        if (property.role < kRed || property.role > kBlue) continue;
+        traits.normals = traits.normals || property.dimension == kNormalX;
+        traits.radii = traits.radii || property.dimension == kRadius;
+        if (property.dimension < kRed || property.dimension > kBlue) continue;
         traits.colors = true;
         if (property.place) {
             traits.color_scale = ColorScale::k16Bit;
@@ -153,32 +154,31 @@ ScanTraits traitsOf(const PlyHeader& header) {
 
 bool isPlyStart(std::string_view bytes) { return bytes.starts_with("ply") && bytes.size() > 3 && isSpace(bytes[3]); }
 
-/// Whether there is nothing but points.
-bool isOfPoints(const Source& source) {
-    const PlyHeader header = readPlyHeader(source);
+/// Whether the file has only points.
+bool isOfPoints(const InputFile& input) {
+    const PlyHeader header = readPlyHeader(input);
     return header.gaussians == PlyGaussians::kNone && !hasFaces(header) &&
            std::none_of(header.elements.begin(), header.elements.end(),
                         [&](const PlyElement& element) { return isRangeGrid(header, element); });
 }
 
-void readPly(const Source& source, Sink& sink) {
-    PlyHeader header = readPlyHeader(source);
-    if (header.gaussians != PlyGaussians::kNone) return readPlyGaussians(source, header, sink);
-    const std::string unread = settlePlyAttributes(header);
-    if (!unread.empty())
-        addNote(sink.cloud, source.name,
-                "properties that are lists, or whose name is another's, are not read: " + unread);
-    beginScan(sink, source, traitsOf(header));
-    withPlyBody(source, header, [&]<typename Values>(const PlyBody<Values>& body) {
+void readPly(const InputFile& input, Sink& sink) {
+    PlyHeader header = readPlyHeader(input);
+    if (header.gaussians != PlyGaussians::kNone) return readPlyGaussians(input, header, sink);
+    const std::string unread = assignPlyAttributes(header);
+    if (!unread.empty()) sink.note(input, "lists and properties with a duplicate name are not read: " + unread);
+    sink.beginScan(input, traitsOf(header));
+    withPlyBody(input, header, [&]<typename Values>(const PlyBody<Values>& body) {
         Reader<Values> reader{header, sink, body, {}, {}};
         reader.read();
         if (!reader.body.exact)
-            addNote(sink.cloud, source.name, "has numbers that their types do not hold: the nearest ones are read");
+            sink.note(input, "has numbers outside their declared types: the nearest values are used");
     });
     const std::size_t grids = sink.cloud.grids.size();
-    finishScan(sink, source);
+    sink.finishScan(input);
     const bool has_grid = sink.cloud.grids.size() > grids;
-    if (has_grid && !sink.world_from_scan) setSensorAlongZ(sink); // whoever places a scan knows its sensor
+    if (has_grid && !sink.transform.input_from_scan)
+        sink.setSensorAlongZ(); // a .conf that poses the scan sets its sensor
 }
 
 } // namespace

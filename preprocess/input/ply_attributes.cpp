@@ -9,16 +9,16 @@
 namespace pointrt {
 namespace {
 
-bool isColor(Role role) { return role >= kRed && role <= kBlue; }
+bool isColor(Dimension dimension) { return dimension >= kRed && dimension <= kBlue; }
 
-/// As Blender, MeshLab and others write them.
+/// Names written by Blender, MeshLab and others.
 bool isTextureCoordinate(const std::string& name) {
     for (const char* each : {"s", "t", "u", "v", "texture_u", "texture_v", "tex_u", "tex_v"})
         if (name == each) return true;
     return false;
 }
 
-/// Appends a column behind the values that are packed already; returns where.
+/// Appends a column to the packed values and returns its offset.
 std::size_t addColumn(PlyHeader& header, const std::string& name, Scalar type, std::uint32_t components) {
     const std::size_t place = header.packed_size;
     header.columns.push_back({name, type, components});
@@ -26,18 +26,18 @@ std::size_t addColumn(PlyHeader& header, const std::string& name, Scalar type, s
     return place;
 }
 
-/// Three colours of 16 bits are an attribute too, which keeps all of them.
+/// Three 16-bit colours also become an attribute, which keeps all of their bits.
 void packWideColors(PlyHeader& header, PlyElement& vertex, AttributeNames& names) {
     const auto isWide = [](const PlyProperty& property) {
-        return isColor(property.role) && property.type == Scalar::kU16;
+        return isColor(property.dimension) && property.type == Scalar::kU16;
     };
     if (std::count_if(vertex.properties.begin(), vertex.properties.end(), isWide) != 3) return;
     const std::size_t place = addColumn(header, *names.take(kRgb16), Scalar::kU16, 3);
     for (PlyProperty& property : vertex.properties)
-        if (isWide(property)) property.place = place + 2 * static_cast<std::size_t>(property.role - kRed);
+        if (isWide(property)) property.place = place + 2 * static_cast<std::size_t>(property.dimension - kRed);
 }
 
-/// What pointrt-info --export writes of them beside 8-bit ones: rgb16_0, rgb16_1 and rgb16_2.
+/// 16-bit colours that pointrt-info --export writes beside 8-bit ones: rgb16_0, rgb16_1 and rgb16_2.
 void joinWideColors(PlyHeader& header, PlyElement& vertex, AttributeNames& names) {
     std::array<PlyProperty*, 3> parts{};
     for (PlyProperty& property : vertex.properties)
@@ -51,19 +51,19 @@ void joinWideColors(PlyHeader& header, PlyElement& vertex, AttributeNames& names
     for (std::size_t i = 0; i < parts.size(); ++i) parts[i]->place = place + 2 * i;
 }
 
-/// Discs are told by normals beside their radii; of a mesh's vertices it is something else.
+/// A radius is that of a disc if there are normals and no faces.
 void takeRadii(const PlyHeader& header, PlyElement& vertex) {
-    std::vector<Role> roles;
-    for (const PlyProperty& property : vertex.properties) roles.push_back(property.role);
-    if (!hasNormals(roles) || hasFaces(header)) return;
+    std::vector<Dimension> dimensions;
+    for (const PlyProperty& property : vertex.properties) dimensions.push_back(property.dimension);
+    if (!hasNormals(dimensions) || hasFaces(header)) return;
     for (PlyProperty& property : vertex.properties) {
         if (property.name != "radius" || property.is_list || !isReal(property.type)) continue;
-        property.role = kRadius;
+        property.dimension = kRadius;
         return;
     }
 }
 
-/// Whether a property is none of the points', and nothing to tell of either.
+/// Whether to skip a property without a note: it does not belong to the points.
 bool isOfTexture(const PlyHeader& header, const PlyProperty& property) {
     return isTextureCoordinate(property.name) && hasFaces(header);
 }
@@ -74,7 +74,7 @@ bool isHarmonic(const PlyHeader& header, const PlyProperty& property) {
 
 } // namespace
 
-std::string settlePlyAttributes(PlyHeader& header) {
+std::string assignPlyAttributes(PlyHeader& header) {
     PlyElement& vertex = *std::find_if(header.elements.begin(), header.elements.end(),
                                        [](const PlyElement& element) { return element.name == "vertex"; });
     AttributeNames names;
@@ -83,11 +83,11 @@ std::string settlePlyAttributes(PlyHeader& header) {
     joinWideColors(header, vertex, names);
     takeRadii(header, vertex);
     for (PlyProperty& property : vertex.properties) {
-        if (property.role != kIgnored || property.place || isOfTexture(header, property)) continue;
+        if (property.dimension != kIgnored || property.place || isOfTexture(header, property)) continue;
         const bool is_number = !property.is_list && !isHarmonic(header, property);
         if (const auto name = is_number ? names.take(property.name) : std::nullopt)
             property.place = addColumn(header, *name, property.type, 1);
-        else if (unread.size() < 80) // a line's worth
+        else if (unread.size() < 80) // about one line
             unread += (unread.empty() ? "" : ", ") + inQuotes(property.name);
     }
     return unread;

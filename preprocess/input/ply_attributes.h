@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which properties of a PLY file's vertices are attributes.
+// Selects the properties of a PLY file's vertices that become attributes.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace pointrt {
 
-/// Gives each numeric property that has no role a place among a vertex's packed values, and colours of 16 bits theirs:
-/// header.columns says what is packed. Left out are coordinates in the textures of meshes.
-/// Returns the names of what is not read, for a note, or "".
-std::string settlePlyAttributes(PlyHeader& header);
+/// Gives each numeric property without a dimension, and 16-bit colours, a place in a vertex's packed values, which
+/// header.columns describes. Skips texture coordinates of meshes.
+/// Returns the names of properties that are not read, for a note, or "".
+std::string assignPlyAttributes(PlyHeader& header);
 
 } // namespace pointrt

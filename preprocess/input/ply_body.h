@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The values of a PLY file, one after the other in any of its three encodings.
+// Reads the values of a PLY file in order, in any of its three encodings.
 #pragma once
 
 #include "preprocess/input/ply_header.h"
@@ -8,7 +8,7 @@
 
 namespace pointrt {
 
-/// Values as words.
+/// Values as text.
 struct PlyWords {
     const char* at;
     const char* end;
@@ -37,7 +37,7 @@ struct PlyWords {
     }
 };
 
-/// Values as bytes.
+/// Binary values.
 struct PlyBytes {
     const char* at;
     const char* end;
@@ -45,7 +45,7 @@ struct PlyBytes {
 
     bool has(Scalar type) {
         if (static_cast<std::size_t>(end - at) >= scalarSize(type)) return true;
-        at = end; // nothing is left to tell of
+        at = end; // the data is truncated
         return false;
     }
 
@@ -64,12 +64,12 @@ struct PlyBytes {
     }
 };
 
-/// Reads elements; what is missing or no number throws Error.
+/// Reads elements. Throws Error for a missing or malformed value.
 template <typename Values>
 struct PlyBody {
-    const Source& source;
+    const InputFile& input;
     Values values;
-    bool exact = true; ///< all words so far were numbers of their types
+    bool exact = true; ///< all words so far were representable in their types
 
     void value(const PlyElement& element, std::uint64_t index, Scalar type, double& into) {
         if (!values.next(type, into)) refuseValue(element, index);
@@ -83,7 +83,7 @@ struct PlyBody {
         double length = 0;
         value(element, index, property.count_type, length);
         if (!(length >= 0 && length <= static_cast<double>(values.end - values.at)))
-            refuseAt(source, fmt::format("{} {}", element.name, index),
+            refuseAt(input, fmt::format("{} {}", element.name, index),
                      fmt::format("impossible list length {}", length));
         return static_cast<std::uint64_t>(length);
     }
@@ -100,20 +100,20 @@ struct PlyBody {
     }
 
     [[noreturn]] void refuseValue(const PlyElement& element, std::uint64_t done) {
-        if (values.at == source.end())
-            refuse(source, fmt::format("cut short: {} of {} {} are there", done, element.count, pluralOf(element)));
-        std::string_view rest(values.at, static_cast<std::size_t>(source.end() - values.at));
-        refuseLine(source, values.at, fmt::format("{} is no number", inQuotes(nextWord(rest))));
+        if (values.at == input.end())
+            refuse(input, fmt::format("truncated: found {} of {} {}", done, element.count, pluralOf(element)));
+        std::string_view rest(values.at, static_cast<std::size_t>(input.end() - values.at));
+        refuseLine(input, values.at, fmt::format("{} is not a number", inQuotes(nextWord(rest))));
     }
 };
 
-/// Calls use with a PlyBody that stands at the file's first value.
+/// Calls use with a PlyBody positioned at the first value.
 template <typename Use>
-void withPlyBody(const Source& source, const PlyHeader& header, const Use& use) {
+void withPlyBody(const InputFile& input, const PlyHeader& header, const Use& use) {
     if (header.encoding == PlyEncoding::kAscii)
-        use(PlyBody<PlyWords>{source, {header.body, source.end()}});
+        use(PlyBody<PlyWords>{input, {header.body, input.end()}});
     else
-        use(PlyBody<PlyBytes>{source, {header.body, source.end(), header.encoding == PlyEncoding::kBigEndian}});
+        use(PlyBody<PlyBytes>{input, {header.body, input.end(), header.encoding == PlyEncoding::kBigEndian}});
 }
 
 } // namespace pointrt

@@ -12,7 +12,7 @@
 namespace pointrt {
 namespace {
 
-/// The properties of an element that are wanted, by number; the last number is that of all others.
+/// Reads selected properties of an element by number; all others share the last number.
 struct Wanted {
     std::vector<std::size_t> number_of_property;
     std::vector<double> values;
@@ -37,7 +37,7 @@ struct Wanted {
     }
 };
 
-/// As trained: logarithms of deviations, logits of opacities, colours around grey.
+/// Trained parameters: log standard deviations, logit opacities, harmonic colours.
 enum Plain { kCentre, kColor = 3, kOpacity = 6, kScale = 7, kRotation = 10, kPlainCount = 14 };
 constexpr std::array<const char*, kPlainCount> kPlainNames = {"x",      "y",       "z",       "f_dc_0",  "f_dc_1",
                                                               "f_dc_2", "opacity", "scale_0", "scale_1", "scale_2",
@@ -57,7 +57,7 @@ Gaussian gaussianOf(const std::vector<double>& values) {
     return gaussian;
 }
 
-/// Calls use for the elements in their order, up to the vertices.
+/// Calls use for the elements in order, up to and including the vertices.
 template <typename Use>
 void forElementsUpToVertices(const PlyHeader& header, const Use& use) {
     for (const PlyElement& element : header.elements) {
@@ -66,12 +66,12 @@ void forElementsUpToVertices(const PlyHeader& header, const Use& use) {
     }
 }
 
-EachGaussian plainGaussians(const Source& source, const PlyHeader& header) {
+EachGaussian plainGaussians(const InputFile& input, const PlyHeader& header) {
     return [&](const std::function<void(const Gaussian&)>& use) {
         const bool is_flat =
             std::none_of(vertexElement(header).properties.begin(), vertexElement(header).properties.end(),
                          [](const PlyProperty& property) { return property.name == "scale_2"; });
-        withPlyBody(source, header, [&](auto body) {
+        withPlyBody(input, header, [&](auto body) {
             forElementsUpToVertices(header, [&](const PlyElement& element) {
                 if (element.name != "vertex") return body.skipElement(element);
                 Wanted wanted(element, kPlainNames);
@@ -86,7 +86,7 @@ EachGaussian plainGaussians(const Source& source, const PlyHeader& header) {
     };
 }
 
-/// Every so many splats of a packed file share a chunk: the ends of the range of each of their numbers.
+/// This many splats of a packed file share a chunk, which holds the range of each of their parameters.
 constexpr std::uint64_t kSplatsOfChunk = 256;
 enum OfChunk { kCentreRange, kScaleRange = 6, kColorRange = 12, kChunkCount = 18 };
 constexpr std::array<const char*, kChunkCount> kChunkNames = {
@@ -103,7 +103,7 @@ float share(std::uint32_t bits, int shift, int size) {
     return static_cast<float>(bits >> shift & most) / static_cast<float>(most);
 }
 
-/// 11, 10 and 11 bits.
+/// Unpacks 11, 10 and 11 bits.
 Vec3f sharesOf(std::uint32_t bits) { return {share(bits, 21, 11), share(bits, 11, 10), share(bits, 0, 11)}; }
 
 Vec3f within(const Chunk& chunk, OfChunk range, const Vec3f& shares) {
@@ -111,7 +111,7 @@ Vec3f within(const Chunk& chunk, OfChunk range, const Vec3f& shares) {
     return low.cwiseProduct(Vec3f::Ones() - shares) + high.cwiseProduct(shares);
 }
 
-/// Which of w x y z is the largest, in 2 bits, and the others in 10 bits each, from -sqrt(1/2) to sqrt(1/2).
+/// 2 bits: index of the largest of w x y z; then the others in 10 bits each, from -sqrt(1/2) to sqrt(1/2).
 Eigen::Quaternionf rotationOf(std::uint32_t bits) {
     std::array<float, 4> parts{};
     const std::size_t largest = bits >> 30;
@@ -146,10 +146,10 @@ std::uint64_t chunksOf(const PlyHeader& header) {
 template <typename Values>
 std::vector<Chunk> readChunks(PlyBody<Values>& body, const PlyElement& element, std::uint64_t needed) {
     if (element.count != needed)
-        refuse(body.source, fmt::format("has {} chunks of packed splats, {} are needed", element.count, needed));
+        refuse(body.input, fmt::format("has {} chunks of packed splats, but needs {}", element.count, needed));
     Wanted wanted(element, kChunkNames);
     std::fill(wanted.values.begin() + kColorRange + 3, wanted.values.end(),
-              1.0); // older files have no range of colours
+              1.0); // older files have no colour range
     std::vector<Chunk> chunks(element.count);
     for (std::uint64_t i = 0; i < element.count; ++i) {
         wanted.read(body, element, i);
@@ -159,16 +159,16 @@ std::vector<Chunk> readChunks(PlyBody<Values>& body, const PlyElement& element, 
     return chunks;
 }
 
-EachGaussian packedGaussians(const Source& source, const PlyHeader& header) {
+EachGaussian packedGaussians(const InputFile& input, const PlyHeader& header) {
     return [&](const std::function<void(const Gaussian&)>& use) {
-        withPlyBody(source, header, [&](auto body) {
+        withPlyBody(input, header, [&](auto body) {
             std::vector<Chunk> chunks;
             forElementsUpToVertices(header, [&](const PlyElement& element) {
                 if (element.name == "chunk") chunks = readChunks(body, element, chunksOf(header));
                 if (element.name != "vertex" && element.name != "chunk") body.skipElement(element);
                 if (element.name != "vertex") return;
                 if (chunks.size() != chunksOf(header))
-                    refuse(source, fmt::format("has no chunks ahead of its {} packed splats", element.count));
+                    refuse(input, fmt::format("has no chunks ahead of its {} packed splats", element.count));
                 Wanted wanted(element, kPackedNames);
                 for (std::uint64_t i = 0; i < element.count; ++i) {
                     wanted.read(body, element, i);
@@ -179,14 +179,14 @@ EachGaussian packedGaussians(const Source& source, const PlyHeader& header) {
     };
 }
 
-/// Four words of 32 bits each, of which nothing else makes sense.
-void checkPacked(const Source& source, const PlyElement& vertex) {
+/// Requires the packed properties to be 32-bit words.
+void checkPacked(const InputFile& input, const PlyElement& vertex) {
     for (const PlyProperty& property : vertex.properties)
         if (property.name.starts_with("packed_") && (property.is_list || property.type != Scalar::kU32))
-            refuse(source, fmt::format("{} is to be of type uint", inQuotes(property.name)));
+            refuse(input, fmt::format("{} must have type uint", inQuotes(property.name)));
 }
 
-/// Colours that change with the direction are in properties, or in an element of their own.
+/// Whether there is view-dependent colour, in vertex properties or in an element of its own.
 bool hasHarmonics(const PlyHeader& header) {
     for (const PlyElement& element : header.elements)
         for (const PlyProperty& property : element.properties)
@@ -196,14 +196,14 @@ bool hasHarmonics(const PlyHeader& header) {
 
 } // namespace
 
-void readPlyGaussians(const Source& source, const PlyHeader& header, Sink& sink) {
+void readPlyGaussians(const InputFile& input, const PlyHeader& header, Sink& sink) {
     const bool packed = header.gaussians == PlyGaussians::kPacked;
-    if (packed) checkPacked(source, vertexElement(header));
+    if (packed) checkPacked(input, vertexElement(header));
     GaussianFile file;
     file.count = vertexElement(header).count;
-    file.up = -Vec3d::UnitY(); // of cameras, which photogrammetry starts from: y down, z away
-    if (hasHarmonics(header)) file.lost = "how their colours change with the direction";
-    readGaussians(source, file, packed ? packedGaussians(source, header) : plainGaussians(source, header), sink);
+    file.up = -Vec3d::UnitY(); // the camera frame of photogrammetry: y down, z forwards
+    if (hasHarmonics(header)) file.lost = "view-dependent colour";
+    readGaussians(input, file, packed ? packedGaussians(input, header) : plainGaussians(input, header), sink);
 }
 
 } // namespace pointrt

@@ -9,6 +9,6 @@ namespace pointrt {
 
 /// Reads a file whose header says that it holds Gaussians as discs. Throws Error as readGaussians does, and where the
 /// packed ones are not as they should be.
-void readPlyGaussians(const Source& source, const PlyHeader& header, Sink& sink);
+void readPlyGaussians(const InputFile& input, const PlyHeader& header, Sink& sink);
 
 } // namespace pointrt

@@ -46,41 +46,41 @@ struct HeaderLines {
     }
 };
 
-Scalar scalarType(const Source& source, std::string_view name) {
+Scalar scalarType(const InputFile& input, std::string_view name) {
     const auto type = scalarOfName(name);
-    if (!type) refuseLine(source, name.data(), fmt::format("unknown property type {}", inQuotes(name)));
+    if (!type) refuseLine(input, name.data(), fmt::format("unknown property type {}", inQuotes(name)));
     return *type;
 }
 
-void addElement(const Source& source, std::string_view line, PlyHeader& header) {
+void addElement(const InputFile& input, std::string_view line, PlyHeader& header) {
     PlyElement element;
     const char* const place = line.data();
     element.name = nextWord(line);
     const std::string_view count = nextWord(line);
     if (!wholeInteger(count, element.count))
-        refuseLine(source, place, fmt::format("element {} has no valid count", inQuotes(element.name)));
-    if (hasControls(element.name)) refuseLine(source, place, inQuotes(element.name) + " is no name of an element");
+        refuseLine(input, place, fmt::format("element {} has no valid count", inQuotes(element.name)));
+    if (hasControls(element.name)) refuseLine(input, place, inQuotes(element.name) + " is not a valid element name");
     header.elements.push_back(std::move(element));
 }
 
-void addProperty(const Source& source, std::string_view line, PlyHeader& header) {
+void addProperty(const InputFile& input, std::string_view line, PlyHeader& header) {
     const char* const place = line.data();
-    if (header.elements.empty()) refuseLine(source, place, "property before any element");
+    if (header.elements.empty()) refuseLine(input, place, "property before any element");
     PlyProperty property;
     std::string_view type = nextWord(line);
     if (type == "list") {
         property.is_list = true;
-        property.count_type = scalarType(source, nextWord(line));
-        if (isReal(property.count_type)) refuseLine(source, place, "a list's count must be an integer");
+        property.count_type = scalarType(input, nextWord(line));
+        if (isReal(property.count_type)) refuseLine(input, place, "a list's count must be an integer");
         type = nextWord(line);
     }
-    property.type = scalarType(source, type);
+    property.type = scalarType(input, type);
     property.name = nextWord(line);
-    if (property.name.empty()) refuseLine(source, place, "property without a name");
+    if (property.name.empty()) refuseLine(input, place, "property without a name");
     header.elements.back().properties.push_back(std::move(property));
 }
 
-void setFormat(const Source& source, std::string_view line, PlyHeader& header) {
+void setFormat(const InputFile& input, std::string_view line, PlyHeader& header) {
     const char* const place = line.data();
     const std::string_view name = nextWord(line);
     if (name == "ascii")
@@ -90,60 +90,60 @@ void setFormat(const Source& source, std::string_view line, PlyHeader& header) {
     else if (name == "binary_big_endian")
         header.encoding = PlyEncoding::kBigEndian;
     else
-        refuseLine(source, place, fmt::format("unknown PLY format {}", inQuotes(name)));
+        refuseLine(input, place, fmt::format("unknown PLY format {}", inQuotes(name)));
 }
 
-/// "obj_info num_cols 512"; what no number follows is for others.
+/// "obj_info num_cols 512"; lines without a number are ignored.
 void readInfo(std::string_view line, PlyHeader& header) {
     const std::string_view name = nextWord(line);
     if (name == "num_rows") wholeInteger(nextWord(line), header.grid_rows);
     if (name == "num_cols") wholeInteger(nextWord(line), header.grid_columns);
 }
 
-void parseLines(const Source& source, HeaderLines& lines, PlyHeader& header) {
+void parseLines(const InputFile& input, HeaderLines& lines, PlyHeader& header) {
     bool has_format = false;
     std::string_view line;
     while (lines.next(line)) {
         std::string_view rest = line;
         const std::string_view keyword = nextWord(rest);
         if (keyword == "format") {
-            setFormat(source, rest, header);
+            setFormat(input, rest, header);
             has_format = true;
         } else if (keyword == "element") {
-            addElement(source, rest, header);
+            addElement(input, rest, header);
         } else if (keyword == "property") {
-            addProperty(source, rest, header);
+            addProperty(input, rest, header);
         } else if (keyword == "obj_info") {
             readInfo(rest, header);
         } else if (keyword == "end_header") {
-            if (!has_format) refuse(source, "the PLY header has no format line");
+            if (!has_format) refuse(input, "the PLY header has no format line");
             header.body = lines.rest.data();
             return;
         }
     }
-    refuse(source, "the PLY header has no end_header line");
+    refuse(input, "the PLY header has no end_header line");
 }
 
-std::vector<Role> rolesOf(const PlyElement& vertex) {
-    std::vector<Role> roles;
+std::vector<Dimension> rolesOf(const PlyElement& vertex) {
+    std::vector<Dimension> dimensions;
     for (const PlyProperty& property : vertex.properties)
-        roles.push_back(property.is_list ? kIgnored : roleOfName(property.name));
-    settleRoles(roles);
-    return roles;
+        dimensions.push_back(property.is_list ? kIgnored : dimensionOfName(property.name));
+    resolveDimensions(dimensions);
+    return dimensions;
 }
 
-/// Gaussian-splat files have no red, green, blue but the constant terms of spherical harmonics.
-bool takeHarmonicColors(const PlyElement& vertex, std::vector<Role>& roles) {
-    std::vector<Role> with_harmonics = roles;
-    for (std::size_t i = 0; i < roles.size(); ++i) {
+/// Gaussian-splat files have the constant terms of spherical harmonics instead of red, green, blue.
+bool takeHarmonicColors(const PlyElement& vertex, std::vector<Dimension>& dimensions) {
+    std::vector<Dimension> with_harmonics = dimensions;
+    for (std::size_t i = 0; i < dimensions.size(); ++i) {
         const std::string& name = vertex.properties[i].name;
         if (name == "f_dc_0") with_harmonics[i] = kRed;
         if (name == "f_dc_1") with_harmonics[i] = kGreen;
         if (name == "f_dc_2") with_harmonics[i] = kBlue;
     }
-    settleRoles(with_harmonics);
-    if (hasColors(roles) || !hasColors(with_harmonics)) return false;
-    roles = with_harmonics;
+    resolveDimensions(with_harmonics);
+    if (hasColors(dimensions) || !hasColors(with_harmonics)) return false;
+    dimensions = with_harmonics;
     return true;
 }
 
@@ -156,8 +156,8 @@ bool hasAll(const PlyElement& element, std::initializer_list<std::string_view> n
     return std::all_of(names.begin(), names.end(), [&](std::string_view name) { return hasProperty(element, name); });
 }
 
-/// As the training code of "3D Gaussian Splatting for Real-Time Radiance Field Rendering" (Kerbl and others, 2023) and
-/// those after it write them, 2D ones included, which have no scale_2; or packed.
+/// As written by the training code of "3D Gaussian Splatting for Real-Time Radiance Field Rendering" (Kerbl et al.,
+/// 2023) and its successors, including 2D Gaussians, which have no scale_2; or packed.
 PlyGaussians gaussiansOf(const PlyElement& vertex) {
     if (hasAll(vertex, {"packed_position", "packed_rotation", "packed_scale", "packed_color"}))
         return PlyGaussians::kPacked;
@@ -166,20 +166,20 @@ PlyGaussians gaussiansOf(const PlyElement& vertex) {
     return plain ? PlyGaussians::kPlain : PlyGaussians::kNone;
 }
 
-void settleVertexRoles(const Source& source, PlyHeader& header) {
+void resolveVertexDimensions(const InputFile& input, PlyHeader& header) {
     const auto isVertex = [](const PlyElement& element) { return element.name == "vertex"; };
     const auto vertices = std::count_if(header.elements.begin(), header.elements.end(), isVertex);
-    if (vertices != 1) refuse(source, vertices == 0 ? "no vertex element" : "more than one vertex element");
+    if (vertices != 1) refuse(input, vertices == 0 ? "no vertex element" : "more than one vertex element");
     PlyElement& vertex = *std::find_if(header.elements.begin(), header.elements.end(), isVertex);
     header.gaussians = gaussiansOf(vertex);
     if (header.gaussians == PlyGaussians::kPacked) return;
-    std::vector<Role> roles = rolesOf(vertex);
-    if (!hasPositions(roles)) refuse(source, "the vertices have no x, y and z");
-    header.harmonic_colors = takeHarmonicColors(vertex, roles);
-    for (std::size_t i = 0; i < roles.size(); ++i) vertex.properties[i].role = roles[i];
+    std::vector<Dimension> dimensions = rolesOf(vertex);
+    if (!hasPositions(dimensions)) refuse(input, "the vertices have no x, y and z");
+    header.harmonic_colors = takeHarmonicColors(vertex, dimensions);
+    for (std::size_t i = 0; i < dimensions.size(); ++i) vertex.properties[i].dimension = dimensions[i];
 }
 
-/// Ascii values take two bytes at least, a digit and what separates it from the next.
+/// ASCII values take at least two bytes, a digit and a separator.
 std::size_t smallestSize(const PlyElement& element, PlyEncoding encoding) {
     std::size_t size = 0;
     for (const PlyProperty& property : element.properties)
@@ -188,33 +188,33 @@ std::size_t smallestSize(const PlyElement& element, PlyEncoding encoding) {
     return size;
 }
 
-void checkPromises(const Source& source, const PlyHeader& header) {
+void checkPromises(const InputFile& input, const PlyHeader& header) {
     const bool ascii = header.encoding == PlyEncoding::kAscii;
-    // The last value of an ascii file needs no separator.
-    std::uint64_t left = static_cast<std::uint64_t>(source.end() - header.body) + (ascii ? 1 : 0);
+    // The last value of an ASCII file needs no separator.
+    std::uint64_t left = static_cast<std::uint64_t>(input.end() - header.body) + (ascii ? 1 : 0);
     for (const PlyElement& element : header.elements) {
         const std::size_t size = smallestSize(element, header.encoding);
         if (element.count > left / size)
-            refuse(source, ascii ? fmt::format("the header promises {} {}, only {} bytes are left for them",
-                                               element.count, pluralOf(element), left - 1)
-                                 : fmt::format("cut short: {} of {} {} are there", left / size, element.count,
-                                               pluralOf(element)));
+            refuse(input,
+                   ascii ? fmt::format("the header promises {} {}, but only {} bytes follow", element.count,
+                                       pluralOf(element), left - 1)
+                         : fmt::format("truncated: found {} of {} {}", left / size, element.count, pluralOf(element)));
         left -= element.count * size;
     }
 }
 
 } // namespace
 
-PlyHeader readPlyHeader(const Source& source) {
-    HeaderLines lines(source.bytes);
+PlyHeader readPlyHeader(const InputFile& input) {
+    HeaderLines lines(input.bytes);
     std::string_view line;
-    if (!lines.next(line) || nextWord(line) != "ply") refuse(source, "does not start with 'ply'");
+    if (!lines.next(line) || nextWord(line) != "ply") refuse(input, "does not start with 'ply'");
     PlyHeader header;
-    parseLines(source, lines, header);
-    settleVertexRoles(source, header);
-    // of elements with nothing to read there may be any number
+    parseLines(input, lines, header);
+    resolveVertexDimensions(input, header);
+    // elements without properties take no bytes, so any number may be declared
     std::erase_if(header.elements, [](const PlyElement& element) { return element.properties.empty(); });
-    checkPromises(source, header);
+    checkPromises(input, header);
     return header;
 }
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "preprocess/input/columns.h"
-#include "preprocess/input/roles.h"
+#include "preprocess/input/dimensions.h"
+#include "preprocess/input/input_file.h"
 #include "preprocess/input/scalar.h"
-#include "preprocess/input/source.h"
 
 namespace pointrt {
 
@@ -21,8 +21,8 @@ struct PlyProperty {
     Scalar type = Scalar::kF32;
     bool is_list = false;
     Scalar count_type = Scalar::kU8;  ///< of a list
-    Role role = kIgnored;             ///< of a scalar of the vertex element
-    std::optional<std::size_t> place; ///< of a scalar of the vertex element: in its packed values
+    Dimension dimension = kIgnored;   ///< of a scalar of the vertex element
+    std::optional<std::size_t> place; ///< of a scalar of the vertex element: offset in its packed values
 };
 
 struct PlyElement {
@@ -31,7 +31,7 @@ struct PlyElement {
     std::vector<PlyProperty> properties;
 };
 
-/// Whether the vertices are Gaussians, one property a number, or packed into four by SuperSplat.
+/// Whether the vertices are Gaussians: plain, with one property per parameter, or packed into four by SuperSplat.
 enum class PlyGaussians { kNone, kPlain, kPacked };
 
 struct PlyHeader {
@@ -40,20 +40,20 @@ struct PlyHeader {
     const char* body = nullptr;   ///< the first byte after the header
     bool harmonic_colors = false; ///< the colours are Gaussian-splat f_dc coefficients
     PlyGaussians gaussians = PlyGaussians::kNone;
-    std::vector<ColumnTraits> columns;             ///< what a vertex's packed values are
-    std::size_t packed_size = 0;                   ///< their bytes
-    std::uint64_t grid_rows = 0, grid_columns = 0; ///< of a range_grid, as lines of obj_info say
+    std::vector<ColumnTraits> columns;             ///< of a vertex's packed values
+    std::size_t packed_size = 0;                   ///< size of the packed values in bytes
+    std::uint64_t grid_rows = 0, grid_columns = 0; ///< of a range_grid, from obj_info lines
 };
 
-/// Reads the header and settles the roles of the vertex properties. Lines with unknown keywords are skipped (scans of
-/// the Stanford repository have some). Throws Error when there is no vertex element with x, y and z or packed
-/// Gaussians, or the elements promised cannot fit in the bytes that follow.
-PlyHeader readPlyHeader(const Source& source);
+/// Reads the header and assigns dimensions to the vertex properties. Skips lines with unknown keywords, which scans of
+/// the Stanford repository have. Throws Error if there is no vertex element with x, y and z or packed Gaussians, or if
+/// the promised elements cannot fit in the bytes that follow.
+PlyHeader readPlyHeader(const InputFile& input);
 
 /// The vertex element.
 const PlyElement& vertexElement(const PlyHeader& header);
 
-/// Whether there are faces or strips of them.
+/// Whether there are faces or triangle strips.
 bool hasFaces(const PlyHeader& header);
 
 /// "vertices", "faces" or "'NAME' elements", for messages.

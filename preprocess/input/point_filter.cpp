@@ -37,20 +37,20 @@ bool CellSet::insert(std::int64_t x, std::int64_t y, std::int64_t z) {
 }
 
 bool PointFilter::isFirstOfCell(const Vec3d& position) {
-    constexpr double kMost = 0x1p41; // cells from zero; farther ones share the last
+    constexpr double kMost = 0x1p41; // cells from zero; points beyond share the last one
     const Vec3d cell = (position / options_.thin_spacing).array().floor().max(-kMost).min(kMost - 1);
-    const Eigen::Matrix<std::int64_t, 3, 1> whole = cell.cast<std::int64_t>();
-    return cells_.insert(whole.x(), whole.y(), whole.z());
+    const Eigen::Matrix<std::int64_t, 3, 1> index = cell.cast<std::int64_t>();
+    return cells_.insert(index.x(), index.y(), index.z());
 }
 
 bool PointFilter::drops() const {
-    return options_.bounds || choosesClasses() || options_.thin_spacing > 0 || options_.every > 1;
+    return options_.bounds || selectsClasses() || options_.thin_spacing > 0 || options_.every > 1;
 }
 
 bool PointFilter::keeps(const Vec3d& position, std::uint8_t point_class) {
     if (seen_++ % options_.every != 0) return false;
     if (options_.bounds && !options_.bounds->contains(position)) return false;
-    if (choosesClasses() && !options_.keep_classes[point_class]) return false;
+    if (selectsClasses() && !options_.keep_classes[point_class]) return false;
     return options_.thin_spacing <= 0 || isFirstOfCell(position);
 }
 

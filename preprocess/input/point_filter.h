@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which points are wanted: told one by one while files are read, so that the others take no memory.
+// Selects points one by one while files are read, so that rejected points take no memory.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -12,22 +12,22 @@
 namespace pointrt {
 
 struct FilterOptions {
-    std::optional<Eigen::AlignedBox3d> bounds; ///< input coordinates, after the transform; faces belong to it
-    std::vector<bool> keep_classes;            ///< by number, 256 of them; empty: all
-    double thin_spacing = 0;                   ///< one point stays in each cube of this edge; 0: all
-    std::uint64_t every = 1;                   ///< of so many points, in the order of the files, the first stays
+    std::optional<Eigen::AlignedBox3d> bounds; ///< input coordinates, after the transform; closed
+    std::vector<bool> keep_classes;            ///< 256 flags by class number; empty: all
+    double thin_spacing = 0;                   ///< keep one point in each cube of this edge length; 0: all
+    std::uint64_t every = 1;                   ///< keep one point of each run of this many, in the order of the files
 };
 
 /// A set of the cells of a grid, with coordinates of 42 bits.
 class CellSet {
 public:
-    /// False where it was in the set already.
+    /// Returns false if the cell was in the set already.
     bool insert(std::int64_t x, std::int64_t y, std::int64_t z);
     std::uint64_t memory() const { return cells_.size() * sizeof(Cell); }
 
 private:
     struct Cell {
-        std::uint64_t low = 0, high = 0; ///< high is never 0 in a cell that is there
+        std::uint64_t low = 0, high = 0; ///< high is never 0 in an occupied place
     };
     std::size_t placeOf(const Cell& cell) const;
     void grow();
@@ -40,16 +40,16 @@ public:
     explicit PointFilter(FilterOptions options) : options_(std::move(options)) {}
 
     const FilterOptions& options() const { return options_; }
-    /// Whether there is anything that it might not want.
+    /// Whether it may reject points.
     bool drops() const;
-    bool choosesClasses() const { return !options_.keep_classes.empty(); }
-    /// Points asked about so far; a filter that goes on where another one stopped is told of that one's.
+    bool selectsClasses() const { return !options_.keep_classes.empty(); }
+    /// Points tested so far. A filter that continues the work of another resumes after its count.
     std::uint64_t seen() const { return seen_; }
-    void goOnFrom(std::uint64_t seen) { seen_ = seen; }
-    /// Whether the next point stays. point_class: 0 where the file has none
+    void resumeAfter(std::uint64_t seen) { seen_ = seen; }
+    /// Whether to keep the next point. point_class: 0 if the file has no classes
     bool keeps(const Vec3d& position, std::uint8_t point_class);
 
-    /// Bytes that it takes, which grow with the cells of thinning that have a point.
+    /// Memory in bytes, which grows with the number of occupied cells of thinning.
     std::uint64_t memory() const { return cells_.memory(); }
 
 private:

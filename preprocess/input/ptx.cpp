@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PTX: Leica's text of scans as the scanner saw them, each with its grid, its place and its transform.
+// PTX: Leica's text format of structured scans, each with its grid, scanner position and transform.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -10,7 +10,7 @@
 namespace pointrt {
 namespace {
 
-/// The numbers of a line; nothing where it has others words or more numbers.
+/// The numbers of a line; nullopt if it has other words or another count.
 template <std::size_t kCount>
 std::optional<std::array<double, kCount>> numbersOf(std::string_view line) {
     std::array<double, kCount> numbers;
@@ -27,13 +27,13 @@ std::optional<std::uint64_t> countOf(std::string_view line) {
 
 struct Header {
     std::uint64_t columns = 0, rows = 0, cells = 0;
-    Vec3d position = Vec3d::Zero(); ///< of the scanner, once registered
-    Pose world_from_scan;
+    Vec3d position = Vec3d::Zero(); ///< of the scanner, after registration
+    Pose input_from_scan;
 };
 
-/// Two counts, four lines of three numbers and four of four: no list of points starts like that.
+/// Two counts, four lines of three numbers and four of four: no point list starts like that.
 bool isPtxStart(std::string_view bytes) {
-    Lines lines{bytes.substr(0, 4096)}; // ten lines of numbers are shorter
+    Lines lines{bytes.substr(0, 4096)}; // longer than ten lines of numbers
     std::string_view line;
     for (int i = 0; i < 2; ++i)
         if (!lines.next(line) || !countOf(line)) return false;
@@ -44,64 +44,64 @@ bool isPtxStart(std::string_view bytes) {
     return true;
 }
 
-std::string_view headerLine(const Source& source, Lines& lines) {
+std::string_view headerLine(const InputFile& input, Lines& lines) {
     std::string_view line;
-    if (!lines.next(line)) refuse(source, "cut short in the header of a scan");
+    if (!lines.next(line)) refuse(input, "truncated in the header of a scan");
     return line;
 }
 
-std::uint64_t readCount(const Source& source, std::string_view line, const char* what) {
+std::uint64_t readCount(const InputFile& input, std::string_view line, const char* what) {
     const auto count = countOf(line);
-    if (!count) refuseLine(source, line.data(), fmt::format("is no number of {}: {}", what, inQuotes(line)));
+    if (!count) refuseLine(input, line.data(), fmt::format("expected the number of {}, not {}", what, inQuotes(line)));
     return *count;
 }
 
 template <std::size_t kCount>
-std::array<double, kCount> readNumbers(const Source& source, Lines& lines, const char* what) {
-    const std::string_view line = headerLine(source, lines);
+std::array<double, kCount> readNumbers(const InputFile& input, Lines& lines, const char* what) {
+    const std::string_view line = headerLine(input, lines);
     const auto numbers = numbersOf<kCount>(line);
-    if (!numbers) refuseLine(source, line.data(), fmt::format("{} numbers are needed for {}", kCount, what));
+    if (!numbers) refuseLine(input, line.data(), fmt::format("expected {} numbers for {}", kCount, what));
     return *numbers;
 }
 
-/// The matrix turns rows: world = (x, y, z, 1) * matrix.
-void readTransform(const Source& source, Lines& lines, Pose& world_from_scan) {
+/// The matrix multiplies row vectors: input = (x, y, z, 1) * matrix.
+void readTransform(const InputFile& input, Lines& lines, Pose& input_from_scan) {
     const char* const place = lines.rest.data();
     bool affine = true;
     for (int row = 0; row < 4; ++row) {
-        const auto numbers = readNumbers<4>(source, lines, "a line of the transform");
+        const auto numbers = readNumbers<4>(input, lines, "a line of the transform");
         const Vec3d values(numbers[0], numbers[1], numbers[2]);
         if (row < 3)
-            world_from_scan.linear.col(row) = values;
+            input_from_scan.linear.col(row) = values;
         else
-            world_from_scan.translation = values;
+            input_from_scan.translation = values;
         affine = affine && numbers[3] == (row < 3 ? 0 : 1);
     }
-    const double determinant = world_from_scan.linear.determinant();
-    constexpr double kFlat = 1e-12; // of a rotation it is 1
+    const double determinant = input_from_scan.linear.determinant();
+    constexpr double kFlat = 1e-12; // the determinant of a rotation is 1
     if (!affine || !(std::abs(determinant) > kFlat) || !std::isfinite(determinant) ||
-        !world_from_scan.translation.allFinite())
-        refuseLine(source, place, "the transform is no rotation and translation");
+        !input_from_scan.translation.allFinite())
+        refuseLine(input, place, "the transform is not a rotation and translation");
 }
 
-Header readHeader(const Source& source, std::string_view first_line, Lines& lines) {
+Header readHeader(const InputFile& input, std::string_view first_line, Lines& lines) {
     Header header;
-    header.columns = readCount(source, first_line, "columns");
-    header.rows = readCount(source, headerLine(source, lines), "rows");
-    const auto position = readNumbers<3>(source, lines, "the position of the scanner");
+    header.columns = readCount(input, first_line, "columns");
+    header.rows = readCount(input, headerLine(input, lines), "rows");
+    const auto position = readNumbers<3>(input, lines, "the position of the scanner");
     header.position = {position[0], position[1], position[2]};
-    for (int axis = 0; axis < 3; ++axis) readNumbers<3>(source, lines, "an axis of the scanner");
-    readTransform(source, lines, header.world_from_scan);
-    // A cell takes six bytes, "0 0 0" and what ends the line; the last one needs no end.
+    for (int axis = 0; axis < 3; ++axis) readNumbers<3>(input, lines, "an axis of the scanner");
+    readTransform(input, lines, header.input_from_scan);
+    // A cell takes at least six bytes, "0 0 0" and a line end; the last one needs no line end.
     const std::uint64_t most = (lines.rest.size() + 1) / 6;
     if (__builtin_mul_overflow(header.columns, header.rows, &header.cells) || header.cells > most)
-        refuseLine(source, first_line.data(),
-                   fmt::format("the header promises {} columns of {} points, only {} bytes are left for them",
-                               header.columns, header.rows, lines.rest.size()));
+        refuseLine(input, first_line.data(),
+                   fmt::format("the header promises {} columns of {} points, but only {} bytes follow", header.columns,
+                               header.rows, lines.rest.size()));
     return header;
 }
 
-/// What the points of a scan have, as its first one tells.
+/// The values that points of a scan have, detected from its first one.
 struct Shape {
     std::size_t words = 3;
     bool intensity = false, colors = false, real_colors = false;
@@ -114,17 +114,17 @@ bool isMissing(std::string_view line) {
     return true;
 }
 
-/// The first cell with a point, or the last one: what is missing may be written in fewer words.
-std::string_view tellingLine(Lines lines, std::uint64_t cells) {
+/// The line of the first cell with a point, or the last cell: missing points may be written with fewer words.
+std::string_view firstPointLine(Lines lines, std::uint64_t cells) {
     std::string_view line;
     for (std::uint64_t i = 0; i < cells && lines.next(line); ++i)
         if (!isMissing(line)) break;
     return line;
 }
 
-Shape shapeOf(const Source& source, const Lines& lines, std::uint64_t cells) {
+Shape shapeOf(const InputFile& input, const Lines& lines, std::uint64_t cells) {
     Shape shape;
-    const std::string_view line = tellingLine(lines, cells);
+    const std::string_view line = firstPointLine(lines, cells);
     if (line.empty()) return shape;
     std::string_view words = line, word;
     for (shape.words = 0; !(word = nextWord(words)).empty(); ++shape.words)
@@ -132,13 +132,13 @@ Shape shapeOf(const Source& source, const Lines& lines, std::uint64_t cells) {
     shape.intensity = shape.words == 4 || shape.words == 7;
     shape.colors = shape.words >= 6;
     if (shape.words != 3 && !shape.intensity && shape.words != 6)
-        refuseLine(source, line.data(), fmt::format("a point has 3, 4, 6 or 7 numbers, not {}", shape.words));
+        refuseLine(input, line.data(), fmt::format("a point has 3, 4, 6 or 7 numbers, not {}", shape.words));
     return shape;
 }
 
-/// A cell's values as the attributes hold them, one after the other.
+/// A cell's attribute values, packed.
 struct PackedCell {
-    float intensity = 0; ///< of six decimals, as they are written
+    float intensity = 0; ///< written with six decimals, which a float holds
     std::uint32_t row = 0, column = 0;
 };
 static_assert(sizeof(PackedCell) == 12);
@@ -156,115 +156,114 @@ ScanTraits traitsOf(const Header& header, const Shape& shape) {
 }
 
 /// Reads one line: x y z [intensity] [red green blue].
-void parseCell(const Source& source, std::string_view line, const Shape& shape, Row& row, float& intensity) {
+void parseCell(const InputFile& input, std::string_view line, const Shape& shape, Row& row, float& intensity) {
     double values[7] = {};
     std::string_view words = line;
     for (std::size_t i = 0; i < shape.words; ++i) {
         const std::string_view word = nextWord(words);
         if (!wholeNumber(word, values[i]))
-            refuseLine(source, line.data(),
-                       word.empty() ? fmt::format("has {} numbers, {} are needed", i, shape.words)
-                                    : fmt::format("{} is no number", inQuotes(word)));
+            refuseLine(input, line.data(),
+                       word.empty() ? fmt::format("has {} numbers, but {} are needed", i, shape.words)
+                                    : fmt::format("{} is not a number", inQuotes(word)));
     }
     std::copy(values, values + 3, &row[kX]);
     if (shape.intensity) intensity = static_cast<float>(values[3]);
     if (shape.colors) std::copy(values + shape.words - 3, values + shape.words, &row[kRed]);
 }
 
-/// What one scan came to.
+/// Statistics of one scan's cells.
 struct Cells {
     std::uint64_t missing = 0;
-    Eigen::AlignedBox3d box; ///< of its points, in its frame
+    Eigen::AlignedBox3d box; ///< of the points, in the scan's frame
 };
 
-/// Cells stand column by column. Those of the scanner's own place say that nothing came back.
-Cells readCells(const Source& source, const Header& header, const Shape& shape, Lines& lines, Sink& sink) {
+/// Cells come column by column. 0 0 0 marks a cell without a return.
+Cells readCells(const InputFile& input, const Header& header, const Shape& shape, Lines& lines, Sink& sink) {
     Cells cells;
     Row row{};
     PackedCell packed;
-    LetGoBehind let_go{source};
+    ReleasePagesBehind release_pages{input};
     const char* const values = reinterpret_cast<const char*>(&packed) + (shape.intensity ? 0 : sizeof packed.intensity);
     for (std::uint64_t i = 0; i < header.cells; ++i) {
         std::string_view line;
         if (!lines.next(line))
-            refuse(source, fmt::format("cut short: {} of {} points of a scan are there", i, header.cells));
-        let_go(static_cast<std::uint64_t>(line.data() - source.begin()));
+            refuse(input, fmt::format("truncated: found {} of {} points of a scan", i, header.cells));
+        release_pages(static_cast<std::uint64_t>(line.data() - input.begin()));
         if (isMissing(line)) {
             ++cells.missing;
             continue;
         }
-        parseCell(source, line, shape, row, packed.intensity);
+        parseCell(input, line, shape, row, packed.intensity);
         const Vec3d position(row[kX], row[kY], row[kZ]);
         packed.row = static_cast<std::uint32_t>(i % header.rows);
         packed.column = static_cast<std::uint32_t>(i / header.rows);
         if (position.allFinite()) cells.box.extend(position);
-        setCell(sink, packed.row, packed.column, addVertex(sink, row, values));
+        setCell(sink, packed.row, packed.column, sink.addVertex(row, values));
     }
     return cells;
 }
 
-/// Whether a header has what one has that was written for want of knowing.
-bool saysNothing(const Header& header) {
-    const Pose& pose = header.world_from_scan;
+/// Whether a header has default values only.
+bool isDefault(const Header& header) {
+    const Pose& pose = header.input_from_scan;
     return header.position.isZero(0) && pose.translation.isZero(0) && pose.linear.isIdentity(0);
 }
 
-/// Where the scanner stood, in the scan's frame: its origin or, where points stand in the world already, the position
-/// that the header gives; whichever is nearer to the points. Where the header says nothing, a scanner that is further
-/// away than ten times the size of what it saw is none: converters of points in a national grid write that.
+/// Scanner position in the scan's frame: its origin or, if the points are registered already, the position in the
+/// header; whichever is nearer to the points. With a default header, a scanner further away than ten times the size of
+/// the scan is not plausible (nullopt): converters of points in a national grid write such files.
 std::optional<Vec3d> sensorOf(const Header& header, const Cells& cells) {
     if (cells.box.isEmpty()) return std::nullopt;
-    const Pose& pose = header.world_from_scan;
+    const Pose& pose = header.input_from_scan;
     const Vec3d origin = Vec3d::Zero(), given = pose.linear.inverse() * (header.position - pose.translation);
     const double to_origin = cells.box.exteriorDistance(origin), to_given = cells.box.exteriorDistance(given);
     constexpr double kFarthest = 10;
-    if (saysNothing(header) && to_origin > kFarthest * cells.box.diagonal().norm()) return std::nullopt;
+    if (isDefault(header) && to_origin > kFarthest * cells.box.diagonal().norm()) return std::nullopt;
     return to_given < to_origin ? given : origin;
 }
 
-/// Returns how many cells have no point.
-std::uint64_t readScan(const Source& source, const Header& header, std::size_t number, Lines& lines, Sink& sink) {
-    const Shape shape = shapeOf(source, lines, header.cells);
-    sink.world_from_scan = header.world_from_scan;
-    beginScan(sink, source, traitsOf(header, shape));
+/// Returns the number of cells without a point.
+std::uint64_t readScan(const InputFile& input, const Header& header, std::size_t number, Lines& lines, Sink& sink) {
+    const Shape shape = shapeOf(input, lines, header.cells);
+    sink.transform.input_from_scan = header.input_from_scan;
+    sink.beginScan(input, traitsOf(header, shape));
     beginGrid(sink, header.rows, header.columns);
-    const Cells cells = readCells(source, header, shape, lines, sink);
-    sink.sensor = sensorOf(header, cells);
+    const Cells cells = readCells(input, header, shape, lines, sink);
+    sink.setScanSensor(sensorOf(header, cells));
     Lines after = lines;
     std::string_view line;
     const bool only_one = number == 1 && !after.next(line);
-    finishScan(sink, source, only_one ? "" : fmt::format("scan {}", number), Emptiness::kAllowed);
-    sink.world_from_scan.reset();
+    sink.finishScan(input, only_one ? "" : fmt::format("scan {}", number), Emptiness::kAllowed);
+    sink.transform.input_from_scan.reset();
     return cells.missing;
 }
 
-void readScans(const Source& source, Lines& lines, Sink& sink) {
+void readScans(const InputFile& input, Lines& lines, Sink& sink) {
     std::string_view line;
     std::uint64_t missing = 0, cells = 0;
     const std::size_t points_before = sink.cloud.points_read;
     for (std::size_t number = 1; lines.next(line); ++number) {
-        const Header header = readHeader(source, line, lines);
-        missing += readScan(source, header, number, lines, sink);
+        const Header header = readHeader(input, line, lines);
+        missing += readScan(input, header, number, lines, sink);
         cells += header.cells;
     }
-    if (sink.cloud.points_read == points_before) refuse(source, "holds no points");
-    if (missing > 0)
-        addNote(sink.cloud, source.name, fmt::format("{} of {} cells of its grids have no point", missing, cells));
+    if (sink.cloud.points_read == points_before) refuse(input, "holds no points");
+    if (missing > 0) sink.note(input, fmt::format("{} of {} cells of its grids have no point", missing, cells));
 }
 
-void readPtx(const Source& source, Sink& sink) {
-    Lines lines{source.bytes};
-    const auto whole_progress = sink.progress;
-    if (whole_progress)
+void readPtx(const InputFile& input, Sink& sink) {
+    Lines lines{input.bytes};
+    const auto file_progress = sink.progress;
+    if (file_progress)
         sink.progress = [&](double) {
-            whole_progress(1 - static_cast<double>(lines.rest.size()) / static_cast<double>(source.bytes.size()));
+            file_progress(1 - static_cast<double>(lines.rest.size()) / static_cast<double>(input.bytes.size()));
         };
-    readScans(source, lines, sink);
-    sink.progress = whole_progress;
+    readScans(input, lines, sink);
+    sink.progress = file_progress;
     WorldFrame frame;
     frame.up = Vec3d::UnitZ();
     frame.metres_per_unit = 1;
-    setWorldFrame(sink, source, frame);
+    sink.setWorldFrame(input, frame);
 }
 
 } // namespace

@@ -8,20 +8,22 @@
 #include "preprocess/input/degrees.h"
 #include "preprocess/input/detect.h"
 #include "preprocess/input/mesh.h"
+#include "preprocess/input/notes.h"
+#include "preprocess/input/sink.h"
 
 namespace pointrt {
 namespace {
 
 FileReport readFile(const std::string& path, const ReadOptions& options, Sink& sink) {
     const auto start = std::chrono::steady_clock::now();
-    const std::size_t points_before = sink.cloud.points_read, kept_before = keptPoints(sink),
+    const std::size_t points_before = sink.cloud.points_read, kept_before = sink.pointCount(),
                       scans_before = sink.scans.size();
-    const Source source = openSource(path);
-    const InputFormat& format = formatOf(source, options.format);
-    readSource(format, source, sink);
-    FileReport report{source.name, std::string(format.title)};
+    const InputFile input = openInputFile(path);
+    const InputFormat& format = formatOf(input, options.format);
+    readInput(format, input, sink);
+    FileReport report{input.name, std::string(format.title)};
     report.points = sink.cloud.points_read - points_before;
-    report.kept = keptPoints(sink) - kept_before;
+    report.kept = sink.pointCount() - kept_before;
     report.scans = sink.scans.size() - scans_before;
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return report;
@@ -33,7 +35,7 @@ void readFiles(const std::vector<std::string>& paths, const ReadOptions& options
         if (progress)
             sink.progress = [&, i](double share) {
                 const double done = (static_cast<double>(i) + share) / static_cast<double>(paths.size());
-                progress({done, i, paths.size(), sink.cloud.points_read + sink.vertices});
+                progress({done, i, paths.size(), sink.cloud.points_read + sink.vertexCount()});
             };
         const FileReport report = readFile(paths[i], options, sink);
         if (files) files->push_back(report);
@@ -49,21 +51,21 @@ void checkSampling(const ReadOptions& options, const Sink& sink) {
         throw Error(ExitCode::kBadUsage, fmt::format("cannot take as many as {} samples", count));
 }
 
-/// Files of some programs carry normals that are all zero.
+/// Some programs write normals that are all zero.
 void dropEmptyNormals(Cloud& cloud) {
     const bool empty =
         std::all_of(cloud.normals.begin(), cloud.normals.end(), [](const Vec3f& n) { return n.isZero(0); });
     if (empty) cloud.normals = {};
 }
 
-/// sampled: by scan, and each file has as many scans as its report says
-void tellSampled(const std::vector<std::uint64_t>& sampled, std::vector<FileReport>& files) {
+/// sampled: by scan; the reports have the number of scans of each file
+void addSampleCounts(const std::vector<std::uint64_t>& sampled, std::vector<FileReport>& files) {
     auto scan = sampled.begin();
     for (FileReport& file : files)
         for (std::uint64_t i = 0; i < file.scans; ++i) file.sampled += *scan++;
 }
 
-/// What all points of several scans are told apart by, unless the files say something of that name themselves.
+/// Adds an attribute with the scan number of each point.
 template <typename Number>
 void numberScansAs(Scalar type, Cloud& cloud, const std::vector<ScanRange>& scans) {
     Attribute numbers{kScanNumber, type, 1, std::vector<char>(cloud.positions.size() * sizeof(Number))};
@@ -77,50 +79,55 @@ void numberScansAs(Scalar type, Cloud& cloud, const std::vector<ScanRange>& scan
 }
 
 void numberScans(Cloud& cloud, Columns& columns, const std::vector<ScanRange>& scans, const AttributeChoice& choice) {
-    if (scans.size() > 1) columns.offered.push_back(kScanNumber);
-    const bool taken = std::any_of(cloud.attributes.begin(), cloud.attributes.end(),
-                                   [](const Attribute& each) { return each.name == kScanNumber; });
-    if (scans.size() < 2 || taken || !choice.wants(kScanNumber)) return;
+    if (scans.size() > 1) columns.available.push_back(kScanNumber);
+    const bool exists = std::any_of(cloud.attributes.begin(), cloud.attributes.end(),
+                                    [](const Attribute& each) { return each.name == kScanNumber; });
+    if (scans.size() < 2 || exists || !choice.selects(kScanNumber)) return;
     if (scans.size() <= 0x100) return numberScansAs<std::uint8_t>(Scalar::kU8, cloud, scans);
     if (scans.size() <= 0x10000) return numberScansAs<std::uint16_t>(Scalar::kU16, cloud, scans);
     numberScansAs<std::uint32_t>(Scalar::kU32, cloud, scans);
 }
 
-/// Degrees are not as long as the metres of heights.
-void settleDegrees(std::size_t file_count, Sink& sink) {
+/// Scales degrees, whose unit differs from that of heights, if all files are in degrees.
+void scaleDegreesOfFiles(std::size_t file_count, Sink& sink) {
     if (!sink.scales_degrees || sink.files_in_degrees == 0) return;
     const std::string& file = sink.scans.front().name;
     if (sink.files_in_degrees == file_count)
         scaleDegrees(sink.cloud, file);
     else
         addNote(sink.cloud, file,
-                "is one of several files, only some of which are in degrees: they do not fit together");
+                "is one of several files, only some of which are in degrees: their coordinates do not match");
 }
 
 } // namespace
+
+SinkOptions sinkOptions(const ReadOptions& options) {
+    SinkOptions result;
+    result.attributes = options.attributes;
+    result.filter = options.filter;
+    result.world_from_input = options.transform;
+    result.level = options.level;
+    result.scales_degrees = options.scales_degrees && !options.transform;
+    return result;
+}
 
 Cloud readInputs(const std::vector<std::string>& paths, const ReadOptions& options, const ReadProgress& progress,
                  std::vector<FileReport>* files) {
     if (paths.empty()) throw Error(ExitCode::kBadUsage, "no input file");
     Cloud cloud;
-    Sink sink(cloud);
-    sink.attributes = options.attributes;
-    sink.filter = PointFilter(options.filter);
-    sink.world_from_input = options.transform;
-    sink.level = options.level;
-    sink.scales_degrees = options.scales_degrees && !options.transform;
+    Sink sink(cloud, sinkOptions(options));
     readFiles(paths, options, progress, files, sink);
     narrowAttributes(cloud, sink.columns);
     dropMinorAttributes(cloud, sink.columns);
     numberScans(cloud, sink.columns, sink.scans, options.attributes);
-    requireOffered(sink.columns, options.attributes);
+    requireAvailable(sink.columns, options.attributes);
     checkSampling(options, sink);
-    settleDegrees(paths.size(), sink);
+    scaleDegreesOfFiles(paths.size(), sink);
     addMeshNormals(cloud);
     const MeshSampling sampling = chooseSampling(cloud, sink.scans, options.sample_count);
-    dropUnused(cloud, sink.scans, sink.bereft, sampling.scans);
+    dropUnused(cloud, sink.scans, sink.cornersOfRemovedFaces(), sampling.scans);
     const std::vector<std::uint64_t> sampled = sampleMeshes(cloud, sink.scans, sampling, options.seed);
-    if (files) tellSampled(sampled, *files);
+    if (files) addSampleCounts(sampled, *files);
     dropEmptyNormals(cloud);
     return cloud;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points spread over the faces of a mesh.
+// Samples points on the faces of a mesh.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -14,10 +14,10 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// A vertex normal further from the face's than this belongs to a sharp edge, not to a smooth surface.
+/// A vertex normal that deviates more than this from the face's belongs to a sharp edge, not to a smooth surface.
 const double kSharpEdgeCos = std::cos(40 * M_PI / 180);
 
-/// Faces along a Morton curve through their centres, so that strata of equal area are compact patches.
+/// Orders faces along a Morton curve through their centres, so that strata of equal area are compact patches.
 std::vector<std::uint32_t> coherentOrder(const Cloud& cloud) {
     Eigen::AlignedBox3f box;
     for (const Vec3f& position : cloud.positions) box.extend(position);
@@ -43,8 +43,8 @@ Vec3d faceNormal(const Cloud& cloud, const Triangle& face) {
     return (cloud.positions[face[1]].cast<double>() - corner).cross(cloud.positions[face[2]].cast<double>() - corner);
 }
 
-/// Unit square to barycentric coordinates, areas kept (Heitz, "A low-distortion map between triangle and square",
-/// 2019).
+/// Area-preserving map of the unit square to barycentric coordinates (Heitz, "A low-distortion map between triangle and
+/// square", 2019).
 Vec3d barycentric(double u, double v) {
     if (v > u) {
         u *= 0.5;
@@ -56,7 +56,7 @@ Vec3d barycentric(double u, double v) {
     return {u, v, 1 - u - v};
 }
 
-/// The normals at the corners of a face, the face's own where the vertex has none or lies on a sharp edge.
+/// The normals at the corners of a face; the face's own if the vertex has none or lies on a sharp edge.
 std::array<Vec3d, 3> cornerNormals(const Cloud& cloud, const Triangle& face) {
     Vec3d flat = faceNormal(cloud, face).stableNormalized();
     std::array<Vec3d, 3> normals;
@@ -68,7 +68,7 @@ std::array<Vec3d, 3> cornerNormals(const Cloud& cloud, const Triangle& face) {
     return normals;
 }
 
-/// The values of the corner that has the largest say.
+/// Copies the values of the corner with the largest weight.
 void addAttributes(const Cloud& mesh, const Triangle& face, const Vec3d& weights, Cloud& samples) {
     int nearest = 0;
     weights.maxCoeff(&nearest);
@@ -95,25 +95,26 @@ void addSample(const Cloud& mesh, const Triangle& face, const Vec3d& weights, Cl
         const auto rounded = color.cast<std::uint8_t>();
         samples.colors.push_back({rounded[0], rounded[1], rounded[2]});
     }
-    if (!mesh.radii.empty()) samples.radii.push_back(0); // a sample has its own
+    if (!mesh.radii.empty()) samples.radii.push_back(0); // a sample gets an estimated one
     if (!mesh.sensor_of_point.empty()) samples.sensor_of_point.push_back(mesh.sensor_of_point[face[0]]);
     addAttributes(mesh, face, weights, samples);
 }
 
-/// A point a stratum of equal area, jittered along the order of the faces; within faces by the R2 sequence (Roberts,
-/// "The unreasonable effectiveness of quasirandom sequences", 2018), of which consecutive points spread evenly.
+/// Takes one point from each of `count` strata of equal area, jittered along the order of the faces; within faces by
+/// the R2 sequence (Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018), whose consecutive points
+/// spread evenly.
 /// @param name of the file, for messages
-/// @param told hears of the face of each
-template <typename Told>
-void addSamples(const std::string& name, const Cloud& mesh, std::uint64_t count, std::uint64_t seed, const Told& told,
-                Cloud& samples) {
+/// @param report is called with the face of each sample
+template <typename Report>
+void addSamples(const std::string& name, const Cloud& mesh, std::uint64_t count, std::uint64_t seed,
+                const Report& report, Cloud& samples) {
     constexpr double kStepU = 0.7548776662466927, kStepV = 0.5698402909980532;
     const std::vector<std::uint32_t> order = coherentOrder(mesh);
     std::vector<double> area_up_to;
     double area = 0;
     for (const std::uint32_t face : order)
         area_up_to.push_back(area += faceNormal(mesh, mesh.triangles[face]).stableNorm() / 2);
-    if (!(area > 0)) throw Error(ExitCode::kBadInput, name + ": its faces have no area to spread samples over");
+    if (!(area > 0)) throw Error(ExitCode::kBadInput, name + ": its faces have no area to sample");
     const double start_u = unitShare(mixBits(seed)), start_v = unitShare(mixBits(seed + 1));
     std::size_t at = 0;
     for (std::uint64_t i = 0; i < count; ++i) {
@@ -125,7 +126,7 @@ void addSamples(const std::string& name, const Cloud& mesh, std::uint64_t count,
         const Vec3d weights =
             barycentric(std::modf(start_u + index * kStepU, &whole), std::modf(start_v + index * kStepV, &whole));
         addSample(mesh, mesh.triangles[order[at]], weights, samples);
-        told(mesh.triangles[order[at]]);
+        report(mesh.triangles[order[at]]);
     }
 }
 

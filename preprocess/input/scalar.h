@@ -22,7 +22,7 @@ double loadAs(const char* at, bool swap_bytes) {
     return static_cast<double>(std::bit_cast<Value>(bytes));
 }
 
-/// Reads scalarSize(type) bytes at `at`, big-endian ones when swap_bytes.
+/// Reads scalarSize(type) bytes at `at`. swap_bytes: they are big-endian
 inline double loadScalar(const char* at, Scalar type, bool swap_bytes) {
     switch (type) {
     case Scalar::kI8:
@@ -49,7 +49,7 @@ inline double loadScalar(const char* at, Scalar type, bool swap_bytes) {
     return 0;
 }
 
-/// A whole number of any integer type, as 64 bits of two's complement.
+/// Loads an integer of any type as 64 bits of two's complement.
 inline std::uint64_t loadWhole(const char* at, Scalar type) {
     const std::size_t size = scalarSize(type);
     std::uint64_t bits = 0;
@@ -59,10 +59,10 @@ inline std::uint64_t loadWhole(const char* at, Scalar type) {
     return negative ? bits | ~std::uint64_t{0} << (8 * size) : bits;
 }
 
-/// Its low bytes.
+/// Stores the low bytes of an integer.
 inline void storeWhole(char* at, Scalar type, std::uint64_t bits) { std::memcpy(at, &bits, scalarSize(type)); }
 
-/// Writes a number as a type that holds it.
+/// Stores a number in a type that can hold it.
 inline void storeScalar(char* at, Scalar type, double value) {
     const auto put = [at](const auto& number) { std::memcpy(at, &number, sizeof number); };
     if (type == Scalar::kF64) return put(value);

@@ -1,150 +1,132 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the readers put their vertices and faces: one file at a time into the cloud of all files.
+// Receives vertices and faces from the readers: transforms, filters and stores them, one file after another.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "preprocess/cloud/cloud.h"
 #include "preprocess/input/batches.h"
 #include "preprocess/input/columns.h"
+#include "preprocess/input/dimensions.h"
 #include "preprocess/input/grid.h"
+#include "preprocess/input/input_file.h"
 #include "preprocess/input/point_filter.h"
-#include "preprocess/input/roles.h"
-#include "preprocess/input/source.h"
+#include "preprocess/input/scan_transform.h"
 
 namespace pointrt {
 
-/// Placement of a scan in the world: world = linear * scan + translation. A rotation, but where a file scales too.
-struct Pose {
-    Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();
-    Vec3d translation = Vec3d::Zero();
+/// Options that apply to all files.
+struct SinkOptions {
+    AttributeChoice attributes = {};
+    FilterOptions filter = {};
+    std::optional<Eigen::Affine3d> world_from_input = {}; ///< of all files; applied after their poses
+    std::optional<int> level = {};                        ///< finest level of files with levels of detail
+    bool scales_degrees = false; ///< degrees will be scaled to metres if all files are in degrees
 };
 
-/// How colour values become 8-bit ones. Bytes are taken as they are; integers are 16-bit ones when any exceeds 255;
-/// reals are shares of 1 unless any exceeds 1, and then integers. 16-bit ones come with a column kRgb16 beside the row:
-/// what they are scaled by is told by its largest value, and the attribute keeps all of their bits.
-enum class ColorScale { kByte, kInteger, kReal, k16Bit };
-
-/// What a reader knows before its first vertex.
-struct ScanTraits {
-    bool normals = false;
-    bool normal_sides = true; ///< false: normals are axes, and which way is out is for others to tell
-    bool colors = false;
-    bool radii = false;
-    bool faces = true; ///< false: no polygon will be added, and vertices that are dropped need not be known
-    ColorScale color_scale = ColorScale::kByte;
-    std::vector<ColumnTraits> columns; ///< attributes, in the order of the values given to addVertex
-    /// As many vertices as the file is known to hold, 0 if unknown: reserved, and measures the progress.
-    std::uint64_t vertices = 0;
-};
-
-/// One range of the cloud that came from one scan.
-struct ScanRange {
-    std::string name; ///< of the file
-    std::size_t first_position = 0, position_count = 0;
-    bool has_faces = false;
-};
-
-struct Sink {
-    explicit Sink(Cloud& all_files) : cloud(all_files) {}
-
-    Cloud& cloud;
-    std::vector<ScanRange> scans; ///< finished ones
-    std::optional<Pose> world_from_scan;
-    std::optional<Eigen::Affine3d> world_from_input; ///< of all files, after their poses
-    AttributeChoice attributes;
-    PointFilter filter{{}};
-    std::optional<int> level;             ///< of files with levels of detail: nothing finer is read
-    std::function<void(double)> progress; ///< share of the current file, or empty
-    /// Vertices, by their place in the cloud, whose faces went with a vertex that was dropped.
-    std::vector<std::uint32_t> bereft;
-
-    /// The first positions of all in the world, until the cloud's origin is settled by them.
-    std::vector<Vec3d> first_positions;
-    bool origin_settled = false;
-
-    bool scales_degrees = false;      ///< degrees will be scaled to metres, where all files are in degrees
-    std::size_t files_in_degrees = 0; ///< x and y are degrees
-
-    Columns columns;
-    bool first_frame = true;    ///< no file has said yet how it lies in the world
-    Batches* batches = nullptr; ///< where points are handed on while they are read; null: the cloud keeps them
-
-    // Of the scan that is being read:
-    ScanTraits traits;
-    Eigen::Affine3d world_from_vertex = Eigen::Affine3d::Identity();
-    Eigen::Matrix3d normal_from_vertex = Eigen::Matrix3d::Identity();
-    std::optional<std::size_t> rgb16_offset, class_offset; ///< in a vertex's packed values
-    std::optional<std::size_t> rgb16_column, class_column; ///< numbers of the traits' columns
-    Scalar class_type = Scalar::kU8;
-    std::optional<std::size_t> rgb16_attribute;      ///< of the cloud, which keeps 16-bit colours as they are
-    std::vector<std::array<std::uint16_t, 3>> rgb16; ///< of kept vertices, where no attribute keeps them
-    std::uint64_t vertices = 0;                      ///< given so far, non-finite ones included
-    std::uint64_t non_finite = 0;                    ///< of them
-    std::vector<std::uint32_t> dropped;            ///< which of them did not stay, ascending, where there may be faces
-    std::vector<std::array<float, 3>> wide_colors; ///< of kept vertices, where the scale is known at the end only
-    std::size_t first_position = 0, first_triangle = 0;
-    std::uint64_t kept_before = 0; ///< points of all scans before
-    std::optional<Vec3d> sensor;   ///< scanner position in the scan's frame
-    GridBuilder grid;
-};
-
-/// Points of all scans so far, whether the cloud still has them or not.
-std::uint64_t keptPoints(const Sink& sink);
-
-/// Starts a scan: a file, or one of several in it. Throws Error when the cloud would have more points than its 32-bit
-/// indices can tell apart, or classes are chosen and the file has none.
-void beginScan(Sink& sink, const Source& source, const ScanTraits& traits);
-
-/// Adds one vertex, given in the scan's frame. A position that is not finite, in double or once rounded to float, or
-/// 1e25 and more from zero is dropped and counted; so is, apart, one that the filter does not want.
-/// @param values of the traits' columns, packed in their types; null where there are none
-/// @return its index in the cloud, of use where that keeps its points, or the mark of a range grid: kNoPoint where it
-/// is dropped, kLeftOut where the filter does not want it
-std::uint32_t addVertex(Sink& sink, const Row& row, const char* values = nullptr);
-
-/// Adds many vertices that have no normals, radii or faces, and colours of 16 bits or none: the same as adding them one
-/// by one, but several times as fast.
-/// @param columns of each of the traits' columns the values, one vertex after the other
-void addVertices(Sink& sink, std::span<const Vec3d> positions, std::span<const char* const> columns);
-
-/// Counts a vertex that the reader leaves out, as one that is not wanted.
-void skipVertex(Sink& sink);
-
-/// Adds a polygon of 3 or more file indices, each below the number of vertices of the file, as a fan of triangles.
-void addPolygon(Sink& sink, std::span<const std::uint32_t> corners);
-
-/// Whether a scan may be without points: one of several in a file may, as long as another one has some.
+/// Whether a scan may have no points: one of several scans in a file may, as long as another has some.
 enum class Emptiness { kRefused, kAllowed };
 
-/// The box around the points of the last finished scan, input coordinates.
-struct ScanBox {
-    Vec3d center, size;
+class Sink {
+public:
+    /// A sink whose cloud keeps all points.
+    explicit Sink(Cloud& all_files, const SinkOptions& options = {});
+    /// A sink that hands points on in batches; the cloud holds the current batch.
+    Sink(Cloud& all_files, const SinkOptions& options, BatchOptions batches);
+    Sink(const Sink&) = delete;
+    Sink& operator=(const Sink&) = delete;
+
+    /// Starts a scan: a file, or one of several scans in it. Throws Error if the cloud would have more points than
+    /// 32-bit indices distinguish, or if classes are selected and the file has none.
+    void beginScan(const InputFile& input, const ScanTraits& traits);
+
+    /// Adds one vertex, given in the scan's frame. Drops and counts a position that is not finite, in double precision
+    /// or once rounded to float, or has a coordinate of 1e25 or more; likewise, counted apart, one that the filter
+    /// rejects.
+    /// @param values packed values of the traits' columns, in their types; null if there are no columns
+    /// @return its index in the cloud (meaningful only if keepsPoints()), or what a range grid stores for it:
+    /// RangeGrid::kNoPoint if it is not finite, kLeftOut if the filter rejects it
+    std::uint32_t addVertex(const Row& row, const char* values = nullptr);
+
+    /// Adds many vertices that have no normals, radii or faces, and 16-bit colours or none: the same as adding them one
+    /// by one, but several times as fast.
+    /// @param arrays for each of the traits' columns an array of its values, in vertex order
+    void addVertices(std::span<const Vec3d> positions, std::span<const char* const> arrays);
+
+    /// Counts a vertex that the reader itself leaves out as filtered.
+    void skipVertex() { scan_.faces.drop(scan_.vertices++); }
+
+    /// Adds a polygon of 3 or more file indices, each below the file's number of vertices, as a fan of triangles.
+    void addPolygon(std::span<const std::uint32_t> corners) { ScanFaces::addPolygon(cloud, corners); }
+
+    /// Ends a scan: scales its colours, removes faces with dropped vertices, fills arrays that only other files have.
+    /// Throws Error if no point is left and that is refused.
+    /// @param title name of the scan within the file; "" if the file is one scan
+    void finishScan(const InputFile& input, const std::string& title = "", Emptiness emptiness = Emptiness::kRefused);
+
+    /// Merges the frame of a file with that of the files before, as far as they agree. To be called once for each file.
+    void setWorldFrame(const InputFile& input, const WorldFrame& frame);
+
+    /// Sets the scanner position of the current scan, in its own frame; finishScan() transforms it.
+    void setScanSensor(const std::optional<Vec3d>& in_scan) { scan_.sensor = in_scan; }
+    /// Sets the scanner position of the scan finished last, in world coordinates; ignored if not finite.
+    void setSensor(const Vec3d& world_position);
+    /// Sets the scanner position of the scan finished last for a triangulation scanner that sweeps a sheet of light
+    /// over the object in parallel and looks along -Z of the scan's frame, as in the Stanford 3D Scanning Repository.
+    void setSensorAlongZ();
+
+    /// Adds a note about the file.
+    void note(const InputFile& input, const std::string& text);
+
+    /// Reserves memory for several scans with the arrays of the current one, if the cloud keeps points.
+    /// @param points total number of points that the cloud will have
+    void reserve(std::size_t points);
+
+    /// Whether the cloud keeps all points, rather than handing them on in batches.
+    bool keepsPoints() const { return storage_->keepsPoints(); }
+    /// Points stored so far, of all scans, whether the cloud still holds them or not.
+    std::uint64_t pointCount() const { return storage_->count(); }
+    /// Vertices read so far of the current scan.
+    std::uint64_t vertexCount() const { return scan_.vertices; }
+    /// The box around the points of the scan finished last.
+    ScanBox lastScanBox() const { return storage_->boxOf(scans.back()); }
+    /// Points of all scans that were corners of a removed face, as indices into the cloud.
+    const std::vector<std::uint32_t>& cornersOfRemovedFaces() const { return scan_.faces.cornersOfRemovedFaces(); }
+    /// Findings of reading in batches so far. Requires a sink with batches.
+    const BatchFindings& batchFindings() const { return batch_storage_->findings(); }
+
+    Cloud& cloud;
+    AttributeChoice attributes;
+    std::optional<int> level; ///< see SinkOptions
+    bool scales_degrees;      ///< see SinkOptions
+    ScanTransform transform;
+    PointFilter filter;
+    Columns columns;
+    GridBuilder grid;                     ///< of the current scan
+    std::vector<ScanRange> scans;         ///< finished ones
+    std::function<void(double)> progress; ///< receives the share of the current file that is read; may be empty
+    std::size_t files_in_degrees = 0;     ///< files whose x and y are degrees
+
+private:
+    void beginColumns(const InputFile& input, std::size_t length);
+    void reserveArrays(std::size_t length);
+    bool passesFilter(const Vec3d& position, std::uint8_t point_class);
+    bool addPosition(const Vec3d& position);
+    void reportProgress(std::uint64_t vertex) const;
+    void requirePoints(const InputFile& input, std::size_t kept) const;
+    std::uint8_t classOf(const char* values) const;
+
+    std::unique_ptr<PointStorage> storage_;
+    BatchStorage* batch_storage_ = nullptr; ///< storage_, if it is a BatchStorage
+    CurrentScan scan_;
+    std::optional<ColumnPlace> class_column_; ///< of the current scan
+    bool has_world_frame_ = false;            ///< a file has set Cloud::world
 };
-ScanBox boxOfScan(const Sink& sink);
-
-/// Ends a scan: scales its colours, drops faces with dropped vertices, fills what other files have and it has not.
-/// Throws Error when no finite point was given and that is refused.
-/// @param title what a file calls one of several scans in it; "" where the file is the scan
-void finishScan(Sink& sink, const Source& source, const std::string& title = "",
-                Emptiness emptiness = Emptiness::kRefused);
-
-/// Keeps what a file says of its coordinates, as far as the files before it agree; call it once a file.
-void setWorldFrame(Sink& sink, const Source& source, const WorldFrame& frame);
-
-/// Has text said of a file; once, however many files and times it is said of.
-void addNote(Cloud& cloud, const std::string& file, const std::string& text);
-
-/// Makes world_position the sensor of the last finished scan; ignored when it is not finite.
-void setSensor(Sink& sink, const Vec3d& world_position);
-
-/// As setSensor, of a scanner that sweeps a sheet of light in parallel over the object and looks along -Z of the scan's
-/// frame, as those of the Stanford 3D Scanning Repository.
-void setSensorAlongZ(Sink& sink);
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// .splat files of Gaussians: 32 bytes each and nothing else, as antimatter15's viewer made them common.
+// .splat files of Gaussians, 32 bytes each without a header, the format of antimatter15's viewer.
 #include <cmath>
 #include <cstring>
 
@@ -9,7 +9,7 @@
 namespace pointrt {
 namespace {
 
-/// One Gaussian of a file: centre, deviations, colour with opacity, rotation w x y z around 128.
+/// One Gaussian: centre, standard deviations, colour with opacity, rotation w x y z around 128.
 struct Record {
     float position[3], deviations[3];
     std::uint8_t color[4], rotation[4];
@@ -27,8 +27,8 @@ Eigen::Quaternionf rotationOf(const Record& record) {
     return {part(0), part(1), part(2), part(3)};
 }
 
-/// The format has no mark, but rotations of unit length to the last bit or two (1 / 128 for each part), deviations
-/// above zero and coordinates that are numbers.
+/// Plausibility of a record: the format has no signature, but rotations have unit length to the last bit or two (1 /
+/// 128 in each component), deviations are positive and coordinates finite.
 bool isPlausible(const Record& record) {
     constexpr float kRounding = 0.05f;
     if (std::abs(rotationOf(record).norm() - 1) > kRounding) return false;
@@ -40,7 +40,7 @@ bool isPlausible(const Record& record) {
     return true;
 }
 
-/// Some have no rotation, or are broken. Where most are, it is another kind of file.
+/// Some records have no rotation or are invalid. If most are, the file is of another format.
 bool areSplats(std::string_view bytes, std::size_t first_of) {
     const std::size_t count = std::min(bytes.size() / sizeof(Record), first_of);
     std::size_t plausible = 0;
@@ -48,7 +48,7 @@ bool areSplats(std::string_view bytes, std::size_t first_of) {
     return bytes.size() % sizeof(Record) == 0 && 2 * plausible > count;
 }
 
-/// By chance a record looks like one a few times in a hundred.
+/// Random bytes look like a record a few times in a hundred.
 bool isSplatStart(std::string_view bytes) {
     constexpr std::size_t kTelling = 64;
     return bytes.size() >= kTelling * sizeof(Record) && areSplats(bytes, kTelling);
@@ -66,16 +66,16 @@ Gaussian gaussianOf(const Record& record) {
     return gaussian;
 }
 
-void readSplat(const Source& source, Sink& sink) {
-    const std::size_t count = source.bytes.size() / sizeof(Record);
-    if (source.bytes.size() % sizeof(Record) != 0)
-        refuse(source,
-               fmt::format("is cut short or no .splat file: {} bytes are no multiple of 32", source.bytes.size()));
-    if (!areSplats(source.bytes, count)) refuse(source, "is no .splat file: most of its records are no Gaussians");
+void readSplat(const InputFile& input, Sink& sink) {
+    const std::size_t count = input.bytes.size() / sizeof(Record);
+    if (input.bytes.size() % sizeof(Record) != 0)
+        refuse(input, fmt::format("is truncated or not a .splat file: its size of {} bytes is not a multiple of 32",
+                                  input.bytes.size()));
+    if (!areSplats(input.bytes, count)) refuse(input, "is not a .splat file: most of its records are not Gaussians");
     const auto each = [&](const std::function<void(const Gaussian&)>& use) {
-        for (std::size_t i = 0; i < count; ++i) use(gaussianOf(recordAt(source.bytes, i)));
+        for (std::size_t i = 0; i < count; ++i) use(gaussianOf(recordAt(input.bytes, i)));
     };
-    readGaussians(source, {count, -Vec3d::UnitY(), ""}, each, sink);
+    readGaussians(input, {count, -Vec3d::UnitY(), ""}, each, sink);
 }
 
 } // namespace

@@ -12,7 +12,7 @@
 namespace pointrt {
 namespace {
 
-/// Unsigned bytes of one Gaussian in an array.
+/// The bytes of one Gaussian in an array.
 struct Bytes {
     const char* at;
 
@@ -23,7 +23,7 @@ Bytes bytesOf(const SpzFile& file, SpzArray array, std::size_t index) {
     return {file.arrays[array].data() + index * file.bytesEach(array)};
 }
 
-/// IEEE 754: a sign, 5 bits of exponent, 10 of mantissa.
+/// IEEE 754 half: a sign, 5 bits of exponent, 10 of mantissa.
 float halfToFloat(std::uint32_t half) {
     const int exponent = static_cast<int>(half >> 10 & 31), mantissa = static_cast<int>(half & 1023);
     const float sign = half >> 15 != 0 ? -1.0f : 1.0f;
@@ -38,7 +38,7 @@ double coordinateOf(const SpzFile& file, const Bytes& bytes, std::size_t axis) {
     return std::ldexp(std::bit_cast<std::int32_t>(high) >> 8, -file.fractional_bits);
 }
 
-/// x y z as shares of 127.5 around 1; w is what is left of unit length.
+/// x y z in units of 1 / 127.5 from -1; w completes unit length.
 Eigen::Quaternionf rotationOfThree(const Bytes& bytes) {
     const auto part = [&](std::size_t i) { return static_cast<float>(bytes[i]) / 127.5f - 1; };
     const Vec3f xyz(part(0), part(1), part(2));
@@ -46,8 +46,8 @@ Eigen::Quaternionf rotationOfThree(const Bytes& bytes) {
     return {w, xyz.x(), xyz.y(), xyz.z()};
 }
 
-/// Which of x y z w is the largest, in 2 bits, and the others from the last one up in 10 bits each: a sign and a share
-/// of sqrt(1/2), above which only the largest can be.
+/// 2 bits: index of the largest of x y z w; then the others from the last one up in 10 bits each, a sign and a fraction
+/// of sqrt(1/2), which only the largest can exceed.
 Eigen::Quaternionf rotationOfSmallest(const Bytes& bytes) {
     std::uint32_t bits = bytes[0] | bytes[1] << 8 | bytes[2] << 16 | bytes[3] << 24;
     const auto largest = static_cast<int>(bits >> 30);
@@ -63,7 +63,8 @@ Eigen::Quaternionf rotationOfSmallest(const Bytes& bytes) {
     return {parts[3], parts[0], parts[1], parts[2]};
 }
 
-/// Bytes hold the logarithms of deviations as 16ths from -10 up, and colours as 0.15 of a harmonic around grey.
+/// Bytes hold logarithms of standard deviations in steps of 1/16 from -10, and harmonic colours around grey, scaled by
+/// 0.15.
 Gaussian gaussianOf(const SpzFile& file, std::size_t index) {
     const Bytes position = bytesOf(file, kSpzPositions, index), color = bytesOf(file, kSpzColors, index),
                 scale = bytesOf(file, kSpzScales, index), rotation = bytesOf(file, kSpzRotations, index);
@@ -83,13 +84,13 @@ Gaussian gaussianOf(const SpzFile& file, std::size_t index) {
 
 bool isSpzStart(std::string_view bytes) { return bytes.starts_with("NGSP"); }
 
-void readSpz(const Source& source, Sink& sink) {
-    const SpzFile file = openSpz(source);
+void readSpz(const InputFile& input, Sink& sink) {
+    const SpzFile file = openSpz(input);
     const auto each = [&](const std::function<void(const Gaussian&)>& use) {
         for (std::size_t i = 0; i < file.count; ++i) use(gaussianOf(file, i));
     };
-    const char* const lost = file.harmonics_degree > 0 ? "how their colours change with the direction" : "";
-    readGaussians(source, {file.count, Vec3d::UnitY(), lost}, each, sink); // right, up, back
+    const char* const lost = file.harmonics_degree > 0 ? "view-dependent colour" : "";
+    readGaussians(input, {file.count, Vec3d::UnitY(), lost}, each, sink); // axes: right, up, back
 }
 
 } // namespace

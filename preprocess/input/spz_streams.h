@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The container of SPZ files: header, and an array for each thing that Gaussians have.
+// The container of SPZ files: a header, and an array for each parameter of the Gaussians.
 #pragma once
 
 #include <array>
@@ -7,11 +7,11 @@
 #include <string>
 #include <string_view>
 
-#include "preprocess/input/source.h"
+#include "preprocess/input/input_file.h"
 
 namespace pointrt {
 
-/// In the order of the file. Harmonics beyond the constant one follow them.
+/// In the order of the file. Higher-order harmonics follow them.
 enum SpzArray { kSpzPositions, kSpzAlphas, kSpzColors, kSpzScales, kSpzRotations, kSpzArrayCount };
 
 struct SpzFile {
@@ -20,13 +20,13 @@ struct SpzFile {
     int harmonics_degree = 0;
     int fractional_bits = 0; ///< of a fixed-point coordinate
     std::array<std::string_view, kSpzArrayCount> arrays;
-    std::array<std::string, kSpzArrayCount> unpacked; ///< what they point to, where the file has them packed
+    std::array<std::string, kSpzArrayCount> unpacked; ///< storage of the arrays, if the file has them compressed
 
     std::size_t bytesEach(SpzArray array) const;
 };
 
-/// Takes a file (of versions 1 to 3: with its gzip gone already) apart into arrays of count times bytesEach. Throws
-/// Error when it is broken, cut short or of another version, and before memory is taken for more than it can hold.
-SpzFile openSpz(const Source& source);
+/// Splits a file (versions 1 to 3: decompressed from gzip) into arrays of count times bytesEach. Throws Error if it is
+/// invalid, truncated or of another version, and before allocating more memory than it can hold.
+SpzFile openSpz(const InputFile& input);
 
 } // namespace pointrt

@@ -9,64 +9,59 @@
 
 #include "preprocess/input/detect.h"
 #include "preprocess/input/mesh.h"
+#include "preprocess/input/notes.h"
 #include "preprocess/input/sink.h"
 
 namespace pointrt {
 namespace {
 
-/// Everything of one reading.
+BatchOptions batchOptions(const StreamOptions& options, const std::function<void(const PointBatch&)>& take) {
+    return {options.batch_points, take, options.first_pass ? &options.first_pass->largest_color : nullptr,
+            options.start.kept};
+}
+
+/// The state of one pass over the files.
 struct Stream {
     const StreamOptions& options;
     Cloud cloud;
-    Batches batches;
-    Sink sink{cloud};
+    Sink sink;
     std::vector<FileReport> files;
 
-    Stream(const StreamOptions& of, const std::function<void(const PointBatch&)>& take) : options(of) {
-        batches.points = options.batch_points;
-        batches.take = take;
-        batches.handed_on = options.start.kept;
-        sink.batches = &batches;
-        sink.attributes = options.read.attributes;
-        sink.filter = PointFilter(options.read.filter);
-        sink.filter.goOnFrom(options.start.seen);
-        sink.world_from_input = options.read.transform;
-        sink.level = options.read.level;
-        sink.scales_degrees = options.read.scales_degrees && !options.read.transform;
+    Stream(const StreamOptions& of, const std::function<void(const PointBatch&)>& take)
+        : options(of), sink(cloud, sinkOptions(of.read), batchOptions(of, take)) {
+        sink.filter.resumeAfter(options.start.seen);
         sink.scans.resize(options.start.scan);
-        if (options.known) useKnown(*options.known);
+        if (options.first_pass) useTypes(options.first_pass->cloud.attributes);
     }
 
-    void useKnown(const StreamFindings& known) {
-        batches.scales_known = true;
-        batches.largest_color = known.largest_color;
-        cloud.attributes = known.cloud.attributes;
+    void useTypes(const std::vector<Attribute>& attributes) {
+        cloud.attributes = attributes;
         sink.attributes = {false, {}};
-        for (const Attribute& attribute : cloud.attributes) sink.attributes.names.push_back(attribute.name);
+        for (const Attribute& attribute : attributes) sink.attributes.names.push_back(attribute.name);
     }
 };
 
-/// Puts points that stand in a cloud of their own through the sink: what filters and places them is done.
+/// Sends the points of a cloud, which are filtered and transformed already, through the sink.
 class Replay {
 public:
     Replay(const Cloud& points, const std::string& name, Sink& sink) : points_(points), sink_(sink) {
-        source_.name = name;
+        input_.name = name;
     }
 
     void run() {
         const auto filter = std::exchange(sink_.filter, PointFilter({}));
-        const auto placed = std::exchange(sink_.world_from_input, std::nullopt);
+        const auto transform = std::exchange(sink_.transform.world_from_input, std::nullopt);
         for (std::size_t scan = 0; scan < points_.scans.size(); ++scan) addScan(scan);
         for (const Note& note : points_.notes) addNote(sink_.cloud, note.file, note.text);
-        setWorldFrame(sink_, source_, points_.world);
+        sink_.setWorldFrame(input_, points_.world);
         Cloud& cloud = sink_.cloud;
         cloud.points_read += points_.points_read;
-        cloud.points_read -= std::min(cloud.points_read, points_.positions.size()); // which the sink counted
+        cloud.points_read -= std::min(cloud.points_read, points_.positions.size()); // counted by the sink
         cloud.points_non_finite += points_.points_non_finite;
         cloud.points_unused += points_.points_unused;
         cloud.points_filtered += points_.points_filtered;
         sink_.filter = filter;
-        sink_.world_from_input = placed;
+        sink_.transform.world_from_input = transform;
     }
 
 private:
@@ -88,10 +83,10 @@ private:
             scan + 1 < points_.scans.size() ? points_.scans[scan + 1].first_point : points_.positions.size();
         ScanTraits all = traits();
         all.vertices = end - first;
-        beginScan(sink_, source_, all);
+        sink_.beginScan(input_, all);
         std::vector<char> values;
         for (std::size_t i = first; i < end; ++i) addPoint(i, values);
-        finishScan(sink_, source_, "", Emptiness::kAllowed);
+        sink_.finishScan(input_, "", Emptiness::kAllowed);
         sink_.cloud.scans.back().name = points_.scans[scan].name;
         sink_.cloud.scans.back().sensor = points_.scans[scan].sensor;
     }
@@ -110,69 +105,69 @@ private:
             const char* const from = each.values.data() + i * each.bytesEach();
             values.insert(values.end(), from, from + each.bytesEach());
         }
-        addVertex(sink_, row, values.data());
+        sink_.addVertex(row, values.data());
     }
 
     const Cloud& points_;
     Sink& sink_;
-    Source source_;
+    InputFile input_;
 };
 
-/// Bytes that all have to be in memory.
-void requireSmall(const Source& source, const Stream& stream, const char* why) {
-    if (source.bytes.size() > stream.options.largest_whole_file)
-        refuse(source, fmt::format("{}, for which its {} MB are too many: a larger --max-memory allows it", why,
-                                   source.bytes.size() / 1'000'000));
+/// For files whose bytes must all be in memory.
+void requireSmall(const InputFile& input, const Stream& stream, const char* why) {
+    if (input.bytes.size() > stream.options.largest_whole_file)
+        refuse(input,
+               fmt::format("{}: its {} MB exceed the limit; raise --max-memory", why, input.bytes.size() / 1'000'000));
 }
 
-/// The file by itself, as a bake of it alone reads it.
-FileReport readWhole(const Source& source, const std::string& path, Stream& stream) {
-    requireSmall(source, stream, "is read as a whole, as faces, grids and packed points are");
+/// Reads a file as a bake of this file alone does.
+FileReport readWhole(const InputFile& input, const std::string& path, Stream& stream) {
+    requireSmall(input, stream, "must be read at once (it has faces, grids or compressed points)");
     std::vector<FileReport> reports;
     Cloud points = readInputs({path}, stream.options.read, {}, &reports);
     points.attributes.erase(std::remove_if(points.attributes.begin(), points.attributes.end(),
                                            [](const Attribute& each) { return each.name == kScanNumber; }),
-                            points.attributes.end()); // numbered anew among all files
-    Replay(points, source.name, stream.sink).run();
+                            points.attributes.end()); // all files are numbered together
+    Replay(points, input.name, stream.sink).run();
     return reports.front();
 }
 
-FileReport readStreamed(const Source& source, const InputFormat& format, Stream& stream) {
+FileReport readStreamed(const InputFile& input, const InputFormat& format, Stream& stream) {
     Sink& sink = stream.sink;
     const std::size_t read_before = sink.cloud.points_read, scans_before = sink.scans.size();
-    const std::uint64_t kept_before = keptPoints(sink);
-    readSource(format, source, sink);
-    FileReport report{source.name, std::string(format.title)};
+    const std::uint64_t kept_before = sink.pointCount();
+    readInput(format, input, sink);
+    FileReport report{input.name, std::string(format.title)};
     report.points = sink.cloud.points_read - read_before;
-    report.kept = keptPoints(sink) - kept_before;
+    report.kept = sink.pointCount() - kept_before;
     report.scans = sink.scans.size() - scans_before;
     return report;
 }
 
 void readFile(const std::string& path, Stream& stream) {
     const auto start = std::chrono::steady_clock::now();
-    const Source source = openSource(path);
-    if (!source.mapped) requireSmall(source, stream, "is unpacked as a whole, as .gz files are");
-    const InputFormat& format = formatOf(source, stream.options.read.format);
-    const bool streams = format.reader.readsInBatches && format.reader.readsInBatches(source);
-    if (streams && stream.options.read.sample_count.value_or(0) > 0) refuseSampling(source.name);
-    FileReport report = streams ? readStreamed(source, format, stream) : readWhole(source, path, stream);
+    const InputFile input = openInputFile(path);
+    if (!input.mapped) requireSmall(input, stream, "must be unpacked in memory");
+    const InputFormat& format = formatOf(input, stream.options.read.format);
+    const bool streams = format.reader.readsInBatches && format.reader.readsInBatches(input);
+    if (streams && stream.options.read.sample_count.value_or(0) > 0) refuseSampling(input.name);
+    FileReport report = streams ? readStreamed(input, format, stream) : readWhole(input, path, stream);
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (stream.sink.scales_degrees && stream.sink.files_in_degrees > 0)
-        refuse(source, "is in degrees of longitude and latitude, which tile sets do not take: --transform makes metres "
-                       "of them");
+        refuse(input, "is in degrees of longitude and latitude, which tile sets do not support; convert to metres with "
+                      "--transform");
     stream.files.push_back(report);
 }
 
 StreamFindings findingsOf(Stream&& stream) {
     StreamFindings findings;
-    findings.loose = stream.sink.columns.loose;
+    findings.untyped = stream.sink.columns.untyped;
     findings.minor = stream.sink.columns.minor;
-    findings.largest_color = std::move(stream.batches.largest_color);
-    findings.colors = stream.batches.colors;
+    findings.largest_color = stream.sink.batchFindings().largest_color;
+    findings.colors = stream.sink.batchFindings().colors;
     for (const ScanRange& scan : stream.sink.scans) findings.scan_points.push_back(scan.position_count);
     findings.files = std::move(stream.files);
-    stream.batches.empty(stream.cloud);
+    removePoints(stream.cloud);
     findings.cloud = std::move(stream.cloud);
     return findings;
 }
@@ -188,15 +183,15 @@ StreamFindings readInBatches(const std::vector<std::string>& paths, const Stream
         if (progress)
             sink.progress = [&, i](double share) {
                 const double done = (static_cast<double>(i) + share) / static_cast<double>(paths.size());
-                progress({done, i, paths.size(), sink.cloud.points_read + sink.vertices});
+                progress({done, i, paths.size(), sink.cloud.points_read + sink.vertexCount()});
             };
         readFile(paths[i], stream);
-        if (options.file_done) options.file_done({i + 1, sink.scans.size(), keptPoints(sink), sink.filter.seen()});
+        if (options.file_done) options.file_done({i + 1, sink.scans.size(), sink.pointCount(), sink.filter.seen()});
     }
     if (progress) progress({1, paths.size() - 1, paths.size(), sink.cloud.points_read});
-    if (!options.known) {
-        if (sink.scans.size() > 1) sink.columns.offered.emplace_back(kScanNumber);
-        requireOffered(sink.columns, options.read.attributes);
+    if (!options.first_pass) {
+        if (sink.scans.size() > 1) sink.columns.available.emplace_back(kScanNumber);
+        requireAvailable(sink.columns, options.read.attributes);
     }
     return findingsOf(std::move(stream));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines of columns: their fields, comments and delimiters.
+// Lines of a table: fields, comments and delimiters.
 #pragma once
 
 #include <optional>
@@ -46,14 +46,14 @@ inline std::string_view withoutBlanks(std::string_view line) {
     return line;
 }
 
-/// The text of a comment line; nothing for other lines.
+/// The text of a comment line; nullopt for other lines.
 inline std::optional<std::string_view> commentText(std::string_view line) {
     if (line.starts_with("//")) return line.substr(2);
     if (line.starts_with("#")) return line.substr(1);
     return std::nullopt;
 }
 
-/// What to say of a line with numbers such as 1,5; nothing of others.
+/// A hint for a line with decimal commas such as 1,5; "" for others.
 inline std::string_view commaHint(std::string_view line) {
     int commas = 0;
     while (!line.empty()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers and words out of a block of text, without locale and without streams.
+// Parses numbers and words in a block of text, independent of the locale.
 #pragma once
 
 #include <charconv>
@@ -15,20 +15,20 @@ inline bool isBlank(char letter) {
 }
 inline bool isSpace(char letter) { return isBlank(letter) || letter == '\n'; }
 
-/// Whether a word has control characters, which no message shows as they are and the first 0 of which ends it.
+/// Whether a word has control characters, which messages cannot show; a 0 would end the name.
 inline bool hasControls(std::string_view word) {
     for (const char letter : word)
         if (static_cast<unsigned char>(letter) < ' ' || letter == 127) return true;
     return false;
 }
 
-/// from_chars leaves the value alone when it is out of range; strtod tells 0 from infinity.
+/// from_chars leaves the value unset if it is out of range; strtod distinguishes 0 from infinity.
 inline double outOfRangeValue(const char* begin, const char* end) {
     return std::strtod(std::string(begin, end).c_str(), nullptr);
 }
 
-/// Reads the number that text starts with and tells where it ends; nullptr where there is none.
-/// Takes a leading +, inf, nan, -nan(ind) and the 1.#QNAN, 1.#INF, -1.#IND of old C runtimes (all as NaN).
+/// Parses the number at the start of text and returns its end, or nullptr if there is none.
+/// Accepts a leading +, inf, nan, -nan(ind) and the 1.#QNAN, 1.#INF, -1.#IND of old C runtimes (all as NaN).
 inline const char* parseNumber(const char* at, const char* end, double& value) {
     if (at < end && *at == '+') {
         ++at;
@@ -46,13 +46,13 @@ inline const char* parseNumber(const char* at, const char* end, double& value) {
     return stop;
 }
 
-/// True when all of word is one number.
+/// Whether the entire word is a number.
 inline bool wholeNumber(std::string_view word, double& value) {
     const char* const end = word.data() + word.size();
     return parseNumber(word.data(), end, value) == end && !word.empty();
 }
 
-/// True when all of word is one decimal integer that fits.
+/// Whether the entire word is a decimal integer that fits.
 template <typename Integer>
 bool wholeInteger(std::string_view word, Integer& value) {
     const char* const end = word.data() + word.size();
@@ -60,7 +60,7 @@ bool wholeInteger(std::string_view word, Integer& value) {
     return error == std::errc() && stop == end;
 }
 
-/// Cuts the next line off rest, without its end (LF, CR LF). False at the end of rest.
+/// Takes the next line from rest, without its end (LF, CR LF). Returns false at the end of rest.
 inline bool nextLine(std::string_view& rest, std::string_view& line) {
     if (rest.empty()) return false;
     const std::size_t length = rest.find('\n');
@@ -70,7 +70,7 @@ inline bool nextLine(std::string_view& rest, std::string_view& line) {
     return true;
 }
 
-/// Cuts the next word off rest, blanks before it skipped. Empty at the end of rest.
+/// Takes the next word from rest, skipping blanks before it. Empty at the end of rest.
 inline std::string_view nextWord(std::string_view& rest) {
     std::size_t first = 0;
     while (first < rest.size() && isSpace(rest[first])) ++first;
@@ -81,10 +81,10 @@ inline std::string_view nextWord(std::string_view& rest) {
     return word;
 }
 
-/// Lines that have a word in them.
+/// Iterates over lines that are not blank.
 struct Lines {
     std::string_view rest;
-    bool comments = false; ///< '#' and what follows it on a line are none
+    bool comments = false; ///< '#' starts a comment to the end of the line
 
     bool next(std::string_view& line) {
         while (nextLine(rest, line)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers written as words, as the type that a header gives them.
+// Converts words to numbers of the type that a header declares.
 #pragma once
 
 #include <cmath>
@@ -11,9 +11,9 @@
 namespace pointrt {
 
 enum class Stored {
-    kExactly, ///< or rounded, as a real
-    kNearest, ///< the word lies outside the type, or between two of its whole numbers
-    kNothing  ///< the word is no number
+    kExactly, ///< or rounded to the precision of a real
+    kNearest, ///< the number is out of range or, for an integer type, not an integer
+    kNothing  ///< the word is not a number
 };
 
 /// The number of an integer type that is nearest to value; 0 for NaN.
@@ -39,7 +39,7 @@ Stored storeIntegerWord(std::string_view word, char* into) {
     return stored;
 }
 
-/// Writes the number that word is to `into`, scalarSize(type) bytes of the machine's order.
+/// Stores the number in word to `into`: scalarSize(type) bytes in the machine's order.
 inline Stored storeWord(std::string_view word, Scalar type, char* into) {
     switch (type) {
     case Scalar::kI8:
@@ -67,7 +67,7 @@ inline Stored storeWord(std::string_view word, Scalar type, char* into) {
     return Stored::kExactly;
 }
 
-/// Copies a number of a binary file, big-endian where swap_bytes.
+/// Copies a number of a binary file. swap_bytes: it is big-endian
 inline void storeBytes(const char* from, Scalar type, bool swap_bytes, char* into) {
     const std::size_t size = scalarSize(type);
     std::memcpy(into, from, size);

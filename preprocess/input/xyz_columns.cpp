@@ -11,7 +11,7 @@
 namespace pointrt {
 namespace {
 
-/// Three decimals a component leave a unit vector's length right to 0.001; two to 0.01.
+/// Components with three decimals give a unit vector's length to 0.001; with two, to 0.01.
 constexpr double kUnitTolerance = 0.01;
 
 bool isUnit(const double* v) {
@@ -19,7 +19,7 @@ bool isUnit(const double* v) {
     return std::abs(length - 1) <= kUnitTolerance;
 }
 
-/// How writers say that a point has no normal.
+/// Markers of a missing normal.
 bool isMissing(const double* v) {
     return (v[0] == 0 && v[1] == 0 && v[2] == 0) || std::isnan(v[0]) || std::isnan(v[1]) || std::isnan(v[2]);
 }
@@ -42,7 +42,7 @@ bool isConstant(const ColumnStatistics& statistics, std::size_t column) {
     return statistics.least[column] == statistics.most[column];
 }
 
-/// An alpha that says nothing.
+/// A constant alpha.
 bool isOpaque(const ColumnStatistics& statistics, std::size_t column) {
     return isConstant(statistics, column) && (statistics.most[column] == 255 || statistics.most[column] == 1);
 }
@@ -53,28 +53,28 @@ std::optional<std::size_t> findNormals(const ColumnStatistics& statistics, std::
     return std::nullopt;
 }
 
-/// What else is known of a list.
+/// Other properties of the list.
 struct Others {
     bool is_pts, normals;
 };
 
-/// Three columns of colour, and whether others may have been meant.
+/// Three colour columns, and whether the choice is ambiguous.
 struct ColorPlace {
     std::size_t first;
     bool doubtful = false;
 };
 
-/// Which end of "a b c d", whole numbers all of them, is an intensity, going by which of them exceed a byte: 'a', 'd',
-/// or 0 where they do not tell.
+/// Which end of the integers "a b c d" is an intensity, decided by which of them exceed a byte: 'a', 'd', or 0 if
+/// undecided.
 char intensityByWidth(const ColumnStatistics& statistics, std::size_t a) {
     const auto wide = [&](std::size_t i) { return statistics.most[a + i] > 255; };
     if (wide(1) != wide(2) || wide(0) == wide(3)) return 0;
     return wide(0) == wide(1) ? 'd' : 'a';
 }
 
-/// Which of "a b c d" are colours: the first three where d is an alpha, or an unused intensity, the same everywhere;
-/// else all but the intensity, a or d. Where either may be it, it is a in lists of points and intensities, as in .pts
-/// files, and d beside normals, as programs write it there.
+/// Which of "a b c d" are colours: the first three if d is constant, an alpha or an unused intensity; otherwise all but
+/// the intensity, a or d. If undecided, it is a in lists of points and intensities, as in .pts files, and d beside
+/// normals, as programs write it there.
 std::optional<ColorPlace> colorsOfFour(const ColumnStatistics& statistics, std::size_t a, const Others& others) {
     const bool first = colorLike(statistics, a), second = colorLike(statistics, a + 1);
     if (!first && !second) return std::nullopt;
@@ -106,24 +106,24 @@ std::optional<ColorPlace> findColors(const ColumnStatistics& statistics, std::si
     return before ? before : colorsOfRun(statistics, *normals + 3, extras, others);
 }
 
-constexpr std::string_view kCure = "a first line such as '//X Y Z R G B I' says what";
+constexpr std::string_view kAdvice = "a header line such as '//X Y Z R G B I' defines";
 
 std::string doubtOf(const std::optional<ColorPlace>& colors, bool normals, std::size_t unread) {
     if (colors && colors->doubtful)
-        return fmt::format("has no header: columns {} to {} are taken as red, green and blue, what is beside them is "
-                           "not read; {} they are",
-                           colors->first + 4, colors->first + 6, kCure);
+        return fmt::format("has no header: columns {} to {} are read as red, green and blue, the others are not "
+                           "read; {} them",
+                           colors->first + 4, colors->first + 6, kAdvice);
     if (unread == 0) return {};
     const bool one = unread == 1;
     return fmt::format(
         "has no header, and {} column{} after x, y, z{} that look{} like neither colours nor normals {} not "
         "read; {} {}",
-        unread, one ? "" : "s", normals ? " and normals" : "", one ? "s" : "", one ? "is" : "are", kCure,
-        one ? "it is" : "they are");
+        unread, one ? "" : "s", normals ? " and normals" : "", one ? "s" : "", one ? "is" : "are", kAdvice,
+        one ? "it" : "them");
 }
 
-void assign(std::vector<Role>& roles, std::size_t first, Role role) {
-    for (int i = 0; i < 3; ++i) roles[first + i] = static_cast<Role>(role + i);
+void assign(std::vector<Dimension>& dimensions, std::size_t first, Dimension dimension) {
+    for (int i = 0; i < 3; ++i) dimensions[first + i] = static_cast<Dimension>(dimension + i);
 }
 
 } // namespace
@@ -151,8 +151,8 @@ void observe(ColumnStatistics& statistics, const double* extras, std::size_t cou
 
 ColumnGuess guessColumns(const ColumnStatistics& statistics, std::size_t column_count, bool is_pts) {
     ColumnGuess guess;
-    guess.roles.assign(column_count, kIgnored);
-    assign(guess.roles, 0, kX);
+    guess.dimensions.assign(column_count, kIgnored);
+    assign(guess.dimensions, 0, kX);
     const std::size_t extras = column_count - 3;
     if (is_pts && extras == 1) guess.intensity = 3;
     if (column_count != 6 && column_count != 7 && column_count != 9 && column_count != 10) {
@@ -161,15 +161,15 @@ ColumnGuess guessColumns(const ColumnStatistics& statistics, std::size_t column_
     }
     const auto normals = findNormals(statistics, extras);
     const auto colors = findColors(statistics, extras, normals, is_pts);
-    if (normals) assign(guess.roles, 3 + *normals, kNormalX);
+    if (normals) assign(guess.dimensions, 3 + *normals, kNormalX);
     if (colors) {
-        assign(guess.roles, 3 + colors->first, kRed);
+        assign(guess.dimensions, 3 + colors->first, kRed);
         guess.real_colors = !wholeNumbers(statistics, colors->first);
     }
-    const auto left = std::find(guess.roles.begin() + 3, guess.roles.end(), kIgnored);
-    auto unread = static_cast<std::size_t>(std::count(left, guess.roles.end(), kIgnored));
+    const auto left = std::find(guess.dimensions.begin() + 3, guess.dimensions.end(), kIgnored);
+    auto unread = static_cast<std::size_t>(std::count(left, guess.dimensions.end(), kIgnored));
     if (colors && unread == 1) {
-        const auto column = static_cast<std::size_t>(left - guess.roles.begin());
+        const auto column = static_cast<std::size_t>(left - guess.dimensions.begin());
         if (!isOpaque(statistics, column - 3) && !colors->doubtful) guess.intensity = column;
         unread = 0;
     }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMaxColumns = 4096;
 
-/// The names of the columns, without their units, "[m]" or "(m)".
+/// The names of the columns, without units such as "[m]" or "(m)".
 std::vector<std::string> namesOf(std::string_view line) {
     std::vector<std::string> names;
     Fields fields{line, delimiterOf(line)};
@@ -19,22 +19,22 @@ std::vector<std::string> namesOf(std::string_view line) {
     return names;
 }
 
-/// Takes a line as the header; false where it does not name x, y and z.
+/// Parses a line as the header. Returns false if it does not name x, y and z.
 bool takeHeader(std::string_view line, Layout& layout) {
     std::vector<std::string> names = namesOf(line);
-    std::vector<Role> roles;
-    for (const std::string& name : names) roles.push_back(roleOfName(name));
-    settleRoles(roles);
-    if (!hasPositions(roles)) return false;
-    layout.roles = std::move(roles);
+    std::vector<Dimension> dimensions;
+    for (const std::string& name : names) dimensions.push_back(dimensionOfName(name));
+    resolveDimensions(dimensions);
+    if (!hasPositions(dimensions)) return false;
+    layout.dimensions = std::move(dimensions);
     layout.names = std::move(names);
     return true;
 }
 
-/// How many fields a line has, and how many numbers it starts with.
+/// Number of fields in a line, and of leading numbers.
 struct LineShape {
     std::size_t fields = 0, numbers = 0;
-    bool whole = false; ///< the first one is a whole number without a sign
+    bool whole = false; ///< the first one is an integer without a sign
 };
 
 LineShape shapeOf(std::string_view line) {
@@ -51,18 +51,18 @@ LineShape shapeOf(std::string_view line) {
 
 bool isCount(const LineShape& shape) { return shape.fields == 1 && shape.whole; }
 
-void takeCount(const Source& source, std::string_view line, Layout& layout) {
-    if (layout.counted) refuseLine(source, line.data(), "is a second count before the first point");
+void takeCount(const InputFile& input, std::string_view line, Layout& layout) {
+    if (layout.counted) refuseLine(input, line.data(), "a second count before the first point");
     layout.counted = true;
     wholeInteger(line, layout.counted_points);
 }
 
 } // namespace
 
-Layout readPrologue(const Source& source) {
+Layout readPrologue(const InputFile& input) {
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
     Layout layout;
-    std::string_view rest = source.bytes, line;
+    std::string_view rest = input.bytes, line;
     if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
     for (std::string_view here = rest; nextLine(rest, line); here = rest) {
         line = withoutBlanks(line);
@@ -73,7 +73,7 @@ Layout readPrologue(const Source& source) {
         }
         const LineShape shape = shapeOf(line);
         if (isCount(shape)) {
-            takeCount(source, line, layout);
+            takeCount(input, line, layout);
         } else if (takeHeader(line, layout)) {
             continue;
         } else if (shape.numbers >= 3 || layout.named()) {
@@ -84,11 +84,11 @@ Layout readPrologue(const Source& source) {
             return layout;
         } else {
             refuseLine(
-                source, line.data(),
-                fmt::format("is neither a point nor a header with x, y and z: {}{}", inQuotes(line), commaHint(line)));
+                input, line.data(),
+                fmt::format("neither a point nor a header with x, y and z: {}{}", inQuotes(line), commaHint(line)));
         }
     }
-    refuse(source, "holds no points");
+    refuse(input, "holds no points");
 }
 
 bool addAttribute(Layout& layout, std::size_t column, std::string_view name, AttributeNames& names) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How to read the lines of a list of points: what stands before the first one says it, or the values do.
+// Layout of a point list, from the lines before the first point.
 #pragma once
 
 #include <string>
@@ -7,33 +7,35 @@
 #include <vector>
 
 #include "preprocess/input/attribute_names.h"
-#include "preprocess/input/sink.h"
+#include "preprocess/input/dimensions.h"
+#include "preprocess/input/input_file.h"
+#include "preprocess/input/scan_traits.h"
 
 namespace pointrt {
 
 struct Layout {
-    std::vector<Role> roles;        ///< one per column
-    std::vector<std::string> names; ///< one per column, as the header has them; empty without a header
-    bool real_colors = true;        ///< colours may be shares of 1
+    std::vector<Dimension> dimensions; ///< one per column
+    std::vector<std::string> names;    ///< one per column, as in the header; empty without a header
+    bool real_colors = true;           ///< colours may be in [0, 1]
     char delimiter = ' ';
-    bool counted = false;             ///< lines with one number say how many points follow
-    std::uint64_t counted_points = 0; ///< by the first such line
+    bool counted = false;             ///< lines with a single number give the number of points that follow
+    std::uint64_t counted_points = 0; ///< from the first such line
     std::string_view data;            ///< from the first point on
     std::string_view first_line;
-    std::size_t columns = 0; ///< of the first point that are numbers
+    std::size_t columns = 0; ///< leading numbers of the first point
 
     std::vector<ColumnTraits> attributes;
-    std::vector<std::size_t> attribute_columns; ///< where each is
+    std::vector<std::size_t> attribute_columns; ///< column of each attribute
 
     bool named() const { return !names.empty(); }
-    /// Leica's: a count, then x y z, intensity and red green blue, as far as they are there.
+    /// Leica's format: a count, then x y z and optionally intensity and red green blue.
     bool isPts() const { return counted && !named(); }
 };
 
-/// Reads what stands before the first point. Throws Error when there is no point, or something else before it.
-Layout readPrologue(const Source& source);
+/// Reads the lines before the first point. Throws Error if there is no point, or an invalid line before it.
+Layout readPrologue(const InputFile& input);
 
-/// Makes a column an attribute, of whatever type its values turn out to need. False where another one has its name.
+/// Makes a column an untyped attribute. Returns false if its name is taken.
 bool addAttribute(Layout& layout, std::size_t column, std::string_view name, AttributeNames& names);
 
 } // namespace pointrt

@@ -41,23 +41,23 @@ bool allOnLine(const std::vector<Vec3f>& positions, const Vec3d& base, const Vec
     return true;
 }
 
-/// Whether all lie on a line to within a millionth of their extent and the rounding of float.
+/// Whether all are on a line to within a millionth of their extent and the rounding of float.
 bool onLine(const std::vector<Vec3f>& positions, const Bounds& bounds) {
-    // The end of the cloud farthest from any point and the point farthest from that end span the line, if any.
+    // If there is a line, the point farthest from any point is its end, and the point farthest from that the other.
     const Vec3d base = farthestFrom(positions, positions.front().cast<double>());
     const Vec3d direction = (farthestFrom(positions, base) - base).normalized();
-    // Rounding moves a coordinate by 2^-24 of itself at most; four such errors meet in the distance.
+    // Rounding changes a coordinate by at most 2^-24 of itself; the distance has four such errors.
     const double rounding = std::ldexp(bounds.low.cwiseAbs().cwiseMax(bounds.high.cwiseAbs()).maxCoeff(), -22);
     return allOnLine(positions, base, direction, 1e-6 * bounds.longestEdge() + rounding);
 }
 
-/// Scaled to an extent of 1 that is 2^60 of theirs, points lie within 2^-60: squares of distances a hundredth of that
-/// are 2^-134, which floats hold with few bits, and soon not at all.
+/// Scaled to an extent of 1, points of 2^-60 times that extent have squared distances of 2^-134 at a hundredth of
+/// theirs: floats hold those with few bits, and soon underflow.
 const double kMostExtents = std::ldexp(1.0, 60);
 
-/// The points at least 100 times as far from the median of all as 99 in 100 are, ascending: seen from such a stray the
-/// others are a dot, and with it they are on a line. None of fewer than 100 points.
-std::vector<std::uint32_t> farOnes(const std::vector<Vec3f>& positions) {
+/// Indices, ascending, of the points more than 100 times as far from the median as 99% of all: together with such an
+/// outlier, all points seem to be on a line. Empty for fewer than 100 points.
+std::vector<std::uint32_t> farOutliers(const std::vector<Vec3f>& positions) {
     constexpr double kShare = 0.99, kFar = 100;
     Vec3d middle;
     for (int axis = 0; axis < 3; ++axis) {
@@ -93,7 +93,7 @@ std::vector<std::uint32_t> requireSurface(const std::vector<Vec3f>& positions) {
     const Bounds bounds = boundsOf(positions);
     if (bounds.longestEdge() == 0) fail("all " + count + " points are equal");
     if (!onLine(positions, bounds)) return {};
-    const std::vector<std::uint32_t> far = farOnes(positions);
+    const std::vector<std::uint32_t> far = farOutliers(positions);
     const std::vector<Vec3f> near = without(positions, far);
     const Bounds near_bounds = boundsOf(near);
     if (far.empty() || onLine(near, near_bounds)) fail("all " + count + " points lie on one line");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Do these points span a surface at all?
+// Checks that points span a surface.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,10 @@
 
 namespace pointrt::surface {
 
-/// Throws Error (kBadInput) when there are fewer than 3 positions, or all are equal or lie on one line to within
-/// a millionth of their extent (and the rounding of float). A hundredth of the points may be strays too far away to
-/// matter for that. The message is the reason without a file's name.
-/// Returns, ascending, strays beyond all proportion, of which there are hardly ever any: 2^60 times as far off as the
-/// others reach, so that floats that hold them cannot tell the others apart.
+/// Throws Error (kBadInput) if there are fewer than 3 positions, or all are equal or on one line to within a millionth
+/// of their extent (and the rounding of float). Ignores up to a hundredth of the points as distant outliers. The
+/// message is the reason without a file's name. Returns the indices, ascending, of extreme outliers (hardly ever any):
+/// 2^60 times the extent of the others away, so that at their scale, floats cannot tell the others apart.
 std::vector<std::uint32_t> requireSurface(const std::vector<Vec3f>& positions);
 
 } // namespace pointrt::surface

@@ -14,7 +14,7 @@ std::pair<std::uint32_t, bool> ParitySets::find(std::uint32_t point) {
     bool flipped = false;
     while (parent_[point] != point) {
         const std::uint32_t parent = parent_[point];
-        // Path halving: hang the point under its grandparent (a root's own flag is 0).
+        // Path halving: makes the point a child of its grandparent (a root's own flag is 0).
         flipped_[point] ^= flipped_[parent];
         parent_[point] = parent_[parent];
         flipped ^= flipped_[point] != 0;
@@ -46,7 +46,7 @@ void ParitySets::flatten() {
 
 SharedSets::SharedSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
 
-// Parents only ever move towards lower points of the same set: whatever another thread sees of that is true.
+// Parents only move to lower points of the same set, so that any value another thread sees is valid.
 
 std::uint32_t SharedSets::find(std::uint32_t point) {
     for (;;) {
@@ -66,7 +66,7 @@ void SharedSets::join(std::uint32_t a, std::uint32_t b) {
         if (a == b) return;
         if (a < b) std::swap(a, b);
         std::uint32_t expected = a;
-        // Fails when another thread has hung a somewhere meanwhile.
+        // Fails if another thread has changed the parent of a.
         if (std::atomic_ref(parent_[a]).compare_exchange_strong(expected, b, std::memory_order_relaxed)) return;
     }
 }

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/surface/decisions.h"
 
-#include "preprocess/surface/dimension.h"
 #include "preprocess/surface/estimate.h"
+#include "preprocess/surface/planarity.h"
 #include "preprocess/surface/radii.h"
 
 namespace pointrt {
 
-void PlacesOfCloud::add(const SurfaceReport& report, const Splats& splats) {
+void StatisticsSampler::add(const SurfaceReport& report, const Splats& splats) {
     points_ += report.inner;
     scattered_ += report.scattered;
     for (std::size_t i = 0; i < filling_.size(); ++i) filling_[i] += report.filling[i];
     radii_.insert(radii_.end(), splats.radii.begin(), splats.radii.end());
 }
 
-CloudTraits PlacesOfCloud::traits() {
-    if (points_ < surface::kFewForSheets) return {};
+CloudStatistics StatisticsSampler::statistics() {
+    if (points_ < surface::kMinPointsForPlanarity) return {};
     return {{},
             surface::isScattered(scattered_, points_),
             surface::rowsToFill(filling_, points_),

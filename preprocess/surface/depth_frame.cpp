@@ -9,10 +9,10 @@
 namespace pointrt {
 namespace {
 
-/// Of the largest: positions are floats, relative to an origin and perhaps turned.
+/// Depths closer than this, relative to the largest, are equal: positions are rounded floats, possibly rotated.
 constexpr double kSameDepth = 2e-6;
 
-/// The values that come at all, ascending; those closer together than tolerance are one.
+/// Distinct values, ascending; merges values closer than tolerance.
 std::vector<double> distinct(std::vector<double> values, double tolerance) {
     std::sort(values.begin(), values.end());
     std::vector<double> all;
@@ -21,8 +21,7 @@ std::vector<double> distinct(std::vector<double> values, double tolerance) {
     return all;
 }
 
-/// How the gaps between depths follow a law: the median of their ratio to it, and how far they are from that, as the
-/// median of logarithms.
+/// Fit of the gaps between depths to a law: the median ratio, and the median deviation from it, as a logarithm.
 struct LawFit {
     double step = 0, misfit = 0;
 };
@@ -38,7 +37,7 @@ LawFit fitLaw(const std::vector<double>& depths, const Law& law) {
     return fit;
 }
 
-/// Shares of pairs of neighbours, along rows and along columns, that have the same depth; the smaller one.
+/// Share of adjacent pairs with equal depths, along rows or along columns, whichever is smaller.
 double sameShare(const DepthFrame& frame, double tolerance) {
     std::size_t pairs[2] = {}, same[2] = {};
     const auto count = [&](int direction, double a, double b) {
@@ -56,7 +55,7 @@ double sameShare(const DepthFrame& frame, double tolerance) {
     return std::min(double(same[0]) / double(pairs[0]), double(same[1]) / double(pairs[1]));
 }
 
-/// How many distinct places there are across the sight, along an axis of the input.
+/// Number of distinct coordinates along an input axis perpendicular to the view axis.
 std::size_t distinctAcross(const Cloud& cloud, const RangeGrid& grid, const DepthFrame& frame, double tolerance) {
     const Vec3d across = frame.axis.unitOrthogonal();
     std::vector<double> places;
@@ -66,8 +65,8 @@ std::size_t distinctAcross(const Cloud& cloud, const RangeGrid& grid, const Dept
     return distinct(std::move(places), tolerance).size();
 }
 
-/// The axis of the input that a sensor looks along, on its side.
-Vec3d sightOf(const Cloud& cloud, const RangeGrid& grid, const Vec3d& sensor) {
+/// The input axis that a sensor looks along, with sign.
+Vec3d viewAxis(const Cloud& cloud, const RangeGrid& grid, const Vec3d& sensor) {
     Vec3d sum = Vec3d::Zero();
     for (const std::uint32_t cell : grid.point_of_cell)
         if (cell < RangeGrid::kLeftOut) sum += cloud.positions[cell].cast<double>() - sensor;
@@ -79,17 +78,17 @@ Vec3d sightOf(const Cloud& cloud, const RangeGrid& grid, const Vec3d& sensor) {
 } // namespace
 
 std::optional<DepthFrame> depthFrameOf(const Cloud& cloud, const RangeGrid& grid) {
-    constexpr double kWidestCosine = 0.2588;     // of 75 degrees
-    constexpr std::uint32_t kMostColumns = 8192; // of a camera; what works on strips of rows takes memory by it
+    constexpr double kWidestCosine = 0.2588;     // 75 degrees
+    constexpr std::uint32_t kMostColumns = 8192; // far above any camera's; limits the memory of strips of rows
     const auto& sensor = cloud.scans[grid.scan].sensor;
     if (!sensor || grid.wraps || grid.columns > kMostColumns) return std::nullopt;
     DepthFrame frame{grid.rows, grid.columns, std::vector<double>(grid.point_of_cell.size()), *sensor - cloud.origin};
-    frame.axis = sightOf(cloud, grid, frame.sensor);
+    frame.axis = viewAxis(cloud, grid, frame.sensor);
     for (std::size_t i = 0; i < grid.point_of_cell.size(); ++i) {
         const std::uint32_t cell = grid.point_of_cell[i];
         if (cell >= RangeGrid::kLeftOut) continue;
         const Vec3d from_sensor = cloud.positions[cell].cast<double>() - frame.sensor;
-        if (from_sensor.isZero(0)) continue; // as some programs write what has no depth
+        if (from_sensor.isZero(0)) continue; // some programs write missing depths so
         const double depth = from_sensor.dot(frame.axis);
         if (!(depth > kWidestCosine * from_sensor.norm())) return std::nullopt;
         frame.inverse[i] = 1 / depth;
@@ -99,8 +98,8 @@ std::optional<DepthFrame> depthFrameOf(const Cloud& cloud, const RangeGrid& grid
 
 std::optional<DepthSteps> findDepthSteps(const Cloud& cloud, const RangeGrid& grid, const DepthFrame& frame) {
     constexpr std::size_t kPointsADepth = 16, kFewestDepths = 16;
-    constexpr double kLeastSame = 0.05;  // a clean surface has none along rows or along columns
-    constexpr double kWorstMisfit = 0.3; // of a logarithm: depths are rounded again when they are written
+    constexpr double kLeastSame = 0.05;  // 0 for unquantised depths, along rows or columns
+    constexpr double kWorstMisfit = 0.3; // logarithm; depths are rounded again when written
     std::vector<double> depths;
     for (const double inverse : frame.inverse)
         if (inverse > 0) depths.push_back(1 / inverse);
@@ -110,7 +109,7 @@ std::optional<DepthSteps> findDepthSteps(const Cloud& cloud, const RangeGrid& gr
     depths = distinct(std::move(depths), tolerance);
     if (depths.size() < kFewestDepths || points < kPointsADepth * depths.size()) return std::nullopt;
     if (sameShare(frame, tolerance) < kLeastSame) return std::nullopt;
-    // numbers of few digits are no steps of the depth: they have them across too
+    // coordinates written with few digits have steps across the view axis, too
     if (distinctAcross(cloud, grid, frame, tolerance) < 4 * depths.size()) return std::nullopt;
     const LawFit square = fitLaw(depths, [](double depth) { return depth * depth; });
     const LawFit even = fitLaw(depths, [](double) { return 1.0; });

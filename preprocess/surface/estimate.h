@@ -1,38 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A cloud to splats: cleaning, normals, orientation, radii.
+// Converts a cloud to splats: cleaning, normals, orientation, radii.
 #pragma once
 
 #include "preprocess/cloud/splats.h"
 #include "preprocess/cloud/stage_progress.h"
 #include "preprocess/surface/decisions.h"
-#include "preprocess/surface/steps.h"
+#include "preprocess/surface/dequantize.h"
 #include "preprocess/surface/surface_options.h"
 
 namespace pointrt {
 
-/// What the estimation did, for the report.
+/// Counts and times of the estimation, for the report.
 struct SurfaceReport {
     std::size_t duplicates_removed = 0; ///< points at exactly the position of an earlier one
     std::size_t outliers_removed = 0;
     std::size_t normals_estimated = 0;
-    std::size_t normals_flipped = 0; ///< turned by orientation
-    std::vector<float> noise; ///< [scans], standard deviation across the surface over the spacing; empty: not measured
-    LevelReport steps;        ///< of depth cameras
-    std::size_t clean_dropped = 0; ///< by cleaning: rims of range grids, points on no surface
+    std::size_t normals_flipped = 0; ///< by orientation
+    std::vector<float> noise;      ///< [scans], standard deviation across the surface over the spacing; empty: unknown
+    DequantizeReport dequantized;  ///< frames of depth cameras
+    std::size_t clean_dropped = 0; ///< by cleaning: at silhouettes of range grids, or off the surface
     std::size_t clean_moved = 0;
     double seconds_neighbors = 0, seconds_normals = 0, seconds_orient = 0, seconds_clean = 0, seconds_radii = 0;
-    std::size_t filled = 0;               ///< points put between scan lines
-    surface::FillCounts filling{};        ///< what that was decided by
-    std::size_t inner = 0, scattered = 0; ///< points that SurfaceDecisions::inner has, those of them on no surface
-    std::size_t seen_through = 0;         ///< discs that ended where a sensor had looked through them
+    std::size_t filled = 0;        ///< points inserted between scan lines
+    surface::FillCounts filling{}; ///< for rowsToFill
+    std::size_t inner = 0;         ///< points with SurfaceDecisions::inner set
+    std::size_t scattered = 0;     ///< of those, points on no surface
+    std::size_t seen_through = 0;  ///< discs shrunk because a sensor saw through them
 };
 
-/// Turns the points of cloud (finite, fewer than 2^31) into splats.
-/// The cloud is emptied while it is used, to keep the peak memory low; the result does not depend on the number of
-/// threads. progress hears of the stages "neighbors", "normals", "orientation" and "radii".
-/// Throws Error (kBadInput) when there are fewer than 3 points, when all are equal or lie on one line, and when
-/// kKeep or kSensor lack a normal or a sensor; (kBadUsage) when an option is out of range. The message is the reason
-/// alone: the caller puts the file's name and ": " before it.
+/// Converts the points of cloud (finite, fewer than 2^31) to splats.
+/// Empties the cloud on the way, to limit peak memory. The result does not depend on the number of threads. Reports
+/// progress of the stages "neighbors", "normals", "orientation", "cleaning" and "radii".
+/// Throws Error: kBadInput if there are fewer than 3 points, if all are equal or on one line, or if normals or sensors
+/// are missing for kKeep or kSensor; kBadUsage if an option is out of range. The message is the reason alone: the
+/// caller prefixes the file's name and ": ".
 Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceReport& report,
                       const StageProgress& progress = {}, const SurfaceDecisions& decided = {});
 

@@ -14,34 +14,35 @@ namespace {
 constexpr double kLeastShare = 1.0 / 50;
 constexpr std::array<float, 2> kSides{1.0f, -1.0f};
 
-/// The gaps on both sides of a point, and how many rows they ask for.
+/// The gap on one side of a point, and the rows it needs.
 struct Gap {
     Facing facing;
-    std::uint32_t rows = 0; ///< 0: none to fill
+    std::uint32_t rows = 0; ///< 0: no gap
 };
-using Gaps = std::array<Gap, 2>;
+using Gaps = std::array<Gap, 2>; ///< on both sides
 
-/// Of the 2 rows + 1 steps between two lines a point fills the rows on its half.
+/// Two lines are 2 rows + 1 steps apart; each point fills the rows of its half.
 std::uint32_t rowsFor(const Facing& facing, const ScanLine& line) {
     const float steps = facing.across.norm() / line.step;
     return std::clamp(std::uint32_t(std::lround((steps - 1) / 2)), std::uint32_t(1), kMostRows);
 }
 
-std::vector<Gaps> findGaps(const LineJob& job, const std::vector<float>& sheets, const StageShare& share) {
-    std::vector<Gaps> gaps(job.points.size());
-    forEach(job.points.size(), share, [&](std::size_t i) {
-        if (!job.points.radii.empty() && job.points.radii[i] > 0) return;
-        if (!sheets.empty() && sheets[i] < kSurface) return;
-        const auto line = lineAt(job, i);
+std::vector<Gaps> findGaps(const PointGraph& graph, const StageShare& share) {
+    const PointSet& points = graph.points;
+    std::vector<Gaps> gaps(points.size());
+    forEach(points.size(), share, [&](std::size_t i) {
+        if (points.hasGivenRadius(i)) return;
+        if (!points.planarity.empty() && points.planarity[i] < kSurface) return;
+        const auto line = lineAt(graph, i);
         if (!line) return;
         for (std::size_t side = 0; side < kSides.size(); ++side)
-            if (const auto facing = facingLine(job, i, *line, kSides[side]))
+            if (const auto facing = facingLine(graph, i, *line, kSides[side]))
                 gaps[i][side] = {*facing, rowsFor(*facing, *line)};
     });
     return gaps;
 }
 
-/// First number of each point's filling points, and behind the last their number.
+/// Offset of each point's filling points, then their total.
 std::vector<std::uint32_t> countFilling(const std::vector<Gaps>& gaps, std::uint32_t most_rows) {
     std::vector<std::uint32_t> first(gaps.size() + 1, 0);
     for (std::size_t i = 0; i < gaps.size(); ++i)
@@ -49,20 +50,20 @@ std::vector<std::uint32_t> countFilling(const std::vector<Gaps>& gaps, std::uint
     return first;
 }
 
-/// One point between two lines.
+/// A point between two lines.
 struct Between {
     std::size_t base, other;
     Vec3f across;
-    float share; ///< of the way from base to the other line
+    float share; ///< of the distance from base to the other line
 };
 
-/// Of a way across, the tangent of the surface at one end: as long as the way.
+/// Tangent of the surface at one end of the vector across, of the same length.
 Vec3f tangentOf(const Vec3f& across, const Vec3f& normal) {
     const Vec3f flat = across - normal.dot(across) * normal;
     return flat * (across.norm() / flat.norm());
 }
 
-void place(Points& points, std::size_t at, const Between& between) {
+void place(PointSet& points, std::size_t at, const Between& between) {
     const Vec3f near_normal = points.normals[between.base];
     Vec3f far_normal = points.normals[between.other];
     if (near_normal.dot(far_normal) < 0) far_normal = -far_normal;
@@ -80,22 +81,7 @@ void place(Points& points, std::size_t at, const Between& between) {
                                                               s * float(points.colors[between.other][channel])));
 }
 
-/// Makes room behind the points; what is not placed is as at the base.
-void extend(Points& points, const std::vector<std::uint32_t>& bases) {
-    const auto append = [&](auto& values) {
-        if (values.empty()) return;
-        values.reserve(values.size() + bases.size());
-        for (const std::uint32_t base : bases) values.push_back(values[base]);
-    };
-    append(points.positions);
-    append(points.normals);
-    append(points.colors);
-    append(points.sensor_of_point);
-    append(points.radii);
-    append(points.noise);
-    append(points.input_index);
-}
-
+/// The point that each filling point starts from.
 std::vector<std::uint32_t> basesOf(const std::vector<std::uint32_t>& first) {
     std::vector<std::uint32_t> bases(first.back());
     tbb::parallel_for(std::size_t(0), first.size() - 1, [&](std::size_t i) {
@@ -104,7 +90,7 @@ std::vector<std::uint32_t> basesOf(const std::vector<std::uint32_t>& first) {
     return bases;
 }
 
-void placeAll(Points& points, const std::vector<Gaps>& gaps, const std::vector<std::uint32_t>& first,
+void placeAll(PointSet& points, const std::vector<Gaps>& gaps, const std::vector<std::uint32_t>& first,
               std::uint32_t most_rows) {
     tbb::parallel_for(std::size_t(0), gaps.size(), [&](std::size_t i) {
         std::size_t at = gaps.size() + first[i];
@@ -135,21 +121,19 @@ std::uint32_t rowsToFill(const FillCounts& counts, std::size_t points) {
     return rows;
 }
 
-std::vector<std::uint32_t> fillBetweenLines(Points& points, NeighborLists& lists, std::optional<NearestSearch>& search,
-                                            const std::vector<float>& sheets, std::optional<std::uint32_t> rows,
-                                            FillCounts& counts, const StageShare& share) {
+std::vector<std::uint32_t> fillBetweenLines(PointGraph& graph, std::optional<std::uint32_t> rows, FillCounts& counts,
+                                            const StageShare& share) {
     if (rows == 0u) return {};
-    const std::vector<Gaps> gaps = findGaps({points, lists, *search}, sheets, share);
+    const std::vector<Gaps> gaps = findGaps(graph, share);
     counts = countGaps(gaps);
-    const std::uint32_t most_rows = rows.value_or(rowsToFill(counts, points.size()));
+    const std::uint32_t most_rows = rows.value_or(rowsToFill(counts, graph.points.size()));
     if (most_rows == 0 || counts[0] == 0) return {};
     const std::vector<std::uint32_t> first = countFilling(gaps, most_rows);
 
     std::vector<std::uint32_t> bases = basesOf(first);
-    extend(points, bases);
-    placeAll(points, gaps, first, most_rows);
-    search.emplace(points.positions);
-    lists = findNeighbors(points, *search, lists.k, {share.progress, share.stage, share.to, share.to});
+    appendRows(graph.points, bases);
+    placeAll(graph.points, gaps, first, most_rows);
+    graph.connect(graph.lists.k, {share.progress, share.stage, share.to, share.to});
     return bases;
 }
 

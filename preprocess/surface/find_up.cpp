@@ -13,10 +13,10 @@ namespace pointrt {
 namespace upright {
 namespace {
 
-/// A direction that may be up, with what the surface has to say of it.
+/// A direction that may be up, with measures of the surface for it.
 struct Candidate {
     Vec3d up;
-    Footprint below, above; ///< as it stands, and standing on its head
+    Footprint below, above; ///< upright, and upside down
     double along = 0, across = 0;
     bool is_axis = false;
 };
@@ -32,7 +32,7 @@ using Answer = std::optional<Vec3d>;
 
 bool isParallel(const Vec3d& a, const Vec3d& b) { return std::abs(a.dot(b)) > 0.87; } // 30 degrees
 
-/// The most that measure gives of candidates in other directions than up.
+/// The maximum of a measure over candidates not parallel to up.
 template <typename Measure>
 double mostAcross(const Evidence& evidence, const Vec3d& up, const Measure& measure) {
     double most = 0;
@@ -46,8 +46,8 @@ const Candidate& along(const Evidence& evidence, const Vec3d& axis) {
                          [&](const Candidate& each) { return each.up == axis; });
 }
 
-/// Depth cameras: their files are in the camera's own frame, x to the right, y down and z ahead, or as in OpenGL with y
-/// up and z behind.
+/// Files of depth cameras are in the camera's frame: x to the right, y down and z ahead or, as in OpenGL, y up and z
+/// behind.
 Answer fromCamera(const Evidence& evidence) {
     if (evidence.sensors.size() != 1) return {};
     const Vec3d camera = evidence.sensors[0], ahead = evidence.sample.centroid - camera;
@@ -59,22 +59,22 @@ Answer fromCamera(const Evidence& evidence) {
     double outside = 0;
     for (std::size_t i = 0; i < evidence.sample.positions.size(); ++i) {
         const Vec3d to = evidence.sample.positions[i] - camera;
-        // 60 degrees: no camera that measures depth sees more
+        // 60 degrees: no depth camera has a wider field of view
         if (to.z() * (side > 0 ? 1 : -1) < 0.5 * to.norm()) outside += evidence.sample.areas[i];
     }
     if (outside > 0.01) return {};
     return side > 0 ? Vec3d(-Vec3d::UnitY()) : Vec3d(Vec3d::UnitY());
 }
 
-/// The axis within 8 degrees, or else the direction itself, on the side of the axis that people take for up.
-Vec3d settled(Vec3d direction) {
+/// The axis within 8 degrees, otherwise the direction itself; on the positive side of the axis.
+Vec3d snappedToAxis(Vec3d direction) {
     int axis = 0;
     const double along = direction.cwiseAbs().maxCoeff(&axis);
     if (direction[axis] < 0) direction = -direction;
     return along > 0.99 ? Vec3d(Vec3d::Unit(axis)) : direction;
 }
 
-/// Tripods stand on level ground, turntables turn about what is up.
+/// Tripods are on level ground; turntables rotate about the vertical.
 Answer fromStations(const Evidence& evidence) {
     if (evidence.sensors.size() < 4) return {};
     Vec3d mean = Vec3d::Zero();
@@ -83,22 +83,22 @@ Answer fromStations(const Evidence& evidence) {
     for (const Vec3d& sensor : evidence.sensors) spread += (sensor - mean) * (sensor - mean).transpose();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
     const Vec3d width = axes.eigenvalues().cwiseMax(0).cwiseSqrt();
-    // as flat as ground and tripods are; not in a row, about which any plane turns
+    // as flat as level ground; not in a row, which is in many planes
     if (!(width[0] < 0.05 * width[1] && width[1] > 0.3 * width[2])) return {};
-    return settled(axes.eigenvectors().col(0));
+    return snappedToAxis(axes.eigenvectors().col(0));
 }
 
-/// Nothing tells the sides of it apart.
+/// Too flat for its sides to differ.
 bool isSheet(const Candidate& each) { return each.below.height < 0.02; }
 
-/// Never x, where walls that were scanned alone would lie.
+/// Never x: walls scanned alone would qualify.
 bool mayBeGround(const Candidate& each) { return !(each.is_axis && std::abs(each.up.x()) > 0.5); }
 
 Answer fromGround(const Evidence& evidence) {
     for (const Candidate& each : evidence.candidates) {
         const Footprint &below = each.below, &above = each.above;
         const bool one_sided = below.level - above.level >= 0.25 || below.floor - above.floor >= 0.3;
-        // what stands on its own head may be flat on top: nobody takes a tower for ground
+        // a tower may be flat on top, but is not ground
         const bool flat = below.height < 0.5 || (below.height < 1 && below.floor >= 0.3);
         if (!mayBeGround(each) || !(below.level >= 0.6) || !one_sided || !flat || isSheet(each)) continue;
         if (mostAcross(evidence, each.up, [](const Candidate& other) { return other.below.level; }) > below.level - 0.2)
@@ -108,7 +108,7 @@ Answer fromGround(const Evidence& evidence) {
     return {};
 }
 
-/// Most of what is in a room stands on its floor.
+/// Most of the contents of a room are on its floor.
 Answer fromRoom(const Evidence& evidence) {
     constexpr double kShelves = 0.03, kMoreLevel = 1.4, kAsMuch = 0.02;
     for (const Candidate& each : evidence.candidates) {
@@ -131,7 +131,7 @@ Answer fromLevels(const Evidence& evidence) {
     return z.up;
 }
 
-/// Grids of maps, and sites in metres from a point of their own.
+/// Map projections, and site coordinates in metres from a local origin.
 Answer fromMap(const Evidence& evidence) {
     const Vec3d centre = evidence.splats.origin + evidence.sample.centroid;
     const double away = centre.head<2>().norm();
@@ -140,7 +140,7 @@ Answer fromMap(const Evidence& evidence) {
 }
 
 Answer fromTerrain(const Evidence& evidence) {
-    constexpr double kWide = 50; // metres or feet: nobody scans a relief as wide
+    constexpr double kWide = 50; // metres or feet: reliefs are not as wide
     const Candidate& z = along(evidence, Vec3d::UnitZ());
     const double others = mostAcross(evidence, z.up, [](const Candidate& each) { return each.below.level; });
     const double wide = evidence.sample.extent.head<2>().maxCoeff();
@@ -149,10 +149,10 @@ Answer fromTerrain(const Evidence& evidence) {
     return z.up;
 }
 
-/// The candidates that it stands on best, and how well.
+/// The candidate on which the object stands best.
 struct Base {
     const Candidate *best = nullptr, *opposite = nullptr;
-    double support = 0, across = 0, beneath = 0; ///< of the best, of others to its sides, of its opposite
+    double support = 0, across = 0, beneath = 0; ///< support of the best, of those across it, of its opposite
 };
 
 Base bestBase(const Evidence& evidence, bool axes_only) {
@@ -176,7 +176,7 @@ Answer fromBase(const Evidence& evidence) {
     if (base.support < kLeast) base = bestBase(evidence, false);
     if (!base.best || base.support < kLeast || base.support < kClear * base.across) return {};
     if (base.support >= kTwice * base.beneath) return base.best->up;
-    // it stands on both: a flat base beats three tips
+    // stands on both ends: a flat base beats three tips
     const bool turned = base.opposite->below.level > base.best->below.level;
     const Candidate &flatter = turned ? *base.opposite : *base.best, &other = turned ? *base.best : *base.opposite;
     if (flatter.below.level < kLeast || flatter.below.level < kTwice * other.below.level) return {};
@@ -214,18 +214,12 @@ std::vector<Vec3d> distinctSensors(const std::vector<Scan>& scans, const Vec3d& 
 }
 
 constexpr struct {
-    Answer (*ask)(const Evidence&);
+    Answer (*infer)(const Evidence&);
     const char* reason;
 } kRules[] = {
-    {fromCamera, "a camera's own frame"},
-    {fromStations, "where the scanner stood"},
-    {fromGround, "its ground"},
-    {fromRoom, "floor and ceiling"},
-    {fromLevels, "level surfaces"},
-    {fromMap, "coordinates as on a map"},
-    {fromTerrain, "terrain"},
-    {fromBase, "what it stands on"},
-    {fromPole, "an upright pole"},
+    {fromCamera, "camera frame"},    {fromStations, "scanner positions"}, {fromGround, "ground"},
+    {fromRoom, "floor and ceiling"}, {fromLevels, "level surfaces"},      {fromMap, "map coordinates"},
+    {fromTerrain, "terrain"},        {fromBase, "stable base"},           {fromPole, "vertical pole"},
 };
 
 } // namespace
@@ -237,7 +231,7 @@ FoundUp findUp(const Splats& splats, const std::vector<Scan>& scans) {
     if (evidence.sample.positions.empty()) return {};
     addCandidates(evidence);
     for (const auto& rule : kRules)
-        if (const Answer up = rule.ask(evidence)) return {*up + Vec3d::Zero(), rule.reason}; // without zeros below 0
+        if (const Answer up = rule.infer(evidence)) return {*up + Vec3d::Zero(), rule.reason}; // turns -0 into 0
     return {};
 }
 

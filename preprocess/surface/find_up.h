@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which way is up, where no file says it.
+// Finds which direction is up if no file says so.
 #pragma once
 
 #include <string>
@@ -10,22 +10,22 @@
 namespace pointrt {
 
 struct FoundUp {
-    Vec3d up = Vec3d::Zero(); ///< unit length; zero: not known
-    std::string reason;       ///< what tells it, in a few words; "" where nothing does
+    Vec3d up = Vec3d::Zero(); ///< unit length; zero: unknown
+    std::string reason;       ///< the evidence, in a few words; "" if unknown
 };
 
-/// What the surface and where it was scanned from tell of up; not known where they tell little: a sphere, a box, a
-/// relief. In this order:
-///   - one sensor on the z axis that sees all within a cone along it is a camera's own frame: its y goes down;
-///   - four and more stations that stand in a plane: up is across it;
-///   - ground: wherever one looks from below it is level, and from above it is not, or higher;
-///   - a room: level at the bottom and at the top, with shelves between;
-///   - most of the surface is level, and the rest are walls, if z is up: scanners put z there;
-///   - coordinates as on a map: x and y far away from zero, z not;
-///   - terrain: wide, flat, and level on both sides, if z is up;
-///   - a base: the one side on which it stands without falling over;
-///   - a pole along z.
-/// Directions are the axes, where they are within 5 degrees. Same for any number of threads.
+/// Infers up from the surface and the scanner positions; unknown if they say little: a sphere, a box, a relief. Rules,
+/// in this order:
+///   - camera frame: one sensor on the z axis, with all points in a cone along it; -y is up;
+///   - scanner positions: four or more stations in a plane; up is its normal;
+///   - ground: level wherever it is seen from below, but not from above, or higher there;
+///   - room: level at the bottom and at the top, with shelves in between;
+///   - level surfaces: most of the surface is level and the rest are walls if z is up, as scanners have it;
+///   - map coordinates: x and y far from zero, z not;
+///   - terrain: wide, flat, and level on both sides if z is up;
+///   - base: the only side on which the object stands without falling over;
+///   - vertical pole: along z.
+/// Directions within 5 degrees of an axis become that axis. The result does not depend on the number of threads.
 FoundUp findUp(const Splats& splats, const std::vector<Scan>& scans);
 
 } // namespace pointrt

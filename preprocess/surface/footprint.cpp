@@ -12,26 +12,26 @@ namespace {
 
 using Vec2d = Eigen::Vector2d;
 
-/// Cells along the longer edge of a ground plan, and splats of the sample in it: some fifteen to a cell.
+/// Cells along the longer edge of a ground plan, and sampled splats in it: some fifteen per cell.
 constexpr int kCells = 24;
 constexpr std::size_t kPlanned = 8192;
-/// Cosine of 32 degrees: ground and roofs, with noisy normals.
+/// Cosine of 32 degrees: includes roofs and noisy ground.
 constexpr double kLevel = 0.85;
-/// Of a cell's splats, the lowest that are no strays; and the fewest that tell anything.
-constexpr double kStrayShare = 0.03;
+/// Share of a cell's lowest splats to ignore as outliers, and least splats per cell.
+constexpr double kOutlierShare = 0.03;
 constexpr std::size_t kFewest = 4;
-/// Shares of fewer cells are chance.
+/// Least cells for a meaningful share.
 constexpr double kFewestCells = 12;
-/// Surface this much of a cell's edge above the lowest is of the same ground.
+/// Depth of a cell's ground, in cell edges.
 constexpr double kGroundDepth = 0.5;
-/// Heights within this share of the whole are one floor.
+/// Depth of a floor, over the total height.
 constexpr double kFloorDepth = 0.03;
-/// What touches the ground: feet and base, with the noise of scans.
+/// Depth of the contact with the ground, over the total height: allows for noise.
 constexpr double kContact = 0.015;
-/// The centroid is this far within the hull of what touches the ground, in roots of its area.
+/// Least distance of the centroid from the edge of the contact's hull, over the root of its area.
 constexpr double kBalance = 0.1;
 
-/// Orthonormal, w is up.
+/// Orthonormal; w is up.
 struct Axes {
     Vec3d u, v, w;
 };
@@ -60,9 +60,9 @@ Range rangeOf(std::vector<double> values, double left_out) {
 
 struct Plan {
     Range heights;
-    double cell = 0;            ///< edge
-    double wide = 0;            ///< the longer edge of all
-    std::vector<Placed> splats; ///< cell by cell, from the lowest up
+    double cell = 0;            ///< edge of a cell
+    double wide = 0;            ///< longer edge of the plan
+    std::vector<Placed> splats; ///< by cell, then by height
 };
 
 Plan groundPlan(const SurfaceSample& sample, const Axes& axes) {
@@ -95,9 +95,9 @@ struct Ground {
     double height = 0, level = 0; ///< level: share of its area
 };
 
-/// Of the splats of one cell.
+/// The ground in a cell, from its splats.
 Ground groundOf(const Placed* first, std::size_t count, double depth) {
-    const double base = first[std::size_t(kStrayShare * double(count))].height;
+    const double base = first[std::size_t(kOutlierShare * double(count))].height;
     double level = 0, whole = 0;
     for (std::size_t i = 0; i < count && first[i].height <= base + depth; ++i) {
         whole += first[i].area;
@@ -107,7 +107,7 @@ Ground groundOf(const Placed* first, std::size_t count, double depth) {
 }
 
 double shelvesOf(const Plan& plan) {
-    constexpr double kMargin = 0.12; // of the height: noise, slanted ground, steps
+    constexpr double kMargin = 0.12; // over the total height: noise, sloping ground, steps
     double all = 0, between = 0;
     for (const Placed& splat : plan.splats) {
         if (!splat.level) continue;
@@ -126,8 +126,8 @@ double middleOf(const Plan& plan) {
 
 double cross(const Vec2d& a, const Vec2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Corners of the convex hull, counterclockwise: the farthest points in so many directions, whose polygon has the
-/// hull's area to a hundredth.
+/// Corners of the convex hull, counter-clockwise, approximated by the farthest points in kDirections directions; its
+/// area is within 1%.
 std::vector<Vec2d> convexHull(const std::vector<Vec2d>& points) {
     constexpr int kDirections = 32;
     std::vector<Vec2d> hull;
@@ -149,7 +149,7 @@ double areaOf(const std::vector<Vec2d>& hull) {
     return twice / 2;
 }
 
-/// Distance of a point from the nearest side, negative outside.
+/// Distance of a point from the nearest side; negative outside.
 double marginOf(const std::vector<Vec2d>& hull, const Vec2d& point) {
     double margin = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < hull.size(); ++i) {
@@ -172,7 +172,7 @@ Footprint footprintOf(const SurfaceSample& sample, const Vec3d& up) {
         const Ground ground = groundOf(&plan.splats[begin], end - begin, kGroundDepth * plan.cell);
         const double floor = plan.heights.low + kFloorDepth * std::max(plan.heights.size(), plan.cell);
         print.level += ground.level;
-        if (ground.level > 0.6 && ground.height < floor) print.floor += 1; // most of it
+        if (ground.level > 0.6 && ground.height < floor) print.floor += 1; // mostly level
         cells += 1;
     }
     const double share = cells >= kFewestCells ? 1 / cells : 0;

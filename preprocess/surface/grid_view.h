@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A range grid to walk in: its cells by row and column, beyond its frame too.
+// Access to a range grid by row and column, also outside its frame.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace pointrt {
 
-/// So many rows and columns further.
+/// An offset in rows and columns.
 struct GridStep {
     std::int64_t rows = 0, columns = 0;
 };
@@ -28,7 +28,7 @@ struct GridView {
     const Cloud& cloud;
     const RangeGrid& grid;
 
-    /// The point in a cell, or a mark; kLeftOut beyond the frame, where nothing is known.
+    /// The point in a cell, kNoPoint or kLeftOut; kLeftOut outside the frame, where nothing is known.
     std::uint32_t at(GridCell cell) const {
         const std::int64_t columns = grid.columns;
         if (grid.wraps) cell.column = (cell.column % columns + columns) % columns;

@@ -7,22 +7,21 @@
 namespace pointrt::surface {
 namespace {
 
-/// Points a block: measured, 8 to 16 take the same time to within a tenth, 16 the least.
+/// Points per block: 8 to 16 take the same time to within a tenth, 16 the least.
 constexpr std::size_t kBlock = 16;
 
-/// Candidates that are worth looking at, for each point wanted: a block has about 16. With more it spans a jump of the
-/// curve, and its halves have less.
+/// Limit of candidates per point wanted. A block has about 16; with more it spans a jump of the curve, and is halved.
 constexpr std::size_t kMaxPerWanted = 32;
 
-/// Far above what rounding takes from a distance, 2^-22 of it.
+/// Far above the rounding error of a distance, 2^-22 of it.
 constexpr float kMargin = 1.0001f;
 
-/// Ranks are counted for this many at once: two vector registers of any x86-64.
+/// Ranks counted at once: two vector registers of any x86-64.
 constexpr std::size_t kLanes = 8;
 
 } // namespace
 
-BlockSearch::BlockSearch(const Points& points, const NearestSearch& search, NeighborLists& lists)
+BlockSearch::BlockSearch(const PointSet& points, const NearestSearch& search, NeighborLists& lists)
     : points_(points), search_(search), lists_(lists), wanted_(lists.k + 1) {
     const std::size_t most = kMaxPerWanted * wanted_;
     near_.indices.resize(most);
@@ -36,8 +35,8 @@ void BlockSearch::fill(std::size_t begin, std::size_t end) {
     for (; begin < end; begin += kBlock) fillBlock(begin, std::min(end, begin + kBlock));
 }
 
-/// The k-th neighbour of a point at distance r is within r + |p - q| of any other point q: bounds are handed on from
-/// point to point, and the candidates are all there is within the bounds of the whole block.
+/// If the k-th neighbour of p is at distance r, that of q is within r + |p - q|. So bounds pass on from point to point,
+/// and the candidates are all points within the bound of the whole block.
 void BlockSearch::fillBlock(std::size_t begin, std::size_t end) {
     if (end - begin == 1) return fillAlone(begin);
     const auto& positions = points_.positions;
@@ -47,20 +46,20 @@ void BlockSearch::fillBlock(std::size_t begin, std::size_t end) {
     float size = 0;
     for (std::size_t i = begin; i < end; ++i) size = std::max(size, distanceBetween(center, positions[i]));
 
-    float reach = reachByWindow(center, begin, end);
-    if (begin > 0) reach = std::min(reach, reach_ + distanceBetween(center, positions[begin - 1]));
-    if (!fetch(center, (reach + 2 * size) * kMargin)) {
+    float radius = radiusByWindow(center, begin, end);
+    if (begin > 0) radius = std::min(radius, radius_ + distanceBetween(center, positions[begin - 1]));
+    if (!fetch(center, (radius + 2 * size) * kMargin)) {
         fillBlock(begin, (begin + end) / 2);
         fillBlock((begin + end) / 2, end);
         return;
     }
     for (std::size_t i = begin; i < end; ++i) {
-        float bound = reach + distanceBetween(center, positions[i]);
-        if (i > 0) bound = std::min(bound, reach_ + distanceBetween(positions[i], positions[i - 1]));
+        float bound = radius + distanceBetween(center, positions[i]);
+        if (i > 0) bound = std::min(bound, radius_ + distanceBetween(positions[i], positions[i - 1]));
         bound *= kMargin;
         measure(positions[i]);
         keepWithin(bound * bound);
-        if (kept_count_ < wanted_) { // squares too small for float bound nothing
+        if (kept_count_ < wanted_) { // squared distances underflow
             fillAlone(i);
             continue;
         }
@@ -76,8 +75,9 @@ void BlockSearch::fillAlone(std::size_t point) {
     storeKept(point);
 }
 
-/// Distance from center within which as many points as wanted are, going by those next to the block on the curve.
-float BlockSearch::reachByWindow(const Vec3f& center, std::size_t begin, std::size_t end) {
+/// A distance from center within which there are as many points as wanted, judging by those next to the block on the
+/// curve.
+float BlockSearch::radiusByWindow(const Vec3f& center, std::size_t begin, std::size_t end) {
     const std::size_t first = begin - std::min(begin, lists_.k), last = std::min(points_.size(), end + lists_.k);
     window_.clear();
     for (std::size_t i = first; i < last; ++i) window_.push_back(squaredDistance(center, points_.positions[i]));
@@ -108,7 +108,7 @@ void BlockSearch::measure(const Vec3f& from) {
     }
 }
 
-/// Writes every candidate and moves on past those to keep: no branch for the processor to guess wrong.
+/// Writes every candidate, but advances only past those to keep: no branch to mispredict.
 void BlockSearch::keepWithin(float squared_radius) {
     const float* squared = squared_.data();
     const std::uint32_t* indices = near_.indices.data();
@@ -123,8 +123,8 @@ void BlockSearch::keepWithin(float squared_radius) {
     kept_count_ = count;
 }
 
-/// On a surface the number of points grows as the square of the radius: the share that is wanted, and a third more for
-/// chance, lies within that share of the square. Where that turns out too few, all stay.
+/// On a surface, the number of points grows with the square of the radius: drops those beyond the radius that should
+/// hold the wanted number and a third more. Keeps all if that is too few.
 void BlockSearch::thinKept(float squared_radius) {
     constexpr float kSpare = 4.0f / 3.0f;
     const float limit = squared_radius * kSpare * float(wanted_) / float(kept_count_);
@@ -140,8 +140,8 @@ void BlockSearch::thinKept(float squared_radius) {
     kept_count_ = count;
 }
 
-/// Sorts by distance, then index. The rank of each is counted against all others: for the 25 or so there are, half
-/// the time of a sort that branches.
+/// Sorts by distance, then index. Counts the rank of each against all others: for the usual 25, that takes half the
+/// time of a sort with branches.
 void BlockSearch::sortKept() {
     const std::size_t count = kept_count_;
     std::fill_n(used_.begin(), count, std::uint16_t(0));
@@ -168,7 +168,7 @@ void BlockSearch::sortKept() {
 }
 
 void BlockSearch::storeKept(std::size_t point) {
-    reach_ = std::sqrt(sorted_[wanted_ - 1]);
+    radius_ = std::sqrt(sorted_[wanted_ - 1]);
     std::uint32_t* slot = &lists_.indices[point * lists_.k];
     std::uint32_t* const end = slot + lists_.k;
     for (std::size_t i = 0; slot < end; ++i)

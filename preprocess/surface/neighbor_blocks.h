@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The nearest points of many points at once.
+// Finds the nearest neighbours of many points at once.
 #pragma once
 
 #include <cstdint>
@@ -10,18 +10,18 @@
 
 namespace pointrt::surface {
 
-/// Finds lists of neighbours for runs of points. Points that follow each other on the curve lie together: one search
-/// fetches what is round all of them, and of that each takes its nearest. The lists are those of single searches, in
-/// 3/5 of their time. One object a thread.
+/// Fills neighbour lists for runs of points. Consecutive points of the Morton curve are near each other: one search
+/// fetches the candidates around all of them, from which each takes its nearest. The lists equal those of single
+/// searches, in 3/5 of the time. Use one object per thread.
 class BlockSearch {
 public:
-    BlockSearch(const Points& points, const NearestSearch& search, NeighborLists& lists);
+    BlockSearch(const PointSet& points, const NearestSearch& search, NeighborLists& lists);
 
     /// Fills lists.indices of the points in [begin, end).
     void fill(std::size_t begin, std::size_t end);
 
 private:
-    /// Candidates as arrays, which compilers turn into vector instructions.
+    /// A struct of arrays, which compilers vectorise.
     struct Candidates {
         std::vector<std::uint32_t> indices;
         std::vector<float> x, y, z;
@@ -36,19 +36,19 @@ private:
     void thinKept(float squared_radius);
     void sortKept();
     void storeKept(std::size_t point);
-    float reachByWindow(const Vec3f& center, std::size_t begin, std::size_t end);
+    float radiusByWindow(const Vec3f& center, std::size_t begin, std::size_t end);
 
-    const Points& points_;
+    const PointSet& points_;
     const NearestSearch& search_;
     NeighborLists& lists_;
-    std::size_t wanted_; ///< neighbours and the point itself
-    /// Distance of the point last filled to its last neighbour, infinite before the first.
-    float reach_ = std::numeric_limits<float>::infinity();
+    std::size_t wanted_; ///< k + 1: the neighbours and the point itself
+    /// Distance from the point last filled to its last neighbour; infinite before the first.
+    float radius_ = std::numeric_limits<float>::infinity();
     Candidates near_;
-    std::vector<float> squared_; ///< of near_, from one point
+    std::vector<float> squared_; ///< of near_, to one point
     std::vector<float> kept_, sorted_;
     std::vector<std::uint32_t> kept_indices_, sorted_indices_;
-    std::vector<std::uint16_t> used_; ///< of each rank, how many have it
+    std::vector<std::uint16_t> used_; ///< [ranks], number of points with that rank
     std::size_t kept_count_ = 0;
     std::vector<float> window_;
 };

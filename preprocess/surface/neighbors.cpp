@@ -22,7 +22,7 @@ public:
         : indices_(indices), distances_(distances), limit_(limit) {}
 
     bool full() const override { return count_ == indices_.size(); }
-    /// A little above the worst, because FLANN passes on only what is below it and ties are ours to judge.
+    /// A little above the worst, because FLANN passes only points below it, and addPoint decides ties.
     float worstDist() const override {
         constexpr float kNextFloat = 1 + std::numeric_limits<float>::epsilon();
         return full() ? std::min(limit_, distances_.back() * kNextFloat) : limit_;
@@ -52,13 +52,13 @@ private:
     std::size_t count_ = 0;
 };
 
-/// Takes all points nearer than a limit, as they come.
+/// Collects all points nearer than a limit, in any order.
 class NearSet final : public flann::ResultSet<float> {
 public:
     NearSet(std::span<std::uint32_t> indices, float limit) : indices_(indices), limit_(limit) {}
 
     bool full() const override { return true; }
-    /// Nothing is nearer than -1: that ends the search.
+    /// -1, below which there is no distance, ends the search.
     float worstDist() const override { return count_ > indices_.size() ? -1 : limit_; }
     std::size_t count() const { return count_; }
 
@@ -82,12 +82,13 @@ struct Found {
 };
 
 /// Six neighbours surround a point once; more would take in what is next to a small group of points.
-float nearSpacing(const Points& points, const NeighborLists& lists, std::size_t point) {
+float nearSpacing(const PointSet& points, const NeighborLists& lists, std::size_t point) {
     const std::size_t count = std::min<std::size_t>(6, lists.k);
-    return spacingFromReach(lists.distance(points, point, count - 1), count);
+    return spacingFromRadius(lists.distance(points, point, count - 1), count);
 }
 
-void findOne(const Points& points, const NearestSearch& search, std::size_t point, Found& found, NeighborLists& lists) {
+void findOne(const PointSet& points, const NearestSearch& search, std::size_t point, Found& found,
+             NeighborLists& lists) {
     search.nearest(points.positions[point], found.indices, found.squared);
     std::size_t slot = point * lists.k;
     const std::size_t end = slot + lists.k;
@@ -97,22 +98,22 @@ void findOne(const Points& points, const NearestSearch& search, std::size_t poin
     lists.spacings[point] = nearSpacing(points, lists, point);
 }
 
-constexpr std::uint32_t kGone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kDropped = std::numeric_limits<std::uint32_t>::max();
 
 std::vector<std::uint32_t> newIndices(const std::vector<std::uint8_t>& keep) {
-    std::vector<std::uint32_t> renumbered(keep.size(), kGone);
+    std::vector<std::uint32_t> renumbered(keep.size(), kDropped);
     std::uint32_t next = 0;
     for (std::size_t i = 0; i < keep.size(); ++i)
         if (keep[i]) renumbered[i] = next++;
     return renumbered;
 }
 
-/// Moves list from to place to with new numbers; false when a neighbour is gone.
+/// Moves a list and renumbers it; false if a neighbour was dropped.
 bool moveList(NeighborLists& lists, std::size_t from, std::size_t to, const std::vector<std::uint32_t>& renumbered) {
     bool complete = true;
     for (std::size_t slot = 0; slot < lists.k; ++slot) {
         const std::uint32_t neighbor = renumbered[lists.indices[from * lists.k + slot]];
-        complete = complete && neighbor != kGone;
+        complete = complete && neighbor != kDropped;
         lists.indices[to * lists.k + slot] = neighbor;
     }
     lists.spacings[to] = lists.spacings[from];
@@ -122,12 +123,12 @@ bool moveList(NeighborLists& lists, std::size_t from, std::size_t to, const std:
 } // namespace
 
 struct NearestSearch::Tree {
-    /// Measured: FLANN's own 10 take half as long again to build and no less to search.
+    /// As measured: FLANN's default of 10 takes half as long again to build, and as long to search.
     static constexpr int kLeafPoints = 24;
 
     Index index;
 
-    // FLANN takes a pointer to values it may change, and does not.
+    // FLANN takes a non-const pointer, but does not change the values.
     explicit Tree(const std::vector<Vec3f>& positions)
         : index(flann::Matrix<float>(const_cast<float*>(positions.data()->data()), positions.size(), 3),
                 flann::KDTreeSingleIndexParams(kLeafPoints)) {
@@ -153,11 +154,12 @@ std::size_t NearestSearch::within(const Vec3f& query, float squared_radius, std:
     return result.count();
 }
 
-float spacingFromReach(float reach, std::size_t count) {
-    return reach * std::sqrt(std::numbers::pi_v<float> / float(count + 1));
+float spacingFromRadius(float radius, std::size_t count) {
+    return radius * std::sqrt(std::numbers::pi_v<float> / float(count + 1));
 }
 
-NeighborLists findNeighbors(const Points& points, const NearestSearch& search, std::size_t k, const StageShare& share) {
+NeighborLists findNeighbors(const PointSet& points, const NearestSearch& search, std::size_t k,
+                            const StageShare& share) {
     NeighborLists lists;
     lists.k = std::min(k, points.size() - 1);
     lists.indices.resize(points.size() * lists.k);
@@ -170,7 +172,7 @@ NeighborLists findNeighbors(const Points& points, const NearestSearch& search, s
     return lists;
 }
 
-void keepNeighbors(NeighborLists& lists, const std::vector<std::uint8_t>& keep, const Points& points,
+void keepNeighbors(NeighborLists& lists, const std::vector<std::uint8_t>& keep, const PointSet& points,
                    const NearestSearch& search) {
     const std::vector<std::uint32_t> renumbered = newIndices(keep);
     Found found(lists.k);

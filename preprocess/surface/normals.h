@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Normals by plane fits, on either side of the surface.
+// Estimates normals by plane fits, on either side of the surface.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
-#include "preprocess/surface/neighbors.h"
+#include "preprocess/surface/point_graph.h"
 #include "preprocess/surface/surface_options.h"
 
 namespace pointrt::surface {
 
-/// Fills points.normals by source. Returns a flag for each point: 1 where its normal was given and is kept.
-/// Throws Error (kBadInput) when kKeep lacks a normal.
-std::vector<std::uint8_t> fillNormals(Points& points, const NeighborLists& lists, NormalSource source,
-                                      const StageProgress& progress);
+/// Sets points.normals, and points.side_known to 1 for points whose normal was given and is kept. Throws Error
+/// (kBadInput) if a normal is missing for kKeep.
+void fillNormals(PointGraph& graph, NormalSource source, const StageProgress& progress);
 
 } // namespace pointrt::surface

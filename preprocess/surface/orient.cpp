@@ -17,45 +17,45 @@ namespace {
 
 using Flags = std::vector<std::uint8_t>;
 
-/// CGAL's tree takes 7 us a point (13 us at 1 M points) on one core and 1.5 KB. Up to this many that is less than a
-/// second and 150 MB; above, Kruskal's algorithm finds the same tree over our own neighbours six times faster.
+/// CGAL's tree takes 7 us (13 us at 1 M points) and 1.5 KB per point, on one core. Up to this many points, that is less
+/// than a second and 150 MB; above, Kruskal's algorithm finds the same tree over our own neighbours six times faster.
 constexpr std::size_t kCgalPoints = 100'000;
 
-void requireSensors(const Points& points) {
+void requireSensors(const PointSet& points) {
     std::size_t missing = 0;
     for (std::size_t i = 0; i < points.size(); ++i) missing += points.sensorOf(i) == nullptr;
     if (missing == 0) return;
-    throw Error{ExitCode::kBadInput, "the sensor of " + std::to_string(missing) + " of " +
-                                         std::to_string(points.size()) + " points is not known"};
+    throw Error{ExitCode::kBadInput,
+                std::to_string(missing) + " of " + std::to_string(points.size()) + " points have no sensor position"};
 }
 
-/// +Z where it is not known, as scanners have it.
-Vec3f upOf(const Points& points) { return points.up.isZero() ? Vec3f(Vec3f::UnitZ()) : points.up; }
+/// +Z if unknown, as in scanner coordinates.
+Vec3f upOf(const PointSet& points) { return points.up.isZero() ? Vec3f(Vec3f::UnitZ()) : points.up; }
 
-/// Turns a normal towards a direction. Returns whether that tells its side for sure: not at a grazing angle, where the
-/// error of the normal itself (seldom above 11 degrees, sine 0.2) may decide.
-bool faceTowards(Points& points, std::size_t i, const Vec3f& direction) {
+/// Turns a normal towards a direction. Returns whether its side is certain: not at a grazing angle, where the error of
+/// the normal itself (rarely above 11 degrees, sine 0.2) may decide.
+bool faceTowards(PointSet& points, std::size_t i, const Vec3f& direction) {
     constexpr float kGrazing = 0.2f;
     const float cosine = points.normals[i].dot(direction);
     if (cosine < 0) points.normals[i] = -points.normals[i];
     return std::abs(cosine) > kGrazing;
 }
 
-/// False when there is no sensor.
-bool faceSensor(Points& points, std::size_t i) {
+/// As faceTowards, for the point's sensor; false if there is none.
+bool faceSensor(PointSet& points, std::size_t i) {
     const Vec3f* sensor = points.sensorOf(i);
     return sensor != nullptr && faceTowards(points, i, (*sensor - points.positions[i]).stableNormalized());
 }
 
-/// Flags the points whose side is known without looking at neighbours.
-Flags faceSensors(Points& points, const Flags& given) {
+/// Turns the other normals to their sensors. Returns flags of known sides.
+Flags faceSensors(PointSet& points, const Flags& given) {
     Flags known = given;
     for (std::size_t i = 0; i < known.size(); ++i)
         if (!known[i]) known[i] = faceSensor(points, i);
     return known;
 }
 
-Flags faceUp(Points& points, const Flags& given) {
+Flags faceUp(PointSet& points, const Flags& given) {
     const Vec3f up = upOf(points);
     Flags known = given;
     for (std::size_t i = 0; i < known.size(); ++i)
@@ -63,8 +63,9 @@ Flags faceUp(Points& points, const Flags& given) {
     return known;
 }
 
-/// The points whose side is known without looking at neighbours, by the mode; they are turned to it.
-Flags turnKnown(Points& points, const Flags& given, OrientMode mode) {
+/// Turns all normals whose side the mode decides without neighbours. Returns flags of known sides.
+Flags turnKnown(PointSet& points, OrientMode mode) {
+    const Flags& given = points.side_known;
     const Flags nothing(points.size(), 0);
     if (mode == OrientMode::kMst) return nothing;
     if (mode == OrientMode::kUp) return faceUp(points, nothing);
@@ -73,18 +74,18 @@ Flags turnKnown(Points& points, const Flags& given, OrientMode mode) {
     return faceSensors(points, mode == OrientMode::kAuto ? given : nothing);
 }
 
-/// What is summed over a component to tell its outside.
+/// Sums over a component that decide which side is out.
 struct Component {
     bool has_known_side = false;
-    std::uint32_t top = 0; ///< the point with the highest z
+    std::uint32_t top = 0; ///< the highest point
     double area = 0;
     Vec3d centroid = Vec3d::Zero(); ///< times area until finished
     double outward = 0;             ///< integral of normal . (position - centroid)
     double outward_limit = 0;       ///< the same if every normal pointed away from the centroid
-    double upward = 0;              ///< integral of normal . z
+    double upward = 0;              ///< integral of normal . up
 };
 
-/// The graph's connected components.
+/// Connected components of the graph.
 struct Components {
     std::vector<std::uint32_t> of_point;
     std::vector<Component> all;
@@ -109,7 +110,7 @@ double areaOf(const NeighborLists& lists, std::size_t point) {
     return double(lists.spacings[point]) * double(lists.spacings[point]);
 }
 
-void placeComponents(Components& components, const Points& points, const NeighborLists& lists, const Flags& known) {
+void placeComponents(Components& components, const PointSet& points, const NeighborLists& lists, const Flags& known) {
     const Vec3f up = upOf(points);
     for (std::uint32_t i = 0; i < points.size(); ++i) {
         Component& component = components.all[components.of_point[i]];
@@ -122,8 +123,8 @@ void placeComponents(Components& components, const Points& points, const Neighbo
     for (Component& component : components.all) component.centroid /= component.area;
 }
 
-/// Adds a start for each component that has none: its highest point, facing up, as CGAL does.
-Flags addSources(const Components& components, Points& points, Flags known) {
+/// Adds a source for each component without a known side: its highest point, facing up, as CGAL does.
+Flags addSources(const Components& components, PointSet& points, Flags known) {
     const Vec3f up = upOf(points);
     for (const Component& component : components.all) {
         if (component.has_known_side) continue;
@@ -134,7 +135,7 @@ Flags addSources(const Components& components, Points& points, Flags known) {
     return known;
 }
 
-void measureSides(Components& components, const Points& points, const NeighborLists& lists) {
+void measureSides(Components& components, const PointSet& points, const NeighborLists& lists) {
     const Vec3d up = upOf(points).cast<double>();
     for (std::size_t i = 0; i < points.size(); ++i) {
         Component& component = components.all[components.of_point[i]];
@@ -146,14 +147,14 @@ void measureSides(Components& components, const Points& points, const NeighborLi
     }
 }
 
-/// Around a closed surface the outward integral is three times its volume and the upward one vanishes (Gauss); over
-/// open ground it is the other way round. The one that is nearer to its limit decides.
+/// For a closed surface, the outward integral is three times its volume and the upward one vanishes (Gauss); for open
+/// ground it is the other way round. The one nearer to its limit decides.
 bool facesInwards(const Component& component) {
     const double outward = component.outward / component.outward_limit, upward = component.upward / component.area;
     return std::abs(outward) > std::abs(upward) ? outward < 0 : upward < 0;
 }
 
-void turnComponents(Components& components, Points& points, const NeighborLists& lists) {
+void turnComponents(Components& components, PointSet& points, const NeighborLists& lists) {
     measureSides(components, points, lists);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Component& component = components.all[components.of_point[i]];
@@ -161,13 +162,13 @@ void turnComponents(Components& components, Points& points, const NeighborLists&
     }
 }
 
-/// How two components lie to each other: above 0 the same side is out, below 0 one is to be turned.
+/// Votes for pairs of components: above 0 they agree on the outside, below 0 one has to be flipped.
 using SheetVotes = std::map<std::pair<std::uint32_t, std::uint32_t>, int>;
 
-/// Votes of a sample of the points that see another component along their normal, a few spacings away. Those of the
-/// component with the largest area are not asked: all others are.
-SheetVotes voteOnSheets(const Components& components, const Points& points, const NearestSearch& search) {
-    constexpr std::size_t kStep = 16;   // one point in
+/// Votes of sampled points that have another component a few spacings away along their normal. Skips the points of the
+/// component with the largest area: the other one of each pair votes.
+SheetVotes voteOnSheets(const Components& components, const PointSet& points, const NearestSearch& search) {
+    constexpr std::size_t kStep = 16;   // samples one point in so many
     constexpr std::size_t kAround = 64; // up to 4.5 spacings away
     std::array<std::uint32_t, kAround> found;
     std::array<float, kAround> squared;
@@ -189,7 +190,7 @@ SheetVotes voteOnSheets(const Components& components, const Points& points, cons
     return votes;
 }
 
-/// Components that lie back to back as sets; the one of number size of all stands for known sides.
+/// Sets of components back to back. Element components.all.size() represents known sides.
 ParitySets setsOfSheets(const Components& components, const SheetVotes& votes) {
     std::vector<std::pair<int, std::pair<std::uint32_t, std::uint32_t>>> clearest;
     for (const auto& [pair, vote] : votes)
@@ -203,7 +204,7 @@ ParitySets setsOfSheets(const Components& components, const SheetVotes& votes) {
     return sets;
 }
 
-/// Adds what is known of one component to another's.
+/// Merges one component into another.
 void absorb(Component& into, const Component& from) {
     const double area = into.area + from.area;
     into.centroid = (into.centroid * into.area + from.centroid * from.area) / area;
@@ -211,8 +212,8 @@ void absorb(Component& into, const Component& from) {
     into.has_known_side |= from.has_known_side;
 }
 
-/// Makes components that lie back to back one, turned accordingly.
-void joinSheets(Components& components, Points& points, const NearestSearch& search) {
+/// Merges components back to back, and flips those that disagree.
+void joinSheets(Components& components, PointSet& points, const NearestSearch& search) {
     if (components.all.size() < 2) return;
     const SheetVotes votes = voteOnSheets(components, points, search);
     if (votes.empty()) return;
@@ -238,44 +239,44 @@ void joinSheets(Components& components, Points& points, const NearestSearch& sea
     }
 }
 
-void followNeighbors(Points& points, const NeighborLists& lists, const NearestSearch& search, const Flags& known,
-                     const StageShare& share) {
+/// Orients all normals without a known side.
+void propagateSides(PointGraph& graph, const Flags& known, const StageShare& share) {
+    PointSet& points = graph.points;
+    const NeighborLists& lists = graph.lists;
     Components components = findComponents(lists, points.size());
     placeComponents(components, points, lists, known);
     const Flags sources = addSources(components, points, known);
     share.report(0.2); // of the time, as measured
-    // CGAL's tree knows nothing of sheets
+    // CGAL does not handle edges between sheets
     const EdgeKinds kinds = edgeKinds(points, lists);
     if (points.size() <= kCgalPoints && !kinds.sheets)
         orientByCgal(points, lists, sources);
     else
         orientByKruskal(points, lists, kinds, sources);
-    joinSheets(components, points, search);
+    joinSheets(components, points, *graph.search);
     turnComponents(components, points, lists);
 }
 
-std::size_t countTurned(const std::vector<Vec3f>& before, const std::vector<Vec3f>& after) {
-    std::size_t turned = 0;
-    for (std::size_t i = 0; i < after.size(); ++i) turned += before[i].dot(after[i]) < 0;
-    return turned;
+std::size_t countFlipped(const std::vector<Vec3f>& before, const std::vector<Vec3f>& after) {
+    std::size_t flipped = 0;
+    for (std::size_t i = 0; i < after.size(); ++i) flipped += before[i].dot(after[i]) < 0;
+    return flipped;
 }
 
 } // namespace
 
-bool orientNormals(Points& points, const NeighborLists& lists, const NearestSearch& search,
-                   const std::vector<std::uint8_t>& given, OrientMode mode, std::size_t& flipped_count,
-                   const StageProgress& progress) {
+OrientReport orientNormals(PointGraph& graph, OrientMode mode, const StageProgress& progress) {
     const StageShare share{progress, "orientation"};
+    PointSet& points = graph.points;
     const auto all = [](const Flags& flags) { return std::find(flags.begin(), flags.end(), 0) == flags.end(); };
-    if (mode == OrientMode::kNone) return all(given);
+    if (mode == OrientMode::kNone) return {all(points.side_known), 0};
     if (mode == OrientMode::kSensor) requireSensors(points);
 
     const std::vector<Vec3f> before = points.normals;
-    const Flags known = turnKnown(points, given, mode);
-    if (mode != OrientMode::kSensor && !all(known)) followNeighbors(points, lists, search, known, share);
-    flipped_count = countTurned(before, points.normals);
+    const Flags known = turnKnown(points, mode);
+    if (mode != OrientMode::kSensor && !all(known)) propagateSides(graph, known, share);
     share.report(1);
-    return true;
+    return {true, countFlipped(before, points.normals)};
 }
 
 } // namespace pointrt::surface

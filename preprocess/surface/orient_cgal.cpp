@@ -10,14 +10,14 @@ namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
 
-// Property maps from a point's number to what CGAL asks of it. CGAL copies and reorders the numbers, not the points.
+// Property maps from a point's index to its values. CGAL copies and reorders the indices, not the points.
 
 struct PointMap {
     using key_type = std::uint32_t;
     using value_type = Kernel::Point_3;
     using reference = value_type;
     using category = boost::readable_property_map_tag;
-    const Points* points;
+    const PointSet* points;
 
     friend reference get(const PointMap& map, key_type i) {
         const Vec3f& p = map.points->positions[i];
@@ -30,7 +30,7 @@ struct NormalMap {
     using value_type = Kernel::Vector_3;
     using reference = value_type;
     using category = boost::read_write_property_map_tag;
-    Points* points;
+    PointSet* points;
 
     friend reference get(const NormalMap& map, key_type i) {
         const Vec3f& n = map.points->normals[i];
@@ -53,10 +53,10 @@ struct SourceMap {
 
 } // namespace
 
-void orientByCgal(Points& points, const NeighborLists& lists, const std::vector<std::uint8_t>& sources) {
-    std::vector<std::uint32_t> numbers(points.size());
-    std::iota(numbers.begin(), numbers.end(), 0u);
-    CGAL::mst_orient_normals(numbers, unsigned(lists.k),
+void orientByCgal(PointSet& points, const NeighborLists& lists, const std::vector<std::uint8_t>& sources) {
+    std::vector<std::uint32_t> indices(points.size());
+    std::iota(indices.begin(), indices.end(), 0u);
+    CGAL::mst_orient_normals(indices, unsigned(lists.k),
                              CGAL::parameters::point_map(PointMap{&points})
                                  .normal_map(NormalMap{&points})
                                  .point_is_constrained_map(SourceMap{&sources})

@@ -14,38 +14,38 @@
 namespace pointrt::surface {
 namespace {
 
-/// One normal of an edge, mirrored in the plane half way along it, against the other.
-struct Mirror {
+/// One normal of an edge, reflected in the edge's bisecting plane, against the other.
+struct Reflection {
     float cosine; ///< of the normals as they are
-    float scaled; ///< of the mirrored one, times length_squared
+    float scaled; ///< of the reflected one, times length_squared
     float length_squared;
 
-    /// Out of the surface by more than 27 degrees, where the mirror takes 0.6 of a normal's agreement with itself.
-    bool isAslant() const { return scaled * cosine < 0.6f * cosine * cosine * length_squared; }
-    /// The normals are alike, and yet the points lie behind each other.
-    bool isBetween() const { return scaled * cosine < 0 && std::abs(cosine) > 0.5f; }
+    /// The edge leaves the surface by more than 27 degrees: reflection reduces the cosine to less than 0.6 of it.
+    bool isOblique() const { return scaled * cosine < 0.6f * cosine * cosine * length_squared; }
+    /// The edge joins two sheets: similar normals, but one point is behind the other.
+    bool joinsSheets() const { return scaled * cosine < 0 && std::abs(cosine) > 0.5f; }
 };
 
-Mirror mirrorOf(const Points& points, std::size_t a, std::size_t b) {
+Reflection reflectionOf(const PointSet& points, std::size_t a, std::size_t b) {
     const Vec3f edge = points.positions[b] - points.positions[a];
     const float cosine = points.normals[a].dot(points.normals[b]), squared = edge.squaredNorm();
     return {cosine, cosine * squared - 2 * edge.dot(points.normals[a]) * edge.dot(points.normals[b]), squared};
 }
 
-// An edge is one number that sorts by weight: the weight in 2^24 steps above the slot of lists.indices that holds it.
+// An edge is one number that sorts by weight: the weight in 2^24 steps, above the slot of lists.indices that holds it.
 // 40 bits hold the slots of 2^31 points with 255 neighbours each.
 constexpr int kSlotBits = 40;
 constexpr double kWeightSteps = (1 << 24) - 1;
 
-/// The edges to choose from.
+/// The graph whose tree is sought.
 struct Graph {
-    const Points& points;
+    const PointSet& points;
     const NeighborLists& lists;
     const EdgeKinds& kinds;
 
-    /// How a neighbour agrees: by the normals alone where its edge lies in the surface, which spares a look at places.
+    /// By the normals alone if the edge lies in the surface, which avoids reading positions.
     Agreement agreement(std::size_t a, std::uint32_t b) const {
-        if (kinds.aslant[a] || kinds.aslant[b]) return agreementOf(points, a, b);
+        if (kinds.oblique[a] || kinds.oblique[b]) return agreementOf(points, a, b);
         const float cosine = points.normals[a].dot(points.normals[b]);
         return {std::abs(cosine), cosine < 0};
     }
@@ -56,19 +56,18 @@ std::uint64_t edgeOf(const Graph& graph, std::size_t a, std::uint32_t b, std::si
     return std::uint64_t((1 - agreement) * kWeightSteps) << kSlotBits | slot;
 }
 
-/// Whether the edge from point to its neighbour is left to the neighbour's own list.
+/// Whether the edge between point and its neighbour is taken from the neighbour's list.
 bool listedByNeighbor(const NeighborLists& lists, std::size_t point, std::uint32_t neighbor) {
     if (point < neighbor) return false;
     const auto theirs = lists.of(neighbor);
     return std::find(theirs.begin(), theirs.end(), std::uint32_t(point)) != theirs.end();
 }
 
-/// Where to cut the sorted edges: each part is to be small, and to join most of what is not joined yet. Measured over
-/// sampled meshes and raw range scans: with these no part holds more than 2 or 3 edges a point, of 10 in all, because
-/// most edges of the later parts join nothing any more.
+/// Quantiles at which the sorted edges are cut into parts. Over sampled meshes and raw range scans, no part then holds
+/// more than 2 or 3 of the 10 edges per point, because most edges of later parts no longer join two sets.
 constexpr double kCuts[] = {0.25, 0.5, 0.75};
 
-/// Edges at the cuts, by a sample of one point in 64; the end of all edges last.
+/// The edges at the cuts, from a sample of one point in 64, then the end of all edges.
 std::vector<std::uint64_t> cutEdges(const Graph& graph) {
     const NeighborLists& lists = graph.lists;
     constexpr std::size_t kStep = 64;
@@ -122,25 +121,25 @@ void joinAlong(const std::vector<std::uint64_t>& edges, const Graph& graph, Pari
 
 } // namespace
 
-Agreement agreementOf(const Points& points, std::size_t a, std::size_t b) {
-    // Between sheets, or by noise: after the edges along a surface, whose squares fall below it when they are 37
-    // degrees out of its plane, but before those that run from sheet to sheet across corners.
+Agreement agreementOf(const PointSet& points, std::size_t a, std::size_t b) {
+    // Weight of edges that join sheets, or seem to by noise: less than edges along a surface, whose squared cosine is
+    // below it only if they leave its plane by 37 degrees, but more than edges from sheet to sheet across corners.
     constexpr float kBetween = 0.4f;
-    const Mirror mirror = mirrorOf(points, a, b);
-    const float mirrored = mirror.scaled / mirror.length_squared;
-    return {(mirror.isBetween() ? kBetween : 1) * mirrored * mirrored, mirrored < 0, mirror.isBetween()};
+    const Reflection reflection = reflectionOf(points, a, b);
+    const float reflected = reflection.scaled / reflection.length_squared;
+    return {(reflection.joinsSheets() ? kBetween : 1) * reflected * reflected, reflected < 0, reflection.joinsSheets()};
 }
 
-EdgeKinds edgeKinds(const Points& points, const NeighborLists& lists) {
+EdgeKinds edgeKinds(const PointSet& points, const NeighborLists& lists) {
     EdgeKinds kinds{std::vector<std::uint8_t>(points.size(), 0)};
     std::atomic<bool> sheets = false;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size()), [&](const auto& range) {
         bool found = false;
         for (std::size_t i = range.begin(); i < range.end(); ++i)
             for (const std::uint32_t neighbor : lists.of(i)) {
-                const Mirror mirror = mirrorOf(points, i, neighbor);
-                kinds.aslant[i] |= mirror.isAslant();
-                found |= mirror.isBetween();
+                const Reflection reflection = reflectionOf(points, i, neighbor);
+                kinds.oblique[i] |= reflection.isOblique();
+                found |= reflection.joinsSheets();
             }
         if (found) sheets = true;
     });
@@ -148,11 +147,11 @@ EdgeKinds edgeKinds(const Points& points, const NeighborLists& lists) {
     return kinds;
 }
 
-void orientByKruskal(Points& points, const NeighborLists& lists, const EdgeKinds& kinds,
+void orientByKruskal(PointSet& points, const NeighborLists& lists, const EdgeKinds& kinds,
                      const std::vector<std::uint8_t>& sources) {
     const Graph graph{points, lists, kinds};
     ParitySets tree(points.size() + 1);
-    const auto root = std::uint32_t(points.size()); // stands for all that is known
+    const auto root = std::uint32_t(points.size()); // represents all known sides
     for (std::uint32_t i = 0; i < root; ++i)
         if (sources[i]) tree.join(root, i, false);
 

@@ -9,7 +9,7 @@
 
 namespace pointrt::surface {
 
-/// Mean and covariance of a neighbourhood, seen from its point: small numbers, so that float is enough.
+/// Mean and covariance of a neighbourhood, relative to its point: small numbers, for which float is enough.
 struct Moments {
     Vec3f mean = Vec3f::Zero();
     std::array<float, 6> covariance{}; ///< xx xy xz yy yz zz
@@ -18,23 +18,24 @@ struct Moments {
 /// A plane's normal (unit length, on either side) and how badly the neighbourhood fits it.
 struct PlaneFit {
     Vec3f normal = Vec3f::UnitZ();
-    /// Smallest over middle eigenvalue of the covariance: 0 in a plane, 1 in a cloud without one; infinite
-    /// where the neighbours lie on a line and any plane through it fits.
+    /// Smallest over middle eigenvalue of the covariance: 0 in a plane, 1 for isotropic scatter; infinite if the
+    /// neighbours lie on a line, as any plane through it fits.
     float misfit = 0;
 };
 
-/// Least-squares plane of a covariance, by PCL's eigen33.
+/// Least-squares plane of a covariance, by pcl::eigen33 in double. pcl::solvePlaneParameters would not do: it works in
+/// float, where the smallest eigenvalue of a smooth surface is off by 0.1%, gives NaN for points on a line, and does
+/// not return the middle eigenvalue.
 PlaneFit fitPlane(const Moments& moments);
 
-/// Moments of a point and its neighbours, all of the same weight.
-Moments momentsOf(const Points& points, std::span<const std::uint32_t> neighbors, std::size_t point);
+/// Moments of a point and its neighbours with equal weights, by pcl::computeMeanAndCovarianceMatrix in double.
+Moments momentsOf(const PointSet& points, std::span<const std::uint32_t> neighbors, std::size_t point);
 
-/// The average over a point and its neighbours of the moments of each: those of the wider, bell-shaped neighbourhood
-/// that the neighbours reach.
-Moments spreadMoments(const std::vector<Moments>& moments, const Points& points, const NeighborLists& lists,
+/// Moments averaged over a point and its neighbours: those of a wider, bell-shaped neighbourhood.
+Moments spreadMoments(const std::vector<Moments>& moments, const PointSet& points, const NeighborLists& lists,
                       std::size_t point);
 
 /// Root mean square height of a point's neighbours over its tangent plane.
-float heightOver(const Points& points, const NeighborLists& lists, std::size_t point);
+float heightOver(const PointSet& points, const NeighborLists& lists, std::size_t point);
 
 } // namespace pointrt::surface

@@ -10,7 +10,7 @@
 namespace pointrt {
 namespace {
 
-/// Of cells: their number, sums of row, column and value, and of the products of two of these: rr rc cc rv cv vv.
+/// Sums over cells: 1, row, column, value, and the products rr rc cc rv cv vv of two of these.
 using Sums = Eigen::Array<double, 10, 1>;
 
 Sums sumsOf(double row, double column, double value) {
@@ -19,7 +19,7 @@ Sums sumsOf(double row, double column, double value) {
     return sums;
 }
 
-/// The plane through the cells, at one of them.
+/// The least-squares plane through the cells, at one of them.
 PlaneValue planeAt(const Sums& sums, double row, double column) {
     constexpr double kNarrow = 0.2; // the variance of a row and the next is 1/4
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -33,14 +33,14 @@ PlaneValue planeAt(const Sums& sums, double row, double column) {
             std::sqrt(std::max(0.0, vv - by_row * rv - by_column * cv))};
 }
 
-/// Sums over rows [begin, end) of a frame, whose coordinates count from its middle so that they stay small.
+/// Integral image of rows [begin, end) of a frame. Coordinates are relative to its middle, to stay small.
 struct Strip {
     const DepthFrame& frame;
     const Arms& arms;
     int radius;
     std::uint32_t begin, end;
-    double zero;                  ///< subtracted from values
-    std::vector<Sums> above = {}; ///< [end - begin + 1][columns]: of all windows of one row above each
+    double zero;                  ///< subtracted from values, to keep sums small
+    std::vector<Sums> above = {}; ///< [end - begin + 1][columns]: sums over the one-row windows above each cell
 
     double rowOf(std::uint32_t row) const { return double(row) - double(begin); }
     double columnOf(std::uint32_t column) const { return double(column) - double(frame.columns / 2); }
@@ -76,7 +76,7 @@ struct Strip {
     }
 };
 
-/// Lengths of arms along a line of cells, in the direction of its numbers and against it.
+/// Lengths of arms along a row or column of cells, in both directions.
 template <typename Inverse, typename Store>
 void measureArms(std::uint32_t count, const DepthSteps& steps, double jump, const Inverse& inverse,
                  const Store& store) {
@@ -85,9 +85,9 @@ void measureArms(std::uint32_t count, const DepthSteps& steps, double jump, cons
         for (std::uint32_t i = 0; i < count; ++i) {
             const std::uint32_t here = forward ? i : count - 1 - i;
             const double value = inverse(here), last = i == 0 ? 0 : inverse(forward ? here - 1 : here + 1);
-            const bool goes_on =
+            const bool continues =
                 value > 0 && last > 0 && std::abs(value - last) <= jump * steps.at(std::min(value, last));
-            length = goes_on ? std::min(length + 1, Arms::kLongest) : 0;
+            length = continues ? std::min(length + 1, Arms::kLongest) : 0;
             store(here, forward, std::uint8_t(length));
         }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Planes fitted to what lies around each cell of a depth frame and belongs to the same surface.
+// Fits planes to windows around the cells of a depth frame that stay on one surface.
 #pragma once
 
 #include <cstdint>
@@ -9,25 +9,25 @@
 
 namespace pointrt {
 
-/// How many cells a surface goes on from each, kLongest at most: no neighbour on the way is missing or further in depth
-/// than a jump.
+/// Number of cells, up to kLongest, that a surface extends from each cell: until a neighbour is missing or differs in
+/// depth by more than a jump.
 struct Arms {
     static constexpr int kLongest = 48;
     std::vector<std::uint8_t> left, right, up, down; ///< [rows][columns]
 };
 
-/// @param steps a jump has more than so many of the steps there
+/// @param jump limit of the difference between adjacent cells, in steps
 Arms findArms(const DepthFrame& frame, const DepthSteps& steps, double jump);
 
-/// A plane's value in a cell and the root of its mean squared residual, both in 1 / depth; NaN where the window has no
-/// two rows and columns.
+/// A plane's value in a cell and its root mean square residual, both in 1 / depth; NaN if the window has fewer than two
+/// rows or columns.
 struct PlaneValue {
     double value, residual;
 };
 
-/// For the cells of rows [first, last) the plane through a window: the cells up and down the cell's arms, and from each
-/// of these left and right along its own, no further than radius (Zhang, Lu and Lafruit, "Cross-based local stereo
-/// matching using orthogonal integral images", 2009). Takes the same time for any radius but for the rows around.
+/// Fits a plane to a window around each cell of rows [first, last): the cells along its arms up and down, and from each
+/// of these along its arms left and right, up to radius (Zhang, Lu and Lafruit, "Cross-based local stereo matching
+/// using orthogonal integral images", 2009). The time does not depend on the radius, except for the rows around.
 /// @param values [last - first][columns]
 void fitPlanes(const DepthFrame& frame, const Arms& arms, int radius, std::uint32_t first, std::uint32_t last,
                std::vector<PlaneValue>& values);

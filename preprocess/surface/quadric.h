@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Height fields of second order over a tangent plane.
+// Fits quadric height fields over a tangent plane.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <span>
 
-#include "preprocess/surface/local_fit.h"
+#include "preprocess/surface/algebraic_sphere.h"
 
 namespace pointrt::surface {
 
@@ -22,19 +22,18 @@ struct TangentFrame {
 
 struct QuadricFit {
     QuadricTerms terms;
-    float variance = 0; ///< weighted mean square of what it leaves unexplained
+    float variance = 0; ///< weighted mean square of the residuals
 };
 
-/// Least squares over neighbours with robustWeights of this scale; nothing where they
-/// do not determine all terms.
-std::optional<QuadricFit> fitQuadric(const Surroundings& around, const TangentFrame& frame, const AlgebraicSphere& from,
+/// Least squares over neighbours with robustWeights of this scale; nullopt if they do not determine all terms.
+std::optional<QuadricFit> fitQuadric(const Neighborhood& around, const TangentFrame& frame, const AlgebraicSphere& from,
                                      float scale);
 
-/// Of the height field over the frame's origin, unit length, on the frame's side.
+/// Unit normal of the height field at the frame's origin, on the frame's side.
 Vec3f normalOf(const QuadricTerms& terms, const TangentFrame& frame);
 
-/// Mean square of what a quadric through these neighbours, all of one weight, and the point itself leaves unexplained,
-/// over its degrees of freedom: the variance of what is noise; 0 where there are too few neighbours to tell.
-double residualVariance(const Points& points, std::span<const std::uint32_t> neighbors, std::size_t point);
+/// Variance of the noise: sum of squared residuals of a quadric through the point and these neighbours, unweighted,
+/// over the degrees of freedom. 0 if there are too few neighbours.
+double residualVariance(const PointSet& points, std::span<const std::uint32_t> neighbors, std::size_t point);
 
 } // namespace pointrt::surface

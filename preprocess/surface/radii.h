@@ -1,45 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The smallest discs that close the surface.
+// Disc radii: the smallest that close the surface.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "preprocess/surface/neighbors.h"
+#include "preprocess/surface/point_graph.h"
 
 namespace pointrt::surface {
 
-/// Radius of each point's disc, in the unit of positions: the distance to the farthest corner of its Voronoi cell in
-/// the tangent plane, so that the discs of all points together cover it, times an overlap of 1.4, or 1.2 at least where
-/// the disc would stick out of a ridge or over an open border. Corners further away than the surface's own holes could
-/// be (an open border, a lone point) or with nothing behind them do not count. Points scattered in space stay as wide
-/// as half the way to their second neighbour: sheets are what sheetShares says. oriented says that normals tell the two
-/// sides of a thin sheet apart. > 0 and finite for every point.
-std::vector<float> discRadii(const Points& points, const NeighborLists& lists, const NearestSearch& search,
-                             const std::vector<float>& sheets, bool oriented, const StageShare& share);
+/// Sets points.radii, > 0 and finite: the distance to the farthest corner of the point's Voronoi cell in the tangent
+/// plane, so that all discs together cover that plane, times an overlap of 1.4, or at least 1.2 if the disc would stick
+/// out of a ridge or over an open border. Corners further away than gaps of the sampling can be (at an open border, of
+/// a lone point), or with nothing behind them, do not count. Discs of points scattered in space (planarity) are half as
+/// wide as the distance to the second neighbour.
+/// @param oriented normals tell the two sides of a thin sheet apart
+void computeRadii(PointGraph& graph, bool oriented, const StageShare& share);
 
-/// Shrinks the radii of points that were moved out of noise, of a deviation above 0: they lie one behind the other
-/// where they were read, so that a surface has more of them than its spacing says.
-void tightenSmoothed(std::vector<float>& radii, const std::vector<float>& noise);
+/// Shrinks discs of smoothed points (noise above 0): such points were one behind the other before, so that a surface
+/// has more of them than their spacing says.
+void shrinkSmoothed(PointSet& points);
 
-/// Shrinks discs far wider than those around them, where the points lie in no plane: in crowns and hedges, at edges and
-/// among strays they hang as plates between what was sampled closer. lists are those of discRadii.
-void shrinkPlates(std::vector<float>& radii, const Points& points, const NeighborLists& lists);
+/// Shrinks discs much wider than those around them if their neighbours are in no plane: in crowns and hedges, at edges
+/// and among outliers they look like plates between closely sampled parts.
+void shrinkPlates(PointGraph& graph);
 
-/// Shrinks the few radii far above all others. Points far apart are each other's neighbours, and no local rule tells
-/// their spacing from a surface's: their discs would hang in the picture like sails.
-/// @param decided for a larger cloud: the widest
+/// Shrinks the few radii far above all others. Isolated points are each other's neighbours, and no local rule tells
+/// their spacing from a surface's: their discs would be sails in the picture.
+/// @param decided limit decided for a larger cloud
 void limitRadii(std::vector<float>& radii, std::optional<float> decided);
 
-/// How wide the discs of so many may be: which of the radii, counted from the least, tells it, and how many times as
-/// wide; nothing where there are too few to tell.
+/// The limit of a cloud's radii: `times` the radius at `place`, counted from the smallest.
 struct RadiusLimitRule {
     std::size_t place = 0;
     float times = 1;
 };
+/// nullopt if there are too few radii.
 std::optional<RadiusLimitRule> radiusLimitRule(std::size_t count);
 
-/// The widest that a disc of a cloud may be, by the radii of all; infinity: of too few to tell. Changes their order.
+/// The limit of a cloud's radii; infinity if there are too few. Reorders them.
 float radiusLimit(std::vector<float>& radii);
 
 } // namespace pointrt::surface

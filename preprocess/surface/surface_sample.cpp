@@ -11,35 +11,35 @@
 namespace pointrt::upright {
 namespace {
 
-/// Shares of this many are good to a percent, and what touches the ground are some hundred of them.
+/// Enough for shares within 1%, with some hundred in contact with the ground.
 constexpr std::size_t kSamples = 16384;
 
-/// Cosine and sine of 10 degrees: walls and floors of real rooms, with the noise of their normals.
+/// Cosine and sine of 10 degrees: tolerance for walls and floors of real rooms with noisy normals.
 const double kAlong = std::cos(10 * std::numbers::pi / 180), kAcross = std::sin(10 * std::numbers::pi / 180);
 
-/// Nearer than this to an axis, scans are meant to stand on it: 5 degrees.
+/// Cosine of 5 degrees: directions nearer to an axis are meant to be that axis.
 const double kAxisCosine = std::cos(5 * std::numbers::pi / 180);
 
-/// Edge of the map of the half sphere of directions: bins of some 5 degrees.
+/// Edge of the map of directions, a hemisphere: bins of some 5 degrees.
 constexpr int kBins = 32;
 constexpr double kLeastPlane = 0.05;
 constexpr int kMostPlanes = 4;
-/// Planes this near to each other are one: 20 degrees.
+/// Cosine of 20 degrees: nearer planes are the same.
 const double kApart = std::cos(20 * std::numbers::pi / 180);
 
-/// Sparse places get large discs; they are not to outweigh the rest.
+/// Limit of radii over the median, so that the large discs of sparse parts do not outweigh the others.
 constexpr float kWidestRadius = 2;
 
-/// The bin of a direction and its opposite, in the octahedral map of the upper half sphere.
+/// The bin of a direction and its opposite, in the octahedral map of the upper hemisphere.
 std::size_t binOf(const Vec3d& normal) {
     const Vec3d n = normal.z() < 0 ? Vec3d(-normal) : normal;
     const double sum = n.cwiseAbs().sum();
-    // the diamond |x| + |y| <= 1, turned into a square
+    // rotates the diamond |x| + |y| <= 1 into a square
     const auto cell = [&](double t) { return std::clamp(int((t + 1) / 2 * kBins), 0, kBins - 1); };
     return std::size_t(cell((n.x() + n.y()) / sum)) * kBins + std::size_t(cell((n.x() - n.y()) / sum));
 }
 
-/// The mean direction of normals near direction, and their share of the area.
+/// The mean of the normals near a direction, and their share of the area.
 std::pair<Vec3d, double> refined(const SurfaceSample& sample, Vec3d direction) {
     double share = 0;
     for (int round = 0; round < 3; ++round) {
@@ -78,7 +78,7 @@ float medianRadius(const Splats& splats, std::size_t step) {
     return medianInPlace(radii);
 }
 
-/// Both ends of the values but for half a percent at each.
+/// The extent along an axis without 0.5% of the positions at each end.
 double robustExtent(const SurfaceSample& sample, int axis) {
     std::vector<double> values;
     for (const Vec3d& position : sample.positions) values.push_back(position[axis]);
@@ -131,7 +131,7 @@ std::vector<Vec3d> slantedPlanes(const SurfaceSample& sample) {
     std::vector<Bin> bins = directionMap(sample);
     std::sort(bins.begin(), bins.end(), [](const Bin& a, const Bin& b) { return a.area > b.area; });
     std::vector<Vec3d> planes;
-    for (std::size_t b = 0; b < 4 * kMostPlanes && planes.size() < kMostPlanes; ++b) { // several bins may be of one
+    for (std::size_t b = 0; b < 4 * kMostPlanes && planes.size() < kMostPlanes; ++b) { // a plane may have several bins
         if (!(bins[b].area > 0) || bins[b].sum.isZero()) break;
         const auto [normal, share] = refined(sample, bins[b].sum.normalized());
         const auto is_near = [&](const Vec3d& other, double cosine) { return std::abs(normal.dot(other)) > cosine; };

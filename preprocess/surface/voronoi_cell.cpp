@@ -9,7 +9,7 @@ namespace pointrt::surface {
 
 namespace {
 
-float reachOf(const std::vector<CellCorner>& corners) {
+float radiusOf(const std::vector<CellCorner>& corners) {
     float squared = 0;
     for (const CellCorner& corner : corners) squared = std::max(squared, corner.place.squaredNorm());
     return std::sqrt(squared);
@@ -21,7 +21,7 @@ void VoronoiCell::reset(float half_edge) {
     corners_.clear();
     for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
         corners_.push_back({Eigen::Vector2f(float(x), float(y)) * half_edge, true, false});
-    reach_ = reachOf(corners_);
+    radius_ = radiusOf(corners_);
 }
 
 bool VoronoiCell::clip(const Eigen::Vector2f& place, float height) {
@@ -32,9 +32,9 @@ bool VoronoiCell::clip(const Eigen::Vector2f& place, float height) {
         along_[i] = corners_[i].place.dot(place);
         farthest = std::max(farthest, along_[i]);
     }
-    // Less than rounding may amount to is not worth a cut: slivers would count as closed corners.
+    // Ignores cuts within rounding: slivers would count as closed corners.
     constexpr float kRounding = 1e-5f;
-    if (farthest - limit <= kRounding * (limit + reach_ * place.norm())) return false;
+    if (farthest - limit <= kRounding * (limit + radius_ * place.norm())) return false;
     cutOff(limit);
     return true;
 }
@@ -48,12 +48,12 @@ void VoronoiCell::cutOff(float limit) {
         if (from_beyond <= 0) clipped_.push_back(from);
         if ((from_beyond > 0) == (to_beyond > 0)) continue;
         const float share = from_beyond / (from_beyond - to_beyond);
-        // Leaving, the new edge runs along the bisector; entering, the old edge goes on.
+        // Where the outline leaves, the new edge is along the bisector; where it enters, the old edge continues.
         const bool border_edge = from_beyond > 0 && from.border_edge;
         clipped_.push_back({from.place + share * (corners_[next].place - from.place), border_edge, false});
     }
     corners_.swap(clipped_);
-    reach_ = reachOf(corners_);
+    radius_ = radiusOf(corners_);
 }
 
 bool VoronoiCell::isOpen() const {

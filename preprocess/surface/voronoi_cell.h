@@ -7,22 +7,22 @@
 
 namespace pointrt::surface {
 
-/// Corner of a cell. The edge that starts here runs counter-clockwise to the next corner.
+/// Corner of a cell, and the edge from it to the next corner counter-clockwise.
 struct CellCorner {
-    Eigen::Vector2f place;    ///< in the tangent plane, the point at the origin
-    bool border_edge = false; ///< the edge is part of the square, not between two points
+    Eigen::Vector2f place;    ///< in the tangent plane, relative to the point
+    bool border_edge = false; ///< the edge is part of the initial square, not of a bisector
     bool verified = false;    ///< no other point is nearer to the corner
 };
 
 /// Convex polygon around the origin.
 class VoronoiCell {
 public:
-    /// Starts with the square of this half edge; 0 < half_edge.
+    /// Starts with a square of this half edge; half_edge > 0.
     void reset(float half_edge);
 
-    /// Cuts off what is nearer to a neighbour than to the point. place is the neighbour's projection into the plane,
+    /// Cuts off the part nearer to a neighbour than to the point. place is the neighbour's projection into the plane,
     /// height its distance from it: the bisector of both points in space meets the plane at
-    /// (|place|^2 + height^2) / (2 |place|), so that neighbours round an edge cut where the edge is.
+    /// (|place|^2 + height^2) / (2 |place|), so that neighbours around an edge cut at the edge.
     /// Returns whether anything was cut off.
     bool clip(const Eigen::Vector2f& place, float height);
 
@@ -30,11 +30,11 @@ public:
     void markVerified(std::size_t corner) { corners_[corner].verified = true; }
 
     /// Distance to the farthest corner.
-    float reach() const { return reach_; }
-    /// Distance to the farthest corner, of those within limit, where two bisectors meet and counts(its place) holds; 0
-    /// when there is none.
+    float radius() const { return radius_; }
+    /// Distance to the farthest corner within limit where two bisectors meet and counts(place) is true; 0 if there is
+    /// none.
     template <typename Counts>
-    float closedReach(float limit, const Counts& counts) const {
+    float closedRadius(float limit, const Counts& counts) const {
         float farthest = 0;
         for (std::size_t i = 0; i < corners_.size(); ++i) {
             const CellCorner& before = corners_[(i + corners_.size() - 1) % corners_.size()];
@@ -44,16 +44,16 @@ public:
         }
         return farthest;
     }
-    /// Whether a part of the square's outline is left: no neighbour bounds the cell there.
+    /// Whether a part of the square's outline is left, where no neighbour bounds the cell.
     bool isOpen() const;
 
 private:
-    /// Replaces the corners beyond a bisector, at least one, by where the cell's edges cross it.
+    /// Replaces the corners beyond a bisector (at least one) by its intersections with the cell's edges.
     void cutOff(float limit);
 
     std::vector<CellCorner> corners_, clipped_;
-    std::vector<float> along_; ///< scalar products of the corners with the place last clipped by
-    float reach_ = 0;
+    std::vector<float> along_; ///< dot products of the corners with the place last clipped by
+    float radius_ = 0;
 };
 
 } // namespace pointrt::surface

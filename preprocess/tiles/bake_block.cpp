@@ -11,15 +11,15 @@
 #include "preprocess/surface/neighbors.h"
 #include "preprocess/tiles/buckets.h"
 #include "preprocess/tiles/halo.h"
+#include "preprocess/tiles/select_splats.h"
 #include "preprocess/tiles/splat_file.h"
-#include "preprocess/tiles/take_splats.h"
 
 namespace pointrt {
 
 namespace {
 
-/// A halo that would bring in more points than so many of the plan's largest tiles have is not read: what lies that
-/// unevenly would make one tile take as long as a block.
+/// Limit of a halo's points, in points of the plan's largest tile: with very uneven density, a wider halo would make
+/// one tile take as long as a block.
 constexpr std::uint64_t kMostTiles = 8;
 
 std::uint64_t mostHaloPoints(const SetPlan& plan) {
@@ -28,22 +28,22 @@ std::uint64_t mostHaloPoints(const SetPlan& plan) {
     return std::min(kMostTiles * largest, mostPointsAtOnce(plan.bake.max_memory));
 }
 
-/// What has been read of a tile and around it.
+/// The points read of a tile and its halo.
 struct TilePoints {
-    PointRoom::Share share;
+    PointBudget::Reservation reservation;
     BoxPoints box;
     std::size_t lacking = 0; ///< TileCounts::lacking
 };
 
-/// The tile's points and as wide a halo as they need.
-TilePoints readWithHalo(const SetPlan& plan, std::uint32_t number, PointRoom& room) {
+/// Reads a tile's points with a halo as wide as they need.
+TilePoints readWithHalo(const SetPlan& plan, std::uint32_t number, PointBudget& budget) {
     const PlanTile& tile = plan.tiles[number];
     const auto neighbors = static_cast<std::size_t>(plan.bake.surface.neighbors);
     const std::uint64_t most = mostHaloPoints(plan);
     double width = firstHalo(plan, tile);
     std::uint64_t count = countPoints(plan, number, width, most);
     while (true) {
-        TilePoints points{room.take(count), readPoints(plan, number, width)};
+        TilePoints points{budget.reserve(count), readPoints(plan, number, width)};
         const Cloud& cloud = points.box.cloud;
         points.lacking = countLacking(cloud.positions, points.box.core, haloOf(plan, tile, width), neighbors);
         if (points.lacking == 0) return points;
@@ -62,7 +62,7 @@ bool isSurface(const std::vector<Vec3f>& positions) {
     }
 }
 
-/// Each side that the plan knows to the point nearest to it, of which it is the normal of a coarser sample.
+/// Assigns each normal of the plan's oriented sample to the nearest point.
 std::vector<Vec3f> sidesOf(const BoxPoints& points) {
     if (points.side_positions.empty()) return {};
     std::vector<Vec3f> sides(points.cloud.positions.size(), Vec3f::Zero());
@@ -78,15 +78,15 @@ std::vector<Vec3f> sidesOf(const BoxPoints& points) {
 
 SurfaceDecisions decisionsOf(const SetPlan& plan, BoxPoints& points, SurfaceOptions& options) {
     options.orient = plan.orient;
-    SurfaceDecisions decided{sidesOf(points), plan.traits, {}};
+    SurfaceDecisions decided{sidesOf(points), plan.statistics, {}};
     if (options.orient != OrientMode::kMst || decided.sides.empty()) return decided;
-    options.orient = OrientMode::kAuto; // which follows the plan's sides, once nothing else is known
+    options.orient = OrientMode::kAuto; // uses the plan's sides if nothing else decides
     points.cloud.normal_sides = false;
     points.cloud.sensor_of_point.clear();
     return decided;
 }
 
-/// 1 for the splats of the core's points, and those that fill gaps in the core.
+/// 1 for splats of the core's points and those that fill gaps in the core.
 std::vector<std::uint8_t> flagOwn(const Splats& splats, const std::vector<std::uint8_t>& core,
                                   const std::vector<PositionCode>& codes) {
     std::vector<std::uint8_t> own(codes.size());
@@ -97,9 +97,9 @@ std::vector<std::uint8_t> flagOwn(const Splats& splats, const std::vector<std::u
     return own;
 }
 
-/// What cleaning moved to where no tile stands, which nobody would trace, goes back to the core's border; so does what
-/// it moved into a tile of a coarser level, which merged tiles of that level would not find in its file, and all of it
-/// where the core were left without any, as then no tile would stand here either.
+/// Moves splats back to the core's border if cleaning moved them to where there is no tile, so that no ray would hit
+/// them, or into a tile of a coarser level, whose merged tiles would not find them in its file. Moves all of them back
+/// if the core would have none left, as then there would be no tile.
 void keepInTiles(const TileTree& tree, const TileKey& tile, const std::vector<std::uint8_t>& own,
                  std::vector<PositionCode>& codes) {
     bool holds_one = false;
@@ -112,7 +112,7 @@ void keepInTiles(const TileTree& tree, const TileKey& tile, const std::vector<st
     }
 }
 
-/// The schema that all tiles have, with colours where the set has them.
+/// No splats, with the schema of all tiles.
 TileSplats noSplats(const Cloud& cloud) {
     TileSplats none;
     for (const Attribute& each : cloud.attributes)
@@ -150,10 +150,10 @@ TileTree treeOf(const SetPlan& plan) {
     return TileTree(originals);
 }
 
-TileSplats bakeTile(const SetPlan& plan, const TileTree& tree, std::uint32_t number, PointRoom& room,
+TileSplats bakeTile(const SetPlan& plan, const TileTree& tree, std::uint32_t number, PointBudget& budget,
                     TileCounts& counts) {
     const PlanTile& tile = plan.tiles.at(number);
-    TilePoints read = readWithHalo(plan, number, room);
+    TilePoints read = readWithHalo(plan, number, budget);
     BoxPoints& points = read.box;
     counts.points += tile.points;
     counts.lacking += read.lacking;
@@ -167,7 +167,7 @@ TileSplats bakeTile(const SetPlan& plan, const TileTree& tree, std::uint32_t num
     const std::vector<std::uint8_t> own = flagOwn(splats, points.core, codes);
     keepInTiles(tree, keyOf(tile), own, codes);
     for (std::size_t i = 0; i < own.size(); ++i) counts.filled += own[i] && splats.input_index[i] >= splats.input_count;
-    TileSplats taken = takeSplats(splats, attributes, codes, own, edgeOf(plan, tile.level));
+    TileSplats taken = selectSplats(splats, attributes, codes, own, edgeOf(plan, tile.level));
     counts.outliers += report.outliers_removed;
     counts.splats += taken.positions.size();
     return taken;
@@ -179,11 +179,11 @@ TileCounts bakeBlocks(const SetPlan& plan, BlockRange blocks, std::size_t thread
     makeFolder(folder);
     const TileRange range = tilesOf(plan, blocks);
     std::vector<TileCounts> counts(range.end - range.first);
-    PointRoom room(mostPointsAtOnce(plan.bake.max_memory));
+    PointBudget budget(mostPointsAtOnce(plan.bake.max_memory));
     forTiles(counts.size(), threads, "tiles", progress, [&](std::size_t k) {
         const auto number = static_cast<std::uint32_t>(range.first + k);
         const TileKey key = keyOf(plan.tiles[number]);
-        if (!hasSplatFile(folder, key)) writeSplats(folder, key, bakeTile(plan, tree, number, room, counts[k]));
+        if (!hasSplatFile(folder, key)) writeSplats(folder, key, bakeTile(plan, tree, number, budget, counts[k]));
     });
     return std::accumulate(counts.begin(), counts.end(), TileCounts{});
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Records of buckets: the same values as in memory, one after the other without gaps.
+// Records of buckets: values as in memory, packed without gaps.
 //   position  float x 3, relative to the corner of the tile's core
-//   normal    float x 3, where the schema has normals
-//   colour    byte x 3, where it has colours
-//   radius    float, where it has radii
-//   scan      1, 2 or 4 bytes, where there are several
+//   normal    float x 3, if the schema has normals
+//   colour    byte x 3, if it has colours
+//   radius    float, if it has radii
+//   scan      1, 2 or 4 bytes, if there are several
 //   attributes, each in its type
-// Behind the last record stands a trailer. Records are in the order of the input.
+// A trailer follows the last record. Records are in the order of the input.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@
 
 namespace pointrt {
 
-/// Bytes from a record's start.
+/// Offsets in bytes from the start of a record.
 struct BucketLayout {
     std::size_t normal = 0, color = 0, radius = 0, scan = 0;
-    std::vector<std::size_t> attributes; ///< of the schema's, but the scan's number
+    std::vector<std::size_t> attributes; ///< of the schema's attributes, except the scan number
     std::size_t record_bytes = 0;
 
     explicit BucketLayout(const PlanSchema& schema);

@@ -36,7 +36,7 @@ namespace {
     throw Error(ExitCode::kCannotWrite, path + ": " + std::strerror(error));
 }
 
-/// A file of this process's own, closed whatever happens.
+/// An open file, closed on destruction.
 class File {
 public:
     File(std::string path, int flags) : path_(std::move(path)), descriptor_(::open(path_.c_str(), flags, 0666)) {
@@ -56,7 +56,7 @@ public:
         }
     }
 
-    /// False where there are fewer.
+    /// Returns false if there are fewer bytes.
     bool read(char* data, std::size_t bytes) const {
         while (bytes > 0) {
             const ssize_t done = ::read(descriptor_, data, bytes);
@@ -88,7 +88,7 @@ bool hashFile(const std::string& path, std::uint64_t bytes, XXH3_state_t* hash) 
     return true;
 }
 
-/// Largest float below a core's edge: what rounding would put onto the next core stays.
+/// Largest float below a core's edge: clamps positions that rounding would move into the next core.
 float belowEdge(double edge) { return std::nextafter(static_cast<float>(edge), 0.0f); }
 
 } // namespace
@@ -113,7 +113,7 @@ void BucketWriter::findTiles(const std::vector<Vec3d>& positions) {
     });
 }
 
-/// A counting sort, which keeps the order of each tile's points; makes room for their records.
+/// A stable counting sort of points by tile; also reserves space for their records.
 void BucketWriter::sortByTile() {
     std::vector<std::uint32_t> counts(buckets_.size() + 1);
     for (const std::uint32_t tile : tile_of_point_)
@@ -159,7 +159,7 @@ void BucketWriter::writeRecord(const PointBatch& batch, const std::vector<const 
         const float radius = cloud.radii.empty() ? 0.0f : cloud.radii[point];
         std::memcpy(to + layout_.radius, &radius, sizeof radius);
     }
-    const auto scan = static_cast<std::uint32_t>(batch.scan); // little-endian, as all that is written
+    const auto scan = static_cast<std::uint32_t>(batch.scan); // little-endian, as everything in the file
     std::memcpy(to + layout_.scan, &scan, schema.scan_bytes);
     for (std::size_t i = 0; i < attributes.size(); ++i) {
         const std::size_t size = schema.attributes[i].bytesEach();
@@ -173,7 +173,7 @@ void BucketWriter::writeRecord(const PointBatch& batch, const std::vector<const 
 void BucketWriter::add(const PointBatch& batch) {
     findTiles(batch.positions);
     sortByTile();
-    std::vector<Attribute> converted; // those that were read as another type
+    std::vector<Attribute> converted; // attributes read as another type
     converted.reserve(layout_.attributes.size());
     std::vector<const char*> attributes;
     for (std::size_t i = 0; i < layout_.attributes.size(); ++i) {
@@ -193,7 +193,7 @@ void BucketWriter::add(const PointBatch& batch) {
     if (buffered_ > most_buffered_) flushLargest();
 }
 
-/// Appends a tile's records to its file.
+/// Appends a tile's buffered records to its file.
 void BucketWriter::append(std::size_t tile) {
     Bucket& bucket = *buckets_[tile];
     if (bucket.buffer.empty()) return;
@@ -204,7 +204,7 @@ void BucketWriter::append(std::size_t tile) {
     std::vector<char>().swap(bucket.buffer);
 }
 
-/// Those that have half of the memory or more between them, so that few calls write much.
+/// Flushes the largest buffers, half of the buffered bytes or more, so that few calls write much.
 void BucketWriter::flushLargest() {
     const std::uint64_t share = most_buffered_ / (2 * buckets_.size());
     for (std::size_t tile = 0; tile < buckets_.size(); ++tile)
@@ -227,12 +227,12 @@ std::vector<std::uint64_t> BucketWriter::counts() const {
     return counts;
 }
 
-bool BucketWriter::goOn(const std::vector<std::uint64_t>& bytes) {
+bool BucketWriter::resume(const std::vector<std::uint64_t>& bytes) {
     if (bytes.size() != buckets_.size()) return false;
     for (std::size_t tile = 0; tile < buckets_.size(); ++tile) {
         const std::string part = partOf(tile), whole = bucketFile(plan_, plan_.tiles[tile]);
         std::error_code failure;
-        const bool is_whole = std::filesystem::exists(whole, failure); // it was being named when the run was killed
+        const bool is_whole = std::filesystem::exists(whole, failure); // the run was killed just after renaming it
         if (is_whole) std::filesystem::rename(whole, part, failure);
         const std::uint64_t there = std::filesystem::file_size(part, failure);
         if (bytes[tile] == 0) {
@@ -247,8 +247,8 @@ bool BucketWriter::goOn(const std::vector<std::uint64_t>& bytes) {
     return true;
 }
 
-void BucketWriter::beginAnew() {
-    takeAway(bucketsFolder(plan_));
+void BucketWriter::restart() {
+    removeTree(bucketsFolder(plan_));
     makeFolder(bucketsFolder(plan_));
     for (const auto& bucket : buckets_) {
         bucket->written = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All tiles' buckets while they are filled: records gathered in memory of a bounded size, appended to a file a tile.
+// Writes the buckets of all tiles: records are buffered in bounded memory and appended to one file per tile.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@ namespace pointrt {
 
 class BucketWriter {
 public:
-    /// @param most_buffered bytes in memory
+    /// @param most_buffered memory for buffered records, in bytes
     BucketWriter(const SetPlan& plan, std::uint64_t most_buffered);
     ~BucketWriter();
     BucketWriter(const BucketWriter&) = delete;
@@ -25,17 +25,17 @@ public:
     /// Error (kCannotWrite).
     void add(const PointBatch& batch);
 
-    /// Writes what is in memory; returns the bytes that each bucket has then.
+    /// Writes all buffered records and returns the size of each bucket in bytes.
     std::vector<std::uint64_t> flush();
 
-    /// Takes up files that have at least so many bytes, and cuts them there. False where that cannot be: everything is
-    /// begun anew then.
-    bool goOn(const std::vector<std::uint64_t>& bytes);
+    /// Resumes with existing files, truncated to these sizes. Returns false if that is not possible: call restart()
+    /// then.
+    bool resume(const std::vector<std::uint64_t>& bytes);
 
-    /// Takes away what an earlier run has left.
-    void beginAnew();
+    /// Removes the files of an earlier run.
+    void restart();
 
-    /// Gives all buckets their trailers and names; those that have them stay. Points were counted before.
+    /// Appends the trailers and renames the files of all buckets that are not finished yet.
     void finish();
 
     /// Points of each tile so far.
@@ -59,10 +59,10 @@ private:
     std::uint64_t buffered_ = 0;
     std::vector<std::unique_ptr<Bucket>> buckets_;
     std::vector<Vec3d> corners_; ///< [tiles]
-    // Of a batch:
+    // Of the current batch:
     std::vector<std::uint32_t> tile_of_point_;
-    std::vector<std::uint32_t> order_; ///< its points that have a tile, by tiles
-    std::vector<char*> place_;         ///< [order] where each one's record goes
+    std::vector<std::uint32_t> order_; ///< points within a tile, sorted by tile
+    std::vector<char*> place_;         ///< [order] where to write each record
 };
 
 } // namespace pointrt

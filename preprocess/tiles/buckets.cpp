@@ -29,22 +29,22 @@ struct Bucket {
 
 void verify(const std::string& path, const Bucket& bucket, const BucketTrailer& trailer) {
     if (XXH3_64bits(bucket.records, bucket.count * trailer.record_bytes) != trailer.xxh3)
-        refuse(path, "is damaged: its points are not those that were written");
+        refuse(path, "is damaged: its checksum does not match");
 }
 
-/// @param whole whether all of its bytes are to be checked
+/// @param whole whether to check all of its bytes
 Bucket openBucket(const SetPlan& plan, const PlanTile& tile, const BucketLayout& layout, bool whole) {
     const std::string path = bucketFile(plan, tile);
     Bucket bucket{std::make_unique<format::MappedFile>(), nullptr, 0, coreOf(plan, tile).min()};
     if (!bucket.file->map(path.c_str())) refuse(path, bucket.file->error());
     const std::span<const std::byte> bytes = bucket.file->bytes();
     BucketTrailer trailer;
-    if (bytes.size() < sizeof trailer) refuse(path, "is cut short");
+    if (bytes.size() < sizeof trailer) refuse(path, "is truncated");
     const std::size_t body = bytes.size() - sizeof trailer;
     std::memcpy(&trailer, bytes.data() + body, sizeof trailer);
     const bool is_trailer = trailer.magic == BucketTrailer::kMagic && trailer.record_bytes == layout.record_bytes;
     if (!is_trailer || trailer.records != tile.points || body != tile.points * layout.record_bytes)
-        refuse(path, fmt::format("is not the bucket of {} points that the plan tells of", tile.points));
+        refuse(path, fmt::format("does not match the plan, which has {} points for it", tile.points));
     bucket.records = reinterpret_cast<const char*>(bytes.data());
     bucket.count = trailer.records;
     if (whole) verify(path, bucket, trailer);
@@ -57,20 +57,20 @@ Vec3d positionAt(const char* record, const Bucket& bucket) {
     return bucket.corner + local.cast<double>();
 }
 
-/// A record that is wanted.
+/// A selected record.
 struct Pick {
     const char* record;
-    std::uint32_t bucket; ///< its number
+    std::uint32_t bucket; ///< index of the bucket
     std::uint32_t scan;
 };
 
 std::uint32_t scanAt(const char* record, const BucketLayout& layout, std::size_t scan_bytes) {
-    std::uint32_t scan = 0; // little-endian, as all that is written
+    std::uint32_t scan = 0; // little-endian, as everything in the file
     std::memcpy(&scan, record + layout.scan, scan_bytes);
     return scan;
 }
 
-/// Everything that is wanted of a box, before it becomes a cloud.
+/// Selects the records of a box and converts them to a cloud.
 struct Picking {
     const SetPlan& plan;
     const BucketLayout layout;
@@ -91,7 +91,7 @@ struct Picking {
         }
     }
 
-    /// Scans are runs of points.
+    /// Sorts by scan, since scans are consecutive ranges of points.
     void sort() {
         const auto by_scan = [](const Pick& a, const Pick& b) { return a.scan < b.scan; };
         if (!std::is_sorted(picks.begin(), picks.end(), by_scan)) std::stable_sort(picks.begin(), picks.end(), by_scan);
@@ -103,7 +103,7 @@ struct Picking {
         for (std::size_t i = 0; i < picks.size(); ++i) {
             const Bucket& bucket = buckets[picks[i].bucket];
             std::memcpy(cloud.positions[i].data(), picks[i].record, sizeof(Vec3f));
-            if (bucket.corner == origin) continue; // the core's own keep every bit
+            if (bucket.corner == origin) continue; // the core's own positions keep every bit
             cloud.positions[i] = (positionAt(picks[i].record, bucket) - origin).cast<float>();
         }
     }
@@ -146,7 +146,7 @@ struct Picking {
         }
         if (cloud.sensors.empty()) return;
         for (const Pick& pick : picks) {
-            if (pick.scan >= plan.scans.size()) refuse(plan.work, "a bucket tells of a scan that the plan has not");
+            if (pick.scan >= plan.scans.size()) refuse(plan.work, "a bucket has a scan that the plan has not");
             cloud.sensor_of_point.push_back(sensor_of_scan[pick.scan]);
         }
     }
@@ -179,7 +179,7 @@ void addSides(const SetPlan& plan, const PlanBox& box, BoxPoints& points) {
 
 constexpr std::uint32_t kNoTile = std::numeric_limits<std::uint32_t>::max();
 
-/// @param tile whose points are core, all of them
+/// @param tile whose points are all flagged as core
 BoxPoints readBox(const SetPlan& plan, std::uint32_t tile, const PlanBox& box, const Vec3d& origin) {
     Picking picking(plan, origin);
     std::uint32_t core_bucket = kNoTile;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points of tiles as the split has left them on disk: a bucket a tile.
+// Reads points of tiles from the buckets on disk that the split wrote, one per tile.
 #pragma once
 
 #include <vector>
@@ -9,31 +9,31 @@
 
 namespace pointrt {
 
-/// Points of a box, out of the buckets of all tiles that it reaches into.
+/// Points of a box, from the buckets of all tiles that it overlaps.
 struct BoxPoints {
-    /// In the order of scans, in each of them of tiles, in each of these of the input. Origin is the corner of the core
-    /// asked for, or of the box; all scans of the plan are there, with those of no point among them; sensors, frame and
-    /// attributes are as a bake of all files in one would have them.
+    /// Points sorted by scan, then by tile, then in the order of the input. The origin is the corner of the tile's core
+    /// or of the box. Has all scans of the plan, including those without a point; sensors, frame and attributes are as
+    /// in a bake of all files at once.
     Cloud cloud;
-    std::vector<std::uint8_t> core; ///< [points], 1: in the core of the tile that was asked for
-    /// Of the plan's sides those in the box, relative to cloud.origin.
+    std::vector<std::uint8_t> core; ///< [points], 1: in the core of the given tile
+    /// The plan's sides within the box, relative to cloud.origin.
     std::vector<Vec3f> side_positions, side_normals;
 };
 
-/// The points of a tile's core alone. Throws Error (kBadInput) naming a bucket that is missing, cut short or damaged.
+/// The points of a tile's core only. Throws Error (kBadInput) if a bucket is missing, truncated or damaged.
 Cloud readBucket(const SetPlan& plan, std::uint32_t tile);
 
-/// A tile's core and what lies up to halo away from it, on each axis.
+/// A tile's core, extended by halo on each side.
 PlanBox boxAround(const SetPlan& plan, const PlanTile& tile, double halo);
 
-/// How many points readPoints would return, or some number above most where they are more. Throws as readBucket.
+/// Number of points that readPoints would return; stops counting above `most`. Throws as readBucket.
 std::uint64_t countPoints(const SetPlan& plan, std::uint32_t tile, double halo, std::uint64_t most);
 
-/// The points of a tile's core and those up to halo away from it, on each axis; same for any order of jobs.
+/// The points of a tile's core and its halo; the same for any order of jobs.
 /// Throws as readBucket.
 BoxPoints readPoints(const SetPlan& plan, std::uint32_t tile, double halo);
 
-/// The points of any box, none of them core.
+/// The points of any box, none of them flagged as core.
 BoxPoints readPoints(const SetPlan& plan, const PlanBox& box);
 
 } // namespace pointrt

@@ -9,7 +9,7 @@
 #include "format/index/build_index.h"
 #include "preprocess/octree/carry_attributes.h"
 #include "preprocess/octree/write.h"
-#include "preprocess/tiles/gather.h"
+#include "preprocess/tiles/collect_splats.h"
 #include "preprocess/tiles/pack_tile.h"
 #include "preprocess/tiles/splat_file.h"
 
@@ -19,19 +19,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-GatheredSplats gatherAll(const TileSet& set, const TileTree& tree, const TileKey& tile, const std::string& folder,
-                         float widest) {
-    GatheredSplats gathered;
+CollectedSplats gatherAll(const TileSet& set, const TileTree& tree, const TileKey& tile, const std::string& folder,
+                          float widest) {
+    CollectedSplats gathered;
     if (readSplatSummary(folder, tile).head.count == 0)
-        return gathered; // what cleaning moved here has no parent either
+        return gathered; // splats that cleaning moved here have no parent either
     const double edge = edgeOf(set, tile.level);
-    for (const TileKey& source : sourcesOf(tree, tile)) {
+    for (const TileKey& source : inputTilesOf(tree, tile)) {
         const SplatFile file(folder, source, widest);
         if (gathered.splats.attributes.empty()) gathered.splats.attributes = file.schema();
         if (gathered.splats.attributes.size() != file.schema().size())
             throw Error(ExitCode::kBadInput,
-                        splatFileOf(folder, source) + ": has other attributes than its neighbours");
-        gatherSplats(tile, edge, source, file.splats(), gathered);
+                        splatFileOf(folder, source) + ": its attributes differ from its neighbours'");
+        collectSplats(tile, edge, source, file.splats(), gathered);
         if (source != tile) continue;
         gathered.splats.error = file.head().error;
         gathered.splats.spacing = file.head().spacing;
@@ -39,7 +39,7 @@ GatheredSplats gatherAll(const TileSet& set, const TileTree& tree, const TileKey
     return gathered;
 }
 
-std::string metadataOf(const TileOptions& options, const TileKey& tile, const GatheredSplats& gathered) {
+std::string metadataOf(const TileOptions& options, const TileKey& tile, const CollectedSplats& gathered) {
     Json json = Json::parse(options.metadata);
     json["tile"] = {{"level", tile.level},
                     {"cell", tile.cell},
@@ -49,7 +49,7 @@ std::string metadataOf(const TileOptions& options, const TileKey& tile, const Ga
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-ProContent contentOf(const TileSet& set, const TileOptions& options, const TileKey& tile, GatheredSplats& gathered,
+ProContent contentOf(const TileSet& set, const TileOptions& options, const TileKey& tile, CollectedSplats& gathered,
                      const PackedSplats& packed) {
     ProContent content;
     content.materials = {scanMaterial((packed.frame.flags & PRO_FLAG_COLOR) != 0, options.reflectivity)};
@@ -71,7 +71,7 @@ Octree growOctree(const PackedSplats& packed, const TileOptions& options) {
 void write(const std::string& path, const PackedSplats& packed, const Octree& octree, const ProContent& content,
            const TileOptions& options) {
     ProSections sections = makeSections(packed, octree, content);
-    sections.view.order = nullptr; // points have no numbers in a set
+    sections.view.order = nullptr; // points are not numbered in a set
     TracingIndex index;
     pro_index index_view{};
     try {
@@ -89,7 +89,7 @@ std::string pathOf(const SetFolders& folders, const TileKey& tile) {
 
 } // namespace
 
-std::vector<TileKey> sourcesOf(const TileTree& tree, const TileKey& tile) {
+std::vector<TileKey> inputTilesOf(const TileTree& tree, const TileKey& tile) {
     std::vector<TileKey> sources = tree.neighborsOf(tile);
     sources.push_back(tile);
     std::sort(sources.begin(), sources.end());
@@ -99,7 +99,7 @@ std::vector<TileKey> sourcesOf(const TileTree& tree, const TileKey& tile) {
 std::optional<SetTile> buildTile(const TileSet& set, const TileTree& tree, const TileKey& tile,
                                  const std::vector<LevelCoding>& codings, const SetFolders& folders,
                                  const TileOptions& options) {
-    GatheredSplats gathered = gatherAll(set, tree, tile, folders.splats, options.widest);
+    CollectedSplats gathered = gatherAll(set, tree, tile, folders.splats, options.widest);
     if (gathered.own == 0) return std::nullopt;
     PackedSplats packed = packTile(set, tile, codings.at(tile.level), gathered.splats);
     const ProContent content = contentOf(set, options, tile, gathered, packed);

@@ -13,7 +13,7 @@
 namespace pointrt {
 namespace {
 
-/// Cells of twice the edge, one for each that had points.
+/// Merges the cells to cells of twice the edge.
 void coarsen(std::vector<CountedCell>& cells) {
     for (CountedCell& each : cells)
         for (std::int64_t& coordinate : each.cell) coordinate >>= 1;
@@ -34,7 +34,7 @@ std::uint64_t pointsOf(const std::vector<CountedCell>& cells) {
     return points;
 }
 
-/// The value that a share of all points lies below.
+/// The value below which a share of all points lies.
 double quantile(std::vector<std::pair<double, std::uint64_t>> values, std::uint64_t points, double share) {
     std::sort(values.begin(), values.end());
     std::uint64_t before = 0;
@@ -47,45 +47,45 @@ Vec3d placeOf(const CountedCell& cell) {
     return {static_cast<double>(cell.cell[0]), static_cast<double>(cell.cell[1]), static_cast<double>(cell.cell[2])};
 }
 
-/// How far from where cells may be to be no strays.
-struct Reach {
-    Vec3d middle; ///< in cells
+/// The range of cells that are not strays.
+struct CloudRange {
+    Vec3d middle; ///< unit: cells
     double radius = 0;
     bool holds(const CountedCell& cell) const { return (placeOf(cell) - middle).norm() <= radius; }
 };
 
-/// A hundred times as far as 99% of the points are from the middle of all, and so many cells at least that a cluster
-/// in one cell has surroundings.
-Reach reachOf(const std::vector<CountedCell>& cells) {
+/// The radius is a hundred times the distance of 99% of the points from the median, but at least some cells, so that a
+/// cluster in one cell has surroundings.
+CloudRange rangeOf(const std::vector<CountedCell>& cells) {
     constexpr double kShare = 0.99, kFar = 100;
     const std::uint64_t points = pointsOf(cells);
     std::vector<std::pair<double, std::uint64_t>> values(cells.size());
-    Reach reach;
+    CloudRange range;
     for (int axis = 0; axis < 3; ++axis) {
         for (std::size_t i = 0; i < cells.size(); ++i)
             values[i] = {static_cast<double>(cells[i].cell[static_cast<std::size_t>(axis)]), cells[i].points};
-        reach.middle[axis] = quantile(values, points, 0.5);
+        range.middle[axis] = quantile(values, points, 0.5);
     }
     for (std::size_t i = 0; i < cells.size(); ++i)
-        values[i] = {(placeOf(cells[i]) - reach.middle).norm(), cells[i].points};
-    reach.radius = kFar * std::max(1.0, quantile(values, points, kShare));
-    return reach;
+        values[i] = {(placeOf(cells[i]) - range.middle).norm(), cells[i].points};
+    range.radius = kFar * std::max(1.0, quantile(values, points, kShare));
+    return range;
 }
 
-/// Takes out cells far from all others that have few points together. Returns how many those are.
+/// Removes cells far from all others that have few points together. Returns the number of these points.
 std::uint64_t removeStrays(std::vector<CountedCell>& cells) {
-    constexpr std::size_t kFewCells = 1 << 16; // in which the middle is found quickly
-    constexpr std::uint64_t kFewPoints = 100;  // that make no tile worth looking at
+    constexpr std::size_t kFewCells = 1 << 16; // whose median is found quickly
+    constexpr std::uint64_t kFewPoints = 100;  // too few for a useful tile
     std::vector<CountedCell> coarse = cells;
     int doublings = 0;
     for (; coarse.size() > kFewCells; ++doublings) coarsen(coarse);
-    const Reach reach = reachOf(coarse);
+    const CloudRange range = rangeOf(coarse);
     std::uint64_t far = 0;
-    for (const CountedCell& each : coarse) far += reach.holds(each) ? 0 : each.points;
+    for (const CountedCell& each : coarse) far += range.holds(each) ? 0 : each.points;
     if (far == 0 || far > kFewPoints) return 0;
     std::erase_if(cells, [&](CountedCell each) {
         for (std::int64_t& coordinate : each.cell) coordinate >>= doublings;
-        return !reach.holds(each);
+        return !range.holds(each);
     });
     return far;
 }
@@ -107,7 +107,7 @@ Corners cornersOf(const std::vector<CountedCell>& cells) {
     return corners;
 }
 
-/// Cells along a Morton curve, and the points before each.
+/// Cells along a Morton curve, with cumulative point counts.
 struct Curve {
     std::vector<std::uint64_t> codes;
     std::vector<std::uint64_t> before; ///< [cells + 1]
@@ -128,19 +128,19 @@ Curve curveOf(const std::vector<CountedCell>& cells, const GridCell& low) {
     return curve;
 }
 
-/// Splits cells of the octree; levels are counted from counted cells until all tiles are known.
+/// Splits cells of the octree. Levels count up from the counted cells until all tiles are known.
 struct Splitter {
     const Curve& curve;
     double edge; ///< of a counted cell
     std::uint64_t most, limit;
     std::vector<PlanTile> tiles;
 
-    /// Counted cells [first, end) are those of the octree's cell whose lowest corner has the code.
+    /// Counted cells [first, end) lie in the octree's cell whose lowest corner has the code.
     void split(std::size_t first, std::size_t end, std::uint64_t code, std::uint32_t level) {
         if (first == end) return;
         const std::uint64_t points = curve.before[end] - curve.before[first];
         if (points <= most || level == 0) return addTile(first, end, code, level, points);
-        const std::uint64_t span = std::uint64_t{1} << (3 * (level - 1)); // codes of a child
+        const std::uint64_t span = std::uint64_t{1} << (3 * (level - 1)); // number of codes in a child
         for (std::uint64_t child = 0; child < 8; ++child) {
             const auto next = std::lower_bound(curve.codes.begin() + std::ptrdiff_t(first),
                                                curve.codes.begin() + std::ptrdiff_t(end), code + (child + 1) * span);
@@ -153,17 +153,17 @@ struct Splitter {
     void addTile(std::size_t first, std::size_t end, std::uint64_t code, std::uint32_t level, std::uint64_t points) {
         if (limit > 0 && points > limit)
             throw Error(ExitCode::kCannotRun,
-                        fmt::format("{} points lie within {:g} of each other, which is more than --max-memory has "
-                                    "room for in a tile: a larger one, or --thin, helps",
+                        fmt::format("{} points lie within {:g} of each other, more than fit in a tile with this "
+                                    "--max-memory; raise it, or use --thin",
                                     points, edge));
         const auto along = [&](int axis) { return static_cast<std::int32_t>(collectBits(code >> axis) >> level); };
         tiles.push_back({level, {along(0), along(1), along(2)}, points, spacingOf(first, end, level)});
     }
 
-    /// By the area of a surface through cells so wide that they hold several points in the mean: of narrower ones many
-    /// that the surface passes through are empty, and of much narrower ones each has a single point.
+    /// Estimated from the area of a surface through cells wide enough to hold several points on average. Of narrower
+    /// cells many that the surface passes through are empty, and much narrower ones have a single point each.
     double spacingOf(std::size_t first, std::size_t end, std::uint32_t level) const {
-        constexpr std::uint64_t kPointsEach = 4; // 2% of the cells along a surface are empty then
+        constexpr std::uint64_t kPointsEach = 4; // leaves 2% of the cells along a surface empty
         const std::uint64_t points = curve.before[end] - curve.before[first];
         std::uint64_t cells = end - first;
         std::uint32_t coarser = 0;
@@ -172,7 +172,7 @@ struct Splitter {
         return width * std::sqrt(static_cast<double>(cells) / static_cast<double>(points));
     }
 
-    /// Cells of so many levels above the counted ones that those of [first, end) are in.
+    /// Number of cells, `level` levels above the counted ones, that [first, end) lie in.
     std::uint64_t countCells(std::size_t first, std::size_t end, std::uint32_t levels_above) const {
         std::uint64_t cells = 1;
         for (std::size_t i = first + 1; i < end; ++i)
@@ -181,7 +181,7 @@ struct Splitter {
     }
 };
 
-/// So many points that a country of 10^11 has fewer jobs than engines bear.
+/// Points per block, so that a country of 10^11 points has no more jobs than workflow engines handle.
 void chooseBlocks(const TileChoice& choice, SetPlan& plan) {
     constexpr std::uint64_t kTilesEach = 4, kMostBlocks = 2000;
     const std::uint64_t points = std::max(kTilesEach * choice.points_per_tile, plan.points / kMostBlocks + 1);

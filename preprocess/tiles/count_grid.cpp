@@ -16,23 +16,23 @@ namespace {
 constexpr int kAxisBits = 42;
 constexpr std::int64_t kHalf = std::int64_t{1} << (kAxisBits - 1);
 constexpr std::uint64_t kMask = (std::uint64_t{1} << kAxisBits) - 1;
-/// In Entry::high, above the 62 bits of the key that it has.
+/// A flag in Entry::high, above its 62 bits of the key.
 constexpr std::uint64_t kThere = std::uint64_t{1} << 63;
 
-/// The largest power of two that is not above a value.
+/// The largest power of two not above a value.
 double powerBelow(double value) { return std::ldexp(1.0, std::ilogb(value)); }
 
 } // namespace
 
-/// Cells a 4096th of the first batch wide: fine enough to split what lies in it, and they only grow. Coordinates a
-/// thousand times those of the batch still have cells of their own.
+/// Cells start at a 4096th of the first batch's width, fine enough to split it, and only grow. Coordinates up to a
+/// thousand times those of the batch still have separate cells.
 void CountGrid::begin(const std::vector<Vec3d>& positions) {
     constexpr double kCells = 4096, kFarthest = 0x1p30;
     Eigen::AlignedBox3d box;
     for (const Vec3d& position : positions) box.extend(position);
     const double extent = box.sizes().maxCoeff();
     const double farthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
-    const double edge = std::max({extent / kCells, farthest / kFarthest, 1e-30}); // the last one where all is zero
+    const double edge = std::max({extent / kCells, farthest / kFarthest, 1e-30}); // 1e-30 if all coordinates are zero
     edge_ = powerBelow(edge);
     for (std::size_t axis = 0; axis < 3; ++axis)
         anchor_[axis] = static_cast<std::int64_t>(std::floor(positions.front()[Eigen::Index(axis)] / edge_));
@@ -47,7 +47,7 @@ CountGrid::Entry CountGrid::keyOf(const GridCell& relative) const {
 }
 
 CountGrid::Entry CountGrid::keyOf(const Vec3d& position) const {
-    constexpr double kMost = 0x1p60; // far beyond what is told apart
+    constexpr double kMost = 0x1p60; // far beyond what cells distinguish
     GridCell relative;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double cell = std::clamp(std::floor(position[Eigen::Index(axis)] / edge_), -kMost, kMost);

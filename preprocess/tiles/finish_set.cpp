@@ -10,7 +10,7 @@ namespace pointrt {
 
 namespace {
 
-/// What the files of original tiles say together.
+/// Combined statistics of the original tiles' files.
 class OriginalSums {
 public:
     void add(const TileSet& set, const TileKey& tile, const SplatFileSummary& summary) {

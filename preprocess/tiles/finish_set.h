@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The last step of a bake in tiles: set.json.
+// The last step of baking a set: set.json.
 #pragma once
 
 #include <limits>
@@ -8,14 +8,14 @@
 
 namespace pointrt {
 
-/// How all levels code their radii, from the files of all tiles. Throws Error (kBadInput).
-/// @param widest of the original splats' radii, input units
+/// Radius coding of all levels, from the files of all tiles. Throws Error (kBadInput).
+/// @param widest radius of original splats, input units
 std::vector<LevelCoding> readLevelCodings(const TileTree& tree, double edge, const std::string& splats_folder,
                                           float widest = std::numeric_limits<float>::infinity());
 
-/// Fills in what the tiles tell: rows, levels, attributes with their ranges, bounds and noise of the original splats,
-/// and writes set.json. The noise is the median of the original tiles' medians, by their splats. Throws Error.
-/// @param set lattice, world, sensors, settings, orientation and input_points
+/// Fills in rows, levels, attributes with their ranges, and bounds and noise of the original splats from the tiles, and
+/// writes set.json. The noise is the median of the original tiles' medians, weighted by their splats. Throws Error.
+/// @param set with lattice, world, sensors, settings, orientation and input_points
 /// @param rows of the tiles that exist, in any order
 void finishSet(TileSet& set, const TileTree& tree, const std::vector<LevelCoding>& codings, std::vector<SetTile> rows,
                const SetFolders& folders);

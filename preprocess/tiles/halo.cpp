@@ -16,17 +16,17 @@ namespace pointrt {
 
 namespace {
 
-/// How many times as far as its k-th neighbour a point's rim must be. Neighbours of neighbours have a say, so once is
-/// too little: of 24,120 points in tiles of 4,000, a corner of them a hundred times as dense as the rest, 3 got a
-/// normal or radius other than in the whole cloud with 1, and none with 2 (SetTest.TilesOfFewPointsSeeAsFarAsTheyNeed).
+/// Required distance of a point from the rim, in distances of its k-th neighbour. Neighbours of neighbours matter, so 1
+/// is too little: of 24,120 points in tiles of 4,000, one corner a hundred times as dense as the rest, 3 got another
+/// normal or radius than in the whole cloud with 1, and none with 2 (SetTest.TilesOfFewPointsGetWiderHalos).
 constexpr double kTimesAsNear = 2;
 
-/// With so many others that have too few neighbours as well, nearer than its rim, a point is of a surface and no stray:
-/// along a border each has the one before and the one behind it.
+/// A point with this many others nearer than its rim that also lack neighbours is on a surface and not a stray: along a
+/// border each has one on either side.
 constexpr std::size_t kTogether = 2;
 
-/// Points counted in cubes an eighth of the halo wide: all in a cube and the 26 around it lie within 2 sqrt(3) / 8 =
-/// 0.43 halos of any in it, which is less than half of what the rim is away from a point of the core.
+/// Counts points in cubes an eighth of the halo wide: all points in a cube and the 26 around it lie within 2 sqrt(3) /
+/// 8 = 0.43 halos of any point in it, less than half the distance of the rim from a point of the core.
 class CoarseCounts {
 public:
     CoarseCounts(const std::vector<Vec3f>& positions, double halo) : per_edge_(8 / halo) {
@@ -42,8 +42,8 @@ private:
         std::uint32_t own = 0, around = 0;
     };
 
-    /// 21 bits an axis, as a halo is more than a millionth of a tile, and none of them 0, so that neighbours do not run
-    /// into one another.
+    /// 21 bits per axis, since a halo is more than a millionth of a tile; never 0, so that neighbours of different rows
+    /// have different keys.
     std::uint64_t keyOf(const Vec3f& position) const {
         std::uint64_t key = 0;
         for (int axis = 0; axis < 3; ++axis)
@@ -74,22 +74,23 @@ double rimDistance(const Vec3f& position, const Halo& halo) {
     return std::min((place - halo.low).minCoeff(), (halo.high - place).minCoeff());
 }
 
-/// Of the points asked for those with fewer than count others within a share of the way to the rim.
-std::vector<Vec3f> thoseThatLack(const std::vector<Vec3f>& positions, const std::vector<std::uint32_t>& asked,
-                                 const Halo& halo, double share, std::size_t count) {
-    if (asked.empty()) return {};
+/// Selects the points with fewer than count others within a share of the distance to the rim.
+std::vector<Vec3f> pointsLackingNeighbors(const std::vector<Vec3f>& positions,
+                                          const std::vector<std::uint32_t>& candidates, const Halo& halo, double share,
+                                          std::size_t count) {
+    if (candidates.empty()) return {};
     const surface::NearestSearch search(positions);
-    std::vector<std::uint8_t> lacks(asked.size());
-    tbb::parallel_for(std::size_t{0}, asked.size(), [&](std::size_t a) {
-        const Vec3f& position = positions[asked[a]];
-        const double reach = share * rimDistance(position, halo);
-        std::vector<std::uint32_t> found(count + 1); // with itself
+    std::vector<std::uint8_t> lacks(candidates.size());
+    tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t a) {
+        const Vec3f& position = positions[candidates[a]];
+        const double radius = share * rimDistance(position, halo);
+        std::vector<std::uint32_t> found(count + 1); // including itself
         std::vector<float> squared(count + 1);
-        lacks[a] = search.nearest(position, found, squared, static_cast<float>(reach * reach)) < found.size();
+        lacks[a] = search.nearest(position, found, squared, static_cast<float>(radius * radius)) < found.size();
     });
     std::vector<Vec3f> lacking;
-    for (std::size_t a = 0; a < asked.size(); ++a)
-        if (lacks[a]) lacking.push_back(positions[asked[a]]);
+    for (std::size_t a = 0; a < candidates.size(); ++a)
+        if (lacks[a]) lacking.push_back(positions[candidates[a]]);
     return lacking;
 }
 
@@ -113,10 +114,10 @@ std::size_t countLacking(const std::vector<Vec3f>& positions, const std::vector<
     std::vector<std::uint32_t> doubtful;
     for (std::uint32_t i = 0; i < positions.size(); ++i)
         if (core[i] && counts.around(positions[i]) <= k) doubtful.push_back(i);
-    const std::vector<Vec3f> lacking = thoseThatLack(positions, doubtful, halo, 1 / kTimesAsNear, k);
+    const std::vector<Vec3f> lacking = pointsLackingNeighbors(positions, doubtful, halo, 1 / kTimesAsNear, k);
     std::vector<std::uint32_t> all(lacking.size());
     std::iota(all.begin(), all.end(), 0u);
-    return lacking.size() - thoseThatLack(lacking, all, halo, 1, kTogether).size();
+    return lacking.size() - pointsLackingNeighbors(lacking, all, halo, 1, kTogether).size();
 }
 
 } // namespace pointrt

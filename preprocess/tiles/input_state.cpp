@@ -18,7 +18,7 @@ std::vector<PlanInput> statesOf(const std::vector<std::string>& paths) {
         struct stat status {};
         const auto refuse = [&](const std::string& reason) { throw Error(ExitCode::kBadInput, path + ": " + reason); };
         if (::stat(path.c_str(), &status) != 0) refuse(errno == ENOENT ? "no such file" : std::strerror(errno));
-        if (!S_ISREG(status.st_mode)) refuse("is no regular file, and a tile set reads its inputs twice");
+        if (!S_ISREG(status.st_mode)) refuse("is not a regular file; a tile set reads its inputs twice");
         PlanInput& state = states.emplace_back();
         state.path = path;
         state.bytes = static_cast<std::uint64_t>(status.st_size);
@@ -30,10 +30,10 @@ std::vector<PlanInput> statesOf(const std::vector<std::string>& paths) {
 namespace {
 
 [[noreturn]] void refuse(const SetPlan& plan, const std::string& reason) {
-    throw Error(ExitCode::kBadInput, plan.work + ": " + reason + "; --force begins anew");
+    throw Error(ExitCode::kBadInput, plan.work + ": " + reason + "; --force starts again");
 }
 
-/// As the plan has it, in UTF-8 whatever it is.
+/// The path as in the plan: valid UTF-8.
 std::string named(const std::string& path) {
     using Json = nlohmann::json;
     return Json::parse(Json(path).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
@@ -43,10 +43,10 @@ std::string named(const std::string& path) {
 
 void requireSameInputs(const SetPlan& plan, const std::vector<std::string>& paths) {
     if (paths.size() != plan.inputs.size())
-        refuse(plan, fmt::format("was begun with {} input files, not {}", plan.inputs.size(), paths.size()));
+        refuse(plan, fmt::format("was started with {} input files, not {}", plan.inputs.size(), paths.size()));
     for (std::size_t i = 0; i < paths.size(); ++i)
         if (named(paths[i]) != plan.inputs[i].path)
-            refuse(plan, fmt::format("was begun with {} where {} is now", plan.inputs[i].path, paths[i]));
+            refuse(plan, fmt::format("was started with {}, not {}", plan.inputs[i].path, paths[i]));
 }
 
 void requireUnwritten(const SetPlan& plan, const std::vector<std::string>& paths) {
@@ -54,7 +54,7 @@ void requireUnwritten(const SetPlan& plan, const std::vector<std::string>& paths
     for (std::size_t i = 0; i < now.size(); ++i) {
         const PlanInput& then = plan.inputs.at(i);
         if (now[i].bytes != then.bytes || now[i].modified_ns != then.modified_ns)
-            refuse(plan, then.path + " has been written since it was begun");
+            refuse(plan, then.path + " has changed since it was started");
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What tells that a file is the one that was read before: its size and when it was last written.
+// Detects changes of input files by size and modification time.
 #pragma once
 
 #include <string>
@@ -9,13 +9,14 @@
 
 namespace pointrt {
 
-/// Throws Error (kBadInput, "FILE: reason") for what is no regular file: a set's inputs are read twice.
+/// Sizes and modification times. Throws Error (kBadInput, "FILE: reason") for a file that is not regular: the inputs of
+/// a set are read twice.
 std::vector<PlanInput> statesOf(const std::vector<std::string>& paths);
 
-/// Throws Error (kBadInput, one line) where inputs are others than those of the plan.
+/// Throws Error (kBadInput, one line) if the inputs are not those of the plan.
 void requireSameInputs(const SetPlan& plan, const std::vector<std::string>& paths);
 
-/// The same where these have been written since.
+/// Throws Error if an input was modified since the plan was made.
 void requireUnwritten(const SetPlan& plan, const std::vector<std::string>& paths);
 
 } // namespace pointrt

@@ -8,8 +8,8 @@ namespace pointrt {
 
 namespace {
 
-/// One axis of codeIn. Cells have 32 bits and codes 20, so that nothing overflows up to kTileSetLevelsMax levels that a
-/// set may differ by only where the cells are as many bits smaller.
+/// One axis of codeIn. Cells have 32 bits and codes 20. Levels differ by up to kTileSetLevelsMax without overflow, as
+/// cells of a higher level are as many bits smaller.
 std::int64_t stepIn(const TileKey& to, const TileKey& from, std::size_t axis, std::int32_t code) {
     std::int64_t step = std::int64_t{from.cell[axis]} * kCoreSteps + code;
     if (from.level > to.level)
@@ -37,7 +37,7 @@ bool isInCube(const PositionCode& code) {
 }
 
 PositionCode codeOf(const TileSet& set, const TileKey& tile, const Vec3d& position) {
-    constexpr double kFar = 1 << 30; // below which the floor is a whole number of 32 bits
+    constexpr double kFar = 1 << 30; // the floor of anything below fits in 32 bits
     const TileBox core = coreOf(set, tile.level, tile.cell);
     const double steps = kCoreSteps / edgeOf(set, tile.level);
     PositionCode code;

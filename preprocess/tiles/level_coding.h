@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the tiles of a level code radii: all alike, so that a splat has the same bits in each of them.
+// Radius coding of a level: the same in all of its tiles, so that a splat has the same bits in each of them.
 #pragma once
 
 #include <functional>
@@ -15,17 +15,17 @@ struct LevelCoding {
     float radius_step = 0; ///< octaves
 };
 
-/// Of a tile's own splats, input units; both 0 where it has none.
+/// Radii of a tile's own splats, input units; both 0 if it has none.
 struct RadiusRange {
     float least = 0, most = 0;
 };
 
-/// The largest radius of a tile's splats over the edge of its core. In cube units 1/8; a slab then ends 0.28 edges from
-/// its centre, inside the half edge that the cube has around the core.
+/// The largest radius of a tile's splats over the edge of its core: 1/8 in cube units. A slab then ends 0.28 edges from
+/// its centre, within the half edge of the cube around the core.
 constexpr double kRadiusPerEdge = 0.25;
 
-/// [levels]. Covers the tiles' own splats and those that come in from neighbours of other levels; the latter may be
-/// larger than kRadiusPerEdge allows here, and then shrink to it.
+/// [levels]. Covers the tiles' own splats and those from neighbours of other levels, which are clamped to
+/// kRadiusPerEdge.
 /// @param edge of level 0's cores, input units
 std::vector<LevelCoding> findLevelCodings(const TileTree& tree, double edge,
                                           const std::function<RadiusRange(const TileKey&)>& range_of);

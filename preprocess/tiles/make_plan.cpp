@@ -16,10 +16,10 @@
 namespace pointrt {
 namespace {
 
-/// Enough for the shape of a country; surveys double their cells, which leaves a quarter of that at least.
+/// Sample size, enough for the shape of a country; doubling the cells leaves at least a quarter.
 constexpr std::size_t kSamplePoints = 400'000;
 
-/// Cells of the counting grid for a given memory: they take 96 bytes at most, so that it is a tenth of the memory.
+/// Cells of the counting grid: at most 96 bytes each, a tenth of the memory.
 std::size_t mostCells(std::uint64_t max_memory) {
     constexpr std::uint64_t kBytesPerCell = 1024, kFewest = 1 << 16, kMost = 1 << 20;
     return std::clamp(max_memory / kBytesPerCell, kFewest, kMost);
@@ -29,14 +29,14 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// What the first reading takes down.
+/// Data collected in the first pass.
 struct Survey {
     CountGrid counts;
     Sample sample{kSamplePoints};
     Eigen::AlignedBox3d bounds;
-    std::vector<ValueSurvey> values; ///< of the cloud's attributes, by number
+    std::vector<ValueSurvey> values; ///< [attributes of the cloud]
     bool normals = false, radii = false;
-    std::uint64_t normals_given = 0; ///< points with one
+    std::uint64_t normals_given = 0; ///< points with a normal
 
     explicit Survey(std::uint64_t max_memory) : counts(mostCells(max_memory)) {}
 
@@ -45,7 +45,7 @@ struct Survey {
         for (const Vec3d& position : batch.positions) bounds.extend(position);
         values.resize(std::max(values.size(), cloud.attributes.size()));
         for (std::size_t i = 0; i < cloud.attributes.size(); ++i)
-            values[i].add(cloud.attributes[i], contains(batch.loose, cloud.attributes[i].name));
+            values[i].add(cloud.attributes[i], contains(batch.untyped, cloud.attributes[i].name));
         for (const Vec3f& normal : cloud.normals) normals_given += !normal.isZero(0);
         radii |= std::any_of(cloud.radii.begin(), cloud.radii.end(), [](float radius) { return radius > 0; });
         counts.add(batch.positions, [&](std::size_t i) {
@@ -74,12 +74,12 @@ PlanSchema schemaOf(const StreamFindings& found, const Survey& survey, const Att
         const Attribute& each = found.cloud.attributes[i];
         const ValueSurvey values = i < survey.values.size() ? survey.values[i] : ValueSurvey{};
         if (contains(found.minor, each.name) && !values.any) continue;
-        const bool loose = contains(found.loose, each.name);
-        const Scalar type = loose ? values.smallestType(each.type, values.values == points) : each.type;
+        const bool untyped = contains(found.untyped, each.name);
+        const Scalar type = untyped ? values.smallestType(each.type, values.values == points) : each.type;
         schema.attributes.push_back({each.name, type, each.components, each.type});
         scan_taken |= each.name == kScanNumber;
     }
-    schema.scan_attribute = scans > 1 && !scan_taken && choice.wants(kScanNumber);
+    schema.scan_attribute = scans > 1 && !scan_taken && choice.selects(kScanNumber);
     const Scalar type = scanNumberType(schema.scan_bytes);
     if (schema.scan_attribute) schema.attributes.push_back({kScanNumber, type, 1, type});
     return schema;
@@ -93,7 +93,7 @@ std::vector<PlanScan> scansOf(const StreamFindings& found) {
     return scans;
 }
 
-/// The sample as a cloud of its own, sorted by scans, as readers leave it.
+/// The sample as a cloud, sorted by scan, as readers deliver it.
 Cloud cloudOf(const std::vector<SamplePoint>& points, const SetPlan& plan) {
     Cloud cloud;
     cloud.world = plan.world;
@@ -114,7 +114,7 @@ Cloud cloudOf(const std::vector<SamplePoint>& points, const SetPlan& plan) {
     return cloud;
 }
 
-/// Whether each tile's points can be told their sides without those of others.
+/// Whether each tile's normals can be oriented without its neighbours.
 bool sidesAreKnown(const SetPlan& plan, const Survey& survey, OrientMode mode) {
     if (mode == OrientMode::kNone || mode == OrientMode::kSensor || mode == OrientMode::kUp) return true;
     if (mode == OrientMode::kMst) return false;
@@ -132,17 +132,17 @@ std::vector<Scan> scansWithSensors(const SetPlan& plan) {
     return scans;
 }
 
-/// Up where neither the command line nor a file says it, and sides where nothing else tells them.
+/// Determines up, if neither the command line nor a file gives it, and sides, if nothing else decides them.
 void orient(const SetRequest& request, const Survey& survey, SetPlan& plan) {
     plan.orient = request.bake.surface.orient;
-    const bool up_is_said = plan.up_from == "option" || plan.up_from == "file";
+    const bool up_is_given = plan.up_from == "option" || plan.up_from == "file";
     const bool sides_known = sidesAreKnown(plan, survey, plan.orient);
-    if (up_is_said && sides_known) return;
+    if (up_is_given && sides_known) return;
     SurfaceOptions options = request.bake.surface;
-    options.clean = 0; // of points that lie far apart noise is little
+    options.clean = 0; // noise is small compared with the spacing of the sample
     SurfaceReport report;
     const Splats splats = estimateSplats(cloudOf(survey.sample.points(), plan), options, report, {});
-    if (!up_is_said) {
+    if (!up_is_given) {
         const FoundUp found = findUp(splats, scansWithSensors(plan));
         if (!found.up.isZero()) {
             plan.world.up = found.up;
@@ -170,7 +170,7 @@ void takeFindings(const SetRequest& request, StreamFindings& found, SetPlan& pla
     plan.up_from = "option";
 }
 
-/// Of the points that stay: without strays, exactly.
+/// Exact bounds of the points without strays.
 void takeBounds(const Survey& survey, SetPlan& plan) {
     const double root = edgeOf(plan, plan.levels - 1);
     const PlanBox lattice(plan.lattice_origin, plan.lattice_origin + Vec3d::Constant(root));
@@ -190,12 +190,12 @@ void named(const SetRequest& request, const Work& work) {
     }
 }
 
-/// Thinning remembers each cell that has a point, for which a quarter of the memory is there.
+/// Thinning stores each occupied cell, in up to a quarter of the memory.
 void checkThinning(const SetRequest& request, std::uint64_t kept) {
-    constexpr std::uint64_t kBytesPerCell = 64; // of a table that is a quarter full, as it is after it has grown
+    constexpr std::uint64_t kBytesPerCell = 64; // of a table that is a quarter full, as just after growing
     if (request.read.filter.thin_spacing > 0 && kept > request.bake.max_memory / 4 / kBytesPerCell)
-        throw Error(ExitCode::kCannotRun, fmt::format("{}: --thin keeps more points than --max-memory has room to "
-                                                      "remember: a larger one, or --every, helps",
+        throw Error(ExitCode::kCannotRun, fmt::format("{}: --thin keeps more points than fit in --max-memory; "
+                                                      "raise it, or use --every",
                                                       joinedNames(request.inputs)));
 }
 
@@ -204,10 +204,11 @@ void checkThinning(const SetRequest& request, std::uint64_t kept) {
 StreamOptions streamOptionsOf(const SetRequest& request) {
     StreamOptions options;
     options.read = request.read;
-    constexpr std::uint64_t kBytesPerPoint = 1024; // of a batch with its attributes on their way, thrice over
+    constexpr std::uint64_t kBytesPerPoint = 1024; // a batch with its attributes, in three copies
     constexpr std::uint64_t kFewest = 1 << 14, kMost = 1 << 20;
     options.batch_points = std::clamp(request.bake.max_memory / 8 / kBytesPerPoint, kFewest, kMost);
-    options.largest_whole_file = request.bake.max_memory / 8; // of a mesh's few bytes a corner become eight times more
+    options.largest_whole_file =
+        request.bake.max_memory / 8; // a mesh's few bytes per corner become eight times as many
     return options;
 }
 
@@ -218,7 +219,7 @@ SetPlan makePlan(const SetRequest& request, const ReadProgress& progress) {
     plan.work = workFolderOf(request.output);
     plan.settings = request.settings;
     plan.bake = request.bake;
-    plan.inputs = statesOf(request.inputs); // before they are read
+    plan.inputs = statesOf(request.inputs); // before reading them
     Survey survey(request.bake.max_memory);
     std::uint64_t kept = 0;
     StreamFindings found = readInBatches(
@@ -241,11 +242,11 @@ SetPlan makePlan(const SetRequest& request, const ReadProgress& progress) {
     }
     TileChoice choice;
     choice.points_per_tile = request.points_per_tile;
-    choice.most_points = mostPointsAtOnce(request.bake.max_memory) / 2; // and as many again around them
+    choice.most_points = mostPointsAtOnce(request.bake.max_memory) / 2; // leaves as much for the halo
     choice.leaves_out_strays = request.bake.surface.remove_outliers;
     if (kept > choice.most_points && choice.points_per_tile > choice.most_points)
         plan.notes.push_back(
-            {"--tile-splats", fmt::format("{} points are more than --max-memory has room for in a tile: {} at most",
+            {"--tile-splats", fmt::format("{} points do not fit in a tile with this --max-memory, at most {}",
                                           choice.points_per_tile, choice.most_points)});
     named(request, [&] {
         chooseTiles(survey.counts.cells(), survey.counts.edge(), choice, plan);

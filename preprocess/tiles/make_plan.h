@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The first reading of all inputs: everything that is decided once for a set.
+// The first pass over all inputs, which makes all decisions for a set.
 #pragma once
 
 #include <functional>
@@ -12,12 +12,12 @@
 
 namespace pointrt {
 
-/// What a set is to be made of.
+/// A request to bake a set.
 struct SetRequest {
     std::vector<std::string> inputs; ///< files
     std::string output;              ///< NAME.proset
     ReadOptions read;
-    Vec3d up = Vec3d::Zero(); ///< unit length; zero: as the inputs say, else as the sample shows
+    Vec3d up = Vec3d::Zero(); ///< unit length; zero: from the inputs or, failing that, the sample
     std::uint64_t points_per_tile = 1'000'000;
     SetBakeOptions bake;
     std::string settings; ///< JSON of all options that the bytes depend on
@@ -26,28 +26,28 @@ struct SetRequest {
 /// The folder of a set's steps: NAME.proset.work.
 std::string workFolderOf(const std::string& output);
 
-/// Reads all inputs once and decides. The same for any number of threads. Throws Error as readInBatches and
-/// estimateSplats do, and (kBadUsage) for what sets cannot do.
+/// Reads all inputs once and makes the plan. The same for any number of threads. Throws Error as readInBatches and
+/// estimateSplats do, and (kBadUsage) for requests that sets do not support.
 SetPlan makePlan(const SetRequest& request, const ReadProgress& progress = {});
 
-/// What of a request cannot be done for sets. Throws Error (kBadUsage).
+/// Throws Error (kBadUsage) if a request is not supported for sets.
 void requirePossible(const SetRequest& request);
 
-/// How the readings of a request are to be.
+/// Options of both passes.
 StreamOptions streamOptionsOf(const SetRequest& request);
 
-/// Bytes that a set takes, about, as measured.
+/// Estimated disk space of a set in bytes.
 struct SpaceNeeded {
     std::uint64_t temporary = 0, final = 0;
-    std::uint64_t peak = 0; ///< at once
+    std::uint64_t peak = 0; ///< largest total at any time
 };
 SpaceNeeded spaceNeeded(const SetPlan& plan);
 std::string spaceLine(const SetPlan& plan); ///< for people
 
-/// Throws Error (kCannotWrite) where the disk of plan.output has less room than that.
+/// Throws Error (kCannotWrite) if the disk of plan.output has less free space than that.
 void requireSpace(const SetPlan& plan);
 
-/// Throws Error (kBadUsage, one line that says which) where a plan was made with other options.
+/// Throws Error (kBadUsage, one line naming the option) if the plan was made with other options.
 void requireSameRequest(const SetPlan& plan, const SetRequest& request);
 
 } // namespace pointrt

@@ -7,10 +7,10 @@
 #include "format/base/error.h"
 #include "preprocess/tiles/bake_block.h"
 #include "preprocess/tiles/finish_set.h"
-#include "preprocess/tiles/lanes.h"
 #include "preprocess/tiles/merge_tile.h"
 #include "preprocess/tiles/splat_file.h"
 #include "preprocess/tiles/splat_readers.h"
+#include "preprocess/tiles/tile_scheduler.h"
 #include "preprocess/tiles/widest_radius.h"
 
 namespace pointrt {
@@ -23,19 +23,19 @@ std::uint64_t splatsIn(const std::string& folder, const std::vector<TileKey>& ti
     return splats;
 }
 
-/// What building tiles needs to know of the whole set.
+/// Data of the whole set that building tiles needs.
 struct TileMaker {
     TileSet set;
     TileTree tree;
     SetFolders folders;
     std::vector<LevelCoding> codings;
     TileOptions options;
-    mutable PointRoom room;
-    std::unique_ptr<SplatReaders> readers; ///< where splats are dropped
+    mutable PointBudget budget;
+    std::unique_ptr<SplatReaders> readers; ///< if splats are dropped
 
     TileMaker(const SetPlan& plan, const std::string& metadata, std::size_t threads)
         : set(latticeOf(plan)), tree(treeOf(plan)), folders{plan.output, splatsFolder(plan)},
-          room(mostPointsAtOnce(plan.bake.max_memory)) {
+          budget(mostPointsAtOnce(plan.bake.max_memory)) {
         options = {plan.bake.octree, plan.bake.prune,          plan.bake.pruning,      plan.bake.index,
                    threads,          widestRadius(plan, tree), plan.bake.reflectivity, metadata};
         codings = readLevelCodings(tree, set.edge, folders.splats, options.widest);
@@ -47,14 +47,15 @@ struct TileMaker {
 
     std::optional<SetTile> make(const TileKey& tile) const {
         if (auto row = findTileRow(folders, tile)) return row;
-        const PointRoom::Share share = room.take(2 * splatsIn(folders.splats, {tile})); // as many come from around it
+        const PointBudget::Reservation reservation =
+            budget.reserve(2 * splatsIn(folders.splats, {tile})); // neighbours add as many
         auto row = buildTile(set, tree, tile, codings, folders, options);
         if (readers) readers->tileIsMade(tile);
         return row;
     }
 };
 
-/// The merged tiles of a level.
+/// Merged tiles of a level.
 std::vector<TileKey> mergedTiles(const TileTree& tree, std::uint32_t level) {
     std::vector<TileKey> merged;
     for (const TileKey& tile : tree.tiles())
@@ -69,16 +70,16 @@ void mergeLevels(const SetPlan& plan, std::uint64_t tile_splats, std::size_t thr
     const TileSet set = latticeOf(plan);
     const std::string folder = splatsFolder(plan);
     const float widest = widestRadius(plan, tree);
-    PointRoom room(mostPointsAtOnce(plan.bake.max_memory));
+    PointBudget budget(mostPointsAtOnce(plan.bake.max_memory));
     for (std::uint32_t level = 1; level <= tree.root().level; ++level) { // children first
         const std::vector<TileKey> merged = mergedTiles(tree, level);
         forTiles(merged.size(), threads, "levels", {}, [&](std::size_t k) {
             if (hasSplatFile(folder, merged[k])) return;
             const std::vector<TileKey> children = tree.childrenOf(merged[k]);
-            const PointRoom::Share share = room.take(splatsIn(folder, children));
+            const PointBudget::Reservation reservation = budget.reserve(splatsIn(folder, children));
             mergeTile(folder, merged[k], children, edgeOf(set, level), tile_splats, set.oriented, widest);
         });
-        // three quarters of the splats that are left go from level to level
+        // each level leaves a quarter of the splats
         if (progress) progress("levels", 1 - std::pow(0.25, level));
     }
 }

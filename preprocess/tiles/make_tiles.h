@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Splats of all tiles to the set: coarser levels, tiles, set.json. Each step does what is not done yet, and nothing of
-// it depends on who did the rest.
+// Makes the set from the splats of all tiles: coarser levels, tiles, set.json. Each step does what is still missing,
+// whichever process did the rest.
 #pragma once
 
 #include "preprocess/cloud/stage_progress.h"
@@ -9,22 +9,22 @@
 
 namespace pointrt {
 
-/// Splat files of the coarser levels, bottom up. All blocks must have been baked. progress hears of "levels".
-/// Throws Error.
-/// @param tile_splats of a merged tile about so many at the most
-/// @param threads that all of it may use
+/// Makes the splat files of the coarser levels, bottom up. All blocks must have been baked. Reports progress as stage
+/// "levels". Throws Error.
+/// @param tile_splats approximate limit of a merged tile's splats
+/// @param threads to use in all
 void mergeLevels(const SetPlan& plan, std::uint64_t tile_splats, std::size_t threads,
                  const StageProgress& progress = {});
 
-/// The tiles of some blocks, for which what is known of the whole set is read once. mergeLevels must have run. progress
-/// hears of "tiles".
+/// Makes the tiles of some blocks; reads data of the whole set once. mergeLevels must have run. Reports progress as
+/// stage "tiles".
 /// @param metadata JSON object for META: TileOptions::metadata
-/// @param threads that all of it may use
+/// @param threads to use in all
 void makeBlockTiles(const SetPlan& plan, BlockRange blocks, const std::string& metadata, std::size_t threads,
                     const StageProgress& progress = {});
 
-/// All tiles that are not there yet, merged ones too, and set.json. mergeLevels must have run. Throws Error, kBadInput
-/// where no tile has a splat.
+/// Makes all missing tiles, including merged ones, and set.json. mergeLevels must have run. Throws Error (kBadInput) if
+/// no tile has a splat.
 TileSet makeSet(const SetPlan& plan, const std::string& metadata, std::size_t threads,
                 const StageProgress& progress = {});
 

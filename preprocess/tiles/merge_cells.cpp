@@ -12,20 +12,20 @@ namespace pointrt {
 
 namespace {
 
-/// Few enough for one density, enough that one cell more or less along an edge is little: on a surface 256 to 1024
-/// discs make 6 to 13 cells of it.
+/// Few enough to have one density, enough that a cell more or less along an edge matters little: on a surface 256 to
+/// 1024 discs make 6 to 13 cells.
 constexpr std::size_t kRegionDiscs = 1024;
-/// Halvings, as fine as position codes.
+/// Number of halvings: as fine as position codes.
 constexpr int kDepthMax = 20;
-/// A plane meets this many cells of edge 1 per unit of its area, averaged over its directions.
+/// A plane intersects this many cells of edge 1 per unit of area, averaged over directions.
 constexpr double kCellsPerArea = 1.5;
-/// Cells along an edge: one disc to a cell is reached before on surfaces.
+/// Limit of cells along an edge; on surfaces a cell holds a single disc before.
 constexpr std::uint32_t kCellsMax = 128;
 
 struct Region {
     Vec3f low;
     float edge;
-    std::uint32_t begin, end; ///< of the discs
+    std::uint32_t begin, end; ///< range of discs
 };
 
 int slotOf(const Vec3f& position, const Vec3f& middle) {
@@ -49,7 +49,7 @@ void splitRegion(const MergeDiscs& discs, const Region& region, int depth, std::
     }
 }
 
-/// The discs of a region grouped by cells so many to an edge, by sides, and so that none is long and thin.
+/// Groups the discs of a region by cell and side, and splits long thin groups.
 MergeGroups groupBy(const MergeDiscs& discs, const Region& region, std::uint32_t cells, bool oriented) {
     struct Placed {
         std::uint32_t cell, disc;
@@ -89,13 +89,13 @@ MergeGroups groupBy(const MergeDiscs& discs, const Region& region, std::uint32_t
     return groups;
 }
 
-/// How far so many groups are from those wanted, as a factor.
+/// Ratio (at least 1) between a number of groups and the target.
 double missOf(const MergeGroups& groups, double wanted) {
     const double ratio = static_cast<double>(groups.first.size()) / wanted;
     return std::max(ratio, 1 / ratio);
 }
 
-/// Looks for the number of cells, starting where a surface has it, upwards or downwards as long as that gets nearer.
+/// Searches for the number of cells, starting from that of a surface, upwards or downwards while the ratio improves.
 MergeGroups groupRegion(const MergeDiscs& discs, const Region& region, double share, bool oriented) {
     const double wanted = std::max(1.0, share * (region.end - region.begin));
     const auto guess = static_cast<std::uint32_t>(std::round(std::sqrt(wanted / kCellsPerArea)));

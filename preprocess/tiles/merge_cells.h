@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which splats of a tile's children become one.
+// Groups the splats of a tile's children that are to be merged.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,10 @@ struct MergeGroups {
     std::vector<std::uint32_t> first, members;
 };
 
-/// The unit cube, which is the parent's core, is halved until at most about a thousand discs are in a region, and each
-/// region cut into so many cells along each axis that the groups, of one cell and one side each and none of them long
-/// and thin, are about a share of its discs. On a surface that makes cells about two of its spacings wide, where discs
-/// turn every way larger ones. All cells end at the regions' borders, and those at the core's.
+/// Halves the unit cube, the parent's core, until regions have at most about a thousand discs, and divides each region
+/// into cells such that the number of groups, each of one cell and one side and none long and thin, is about a share of
+/// its discs. On a surface cells are about two spacings wide; where discs face all directions they are larger. Cells do
+/// not cross regions, nor regions the core.
 /// @param discs within the unit cube, along a Morton curve
 /// @param share in (0, 1]
 /// The result does not depend on the number of threads.

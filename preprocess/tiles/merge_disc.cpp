@@ -11,25 +11,25 @@ namespace pointrt {
 
 namespace {
 
-/// Members whose discs stay within this share of the covering radius of the merged disc's plane lie in a plane: on a
-/// sphere those of a disc of half its radius do.
+/// Members lie in a plane if their discs stay within this share of the covering radius of the merged disc's plane: true
+/// on a sphere for a disc of half its radius.
 constexpr float kFlat = 0.25f;
 
-/// And they lie side by side where their squared radii add up to this share of the covering one's. Of groups of a
-/// plane, sampled by a shaken grid or at random, 999 in 1000 have more, of discs spread at random in space, as far
-/// apart as they are wide or farther, one in a hundred.
+/// They lie side by side if their squared radii sum to at least this share of the covering one's. Of groups in a plane,
+/// sampled on a jittered grid or at random, 999 in 1000 exceed it; of discs spread at random in space, at least their
+/// width apart, one in a hundred.
 constexpr float kSideBySide = 0.5f;
 
-/// What of a member's radius closes the surface: discs overlap by a factor of 1.2 at least (radii.cpp). Covering no
-/// more than that keeps discs from growing beyond their spacing level by level: cells of 2.45 spacings reach 1.73 from
-/// their middles, so that a radius of 1.48 spacings stays one.
+/// Share of a member's radius that closes the surface: discs overlap by a factor of at least 1.2 (radii.cpp). Covering
+/// no more keeps discs from growing beyond their spacing level by level: cells of 2.45 spacings extend 1.73 from their
+/// middles, so that a radius of 1.48 spacings stays one.
 constexpr float kClosing = 1 / 1.2f;
 
 Vec3f turnedTo(const Vec3f& normal, const Vec3f& side, bool oriented) {
     return !oriented && normal.dot(side) < 0 ? Vec3f(-normal) : normal;
 }
 
-/// Means by area, the sum of the squared radii, and of that what a member's others have, the mean by area.
+/// Area-weighted means, the sum of squared radii, and the area-weighted mean of that sum over a member's others.
 struct Means {
     Vec3f position, normal;
     float squares = 0, others = 0;
@@ -51,30 +51,29 @@ Means meansOf(const MergeDiscs& discs, std::span<const std::uint32_t> members, b
             static_cast<float>(squares), static_cast<float>(squares - own / squares)};
 }
 
-/// How far members reach: what of their discs closes the surface, from the middle in the merged disc's plane, and their
-/// discs off it.
-struct Reach {
+/// Extent of the members: of the parts that close the surface, from the middle in the merged disc's plane, and of their
+/// discs off the plane.
+struct Extent {
     float along = 0, off = 0;
 };
 
-Reach reachOf(const MergeDiscs& discs, std::span<const std::uint32_t> members, const Means& means) {
-    Reach reach;
+Extent extentOf(const MergeDiscs& discs, std::span<const std::uint32_t> members, const Means& means) {
+    Extent extent;
     for (const std::uint32_t i : members) {
         const Vec3f way = discs.positions[i] - means.position;
         const float height = way.dot(means.normal), cosine = discs.normals[i].dot(means.normal);
         const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
-        reach.along = std::max(reach.along, (way - height * means.normal).norm() + kClosing * discs.radii[i]);
-        reach.off = std::max(reach.off, std::abs(height) + sine * discs.radii[i]);
+        extent.along = std::max(extent.along, (way - height * means.normal).norm() + kClosing * discs.radii[i]);
+        extent.off = std::max(extent.off, std::abs(height) + sine * discs.radii[i]);
     }
-    return reach;
+    return extent;
 }
 
-/// Radius of a disc that rays meet as often as they meet members that are scattered within `along` of its middle. Some
-/// of those hide behind others, and with the sum of their areas a tree's shadow would swell level by level. What is
-/// hidden of each is what the others cover, at random over kSpread discs of that radius. Of two to eight discs in a
-/// cube, 0.1 to 0.45 of its edge in radius, facing any way, within 60 degrees of one, or nearly all alike in a flat
-/// one, rays of all directions then meet 0.98 times what they met (0.88 to 1.21); with the sum of the areas 1.09 times
-/// (0.93 to 1.42).
+/// Radius of a disc that rays hit as often as members scattered within `along` of its middle. Members occlude each
+/// other, so with the sum of their areas a tree's shadow would grow level by level. The occluded part of each is what
+/// the others cover, at random over kSpread discs of that radius. For two to eight discs in a cube, of radius 0.1 to
+/// 0.45 of its edge, facing any direction, within 60 degrees of one, or nearly parallel in a flat cube, rays of all
+/// directions hit 0.98 times as often as before (0.88 to 1.21); with the sum of the areas 1.09 times (0.93 to 1.42).
 float scatteredRadius(const Means& means, float along) {
     constexpr float kSpread = 1.2f;
     const float part = means.others / (kSpread * along * along);
@@ -89,9 +88,9 @@ float distanceToDisc(const Vec3f& point, const Vec3f& center, const Vec3f& norma
     return std::hypot(height, beyond);
 }
 
-/// The farthest of eight points of the merged disc's rim from the members' discs.
+/// The largest distance of eight points of the merged disc's rim from the members' discs.
 float rimDistance(const MergeDiscs& discs, std::span<const std::uint32_t> members, const MergedDisc& merged) {
-    constexpr int kPoints = 8; // between two of them the rim is at most 8% of the radius nearer to the centre
+    constexpr int kPoints = 8; // the chord between two is at most 8% of the radius inside the rim
     const Vec3f u = merged.normal.unitOrthogonal(), v = merged.normal.cross(u);
     float farthest = 0;
     for (int k = 0; k < kPoints; ++k) {
@@ -105,7 +104,7 @@ float rimDistance(const MergeDiscs& discs, std::span<const std::uint32_t> member
     return farthest;
 }
 
-/// The axes along which positions spread most and second most.
+/// The axes of largest and second largest variance of the positions.
 struct Spread {
     Vec3f center, along, across;
 };
@@ -124,7 +123,7 @@ Spread spreadOf(const MergeDiscs& discs, std::span<const std::uint32_t> members)
             solver.eigenvectors().col(1).cast<float>()};
 }
 
-/// Half of how far discs reach along an axis.
+/// Half the extent of discs along an axis.
 float halfReach(const MergeDiscs& discs, std::span<const std::uint32_t> members, const Vec3f& axis) {
     float low = std::numeric_limits<float>::max(), high = -low;
     for (const std::uint32_t i : members) {
@@ -148,7 +147,7 @@ void splitLong(const MergeDiscs& discs, std::span<std::uint32_t> members, std::v
         return (discs.positions[i] - spread.center).dot(spread.along) < 0;
     });
     const auto first = static_cast<std::size_t>(middle - members.begin());
-    if (first == 0 || first == members.size()) return sizes.push_back(whole); // all at one place
+    if (first == 0 || first == members.size()) return sizes.push_back(whole); // all at one position
     splitLong(discs, members.first(first), sizes);
     splitLong(discs, members.subspan(first), sizes);
 }
@@ -180,16 +179,16 @@ MergedDisc mergeDiscs(const MergeDiscs& discs, std::span<const std::uint32_t> me
         return {discs.positions[i], discs.normals[i], discs.radii[i], 0};
     }
     const Means means = meansOf(discs, members, oriented);
-    const Reach reach = reachOf(discs, members, means);
-    const bool flat = reach.off <= kFlat * reach.along;
-    const bool side_by_side = means.squares >= kSideBySide * reach.along * reach.along;
-    const float area_radius = scatteredRadius(means, reach.along);
-    MergedDisc merged{means.position, means.normal, flat && side_by_side ? reach.along : area_radius, 0};
-    merged.error = std::max(reach.off, rimDistance(discs, members, merged));
+    const Extent extent = extentOf(discs, members, means);
+    const bool flat = extent.off <= kFlat * extent.along;
+    const bool side_by_side = means.squares >= kSideBySide * extent.along * extent.along;
+    const float area_radius = scatteredRadius(means, extent.along);
+    MergedDisc merged{means.position, means.normal, flat && side_by_side ? extent.along : area_radius, 0};
+    merged.error = std::max(extent.off, rimDistance(discs, members, merged));
     for (const std::uint32_t i : members) {
         const Vec3f way = discs.positions[i] - merged.position;
         const float along = (way - way.dot(merged.normal) * merged.normal).norm() + discs.radii[i];
-        merged.error = std::max(merged.error, std::hypot(reach.off, std::max(0.0f, along - merged.radius)));
+        merged.error = std::max(merged.error, std::hypot(extent.off, std::max(0.0f, along - merged.radius)));
     }
     return merged;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Several discs as one.
+// Merges several discs into one.
 #pragma once
 
 #include <cstdint>
@@ -19,26 +19,24 @@ struct MergeDiscs {
 struct MergedDisc {
     Vec3f position, normal;
     float radius = 0;
-    float error = 0; ///< Hausdorff distance between this disc and its members, by their rims
+    float error = 0; ///< Hausdorff distance between this disc and its members, from their rims
 };
 
-/// Members on different sides of a surface, or of a sharp edge, are not merged: the cosine of 60 degrees.
+/// Cosine of 60 degrees: members on different sides of a surface or a sharp edge are not merged.
 constexpr float kSameSide = 0.5f;
 
-/// Groups members by the side that their normals face: each joins the group whose mean is nearest, if that is within
-/// kSameSide, or begins a new one. [members] the group of each, from 0, in order of their first members.
-/// @param oriented else a normal and its opposite are the same side
+/// Groups members by the direction of their normals: each joins the group with the nearest mean, if that is within
+/// kSameSide, or starts a new one. Returns [members] the group of each, numbered from 0 by their first members.
+/// @param oriented false: a normal and its opposite are the same side
 std::vector<std::uint32_t> groupBySide(const MergeDiscs& discs, std::span<const std::uint32_t> members, bool oriented);
 
-/// Splits a group where its members' discs reach more than twice as far along their line as across it, and the halves
-/// again: a disc that covers all of a stick sticks out on both sides. Appends the groups' sizes; members are put in
-/// order of the groups.
+/// Splits a group whose discs extend more than twice as far along their main axis as across it, recursively: a disc
+/// that covers a stick would protrude on both sides. Appends the groups' sizes and sorts members by group.
 void splitLong(const MergeDiscs& discs, std::span<std::uint32_t> members, std::vector<std::uint32_t>& sizes);
 
-/// Position and normal are the means by area. Where the members lie in a plane, side by side, the disc covers what
-/// of theirs closes the surface, so that it stays closed. Elsewhere, as in a tree, its area is the sum of theirs but
-/// for what they hide of each other, as far as they reach: a ray of any direction then meets it as often as it met
-/// them.
+/// Position and normal are area-weighted means. If the members lie side by side in a plane, the disc covers the parts
+/// of theirs that close the surface, so that it stays closed. Otherwise, as in a tree, its area is the sum of theirs
+/// minus their mutual occlusion, limited to their extent: a ray of any direction then hits it as often as it hit them.
 MergedDisc mergeDiscs(const MergeDiscs& discs, std::span<const std::uint32_t> members, bool oriented);
 
 } // namespace pointrt

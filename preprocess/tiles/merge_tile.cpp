@@ -17,11 +17,11 @@ namespace pointrt {
 
 namespace {
 
-/// Where a child's splat lies in the parent's core, as [0, 1) on each axis: exact, as a child has one bit more than the
-/// parent and floats have three. What cleaning moved out of it comes back to its border.
+/// Position of a child's splat in the parent's core, [0, 1) on each axis: exact, as a child has one bit more than the
+/// parent and floats have three. Clamps splats that cleaning moved outside to the border.
 Vec3f placeOf(const TileKey& parent, const TileKey& child, const PositionCode& code) {
     Vec3f place;
-    constexpr float kSteps = 2 * kCoreSteps; // of the child's level
+    constexpr float kSteps = 2 * kCoreSteps; // steps of the child's level
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::int64_t corner = child.cell[axis] - 2 * std::int64_t{parent.cell[axis]};
         const float step = static_cast<float>(corner * kCoreSteps + code[axis]) + 0.5f;
@@ -32,7 +32,7 @@ Vec3f placeOf(const TileKey& parent, const TileKey& child, const PositionCode& c
 
 struct Input {
     std::vector<MergeSource> sources; ///< along a Morton curve
-    MergeDiscs discs;                 ///< the same, the unit is the parent's edge
+    MergeDiscs discs;                 ///< the same splats, in units of the parent's edge
 };
 
 struct Keyed {
@@ -81,8 +81,8 @@ PositionCode codeAt(const Vec3f& place) {
     return code;
 }
 
-/// The error that 95% of the area keep to, in the unit of the discs: the rest, strays and crumbs, would send tiles to
-/// finer ones for what nobody sees.
+/// The error that 95% of the area does not exceed, in units of the discs. The rest, strays and small fragments, would
+/// force finer tiles without a visible difference.
 double commonError(std::vector<MergedDisc> merged) {
     constexpr double kShare = 0.95;
     std::sort(merged.begin(), merged.end(), [](const auto& a, const auto& b) { return a.error < b.error; });
@@ -119,7 +119,7 @@ public:
         for (Attribute& each : splats_.attributes) each.values.resize(count * each.bytesEach());
         tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) { fill(k); });
         splats_.spacing = spacingOf(splats_.positions, edge_ / kCoreSteps);
-        const double step = edge_ / kCoreSteps; // of which half was lost by coding alone
+        const double step = edge_ / kCoreSteps; // half of it is lost by coding alone
         splats_.error = std::max({commonError(discs_) * edge_, splats_.spacing / 4, step});
         return std::move(splats_);
     }
@@ -129,7 +129,7 @@ private:
         return std::span(groups_.members).subspan(groups_.first[g], groups_.first[g + 1] - groups_.first[g]);
     }
 
-    /// Along a Morton curve of the merged positions.
+    /// Sorts along a Morton curve of the merged positions.
     void sortGroups() {
         for (std::uint32_t g = 0; g < discs_.size(); ++g) order_.push_back(g);
         std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {

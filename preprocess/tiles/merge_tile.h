@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Splats of a coarser level: a parent's out of its children's.
+// Makes the splats of a coarser level: a parent's from its children's.
 #pragma once
 
 #include <limits>
@@ -9,28 +9,28 @@
 
 namespace pointrt {
 
-/// Of a parent's splats on surfaces over those of its children; fewer where those of a tile would be too many.
+/// A parent's splats on surfaces over its children's; fewer if a tile would have too many.
 constexpr double kMergedShare = 0.25;
 
-/// A child's splats, its own and no others.
+/// A child's own splats.
 struct MergeChild {
     TileKey tile;
     SplatsView splats;
     double error = 0; ///< TileSplats::error
 };
 
-/// The parent's own splats (merge_disc.h, merge_values.h). Its error is the children's largest and, above that, the
-/// error that 95% of the merged area keep to, but at least a quarter of the spacing: the distance of the surface from
-/// its children's, and of theirs from the original splats.
-/// @param children in any order, at least one splat in all of them
+/// The parent's own splats (merge_disc.h, merge_values.h). Its error, the distance of its surface from the original
+/// splats, is the largest error of its children plus the error that 95% of the merged area does not exceed, at least a
+/// quarter of the spacing.
+/// @param children in any order, with at least one splat in total
 /// @param schema of the attributes of all children
-/// @param tile_splats about so many at the most
+/// @param tile_splats approximate limit of splats
 /// @param edge of the parent's core, input units
 TileSplats mergeSplats(const TileKey& parent, std::vector<MergeChild> children, const std::vector<Attribute>& schema,
                        double edge, std::uint64_t tile_splats, bool oriented);
 
-/// The same from file to file. Children are those that have files. Throws Error.
-/// @param widest of the original splats' radii, input units
+/// The same from files to a file. children: those with files. Throws Error.
+/// @param widest radius of original splats, input units
 void mergeTile(const std::string& folder, const TileKey& parent, const std::vector<TileKey>& children, double edge,
                std::uint64_t tile_splats, bool oriented, float widest = std::numeric_limits<float>::infinity());
 

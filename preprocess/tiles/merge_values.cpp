@@ -32,9 +32,9 @@ const char* valueOf(const std::vector<SplatsView>& tiles, std::size_t attribute,
     return values.data + source.splat * values.bytes_each;
 }
 
-/// The value with the largest area, of equals the one met first.
-void mergeName(const std::vector<SplatsView>& tiles, std::size_t attribute, std::size_t bytes, const MergeGroup& group,
-               char* to) {
+/// The value with the largest area; of equal ones the first.
+void mergeCategorical(const std::vector<SplatsView>& tiles, std::size_t attribute, std::size_t bytes,
+                      const MergeGroup& group, char* to) {
     float most = -1;
     for (std::size_t i = 0; i < group.members.size(); ++i) {
         const char* value = valueOf(tiles, attribute, group.members[i]);
@@ -95,7 +95,7 @@ MergeNumber mergerOf(Scalar type) {
         return mergeNumber<double>;
     case Scalar::kI64:
     case Scalar::kU64:
-        break; // names
+        break; // categorical
     }
     return nullptr;
 }
@@ -126,7 +126,7 @@ float meanNoise(const std::vector<SplatsView>& tiles, const MergeGroup& group) {
     return static_cast<float>(std::sqrt(sum / areas));
 }
 
-bool isName(const Attribute& attribute) {
+bool isCategorical(const Attribute& attribute) {
     constexpr std::string_view kNames[] = {"classification",
                                            "return_number",
                                            "number_of_returns",
@@ -148,7 +148,7 @@ bool isName(const Attribute& attribute) {
 
 void mergeValue(const std::vector<SplatsView>& tiles, std::size_t attribute, const Attribute& schema,
                 const MergeGroup& group, char* to) {
-    if (isName(schema)) return mergeName(tiles, attribute, schema.bytesEach(), group, to);
+    if (isCategorical(schema)) return mergeCategorical(tiles, attribute, schema.bytesEach(), group, to);
     const bool is_color = schema.name == kRgb16 && schema.type == Scalar::kU16;
     const MergeNumber merge = mergerOf(schema.type);
     for (std::size_t component = 0; component < schema.components; ++component)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What merged splats carry: colours, noise and attributes of their members, by area.
+// Colours, noise and attributes of merged splats: area-weighted from their members.
 #pragma once
 
 #include <span>
@@ -19,16 +19,16 @@ struct MergeGroup {
     std::span<const float> areas;
 };
 
-/// The mean in linear light, sRGB.
+/// The mean in linear light, as sRGB.
 Rgb8 meanColor(const std::vector<SplatsView>& tiles, const MergeGroup& group);
 
-/// The root of the mean square.
+/// The root mean square.
 float meanNoise(const std::vector<SplatsView>& tiles, const MergeGroup& group);
 
-/// Whether an attribute's values name something, so that the one with the largest area stays: classes, flags, numbers
-/// of scans, returns, lines and places of the scanner's grid, and whole numbers of 64 bits. Of others the mean stays,
-/// rounded where they are whole, of 16-bit colours the one in linear light; what is not a number does not count.
-bool isName(const Attribute& attribute);
+/// Whether an attribute is categorical, so that the value with the largest area is kept: classes, flags, numbers of
+/// scans, returns, lines and grid cells, and 64-bit integers. Others become the mean, rounded for integers, in linear
+/// light for 16-bit colours; NaN is ignored.
+bool isCategorical(const Attribute& attribute);
 
 /// Writes the group's value of an attribute to `to`.
 void mergeValue(const std::vector<SplatsView>& tiles, std::size_t attribute, const Attribute& schema,

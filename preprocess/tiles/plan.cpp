@@ -22,8 +22,8 @@ PlanBox coreOf(const SetPlan& plan, const PlanTile& tile) {
 }
 
 double firstHalo(const SetPlan& plan, const PlanTile& tile) {
-    // Neighbours of neighbours have a say five times over until a point has its normal (normals.cpp); with 16 of them,
-    // which reach 2.3 spacings on a surface, that is 11.5, and half as much is left for where points lie less evenly.
+    // Five steps of neighbours of neighbours contribute to a normal (normals.cpp). 16 neighbours extend 2.3 spacings on
+    // a surface, so five steps are 11.5; half as much again allows for uneven density.
     constexpr double kHaloSpacings = 16;
     const double widest = edgeOf(plan, tile.level) / 2;
     return tile.spacing > 0 ? std::min(kHaloSpacings * tile.spacing, widest) : widest;

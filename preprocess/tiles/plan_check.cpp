@@ -7,7 +7,7 @@
 namespace pointrt {
 namespace {
 
-constexpr std::uint32_t kMostLevels = 32; // cells of the finest are 31 bits wide
+constexpr std::uint32_t kMostLevels = 32; // cells of the finest level have 31 bits
 constexpr std::uint32_t kMostComponents = 4;
 
 bool isScalar(Scalar type) { return type >= Scalar::kI8 && type <= Scalar::kF64; }
@@ -36,17 +36,18 @@ bool areBlocks(const std::vector<std::uint32_t>& first_tiles, std::size_t tiles)
 } // namespace
 
 std::string findPlanFault(const SetPlan& plan) {
-    if (!(plan.edge > 0) || !std::isfinite(plan.edge) || !plan.lattice_origin.allFinite()) return "its grid is none";
-    if (plan.levels < 1 || plan.levels > kMostLevels) return "its levels are too few or too many";
-    if (plan.orient < OrientMode::kAuto || plan.orient > OrientMode::kNone) return "its orientation is none";
-    if (!isGood(plan.schema)) return "what its points have is nothing that points can have";
+    if (!(plan.edge > 0) || !std::isfinite(plan.edge) || !plan.lattice_origin.allFinite()) return "invalid lattice";
+    if (plan.levels < 1 || plan.levels > kMostLevels) return "invalid number of levels";
+    if (plan.orient < OrientMode::kAuto || plan.orient > OrientMode::kNone) return "invalid orientation mode";
+    if (!isGood(plan.schema)) return "invalid schema of points";
     for (const PlanTile& tile : plan.tiles)
-        if (!isGood(tile, plan)) return "tile " + std::to_string(&tile - plan.tiles.data()) + " cannot be one";
-    if (!areBlocks(plan.first_tile_of_block, plan.tiles.size())) return "its blocks are not those of its tiles";
-    const CloudTraits& traits = plan.traits;
-    if (!traits.noise.empty() && traits.noise.size() != plan.scans.size()) return "its noise is not that of its scans";
-    if (traits.common_reach && !(*traits.common_reach >= 0)) return "its points reach their neighbours nowhere";
-    if (traits.radius_limit && !(*traits.radius_limit > 0)) return "no disc is as narrow as its limit";
+        if (!isGood(tile, plan)) return "tile " + std::to_string(&tile - plan.tiles.data()) + " is invalid";
+    if (!areBlocks(plan.first_tile_of_block, plan.tiles.size())) return "blocks do not match the tiles";
+    const CloudStatistics& statistics = plan.statistics;
+    if (!statistics.noise.empty() && statistics.noise.size() != plan.scans.size())
+        return "noise does not match the scans";
+    if (statistics.common_reach && !(*statistics.common_reach >= 0)) return "invalid common_reach";
+    if (statistics.radius_limit && !(*statistics.radius_limit > 0)) return "invalid radius_limit";
     return "";
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a plan that was read can be one: what steps index with it, they do not ask again.
+// Validates a plan that was read: later steps use its indices without checks.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace pointrt {
 
-/// Why it cannot; "" for a good one.
+/// Why the plan is invalid; "" if it is valid.
 std::string findPlanFault(const SetPlan& plan);
 
 } // namespace pointrt

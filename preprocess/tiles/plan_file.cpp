@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// plan.json, and beside it sides.bin: the sample whose normals tell sides, rows of 3 doubles and 3 floats; and, once
-// points are split, traits.json; and, once all blocks are baked, widest.json.
+// plan.json, and beside it sides.bin, the oriented sample in rows of 3 doubles and 3 floats; traits.json, once points
+// are split; and widest.json, once all blocks are baked.
 
 #include <cmath>
 #include <concepts>
@@ -26,7 +26,7 @@ using Json = nlohmann::ordered_json;
 constexpr int kVersion = 2;
 
 std::string sidesFile(const std::string& work) { return work + "/sides.bin"; }
-std::string traitsFile(const std::string& work) { return work + "/traits.json"; }
+std::string statisticsFile(const std::string& work) { return work + "/traits.json"; }
 std::string widestFile(const std::string& work) { return work + "/widest.json"; }
 
 Json vectorJson(const Vec3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
@@ -50,7 +50,7 @@ void writeWhole(const std::string& path, const std::string& text) {
 
 std::string readWhole(const std::string& path) {
     std::ifstream stream(path, std::ios::binary);
-    if (!stream) throw Error(ExitCode::kBadInput, path + ": cannot be read: has the step plan been done?");
+    if (!stream) throw Error(ExitCode::kBadInput, path + ": cannot be read; run --step plan first");
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
@@ -153,7 +153,7 @@ std::vector<PlanInput> inputsOf(const Json& json) {
     return inputs;
 }
 
-/// A row of numbers a tile: a country has 10^5 of them.
+/// A row of numbers per tile, compact: a country has 10^5 of them.
 Json tilesJson(const std::vector<PlanTile>& tiles) {
     Json json = Json::array();
     for (const PlanTile& each : tiles)
@@ -266,9 +266,9 @@ std::optional<Value> takeMaybe(const Json& json, const char* name) {
     return json.at(name).is_null() ? std::nullopt : std::optional<Value>(take<Value>(json, name));
 }
 
-/// Empty before they are measured.
-CloudTraits readTraits(const std::string& work) {
-    std::ifstream stream(traitsFile(work));
+/// Empty before the statistics are measured.
+CloudStatistics readStatistics(const std::string& work) {
+    std::ifstream stream(statisticsFile(work));
     if (!stream) return {};
     const Json json = Json::parse(stream);
     return {json.at("noise").get<std::vector<float>>(), takeMaybe<bool>(json, "scattered"),
@@ -277,7 +277,7 @@ CloudTraits readTraits(const std::string& work) {
 }
 
 void requireSame(bool same, const std::string& path) {
-    if (!same) throw Error(ExitCode::kBadInput, path + ": is not the file that the plan was written with");
+    if (!same) throw Error(ExitCode::kBadInput, path + ": does not belong to the plan");
 }
 
 } // namespace
@@ -285,7 +285,7 @@ void requireSame(bool same, const std::string& path) {
 void writePlan(const SetPlan& plan) {
     const std::string sides = sidesBytes(plan.sides);
     writeWhole(sidesFile(plan.work), sides);
-    // names need not be UTF-8
+    // names may be invalid UTF-8
     const std::string text =
         planJson(plan, XXH3_64bits(sides.data(), sides.size())).dump(-1, ' ', false, Json::error_handler_t::replace);
     writeWhole(planFile(plan.work), text + "\n");
@@ -299,19 +299,19 @@ void makeFolder(const std::string& path) {
     if (failure) throw Error(ExitCode::kCannotWrite, path + ": " + failure.message());
 }
 
-void takeAway(const std::string& path) {
+void removeTree(const std::string& path) {
     std::error_code failure;
     std::filesystem::remove_all(path, failure);
     if (failure) throw Error(ExitCode::kCannotWrite, path + ": " + failure.message());
 }
 
-void writeTraits(const SetPlan& plan, const CloudTraits& traits) {
-    const Json json = {{"noise", traits.noise},
-                       {"scattered", jsonOf(traits.scattered)},
-                       {"fill_rows", jsonOf(traits.fill_rows)},
-                       {"radius_limit", jsonOf(traits.radius_limit)},
-                       {"common_reach", jsonOf(traits.common_reach)}};
-    writeWhole(traitsFile(plan.work), json.dump() + "\n");
+void writeStatistics(const SetPlan& plan, const CloudStatistics& statistics) {
+    const Json json = {{"noise", statistics.noise},
+                       {"scattered", jsonOf(statistics.scattered)},
+                       {"fill_rows", jsonOf(statistics.fill_rows)},
+                       {"radius_limit", jsonOf(statistics.radius_limit)},
+                       {"common_reach", jsonOf(statistics.common_reach)}};
+    writeWhole(statisticsFile(plan.work), json.dump() + "\n");
 }
 
 void writeWidestRadius(const SetPlan& plan, float radius) {
@@ -329,26 +329,26 @@ std::optional<float> readWidestRadius(const SetPlan& plan) {
         if (radius > 0) return radius;
     } catch (const Json::exception&) {
     }
-    throw Error(ExitCode::kBadInput, path + ": is no file of this program");
+    throw Error(ExitCode::kBadInput, path + ": is not a file of this program");
 }
 
 SetPlan readPlan(const std::string& work) {
     const std::string path = planFile(work), text = readWhole(path);
     const Json json = Json::parse(text, nullptr, false);
     try {
-        if (json.at("version") != kVersion) throw Error(ExitCode::kBadInput, path + ": is of another version");
+        if (json.at("version") != kVersion) throw Error(ExitCode::kBadInput, path + ": has another version");
         SetPlan plan = planOf(json);
         plan.work = work;
         const std::string sides = readWhole(sidesFile(work));
         requireSame(XXH3_64bits(sides.data(), sides.size()) == take<std::uint64_t>(json.at("sides"), "xxh3"),
                     sidesFile(work));
         plan.sides = sidesOf(sides);
-        plan.traits = readTraits(work);
+        plan.statistics = readStatistics(work);
         const std::string fault = findPlanFault(plan);
-        if (!fault.empty()) throw Error(ExitCode::kBadInput, path + ": is no plan: " + fault);
+        if (!fault.empty()) throw Error(ExitCode::kBadInput, path + ": is not a valid plan: " + fault);
         return plan;
     } catch (const Json::exception&) {
-        throw Error(ExitCode::kBadInput, path + ": is no plan of this program");
+        throw Error(ExitCode::kBadInput, path + ": is not a plan of this program");
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a request asks of options, inputs and disk.
+// Checks of a request: options, inputs and disk space.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ double attributeBytes(const SetPlan& plan) {
     return bytes;
 }
 
-/// Of a splat that waits for its tile, as preprocess/tiles/tile_splats.h has it.
+/// Size in bytes of a splat in a splat file (tile_splats.h).
 double waitingBytes(const SetPlan& plan) {
     const std::size_t position_normal_radius = 3 * sizeof(std::int32_t) + sizeof(std::uint32_t) + sizeof(float);
     const std::size_t color = plan.schema.colors ? sizeof(Rgb8) : 0;
@@ -50,15 +50,15 @@ std::string workFolderOf(const std::string& output) {
 void requirePossible(const SetRequest& request) {
     const auto refuse = [](const char* text) { throw Error(ExitCode::kBadUsage, text); };
     if (std::find(request.inputs.begin(), request.inputs.end(), "-") != request.inputs.end())
-        refuse("-: standard input can be read only once, and a tile set reads its inputs twice");
+        refuse("-: standard input cannot be read twice, as a tile set needs");
     if (request.read.sample_count.value_or(0) > 0 && request.inputs.size() > 1)
-        refuse("--sample: a tile set samples each file by itself: bake meshes one by one, or leave the number to it");
-    if (request.bake.max_memory < std::uint64_t{512} << 20) refuse("--max-memory: below 512M there is no room to work");
+        refuse("--sample: tile sets choose the number of samples of each mesh; bake meshes one by one to set it");
+    if (request.bake.max_memory < std::uint64_t{512} << 20) refuse("--max-memory: must be at least 512M");
 }
 
-/// A tile has some 24 bytes a splat (README) and attributes, and in sets of airborne lidar 50 to 56 of index, of which
-/// it was 82 in single files; coarser levels and what tiles repeat of each other were a seventh of the original splats
-/// there, and a third of what waits.
+/// A tile takes about 24 bytes per splat (README) plus attributes and, in airborne lidar sets, 50 to 56 bytes of index
+/// (82 in single files). Coarser levels and splats repeated in adjacent tiles were a seventh of the original splats
+/// there, and a third of the splat files.
 SpaceNeeded spaceNeeded(const SetPlan& plan) {
     constexpr double kTile = 24, kIndex = 60, kLevelsAndRepeats = 1.2, kWithLevels = 1.4;
     const auto points = static_cast<double>(plan.points);
@@ -66,8 +66,8 @@ SpaceNeeded spaceNeeded(const SetPlan& plan) {
     const double splats = points * waitingBytes(plan), all_splats = kWithLevels * splats;
     const double originals = points * (kTile + attributeBytes(plan) + (plan.bake.index ? kIndex : 0));
     const double final = kLevelsAndRepeats * originals;
-    // Splats go as tiles come, but not those that coarser tiles read: once the original ones were made, two thirds of
-    // as much as had waited of these were left.
+    // Splat files are dropped as tiles are made, except those that coarser tiles read: after the original tiles, two
+    // thirds of their splat files were left.
     constexpr double kLeftForCoarser = 0.7;
     const double at_once = plan.bake.drop_work
                                ? std::max({buckets + splats, all_splats, final, originals + kLeftForCoarser * splats})
@@ -78,7 +78,7 @@ SpaceNeeded spaceNeeded(const SetPlan& plan) {
 
 std::string spaceLine(const SetPlan& plan) {
     const SpaceNeeded needed = spaceNeeded(plan);
-    return fmt::format("about {} of disk at most and {} in the end", gigabytes(needed.peak), gigabytes(needed.final));
+    return fmt::format("up to {} of disk while baking, {} in the end", gigabytes(needed.peak), gigabytes(needed.final));
 }
 
 void requireSpace(const SetPlan& plan) {
@@ -86,8 +86,8 @@ void requireSpace(const SetPlan& plan) {
     std::error_code failure;
     const std::filesystem::space_info space = std::filesystem::space(folderOf(plan.output), failure);
     if (failure || space.available >= needed.peak) return;
-    throw Error(ExitCode::kCannotWrite, fmt::format("{}: needs {}; the disk has {} left", plan.output, spaceLine(plan),
-                                                    gigabytes(space.available)));
+    throw Error(ExitCode::kCannotWrite, fmt::format("{}: needs {}, but the disk has {} left", plan.output,
+                                                    spaceLine(plan), gigabytes(space.available)));
 }
 
 void requireSameRequest(const SetPlan& plan, const SetRequest& request) {
@@ -98,10 +98,11 @@ void requireSameRequest(const SetPlan& plan, const SetRequest& request) {
     };
     for (const auto& [name, value] : now.items())
         if (text(then, name) != text(now, name))
-            throw Error(ExitCode::kBadUsage, fmt::format("{}: was begun with {} of --{}, not {}; --force begins anew",
-                                                         plan.work, text(then, name), name, text(now, name)));
+            throw Error(ExitCode::kBadUsage,
+                        fmt::format("{}: was started with {} of --{}, not {}; --force starts again", plan.work,
+                                    text(then, name), name, text(now, name)));
     if (then != now)
-        throw Error(ExitCode::kBadUsage, plan.work + ": was begun with other options; --force begins anew");
+        throw Error(ExitCode::kBadUsage, plan.work + ": was started with other options; --force starts again");
 }
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A few points that stand for all, evenly spread over where there are any.
+// A small sample of points, evenly spread over the occupied space.
 #pragma once
 
 #include <cstddef>
@@ -17,15 +17,16 @@ struct SamplePoint {
     std::uint32_t scan = 0;
 };
 
-/// The first point of each cell of a grid whose cells double as more of them are filled.
+/// Keeps the first point of each cell of a grid, whose cells double as the sample fills up.
 class Sample {
 public:
     explicit Sample(std::size_t most_points) : most_points_(most_points) {}
 
-    /// @param edge of the cells that the caller knows no point of before; a power of two that never shrinks
+    /// Adds the first point of a cell.
+    /// @param edge of the caller's cells, a power of two that never shrinks
     void add(const SamplePoint& point, double edge);
 
-    /// Up to most_points, a quarter of that and more where there are so many, in the order of the input.
+    /// Between a quarter of most_points (if there are as many) and most_points, in the order of the input.
     const std::vector<SamplePoint>& points() const { return points_; }
 
 private:

@@ -20,19 +20,19 @@ namespace pointrt {
 
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "arrays are written as they lie in memory");
+static_assert(std::endian::native == std::endian::little, "arrays are written as in memory");
 static_assert(sizeof(SplatFileHead) == 104 && sizeof(PositionCode) == 12 && sizeof(Rgb8) == 3, "no gaps in the file");
 
 constexpr char kMagic[8] = {'p', 'r', 't', 's', 'p', 'l', '1', '\n'};
-/// What the checksum covers.
+/// Offset from which the checksum covers the file.
 constexpr std::size_t kCovered = offsetof(SplatFileHead, level);
-/// Arrays start on it, so that numbers of any type can be read where they lie.
+/// Alignment of arrays, so that numbers of any type can be read in place.
 constexpr std::size_t kAlign = 8;
 
 struct AttributeRecord {
     char name[PRO_ATTRIBUTE_NAME_MAX + 1];
     std::uint32_t type, components; ///< PRO_TYPE_*, 1 to 4
-    double low, high;               ///< of all finite values; 0 where there are none
+    double low, high;               ///< of all finite values; 0 if there are none
 };
 
 std::size_t padded(std::size_t bytes) { return (bytes + kAlign - 1) / kAlign * kAlign; }
@@ -54,7 +54,7 @@ public:
     std::uint64_t checksum() const {
         XXH3_state_t state;
         XXH3_64bits_reset(&state);
-        std::size_t skip = kCovered; // of the first piece, which has it
+        std::size_t skip = kCovered; // in the first piece, the header
         for (const auto& piece : pieces_) {
             XXH3_64bits_update(&state, piece.data() + skip, piece.size() - skip);
             skip = 0;
@@ -123,7 +123,7 @@ std::vector<AttributeRecord> recordsOf(const std::vector<Attribute>& attributes)
     return records;
 }
 
-/// Takes arrays one by one from the bytes of a file.
+/// Reads arrays one by one from the bytes of a file.
 class Taker {
 public:
     Taker(std::span<const std::byte> bytes, const std::string& path) : bytes_(bytes), path_(path) {}
@@ -131,7 +131,7 @@ public:
     template <typename Item>
     std::span<const Item> take(std::uint64_t count) {
         const std::size_t left = bytes_.size() - at_;
-        if (count > left / sizeof(Item) || padded(count * sizeof(Item)) > left) fail(path_, "is cut short");
+        if (count > left / sizeof(Item) || padded(count * sizeof(Item)) > left) fail(path_, "is truncated");
         const auto* items = reinterpret_cast<const Item*>(bytes_.data() + at_);
         at_ += padded(count * sizeof(Item));
         return {items, count};
@@ -145,15 +145,15 @@ private:
 };
 
 void requireOf(const SplatFileHead& head, const TileKey& tile, const std::string& path) {
-    if (!std::equal(std::begin(kMagic), std::end(kMagic), head.magic)) fail(path, "is no file of splats");
-    if (head.level != tile.level || head.cell != tile.cell) fail(path, "is of another tile");
+    if (!std::equal(std::begin(kMagic), std::end(kMagic), head.magic)) fail(path, "is not a splat file");
+    if (head.level != tile.level || head.cell != tile.cell) fail(path, "belongs to another tile");
 }
 
 std::vector<Attribute> schemaOf(std::span<const AttributeRecord> records, const std::string& path) {
     std::vector<Attribute> schema;
     for (const AttributeRecord& record : records) {
         if (pro_type_bytes(record.type) == 0 || record.components > 4 || record.name[PRO_ATTRIBUTE_NAME_MAX] != 0)
-            fail(path, "has an attribute of no known type");
+            fail(path, "has an attribute of unknown type");
         schema.push_back({record.name, static_cast<Scalar>(record.type - 1), record.components, {}});
     }
     return schema;
@@ -188,17 +188,17 @@ void writeSplats(const std::string& folder, const TileKey& tile, const TileSplat
 
 SplatFile::SplatFile(const std::string& folder, const TileKey& tile, float widest) : path_(splatFileOf(folder, tile)) {
     if (!file_.map(path_.c_str())) fail(path_, file_.error());
-    take(tile);
+    parse(tile);
     if (head_.error == 0) view_.widest = widest;
 }
 
-void SplatFile::take(const TileKey& tile) {
+void SplatFile::parse(const TileKey& tile) {
     const auto bytes = file_.bytes();
     Taker taker(bytes, path_);
     head_ = taker.take<SplatFileHead>(1).front();
     requireOf(head_, tile, path_);
     if (XXH3_64bits(bytes.data() + kCovered, bytes.size() - kCovered) != head_.checksum)
-        fail(path_, "is damaged: its checksum is another");
+        fail(path_, "is damaged: its checksum does not match");
     schema_ = schemaOf(taker.take<AttributeRecord>(head_.attribute_count), path_);
     view_.positions = taker.take<PositionCode>(head_.count);
     view_.normals = taker.take<std::uint32_t>(head_.count);
@@ -263,7 +263,7 @@ SplatFileSummary readSplatSummary(const std::string& folder, const TileKey& tile
     if (head.attribute_count > PRO_ATTRIBUTE_MAX) fail(path, "has too many attributes");
     std::vector<AttributeRecord> records(head.attribute_count);
     const auto bytes = static_cast<std::streamsize>(records.size() * sizeof(AttributeRecord));
-    if (!file.read(reinterpret_cast<char*>(records.data()), bytes)) fail(path, "is cut short");
+    if (!file.read(reinterpret_cast<char*>(records.data()), bytes)) fail(path, "is truncated");
     for (const AttributeRecord& each : records)
         summary.attributes.push_back({each.name, each.type, each.components, each.low, each.high});
     return summary;

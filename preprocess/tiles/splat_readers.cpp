@@ -14,7 +14,7 @@ SplatReaders::SplatReaders(const TileTree& tree, std::string folder, const std::
     for (const TileKey& tile : tree.tiles()) {
         left_.try_emplace(tile, 0);
         if (is_made(tile)) continue;
-        for (const TileKey& source : sourcesOf(tree, tile)) ++left_[source];
+        for (const TileKey& source : inputTilesOf(tree, tile)) ++left_[source];
     }
     for (const auto& [source, left] : left_)
         if (left == 0) dropArrays(folder_, source);
@@ -24,7 +24,7 @@ void SplatReaders::tileIsMade(const TileKey& tile) {
     std::vector<TileKey> done;
     {
         const std::lock_guard lock(mutex_);
-        for (const TileKey& source : sourcesOf(tree_, tile))
+        for (const TileKey& source : inputTilesOf(tree_, tile))
             if (--left_.at(source) == 0) done.push_back(source);
     }
     for (const TileKey& source : done) dropArrays(folder_, source);

@@ -12,14 +12,14 @@
 #include "format/base/error.h"
 #include "format/base/whole_number.h"
 #include "preprocess/tiles/bucket_writer.h"
-#include "preprocess/tiles/measure_traits.h"
+#include "preprocess/tiles/measure_statistics.h"
 
 namespace pointrt {
 namespace {
 
 using Json = nlohmann::json;
 
-/// How far the buckets are between two files.
+/// Saved progress between two files.
 struct Mark {
     StreamPlace place;
     std::vector<std::uint64_t> bytes; ///< [tiles] of their buckets
@@ -56,30 +56,31 @@ std::optional<Mark> readMark(const SetPlan& plan) {
         if (mark.place.file > plan.inputs.size() || mark.place.scan > plan.scans.size()) return std::nullopt;
         return mark;
     } catch (const Json::exception&) {
-        return std::nullopt; // there is none
+        return std::nullopt; // without a valid mark
     }
 }
 
-/// What the first reading found, as far as the second asks.
+/// The findings of the first pass that the second needs.
 StreamFindings findingsOf(const SetPlan& plan) {
-    StreamFindings known;
-    for (const PlanScan& scan : plan.scans) known.largest_color.push_back(scan.largest_color);
+    StreamFindings first_pass;
+    for (const PlanScan& scan : plan.scans) first_pass.largest_color.push_back(scan.largest_color);
     const PlanSchema& schema = plan.schema;
     const std::size_t stored = schema.attributes.size() - (schema.scan_attribute ? 1 : 0);
     for (std::size_t i = 0; i < stored; ++i) {
         const PlanAttribute& each = schema.attributes[i];
-        known.cloud.attributes.push_back({each.name, each.read_type, each.components, {}});
+        first_pass.cloud.attributes.push_back({each.name, each.read_type, each.components, {}});
     }
-    return known;
+    return first_pass;
 }
 
 void requireCounts(const SetPlan& plan, const std::vector<std::uint64_t>& counts) {
     for (std::size_t i = 0; i < counts.size(); ++i)
         if (counts[i] != plan.tiles[i].points)
-            throw Error(ExitCode::kBadInput,
-                        fmt::format("{}: the inputs had other points when the plan was made ({} where {} are now); "
-                                    "--force begins anew",
-                                    plan.work, plan.tiles[i].points, counts[i]));
+            throw Error(
+                ExitCode::kBadInput,
+                fmt::format("{}: the inputs have changed since the plan was made (a tile had {} points, now {}); "
+                            "--force starts again",
+                            plan.work, plan.tiles[i].points, counts[i]));
 }
 
 } // namespace
@@ -92,22 +93,22 @@ bool isSplit(const SetPlan& plan) {
 void splitPoints(const SetPlan& plan, const SetRequest& request, const ReadProgress& progress,
                  const SplitOptions& options) {
     if (isSplit(plan)) return;
-    constexpr std::uint64_t kBufferShare = 8; // of the memory
+    constexpr std::uint64_t kBufferShare = 8; // share of the memory
     BucketWriter writer(plan, plan.bake.max_memory / kBufferShare);
-    const StreamFindings known = findingsOf(plan);
+    const StreamFindings first_pass = findingsOf(plan);
     StreamOptions stream = streamOptionsOf(request);
-    stream.known = &known;
+    stream.first_pass = &first_pass;
     const std::optional<Mark> mark = readMark(plan);
-    if (mark && writer.goOn(mark->bytes))
+    if (mark && writer.resume(mark->bytes))
         stream.start = mark->place;
     else
-        writer.beginAnew();
+        writer.restart();
     std::uint64_t marked = stream.start.kept;
     stream.file_done = [&](const StreamPlace& place) {
         const bool is_last = place.file == request.inputs.size();
-        // what thinning remembers stands nowhere
-        const bool can_go_on = request.read.filter.thin_spacing <= 0 || is_last;
-        if (!can_go_on || (place.kept - marked < options.points_between_marks && !is_last)) return;
+        // the occupied cells of thinning are not saved
+        const bool can_resume = request.read.filter.thin_spacing <= 0 || is_last;
+        if (!can_resume || (place.kept - marked < options.points_between_marks && !is_last)) return;
         writeMark(plan, {place, writer.flush()});
         marked = place.kept;
     };
@@ -116,7 +117,7 @@ void splitPoints(const SetPlan& plan, const SetRequest& request, const ReadProgr
             request.inputs, stream, [&](const PointBatch& batch) { writer.add(batch); }, progress);
     requireCounts(plan, writer.counts());
     writer.finish();
-    writeTraits(plan, measureTraits(plan));
+    writeStatistics(plan, measureStatistics(plan));
     writeJson(splitMark(plan), {{"points", plan.points}});
     std::error_code failure;
     std::filesystem::remove(markFile(plan), failure);

@@ -30,7 +30,7 @@ TileFinder::TileFinder(const SetPlan& plan) : grid_(plan.edge), shift_(0) {
 }
 
 std::uint32_t TileFinder::find(const Vec3d& position) const {
-    constexpr double kMost = 0x1p60; // farther than any root reaches
+    constexpr double kMost = 0x1p60; // beyond any root
     std::array<std::uint64_t, 3> cell{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double steps = std::floor(position[Eigen::Index(axis)] / grid_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which tile's core a position lies in.
+// Finds the tile whose core contains a position.
 #pragma once
 
 #include <cstdint>
@@ -16,16 +16,16 @@ public:
 
     explicit TileFinder(const SetPlan& plan);
 
-    /// Its number in plan.tiles, or kNone. Exact: cores are half-open to the last bit of a double.
+    /// Its index in plan.tiles, or kNone. Exact: cores are half-open to the last bit of a double.
     std::uint32_t find(const Vec3d& position) const;
 
 private:
-    double grid_; ///< a power of two that the lattice's origin is a multiple of, and the edge too
-    int shift_;   ///< the edge is so many doublings of it
+    double grid_; ///< a power of two that divides the lattice's origin and the edge
+    int shift_;   ///< edge = grid * 2^shift
     std::array<std::int64_t, 3> origin_{};
     std::int64_t cells_;               ///< of level 0 along the root's edge
-    std::vector<std::uint64_t> codes_; ///< [tiles] Morton codes of their lowest cells of level 0
-    std::vector<std::uint64_t> spans_; ///< how many codes each has
+    std::vector<std::uint64_t> codes_; ///< [tiles] Morton code of the lowest level-0 cell
+    std::vector<std::uint64_t> spans_; ///< [tiles] number of codes
 };
 
 } // namespace pointrt

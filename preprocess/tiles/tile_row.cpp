@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tile's row of set.json, from its file alone: its header's sum, and what META says.
+// A tile's row of set.json from its file alone: from the checksum in its header, and META.
 #include <array>
 #include <cstring>
 #include <filesystem>
@@ -24,7 +24,7 @@ Number load(const Header& header, std::size_t offset) {
     return number;
 }
 
-/// The bytes of META; "" where there is none.
+/// The contents of META; "" if there is none.
 std::string metadataOf(std::ifstream& file, const Header& header, std::uint64_t file_bytes) {
     for (std::size_t at = PRO_TABLE_OFFSET; at + PRO_SECTION_BYTES <= header.size(); at += PRO_SECTION_BYTES) {
         if (load<std::uint32_t>(header, at + PRO_SEC_OFF_KIND) != PRO_KIND_META) continue;
@@ -62,7 +62,7 @@ std::optional<SetTile> findTileRow(const SetFolders& folders, const TileKey& til
         row.error = said.at("error");
         row.spacing = said.at("spacing");
     } catch (const Json::exception&) {
-        return std::nullopt; // somebody else's file
+        return std::nullopt; // a file of another program
     }
     return row;
 }

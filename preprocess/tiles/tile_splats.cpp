@@ -14,7 +14,7 @@ namespace {
 
 using Squares = std::vector<double>;
 
-/// Squared distances, steps, from one code to those around it in an order.
+/// Squared distances, in steps, from one code to those around it in an order.
 void squaresAround(const std::vector<PositionCode>& sorted, std::size_t at, std::size_t window, Squares& squares) {
     squares.clear();
     const std::size_t begin = at - std::min(at, window), end = std::min(sorted.size(), at + window + 1);
@@ -78,8 +78,8 @@ void appendSplat(TileSplats& to, const SplatsView& from, std::size_t i, const Po
 }
 
 double spacingOf(const std::vector<PositionCode>& positions, double step) {
-    // Of 64 splats along the curve the fourth nearest, and what room five have in a disc of that reach: the spacing
-    // that surfaces are estimated with, by four neighbours instead of all.
+    // The area per splat of five splats in a disc out to the fourth nearest of 64 along the curve: the spacing of
+    // surface estimation, from four neighbours instead of all.
     constexpr std::size_t kWindow = 32, kNearest = 4, kSample = 4096;
     if (positions.size() < 2) return 0;
     const std::size_t stride = 1 + (positions.size() - 1) / kSample;

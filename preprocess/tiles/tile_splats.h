@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The splats that a tile has computed, as its own file and its neighbours' will hold them.
+// A tile's own splats, as stored in its file and its neighbours'.
 #pragma once
 
 #include <algorithm>
@@ -12,20 +12,21 @@
 
 namespace pointrt {
 
-/// All arrays have one length; colors and noise may be empty. A splat stands in one tile's only. Points that cleaning
-/// moved across a border stay where they were computed: their codes lie beyond the core, and the neighbour takes them.
+/// All arrays have the same length; colors and noise may be empty. A splat belongs to one tile only. Points that
+/// cleaning moved across a border stay in the tile that computed them, with codes beyond the core; the neighbour reads
+/// them.
 struct TileSplats {
-    std::vector<PositionCode> positions; ///< seen from the tile
+    std::vector<PositionCode> positions; ///< codes of the tile
     std::vector<std::uint32_t> normals;  ///< as word 2 of SPLT
     std::vector<float> radii;            ///< input units, above 0
     std::vector<Rgb8> colors;            ///< sRGB
     std::vector<float> noise;            ///< standard deviation across the surface, input units
-    std::vector<Attribute> attributes;   ///< those of the set, in its order
+    std::vector<Attribute> attributes;   ///< the set's attributes, in its order
     double error = 0;                    ///< input units, SetTile::error; 0: original splats
     double spacing = 0;                  ///< input units, SetTile::spacing
 };
 
-/// The same, of somebody's memory.
+/// A view of splats.
 struct SplatsView {
     std::span<const PositionCode> positions;
     std::span<const std::uint32_t> normals;
@@ -37,27 +38,27 @@ struct SplatsView {
         std::size_t bytes_each;
     };
     std::vector<Values> attributes;
-    float widest = std::numeric_limits<float>::infinity(); ///< radii above it count as this
+    float widest = std::numeric_limits<float>::infinity(); ///< larger radii are clamped to it
 
     float radius(std::size_t i) const { return std::min(radii[i], widest); }
 };
 SplatsView viewOf(const TileSplats& splats);
 
-/// Word 2 of SPLT of material row 0. normal: any length.
+/// Word 2 of SPLT with material row 0. normal: any length.
 std::uint32_t normalWord(const Vec3f& normal);
 /// Unit length.
 Vec3f normalOf(std::uint32_t word);
 
-/// Empty arrays with the schema of others.
+/// No splats, with the same schema.
 TileSplats emptyLike(const TileSplats& splats);
 
-/// Appends splat i of a view with the same schema, at a position of its own. Where only one of the two knows noise, it
-/// is 0 in the other.
+/// Appends splat i of a view with the same schema, at another position. If only one of the two has noise, it is 0 for
+/// the other's splats.
 void appendSplat(TileSplats& to, const SplatsView& from, std::size_t i, const PositionCode& position);
 
-/// Edge of the square that a splat has to itself, the median of a sample of them, input units; 0 of fewer than 2.
-/// Positions stand along a Morton curve.
-/// @param step input units to a position step
+/// Spacing: edge of the square per splat, median over a sample, input units; 0 for fewer than 2 splats. Positions must
+/// be sorted along a Morton curve.
+/// @param step input units per position step
 double spacingOf(const std::vector<PositionCode>& positions, double step);
 
 } // namespace pointrt

@@ -18,11 +18,11 @@ bool isBefore(const TileKey& a, const TileKey& b) {
     return isTileBefore(tile_a, tile_b);
 }
 
-/// Whether the core of a tile meets the cube of another of its level or a higher one.
+/// Whether the core of a tile overlaps the cube of another of its level or a higher one.
 bool meetsCube(const TileKey& tile, const TileKey& around) {
     const std::uint32_t up = around.level - tile.level;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        // in half edges of around, times as many halves as there are levels between: whole numbers
+        // in half edges of `tile`, integers
         const std::int64_t low = std::int64_t{tile.cell[axis]} * 2, high = low + 2;
         const std::int64_t cube_low = (2 * std::int64_t{around.cell[axis]} - 1) << up;
         const std::int64_t cube_high = (2 * std::int64_t{around.cell[axis]} + 3) << up;
@@ -90,7 +90,7 @@ std::vector<TileKey> TileTree::childrenOf(const TileKey& tile) const {
 
 std::optional<TileKey> TileTree::originalAt(const TileKey& tile, const PositionCode& code) const {
     TileKey at = tile;
-    std::array<std::int64_t, 3> steps{}; // within the tile, of its level
+    std::array<std::int64_t, 3> steps{}; // within the tile, in steps of its level
     for (std::size_t axis = 0; axis < 3; ++axis) {
         at.cell[axis] += code[axis] >> kCoreBits;
         steps[axis] = code[axis] & (kCoreSteps - 1);

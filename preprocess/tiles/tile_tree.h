@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which tiles a set has, and which of them lie beside which.
+// The tiles of a set and their neighbours.
 #pragma once
 
 #include <map>
@@ -12,8 +12,8 @@ namespace pointrt {
 /// The original tiles, which are the leaves, and all of their ancestors up to one root.
 class TileTree {
 public:
-    /// originals: none within another; at least one. Throws Error (kCannotRun) where no tile holds them all, as cells
-    /// below 0 and from 0 on never meet.
+    /// originals: at least one; none within another. Throws Error (kCannotRun) if no tile contains them all: cells
+    /// below 0 and from 0 on have no common ancestor.
     explicit TileTree(const std::vector<TileKey>& originals);
 
     /// In TileSet's order: highest level first.
@@ -22,12 +22,12 @@ public:
     bool has(const TileKey& tile) const { return original_.contains(tile); }
     bool isOriginal(const TileKey& tile) const;
     std::vector<TileKey> childrenOf(const TileKey& tile) const;
-    /// Whose core holds a position; nothing where no original tile stands.
+    /// The original tile whose core contains a position; nullopt if there is none.
     std::optional<TileKey> originalAt(const TileKey& tile, const PositionCode& code) const;
 
-    /// The tiles whose splats may reach into this one's core, itself left out, in TileSet's order. An original tile's
-    /// neighbours are the original tiles, of any level, whose cores meet its cube. A merged one's are those of its
-    /// level, and original ones of higher levels, where no tile of its level stands.
+    /// The other tiles whose splats may extend into this one's core, in TileSet's order. An original tile's neighbours
+    /// are the original tiles, of any level, whose cores overlap its cube. A merged tile's are those of its level and,
+    /// where there are none, original ones of higher levels.
     std::vector<TileKey> neighborsOf(const TileKey& tile) const;
 
 private:

@@ -14,19 +14,19 @@ namespace pointrt {
 
 namespace {
 
-/// Positive floats have the order of their bits, of which a first reading counts the upper half, and a second one the
-/// lower half of those that share the upper half looked for.
+/// Positive floats sort by their bits. The first pass counts the upper halves, the second the lower halves of those
+/// with the selected upper half.
 constexpr std::uint32_t kHalfBits = 16, kHalves = 1u << kHalfBits;
 
 using Counts = std::vector<std::uint64_t>;
 
-void forRadii(const TileTree& tree, const std::string& folder, const std::function<void(std::uint32_t bits)>& heard) {
+void forRadii(const TileTree& tree, const std::string& folder, const std::function<void(std::uint32_t bits)>& use) {
     for (const TileKey& tile : tree.tiles())
         if (tree.isOriginal(tile))
-            for (const float radius : readRadii(folder, tile)) heard(std::bit_cast<std::uint32_t>(radius));
+            for (const float radius : readRadii(folder, tile)) use(std::bit_cast<std::uint32_t>(radius));
 }
 
-/// Which count the place falls into; place: what is left of it there.
+/// The bin that contains a rank. place: on return the rank within the bin
 std::uint32_t findCount(const Counts& counts, std::uint64_t& place) {
     std::uint32_t at = 0;
     for (; place >= counts[at]; ++at) place -= counts[at];
@@ -52,7 +52,8 @@ float findWidestRadius(const TileTree& tree, const std::string& splats_folder) {
 }
 
 float widestRadius(const SetPlan& plan, const TileTree& tree) {
-    if (plan.schema.radii) return std::numeric_limits<float>::infinity(); // whose own nothing limits: CloudTraits
+    if (plan.schema.radii)
+        return std::numeric_limits<float>::infinity(); // given radii are not limited: CloudStatistics
     if (const auto kept = readWidestRadius(plan)) return *kept;
     const float widest = findWidestRadius(tree, splatsFolder(plan));
     writeWidestRadius(plan, widest);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How wide the discs of a set may be, by all of its original splats, as one file has it by all of its own.
+// The radius limit of a set's discs, from all of its original splats, as single files find it from all of theirs.
 #pragma once
 
 #include "preprocess/tiles/plan.h"
@@ -7,12 +7,12 @@
 
 namespace pointrt {
 
-/// Input units; infinity where nothing limits them, or the blocks have done so. Found when it is first asked for, for
-/// which all blocks must have been baked, and kept beside the plan. The same for whichever process asks. Throws Error.
+/// Input units; infinity if there is no limit, or the blocks have applied it. Computed on first use, when all blocks
+/// must have been baked, and stored beside the plan; the same in every process. Throws Error.
 float widestRadius(const SetPlan& plan, const TileTree& tree);
 
-/// Of the original tiles' splats by radiusLimitRule, to the bit. Two readings of their radii, and no more of them in
-/// memory than one tile's. Throws Error (kBadInput).
+/// radiusLimitRule applied to the original tiles' splats, exactly. Reads their radii twice, with one tile's in memory
+/// at a time. Throws Error (kBadInput).
 float findWidestRadius(const TileTree& tree, const std::string& splats_folder);
 
 } // namespace pointrt

@@ -75,7 +75,7 @@ def test_units_of_the_scan(scene):
     ({"rang": {}}, r"did you mean .range."),
     ({"detection": {"threshold": float("nan")}}, "is nan"),
 ])
-def test_sensors_that_are_none(scene, change, text):
+def test_invalid_sensors(scene, change, text):
     with pytest.raises(ValueError, match=text):
         scene.simulate_lidar({**SENSOR, **change}, pose=MIDDLE)
 
@@ -88,7 +88,7 @@ def test_tile_sets(hills_in_tiles):
     np.testing.assert_allclose(at[:, 2], 5 * np.sin(at[:, 0] / 8) * np.cos(at[:, 1] / 9), atol=0.1)
 
 
-def test_what_is_wrong_with_the_rest(scene, tmp_path):
+def test_invalid_trajectories_and_attributes(scene, tmp_path):
     def refused(error, text, *args, **options):
         with pytest.raises(error, match=text):
             scene.simulate_lidar(SENSOR, *args, **options)
@@ -98,7 +98,7 @@ def test_what_is_wrong_with_the_rest(scene, tmp_path):
     refused(ValueError, "exclude each other", [pose], pose=MIDDLE)
     refused(ValueError, r"shape \[N, 8\]", MIDDLE)
     refused(ValueError, "x y z yaw pitch roll", pose=[1, 2])
-    refused(ValueError, "pose 1: its time is not after", [pose, pose])
+    refused(ValueError, "pose 1: its time must be later", [pose, pose])
     refused(ValueError, "quaternion is 0", [[0, *MIDDLE, 0, 0, 0, 0]])
     refused(ValueError, "not finite", pose=[0, np.nan, 0])
     refused(ValueError, "duration_s must be above 0", pose=MIDDLE, duration=0)

@@ -97,10 +97,10 @@ def test_settings_decide_the_picture(scene):
     ({"width": 0}, "0 x 512"),
     ({"width": -3}, "0 x 512"),
     ({"height": 2**40}, "512 x 4294967295"),
-    ({"layers": ["colour"]}, "no layer \"colour\"; they have rgba"),
+    ({"layers": ["colour"]}, "unknown layer \"colour\"; known layers are rgba"),
     ({"integrator": "radiosity"}, "integrator: .*none of phong"),
     ({"spp": 0}, "spp: "),
-    ({"no_such_setting": 1}, "no_such_setting: is no setting of pictures"),
+    ({"no_such_setting": 1}, "no_such_setting: unknown setting"),
 ])
 def test_what_is_no_picture(scene, arguments, text):
     with pytest.raises(ValueError, match=text):
@@ -114,7 +114,7 @@ def test_what_is_no_camera(scene):
         pointrt.Camera.from_intrinsics(1, 1, 1, 1, np.eye(3))
     with pytest.raises(ValueError, match="convention must be one of opencv, opengl, not 'blender'"):
         pointrt.Camera.from_intrinsics(1, 1, 1, 1, np.eye(4), "blender")
-    with pytest.raises(ValueError, match="focal lengths are not above 0"):
+    with pytest.raises(ValueError, match="focal lengths are not positive"):
         scene.render(pointrt.Camera.from_intrinsics(0, 1, 1, 1, DOWN), 8, 8)
     with pytest.raises(ValueError, match="mirror image"):
         scene.render(pointrt.Camera.from_intrinsics(5, 5, 1, 1, DOWN * [-1, 1, 1, 1]), 8, 8)

@@ -19,7 +19,7 @@ CHECKS = {
     "Solar study of a roof": lambda it: it["hours"][it["high"]].mean() > it["hours"][~it["high"]].mean() > 0,
     "Line of sight from a tower": lambda it: 0.05 < it["seen"].mean() < 0.95,
     "Simulated lidar of a street": lambda it: it["hits_per_splat"].sum() == len(it["points"]["ranges"]) >
-                                              len(it["first_turn"]) > 1000,
+                                              len(it["first_light_sample"]) > 1000,
     "Synthetic training data": lambda it: 0.2 < np.isfinite(it["picture"]["depth"]).mean() <= 1,
 }
 

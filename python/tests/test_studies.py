@@ -94,14 +94,14 @@ def test_instances_of_scene_files_are_studied_where_they_stand(field, tmp_path):
     (dict(at=(91, 0), date="2026-06-21"), "latitude"),
     (dict(at=(0, 181), date="2026-06-21"), "longitude"),
     (dict(at=PLACE, date="2026-02-30"), "day is out of range"),
-    (dict(at=PLACE, date="2026-06-21", to="2026-06-20"), "the last day lies before the first one"),
+    (dict(at=PLACE, date="2026-06-21", to="2026-06-20"), "the last day is before the first"),
     (dict(at=PLACE, date="2026-06-21", every=0), "minutes"),
     (dict(at=PLACE, date="2026-06-21", sides="left"), "sides must be"),
     (dict(at=PLACE, date="2026-06-21", north=[0, 0, 1]), "north must not be along up"),
     (dict(at=PLACE, date="2026-06-21", points=np.zeros((3, 2))), r"points must have the shape \[..., 3\], not \[3, 2\]"),
     (dict(at=PLACE, date="2026-06-21", points=np.zeros((3, 3)), normals=np.zeros((2, 3))), "normals must have the shape"),
     (dict(at=PLACE, date="2026-06-21", points=np.zeros((3, 3)), radii=np.zeros(2)), "radii must have the shape"),
-    (dict(at=PLACE, date="2026-06-21", radii=1.0), "normals and radii go with points"),
+    (dict(at=PLACE, date="2026-06-21", radii=1.0), "normals and radii need points"),
 ])
 def test_what_is_wrong_with_a_study(scene, arguments, text):
     with pytest.raises(ValueError, match=text):

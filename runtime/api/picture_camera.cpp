@@ -6,10 +6,10 @@
 
 #include "format/base/error.h"
 #include "runtime/scene/camera.h"
+#include "runtime/scene/camera_range.h"
 #include "runtime/scene/default_lighting.h"
 #include "runtime/scene/framing.h"
 #include "runtime/scene/pinhole.h"
-#include "runtime/scene/reach.h"
 
 namespace pointrt {
 namespace {
@@ -19,7 +19,7 @@ std::optional<Vec3> vectorOf(const std::optional<std::array<double, 3>>& numbers
     return Vec3{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
 }
 
-/// The command line's camera over the scene's, as resolveSettings and standUpright put them together.
+/// Merges the caller's camera with the scene's, as resolveSettings and resolveUp do for the command line.
 CameraRequest requestOf(const LookAt& said, const LoadedScene& loaded, CameraRequest camera) {
     if (const auto eye = vectorOf(said.eye)) camera.eye = eye;
     if (const auto target = vectorOf(said.target)) camera.target = target;
@@ -37,7 +37,7 @@ CameraRequest requestOf(const LookAt& said, const LoadedScene& loaded, CameraReq
     return camera;
 }
 
-/// Messages name options of the command line.
+/// Removes the dashes of command line options from a message.
 [[noreturn]] void rethrowWithoutDashes(const Error& error) {
     std::string text = error.what();
     for (std::size_t at = text.find("--"); at != std::string::npos; at = text.find("--", at)) text.erase(at, 2);
@@ -67,8 +67,8 @@ Camera machineCamera(const PinholeCamera& said, const LoadedScene& loaded, Pixel
     try {
         const CameraPose pose = poseOf(said.world_from_camera);
         const Camera camera = pinholeCamera(pose, {said.fx, said.fy, said.cx, said.cy}, size);
-        if (!isWithinReach(pose.eye, loaded.scene.bounds.lo, loaded.scene.bounds.hi))
-            throw std::invalid_argument("it stands more than 10000 scene radii away");
+        if (!isWithinCameraRange(pose.eye, loaded.scene.bounds.lo, loaded.scene.bounds.hi))
+            throw std::invalid_argument("it is more than 10000 scene radii away");
         return camera;
     } catch (const std::invalid_argument& error) {
         throw Error{ExitCode::kBadUsage, std::string("camera: ") + error.what()};

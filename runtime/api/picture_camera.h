@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A caller's camera as one of a loaded scene.
+// Converts a caller's camera for a loaded scene.
 #pragma once
 
 #include "pointrt/render.hpp"
@@ -7,8 +7,8 @@
 
 namespace pointrt {
 
-/// request: what loaded was loaded with, whose camera says what LookAt does not.
-/// Throws Error kBadUsage for what is no camera, or stands more than 10000 radii of the scene away.
+/// request: the request for loaded, whose camera completes a LookAt.
+/// Throws Error kBadUsage for invalid cameras and those more than 10000 scene radii away.
 Camera sceneCamera(const PictureCamera& camera, const LoadedScene& loaded, const LoadRequest& request, PixelSize size);
 
 } // namespace pointrt

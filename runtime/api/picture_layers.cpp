@@ -36,7 +36,7 @@ std::string knownNames() {
 void requireKnown(const std::string& name) {
     for (const PictureLayerKind& kind : pictureLayers())
         if (kind.name == name) return;
-    throw Error{ExitCode::kBadUsage, "pictures have no layer \"" + name + "\"; they have " + knownNames()};
+    throw Error{ExitCode::kBadUsage, "unknown layer \"" + name + "\"; known layers are " + knownNames()};
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A film's arrays as the layers of a caller's picture.
+// Converts a film to the layers of a caller's picture.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace pointrt {
 
-/// Whether one of them is of first hits. Throws Error kBadUsage for a name that no layer has.
+/// True if a layer needs first hits. Throws Error kBadUsage for an unknown layer.
 bool wantsFirstHits(const std::vector<std::string>& layers);
 
-/// Moves the arrays with these names out of film.
+/// Moves the layers with these names out of film.
 Picture pictureOf(Film film, const std::vector<std::string>& layers);
 
 } // namespace pointrt

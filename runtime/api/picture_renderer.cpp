@@ -24,7 +24,7 @@ SceneDescription describe(const std::vector<std::string>& paths, PictureOptions&
     if (paths.empty()) throw Error(ExitCode::kBadUsage, "a scene needs at least one file");
     for (const std::string& path : paths) {
         if (isSceneFile(path) && paths.size() > 1)
-            throw Error(ExitCode::kBadUsage, path + ": a scene file stands alone; it names its scans itself");
+            throw Error(ExitCode::kBadUsage, path + ": a scene file cannot be combined with other files");
         if (!isSceneFile(path) && !isTileSet(path)) requirePro(path);
     }
     picture.options.scene = paths.front();
@@ -43,9 +43,9 @@ LoadRequest requestFor(const std::vector<std::string>& paths, const PictureSetti
 PixelSize sizeOf(std::uint32_t width, std::uint32_t height) {
     for (const std::uint32_t side : {width, height})
         if (side < 1 || side > kMaxPixelSide)
-            throw Error(ExitCode::kBadUsage, "a picture's width and height are 1 to " + std::to_string(kMaxPixelSide) +
-                                                 " pixels each, not " + std::to_string(width) + " x " +
-                                                 std::to_string(height));
+            throw Error(ExitCode::kBadUsage, "the picture's width and height must be 1 to " +
+                                                 std::to_string(kMaxPixelSide) + " pixels each, not " +
+                                                 std::to_string(width) + " x " + std::to_string(height));
     return {width, height};
 }
 
@@ -69,22 +69,22 @@ struct PictureRenderer::State {
     Picture render(const PictureCamera& camera, PixelSize size, const std::vector<std::string>& layers,
                    const std::function<bool()>& give_up) {
         const std::lock_guard turn(mutex);
-        const bool filtered = loaded->settings.denoise == DenoiseChoice::kOn; // which first hits guide
+        const bool filtered = loaded->settings.denoise == DenoiseChoice::kOn; // which needs first hits
         const bool first_hits = wantsFirstHits(layers) || filtered;
         const SeriesShot shot{sceneCamera(camera, *loaded, request, size), size, first_hits, true};
         FrameJob job;
         job.samples = loaded->settings.spp;
-        // even of one that never is: bands take turns then, as those of files do, and keep the parts of their light
+        // set even without give_up: bands are then rendered in turn, as for files, and keep their light components
         job.interrupted = [&] { return given_up = given_up || (give_up && give_up()); };
         given_up = false;
         Film film = series->render(shot, job);
-        if (given_up) throw Error(ExitCode::kCannotRun, "the picture was given up");
+        if (given_up) throw Error(ExitCode::kCannotRun, "rendering was cancelled");
         if (filtered) denoisePicture(device, film);
         return pictureOf(std::move(film), layers);
     }
 
     std::shared_ptr<TraceDevice::State> owner;
-    Device device; ///< a worker of the owner's
+    Device device; ///< a worker of the owner's device
     LoadRequest request;
     std::unique_ptr<LoadedScene> loaded;
     std::optional<CameraSeries> series;

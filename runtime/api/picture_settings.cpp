@@ -15,10 +15,10 @@ namespace pointrt {
 namespace {
 
 constexpr std::string_view kDashes = "--";
-/// Of the options that have no row in the table of settings, those that scenes in memory have as well.
+/// Options outside the table of settings that pictures in memory support too.
 constexpr std::string_view kOtherOptions[] = {"--up", "--memory"};
 constexpr const char* kStagedFor = "--staged-for";
-/// Settings of files of 8 bits, and what render() has an argument for.
+/// Settings that only affect 8-bit files, or that are arguments of render().
 constexpr std::string_view kElsewhere[] = {"--size", "--exposure", "--legend"};
 
 template <typename List>
@@ -26,13 +26,13 @@ bool has(const List& list, std::string_view option) {
     return std::find(std::begin(list), std::end(list), option) != std::end(list);
 }
 
-/// As the command line has it.
+/// The name of the command line option.
 std::string optionNamed(std::string name) {
     std::replace(name.begin(), name.end(), '_', '-');
     return std::string(kDashes) + name;
 }
 
-/// False where no row has such an option.
+/// False if the table has no such option.
 bool takeTableSetting(const std::string& option, const std::string& text, Options& options) {
     bool found = false;
     forEachRenderSetting([&](const auto& row) {
@@ -66,7 +66,7 @@ void take(const std::string& option, const std::string& text, PictureOptions& ta
     if (option == kStagedFor)
         taken.staged_for = parseVector(text);
     else if (!takeTableSetting(option, text, taken.options) && !takeOtherOption(option, text, taken.options))
-        throw std::invalid_argument("is no setting of pictures; there are " + knownNames());
+        throw std::invalid_argument("unknown setting; known settings are " + knownNames());
 }
 
 } // namespace

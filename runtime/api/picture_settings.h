@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A caller's words for settings, as what pointrt-view makes of its command line.
+// Converts a caller's settings to the options of pointrt-view.
 #pragma once
 
 #include "pointrt/render.hpp"
@@ -12,8 +12,8 @@ struct PictureOptions {
     std::optional<Vec3> staged_for; ///< SceneDescription::staged_for
 };
 
-/// Throws Error kBadUsage "NAME: reason" for names that are none, or not of pictures in memory, and for values that
-/// they cannot have.
+/// Throws Error kBadUsage "NAME: reason" for unknown names, settings that pictures in memory do not support, and
+/// invalid values.
 PictureOptions pictureOptions(const PictureSettings& settings);
 
 } // namespace pointrt

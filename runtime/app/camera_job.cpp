@@ -14,7 +14,7 @@
 #include "runtime/app/camera_pictures.h"
 #include "runtime/render/camera_series.h"
 #include "runtime/render/picture_filter.h"
-#include "runtime/scene/reach.h"
+#include "runtime/scene/camera_range.h"
 #include "runtime/scene_io/shot_names.h"
 #include "runtime/scene_io/transforms_write.h"
 #include "runtime/session/settings.h"
@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* kList = "transforms.json";
-/// A thousandth of a unit: the scale that nerfstudio takes depth pictures to have.
+/// A thousandth of a unit, nerfstudio's default scale of depth pictures.
 constexpr double kFinestDepth = 1e-3;
 constexpr double kMostDepths = 65535;
 
@@ -42,7 +42,7 @@ void makeFolder(const std::string& path) {
     if (failure) throw Error{ExitCode::kCannotWrite, path + ": " + failure.message()};
 }
 
-/// What the list is read from must not be what is written.
+/// Refuses to overwrite the list that is read.
 void requireListApart(const Options& options) {
     const fs::path given(options.cameras);
     for (const std::string& input : {given.string(), (given / kList).string()})
@@ -54,29 +54,27 @@ void requireSizes(const std::vector<CameraShot>& shots, const Options& options) 
     if (!options.choices.size) return;
     for (const CameraShot& shot : shots)
         if (shot.size != *options.choices.size)
-            throw Error{ExitCode::kBadUsage, "--size: " + shot.place + "says " + std::to_string(shot.size.width) + "x" +
+            throw Error{ExitCode::kBadUsage, "--size: " + shot.place + "has " + std::to_string(shot.size.width) + "x" +
                                                  std::to_string(shot.size.height) +
-                                                 "; it is for lists that tell no size"};
+                                                 "; --size is only for lists without sizes"};
 }
 
-void tellDropped(const std::vector<CameraShot>& shots, const Options& options) {
+void reportDistortion(const std::vector<CameraShot>& shots, const Options& options) {
     const auto distorted =
         std::count_if(shots.begin(), shots.end(), [](const CameraShot& shot) { return !shot.distortion.empty(); });
     if (distorted == 0 || options.quiet) return;
-    std::fprintf(
-        stderr,
-        "pointrt-view: %s: the lenses of %zu of %zu cameras are distorted; pictures are rendered as if they were not\n",
-        options.cameras.c_str(), static_cast<std::size_t>(distorted), shots.size());
+    std::fprintf(stderr, "pointrt-view: %s: the lenses of %zu of %zu cameras have distortion, which is ignored\n",
+                 options.cameras.c_str(), static_cast<std::size_t>(distorted), shots.size());
 }
 
 Camera cameraOf(const CameraShot& shot, const Bounds& bounds) {
-    if (!isWithinReach(shot.pose.eye, bounds.lo, bounds.hi))
+    if (!isWithinCameraRange(shot.pose.eye, bounds.lo, bounds.hi))
         throw Error{ExitCode::kBadInput,
-                    shot.place + "the camera of " + printable(shot.name) + " stands more than 10000 scene radii away"};
+                    shot.place + "the camera of " + printable(shot.name) + " is more than 10000 scene radii away"};
     return pinholeCamera(shot.pose, shot.lens, shot.size);
 }
 
-/// From any of the eyes to the farthest corner of the scene.
+/// The largest distance from an eye to a corner of the scene.
 double farthestDepth(const std::vector<CameraShot>& shots, const Bounds& bounds) {
     double farthest = 0;
     for (const CameraShot& shot : shots) {
@@ -99,11 +97,11 @@ double depthUnit(const CameraPlan& plan, const Options& options, const Bounds& b
 SeriesShot seriesShot(const Camera& camera, PixelSize size, const Options& options, bool filtered) {
     const CameraOutput& output = options.camera_output;
     const bool first_hits = output.depth || output.normal || output.instance || output.exr || filtered;
-    const bool goes_on = options.limits.seconds || options.limits.noise; // which takes the parts
-    return {camera, size, first_hits, output.exr || goes_on};
+    const bool refines = options.limits.seconds || options.limits.noise; // which needs the light components
+    return {camera, size, first_hits, output.exr || refines};
 }
 
-/// The pictures of a plan, one after the other.
+/// Renders the pictures of a plan one by one.
 class CameraRun {
 public:
     CameraRun(RenderSession& session, const CameraPlan& plan, const Options& options, Report& report)
@@ -121,7 +119,7 @@ public:
         for (std::size_t i = 0; i < plan_.shots.size() && renderShot(i); ++i) continue;
         progress_.finish();
         if (!list_.shots.empty()) writeTransforms(listPath(options_), list_);
-        tellEnd();
+        reportEnd();
     }
 
 private:
@@ -130,7 +128,7 @@ private:
         job.samples = session_.settings.spp;
         job.limits = options_.limits;
         job.interrupted = interrupted;
-        job.band_by_band = !options_.camera_output.exr; // else as an EXR by itself would be
+        job.band_by_band = !options_.camera_output.exr; // EXRs are rendered like single EXRs
         const std::string place =
             "picture " + std::to_string(i + 1) + " of " + std::to_string(plan_.shots.size()) + ", ";
         job.progress = [this, i, place](const FrameState& state, double share) {
@@ -140,7 +138,7 @@ private:
         return job;
     }
 
-    /// False where it was interrupted: nothing is written then.
+    /// False if interrupted; the picture is not written then.
     bool renderShot(std::size_t i) {
         const CameraShot& shot = plan_.shots[i];
         const bool filtered = session_.settings.denoise == DenoiseChoice::kOn;
@@ -161,17 +159,17 @@ private:
         return true;
     }
 
-    void tellEnd() const {
+    void reportEnd() const {
         const std::size_t count = list_.shots.size();
         if (farther_ > 0 && !options_.quiet)
-            std::fprintf(stderr, "pointrt-view: %s: %llu pixels are farther than 65535 units of %s, and 0 in depth\n",
+            std::fprintf(stderr, "pointrt-view: %s: %llu pixels are farther than 65535 depth units of %s and are 0\n",
                          options_.output.c_str(), static_cast<unsigned long long>(farther_),
                          plainText(files_.depth_unit).c_str());
         if (count < plan_.shots.size())
-            std::fprintf(stderr, "pointrt-view: %s: interrupted, %zu of %zu pictures are written\n",
-                         options_.output.c_str(), count, plan_.shots.size());
+            std::fprintf(stderr, "pointrt-view: %s: interrupted after %zu of %zu pictures\n", options_.output.c_str(),
+                         count, plan_.shots.size());
         else if (options_.verbose)
-            std::fprintf(stderr, "wrote %zu pictures, and %s\n", count, listPath(options_).c_str());
+            std::fprintf(stderr, "wrote %zu pictures and %s\n", count, listPath(options_).c_str());
     }
 
     RenderSession& session_;
@@ -182,7 +180,7 @@ private:
     RenderProgress progress_;
     CameraFiles files_;
     TransformsFile list_;
-    std::uint64_t farther_ = 0; ///< pixels that depth's numbers do not tell
+    std::uint64_t farther_ = 0; ///< pixels beyond the range of depth
 };
 
 } // namespace
@@ -195,13 +193,13 @@ CameraPlan planCameras(Options& options) {
     requireListApart(options);
     makeFolder(options.output);
     requireWritable(listPath(options));
-    tellDropped(plan.shots, options);
+    reportDistortion(plan.shots, options);
     options.choices.size = plan.shots.front().size;
     return plan;
 }
 
 void renderCameras(RenderSession& session, const CameraPlan& plan, const Options& options, Report& report) {
-    noteInterrupts();
+    catchInterrupts();
     session.renderer.reset();
     CameraRun(session, plan, options, report).run();
 }

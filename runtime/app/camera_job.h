@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a scene and a list of cameras to a folder of pictures.
+// Renders the pictures of a list of cameras into a folder.
 #pragma once
 
 #include <string>
@@ -12,21 +12,21 @@
 
 namespace pointrt {
 
-/// A list, and what its pictures are called.
+/// A camera list, and the names of its pictures.
 struct CameraPlan {
     std::vector<CameraShot> shots;
     std::vector<std::string> names; ///< shotNames
 };
 
-/// Reads options.cameras, makes the folder options.output, and gives options the size of the first picture, so that the
-/// session has the room for it. Says on standard error, unless it is to be quiet, that distortion was dropped.
-/// Throws Error kBadInput as readCameraList and shotNames do, kBadUsage where --size contradicts the list or the list
-/// would be written over, kCannotWrite.
+/// Reads options.cameras, creates the folder options.output, and sets options' picture size to that of the first
+/// picture, for the session. Warns on standard error, unless quiet, if distortion is dropped. Throws Error kBadInput as
+/// readCameraList and shotNames do, kBadUsage if --size contradicts the list or the list would be overwritten,
+/// kCannotWrite.
 CameraPlan planCameras(Options& options);
 
-/// Renders the plan's pictures one by one, and then writes transforms.json with those that are there: all, but where it
-/// was interrupted. Throws Error kBadInput "PLACE: reason" for a camera too far from the scene, else as CameraSeries
-/// and writeCameraFiles do.
+/// Renders the plan's pictures one by one, then writes transforms.json with the finished ones: all unless interrupted.
+/// Throws Error kBadInput "PLACE: reason" for a camera too far from the scene, else as CameraSeries and
+/// writeCameraFiles do.
 void renderCameras(RenderSession& session, const CameraPlan& plan, const Options& options, Report& report);
 
 } // namespace pointrt

@@ -30,7 +30,7 @@ void writeAlbedo(const std::string& path, const Film& film, float stops) {
     writeColors(path, colors, stops);
 }
 
-/// -1 to 1 as 0 to 255, so that 128 is no direction.
+/// Maps -1 to 1 to 0 to 255; 128 128 128 is the zero vector, no hit.
 std::uint8_t directionByte(float component) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(127.5f * component + 127.5f, 0.0f, 255.0f)));
 }
@@ -45,7 +45,7 @@ void writeNormals(const std::string& path, const Film& film) {
 
 void writeInstances(const std::string& path, const Film& film) {
     std::vector<std::uint16_t> numbers;
-    for (const std::uint32_t id : film.instance_id) // of which there are 255 at most
+    for (const std::uint32_t id : film.instance_id) // at most 255 instances
         numbers.push_back(id < kMaxNumber ? static_cast<std::uint16_t>(id + 1) : std::uint16_t{0});
     writePng16(path, film.width, numbers);
 }
@@ -63,7 +63,7 @@ std::uint64_t writeDepths(const std::string& path, const Film& film, const Pinho
     return farther;
 }
 
-/// A layer's folder and suffix, and what nerfstudio calls its file, if it has a word.
+/// The folder and suffix of a layer, and its key in transforms.json.
 struct LayerFile {
     bool CameraOutput::*member;
     const char *folder, *suffix, *key;
@@ -80,7 +80,7 @@ std::string pathOf(const LayerFile& layer, const std::string& name) {
     return std::string(layer.folder) + "/" + name + layer.suffix;
 }
 
-/// In the folder, whose folders are made.
+/// The path of a layer's file, in a folder that is created.
 std::string readyPath(const CameraFiles& files, const LayerFile& layer, const std::string& name) {
     const fs::path path = fs::path(files.folder) / pathOf(layer, name);
     std::error_code failure;
@@ -102,7 +102,7 @@ std::vector<std::pair<std::string, std::string>> fileNames(const CameraOutput& o
     std::vector<std::pair<std::string, std::string>> names;
     for (const LayerFile& layer : kLayerFiles) {
         if (!(output.*layer.member)) continue;
-        // every list has pictures: where there is no rgb, the first of what there is
+        // file_path is required: without rgb it names the first layer
         if (names.empty()) names.emplace_back(kRgb.key, pathOf(layer, name));
         if (layer.member != kRgb.member) names.emplace_back(layer.key, pathOf(layer, name));
     }

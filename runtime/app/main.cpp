@@ -34,7 +34,7 @@ namespace {
 using namespace pointrt;
 
 #ifdef POINTRT_HAS_WINDOW
-constexpr const char* kWindowBakes = ", as the window does of itself";
+constexpr const char* kWindowBakes = ", as the window does automatically";
 #else
 constexpr const char* kWindowBakes = "";
 #endif
@@ -61,7 +61,7 @@ void render(Options options) {
     }
     const std::string json = reportJson(report);
     if (options.bench_frames != 0) writeReport("-", json);
-    // A benchmark has already printed it.
+    // a benchmark has already printed it
     if (!options.stats.empty() && !(options.bench_frames != 0 && options.stats == "-"))
         writeReport(options.stats, json);
 }
@@ -75,13 +75,13 @@ void showWindow(const Options& options) {
 #ifdef POINTRT_HAS_WINDOW
     runWindow(options);
 #else
-    throw Error{ExitCode::kBadUsage, "this build has no window; -o FILE.png or -o FILE.exr renders to a file"};
+    throw Error{ExitCode::kBadUsage, "this build has no window; render to a file with -o FILE.png or -o FILE.exr"};
 #endif
 }
 
 int run(int argc, const char* const* argv) {
     keepWorkingWithoutReaders();
-    secondsSinceStart(); // where the kernel does not tell, the clock starts here
+    secondsSinceStart(); // starts the clock on systems without /proc
     Options options;
     if (const std::optional<int> done = parseOptions(argc, argv, options)) return *done;
     if (options.list_devices)
@@ -91,8 +91,9 @@ int run(int argc, const char* const* argv) {
     else
         render(options);
     if (const std::uint64_t messages = validationMessages())
-        throw Error{ExitCode::kCannotRun, "the validation layer had " + std::to_string(messages) + " messages"};
-    passInterruptOn();
+        throw Error{ExitCode::kCannotRun,
+                    "the Vulkan validation layer reported " + std::to_string(messages) + " messages"};
+    raiseInterrupt();
     return 0;
 }
 

@@ -33,11 +33,11 @@ std::uint64_t bytesInRows(const RenderSession& session, const Options& options) 
     return band * filmBytesPerPixel(settings) + noise;
 }
 
-/// A film that is gone on with is held twice while it is read: as in the file, and as in memory.
+/// A resumed film is in memory twice while it is read: as decoded from the file, and as a film.
 std::uint64_t bytesOfFilm(const RenderSession& session, const Options& options) {
     const std::uint64_t pixels = std::uint64_t{session.settings.width} * session.settings.height;
-    const bool goes_on = options.resume && std::filesystem::exists(options.output);
-    return (goes_on ? 2 : 1) * pixels * filmBytesPerPixel(session.settings);
+    const bool is_resumed = options.resume && std::filesystem::exists(options.output);
+    return (is_resumed ? 2 : 1) * pixels * filmBytesPerPixel(session.settings);
 }
 
 std::string named(const Options& options) { return options.output.empty() ? "" : options.output + ": "; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What pictures take of memory, known before the work begins.
+// The memory that a picture needs, checked before rendering.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,17 @@
 
 namespace pointrt {
 
-/// True where the picture is written as it is rendered, row by row, and never held whole: a PNG without limits. What
-/// may end by its time or noise is refined all over, again and again.
+/// True if the picture is written row by row while it is rendered: PNGs without limits. With a time or noise limit the
+/// whole picture is refined repeatedly instead.
 bool writesAsItRenders(const Options& options);
 
-/// Whether the report tells how noisy the picture is.
+/// True if the report includes the picture's noise.
 bool reportsNoise(const Options& options);
 
-/// Bytes, beside what the session has already: the film, whole or a band of it, the filter, and what tells the noise.
+/// Bytes in addition to the session's: the film or a band of it, the denoiser, and the noise estimate.
 std::uint64_t pictureBytes(const RenderSession& session, const Options& options);
 
-/// Throws Error kCannotRun "PATH: reason" where there is less memory than that.
+/// Throws Error kCannotRun "PATH: reason" if less memory is available.
 void requirePictureMemory(const RenderSession& session, const Options& options);
 
 } // namespace pointrt

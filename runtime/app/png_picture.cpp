@@ -12,13 +12,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kPixelsAtOnce = 1 << 20; ///< of 8 bits: enough for all cores
+constexpr std::size_t kPixelsAtOnce = 1 << 20; ///< tone-mapped at once: enough work for all cores
 
 double millisecondsSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-/// Without light, and without guides.
+/// Black rows, without guides for the denoiser.
 Film blankRows(std::uint32_t width, std::uint32_t rows) {
     Film film;
     film.width = width;
@@ -60,7 +60,7 @@ void PngPicture::write(std::span<const float> rgba) {
         const std::span<const float> part = rgba.first(std::min(step, rgba.size()));
         bytes_.resize(part.size() / 4 * 3);
         tonemapPixels(part, plan_.stops, bytes_.data());
-        if (legend_) layOn(*legend_, {bytes_, plan_.size.width, written_});
+        if (legend_) compositeLegend(*legend_, {bytes_, plan_.size.width, written_});
         written_ += part.size() / row_floats;
         png_->addRows(bytes_);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A film's rows to a PNG, as they come: filtered where that is wanted, and brought to 8 bits.
+// Writes the rows of a film to a PNG as they are rendered: denoised if requested, tone-mapped to 8 bits.
 #pragma once
 
 #include <cstdint>
@@ -20,20 +20,20 @@ namespace pointrt {
 struct PngPlan {
     std::string path;
     PixelSize size;
-    float stops = 0; ///< of exposure
+    float stops = 0; ///< exposure
     std::optional<FilterPlan> filter;
-    std::optional<Legend> legend; ///< to lie on the picture
+    std::optional<Legend> legend; ///< composited over the picture
     Writing writing = Writing::kWhole;
 };
 
 class PngPicture {
 public:
-    /// Throws Error kCannotRun where the device has not got the memory for the filter.
+    /// Throws Error kCannotRun if the device has too little memory for the denoiser.
     PngPicture(Device& device, PngPlan plan);
 
-    /// The next rows, from the top: film's from first on. Throws Error kCannotWrite "PATH: reason".
+    /// Adds the next rows from the top: those of film from first on. Throws Error kCannotWrite "PATH: reason".
     void addRows(const Film& film, std::uint32_t first, std::uint32_t rows);
-    /// The file is there then, rows that have not come black. Throws as addRows.
+    /// Completes the file; missing rows are black. Throws as addRows.
     void finish();
 
     double filterMilliseconds() const { return filter_ms_; }
@@ -44,11 +44,11 @@ private:
 
     PngPlan plan_;
     std::optional<PictureFilter> filter_;
-    std::optional<PngWriter> png_; ///< from the first row on
+    std::optional<PngWriter> png_; ///< opened with the first row
     std::optional<LegendPicture> legend_;
     std::vector<std::uint8_t> bytes_;
     std::size_t written_ = 0; ///< rows
-    std::uint32_t rows_ = 0;  ///< that have come
+    std::uint32_t rows_ = 0;  ///< received
     double filter_ms_ = 0, write_ms_ = 0;
 };
 

@@ -41,8 +41,8 @@ RenderPlan planOf(const RenderSession& session) {
     return {settings, session.camera, tilingFor(session.device, settings.width, settings.height)};
 }
 
-/// A frame of options. A picture that cannot be gone on with gets what it gets band by band, and the same samples
-/// whether it could be interrupted or not.
+/// The job of one frame. Pictures that cannot be resumed are rendered band by band, with the same samples whether or
+/// not they can be interrupted.
 FrameJob jobOf(const RenderSession& session, const Options& options) {
     FrameJob job;
     job.samples = session.settings.spp;
@@ -52,7 +52,7 @@ FrameJob jobOf(const RenderSession& session, const Options& options) {
     return job;
 }
 
-/// Renders one frame, from start on if there is one.
+/// Renders one frame, continuing start if given.
 FrameState renderTimed(RenderSession& session, const FrameJob& job, std::optional<Film> start, Report& report) {
     const Clock::time_point begin = Clock::now();
     const std::clock_t cpu = std::clock();
@@ -77,7 +77,7 @@ FrameState renderShown(RenderSession& session, const Options& options, FrameJob 
     return state;
 }
 
-/// The first frame is the warm-up of a benchmark, and all there is otherwise.
+/// Renders the picture; for a benchmark this frame is the warm-up, and the measured frames follow.
 FrameState renderFrames(RenderSession& session, const Options& options, std::optional<Film> start, Report& report) {
     const FrameJob job = jobOf(session, options);
     FrameState state = renderShown(session, options, job, std::move(start), report);
@@ -92,7 +92,7 @@ FrameState renderFrames(RenderSession& session, const Options& options, std::opt
     return state;
 }
 
-/// The picture of the frame that has ended as state, with the filter where it is wanted.
+/// The finished film of a frame that ended in state, denoised if requested.
 Film finishFilm(RenderSession& session, Film film, const Options& options, const FrameState& state, Report& report) {
     report.samples = state.samples;
     report.noise = relativeNoise(film);
@@ -103,7 +103,7 @@ Film finishFilm(RenderSession& session, Film film, const Options& options, const
     return film;
 }
 
-/// What asks for a thumbnail may have made its file, and hold it open.
+/// Thumbnails are written in place: the file manager may have created the file and hold it open.
 PngPlan pngPlan(const RenderSession& session, const Options& options, const std::string& path) {
     const RenderSettings& settings = session.settings;
     PngPlan plan{path, {settings.width, settings.height}, settings.exposure, {}, {}, Writing::kWhole};
@@ -123,45 +123,46 @@ void writeImage(RenderSession& session, const Options& options, const std::strin
     writeSavedFilm(path, {std::move(film), samples, session.settings.seed, signature});
 }
 
-/// "; N of M rows have none and are black" of rows without samples.
+/// "; N of M rows have no samples and are black", or "".
 std::string emptyRows(const RenderSession& session, const FrameState& state) {
     if (state.empty_rows == 0) return "";
     return "; " + std::to_string(state.empty_rows) + " of " + std::to_string(session.settings.height) +
-           " rows have none and are black";
+           " rows have no samples and are black";
 }
 
-const char* goingOn(const std::string& path) { return path.ends_with(".exr") ? "; --resume goes on" : ""; }
+const char* resumeAdvice(const std::string& path) { return path.ends_with(".exr") ? "; continue with --resume" : ""; }
 
-/// A time limit may leave rows without any sample.
-void tellEmptyRows(const std::string& path, const RenderSession& session, const FrameState& state) {
+/// Warns of rows that a time limit left without samples.
+void reportEmptyRows(const std::string& path, const RenderSession& session, const FrameState& state) {
     if (state.empty_rows == 0) return;
-    std::fprintf(stderr, "pointrt-view: %s: the time was up within the first sample%s\n", path.c_str(),
+    std::fprintf(stderr, "pointrt-view: %s: the time limit was reached during the first sample%s\n", path.c_str(),
                  emptyRows(session, state).c_str());
 }
 
-void tellInterrupt(const std::string& path, const RenderSession& session, const FrameState& state) {
+void reportInterrupt(const std::string& path, const RenderSession& session, const FrameState& state) {
     if (state.traced == 0)
-        std::fprintf(stderr, "pointrt-view: %s: interrupted before there was anything to write\n", path.c_str());
+        std::fprintf(stderr, "pointrt-view: %s: interrupted before the first sample\n", path.c_str());
     else
         std::fprintf(stderr, "pointrt-view: %s: interrupted at %u of %u samples%s%s\n", path.c_str(), state.samples,
-                     session.settings.spp, emptyRows(session, state).c_str(), goingOn(path));
+                     session.settings.spp, emptyRows(session, state).c_str(), resumeAdvice(path));
 }
 
-/// What is not in the picture, for people.
-void tellEnd(const Options& options, const RenderSession& session, const FrameState& state, const Report& report) {
+/// Reports an incomplete picture to the user.
+void reportEnd(const Options& options, const RenderSession& session, const FrameState& state, const Report& report) {
     const std::string& path = options.output;
     if (interrupted())
-        tellInterrupt(path, session, state);
+        reportInterrupt(path, session, state);
     else if (state.traced == 0 && !options.quiet)
-        std::fprintf(stderr, "pointrt-view: %s: nothing to do, it has %u samples\n", path.c_str(), state.samples);
+        std::fprintf(stderr, "pointrt-view: %s: nothing to do: it already has %u samples\n", path.c_str(),
+                     state.samples);
     else
-        tellEmptyRows(path, session, state);
+        reportEmptyRows(path, session, state);
     if (options.verbose && state.traced > 0)
         std::fprintf(stderr, "%u samples, noise %.4f; denoised in %.0f ms; wrote %s\n", report.samples, report.noise,
                      report.denoise_ms, path.c_str());
 }
 
-/// With the filter where that is wanted of a picture that gets all its samples.
+/// The plan of a picture that gets all its samples, with the denoiser if requested.
 PngPlan pngPlanFiltered(const RenderSession& session, const Options& options) {
     const RenderSettings& settings = session.settings;
     PngPlan plan = pngPlan(session, options, options.output);
@@ -170,7 +171,7 @@ PngPlan pngPlanFiltered(const RenderSession& session, const Options& options) {
     return plan;
 }
 
-/// Writes the picture while it is rendered. What that takes does not count as rendering.
+/// Writes the picture while it is rendered; the time for writing is not counted as rendering.
 void renderInRows(RenderSession& session, const Options& options, Report& report) {
     const Clock::time_point start = Clock::now();
     PngPicture picture(session.device, pngPlanFiltered(session, options));
@@ -194,7 +195,7 @@ void renderInRows(RenderSession& session, const Options& options, Report& report
     report.samples = state.samples;
     report.noise = noise.noise();
     report.denoise_ms = picture.filterMilliseconds();
-    tellEnd(options, session, state, report);
+    reportEnd(options, session, state, report);
 }
 
 std::string signatureFor(const RenderSession& session, const std::string& path) {
@@ -203,9 +204,9 @@ std::string signatureFor(const RenderSession& session, const std::string& path) 
                                   : "";
 }
 
-/// False where it was interrupted: nothing is written then.
-bool renderTurn(RenderSession& session, const Options& options, std::uint32_t turn, RenderProgress& progress,
-                Report& report) {
+/// Renders one picture of a turntable. False if interrupted; the picture is not written then.
+bool renderTurntablePicture(RenderSession& session, const Options& options, std::uint32_t turn,
+                            RenderProgress& progress, Report& report) {
     const std::string path = frameName(options.output, turn);
     const std::string place = "picture " + std::to_string(turn + 1) + " of " + std::to_string(options.turntable) + ", ";
     FrameJob job = jobOf(session, options);
@@ -218,7 +219,7 @@ bool renderTurn(RenderSession& session, const Options& options, std::uint32_t tu
     Film film = finishFilm(session, session.renderer->takeFilm(), options, state, report);
     if (interrupted()) return false;
     writeImage(session, options, path, signatureFor(session, path), std::move(film));
-    tellEmptyRows(path, session, state);
+    reportEmptyRows(path, session, state);
     return true;
 }
 
@@ -226,36 +227,36 @@ bool renderTurn(RenderSession& session, const Options& options, std::uint32_t tu
 
 void renderPicture(RenderSession& session, const Options& options, Report& report) {
     requirePictureMemory(session, options);
-    if (!options.output.empty()) noteInterrupts();
+    if (!options.output.empty()) catchInterrupts();
     if (writesAsItRenders(options)) return renderInRows(session, options, report);
     const std::string signature = signatureFor(session, options.output);
     std::optional<Film> start;
     if (options.resume) start = filmToResume(options.output, signature, session.settings);
-    const bool filtered_anew = start && session.settings.denoise == DenoiseChoice::kOn;
+    const bool denoised_again = start && session.settings.denoise == DenoiseChoice::kOn;
     const FrameState state = renderFrames(session, options, std::move(start), report);
     Film film = session.renderer->takeFilm();
     dropRenderer(session);
     film = finishFilm(session, std::move(film), options, state, report);
     if (options.output.empty()) return;
-    if (state.traced > 0 || filtered_anew) writeImage(session, options, options.output, signature, std::move(film));
-    tellEnd(options, session, state, report);
+    if (state.traced > 0 || denoised_again) writeImage(session, options, options.output, signature, std::move(film));
+    reportEnd(options, session, state, report);
 }
 
 void renderTurntable(RenderSession& session, const Options& options, Report& report) {
     const TurntableAxis axis = turntableAxis(*session.loaded);
     const Camera first = session.camera;
     requirePictureMemory(session, options);
-    noteInterrupts();
+    catchInterrupts();
     RenderProgress progress(options.quiet, options.verbose, options.progress_lines);
     std::uint32_t turn = 0;
     for (; turn < options.turntable; ++turn) {
         session.camera = turntableCamera(first, axis, turn, options.turntable);
-        if (!renderTurn(session, options, turn, progress, report)) break;
+        if (!renderTurntablePicture(session, options, turn, progress, report)) break;
     }
     progress.finish();
     if (turn < options.turntable)
-        std::fprintf(stderr, "pointrt-view: %s: interrupted, %u of %u pictures are written\n", options.output.c_str(),
-                     turn, options.turntable);
+        std::fprintf(stderr, "pointrt-view: %s: interrupted after %u of %u pictures\n", options.output.c_str(), turn,
+                     options.turntable);
     else if (options.verbose)
         std::fprintf(stderr, "wrote %u pictures, the last %s\n", turn, frameName(options.output, turn - 1).c_str());
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The programs for batches of rays, built for what targets are like.
+// The programs for ray casts, specialised by the traits of instances.
 #pragma once
 
 #include <compare>
@@ -11,11 +11,11 @@
 
 namespace pointrt {
 
-/// How rays come to a program: packed by the host (shaders/cast/packed_rays.glsl), or as callers have them
-/// (given_rays.glsl), for what takesGiven tells (runtime/cast/given_rays.h).
+/// The layout of a program's rays: packed by the host (shaders/cast/packed_rays.glsl), or the caller's
+/// (given_rays.glsl) where takesGiven allows it (runtime/cast/given_rays.h).
 enum class RayForm { kPacked, kFloats, kDoubles };
 
-/// What a pair of programs is built for.
+/// What a pair of programs is specialised for.
 struct CastKind {
     InstanceTraits traits;
     RayForm form = RayForm::kPacked;
@@ -27,7 +27,7 @@ struct CastPair {
     Program first_hit, any_hit;
 };
 
-/// Each pair is built when it is first asked for, and stays. From several threads.
+/// Builds each pair on first use and keeps it. Thread-safe.
 class CastPrograms {
 public:
     explicit CastPrograms(Device& device) : device_(device) {}
@@ -35,7 +35,7 @@ public:
     CastPrograms(const CastPrograms&) = delete;
     CastPrograms& operator=(const CastPrograms&) = delete;
 
-    /// Throws Error kCannotRun where the driver refuses one.
+    /// Throws Error kCannotRun if the driver cannot build one.
     const CastPair& of(const CastKind& kind);
 
 private:

@@ -12,10 +12,10 @@
 namespace pointrt {
 namespace {
 
-/// Rays that a thread takes at once where each is little work.
+/// Rays per task of a thread where each ray is little work.
 constexpr std::size_t kFewRays = 1u << 14;
 
-/// work(i) for each of count, on all cores.
+/// Calls work(i) for i < count on all cores.
 template <typename Work>
 void forRays(std::size_t count, const Work& work) {
     forAll((count + kFewRays - 1) / kFewRays, [&](std::size_t part) {
@@ -28,25 +28,25 @@ Line lineOf(const ScaledRay& ray, double t_min) {
     return {ray.origin, {1 / ray.direction.x, 1 / ray.direction.y, 1 / ray.direction.z}, t_min};
 }
 
-/// A part of the rows, from first on, that goes to the device at once.
+/// Rows, from first on, that go to the device in one submission.
 struct Chunk {
     std::size_t first = 0, count = 0;
     std::vector<CastRun> runs;
 };
 
-/// Cuts queues that follow each other into chunks for so many threads.
-class Cutter {
+/// Divides consecutive queues into chunks for a number of threads.
+class ChunkBuilder {
 public:
-    Cutter(std::size_t rows, std::size_t threads)
+    ChunkBuilder(std::size_t rows, std::size_t threads)
         : most_(std::clamp((rows + threads - 1) / threads, kFewRays, CastSlot::kRays)) {}
 
-    void add(const PlacedTarget* target, std::uint32_t count) {
+    void add(const ResidentInstance* instance, std::uint32_t count) {
         while (count > 0) {
             if (chunks_.empty() || chunks_.back().count == most_ || chunks_.back().runs.size() == CastSlot::kRuns)
                 chunks_.push_back({taken_, 0, {}});
             Chunk& chunk = chunks_.back();
             const auto fitting = static_cast<std::uint32_t>(std::min<std::size_t>(count, most_ - chunk.count));
-            chunk.runs.push_back({target, static_cast<std::uint32_t>(chunk.count), fitting});
+            chunk.runs.push_back({instance, static_cast<std::uint32_t>(chunk.count), fitting});
             chunk.count += fitting;
             taken_ += fitting;
             count -= fitting;
@@ -63,20 +63,20 @@ private:
 } // namespace
 
 CastRounds::CastRounds(const CastScene& scene, const CastRequest& request, std::size_t first, std::size_t count)
-    : scene_(scene), request_(request), first_(first), hits_(count), stops_(count),
-      waiting_(scene.resident.list().targets.size()) {}
+    : scene_(scene), request_(request), first_(first), hits_(count), entries_(count),
+      waiting_(scene.resident.list().instances.size()) {}
 
 std::vector<RayHit> CastRounds::run() {
     forRays(hits_.size(), [&](std::size_t i) { begin(i); });
     std::vector<std::uint32_t> waiting(hits_.size());
     std::iota(waiting.begin(), waiting.end(), 0u);
-    const auto is_done = [&](std::uint32_t ray) { return stops_[ray].box == kNoStop; };
+    const auto is_done = [&](std::uint32_t ray) { return entries_[ray].box == kNoEntry; };
     for (std::erase_if(waiting, is_done); !waiting.empty(); std::erase_if(waiting, is_done)) {
         std::vector<Queue> queues = queuesOf(waiting), ready;
         std::copy_if(queues.begin(), queues.end(), std::back_inserter(ready),
-                     [&](const Queue& queue) { return scene_.resident.find(queue.target) != nullptr; });
+                     [&](const Queue& queue) { return scene_.resident.find(queue.instance) != nullptr; });
         if (ready.empty()) {
-            bringFor(std::move(queues));
+            loadFor(std::move(queues));
             continue;
         }
         const std::vector<std::uint32_t> rows = takeReady(waiting, ready);
@@ -95,53 +95,54 @@ void CastRounds::begin(std::size_t i) {
     const std::vector<ShapeDescription>& shapes = scene_.resident.list().shapes;
     if (const auto shape = firstShape(shapes, ray.origin, ray.direction, t_min, hit.t))
         hit = {shape->t, kShape, shape->shape, 0};
-    const bool is_known = request_.any_hit && hit.target != kNothing;
-    stops_[i] = is_known ? Stop{0, kNoStop} : scene_.tree.next(lineOf(ray, t_min), kBeforeAll, hit.t);
+    const bool is_known = request_.any_hit && hit.instance != kNothing;
+    entries_[i] = is_known ? BoxEntry{0, kNoEntry} : scene_.tree.next(lineOf(ray, t_min), kBeforeAllEntries, hit.t);
 }
 
-/// In lengths of its own direction.
+/// Converts t to lengths of the ray's own direction.
 void CastRounds::finish(std::size_t i) { hits_[i].t /= scaledRay(request_.rays, first_ + i).size; }
 
-/// By the number of their targets.
+/// Sorted by instance.
 std::vector<CastRounds::Queue> CastRounds::queuesOf(const std::vector<std::uint32_t>& waiting) {
     std::vector<Queue> queues;
     for (const std::uint32_t ray : waiting)
-        if (waiting_[stops_[ray].box]++ == 0) queues.push_back({stops_[ray].box, 0});
-    for (Queue& queue : queues) queue.count = std::exchange(waiting_[queue.target], 0);
-    std::sort(queues.begin(), queues.end(), [](const Queue& a, const Queue& b) { return a.target < b.target; });
+        if (waiting_[entries_[ray].box]++ == 0) queues.push_back({entries_[ray].box, 0});
+    for (Queue& queue : queues) queue.count = std::exchange(waiting_[queue.instance], 0);
+    std::sort(queues.begin(), queues.end(), [](const Queue& a, const Queue& b) { return a.instance < b.instance; });
     return queues;
 }
 
-/// The longest first.
-void CastRounds::bringFor(std::vector<Queue> queues) {
+/// The instances with the longest queues first.
+void CastRounds::loadFor(std::vector<Queue> queues) {
     std::stable_sort(queues.begin(), queues.end(), [](const Queue& a, const Queue& b) { return a.count > b.count; });
-    std::vector<std::uint32_t> targets;
-    for (const Queue& queue : queues) targets.push_back(queue.target);
-    scene_.resident.bring(targets);
+    std::vector<std::uint32_t> instances;
+    for (const Queue& queue : queues) instances.push_back(queue.instance);
+    scene_.resident.load(instances);
 }
 
-/// Out of waiting, in the order of their queues, each in the rays' own.
+/// Removes the rays of ready queues from waiting. Returns them queue by queue, in their order in waiting.
 std::vector<std::uint32_t> CastRounds::takeReady(std::vector<std::uint32_t>& waiting, const std::vector<Queue>& ready) {
     constexpr std::uint32_t kElsewhere = 0xFFFFFFFFu;
-    std::vector<std::uint32_t>& place = waiting_; // where the next ray of each target goes, from 1 on
+    std::vector<std::uint32_t>& place = waiting_; // where the next ray of each instance goes, from 1 on
     std::uint32_t total = 0;
     for (const Queue& queue : ready) {
-        place[queue.target] = total + 1;
+        place[queue.instance] = total + 1;
         total += queue.count;
     }
     std::vector<std::uint32_t> rows(total);
     for (std::uint32_t& ray : waiting)
-        if (std::uint32_t& next = place[stops_[ray].box]; next != 0) rows[next++ - 1] = std::exchange(ray, kElsewhere);
-    for (const Queue& queue : ready) place[queue.target] = 0;
+        if (std::uint32_t& next = place[entries_[ray].box]; next != 0)
+            rows[next++ - 1] = std::exchange(ray, kElsewhere);
+    for (const Queue& queue : ready) place[queue.instance] = 0;
     std::erase(waiting, kElsewhere);
     return rows;
 }
 
 void CastRounds::trace(const std::vector<std::uint32_t>& rows, const std::vector<Queue>& queues) {
-    Cutter cutter(rows.size(), scene_.slots.most());
+    ChunkBuilder cutter(rows.size(), scene_.slots.most());
     for (const Queue& queue : queues) {
-        scene_.resident.use(queue.target);
-        cutter.add(scene_.resident.find(queue.target), queue.count);
+        scene_.resident.use(queue.instance);
+        cutter.add(scene_.resident.find(queue.instance), queue.count);
     }
     const std::vector<Chunk>& chunks = cutter.chunks();
     forAll(
@@ -162,24 +163,24 @@ void CastRounds::traceChunk(CastSlot& slot, std::span<const std::uint32_t> rows,
     for (const CastRun& run : runs)
         for (std::size_t row = run.first; row < run.first + run.count; ++row) {
             const ScaledRay ray = scaledRay(request_.rays, first_ + rows[row]);
-            packed[row] = packRay(run.target->frame, ray, limitsOf(rows[row], ray.size), slot.starts[row]);
+            packed[row] = packRay(run.instance->frame, ray, limitsOf(rows[row], ray.size), slot.starts[row]);
         }
     traceSlot(slot, scene_.programs, runs, request_.any_hit);
-    for (std::size_t row = 0; row < rows.size(); ++row) settle(slot, rows[row], row);
+    for (std::size_t row = 0; row < rows.size(); ++row) finishStep(slot, rows[row], row);
 }
 
-/// What has come of a ray at its stop, and where it goes from there.
-void CastRounds::settle(CastSlot& slot, std::uint32_t i, std::size_t row) {
+/// Takes the hit of a ray in its current instance and finds its next one.
+void CastRounds::finishStep(CastSlot& slot, std::uint32_t i, std::size_t row) {
     RayHit& hit = hits_[i];
-    Stop& stop = stops_[i];
-    if (request_.any_hit && slot.stoppedRows(row + 1)[row] != 0) {
-        hit.target = std::exchange(stop, {0, kNoStop}).box;
+    BoxEntry& entry = entries_[i];
+    if (request_.any_hit && slot.occludedRows(row + 1)[row] != 0) {
+        hit.instance = std::exchange(entry, {0, kNoEntry}).box;
         return;
     }
     const ScaledRay ray = scaledRay(request_.rays, first_ + i);
     const RayLimits limits = limitsOf(i, ray.size);
-    if (!request_.any_hit) hit = hitOf(slot.hitRows(row + 1)[row], stop.box, slot.starts[row], limits, hit);
-    stop = scene_.tree.next(lineOf(ray, limits.t_min), stop, hit.t);
+    if (!request_.any_hit) hit = hitOf(slot.hitRows(row + 1)[row], entry.box, slot.starts[row], limits, hit);
+    entry = scene_.tree.next(lineOf(ray, limits.t_min), entry, hit.t);
 }
 
 } // namespace pointrt

@@ -7,10 +7,10 @@
 namespace pointrt {
 namespace {
 
-/// Of a ray as callers have it: in doubles.
+/// Bytes of a caller's ray, in doubles.
 constexpr std::uint64_t kGivenBytes = 6 * sizeof(double);
 
-/// Texels in the host's memory, which all devices reach: each ray is read once, and each hit written once.
+/// Texels in host memory, which all devices can access: each ray is read once and each hit written once.
 Buffer hostTexels(Device& device, const char* what, std::uint64_t row_bytes, VkFormat format) {
     Buffer buffer =
         createBuffer(device, what, CastSlot::kRays * row_bytes,
@@ -19,10 +19,11 @@ Buffer hostTexels(Device& device, const char* what, std::uint64_t row_bytes, VkF
     return buffer;
 }
 
-/// Descriptor sets for so many runs; they go when it does.
+/// A pool of descriptor sets for a number of runs.
 struct SetPool {
     SetPool(Device& on, std::size_t runs)
-        : device(on), handle(createDescriptorPool(on, 2 * static_cast<std::uint32_t>(runs))) {} // of some pages, too
+        : device(on), handle(createDescriptorPool(on, 2 * static_cast<std::uint32_t>(runs))) {
+    } // the second set is for pages
     ~SetPool() { destroyDescriptorPool(device, handle); }
     SetPool(const SetPool&) = delete;
     SetPool& operator=(const SetPool&) = delete;
@@ -32,18 +33,18 @@ struct SetPool {
 
 GroupCount groupsOf(std::uint32_t rays) { return {(rays + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE, 1, 1}; }
 
-/// The target's buffers, the slot's, and where the rays lie.
-DescriptorSets bind(CastSlot& slot, const Buffer& rays, VkDescriptorPool pool, const PlacedTarget& target,
+/// Binds the buffers of the instance and of the slot, and the rays.
+DescriptorSets bind(CastSlot& slot, const Buffer& rays, VkDescriptorPool pool, const ResidentInstance& instance,
                     const Program& program) {
-    std::vector<BufferBinding> bindings = scanBindings(*target.scan);
-    bindings.insert(bindings.end(), {{BINDING_INSTANCE, &target.params},
+    std::vector<BufferBinding> bindings = scanBindings(*instance.scan);
+    bindings.insert(bindings.end(), {{BINDING_INSTANCE, &instance.params},
                                      {BINDING_CAST_RAYS, &rays},
                                      {BINDING_CAST_HITS, &slot.hits},
-                                     {BINDING_CAST_STOPPED, &slot.stopped}});
+                                     {BINDING_CAST_STOPPED, &slot.occluded}});
     const VkDescriptorSet common = createDescriptorSet(slot.device, pool, program, bindings);
-    if (!isPaged(target.traits.pages)) return common;
+    if (!isPaged(instance.traits.pages)) return common;
     return {common,
-            createDescriptorSet(slot.device, pool, program, pageBindings(pagedBuffers(*target.scan)), SET_PAGES)};
+            createDescriptorSet(slot.device, pool, program, pageBindings(pagedBuffers(*instance.scan)), SET_PAGES)};
 }
 
 } // namespace
@@ -57,8 +58,8 @@ std::span<const gpu::CastHit> CastSlot::hitRows(std::size_t count) const {
 std::span<const gpu::GivenHit> CastSlot::givenHits(std::size_t count) const {
     return {static_cast<const gpu::GivenHit*>(hits.mapped), count};
 }
-std::span<const std::uint32_t> CastSlot::stoppedRows(std::size_t count) const {
-    return {static_cast<const std::uint32_t*>(stopped.mapped), count};
+std::span<const std::uint32_t> CastSlot::occludedRows(std::size_t count) const {
+    return {static_cast<const std::uint32_t*>(occluded.mapped), count};
 }
 
 CastSlot createSlot(Device& device) {
@@ -69,36 +70,36 @@ CastSlot createSlot(Device& device) {
     static_assert(sizeof(gpu::CastRay) <= kGivenBytes && sizeof(gpu::GivenHit) == sizeof(gpu::CastHit));
     slot.rays = hostTexels(slot.device, "ray buffer", kGivenBytes, VK_FORMAT_R32G32B32A32_UINT);
     slot.hits = hostTexels(slot.device, "hit buffer", sizeof(gpu::CastHit), VK_FORMAT_R32G32B32A32_UINT);
-    slot.stopped = hostTexels(slot.device, "occlusion buffer", sizeof(std::uint32_t), VK_FORMAT_R32_UINT);
+    slot.occluded = hostTexels(slot.device, "occlusion buffer", sizeof(std::uint32_t), VK_FORMAT_R32_UINT);
     return slot;
 }
 
 void destroySlot(CastSlot& slot) {
     if (!slot.device.handle) return;
-    for (Buffer* buffer : {&slot.rays, &slot.hits, &slot.stopped}) destroyBuffer(slot.device, *buffer);
+    for (Buffer* buffer : {&slot.rays, &slot.hits, &slot.occluded}) destroyBuffer(slot.device, *buffer);
     destroyWorkerDevice(slot.device);
     slot = {};
 }
 
-void traceRows(CastSlot& slot, CastPrograms& programs, const PlacedTarget& target, const Buffer& rays, RayForm form,
-               const gpu::GivenPush& push, bool any_hit) {
+void traceRows(CastSlot& slot, CastPrograms& programs, const ResidentInstance& instance, const Buffer& rays,
+               RayForm form, const gpu::GivenPush& push, bool any_hit) {
     const SetPool pool(slot.device, 1);
-    const CastPair& pair = programs.of({target.traits, form});
-    const VkCommandBuffer commands = beginCommands(slot.device);
+    const CastPair& pair = programs.of({instance.traits, form});
+    const VkCommandBuffer commands = beginCommands(slot.device, "cast rays");
     recordDispatch(commands, any_hit ? pair.any_hit : pair.first_hit,
-                   bind(slot, rays, pool.handle, target, pair.first_hit), pushBytes(push), groupsOf(push.rays));
+                   bind(slot, rays, pool.handle, instance, pair.first_hit), pushBytes(push), groupsOf(push.rays));
     recordBarrier(commands);
     submitAndWait(slot.device, commands);
 }
 
 void traceSlot(CastSlot& slot, CastPrograms& programs, std::span<const CastRun> runs, bool any_hit) {
     const SetPool pool(slot.device, runs.size());
-    const VkCommandBuffer commands = beginCommands(slot.device);
-    for (const CastRun& run : runs) { // they write to rows of their own: none waits for another
-        const CastPair& pair = programs.of({run.target->traits, RayForm::kPacked});
+    const VkCommandBuffer commands = beginCommands(slot.device, "cast rays");
+    for (const CastRun& run : runs) { // each writes its own rows: no barriers
+        const CastPair& pair = programs.of({run.instance->traits, RayForm::kPacked});
         const gpu::CastPush push{run.count, run.first, 0, 0};
         recordDispatch(commands, any_hit ? pair.any_hit : pair.first_hit,
-                       bind(slot, slot.rays, pool.handle, *run.target, pair.first_hit), pushBytes(push),
+                       bind(slot, slot.rays, pool.handle, *run.instance, pair.first_hit), pushBytes(push),
                        groupsOf(run.count));
     }
     recordBarrier(commands);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Room for one chunk of rays on its way to the device and back. Several of them, each used by a thread of its own, keep
-// the device at work while others are packed and unpacked.
+// The buffers for one chunk of rays and its hits. Several slots, each used by one thread, keep the device busy while
+// other threads pack and unpack.
 #pragma once
 
 #include <cstdint>
@@ -15,42 +15,43 @@
 
 namespace pointrt {
 
-/// Rows of a chunk that are held against one target.
+/// Consecutive rays of a chunk that are traced against one instance.
 struct CastRun {
-    const PlacedTarget* target = nullptr;
+    const ResidentInstance* instance = nullptr;
     std::uint32_t first = 0, count = 0;
 };
 
 /// Plain data: free it with destroySlot, once.
 struct CastSlot {
-    /// Rays of a chunk. 2048 workgroups fill any device of today several times; 17 MiB go back and forth.
+    /// Rays per chunk. 2048 workgroups fill any current device several times over; 17 MiB are transferred.
     static constexpr std::size_t kRays = 1u << 18;
-    /// Runs of a chunk, at most: what they bind is made anew for each chunk.
+    /// Limit for the runs of a chunk: each takes new descriptor sets.
     static constexpr std::size_t kRuns = 64;
 
-    Device device; ///< a worker of the scene's
-    Buffer rays;   ///< gpu::CastRay, or rows as callers have them
+    Device device; ///< a worker of the scene's device
+    Buffer rays;   ///< gpu::CastRay, or the caller's rays
     Buffer hits;   ///< gpu::CastHit, or gpu::GivenHit
-    Buffer stopped;
+    Buffer occluded;
     std::vector<RayStart> starts;
 
-    /// Of a chunk of count rays: where they are put, and what has come of them.
+    /// The rays and results of a chunk of count rays.
     std::span<gpu::CastRay> rayRows(std::size_t count);
     std::span<std::byte> givenBytes() { return {static_cast<std::byte*>(rays.mapped), rays.bytes}; }
     std::span<const gpu::GivenHit> givenHits(std::size_t count) const;
     std::span<const gpu::CastHit> hitRows(std::size_t count) const;
-    std::span<const std::uint32_t> stoppedRows(std::size_t count) const; ///< 0 where nothing is in the way
+    std::span<const std::uint32_t> occludedRows(std::size_t count) const; ///< 0: not occluded
 };
 
-/// Throws Error kCannotRun where memory lacks.
+/// Throws Error kCannotRun if out of memory.
 CastSlot createSlot(Device& device);
 void destroySlot(CastSlot& slot);
 
-/// Traces rows as callers have them, which lie in rays, all against one target, and returns likewise. form: not kPacked
-void traceRows(CastSlot& slot, CastPrograms& programs, const PlacedTarget& target, const Buffer& rays, RayForm form,
-               const gpu::GivenPush& push, bool any_hit);
+/// Traces a caller's rays in the buffer rays against one instance. Returns when the results are in the slot.
+/// @param form not kPacked
+void traceRows(CastSlot& slot, CastPrograms& programs, const ResidentInstance& instance, const Buffer& rays,
+               RayForm form, const gpu::GivenPush& push, bool any_hit);
 
-/// Traces at most kRuns runs, each ray against its run's target alone; returns when what came of them is there.
+/// Traces at most kRuns runs, each ray against the instance of its run. Returns when the results are in the slot.
 void traceSlot(CastSlot& slot, CastPrograms& programs, std::span<const CastRun> runs, bool any_hit);
 
 } // namespace pointrt

@@ -26,23 +26,23 @@ gpu::GivenPush pushOf(const RayFrame& frame, const RayLimits& limits, std::size_
     push.t_min = limits.t_min;
     push.t_max = limits.t_max;
     push.units = static_cast<float>(1 / scale);
-    push.radius = static_cast<float>(0.5001 * std::sqrt(3.0) * scale); // half the diagonal, and a little
+    push.radius = static_cast<float>(0.5001 * std::sqrt(3.0) * scale); // half the diagonal, rounded up
     push.rays = static_cast<std::uint32_t>(rays);
     return push;
 }
 
-/// Where programs put hits, misses are, and nothing stands in the way.
+/// Initialises the results: programs write only hits.
 void putMisses(CastSlot& slot, std::size_t count, bool any_hit) {
     if (any_hit)
-        std::fill_n(static_cast<std::uint32_t*>(slot.stopped.mapped), count, 0u);
+        std::fill_n(static_cast<std::uint32_t*>(slot.occluded.mapped), count, 0u);
     else
         std::fill_n(static_cast<gpu::GivenHit*>(slot.hits.mapped), count, kMiss);
 }
 
 } // namespace
 
-bool takesGiven(const Device& device, const PlacedTarget& target) {
-    return device.doubles && target.in_cube && !isPaged(target.traits.pages);
+bool takesGiven(const Device& device, const ResidentInstance& instance) {
+    return device.doubles && instance.in_cube && !isPaged(instance.traits.pages);
 }
 
 GivenRays::GivenRays(Device& device, const RayRows& rays) : device_(device), rays_(rays) {
@@ -53,7 +53,7 @@ std::size_t GivenRays::bytesOf(std::size_t rays) const {
     return rays * kNumbers * (rays_.doubles ? sizeof(double) : sizeof(float));
 }
 
-/// Whole texels of whole pages: those hold what comes before and behind as well.
+/// Imports whole pages as whole texels; they may include bytes before and after the rays.
 void GivenRays::import() {
     const auto address = reinterpret_cast<std::uintptr_t>(bytes());
     offset_ = address % device_.host_import_alignment;
@@ -64,22 +64,22 @@ void GivenRays::import() {
     if (imported_.handle) createTexelView(device_, "caller's rays", imported_, VK_FORMAT_R32G32B32A32_UINT);
 }
 
-void GivenRays::trace(CastSlot& slot, CastPrograms& programs, const PlacedTarget& target, const RayLimits& limits,
+void GivenRays::trace(CastSlot& slot, CastPrograms& programs, const ResidentInstance& instance, const RayLimits& limits,
                       std::size_t first, std::size_t count, bool any_hit) const {
-    gpu::GivenPush push = pushOf(target.frame, limits, count);
+    gpu::GivenPush push = pushOf(instance.frame, limits, count);
     if (imported_.handle)
         push.first_texel = static_cast<std::uint32_t>((offset_ + bytesOf(first)) / kTexelBytes);
     else
         std::copy_n(bytes() + bytesOf(first), bytesOf(count), slot.givenBytes().data());
     putMisses(slot, count, any_hit);
-    traceRows(slot, programs, target, imported_.handle ? imported_ : slot.rays,
+    traceRows(slot, programs, instance, imported_.handle ? imported_ : slot.rays,
               rays_.doubles ? RayForm::kDoubles : RayForm::kFloats, push, any_hit);
 }
 
-bool putGiven(const CastSlot& slot, const TargetList& list, const RayRows& rays, std::size_t first, std::size_t count,
+bool putGiven(const CastSlot& slot, const InstanceList& list, const RayRows& rays, std::size_t first, std::size_t count,
               const HitArrays& arrays) {
     const std::span<const gpu::GivenHit> found = slot.givenHits(count);
-    const Target& target = list.targets[0];
+    const CastInstance& instance = list.instances[0];
     const bool vectors = !arrays.normals.empty() || !arrays.positions.empty();
     bool odd = false;
     for (std::size_t i = 0; i < count; ++i) {
@@ -88,18 +88,18 @@ bool putGiven(const CastSlot& slot, const TargetList& list, const RayRows& rays,
         odd |= hit.splat == CAST_ODD;
         if (!arrays.t_hit.empty()) arrays.t_hit[first + i] = hit.t;
         if (!arrays.splat_ids.empty()) arrays.splat_ids[first + i] = hit.splat;
-        if (!arrays.instance_ids.empty()) arrays.instance_ids[first + i] = is_hit ? target.instance : kNoHit;
-        if (!arrays.tile_ids.empty()) arrays.tile_ids[first + i] = is_hit ? target.tile : kNoHit;
+        if (!arrays.instance_ids.empty()) arrays.instance_ids[first + i] = is_hit ? instance.scene_instance : kNoHit;
+        if (!arrays.tile_ids.empty()) arrays.tile_ids[first + i] = is_hit ? instance.tile : kNoHit;
         if (vectors) putVectors(list, rays, first + i, {hit.t, is_hit ? 0 : kNothing, hit.splat, hit.normal}, arrays);
     }
     return !odd;
 }
 
-bool putStopped(const CastSlot& slot, std::span<std::uint8_t> occluded) {
-    const std::span<const std::uint32_t> stopped = slot.stoppedRows(occluded.size());
+bool putOccluded(const CastSlot& slot, std::span<std::uint8_t> occluded) {
+    const std::span<const std::uint32_t> found = slot.occludedRows(occluded.size());
     bool odd = false;
     for (std::size_t i = 0; i < occluded.size(); ++i) {
-        const std::uint32_t each = stopped[i];
+        const std::uint32_t each = found[i];
         odd |= each == CAST_ODD;
         occluded[i] = each != 0;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays that go to the device as callers have them, and come back as their hits: what lies between, the programs do
-// (shaders/cast/given_rays.glsl). For scenes of one file, on devices that reckon in doubles.
+// Ray casts without packing and unpacking on the host: the device reads the caller's rays as they are
+// (shaders/cast/given_rays.glsl). For scenes of one file, on devices with 64-bit floats.
 #pragma once
 
 #include <cstddef>
@@ -12,22 +12,23 @@
 
 namespace pointrt {
 
-/// Whether device and target are such: the target is a file that nothing moves, whose buffers have one page each.
-bool takesGiven(const Device& device, const PlacedTarget& target);
+/// Whether this works: the device has 64-bit floats, and the instance is an unmoved file whose buffers have one page
+/// each.
+bool takesGiven(const Device& device, const ResidentInstance& instance);
 
-/// Rays of a caller where programs read them: in the caller's memory where the device shares the host's and can take it
-/// as it is; else each chunk is copied to its slot.
+/// A caller's rays for programs to read: imported from the caller's memory if the device can, otherwise copied to the
+/// slot of each chunk.
 class GivenRays {
 public:
-    /// @param rays stay as they are while this lives
+    /// @param rays must outlive this, unchanged
     GivenRays(Device& device, const RayRows& rays);
     ~GivenRays() { destroyBuffer(device_, imported_); }
     GivenRays(const GivenRays&) = delete;
     GivenRays& operator=(const GivenRays&) = delete;
 
-    /// Holds the rays from first on, so many, against the target; returns when what has come of them is in the slot.
-    /// first is even.
-    void trace(CastSlot& slot, CastPrograms& programs, const PlacedTarget& target, const RayLimits& limits,
+    /// Traces count rays, from first on, against the instance. Returns when the results are in the slot.
+    /// @param first even
+    void trace(CastSlot& slot, CastPrograms& programs, const ResidentInstance& instance, const RayLimits& limits,
                std::size_t first, std::size_t count, bool any_hit) const;
 
 private:
@@ -40,16 +41,16 @@ private:
 
     Device& device_;
     RayRows rays_;
-    Buffer imported_;        ///< from the page on that they begin in
-    std::size_t offset_ = 0; ///< of the first one there, bytes
+    Buffer imported_;        ///< begins with the page that the rays begin in
+    std::size_t offset_ = 0; ///< of the first ray in imported_, bytes
 };
 
-/// What has come of so many rays: fills the rows of the arrays from first on. Target 0 of list is what they were held
-/// against. False where one of them is for CastRounds to see to, and all of them have to be asked for once more: it is
-/// no ray, or has numbers too large or too small for floats.
-bool putGiven(const CastSlot& slot, const TargetList& list, const RayRows& rays, std::size_t first, std::size_t count,
+/// Writes the results of count rays to the arrays, from row first on; the rays were traced against instance 0 of list.
+/// False if one of the rays is invalid, or too large or too small for floats: then all of them must be traced again,
+/// with CastRounds.
+bool putGiven(const CastSlot& slot, const InstanceList& list, const RayRows& rays, std::size_t first, std::size_t count,
               const HitArrays& arrays);
-/// Likewise whether each is stopped.
-bool putStopped(const CastSlot& slot, std::span<std::uint8_t> occluded);
+/// Likewise, whether each ray is occluded.
+bool putOccluded(const CastSlot& slot, std::span<std::uint8_t> occluded);
 
 } // namespace pointrt

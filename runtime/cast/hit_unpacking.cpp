@@ -18,8 +18,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity(), kNaN = std
 
 void requireSize(std::size_t size, std::size_t wanted, const char* name) {
     if (size != 0 && size != wanted)
-        throw Error(ExitCode::kBadUsage, std::string(name) + " has " + std::to_string(size) + " numbers, and " +
-                                             std::to_string(wanted) + " are needed");
+        throw Error(ExitCode::kBadUsage, std::string(name) + ": expected " + std::to_string(wanted) + " numbers, got " +
+                                             std::to_string(size));
 }
 
 Vec3 turnedTowards(Vec3 normal, Vec3 direction) { return dot(normal, direction) > 0 ? -1.0 * normal : normal; }
@@ -27,7 +27,7 @@ Vec3 turnedTowards(Vec3 normal, Vec3 direction) { return dot(normal, direction) 
 Vec3 splatNormal(std::uint32_t word) {
     const std::uint32_t words[PRO_SPLAT_WORDS] = {0, 0, word, 0};
     pro_splat splat;
-    pro_splat_decode(words, 1, 1, &splat); // but for the normal it means nothing
+    pro_splat_decode(words, 1, 1, &splat); // only the normal is valid
     return {splat.normal[0], splat.normal[1], splat.normal[2]};
 }
 
@@ -38,24 +38,24 @@ void put(std::span<Number> array, std::size_t row, Vec3 v) {
     array[3 * row + 2] = static_cast<Number>(v.z);
 }
 
-/// As its instance stands in the world.
+/// The normal in the world.
 Vec3 placedNormal(const Placement& placement, Vec3 normal) {
     const std::array<Vec3, 3>& rotation = placement.rotation;
     return {dot(rotation[0], normal), dot(rotation[1], normal), dot(rotation[2], normal)};
 }
 
-Vec3 normalAt(const TargetList& list, const RayHit& hit, Vec3 position) {
-    if (hit.target == kShape) return shapeNormal(list.shapes[hit.splat], position);
-    return placedNormal(list.targets[hit.target].placement, splatNormal(hit.normal));
+Vec3 normalAt(const InstanceList& list, const RayHit& hit, Vec3 position) {
+    if (hit.instance == kShape) return shapeNormal(list.shapes[hit.splat], position);
+    return placedNormal(list.instances[hit.instance].placement, splatNormal(hit.normal));
 }
 
-void putIds(const TargetList& list, std::size_t row, const RayHit& hit, const HitArrays& arrays) {
-    const bool is_splat = hit.target < list.targets.size();
-    const std::uint32_t elsewhere = hit.target == kShape ? kShapesInstance : kNoHit;
+void putIds(const InstanceList& list, std::size_t row, const RayHit& hit, const HitArrays& arrays) {
+    const bool is_splat = hit.instance < list.instances.size();
+    const std::uint32_t elsewhere = hit.instance == kShape ? kShapesInstance : kNoHit;
     if (!arrays.splat_ids.empty()) arrays.splat_ids[row] = is_splat ? hit.splat : kNoHit;
     if (!arrays.instance_ids.empty())
-        arrays.instance_ids[row] = is_splat ? list.targets[hit.target].instance : elsewhere;
-    if (!arrays.tile_ids.empty()) arrays.tile_ids[row] = is_splat ? list.targets[hit.target].tile : kNoHit;
+        arrays.instance_ids[row] = is_splat ? list.instances[hit.instance].scene_instance : elsewhere;
+    if (!arrays.tile_ids.empty()) arrays.tile_ids[row] = is_splat ? list.instances[hit.instance].tile : kNoHit;
 }
 
 } // namespace
@@ -69,23 +69,24 @@ void requireSizes(const HitArrays& arrays, std::size_t count) {
     requireSize(arrays.tile_ids.size(), count, "tile_ids");
 }
 
-/// Which disc is nearest was told by cell discs, which are rounded: the exact one may lie beyond a limit by that.
-RayHit hitOf(const gpu::CastHit& found, std::uint32_t target, const RayStart& start, const RayLimits& limits,
+/// The nearest disc was found with the quantised discs of cells: the exact one may lie slightly beyond a limit.
+RayHit hitOf(const gpu::CastHit& found, std::uint32_t instance, const RayStart& start, const RayLimits& limits,
              const RayHit& otherwise) {
     if (found.splat == NO_INDEX) return otherwise;
     const double t = std::clamp(start.t + start.per_unit * static_cast<double>(found.t), limits.t_min, limits.t_max);
-    return {t, target, found.splat, found.normal};
+    return {t, instance, found.splat, found.normal};
 }
 
-void putHit(const TargetList& list, const RayRows& rays, std::size_t row, const RayHit& hit, const HitArrays& arrays) {
-    if (!arrays.t_hit.empty()) arrays.t_hit[row] = hit.target != kNothing ? hit.t : kInfinity;
+void putHit(const InstanceList& list, const RayRows& rays, std::size_t row, const RayHit& hit,
+            const HitArrays& arrays) {
+    if (!arrays.t_hit.empty()) arrays.t_hit[row] = hit.instance != kNothing ? hit.t : kInfinity;
     putIds(list, row, hit, arrays);
     if (!arrays.normals.empty() || !arrays.positions.empty()) putVectors(list, rays, row, hit, arrays);
 }
 
-void putVectors(const TargetList& list, const RayRows& rays, std::size_t row, const RayHit& hit,
+void putVectors(const InstanceList& list, const RayRows& rays, std::size_t row, const RayHit& hit,
                 const HitArrays& arrays) {
-    const bool is_hit = hit.target != kNothing;
+    const bool is_hit = hit.instance != kNothing;
     const RayRow ray = rowAt(rays, row);
     const Vec3 position = is_hit ? ray.origin + hit.t * ray.direction : Vec3{kNaN, kNaN, kNaN};
     if (!arrays.positions.empty()) put(arrays.positions, row, position);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the device says of hits, in the terms that were asked for.
+// Hits from the device, converted to the caller's arrays.
 #pragma once
 
 #include <cstddef>
@@ -11,29 +11,29 @@
 
 namespace pointrt {
 
-/// In place of a target's number: nothing was met, or a shape of a scene file, with its number as the splat's.
+/// In place of an instance's number: a miss, or a shape of a scene file, whose number is in splat.
 constexpr std::uint32_t kNothing = 0xFFFFFFFFu, kShape = 0xFFFFFFFEu;
 
-/// What a ray has met.
+/// The hit of a ray.
 struct RayHit {
-    double t = 0; ///< lengths of its direction
-    std::uint32_t target = kNothing;
+    double t = 0; ///< in lengths of the ray's direction
+    std::uint32_t instance = kNothing;
     std::uint32_t splat = 0;
-    std::uint32_t normal = 0; ///< the splat's word that holds it
+    std::uint32_t normal = 0; ///< the word of the splat that encodes it
 };
 
-/// As the device found it against one target, between limits; a miss keeps `otherwise`.
-RayHit hitOf(const gpu::CastHit& found, std::uint32_t target, const RayStart& start, const RayLimits& limits,
+/// The hit that the device found in an instance, clamped to limits; `otherwise` for a miss.
+RayHit hitOf(const gpu::CastHit& found, std::uint32_t instance, const RayStart& start, const RayLimits& limits,
              const RayHit& otherwise);
 
-/// Throws Error kBadUsage where an array that is asked for has no room for count rows, or too much.
+/// Throws Error kBadUsage if the size of a non-empty array does not fit count rows.
 void requireSizes(const HitArrays& arrays, std::size_t count);
 
-/// Fills row of the arrays for normals and positions, of which one at least is asked for.
-void putVectors(const TargetList& list, const RayRows& rays, std::size_t row, const RayHit& hit,
+/// Writes a row of the arrays of normals and positions, of which one may be empty.
+void putVectors(const InstanceList& list, const RayRows& rays, std::size_t row, const RayHit& hit,
                 const HitArrays& arrays);
 
-/// Fills row of all arrays. list: what targets are numbers in
-void putHit(const TargetList& list, const RayRows& rays, std::size_t row, const RayHit& hit, const HitArrays& arrays);
+/// Writes a row of all arrays that are not empty.
+void putHit(const InstanceList& list, const RayRows& rays, std::size_t row, const RayHit& hit, const HitArrays& arrays);
 
 } // namespace pointrt

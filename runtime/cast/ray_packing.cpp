@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "format/base/error.h"
-#include "runtime/cast/stretch.h"
+#include "runtime/cast/ray_interval.h"
 
 namespace pointrt {
 namespace {
@@ -14,23 +14,23 @@ bool isFinite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::
 
 Vec3 inverseOf(Vec3 v) { return {1 / v.x, 1 / v.y, 1 / v.z}; }
 
-constexpr gpu::CastRay kMeetsNothing{{0, 0, 0}, -1, {0, 0, 1}, 0};
+constexpr gpu::CastRay kMissesAll{{0, 0, 0}, -1, {0, 0, 1}, 0};
 
-/// Packs rays that are some, with directions whose squares are numbers.
+/// Packs valid rays whose directions have normal squares.
 struct Packer {
     const RayFrame& frame;
     RayLimits limits;
-    double units = 1 / frame.space.scale; ///< render units in a world unit
+    double units = 1 / frame.space.scale; ///< render units per world unit
 
     gpu::CastRay packed(Vec3 world_origin, Vec3 world_direction, double squared_length, RayStart& start) const {
         const Vec3 origin = units * (world_origin - frame.space.origin), direction = units * world_direction;
-        const Stretch stretch =
-            within({limits.t_min, limits.t_max}, origin, inverseOf(direction), frame.low, frame.high);
-        if (stretch.isEmpty()) return kMeetsNothing;
+        const RayInterval interval =
+            clipToBox({limits.t_min, limits.t_max}, origin, inverseOf(direction), frame.low, frame.high);
+        if (interval.isEmpty()) return kMissesAll;
         const double world_length = std::sqrt(squared_length), inverse = 1 / world_length;
-        start = {stretch.from, frame.space.scale * inverse};
-        const gpu::vec4 from = pack(origin + stretch.from * direction), along = pack(inverse * world_direction);
-        const double reach = (limits.t_max - stretch.from) * (world_length * units);
+        start = {interval.from, frame.space.scale * inverse};
+        const gpu::vec4 from = pack(origin + interval.from * direction), along = pack(inverse * world_direction);
+        const double reach = (limits.t_max - interval.from) * (world_length * units);
         return {{from.x, from.y, from.z},
                 static_cast<float>(std::min<double>(reach, CAST_FARTHEST)),
                 {along.x, along.y, along.z},
@@ -38,12 +38,12 @@ struct Packer {
     }
 };
 
-/// Whether the common way will do: else it is a wrong ray, or one with a very short or very long direction.
+/// Whether the fast path applies. Otherwise the ray is invalid, or its direction is very short or very long.
 bool isCommon(double squared_length, Vec3 origin) {
     return std::isnormal(squared_length) && std::isfinite(origin.x + origin.y + origin.z);
 }
 
-/// Of a ray that is out of the common.
+/// For rays that isCommon rejects.
 ScaledRay scaledOdd(const RayRow& ray, std::size_t number) {
     if (!isFinite(ray.origin)) throw RayError(number, "the origin is not finite");
     if (!isFinite(ray.direction)) throw RayError(number, "the direction is not finite");
@@ -88,7 +88,7 @@ ScaledRay scaledRay(const RayRows& rays, std::size_t number) {
 
 void requireLimits(const RayLimits& limits) {
     if (!(limits.t_min >= 0 && limits.t_min <= limits.t_max && std::isfinite(limits.t_min)))
-        throw Error(ExitCode::kBadUsage, "t_min must be 0 or more and finite, and t_max no less");
+        throw Error(ExitCode::kBadUsage, "t_min must be finite and at least 0, and t_max at least t_min");
 }
 
 void packRays(const RayFrame& frame, const RayRows& rays, const RayLimits& limits, std::size_t first,

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays of the world as the device takes them. All is reckoned in doubles until each ray starts beside what it may hit:
-// floats tell that finely, wherever on Earth the scan lies.
+// World rays packed for the device. Doubles until each ray starts at the box of what it may hit: from there floats are
+// precise enough, wherever on Earth the scan lies.
 #pragma once
 
 #include <cstddef>
 #include <span>
 
 #include "pointrt/trace.hpp"
-#include "runtime/cast/resident_targets.h"
+#include "runtime/cast/instance_residency.h"
 #include "shaders/shared/cast_layout.h"
 
 namespace pointrt {
 
-/// t of a ray from that of its hit on the device, both in lengths of the ray's direction.
+/// Converts the t of a hit on the device to the ray's: t + per_unit * hit, in lengths of the ray's direction.
 struct RayStart {
-    double t = 0;        ///< where it starts there
-    double per_unit = 0; ///< in a render unit
+    double t = 0;        ///< where the packed ray starts
+    double per_unit = 0; ///< lengths per render unit
 };
 
 struct RayRow {
@@ -23,23 +23,23 @@ struct RayRow {
 };
 RayRow rowAt(const RayRows& rays, std::size_t number);
 
-/// A ray whose direction is one that can be reckoned with: in other lengths where it is very short or very long.
+/// A ray with its direction rescaled if its square would under- or overflow.
 struct ScaledRay {
     Vec3 origin, direction;
-    double size = 1; ///< of the ray's own direction in these lengths: t here is size times its own
+    double size = 1; ///< of the ray's direction in lengths of this one: t here is size times the ray's
 };
-/// Throws RayError for a row with a number that is not finite, or without a direction.
+/// Throws RayError if the ray is not finite or its direction is 0.
 ScaledRay scaledRay(const RayRows& rays, std::size_t number);
 
 /// Throws Error kBadUsage unless 0 <= t_min <= t_max.
 void requireLimits(const RayLimits& limits);
 
-/// The rays from number first on, as many as packed and starts both hold. Throws RayError for one with a number that
-/// is not finite, or without a direction.
+/// Packs the rays from number first on, as many as packed and starts hold. Throws RayError if a ray is not finite or
+/// its direction is 0.
 void packRays(const RayFrame& frame, const RayRows& rays, const RayLimits& limits, std::size_t first,
               std::span<gpu::CastRay> packed, std::span<RayStart> starts);
 
-/// One of them; limits and start are in the lengths of the scaled ray.
+/// Packs one ray; limits and start are in lengths of its scaled direction.
 gpu::CastRay packRay(const RayFrame& frame, const ScaledRay& ray, const RayLimits& limits, RayStart& start);
 
 } // namespace pointrt

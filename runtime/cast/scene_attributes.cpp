@@ -37,17 +37,17 @@ std::vector<SceneAttribute> attributesOf(const TileSet& set) {
     return all;
 }
 
-std::vector<SceneAttribute> attributesOf(const ResidentTargets& resident, const TargetRun& instance) {
-    const TargetList& list = resident.list();
-    return instance.set ? attributesOf(list.sets[*instance.set].set)
-                        : attributesOf(*resident.find(instance.first)->scan);
+std::vector<SceneAttribute> attributesOf(const InstanceResidency& resident, const InstanceRun& scene_instance) {
+    const InstanceList& list = resident.list();
+    return scene_instance.set ? attributesOf(list.sets[*scene_instance.set].set)
+                              : attributesOf(*resident.find(scene_instance.first)->scan);
 }
 
 bool isAlike(const SceneAttribute& a, const SceneAttribute& b) {
     return a.name == b.name && a.type == b.type && a.components == b.components;
 }
 
-/// Keeps of shared what an instance has as well, with its reach. What has no numbers says 0 and 0.
+/// Keeps the shared attributes that an instance has too, and extends their ranges. A range of 0 to 0 means no values.
 void keepShared(std::vector<SceneAttribute>& shared, const std::vector<SceneAttribute>& its) {
     std::erase_if(shared, [&](SceneAttribute& wanted) {
         const auto found =
@@ -61,7 +61,7 @@ void keepShared(std::vector<SceneAttribute>& shared, const std::vector<SceneAttr
     });
 }
 
-/// What stands for a splat where nothing is hit.
+/// The value for a miss.
 std::vector<std::byte> missing(const SceneAttribute& attribute) {
     std::vector<std::byte> bytes(attribute.bytes);
     const auto fill = [&](auto number) {
@@ -73,102 +73,103 @@ std::vector<std::byte> missing(const SceneAttribute& attribute) {
     return bytes;
 }
 
-SceneAttribute attributeNamed(const ResidentTargets& resident, const std::string& name) {
+SceneAttribute attributeNamed(const InstanceResidency& resident, const std::string& name) {
     const std::vector<SceneAttribute> all = sceneAttributes(resident);
     const auto found = std::find_if(all.begin(), all.end(), [&](const SceneAttribute& a) { return a.name == name; });
     if (found != all.end()) return *found;
     std::string there;
     for (const SceneAttribute& each : all) there += (there.empty() ? "" : ", ") + each.name;
-    throw Error(ExitCode::kBadUsage,
-                "no attribute " + name + "; there is " + (there.empty() ? "none in all of the scene" : there));
+    throw Error(ExitCode::kBadUsage, "no attribute " + name + "; " +
+                                         (there.empty() ? "the instances have none in common" : "available: " + there));
 }
 
-/// A row whose splat is of a target.
-struct AskedRow {
-    std::uint32_t target = 0;
+/// A row that hit a splat of an instance.
+struct HitRow {
+    std::uint32_t instance = 0;
     std::size_t row = 0;
 };
 
-/// Targets that are on the device first, so that none goes before it was read.
-std::vector<AskedRow> askedRows(const ResidentTargets& resident, const HitIds& ids) {
-    std::vector<AskedRow> rows;
+/// Rows sorted by instance, resident instances first, so that none is evicted before it was read.
+std::vector<HitRow> hitRows(const InstanceResidency& resident, const HitIds& ids) {
+    std::vector<HitRow> rows;
     for (std::size_t i = 0; i < ids.splats.size(); ++i) {
         if (ids.splats[i] == kNoHit) continue;
         const std::uint32_t tile = ids.tiles.empty() ? kNoTile : ids.tiles[i];
-        if (const auto target = findTarget(resident.list(), ids.instances[i], tile)) rows.push_back({*target, i});
+        if (const auto instance = findInstance(resident.list(), ids.instances[i], tile)) rows.push_back({*instance, i});
     }
-    if (resident.list().targets.size() == 1) return rows;
-    std::sort(rows.begin(), rows.end(), [&](const AskedRow& a, const AskedRow& b) {
-        const bool a_waits = !resident.find(a.target), b_waits = !resident.find(b.target);
+    if (resident.list().instances.size() == 1) return rows;
+    std::sort(rows.begin(), rows.end(), [&](const HitRow& a, const HitRow& b) {
+        const bool a_waits = !resident.find(a.instance), b_waits = !resident.find(b.instance);
         if (a_waits != b_waits) return b_waits;
-        return a.target != b.target ? a.target < b.target : a.row < b.row;
+        return a.instance != b.instance ? a.instance < b.instance : a.row < b.row;
     });
     return rows;
 }
 
-/// find(scan) once for each target that was hit, and put(row, splat, its source) for each splat.
+/// Calls find(scan) once for each instance that was hit, and put(row, splat, source) for each splat.
 template <typename FindSource, typename Put>
-void forHits(ResidentTargets& resident, const HitIds& ids, const FindSource& find, const Put& put) {
-    std::uint32_t target = kNoTile;
+void forHits(InstanceResidency& resident, const HitIds& ids, const FindSource& find, const Put& put) {
+    std::uint32_t instance = kNoTile;
     decltype(find(std::declval<const DeviceScan&>())) source{};
-    for (const AskedRow& each : askedRows(resident, ids)) {
-        if (each.target != target) {
-            target = each.target;
-            if (!resident.find(target)) resident.bring({&target, 1});
-            source = find(*resident.find(target)->scan);
+    for (const HitRow& each : hitRows(resident, ids)) {
+        if (each.instance != instance) {
+            instance = each.instance;
+            if (!resident.find(instance)) resident.load({&instance, 1});
+            source = find(*resident.find(instance)->scan);
         }
         const std::size_t splat = ids.splats[each.row];
-        if (splat < resident.find(target)->scan->info.splat_count) put(each.row, splat, source);
+        if (splat < resident.find(instance)->scan->info.splat_count) put(each.row, splat, source);
     }
 }
 
-void requireRows(const ResidentTargets& resident, const HitIds& ids, std::size_t values, std::size_t of_a_row,
+void requireRows(const InstanceResidency& resident, const HitIds& ids, std::size_t values, std::size_t of_a_row,
                  const std::string& what) {
     const std::size_t count = ids.splats.size();
     if (ids.tiles.empty() && !resident.list().sets.empty() && count > 0)
-        throw Error(ExitCode::kBadUsage, what + ": splats of tile sets have the number of their tile, too (tile_ids)");
+        throw Error(ExitCode::kBadUsage, what + ": tile_ids are required for scenes with tile sets");
     if (ids.instances.size() != count || values != count * of_a_row ||
         (!ids.tiles.empty() && ids.tiles.size() != count))
-        throw Error(ExitCode::kBadUsage, what + ": the arrays do not have the same number of rows");
+        throw Error(ExitCode::kBadUsage, what + ": the arrays differ in their numbers of rows");
 }
 
-/// The values of a file. A tile may have others than its set says.
+/// The values of an attribute in a file. A tile may lack it although its set lists it.
 const std::byte* valuesOf(const DeviceScan& scan, const SceneAttribute& wanted) {
     pro_attribute found;
     if (pro_find_attribute(scan.file, wanted.name.c_str(), &found) != 1 || !isAlike(described(found), wanted))
-        throw Error(ExitCode::kBadInput, scan.path + ": has no attribute " + wanted.name + " as its set has it");
+        throw Error(ExitCode::kBadInput, scan.path + ": has no attribute " + wanted.name + " of the type in its set");
     return static_cast<const std::byte*>(found.values);
 }
 
-/// sRGB; white in a scan without colours.
+/// The sRGB colour of a splat; white in a scan without colours.
 std::array<std::uint8_t, 3> colorOf(const DeviceScan& file, std::size_t splat) {
     if ((file.info.flags & PRO_FLAG_COLOR) == 0) return {255, 255, 255};
     pro_splat decoded;
-    pro_splat_decode(file.view.splats + splat * PRO_SPLAT_WORDS, 1, 1, &decoded); // but for the colour
+    pro_splat_decode(file.view.splats + splat * PRO_SPLAT_WORDS, 1, 1, &decoded); // only the colour is valid
     return {decoded.color[0], decoded.color[1], decoded.color[2]};
 }
 
-/// Of the scene's coordinates, as the instance says; 0 where it does not.
-double metresOf(const ResidentTargets& resident, const TargetRun& instance) {
-    const TargetList& list = resident.list();
-    const double scale = list.targets[instance.first].placement.scale;
-    if (instance.set) return list.sets[*instance.set].set.metres / scale;
+/// Metres per world unit according to an instance; 0 if unknown.
+double metresOf(const InstanceResidency& resident, const InstanceRun& scene_instance) {
+    const InstanceList& list = resident.list();
+    const double scale = list.instances[scene_instance.first].placement.scale;
+    if (scene_instance.set) return list.sets[*scene_instance.set].set.metres / scale;
     pro_world world;
-    pro_get_world(resident.find(instance.first)->scan->file, &world);
+    pro_get_world(resident.find(scene_instance.first)->scan->file, &world);
     return world.metres_per_unit / scale;
 }
 
 } // namespace
 
-std::vector<SceneAttribute> sceneAttributes(const ResidentTargets& resident) {
-    const std::vector<TargetRun>& instances = resident.list().instances;
-    if (instances.empty()) return {};
-    std::vector<SceneAttribute> shared = attributesOf(resident, instances.front());
-    for (const TargetRun& instance : instances) keepShared(shared, attributesOf(resident, instance));
+std::vector<SceneAttribute> sceneAttributes(const InstanceResidency& resident) {
+    const std::vector<InstanceRun>& scene_instances = resident.list().scene_instances;
+    if (scene_instances.empty()) return {};
+    std::vector<SceneAttribute> shared = attributesOf(resident, scene_instances.front());
+    for (const InstanceRun& scene_instance : scene_instances)
+        keepShared(shared, attributesOf(resident, scene_instance));
     return shared;
 }
 
-void gatherAttribute(ResidentTargets& resident, const std::string& name, const HitIds& ids,
+void gatherAttribute(InstanceResidency& resident, const std::string& name, const HitIds& ids,
                      std::span<std::byte> values) {
     const SceneAttribute attribute = attributeNamed(resident, name);
     const std::size_t bytes = attribute.bytes;
@@ -182,7 +183,7 @@ void gatherAttribute(ResidentTargets& resident, const std::string& name, const H
         });
 }
 
-void gatherColors(ResidentTargets& resident, const HitIds& ids, std::span<std::uint8_t> colors) {
+void gatherColors(InstanceResidency& resident, const HitIds& ids, std::span<std::uint8_t> colors) {
     requireRows(resident, ids, colors.size(), 3, "colors");
     std::fill(colors.begin(), colors.end(), std::uint8_t{0});
     forHits(
@@ -193,12 +194,12 @@ void gatherColors(ResidentTargets& resident, const HitIds& ids, std::span<std::u
         });
 }
 
-double metresPerUnit(const ResidentTargets& resident) {
-    const std::vector<TargetRun>& instances = resident.list().instances;
-    if (instances.empty()) return 0;
-    const double first = metresOf(resident, instances.front());
-    const bool alike = std::all_of(instances.begin(), instances.end(),
-                                   [&](const TargetRun& each) { return metresOf(resident, each) == first; });
+double metresPerUnit(const InstanceResidency& resident) {
+    const std::vector<InstanceRun>& scene_instances = resident.list().scene_instances;
+    if (scene_instances.empty()) return 0;
+    const double first = metresOf(resident, scene_instances.front());
+    const bool alike = std::all_of(scene_instances.begin(), scene_instances.end(),
+                                   [&](const InstanceRun& each) { return metresOf(resident, each) == first; });
     return alike ? first : 0;
 }
 

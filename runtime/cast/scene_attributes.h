@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene's files and sets say of their splats, and of themselves, besides where they lie.
+// Attributes, colours and units of a ray-cast scene's files and tile sets.
 #pragma once
 
 #include <cstddef>
@@ -9,27 +9,27 @@
 #include <vector>
 
 #include "pointrt/trace.hpp"
-#include "runtime/cast/resident_targets.h"
+#include "runtime/cast/instance_residency.h"
 
 namespace pointrt {
 
-/// Those that all instances have alike.
-std::vector<SceneAttribute> sceneAttributes(const ResidentTargets& resident);
+/// The attributes that all instances have, with the same type.
+std::vector<SceneAttribute> sceneAttributes(const InstanceResidency& resident);
 
-/// Hits, as castRays tells them.
+/// Hits as castRays returns them.
 struct HitIds {
     std::span<const std::uint32_t> splats, instances;
-    std::span<const std::uint32_t> tiles; ///< empty where the scene has no sets
+    std::span<const std::uint32_t> tiles; ///< may be empty if the scene has no sets
 };
 
-/// As TraceScene::readAttribute. Brings the tiles that were hit, those first that are there.
-void gatherAttribute(ResidentTargets& resident, const std::string& name, const HitIds& ids,
+/// As TraceScene::readAttribute. Loads the tiles that were hit, after reading the resident ones.
+void gatherAttribute(InstanceResidency& resident, const std::string& name, const HitIds& ids,
                      std::span<std::byte> values);
 
-/// As TraceScene::readColors. Brings tiles likewise.
-void gatherColors(ResidentTargets& resident, const HitIds& ids, std::span<std::uint8_t> colors);
+/// As TraceScene::readColors. Loads tiles likewise.
+void gatherColors(InstanceResidency& resident, const HitIds& ids, std::span<std::uint8_t> colors);
 
 /// As TraceScene::metresPerUnit.
-double metresPerUnit(const ResidentTargets& resident);
+double metresPerUnit(const InstanceResidency& resident);
 
 } // namespace pointrt

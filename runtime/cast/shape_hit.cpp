@@ -6,18 +6,18 @@
 #include <cmath>
 #include <limits>
 
-#include "runtime/cast/stretch.h"
+#include "runtime/cast/ray_interval.h"
 
 namespace pointrt {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Two places along a ray; infinite where there is none.
+/// Two distances along a ray; infinite for none.
 using Places = std::array<double, 2>;
 constexpr Places kNowhere{kInfinity, kInfinity};
 
-/// Rows of the matrix that takes the world into the shape's unit form.
+/// Rows of the matrix from the world to the shape's unit form.
 struct UnitForm {
     Vec3 x, y, z;
     explicit UnitForm(const ShapeDescription& shape) {
@@ -39,12 +39,12 @@ Places meetFlat(ShapeKind kind, Vec3 origin, Vec3 direction) {
 }
 
 Places meetBox(Vec3 origin, Vec3 direction) {
-    const Stretch in = within({-kInfinity, kInfinity}, origin, {1 / direction.x, 1 / direction.y, 1 / direction.z},
-                              {-1, -1, -1}, {1, 1, 1});
+    const RayInterval in = clipToBox({-kInfinity, kInfinity}, origin,
+                                     {1 / direction.x, 1 / direction.y, 1 / direction.z}, {-1, -1, -1}, {1, 1, 1});
     return in.isEmpty() ? kNowhere : Places{in.from, in.to};
 }
 
-/// From where the ray is nearest to the centre, as in the shader: Haines et al., Ray Tracing Gems, chapter 7.
+/// Relative to the ray's closest point to the centre, as in the shader: Haines et al., Ray Tracing Gems, chapter 7.
 Places meetSphere(Vec3 origin, Vec3 direction) {
     const double inverse = 1 / dot(direction, direction), middle = -dot(origin, direction) * inverse;
     const Vec3 nearest = origin + middle * direction;
@@ -63,7 +63,7 @@ Places meetShape(const ShapeDescription& shape, Vec3 origin, Vec3 direction) {
 
 double componentSign(double v) { return v < 0 ? -1 : 1; }
 
-/// Of a box's unit form: that of the face that the point is nearest to.
+/// The normal of the unit box's face nearest to the point.
 Vec3 faceNormal(Vec3 at) {
     const Vec3 size = absolute(at);
     if (size.x >= std::max(size.y, size.z)) return {componentSign(at.x), 0, 0};
@@ -89,7 +89,7 @@ Vec3 shapeNormal(const ShapeDescription& shape, Vec3 point) {
     Vec3 n{0, 0, 1};
     if (shape.kind == ShapeKind::kSphere) n = at;
     if (shape.kind == ShapeKind::kBox) n = faceNormal(at);
-    return normalize(n.x * form.x + n.y * form.y + n.z * form.z); // normals go by the transposed rows
+    return normalize(n.x * form.x + n.y * form.y + n.z * form.z); // normals transform by the transpose
 }
 
 } // namespace pointrt

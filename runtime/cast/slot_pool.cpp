@@ -13,9 +13,9 @@ CastSlot SlotPool::take() {
     std::unique_lock lock(mutex_);
     returned_.wait(lock, [&] { return !idle_.empty() || made_ < most_; });
     if (idle_.empty()) {
-        CastSlot slot = create_(); // one at a time: the others wait for a slot anyway
+        CastSlot slot = create_(); // under the lock: other threads wait for a slot anyway
         ++made_;
-        idle_.reserve(made_); // so that giving back never fails
+        idle_.reserve(made_); // so that release never fails
         return slot;
     }
     CastSlot slot = std::move(idle_.back());
@@ -23,7 +23,7 @@ CastSlot SlotPool::take() {
     return slot;
 }
 
-void SlotPool::giveBack(CastSlot slot) {
+void SlotPool::release(CastSlot slot) {
     {
         const std::lock_guard lock(mutex_);
         idle_.push_back(std::move(slot));

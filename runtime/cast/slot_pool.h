@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The slots of a scene, lent to whoever has rays for them.
+// A pool of cast slots for the threads that trace rays in a scene.
 #pragma once
 
 #include <condition_variable>
@@ -12,16 +12,16 @@
 
 namespace pointrt {
 
-/// Threads may use it at the same time.
+/// Thread-safe.
 class SlotPool {
 public:
-    /// @param create called for a slot that is asked for while all are lent, until there are most of them
+    /// @param create is called when all slots are in use and there are fewer than most
     SlotPool(std::size_t most, std::function<CastSlot()> create) : most_(most), create_(std::move(create)) {}
     ~SlotPool();
     SlotPool(const SlotPool&) = delete;
     SlotPool& operator=(const SlotPool&) = delete;
 
-    /// Runs work(slot) with a slot that nobody else has, and waits for one where all are lent.
+    /// Calls work(slot) with a slot for exclusive use; waits if all are in use.
     template <typename Work>
     void with(const Work& work) {
         Loan loan{*this, take()};
@@ -34,10 +34,10 @@ private:
     struct Loan {
         SlotPool& pool;
         CastSlot slot;
-        ~Loan() { pool.giveBack(std::move(slot)); }
+        ~Loan() { pool.release(std::move(slot)); }
     };
     CastSlot take();
-    void giveBack(CastSlot slot);
+    void release(CastSlot slot);
 
     std::size_t most_, made_ = 0;
     std::function<CastSlot()> create_;

@@ -14,10 +14,7 @@ DeviceRequest requestOf(const std::string& selector) {
 
 } // namespace
 
-TraceDevice::State::State(const std::string& selector) : device(createDevice(requestOf(selector))) {
-    // workerDevice would make it when the first worker is asked for, and two threads may ask at once
-    device.queue_mutex = std::make_shared<std::mutex>();
-}
+TraceDevice::State::State(const std::string& selector) : device(createDevice(requestOf(selector))) {}
 
 TraceDevice::State::~State() { destroyDevice(device); }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is behind a TraceDevice.
+// The state of a TraceDevice.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace pointrt {
 
-/// Scenes work through workers of it, so that threads never meet in it.
+/// Scenes use workers of the device, so that threads share nothing but its queue.
 struct TraceDevice::State {
     explicit State(const std::string& selector);
     ~State();

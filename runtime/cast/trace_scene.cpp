@@ -9,7 +9,7 @@
 #include "format/base/parallel.h"
 #include "runtime/cast/cast_programs.h"
 #include "runtime/cast/cast_rounds.h"
-#include "runtime/cast/describe_targets.h"
+#include "runtime/cast/describe_instances.h"
 #include "runtime/cast/given_rays.h"
 #include "runtime/cast/hit_unpacking.h"
 #include "runtime/cast/scene_attributes.h"
@@ -20,25 +20,24 @@
 namespace pointrt {
 namespace {
 
-/// More than two keep a device at work whose rays take less time than packing them on one core; beyond four, memory is
-/// all that they take.
+/// At least two, so that packing overlaps tracing. A device that traces rays faster than one core packs them needs
+/// more; beyond four, slots only take memory.
 std::size_t slotCount() { return std::clamp(std::thread::hardware_concurrency(), 2u, 4u); }
 
-/// Rays whose way from target to target is kept at once, in 52 bytes each: the more, the fewer times tiles that come
-/// and go are brought.
+/// Rays traced from instance to instance at once, 52 bytes each. The more, the less often tiles are reloaded.
 constexpr std::size_t kBatchRays = std::size_t{1} << 20;
 
-/// Instances of scenes with shapes: those have a number, too.
-TargetList described(const std::vector<std::string>& paths) {
-    TargetList list = describeTargets(paths);
-    if (!list.shapes.empty() && list.instances.size() >= kShapesInstance)
+/// Reads the scene. Shapes take an instance number as well.
+InstanceList described(const std::vector<std::string>& paths) {
+    InstanceList list = describeInstances(paths);
+    if (!list.shapes.empty() && list.scene_instances.size() >= kShapesInstance)
         throw Error(ExitCode::kBadUsage, "a scene with shapes has at most 254 instances");
     return list;
 }
 
-std::vector<Bounds> boxesOf(const TargetList& list) {
+std::vector<Bounds> boxesOf(const InstanceList& list) {
     std::vector<Bounds> boxes;
-    for (const Target& each : list.targets) boxes.push_back(each.box);
+    for (const CastInstance& each : list.instances) boxes.push_back(each.box);
     return boxes;
 }
 
@@ -50,20 +49,20 @@ struct TraceScene::State {
           resident(device.worker, described(paths), options.memory), tree(boxesOf(resident.list())),
           slots(slotCount(), [this] { return createSlot(device.worker); }) {}
 
-    /// One target, and nothing else: rays need not be sent from here to there.
-    bool isOneTarget() const {
-        return resident.isWhole() && resident.list().targets.size() == 1 && resident.list().shapes.empty();
+    /// Whether rays need not be traced from instance to instance.
+    bool isOneInstance() const {
+        return resident.isComplete() && resident.list().instances.size() == 1 && resident.list().shapes.empty();
     }
 
-    /// Chunk by chunk, on as many threads as there are slots, against the only target: work(slot, first ray, count).
+    /// Traces rays against the only instance chunk by chunk, one thread per slot: work(slot, first ray, count).
     template <typename Work>
     void inChunks(const CastRequest& request, const Work& work) {
         const std::size_t rays = request.rays.count, chunks = (rays + CastSlot::kRays - 1) / CastSlot::kRays;
-        const PlacedTarget& target = *resident.find(0);
+        const ResidentInstance& instance = *resident.find(0);
         const auto trace = [&](CastSlot& slot, std::size_t first, std::size_t count) {
-            packRays(target.frame, request.rays, request.limits, first, slot.rayRows(count),
+            packRays(instance.frame, request.rays, request.limits, first, slot.rayRows(count),
                      std::span(slot.starts).first(count));
-            const CastRun run{&target, 0, static_cast<std::uint32_t>(count)};
+            const CastRun run{&instance, 0, static_cast<std::uint32_t>(count)};
             traceSlot(slot, programs, {&run, 1}, request.any_hit);
             work(slot, first, count);
         };
@@ -76,15 +75,15 @@ struct TraceScene::State {
             slots.most());
     }
 
-    /// Chunk by chunk, as they are given, against the only target: putAll(slot, first ray, count) where all of a chunk
-    /// are common ones, which it tells; else put(ray, hit) of each.
+    /// Traces the caller's rays, without packing, against the only instance chunk by chunk. Calls putAll(slot, first
+    /// ray, count) for each chunk; if it returns false, put(ray, hit) for each ray of the chunk.
     template <typename PutAll, typename Put>
     void inGivenChunks(const CastRequest& request, const PutAll& putAll, const Put& put) {
         const std::size_t rays = request.rays.count, most = CastSlot::kRays;
-        const PlacedTarget& target = *resident.find(0);
+        const ResidentInstance& instance = *resident.find(0);
         const GivenRays given(device.worker, request.rays);
         const auto trace = [&](CastSlot& slot, std::size_t first, std::size_t count) {
-            given.trace(slot, programs, target, request.limits, first, count, request.any_hit);
+            given.trace(slot, programs, instance, request.limits, first, count, request.any_hit);
             return putAll(slot, first, count);
         };
         forAll((rays + most - 1) / most,
@@ -92,12 +91,12 @@ struct TraceScene::State {
                    const std::size_t first = k * most, count = std::min(most, rays - first);
                    bool done = false;
                    slots.with([&](CastSlot& slot) { done = trace(slot, first, count); });
-                   if (!done) castAndPut(request, first, count, put); // with slots of its own
+                   if (!done) castAndPut(request, first, count, put); // takes slots of its own
                },
                slots.most());
     }
 
-    /// Batch by batch, from target to target: work(ray, hit) of each, on all cores.
+    /// Traces rays from instance to instance batch by batch: work(ray, hit) for each, on all cores.
     template <typename Work>
     void inRounds(const CastRequest& request, const Work& work) {
         for (std::size_t first = 0; first < request.rays.count; first += kBatchRays)
@@ -118,19 +117,19 @@ struct TraceScene::State {
         return CastRounds({resident, tree, programs, slots}, request, first, count).run();
     }
 
-    /// Where tiles come and go.
+    /// Locks the scene if tiles may be loaded and evicted.
     std::unique_lock<std::mutex> takeTurn() {
-        return resident.isWhole() ? std::unique_lock<std::mutex>() : std::unique_lock(turns);
+        return resident.isComplete() ? std::unique_lock<std::mutex>() : std::unique_lock(turns);
     }
 
     std::shared_ptr<TraceDevice::State> owner;
     struct Worker {
         Device worker;
         ~Worker() { destroyWorkerDevice(worker); }
-    } device; // what follows goes before it does
+    } device; // the members below are destroyed before it
     CastPrograms programs;
-    ResidentTargets resident;
-    TargetTree tree;
+    InstanceResidency resident;
+    InstanceTree tree;
     SlotPool slots;
     std::mutex turns;
 };
@@ -145,10 +144,10 @@ void TraceScene::castRays(RayRows rays, const RayLimits& limits, const HitArrays
     translated([&] {
         requireLimits(limits);
         requireSizes(hits, rays.count);
-        const TargetList& list = state_->resident.list();
+        const InstanceList& list = state_->resident.list();
         const CastRequest request{rays, limits, false};
         const auto put = [&](std::size_t ray, const RayHit& hit) { putHit(list, rays, ray, hit, hits); };
-        if (!state_->isOneTarget()) return state_->inRounds(request, put);
+        if (!state_->isOneInstance()) return state_->inRounds(request, put);
         if (takesGiven(state_->device.worker, *state_->resident.find(0)))
             return state_->inGivenChunks(
                 request,
@@ -167,19 +166,19 @@ void TraceScene::castRays(RayRows rays, const RayLimits& limits, const HitArrays
 void TraceScene::testOcclusions(RayRows rays, const RayLimits& limits, std::span<std::uint8_t> occluded) const {
     translated([&] {
         requireLimits(limits);
-        if (occluded.size() != rays.count) throw Error(ExitCode::kBadUsage, "occluded must have a number for each ray");
+        if (occluded.size() != rays.count) throw Error(ExitCode::kBadUsage, "occluded must have one value per ray");
         const CastRequest request{rays, limits, true};
-        const auto put = [&](std::size_t ray, const RayHit& hit) { occluded[ray] = hit.target != kNothing; };
-        if (!state_->isOneTarget()) return state_->inRounds(request, put);
+        const auto put = [&](std::size_t ray, const RayHit& hit) { occluded[ray] = hit.instance != kNothing; };
+        if (!state_->isOneInstance()) return state_->inRounds(request, put);
         if (takesGiven(state_->device.worker, *state_->resident.find(0)))
             return state_->inGivenChunks(
                 request,
                 [&](CastSlot& slot, std::size_t first, std::size_t count) {
-                    return putStopped(slot, occluded.subspan(first, count));
+                    return putOccluded(slot, occluded.subspan(first, count));
                 },
                 put);
         state_->inChunks(request, [&](CastSlot& slot, std::size_t first, std::size_t count) {
-            const std::span<const std::uint32_t> stopped = slot.stoppedRows(count);
+            const std::span<const std::uint32_t> stopped = slot.occludedRows(count);
             for (std::size_t i = 0; i < count; ++i) occluded[first + i] = stopped[i] != 0;
         });
     });
@@ -216,7 +215,7 @@ void TraceScene::readColors(std::span<const std::uint32_t> splat_ids, std::span<
 
 double TraceScene::metresPerUnit() const { return pointrt::metresPerUnit(state_->resident); }
 std::uint64_t TraceScene::splatCount() const { return pointrt::splatCount(state_->resident); }
-std::size_t TraceScene::instanceCount() const { return state_->resident.list().instances.size(); }
+std::size_t TraceScene::instanceCount() const { return state_->resident.list().scene_instances.size(); }
 bool TraceScene::hasTiles() const { return !state_->resident.list().sets.empty(); }
 std::uint64_t TraceScene::tileLoads() const { return state_->resident.tileLoads(); }
 std::uint64_t TraceScene::deviceBytes() const { return state_->resident.deviceBytes(); }

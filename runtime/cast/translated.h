@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where errors of the rooms become those of the library.
+// Translates internal errors to those of the public library.
 #pragma once
 
 #include "format/base/error.h"
@@ -12,7 +12,7 @@ static_assert(static_cast<int>(TraceError::Kind::kBadInput) == static_cast<int>(
               static_cast<int>(TraceError::Kind::kBadUsage) == static_cast<int>(ExitCode::kBadUsage) &&
               static_cast<int>(TraceError::Kind::kCannotRun) == static_cast<int>(ExitCode::kCannotRun));
 
-/// Calls act and returns what it does; Error and ProError become TraceError.
+/// Returns act(). Rethrows Error and ProError as TraceError.
 template <typename Act>
 auto translated(const Act& act) {
     try {

@@ -14,19 +14,19 @@
 namespace pointrt {
 namespace {
 
-/// Of which a range without the extremes is found; percentiles of so many are within a tenth of a percent.
+/// Sample size for the range without extremes: percentiles of so many are accurate to 0.1%.
 constexpr std::size_t kSampled = std::size_t{1} << 18;
-/// Share of the numbers that each end of that range leaves out.
+/// Share of the numbers that the range excludes at each end.
 constexpr double kExtremes = 0.01;
-/// Whole numbers of so few values are all shown.
-constexpr double kSmallWhole = 255;
+/// Integers in a range of at most this width are shown without excluding extremes.
+constexpr double kSmallRange = 255;
 
 using ScanNumbers = std::vector<std::optional<SplatNumbers>>;
 
-/// visit(number) for numbers of every step-th block of splats.
+/// Calls visit(number) for the finite numbers of every step-th block of splats.
 template <typename Visit>
 void visitNumbers(const PlacedScan& scan, const SplatNumbers& source, std::size_t step, const Visit& visit) {
-    constexpr std::size_t kBlock = 64; // of neighbours, who are alike: few of them, many blocks
+    constexpr std::size_t kBlock = 64; // small: neighbours are alike, so many blocks sample better
     double numbers[kBlock];
     const std::size_t count = scan.file->info.splat_count;
     for (std::size_t first = 0; first < count; first += kBlock * step) {
@@ -61,38 +61,38 @@ ValueRange rangeWithoutExtremes(const std::vector<PlacedScan>& scans, const Scan
     return {*low, *high};
 }
 
-/// All that there is of whole numbers, where that is little.
-std::optional<ValueRange> smallWholeRange(const ScanNumbers& sources) {
+/// The full range of integers, if it is small.
+std::optional<ValueRange> smallIntegerRange(const ScanNumbers& sources) {
     std::optional<ValueRange> all;
     for (const std::optional<SplatNumbers>& source : sources) {
         if (!source) continue;
         const pro_attribute& attribute = source->attribute;
         if (!attribute.values || attribute.type == PRO_TYPE_F32 || attribute.type == PRO_TYPE_F64) return std::nullopt;
-        if (attribute.components > 1) return std::nullopt; // low and high are of all of them
+        if (attribute.components > 1) return std::nullopt; // low and high span all components
         if (!all) all = {attribute.low, attribute.high};
         all = {std::min(all->low, attribute.low), std::max(all->high, attribute.high)};
     }
-    return all && all->high - all->low <= kSmallWhole ? all : std::nullopt;
+    return all && all->high - all->low <= kSmallRange ? all : std::nullopt;
 }
 
-/// So few have a tick each.
-constexpr double kFewWhole = 6;
+/// A range narrower than this has a tick for each integer.
+constexpr double kFewIntegers = 6;
 
-std::vector<LegendTick> wholeTicks(ValueRange range) {
+std::vector<LegendTick> integerTicks(ValueRange range) {
     std::vector<LegendTick> ticks;
     const double width = range.high - range.low, first = std::ceil(range.low);
-    for (int k = 0; k <= kFewWhole && first + k <= range.high; ++k) {
-        char text[32]; // of at most 20 digits
+    for (int k = 0; k <= kFewIntegers && first + k <= range.high; ++k) {
+        char text[32]; // at most 20 digits
         std::snprintf(text, sizeof text, "%.0f", first + k);
-        if (!ticks.empty() && ticks.back().text == text) break; // no double lies between them
+        if (!ticks.empty() && ticks.back().text == text) break; // doubles are further apart than integers here
         ticks.push_back({width > 0 ? (first + k - range.low) / width : 0.5, text});
     }
     return ticks;
 }
 
-/// The whole numbers that a categorical map gives colours to.
+/// The integers in the scans, for categorical colour maps.
 std::vector<double> categoriesOf(const std::vector<PlacedScan>& scans, const ScanNumbers& sources) {
-    constexpr std::size_t kMost = 4096; // numbers of other things are no categories
+    constexpr std::size_t kMost = 4096; // more are not categories
     std::set<double> found;
     double last = std::nan("");
     for (std::size_t i = 0; i < scans.size(); ++i) {
@@ -112,7 +112,7 @@ ColorMap mapFor(const PaintRequest& request) {
     return name == "classification" ? ColorMap::kClasses : name == "scan" ? ColorMap::kScans : ColorMap::kViridis;
 }
 
-/// " (m)" of heights in units that are known.
+/// " (m)" for heights in a known unit, else "".
 std::string unitOf(const std::vector<PlacedScan>& scans, const PaintRequest& request) {
     if (request.color_by != kHeight || scans.empty() || scans[0].instance->placement.scale != 1) return "";
     pro_world world;
@@ -123,21 +123,22 @@ std::string unitOf(const std::vector<PlacedScan>& scans, const PaintRequest& req
     return is(1200.0 / 3937) ? " (US ft)" : ""; // the survey foot
 }
 
-/// Each scan once: of a set the root, which has some of its numbers, in place of its tiles.
-std::vector<PlacedScan> wholesOf(const std::vector<PlacedScan>& scans) {
-    std::vector<PlacedScan> wholes;
+/// Each scan once: sets are represented by their roots, which have a sample of their numbers.
+std::vector<PlacedScan> representativesOf(const std::vector<PlacedScan>& scans) {
+    std::vector<PlacedScan> representatives;
     for (PlacedScan scan : scans) {
         if (scan.root) scan.file = scan.root;
-        if (!scan.root || wholes.empty() || wholes.back().instance != scan.instance) wholes.push_back(scan);
+        if (!scan.root || representatives.empty() || representatives.back().instance != scan.instance)
+            representatives.push_back(scan);
     }
-    return wholes;
+    return representatives;
 }
 
-/// With the ends that its set has of an attribute.
-std::optional<SplatNumbers> wholeNumbers(const PlacedScan& whole, const PaintRequest& request) {
-    auto numbers = numbersFor(whole, request.color_by, request.up);
-    if (!numbers || !whole.set || !numbers->attribute.values) return numbers;
-    for (const SetAttribute& each : whole.set->attributes)
+/// The numbers of a representative, with the attribute range of its whole set.
+std::optional<SplatNumbers> representativeNumbers(const PlacedScan& scan, const PaintRequest& request) {
+    auto numbers = numbersFor(scan, request.color_by, request.up);
+    if (!numbers || !scan.set || !numbers->attribute.values) return numbers;
+    for (const SetAttribute& each : scan.set->attributes)
         if (each.name == numbers->attribute.name) {
             numbers->attribute.low = each.low;
             numbers->attribute.high = each.high;
@@ -145,16 +146,16 @@ std::optional<SplatNumbers> wholeNumbers(const PlacedScan& whole, const PaintReq
     return numbers;
 }
 
-ScanNumbers findNumbers(const std::vector<PlacedScan>& wholes, const PaintRequest& request) {
+ScanNumbers findNumbers(const std::vector<PlacedScan>& representatives, const PaintRequest& request) {
     ScanNumbers sources;
-    bool any = wholes.empty();
-    for (const PlacedScan& scan : wholes) {
-        sources.push_back(wholeNumbers(scan, request));
+    bool any = representatives.empty();
+    for (const PlacedScan& scan : representatives) {
+        sources.push_back(representativeNumbers(scan, request));
         any |= sources.back().has_value();
     }
     if (!any)
         throw Error{ExitCode::kBadUsage,
-                    "--color-by: " + lackText(wholes, request.color_by, {kOwnColors, kHeight, kNormal})};
+                    "--color-by: " + lackText(representatives, request.color_by, {kOwnColors, kHeight, kNormal})};
     return sources;
 }
 
@@ -164,7 +165,7 @@ ColorChoice normalColors(const std::vector<PlacedScan>& scans) {
     return choice;
 }
 
-/// "a.pro", or "the scans" of several.
+/// "a.pro has", or "the scans have" for several.
 std::string namesOf(const std::vector<PlacedScan>& scans) {
     const auto is_first = [&](const PlacedScan& scan) { return scan.instance->path == scans[0].instance->path; };
     return std::all_of(scans.begin(), scans.end(), is_first) ? scans[0].instance->path + " has" : "the scans have";
@@ -193,25 +194,27 @@ std::string lackText(const std::vector<PlacedScan>& scans, const std::string& wo
     if (!near.empty()) text += ", did you mean \"" + printable(near) + "\"?";
     std::string list;
     for (const std::string& each : words) list += (list.empty() ? "" : ", ") + printable(each);
-    return text + (near.empty() ? "; there is " : " There is ") + list;
+    return text + (near.empty() ? "; available: " : " Available: ") + list;
 }
 
 ColorChoice chooseColors(const std::vector<PlacedScan>& scans, const PaintRequest& request) {
     if (request.color_by == kNormal) return normalColors(scans);
-    const std::vector<PlacedScan> wholes = wholesOf(scans);
-    const ScanNumbers sources = findNumbers(wholes, request);
+    const std::vector<PlacedScan> representatives = representativesOf(scans);
+    const ScanNumbers sources = findNumbers(representatives, request);
     const ColorMap map = mapFor(request);
     const std::string title = attributeWord(request.color_by) + unitOf(scans, request);
     ColorChoice choice;
     ValueRange range;
     if (isCategorical(map)) {
-        choice.legend = listLegend(title, map, categoriesOf(wholes, sources));
+        choice.legend = listLegend(title, map, categoriesOf(representatives, sources));
     } else {
-        const auto whole = smallWholeRange(sources);
-        range = request.color_range ? *request.color_range : whole ? *whole : rangeWithoutExtremes(wholes, sources);
+        const auto integers = smallIntegerRange(sources);
+        range = request.color_range ? *request.color_range
+                : integers          ? *integers
+                                    : rangeWithoutExtremes(representatives, sources);
         choice.legend = barLegend(title, map, range);
-        if (whole && !request.color_range && range.high - range.low < kFewWhole)
-            choice.legend->ticks = wholeTicks(range);
+        if (integers && !request.color_range && range.high - range.low < kFewIntegers)
+            choice.legend->ticks = integerTicks(range);
     }
     for (const PlacedScan& scan : scans)
         choice.colors.emplace_back(

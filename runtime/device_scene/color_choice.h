@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a word for a colouring means in a scene: which numbers, which map, from where to where.
+// What --color-by means in a scene: which numbers, which colour map, which range.
 #pragma once
 
 #include <optional>
@@ -12,22 +12,24 @@
 
 namespace pointrt {
 
-/// Words for what scans have without attributes: how high points lie, and where their surface looks.
+/// Names for what every scan has without attributes: heights and normals.
 inline constexpr const char* kHeight = "height";
 inline constexpr const char* kNormal = "normal";
 
 struct ColorChoice {
-    std::vector<std::variant<std::monostate, NumberColors, NormalColors>> colors; ///< of each scan
+    std::vector<std::variant<std::monostate, NumberColors, NormalColors>> colors; ///< for each scan
     std::optional<Legend> legend;
 };
 
-/// For a request that is not for the scans' own colours; one range for all of them. Throws as planPaint does.
+/// For any request but the scans' own colours. All scans share a range. Throws as planPaint does.
 ColorChoice chooseColors(const std::vector<PlacedScan>& scans, const PaintRequest& request);
 
-/// What color_by's word means in a scan; nothing where it has none, and for words that mean no number. up: unit vector.
+/// The numbers that word names in a scan; nullopt if there are none.
+/// @param up unit vector
 std::optional<SplatNumbers> numbersFor(const PlacedScan& scan, const std::string& word, Vec3 up);
 
-/// "NAMES have no "WORD", did you mean ...; there are ..." of attributes and the words besides.
+/// "NAMES have no attribute "WORD", did you mean ...? Available: ...".
+/// @param besides names to list before the attributes
 std::string lackText(const std::vector<PlacedScan>& scans, const std::string& word,
                      const std::vector<std::string>& besides);
 

@@ -8,7 +8,7 @@
 namespace pointrt {
 namespace {
 
-/// A side of a cell: the faces that are low or high along an axis.
+/// A side of a cell: the low or the high face along an axis.
 struct Side {
     std::size_t axis = 0;
     bool high = false;
@@ -29,7 +29,7 @@ public:
     }
 
 private:
-    /// The tile of the cut that has all of a cell.
+    /// The tile of the cut that contains a cell.
     std::optional<std::uint32_t> coveredBy(std::uint32_t level, TileCell cell) const {
         for (; level < set_.levels.size(); ++level, cell = parentOf(cell)) {
             const auto tile = findTile(set_, level, cell);
@@ -38,7 +38,7 @@ private:
         return std::nullopt;
     }
 
-    /// Whether tiles of the cut stand all along a side of a cell that no coarser one has.
+    /// Whether tiles of the cut cover a side of a cell that no coarser tile contains.
     bool isFilled(std::uint32_t level, const TileCell& cell, Side side) const {
         const auto tile = findTile(set_, level, cell);
         if (!tile) return false;

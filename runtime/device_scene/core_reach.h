@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far the hits of a tile count: in its core, and beyond where nobody else's would.
+// The box that a tile's hits are clipped to: its core, extended where no other tile has hits.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,11 @@
 
 namespace pointrt {
 
-/// The core, grown on each of its six sides
-///  - towards a coarser tile of the cut by that one's error: so far may its surface lie beside this one's;
-///  - towards a cell without splats, which has no tile, by the largest radius of the level: discs reach into it.
-/// in_cut: of each tile of the set, whether it is in the cut; tile: one that is
+/// The core, extended on each of its six sides
+///  - towards a coarser tile of the cut by the error of that tile: the two surfaces may be that far apart;
+///  - towards a cell without splats, which has no tile, by the largest radius of the level: discs extend into it.
+/// @param in_cut whether each tile of the set is in the cut
+/// @param tile one that is
 TileBox hitBox(const TileSet& set, const std::vector<bool>& in_cut, std::uint32_t tile);
 
 } // namespace pointrt

@@ -24,7 +24,7 @@ double distanceTo(const TileBox& box, Vec3 point) {
     return std::sqrt(squared);
 }
 
-/// Of the box's corners the greatest dot product with a normal, from a point.
+/// The largest distance along a normal from a point to any corner of the box.
 double farthestAlong(const TileBox& box, Vec3 from, Vec3 normal) {
     const auto along = [](double n, double low, double high) { return n * (n < 0 ? low : high); };
     return along(normal.x, box.low[0] - from.x, box.high[0] - from.x) +
@@ -32,7 +32,7 @@ double farthestAlong(const TileBox& box, Vec3 from, Vec3 normal) {
            along(normal.z, box.low[2] - from.z, box.high[2] - from.z);
 }
 
-/// A pixel's edge at some distance from the eye.
+/// The edge of a pixel at a distance from the eye.
 double pixelAt(const CutView& view, double distance) {
     const Camera& camera = view.camera;
     const double height =
@@ -40,7 +40,8 @@ double pixelAt(const CutView& view, double distance) {
     return height / view.height;
 }
 
-/// Of a point from the eye, how far it is along each of the camera's axes, which need not be at right angles.
+/// The dual basis of the camera's axes, which need not be orthogonal: a point's dot products with these are its
+/// coordinates along the axes.
 struct PlaneNormals {
     Vec3 right, up, forward;
 };
@@ -52,11 +53,13 @@ PlaneNormals normalsOf(const Camera& camera) {
     return {share * across, share * cross(forward, right), share * cross(right, up)};
 }
 
-double unseenFactor(const TileBox& core, const CutView& view) { return isInPicture(core, view) ? 1 : kUnseenPixel; }
+double unseenFactor(const TileBox& core, const CutView& view) {
+    return isInPicture(core, view) ? 1 : kUnseenPixelScale;
+}
 
-class Cutter {
+class CutRefiner {
 public:
-    Cutter(const TileSet& set, const std::vector<std::vector<std::uint32_t>>& children, const CutRequest& request)
+    CutRefiner(const TileSet& set, const std::vector<std::vector<std::uint32_t>>& children, const CutRequest& request)
         : set_(set), children_(children), request_(request), in_cut_(set.tiles.size(), false) {}
 
     TileCut run() {
@@ -86,8 +89,8 @@ private:
         const TileBox core = coreOf(set_, set_.tiles[tile]);
         double most = 0;
         for (const CutView& view : request_.views) {
-            const double factor = marked(request_.wanted_unseen, tile) ? 1 : unseenFactor(core, view);
-            most = std::max(most, leftOutPixels(set_, set_.tiles[tile], view) / factor);
+            const double factor = marked(request_.hit_unseen, tile) ? 1 : unseenFactor(core, view);
+            most = std::max(most, screenSpaceError(set_, set_.tiles[tile], view) / factor);
         }
         return most;
     }
@@ -102,12 +105,12 @@ private:
     bool isFine(double pixels) const { return std::min<double>(pixels, kMaxPixelSide) <= request_.detail; }
 
     bool mayRefine(std::uint32_t tile) const {
-        const auto is_lost = [&](std::uint32_t child) { return marked(request_.lost, child); };
+        const auto isMissing = [&](std::uint32_t child) { return marked(request_.missing, child); };
         const std::vector<std::uint32_t>& children = children_[tile];
-        return !children.empty() && std::none_of(children.begin(), children.end(), is_lost);
+        return !children.empty() && std::none_of(children.begin(), children.end(), isMissing);
     }
 
-    /// With coarser ones around it first. False where the memory does not allow that.
+    /// Refines coarser neighbours first. False if the memory limit does not allow it.
     bool refine(std::uint32_t tile) {
         while (const auto coarser = coarserNeighbor(tile))
             if (!refine(*coarser)) return false;
@@ -120,19 +123,19 @@ private:
         return true;
     }
 
-    /// In the cut, of a higher level than the tile, touching it and with children: the first by place.
+    /// The first tile of the cut around this one that is of a higher level and has children.
     std::optional<std::uint32_t> coarserNeighbor(std::uint32_t number) const {
         const SetTile& tile = set_.tiles[number];
         for (int place = 0; place < 27; ++place) {
             const TileCell beside = cellBeside(tile.cell, {place % 3 - 1, place / 3 % 3 - 1, place / 9 - 1});
-            const auto above = coveredFromAbove(tile.level, beside);
+            const auto above = coarserTileAt(tile.level, beside);
             if (above && mayRefine(*above)) return above;
         }
         return std::nullopt;
     }
 
-    /// The tile of a higher level in the cut that has the cell.
-    std::optional<std::uint32_t> coveredFromAbove(std::uint32_t level, TileCell cell) const {
+    /// The tile of the cut at a higher level that contains the cell.
+    std::optional<std::uint32_t> coarserTileAt(std::uint32_t level, TileCell cell) const {
         while (++level < set_.levels.size()) {
             cell = parentOf(cell);
             const auto tile = findTile(set_, level, cell);
@@ -153,7 +156,7 @@ private:
 
 TileCell cellBeside(const TileCell& cell, const TileCell& steps) {
     TileCell beside;
-    for (std::size_t axis = 0; axis < 3; ++axis) // unsigned numbers wrap
+    for (std::size_t axis = 0; axis < 3; ++axis) // unsigned arithmetic wraps
         beside[axis] =
             static_cast<std::int32_t>(static_cast<std::uint32_t>(cell[axis]) + static_cast<std::uint32_t>(steps[axis]));
     return beside;
@@ -166,7 +169,7 @@ bool isInPicture(const TileBox& box, const CutView& view) {
     const double right = up * view.aspect;
     const PlaneNormals normals = normalsOf(camera);
     if (farthestAlong(box, camera.eye, normals.forward) < 0) return false;
-    // a parallel picture's sides stand off the eye, a pinhole's go through it
+    // the side planes of a pinhole camera pass through the eye, those of a parallel one lie beside it
     const auto within = [&](Vec3 side, double reach) {
         if (parallel) return farthestAlong(box, camera.eye, side) + reach >= 0;
         return farthestAlong(box, camera.eye, reach * normals.forward + side) >= 0;
@@ -179,7 +182,7 @@ std::uint64_t bytesInCut(const SetTile& tile, const CutRequest& request) {
     return tile.bytes + tile.stored * request.splat_bytes;
 }
 
-double leftOutPixels(const TileSet& set, const SetTile& tile, const CutView& view) {
+double screenSpaceError(const TileSet& set, const SetTile& tile, const CutView& view) {
     if (tile.isOriginal()) return 0;
     const double pixel = pixelAt(view, distanceTo(coreOf(set, tile), view.camera.eye));
     return pixel > 0 ? std::max(tile.error, tile.spacing) / pixel : std::numeric_limits<double>::infinity();
@@ -187,7 +190,7 @@ double leftOutPixels(const TileSet& set, const SetTile& tile, const CutView& vie
 
 TileCut chooseCut(const TileSet& set, const std::vector<std::vector<std::uint32_t>>& children,
                   const CutRequest& request) {
-    return Cutter(set, children, request).run();
+    return CutRefiner(set, children, request).run();
 }
 
 } // namespace pointrt

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which tiles of a set stand for it in a picture: a cut through their tree, which covers the cloud once. All rays of a
-// picture see the same one.
+// The level-of-detail cut of a tile set: the tiles that a picture is traced with. They cover the cloud once. All rays
+// of a picture use the same cut.
 #pragma once
 
 #include <cstdint>
@@ -11,52 +11,53 @@
 
 namespace pointrt {
 
-/// What a picture sees of a set, in the set's coordinates.
+/// The view of a picture, in the set's coordinates.
 struct CutView {
     Camera camera;
     double aspect = 1;        ///< width over height
     std::uint32_t height = 1; ///< pixels
 };
 
-/// What no camera sees is met by scattered and mirrored rays alone, which spread: a pixel is so many times as large
-/// there. Two levels; a set's levels are twice as coarse each.
-constexpr double kUnseenPixel = 4;
+/// Tiles outside every view are reached only by secondary rays, whose footprint is larger: pixels count as this many
+/// times as large there. That is two levels, each twice as coarse as the one below.
+constexpr double kUnseenPixelScale = 4;
 
-/// What tiles, and on a processor all of a picture, may take where nothing is said, bytes: 2 GiB.
+/// Default memory limit for tiles, or on a CPU for all of a picture, bytes: 2 GiB.
 constexpr std::uint64_t kTileMemory = std::uint64_t{2} << 30;
 
 struct CutRequest {
-    std::vector<CutView> views; ///< at least one: pixels are those of whichever sees most of them
-    /// Pixels: a tile is fine enough where what it leaves out, its error or the distance of its splats, is no larger.
-    /// With 0 none is that has finer ones; with kMaxPixelSide or more, which no picture has, every one is.
+    std::vector<CutView> views; ///< at least one; the one that sees an error largest counts
+    /// Largest screen-space error to accept, pixels. The error of a tile is its geometric error or the spacing of its
+    /// splats. 0 refines to the finest tiles; kMaxPixelSide or more accepts the root.
     double detail = RenderSettings{}.detail;
-    std::uint64_t memory = 0;        ///< bytes that the tiles may take, but for the root's, which is always there
-    std::uint32_t splat_bytes = 0;   ///< that a stored splat takes besides the file: its paint, an index that is built
-    std::vector<bool> wanted_unseen; ///< of each tile, or empty: many rays meet it though no camera sees it
-    std::vector<bool> lost;          ///< of each tile, or empty: it cannot be had, and its parent stands for it
+    std::uint64_t memory = 0;      ///< limit for the tiles, bytes; the root is exempt
+    std::uint32_t splat_bytes = 0; ///< per stored splat in addition to the file: paint, an index that must be built
+    std::vector<bool> hit_unseen;  ///< for each tile, or empty: many secondary rays hit it outside every view
+    std::vector<bool> missing;     ///< for each tile, or empty: it cannot be opened, its parent is used instead
 };
 
 struct TileCut {
-    std::vector<std::uint32_t> tiles; ///< numbers, rising
-    std::uint64_t bytes = 0;          ///< that they take
-    bool fits = true;                 ///< else memory ended it: some are coarser than they should be
+    std::vector<std::uint32_t> tiles; ///< numbers, ascending
+    std::uint64_t bytes = 0;          ///< of all its tiles
+    bool fits = true;                 ///< false: the memory limit left some tiles too coarse
 };
 
-/// Refined from the root down: each time the tile that leaves out the most pixels, of equals the one with the lower
-/// number, until all are fine; those whose children would take more than what is left of the memory are passed over.
-/// Before a tile is refined those that touch it are, where they are coarser, so that neighbours differ by one level at
-/// most; but for original tiles, which have no children. It depends on the arguments alone. children: childrenOf(set)
+/// Refines from the root down, always the tile with the largest screen-space error (of equals the lower number), until
+/// all errors are acceptable. Tiles whose children would exceed the memory limit are skipped. Coarser tiles that touch
+/// a tile are refined before it, so that neighbours differ by at most one level, except for original tiles, which have
+/// no children. The result depends on the arguments alone.
+/// @param children childrenOf(set)
 TileCut chooseCut(const TileSet& set, const std::vector<std::vector<std::uint32_t>>& children,
                   const CutRequest& request);
 
-/// What a tile takes.
+/// Bytes of a tile in a cut.
 std::uint64_t bytesInCut(const SetTile& tile, const CutRequest& request);
-/// How many of the view's pixels lie across what a tile leaves out where the camera comes nearest to its core; 0 of
-/// original ones. Infinite from within.
-double leftOutPixels(const TileSet& set, const SetTile& tile, const CutView& view);
-/// The cell so many cells further along each axis; around the ends of their range there is nothing.
+/// The screen-space error of a tile where its core is nearest to the camera, pixels. 0 for original tiles; infinite if
+/// the camera is inside the core.
+double screenSpaceError(const TileSet& set, const SetTile& tile, const CutView& view);
+/// The cell offset by steps along each axis; wraps at the ends of the range, where no set has tiles.
 TileCell cellBeside(const TileCell& cell, const TileCell& steps);
-/// Whether any of the box may be in the picture.
+/// Whether any part of the box may be in the picture (conservative).
 bool isInPicture(const TileBox& box, const CutView& view);
 
 } // namespace pointrt

@@ -12,14 +12,14 @@
 #include "format/base/printable.h"
 #include "format/base/require_pro.h"
 #include "pointrt/pro_index_layout.h"
-#include "runtime/device_scene/index_store.h"
+#include "runtime/device_scene/index_cache.h"
 #include "runtime/util/on_error.h"
 
 namespace pointrt {
 
 namespace {
 
-/// A section of the file on the device: where its first page is bound, and the others.
+/// A section of the file on the device, and the bindings of its first page and of further pages.
 struct ScanBuffer {
     PagedBuffer DeviceScan::*buffer;
     const char* what;
@@ -34,7 +34,7 @@ constexpr ScanBuffer kScanBuffers[] = {
     {&DeviceScan::listed, "listed splat buffer", VK_FORMAT_R32G32_UINT, BINDING_LISTED, BINDING_LISTED_PAGES},
     {&DeviceScan::blending, "blending splat buffer", VK_FORMAT_R32_UINT, BINDING_BLENDING, BINDING_BLENDING_PAGES},
     {&DeviceScan::splats, "splat buffer", VK_FORMAT_R32G32B32A32_UINT, BINDING_SPLATS, BINDING_SPLAT_PAGES}};
-constexpr std::size_t kIndexBuffers = std::size(kScanBuffers) - 1; // the splats come last
+constexpr std::size_t kIndexBuffers = std::size(kScanBuffers) - 1; // the splats are last
 static_assert(std::equal(std::begin(kScanBuffers), std::end(kScanBuffers), kPagedPlaces.begin(), kPagedPlaces.end(),
                          [](const ScanBuffer& a, const PagedPlace& b) { return a.further == b.further; }));
 
@@ -48,10 +48,10 @@ void uploadSplats(Device& device, DeviceScan& scan) {
     uploadSection(device, scan, kScanBuffers[kIndexBuffers], scan.view.splats, bytes);
 }
 
-constexpr std::uint32_t kBlank[4] = {}; // a texel: it may become device memory as it is
+constexpr std::uint32_t kBlank[4] = {}; // one texel, which may be imported as device memory
 constexpr std::uint64_t kTexelBytes = sizeof kBlank;
 
-/// Whole texels: a section's last page has room for them.
+/// Rounds up to whole texels, which the last page of a section has room for.
 void uploadNoise(Device& device, DeviceScan& scan) {
     pro_sampling sampling;
     pro_get_sampling(scan.file, &sampling);
@@ -62,7 +62,7 @@ void uploadNoise(Device& device, DeviceScan& scan) {
     if (scan.noisy) scan.device_bytes += texels * kTexelBytes;
 }
 
-/// In the order of kScanBuffers.
+/// The words of each section, in the order of kScanBuffers.
 std::array<std::span<const std::uint32_t>, kIndexBuffers> wordsOf(const pro_index& index) {
     const auto words = [](const std::uint32_t* data, std::uint64_t count, std::uint32_t each) {
         return std::span(data, static_cast<std::size_t>(count * each));
@@ -87,39 +87,39 @@ void uploadIndex(Device& device, DeviceScan& scan) {
         uploadSection(device, scan, kScanBuffers[k], words[k].data(), words[k].size_bytes());
 }
 
-/// Of a file without an index. Where it can be kept, what is kept is mapped in place of what was built: those pages are
-/// the system's to take back.
+/// Builds the index of a file without one. If it can be cached, the cached file replaces the built arrays: the system
+/// may reclaim mapped pages.
 void buildIndex(DeviceScan& scan, const ScanUpload& how) {
     scan.index_source = IndexSource::kBuilt;
     scan.built = buildTracingIndex(scan.info, scan.view, {how.threads, {}});
     scan.index = indexView(scan.built);
-    const KeptFiles store = userIndexStore();
-    const std::string unkept = keepIndex(store, scan.file, scan.index);
-    scan.kept = unkept.empty() ? openKeptIndex(store, scan.file) : nullptr;
-    if (scan.kept && pro_get_index(scan.kept, &scan.index) == 1) scan.built = {};
-    if (how.verbose && !unkept.empty())
-        std::fprintf(stderr, "%s: its index is not kept: %s\n", printable(scan.path).c_str(),
-                     printable(unkept, std::string::npos).c_str());
+    const FileCache cache = userIndexCache();
+    const std::string failure = cacheIndex(cache, scan.file, scan.index);
+    scan.cached = failure.empty() ? openCachedIndex(cache, scan.file) : nullptr;
+    if (scan.cached && pro_get_index(scan.cached, &scan.index) == 1) scan.built = {};
+    if (how.verbose && !failure.empty())
+        std::fprintf(stderr, "%s: its index was not cached: %s\n", printable(scan.path).c_str(),
+                     printable(failure, std::string::npos).c_str());
 }
 
-/// What was built and copied to the device.
-void letGoOfBuilt(DeviceScan& scan) {
+/// Frees the built arrays that were copied to the device, not imported.
+void freeBuilt(DeviceScan& scan) {
     Bricks& bricks = scan.built.bricks;
     std::array<Words*, kIndexBuffers> words{&bricks.words, &bricks.cells,  &bricks.slabs,
                                             &bricks.near,  &bricks.listed, &bricks.blending};
     for (std::size_t k = 0; k < words.size(); ++k)
-        if (!isImported(scan.*kScanBuffers[k].buffer)) Words().swap(*words[k]); // {} would keep the memory
+        if (!isImported(scan.*kScanBuffers[k].buffer)) Words().swap(*words[k]); // assigning {} would keep the memory
     if (!scan.grid_words.imported) Words().swap(scan.built.grid.words);
 }
 
-/// All that the device reads. Errors name the file.
+/// Uploads everything that the device reads. Errors name the file.
 void upload(Device& device, DeviceScan& scan, const ScanUpload& how) {
     try {
         uploadSplats(device, scan);
         uploadNoise(device, scan);
-        if (pro_get_index(scan.kept ? scan.kept : scan.file, &scan.index) == 0) buildIndex(scan, how);
+        if (pro_get_index(scan.cached ? scan.cached : scan.file, &scan.index) == 0) buildIndex(scan, how);
         uploadIndex(device, scan);
-        letGoOfBuilt(scan);
+        freeBuilt(scan);
     } catch (const Error& error) {
         throw Error(error.code, scan.path + ": " + error.what());
     }
@@ -127,7 +127,7 @@ void upload(Device& device, DeviceScan& scan, const ScanUpload& how) {
 }
 
 const char* sourceWord(IndexSource source) {
-    return source == IndexSource::kFile ? "from the file" : source == IndexSource::kKept ? "kept" : "built";
+    return source == IndexSource::kFile ? "from the file" : source == IndexSource::kCached ? "cached" : "built";
 }
 
 } // namespace
@@ -149,12 +149,12 @@ DeviceScan mapTracedScan(const std::string& path) {
     pro_index index;
     if (pro_get_index(scan.file, &index) == 1) return scan;
     try {
-        scan.kept = openKeptIndex(userIndexStore(), scan.file);
+        scan.cached = openCachedIndex(userIndexCache(), scan.file);
     } catch (...) {
         pro_close(scan.file);
         throw;
     }
-    if (scan.kept) scan.index_source = IndexSource::kKept;
+    if (scan.cached) scan.index_source = IndexSource::kCached;
     return scan;
 }
 
@@ -204,7 +204,7 @@ void destroyScan(Device& device, DeviceScan& scan) {
     destroyBuffer(device, scan.noise);
     scan.built = {};
     scan.index = {};
-    for (pro_file** file : {&scan.file, &scan.kept})
+    for (pro_file** file : {&scan.file, &scan.cached})
         if (*file) pro_close(std::exchange(*file, nullptr));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mapped .pro as device buffers.
+// A mapped .pro file and its device buffers.
 #pragma once
 
 #include <cstddef>
@@ -16,49 +16,47 @@
 
 namespace pointrt {
 
-/// Where the tracing index of a scan is from.
-enum class IndexSource : std::uint8_t { kFile, kKept, kBuilt };
+/// Where the tracing index of a scan comes from: the file, the cache, or built now.
+enum class IndexSource : std::uint8_t { kFile, kCached, kBuilt };
 
 /// One .pro on the device: its splats and its tracing index, all read as texel buffers.
 struct DeviceScan {
     std::string path;
     pro_file* file = nullptr;
-    pro_file* kept = nullptr; ///< of a file without an index: that with the index that is kept for it, if any
+    pro_file* cached = nullptr; ///< the cached file with the index, if the file has none
     IndexSource index_source = IndexSource::kFile;
     pro_info info{};
     pro_view view{};
-    pro_index index{};  ///< frame and counts; its pointers hold for an index from a file
-    TracingIndex built; ///< of a file without an index that cannot be kept, as far as the device reads it here
-    Buffer grid_words;  ///< too few for pages (PRO_GRID_WORDS_MAX)
+    pro_index index{};  ///< frame and counts; its pointers are valid only for an index from a file
+    TracingIndex built; ///< an index that could not be cached, as far as device memory is imported from it
+    Buffer grid_words;  ///< never needs pages (PRO_GRID_WORDS_MAX)
     PagedBuffer splats, brick_words, cells, slabs, near, listed, blending;
-    PageCounts pages; ///< of those
-    Buffer noise;     ///< bytes; of a clean scan a blank texel
+    PageCounts pages; ///< of those buffers
+    Buffer noise;     ///< a byte per splat; a blank texel if the scan has no noise
     bool noisy = false;
     std::uint64_t device_bytes = 0;
-    std::uint64_t last_used = 0; ///< of a tile: DeviceScene::tile_uses when it was last in a cut
 };
 
-/// Maps and validates path, without anything on the device; of a file with an index its view has no octree. Throws
-/// Error kBadInput "FILE: reason".
+/// Maps and validates a file; uploads nothing. The view of a file with an index has no octree. Throws Error kBadInput
+/// "FILE: reason".
 DeviceScan mapScan(const std::string& path);
-/// The same for who uploads it: of a file without an index with the one that is kept for it. Throws as mapScan and
-/// userIndexStore do.
+/// The same, for uploadScan: also maps the cached index of a file without one. Throws as mapScan and userIndexCache do.
 DeviceScan mapTracedScan(const std::string& path);
 
 struct ScanUpload {
-    std::size_t threads = 0; ///< that build an index, at most; 0: all cores
+    std::size_t threads = 0; ///< limit for building an index; 0: all cores
     bool verbose = false;
 };
-/// Uploads (or imports) what mapTracedScan gave; of a file without an index that is built, and kept. Throws Error:
-/// kBadInput "FILE: reason" or kCannotRun. scan is destroyed then.
+/// Uploads or imports a scan from mapTracedScan. Builds and caches an index that is missing. Throws Error kBadInput
+/// "FILE: reason" or kCannotRun; scan is destroyed then.
 void uploadScan(Device& device, DeviceScan& scan, const ScanUpload& how);
-/// Both, on all cores.
+/// mapTracedScan and uploadScan, on all cores.
 DeviceScan loadScan(Device& device, const std::string& path, bool verbose);
-/// A scene of nothing: small buffers for programs that must be given some.
+/// Blank buffers, for programs that need some bound.
 DeviceScan blankScan(Device& device);
-/// The buffers, first pages where they have several, at their places in shaders/lib/bindings.glsl.
+/// The buffers, of paged ones the first page, for the bindings of shaders/lib/bindings.glsl.
 std::vector<BufferBinding> scanBindings(const DeviceScan& scan);
-/// For shaders/lib/pages.glsl.
+/// The paged buffers, for shaders/lib/pages.glsl.
 PagedBuffers pagedBuffers(const DeviceScan& scan);
 void destroyScan(Device& device, DeviceScan& scan);
 

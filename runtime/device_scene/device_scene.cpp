@@ -20,15 +20,16 @@ namespace pointrt {
 
 namespace {
 
-/// Loads path's file, once.
+/// Does nothing if the file is loaded.
 void loadFile(Device& device, DeviceScene& scene, const std::string& path, bool verbose) {
-    const auto is_path = [&](const DeviceScan& file) { return file.path == path; };
-    if (std::any_of(scene.files.begin(), scene.files.end(), is_path)) return;
-    scene.files.push_back(loadScan(device, path, verbose));
-    scene.device_bytes += scene.files.back().device_bytes;
+    if (scene.files.find(path)) return;
+    DeviceScan file = loadScan(device, path, verbose);
+    const std::uint64_t bytes = file.device_bytes;
+    scene.files.add(std::move(file), bytes, Eviction::kNever);
+    scene.device_bytes += bytes;
 }
 
-/// Without tiles yet.
+/// Opens a tile set, without loading tiles.
 void addSet(DeviceScene& scene, std::uint32_t number) {
     SceneSet& set = scene.sets.emplace_back();
     set.number = number;
@@ -40,10 +41,10 @@ void addSet(DeviceScene& scene, std::uint32_t number) {
     std::copy(tiles.bounds_max.begin(), tiles.bounds_max.end(), set.root.info.bounds_max);
 }
 
-/// Of the instances; without any, of the bounded shapes.
+/// Bounds of the instances; of the bounded shapes if there are none.
 Bounds findBounds(const DeviceScene& scene) {
     std::optional<Bounds> all;
-    const std::vector<const DeviceScan*> scans = wholeScans(scene);
+    const std::vector<const DeviceScan*> scans = representativeScans(scene);
     for (std::size_t i = 0; i < scans.size(); ++i) {
         const Bounds bounds = placedBounds(scene.description.instances[i].placement, scans[i]->info);
         all = all ? joined(*all, bounds) : bounds;
@@ -52,7 +53,7 @@ Bounds findBounds(const DeviceScene& scene) {
     return all.value_or(Bounds{{-1, -1, -1}, {1, 1, 1}});
 }
 
-/// Rough kinds read it; others only where it makes no difference, which zeros tell sooner.
+/// Only rough materials read the table. Others read it where the value does not matter, so zeros will do.
 bool needsGgxAlbedo(std::uint32_t features) {
     return std::any_of(kMaterialKinds.begin(), kMaterialKinds.end(), [&](const MaterialKindRow& each) {
         return hasTrait(each.kind, MATERIAL_IS_ROUGH) && (features & FEATURE_MATERIAL(each.kind)) != 0;
@@ -67,7 +68,7 @@ void replaceBuffer(Device& device, Buffer& buffer, const char* what, std::vector
     buffer = fresh;
 }
 
-/// In place where there are as many as before.
+/// In place if the number of rows is unchanged.
 template <typename Row>
 void replaceRows(Device& device, Buffer& buffer, const char* what, std::vector<Row> rows) {
     const std::uint64_t bytes = rows.size() * sizeof(Row);
@@ -81,15 +82,15 @@ std::string skyImage(const SceneDescription& description) {
     return description.sky ? description.sky->image : std::string();
 }
 
-/// The sky image; nothing where it is on the device already, or where there is none to read.
+/// Reads the sky image; nullopt if it is on the device already, empty if the scene has none.
 std::optional<Environment> readSky(const DeviceScene& scene) {
     const std::string image = skyImage(scene.description);
     if (scene.environment_texels.handle && image == scene.sky_image) return std::nullopt;
     return image.empty() ? Environment{} : makeEnvironment(readFloatImage(image));
 }
 
-/// Where other paint is asked for than there is.
-void repaint(Device& device, DeviceScene& scene, const RenderSettings& settings) {
+/// Paints splats anew if the paint request changed.
+void updatePaint(Device& device, DeviceScene& scene, const RenderSettings& settings) {
     const PaintRequest request = paintRequest(scene.description, settings);
     if (request == scene.paint.request) return;
     const std::vector<PlacedScan> scans = placedScans(scene, scene.description);
@@ -99,9 +100,9 @@ void repaint(Device& device, DeviceScene& scene, const RenderSettings& settings)
     scene.paint = std::exchange(fresh, {});
 }
 
-void furnishSky(Device& device, DeviceScene& scene, const RenderSettings& settings, std::optional<Environment> map) {
+void uploadSky(Device& device, DeviceScene& scene, const RenderSettings& settings, std::optional<Environment> map) {
     if (map) {
-        scene.sky_image.clear(); // until all of it is there
+        scene.sky_image.clear(); // until the upload is complete
         replaceBuffer(device, scene.environment_texels, "environment buffer", std::exchange(map->texels, {}),
                       VK_FORMAT_R32G32B32A32_SFLOAT);
         replaceBuffer(device, scene.environment_cdf, "environment distribution", std::exchange(map->cdf, {}),
@@ -115,7 +116,7 @@ void furnishSky(Device& device, DeviceScene& scene, const RenderSettings& settin
     scene.environment = environmentFrame(scene.sky_sizes, rows, sky.strength);
 }
 
-void furnishRows(Device& device, DeviceScene& scene, SceneRows rows) {
+void uploadRows(Device& device, DeviceScene& scene, SceneRows rows) {
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         Instance& instance = scene.instances[i];
         instance.params = rows.instances[i];
@@ -135,17 +136,16 @@ void furnishRows(Device& device, DeviceScene& scene, SceneRows rows) {
     replaceRows(device, scene.lights, "light buffer", std::move(rows.lights));
 }
 
-/// The splats of an instance that was painted.
+/// The painted splats of an instance; null if it is not painted.
 const PagedBuffer* paintedSplats(const DeviceScene& scene, const Instance& instance) {
     const std::vector<std::optional<std::size_t>>& painted = scene.paint.of;
     if (instance.place >= painted.size() || !painted[instance.place]) return nullptr;
     return &scene.paint.splats[*painted[instance.place]];
 }
 
-/// All programs name an instance's buffers, those too that never read them.
+/// All programs bind an instance's buffers, even those that never read them.
 void addBlank(Device& device, DeviceScene& scene) {
-    scene.blank.file = static_cast<std::uint32_t>(scene.files.size());
-    scene.files.push_back(blankScan(device));
+    scene.blank.file = scene.files.add(blankScan(device), 0, Eviction::kNever);
     scene.blank.params_buffer =
         createBuffer(device, "instance parameters", sizeof scene.blank.params, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
 }
@@ -163,22 +163,22 @@ DeviceScene openScene(Device& device, SceneDescription description, bool verbose
         else
             loadFile(device, scene, instances[i].path, verbose);
     std::vector<pro_info> infos;
-    for (const DeviceScan* scan : wholeScans(scene)) infos.push_back(scan->info);
+    for (const DeviceScan* scan : representativeScans(scene)) infos.push_back(scan->info);
     scene.space = chooseRenderSpace(scene.description, infos);
     scene.bounds = findBounds(scene);
-    standInstances(device, scene);
+    rebuildInstances(device, scene);
     if (instances.empty()) addBlank(device, scene);
     return scene;
 }
 
 void uploadSceneTables(Device& device, DeviceScene& scene, const RenderSettings& settings) {
     SceneRows rows = makeSceneRows(scene, scene.description, settings);
-    repaint(device, scene, settings);
-    furnishSky(device, scene, settings, readSky(scene));
-    furnishRows(device, scene, std::move(rows));
+    updatePaint(device, scene, settings);
+    uploadSky(device, scene, settings, readSky(scene));
+    uploadRows(device, scene, std::move(rows));
 }
 
-bool standsAlike(const SceneDescription& a, const SceneDescription& b) {
+bool haveSamePlacements(const SceneDescription& a, const SceneDescription& b) {
     return std::equal(a.instances.begin(), a.instances.end(), b.instances.begin(), b.instances.end(),
                       [](const InstanceDescription& one, const InstanceDescription& other) {
                           return one.path == other.path && one.placement == other.placement;
@@ -188,8 +188,8 @@ bool standsAlike(const SceneDescription& a, const SceneDescription& b) {
 void uploadSceneRows(Device& device, DeviceScene& scene, const SceneDescription& description,
                      const RenderSettings& settings, SceneRows rows) {
     scene.description = description;
-    furnishSky(device, scene, settings, std::nullopt);
-    furnishRows(device, scene, std::move(rows));
+    uploadSky(device, scene, settings, std::nullopt);
+    uploadRows(device, scene, std::move(rows));
 }
 
 bool castsCaustics(const DeviceScene& scene) {
@@ -213,7 +213,7 @@ std::vector<PlacedScan> placedScans(const DeviceScene& scene, const SceneDescrip
     return scans;
 }
 
-std::vector<const DeviceScan*> wholeScans(const DeviceScene& scene) {
+std::vector<const DeviceScan*> representativeScans(const DeviceScene& scene) {
     std::vector<const DeviceScan*> scans;
     auto set = scene.sets.begin();
     for (std::uint32_t i = 0; i < scene.description.instances.size(); ++i) {
@@ -221,15 +221,13 @@ std::vector<const DeviceScan*> wholeScans(const DeviceScene& scene) {
             scans.push_back(&set++->root);
             continue;
         }
-        const std::string& path = scene.description.instances[i].path;
-        scans.push_back(&*std::find_if(scene.files.begin(), scene.files.end(),
-                                       [&](const DeviceScan& file) { return file.path == path; }));
+        scans.push_back(&scene.files[scene.files.find(scene.description.instances[i].path).value()]);
     }
     return scans;
 }
 
 std::optional<Vec3> knownUp(const DeviceScene& scene) {
-    const std::vector<const DeviceScan*> scans = wholeScans(scene);
+    const std::vector<const DeviceScan*> scans = representativeScans(scene);
     for (std::size_t i = 0; i < scans.size(); ++i) {
         pro_world world;
         pro_get_world(scans[i]->file, &world);
@@ -242,7 +240,7 @@ std::optional<Vec3> knownUp(const DeviceScene& scene) {
 
 PagedBuffers instancePages(const DeviceScene& scene, const Instance& instance) {
     PagedBuffers buffers = pagedBuffers(scene.files[instance.file]);
-    if (const PagedBuffer* painted = paintedSplats(scene, instance)) buffers.back() = painted; // splats come last
+    if (const PagedBuffer* painted = paintedSplats(scene, instance)) buffers.back() = painted; // the splats are last
     return buffers;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All that is in the picture, on the device: the .pro files, where they stand, shapes, materials and lights.
+// A scene on the device: .pro files and their instances, shapes, materials and lights.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,7 @@
 #include "runtime/device_scene/environment.h"
 #include "runtime/device_scene/opened_set.h"
 #include "runtime/device_scene/render_space.h"
+#include "runtime/device_scene/resident_files.h"
 #include "runtime/device_scene/scene_paint.h"
 #include "runtime/gpu/device.h"
 #include "runtime/gpu/resources.h"
@@ -19,23 +20,24 @@
 
 namespace pointrt {
 
-/// A file as it stands in the scene: a scan, or a tile of one.
+/// A file with its placement in the scene: a scan, or a tile of one.
 struct Instance {
-    std::uint32_t file = 0;            ///< in DeviceScene::files
-    std::uint32_t number = 0;          ///< in SceneDescription::instances: the tiles of a set have the same one
+    std::uint32_t file = 0;            ///< slot in DeviceScene::files
+    std::uint32_t number = 0;          ///< in SceneDescription::instances: all tiles of a set have the same one
     std::size_t place = 0;             ///< in DeviceScene::instances
-    std::optional<std::uint32_t> tile; ///< of its set
+    std::optional<std::uint32_t> tile; ///< its number in its set
     gpu::InstanceParams params{};
     Buffer params_buffer;
     bool oriented = false;
 };
 
-/// A tile set that an instance of the description names.
+/// A tile set that is an instance of the description.
 struct SceneSet {
     std::uint32_t number = 0; ///< of that instance
     OpenedSet opened;
-    DeviceScan root; ///< mapped alone: what is to be known of the whole, whatever tiles there are; bounds are the set's
-    bool told_coarse = false;
+    DeviceScan
+        root; ///< mapped, not on the device: represents the set whatever tiles are loaded; its bounds are the set's
+    bool reported_coarse = false;
 };
 
 struct SceneRows; // of scene_rows.h
@@ -43,63 +45,62 @@ struct SceneRows; // of scene_rows.h
 struct DeviceScene {
     SceneDescription description;
     RenderSpace space;
-    std::vector<DeviceScan> files;   ///< each .pro once, however often it stands in the scene
+    ResidentFiles files;             ///< each .pro once, however many instances it has
     std::vector<SceneSet> sets;      ///< in the order of their instances
-    std::vector<Instance> instances; ///< in the order of the description; in place of a set its tiles
-    Instance blank;                  ///< stands for them in the bindings of scenes without any
+    std::vector<Instance> instances; ///< in the order of the description; a set's tiles in place of the set
+    Instance blank;                  ///< is bound in scenes without instances
     ScenePaint paint;
-    Bounds bounds; ///< of the instances; without any, of what shapes are bounded
+    Bounds bounds; ///< of the instances; of the bounded shapes if there are none
     std::vector<gpu::Light> light_rows;
     std::vector<gpu::Shape> shape_rows;
-    std::vector<bool> casting_shapes;    ///< of description.shapes, those that throw caustics
-    std::uint32_t features = 0;          ///< FEATURE_* of shaders/shared/params.h, with the settings it is furnished by
-    std::uint32_t sky_light = NO_LIGHT;  ///< number of the light that stands for the sky image
-    gpu::EnvironmentFrame environment{}; ///< of that image
-    std::string sky_image;               ///< path of that image, which is read once
-    Environment sky_sizes;               ///< of that image, without texels
+    std::vector<bool> casting_shapes;    ///< whether each of description.shapes casts caustics
+    std::uint32_t features = 0;          ///< FEATURE_* of shaders/shared/params.h, for the current settings
+    std::uint32_t sky_light = NO_LIGHT;  ///< number of the sky image's light
+    gpu::EnvironmentFrame environment{}; ///< of the sky image
+    std::string sky_image;               ///< path of the sky image on the device
+    Environment sky_sizes;               ///< of the sky image, without texels
     std::uint64_t splat_count = 0;
     std::uint64_t device_bytes = 0;
-    std::uint64_t tile_cache_bytes = 0; ///< what tiles may take where they come and go; else those in cuts alone stay
-    std::uint64_t tile_uses = 0;        ///< cuts that were put there so far
+    std::uint64_t tile_cache_bytes = 0; ///< unused tiles stay while all files take no more; 0: evict them at once
     Buffer materials, shapes, lights, ggx_albedo, environment_texels, environment_cdf;
 };
 
-/// Maps the files that description names and puts them on the device, with where they stand; shapes, materials and
-/// lights follow with uploadSceneTables, for which the bounds must be known, and before them the tiles of sets, which
-/// are opened here, with standTiles (scene_tiles.h). Throws Error as loadScan and openSet do.
+/// Loads the files of description, opens its tile sets and makes the instances of the files. Next, load the tiles of
+/// the sets with updateTiles (scene_tiles.h), then shapes, materials and lights, which may depend on the bounds, with
+/// uploadSceneTables. Throws Error as loadScan and openSet do.
 DeviceScene openScene(Device& device, SceneDescription description, bool verbose);
 
-/// Puts shapes, materials, lights and painted splats of scene.description, as it is now, on the device, in place of
-/// those before. The sky image is read, and splats are painted, only where that is another. Throws Error kBadInput
-/// where the image cannot be read, and where an override asks for a material row that its file does not have, and as
-/// planPaint does; nothing is changed then.
+/// Uploads the shapes, materials, lights and painted splats of scene.description, replacing the previous ones. Reads
+/// the sky image and paints splats only if those changed. Throws Error kBadInput if the image cannot be read or an
+/// override names a material row that its file does not have, and as planPaint does; the scene is unchanged then.
 void uploadSceneTables(Device& device, DeviceScene& scene, const RenderSettings& settings);
 
-/// Furnishes scene for description in a few milliseconds by its rows (see makeSceneRows). It must name the files,
-/// places and sky image that are there and ask for the paint that is there (paintRequest), and its rows' features must
-/// be the scene's, for which its programs were built.
+/// Replaces the description by one that differs in materials, lights or shapes only, in a few milliseconds. Files,
+/// placements, sky image and paint request (paintRequest) must be the current ones, and the features of rows those of
+/// the scene, for which its programs were built.
+/// @param rows makeSceneRows of description
 void uploadSceneRows(Device& device, DeviceScene& scene, const SceneDescription& description,
                      const RenderSettings& settings, SceneRows rows);
 
-/// What is up by the first instance whose file knows, as that stands in the scene; unit length.
+/// The up direction of the first instance whose file has one, in the world; unit length.
 std::optional<Vec3> knownUp(const DeviceScene& scene);
 
-/// Whether the same files stand at the same places.
-bool standsAlike(const SceneDescription& a, const SceneDescription& b);
+/// Whether both have the same files with the same placements.
+bool haveSamePlacements(const SceneDescription& a, const SceneDescription& b);
 
-/// Whether anything throws caustics, and there are lights for it.
+/// Whether there are lights and anything that casts caustics.
 bool castsCaustics(const DeviceScene& scene);
 
-/// The files and tiles as they stand in description.
+/// One for each instance of scene, with its placement in description.
 std::vector<PlacedScan> placedScans(const DeviceScene& scene, const SceneDescription& description);
 
-/// For each instance of the description what tells of all of it: its file, or its set's root.
-std::vector<const DeviceScan*> wholeScans(const DeviceScene& scene);
+/// A scan that represents each instance of the description: its file, or the root of its set.
+std::vector<const DeviceScan*> representativeScans(const DeviceScene& scene);
 
-/// The paged buffers of the instance with this number.
+/// The paged buffers of an instance.
 PagedBuffers instancePages(const DeviceScene& scene, const Instance& instance);
 
-/// The buffers of an instance, or of scene.blank, at their places in shaders/lib/bindings.glsl.
+/// The buffers of an instance, or of scene.blank, for the bindings of shaders/lib/bindings.glsl.
 std::vector<BufferBinding> instanceBindings(const DeviceScene& scene, const Instance& instance);
 
 void destroyDeviceScene(Device& device, DeviceScene& scene);

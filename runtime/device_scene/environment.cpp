@@ -12,16 +12,16 @@
 namespace pointrt {
 namespace {
 
-constexpr std::uint32_t kMaxTexels = 4096; // a side: 256 MiB of RGBA32F at 4096 x 4096
+constexpr std::uint32_t kMaxTexels = 4096; // per side: 256 MiB of RGBA32F at 4096 x 4096
 constexpr std::uint32_t kMaxColumns = 512, kMaxRows = 256;
 
-/// Numbers in rows: `parts` interleaved channels.
+/// A row-major grid with `parts` interleaved channels.
 struct Grid {
     std::uint32_t width = 0, height = 0, parts = 1;
     std::vector<float> values;
 };
 
-/// Averages `from` groups of `group` numbers to `to` groups: each covers its share of them, the first and last in part.
+/// Resamples `from` groups of `group` numbers to `to` groups with a box filter.
 void averageGroups(const float* source, std::uint32_t from, float* target, std::uint32_t to, std::size_t group) {
     const double step = static_cast<double>(from) / to;
     std::vector<double> sums(group);
@@ -52,14 +52,14 @@ Grid averageRows(const Grid& grid, std::uint32_t height) {
     return result;
 }
 
-/// A box filter onto at most max_width x max_height cells.
+/// Downsamples to at most max_width x max_height cells with a box filter.
 Grid averageTo(Grid grid, std::uint32_t max_width, std::uint32_t max_height) {
     if (grid.width > max_width) grid = averageColumns(grid, max_width);
     if (grid.height > max_height) grid = averageRows(grid, max_height);
     return grid;
 }
 
-/// Share of a band of rows of the sphere, over pi.
+/// Share of the sphere of a band of rows, over pi.
 double bandShare(std::size_t y, std::uint32_t height) {
     const double step = std::numbers::pi / height;
     return std::cos(static_cast<double>(y) * step) - std::cos(static_cast<double>(y + 1) * step);
@@ -101,7 +101,7 @@ Grid lightOfTexels(const Grid& map) {
     return light;
 }
 
-/// Appends 0, then the running shares of the weights in their sum, 1 at last. Even shares where all are 0.
+/// Appends the cumulative distribution of the weights, from 0 to 1; a uniform one if all are 0.
 double appendCdf(std::vector<float>& cdf, const std::vector<double>& weights) {
     const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
     double sum = 0;
@@ -110,7 +110,7 @@ double appendCdf(std::vector<float>& cdf, const std::vector<double>& weights) {
         sum += total > 0 ? weights[i] / total : 1.0 / static_cast<double>(weights.size());
         cdf.push_back(std::min(static_cast<float>(sum), 1.0f));
     }
-    // Rounding must not leave a gap before 1; the last cells without light stay without.
+    // rounding must not leave a gap before 1; dark cells at the end keep density 0
     const float top = cdf.back();
     for (auto last = cdf.rbegin(); last != cdf.rend() && *last == top; ++last) *last = 1;
     return total;
@@ -167,7 +167,7 @@ gpu::EnvironmentFrame environmentFrame(const Environment& environment, const std
 }
 
 std::array<Vec3, 3> mapFromWorld(Vec3 up, double rotation_deg) {
-    // The direction of the middle column without rotation, made level: -z, or +y where up is nearer to z.
+    // the horizontal direction of the middle column without rotation: -z, or +y if up is nearer to z
     const Vec3 reference = std::abs(up.z) > std::abs(up.y) ? Vec3{0, 1, 0} : Vec3{0, 0, -1};
     const Vec3 ahead = normalize(reference - dot(reference, up) * up), right = cross(ahead, up);
     const double angle = rotation_deg * std::numbers::pi / 180;

@@ -9,15 +9,14 @@
 #include "format/base/parallel.h"
 #include "format/set/core_splats.h"
 #include "runtime/device_scene/render_space.h"
-#include "runtime/device_scene/whole_set.h"
+#include "runtime/device_scene/representative_tiles.h"
 
 namespace pointrt {
 namespace {
 
-/// The outermost of so many are two thousandths of the picture off those of all; of an eighth as many eight.
+/// Sample size: its extremes differ from those of all splats by 0.2% of the picture; by 0.8% with an eighth of it.
 constexpr std::uint64_t kSamples = 65536;
-/// Of a set are looked through, at most: 64 MiB, which is a fifth of a second from memory and a second from a slow
-/// disk.
+/// Limit for the splats read from a set: 64 MiB, which take 0.2 seconds from memory and a second from a slow disk.
 constexpr std::uint64_t kSplatsOfSet = std::uint64_t{4} << 20;
 
 /// sRGB to linear: IEC 61966-2-1.
@@ -26,7 +25,7 @@ float linearOf(std::uint8_t byte) {
     return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f);
 }
 
-/// Reflectance by the file: its material's, times the splat's colour where there are colours.
+/// Reflectance according to the file: that of the material, times the splat's colour if there are colours.
 std::array<float, 3> colorOf(const DeviceScan& file, const pro_splat& splat) {
     const std::uint32_t row = std::min<std::uint32_t>(splat.material, file.info.material_count - 1);
     const float* base = file.view.materials + std::size_t{row} * PRO_MATERIAL_FLOATS + PRO_MAT_BASE_COLOR;
@@ -36,7 +35,9 @@ std::array<float, 3> colorOf(const DeviceScan& file, const pro_splat& splat) {
     return color;
 }
 
-/// Of a cube that stands as placement says; file: has its materials.
+/// Decodes and places a splat.
+/// @param cube frame of the splat
+/// @param file has its material
 SampledSplat sampledSplat(const pro_splat& splat, const TileCube& cube, const Placement& placement,
                           const DeviceScan& file) {
     const Vec3 origin{cube.origin[0], cube.origin[1], cube.origin[2]};
@@ -56,23 +57,24 @@ void addSplats(const DeviceScan& file, const Placement& placement, std::uint64_t
     }
 }
 
-/// A tile has as many of the sample as it stands for of the original splats, whether it has them or fewer.
+/// The step through a tile, so that its part of the sample is in proportion to the original splats it represents.
 std::uint64_t stepThrough(const SetTile& tile, std::uint64_t originals, std::uint64_t step) {
     const double kept = static_cast<double>(tile.splats) / static_cast<double>(std::max<std::uint64_t>(1, originals));
     return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(kept * static_cast<double>(step)));
 }
 
-/// Even over the step as tiles go on: did all begin with their first, their lowest corners would count for more.
+/// The first splat to take, evenly distributed over the tiles. If all began at 0, their low corners would have more
+/// weight.
 std::uint64_t firstOf(std::size_t tile, std::uint64_t step) {
     constexpr double kGolden = 0.6180339887498949;
     const double turns = kGolden * static_cast<double>(tile);
     return static_cast<std::uint64_t>((turns - std::floor(turns)) * static_cast<double>(step));
 }
 
-/// Throws Error kBadInput where a tile cannot be read; sample is as it was, then.
+/// Throws Error kBadInput if a tile cannot be read; sample is unchanged then.
 void addTiles(const SceneSet& set, const Placement& placement, std::uint64_t step, SceneSample& sample) {
     const TileSet& tiles = set.opened.set;
-    const std::vector<TileShare> shares = tilesOfWhole(tiles, set.opened.children, kSplatsOfSet);
+    const std::vector<TileShare> shares = representativeTiles(tiles, set.opened.children, kSplatsOfSet);
     std::vector<std::vector<pro_splat>> splats(shares.size());
     forAll(shares.size(), [&](std::size_t i) {
         const SetTile& tile = tiles.tiles[shares[i].tile];
@@ -86,7 +88,7 @@ void addTiles(const SceneSet& set, const Placement& placement, std::uint64_t ste
     }
 }
 
-/// By its root alone where a tile cannot be read: that is told of where the tile is to be drawn.
+/// Uses the root alone if a tile cannot be read: that is reported when the tile is loaded.
 void addSet(const SceneSet& set, const Placement& placement, std::uint64_t step, SceneSample& sample) {
     try {
         addTiles(set, placement, step, sample);
@@ -109,7 +111,7 @@ void addSensors(const DeviceScan& file, const Placement& placement, SceneSample&
     }
 }
 
-/// Of each instance of the description; of a set those of its original tiles.
+/// For each instance of the description; original splats of sets.
 std::vector<std::uint64_t> splatCounts(const DeviceScene& scene, const std::vector<const DeviceScan*>& scans) {
     std::vector<std::uint64_t> counts;
     for (const DeviceScan* scan : scans) counts.push_back(scan->info.splat_count);
@@ -121,7 +123,7 @@ std::vector<std::uint64_t> splatCounts(const DeviceScene& scene, const std::vect
 
 SceneSample gatherSample(const DeviceScene& scene) {
     SceneSample sample;
-    const std::vector<const DeviceScan*> scans = wholeScans(scene);
+    const std::vector<const DeviceScan*> scans = representativeScans(scene);
     const std::vector<std::uint64_t> counts = splatCounts(scene, scans);
     const std::uint64_t splats = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
     const std::uint64_t step = std::max<std::uint64_t>(1, splats / kSamples);
@@ -139,7 +141,7 @@ SceneSample gatherSample(const DeviceScene& scene) {
         addSensors(file, placement, sample);
         sample.zeros.push_back(placement.translation);
     }
-    sample.furnished = !scene.description.shapes.empty();
+    sample.has_shapes = !scene.description.shapes.empty();
     return sample;
 }
 

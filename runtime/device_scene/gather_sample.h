@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A few splats of a scene's scans, without reading them all.
+// A sample of the splats of a scene's scans, without reading all of them.
 #pragma once
 
 #include "runtime/device_scene/device_scene.h"
@@ -7,10 +7,10 @@
 
 namespace pointrt {
 
-/// Splats at even steps along the curve on which files have them, as many of each instance as it has of all; where
-/// scanners stood, and where files have their zero; all as it stands in the scene. Of a set these are original splats,
-/// so that it is seen as one file of them is; of more than 4 million, merged ones. A few hundredths of a second,
-/// whatever the scene's size, and more where a set's tiles come from a disk.
+/// Every n-th splat along the space-filling curve of the files, each instance in proportion to its splats; the
+/// positions of scanners; and the origins of files. All placed in the scene. Sets of up to 4 million splats are sampled
+/// from their original splats, so that they are framed like single files, larger ones from merged splats. Takes a few
+/// hundredths of a second whatever the size of the scene, more if tiles must be read from disk.
 SceneSample gatherSample(const DeviceScene& scene);
 
 } // namespace pointrt

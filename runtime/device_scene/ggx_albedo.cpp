@@ -10,12 +10,11 @@
 namespace pointrt {
 namespace {
 
-// Nodes of the quadrature: with these the table's entries are within 0.0025 of converged ones.
+// Quadrature nodes: table entries are within 0.0025 of converged ones.
 constexpr int kTilts = 10;
 constexpr int kAzimuths = 10;
-// How much closer azimuths stand to the side of the view than they would evenly: there the horizon's share changes
-// fast at grazing angles. azimuth = x + kCrowding / 2 * sin(2 x) keeps the midpoint rule's accuracy for periodic
-// functions.
+// How strongly azimuths cluster at the side of the view, where the horizon changes fast at grazing angles. azimuth = x
+// + kCrowding / 2 * sin(2 x) keeps the midpoint rule's accuracy for periodic functions.
 constexpr double kCrowding = 0.95;
 
 struct Node {
@@ -42,7 +41,7 @@ std::array<Node, kTilts> gaussNodes() {
     return nodes;
 }
 
-/// An azimuth around the stretched view direction: its cosine, and the share of the turn it stands for.
+/// Azimuths around the stretched view direction: cosines and weights.
 std::array<Node, kAzimuths> azimuthNodes() {
     std::array<Node, kAzimuths> nodes;
     for (int i = 0; i < kAzimuths; i++) {
@@ -53,16 +52,15 @@ std::array<Node, kAzimuths> azimuthNodes() {
     return nodes;
 }
 
-/// Smith's lambda for GGX: facets hidden for each one seen from a direction of that cosine.
+/// Smith's lambda for GGX: hidden facets per visible one from a direction of this cosine.
 double smithLambda(double cosine, double alpha2) {
     return 0.5 * (std::sqrt(1 + alpha2 * (1 - cosine * cosine) / (cosine * cosine)) - 1);
 }
 
-/// The view in the configuration where GGX's normals are a hemisphere's: they are seen from `axis`, whose components
-/// along the tangent and the normal these are.
+/// The view in the stretched configuration, in which GGX's normals are those of a hemisphere, seen from `axis`.
 struct StretchedView {
     double cosine, alpha2;
-    double stretch; // length before axis was normalized
+    double stretch; // length of axis before normalisation
     double axis_tangent, axis_normal;
     double hidden; // lambda of the view
 };
@@ -74,8 +72,8 @@ StretchedView stretchView(double cosine, double alpha) {
 }
 
 /// The angle from the axis, of normals in a plane through it, at which reflected light goes below the horizon. In the
-/// tangent of that angle the condition is quadratic, with one positive root. lean is by how much the plane's
-/// normals rise with it.
+/// tangent of that angle the condition is quadratic, with one positive root.
+/// @param lean slope of the normals' height along the plane
 double horizonTilt(const StretchedView& view, double lean) {
     const double rest = 1 - view.alpha2;
     const double a = view.cosine * (view.alpha2 + rest * lean * lean);
@@ -101,7 +99,7 @@ GgxAlbedo ggxAlbedoAt(double cosine, double roughness) {
             const double length2 = view.alpha2 + (1 - view.alpha2) * normal_z * normal_z;
             const double out = std::clamp(2 * view.stretch * c * normal_z / length2 - cosine, 1e-12, 1.0);
             const double facing = view.stretch * c / std::sqrt(length2), miss = std::max(0.0, 1 - facing);
-            // Directions at twice the tilt, of a cap of 2 pi (1 + axis_normal).
+            // reflected directions are at twice the tilt; the cap has 2 pi (1 + axis_normal)
             const double area = 4 * s * c * node.weight * horizon * azimuth.weight / (1 + view.axis_normal);
             const double seen = area * (1 + view.hidden) / (1 + view.hidden + smithLambda(out, view.alpha2));
             given += seen;
@@ -113,8 +111,8 @@ GgxAlbedo ggxAlbedoAt(double cosine, double roughness) {
 
 namespace {
 
-/// The mean over the hemisphere, weighted by cosine, of values at x = 0, 1/n, ..., 1, cosine being x^2, that are joined
-/// by lines: the integral of value * 4 x^3 dx.
+/// The cosine-weighted mean over the hemisphere of the piecewise linear function through the values at x = 0, 1/n, ...,
+/// 1, with cosine x^2: the integral of value * 4 x^3 dx.
 template <typename ValueAt>
 float cosineMean(ValueAt valueAt) {
     double mean = 0;
@@ -128,7 +126,7 @@ float cosineMean(ValueAt valueAt) {
     return static_cast<float>(mean);
 }
 
-// Stands for cosine 0, where the quadrature's terms have no value.
+// in place of cosine 0, where the quadrature's terms are undefined
 constexpr double kMinCosine = 1e-6;
 
 } // namespace

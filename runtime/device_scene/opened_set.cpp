@@ -8,7 +8,7 @@
 namespace pointrt {
 namespace {
 
-/// Turned back.
+/// Applies the inverse of the placement's rotation.
 Vec3 unrotated(const Placement& placement, Vec3 v) {
     return v.x * placement.rotation[0] + v.y * placement.rotation[1] + v.z * placement.rotation[2];
 }
@@ -20,8 +20,8 @@ OpenedSet openSet(const std::string& folder) {
     set.folder = folder;
     set.set = readTileSet(folder);
     set.children = childrenOf(set.set);
-    set.lost.assign(set.set.tiles.size(), false);
-    set.wanted_unseen.assign(set.set.tiles.size(), false);
+    set.missing.assign(set.set.tiles.size(), false);
+    set.hit_unseen.assign(set.set.tiles.size(), false);
     return set;
 }
 
@@ -41,13 +41,13 @@ CutView cutView(const Placement& placement, const Camera& camera, PixelSize size
 }
 
 void chooseCuts(OpenedSet& set, CutRequest request) {
-    request.lost = set.lost;
-    request.wanted_unseen = set.wanted_unseen;
+    request.missing = set.missing;
+    request.hit_unseen = set.hit_unseen;
     set.cut = chooseCut(set.set, set.children, request);
-    set.wanted = set.cut;
+    set.full_cut = set.cut;
     if (set.cut.fits) return;
     request.memory = std::numeric_limits<std::uint64_t>::max();
-    set.wanted = chooseCut(set.set, set.children, request);
+    set.full_cut = chooseCut(set.set, set.children, request);
 }
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tile set that is looked at: what set.json says, and which of its tiles stand for it.
+// An opened tile set: its set.json and its current cut.
 #pragma once
 
 #include <cstdint>
@@ -17,22 +17,22 @@ struct OpenedSet {
     std::string folder;
     TileSet set;
     std::vector<std::vector<std::uint32_t>> children; ///< childrenOf(set)
-    std::vector<bool> lost;                           ///< tiles that could not be opened
-    std::vector<bool> wanted_unseen;                  ///< CutRequest::wanted_unseen
-    TileCut cut;                                      ///< that stands for it
-    TileCut wanted;                                   ///< were there memory for it
+    std::vector<bool> missing;                        ///< CutRequest::missing
+    std::vector<bool> hit_unseen;                     ///< CutRequest::hit_unseen
+    TileCut cut;
+    TileCut full_cut; ///< the cut without a memory limit
 };
 
-/// Reads set.json and looks at no tile. Throws Error kBadInput as readTileSet does.
+/// Reads set.json but no tile. Throws Error kBadInput as readTileSet does.
 OpenedSet openSet(const std::string& folder);
 
-/// Of a tile's file.
+/// The path of a tile's file.
 std::string tilePath(const OpenedSet& set, std::uint32_t tile);
 
-/// What a camera of the scene sees in pictures of that size of a set that stands there.
+/// The view of a scene's camera in the coordinates of a placed set, for pictures of this size.
 CutView cutView(const Placement& placement, const Camera& camera, PixelSize size);
 
-/// Fills set's cut and wanted by request, but for its marks, which are set's.
+/// Sets cut and full_cut for request, with the marks of set in place of those of request.
 void chooseCuts(OpenedSet& set, CutRequest request);
 
 } // namespace pointrt

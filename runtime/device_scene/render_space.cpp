@@ -20,12 +20,12 @@ Rows transposed(const Rows& r) {
 
 Vec3 vecOf(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
 
-/// Half edges of the box around the ellipsoid (or ellipse) that u, v and w span.
+/// Half extents of the bounds of the ellipsoid or ellipse with half axes u, v and w.
 Vec3 roundHalf(Vec3 u, Vec3 v, Vec3 w) {
     return {std::hypot(u.x, v.x, w.x), std::hypot(u.y, v.y, w.y), std::hypot(u.z, v.z, w.z)};
 }
 
-/// Brings a light's values to render units, each as what it is.
+/// Converts the fields of a light to render units.
 struct ToRenderUnits {
     RenderSpace space;
 
@@ -54,12 +54,12 @@ Number numberOf(const std::array<Number, N>& numbers, Kind kind) {
     return numbers.at(static_cast<std::size_t>(kind));
 }
 
-/// A shape's unit form as surface puts it.
+/// A shape as the transform to its unit form.
 gpu::Shape placedForm(const RenderSpace& space, const LampSurface& surface, std::uint32_t material,
                       std::uint32_t bits) {
     const auto& [kind, center, u, v, w, seen_by_camera] = surface;
     const Vec3 vw = cross(v, w), wu = cross(w, u), uv = cross(u, v);
-    // rows of the inverse of the matrix with columns u, v, w
+    // rows of the inverse of the matrix with the columns u, v and w
     const double inverse = 1.0 / dot(u, vw);
     const Rows local_from_world{inverse * vw, inverse * wu, inverse * uv};
     const Vec3 origin = applied(local_from_world, space.origin - center);
@@ -80,7 +80,7 @@ Vec3 placed(const Placement& placement, Vec3 input) {
 RenderSpace chooseRenderSpace(const SceneDescription& scene, std::span<const pro_info> infos) {
     if (!scene.instances.empty() && !infos.empty()) {
         const Placement& placement = scene.instances.front().placement;
-        // the corner that is lowest in the cube's own frame, so that the unmoved space is that frame
+        // the low corner in the cube's own frame, so that unmoved render space equals that frame
         return {placed(placement, vecOf(infos.front().origin)), placement.scale * infos.front().scale};
     }
     const std::optional<Bounds> bounds = boundsOfShapes(scene);
@@ -96,7 +96,7 @@ Vec3 worldPoint(const RenderSpace& space, Vec3 point) { return space.origin + sp
 
 std::array<gpu::vec4, 3> cubeFromRender(const RenderSpace& space, const Placement& placement, const pro_info& info) {
     const Rows turned_back = transposed(placement.rotation);
-    // divided by what chooseRenderSpace multiplied, so that the first instance's quotient is 1
+    // the same product as in chooseRenderSpace, so that the quotient is exactly 1 for the first instance
     const double units = space.scale / (placement.scale * info.scale);
     const Vec3 input_origin = applied(turned_back, space.origin - placement.translation) * (1.0 / placement.scale);
     const Vec3 origin = (input_origin - vecOf(info.origin)) * (1.0 / info.scale);

@@ -12,8 +12,8 @@
 namespace pointrt {
 namespace {
 
-constexpr std::size_t kMostRows = 256; // a splat has a byte for its row
-/// Splats at a time on their way to the device: 64 MiB, as buffers are staged.
+constexpr std::size_t kMostRows = 256; // a splat has one byte for its row
+/// Splats painted and uploaded at a time: 64 MiB, the size of the staging buffer.
 constexpr std::size_t kSplatsAtOnce = std::size_t{4} << 20;
 
 bool hasNumbers(const MaterialOverride& over) { return std::holds_alternative<MaterialOverride::Numbers>(over.splats); }
@@ -23,17 +23,17 @@ bool hasNumbers(const InstanceDescription& instance) {
                        [](const MaterialOverride& over) { return hasNumbers(over); });
 }
 
-bool asksForHeights(const std::vector<MaterialOverride>& overrides) {
+bool usesHeights(const std::vector<MaterialOverride>& overrides) {
     return std::any_of(overrides.begin(), overrides.end(), [](const MaterialOverride& over) {
         const auto* numbers = std::get_if<MaterialOverride::Numbers>(&over.splats);
         return numbers && numbers->attribute == kHeight;
     });
 }
 
-bool asksForHeights(const PaintRequest& request) {
+bool usesHeights(const PaintRequest& request) {
     return request.color_by == kHeight ||
            std::any_of(request.overrides.begin(), request.overrides.end(),
-                       [](const std::vector<MaterialOverride>& each) { return asksForHeights(each); });
+                       [](const std::vector<MaterialOverride>& each) { return usesHeights(each); });
 }
 
 SplatOverride::OfNumbers numbersOf(const MaterialOverride& over, const MaterialOverride::Numbers& wanted,
@@ -43,7 +43,7 @@ SplatOverride::OfNumbers numbersOf(const MaterialOverride& over, const MaterialO
     return {*numbers, wanted.ranges};
 }
 
-/// The rows that a material's painted splats get.
+/// The row of a material for painted splats.
 std::uint8_t rowOf(const std::vector<std::uint32_t>& materials, std::uint32_t material, const DeviceScan& file) {
     const auto at = std::find(materials.begin(), materials.end(), material) - materials.begin();
     return static_cast<std::uint8_t>(file.info.material_count + static_cast<std::size_t>(at));
@@ -66,10 +66,10 @@ std::vector<SplatOverride> overridesOf(const PlacedScan& scan, Vec3 up) {
     return overrides;
 }
 
-/// Whether what is painted of the first is what is painted of the second.
+/// Whether both get the same painted splats.
 bool paintsAlike(const PaintRequest& request, const PlacedScan& a, const PlacedScan& b) {
     const bool by_place =
-        request.color_by == kHeight || request.color_by == kNormal || asksForHeights(a.instance->overrides);
+        request.color_by == kHeight || request.color_by == kNormal || usesHeights(a.instance->overrides);
     return a.file == b.file && a.instance->overrides == b.instance->overrides &&
            (!by_place || a.instance->placement == b.instance->placement);
 }
@@ -108,7 +108,7 @@ PaintRequest paintRequest(const SceneDescription& scene, const RenderSettings& s
     if (std::any_of(scene.instances.begin(), scene.instances.end(), painted))
         for (const InstanceDescription& instance : scene.instances)
             request.overrides.push_back(painted(instance) ? instance.overrides : std::vector<MaterialOverride>());
-    if (asksForHeights(request)) request.up = sceneUp(scene, settings);
+    if (usesHeights(request)) request.up = sceneUp(scene, settings);
     return request;
 }
 

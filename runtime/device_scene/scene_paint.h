@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene's splats are coloured by and which of their numbers give them other materials, as splats painted on the
-// host: shaders know nothing of attributes.
+// Colours by attribute, and materials by attribute, applied to splats on the host: shaders do not read attributes.
 #pragma once
 
 #include <cstdint>
@@ -17,55 +16,55 @@
 
 namespace pointrt {
 
-/// All that decides how the splats of given files at given places are painted: what is equal paints alike.
+/// Everything that determines how the splats of placed files are painted: equal requests paint alike.
 struct PaintRequest {
-    std::string color_by = kOwnColors; ///< the rest of the colours only where it is not that
+    std::string color_by = kOwnColors; ///< the map and range are set only if it is another
     std::optional<ColorMap> color_map;
     std::optional<ValueRange> color_range;
-    Vec3 up;                                              ///< where heights are asked for
-    std::vector<std::vector<MaterialOverride>> overrides; ///< of each instance, none where shaders do them all
+    Vec3 up;                                              ///< set only if heights are used
+    std::vector<std::vector<MaterialOverride>> overrides; ///< for each instance; empty if shaders apply all of them
     bool operator==(const PaintRequest&) const = default;
 };
 
 PaintRequest paintRequest(const SceneDescription& scene, const RenderSettings& settings);
 
-/// True where splats get other colours than their files have.
+/// Whether splats get other colours than those of their files.
 bool isColored(const RenderSettings& settings);
 
-/// True where the splats of an instance do not stay as their file has them.
+/// Whether the splats of an instance differ from those of its file.
 bool isPainted(const InstanceDescription& instance, const RenderSettings& settings);
 
-/// The materials of a painted instance's overrides, but for those of rows: splats get the numbers that follow those of
-/// the file's rows. Throws Error kBadInput where there are more of both than a splat can name.
+/// The materials of a painted instance's overrides, except overrides of whole rows. Their row numbers follow those of
+/// the file. Throws Error kBadInput if there are more rows in all than a splat can name.
 std::vector<std::uint32_t> paintedMaterials(const InstanceDescription& instance, const DeviceScan& file);
 
-/// A file as it stands in a scene, or a tile.
+/// A file or tile with its instance.
 struct PlacedScan {
     const DeviceScan* file = nullptr;
     const InstanceDescription* instance = nullptr;
-    const DeviceScan* root = nullptr; ///< of a tile's set, which tells what numbers there are, whatever tiles there are
-    const TileSet* set = nullptr;     ///< of a tile
+    const DeviceScan* root = nullptr; ///< of a tile's set: which numbers exist must not depend on the loaded tiles
+    const TileSet* set = nullptr;     ///< of a tile, else null
 };
 
 struct PaintPlan {
     PaintRequest request;
-    std::optional<Legend> legend;                  ///< none where colours need none
-    std::vector<std::optional<SplatPaint>> paints; ///< of each instance, none where it stays as it is
+    std::optional<Legend> legend;                  ///< nullopt if the colours need none
+    std::vector<std::optional<SplatPaint>> paints; ///< for each instance; nullopt if it is not painted
 };
 
-/// Throws Error kBadUsage where no scan has what it is to be coloured by, and kBadInput where an override asks for what
-/// its scan has not; both say what there is.
+/// Throws Error kBadUsage if no scan has the number to colour by, and kBadInput if a scan lacks the number of an
+/// override; both list what is available.
 PaintPlan planPaint(const std::vector<PlacedScan>& scans, const PaintRequest& request);
 
-/// The words for color_by in a scene of these scans.
+/// The values of color_by that these scans support.
 std::vector<std::string> colorWords(const std::vector<PlacedScan>& scans);
 
-/// A plan on the device.
+/// Painted splats on the device.
 struct ScenePaint {
     PaintRequest request;
     std::optional<Legend> legend;
-    std::vector<PagedBuffer> splats;            ///< instances that are painted alike share one
-    std::vector<std::optional<std::size_t>> of; ///< in splats, of each instance; none: its file's
+    std::vector<PagedBuffer> splats;            ///< shared by instances that are painted alike
+    std::vector<std::optional<std::size_t>> of; ///< for each instance: its index in splats; nullopt: uses its file's
 };
 
 /// Throws Error kCannotRun.

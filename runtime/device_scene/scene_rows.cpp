@@ -16,7 +16,7 @@ namespace {
 MaterialDescription materialOfRow(const float* row, const RenderSettings& settings) {
     MaterialDescription material;
     material.color = {row[PRO_MAT_BASE_COLOR], row[PRO_MAT_BASE_COLOR + 1], row[PRO_MAT_BASE_COLOR + 2]};
-    if (isColored(settings)) material.color = {1, 1, 1}; // the map's colours as they are
+    if (isColored(settings)) material.color = {1, 1, 1}; // shows the map's colours unchanged
     material.splat_color = true;
     material.mirror_share = settings.reflectivity.value_or(row[PRO_MAT_REFLECTIVITY]);
     material.specular = row[PRO_MAT_SPECULAR];
@@ -45,8 +45,8 @@ public:
     SceneRows rows;
 
 private:
-    /// Mirrors and glass do, and are asked to.
-    bool bundlesLight(const gpu::Material& material) const {
+    /// Whether a material focuses light, as mirrors and glass do, and caustics are on.
+    bool focusesLight(const gpu::Material& material) const {
         const MaterialKind kind = kindOf(material);
         const bool mirrors = hasTrait(kind, MATERIAL_MIRRORS_BY_SHARE) && mirrorShare(material) > 0;
         return settings_.caustics && (hasTrait(kind, MATERIAL_IS_CLEAR) || mirrors);
@@ -54,20 +54,20 @@ private:
 
     bool castsCaustics(std::uint32_t first, const gpu::InstanceParams& params) const {
         bool casts = std::any_of(rows.materials.begin() + first, rows.materials.end(),
-                                 [&](const gpu::Material& material) { return bundlesLight(material); });
+                                 [&](const gpu::Material& material) { return focusesLight(material); });
         for (std::uint32_t r = 0; r < params.materials.z; ++r)
-            casts |= bundlesLight(rows.materials[params.color_range[r].z]);
+            casts |= focusesLight(rows.materials[params.color_range[r].z]);
         return casts;
     }
 
-    /// Planes are endless, and boxes around the scene (rooms) throw no caustics: photons have to be sent somewhere.
+    /// Planes and boxes around the scene (rooms) cast no caustics: they are no bounded target for photons.
     void addShape(const ShapeDescription& description) {
         gpu::Shape shape = packShape(scene_.space, description);
         const Vec3 half = 0.5 * (scene_.bounds.hi - scene_.bounds.lo);
         const double size = length(description.u) + length(description.v) + length(description.w);
         const bool room = description.kind == ShapeKind::kBox && size > 2 * length(half);
         const bool casts =
-            description.kind != ShapeKind::kPlane && !room && bundlesLight(rows.materials.at(description.material));
+            description.kind != ShapeKind::kPlane && !room && focusesLight(rows.materials.at(description.material));
         if (casts) shape.kind.z |= SHAPE_CASTS_CAUSTICS;
         rows.casting_shapes.push_back(casts);
         rows.shapes.push_back(shape);
@@ -75,7 +75,7 @@ private:
 
     void add(const MaterialDescription& material) { rows.materials.push_back(packMaterial(scene_.space, material)); }
 
-    /// Lamps with an area are shapes as well, with a material that names their light.
+    /// An area light is also a shape, whose material names the light.
     void addLight(const LightDescription& light) {
         gpu::Light row = packLight(scene_.space, light);
         if (const auto shape = lampShape(scene_.space, light, static_cast<std::uint32_t>(rows.materials.size()))) {
@@ -93,7 +93,7 @@ private:
         rows.lights.push_back(light);
     }
 
-    /// Whether it is a tile with the same rows as the one before: it gets what that one has.
+    /// If instance is a tile with the material rows of the tile before it, reuses those and returns true.
     bool sharesRows(const Instance& instance) {
         if (!instance.tile || instance.place == 0) return false;
         const Instance& before = scene_.instances[instance.place - 1];
@@ -109,7 +109,7 @@ private:
         return true;
     }
 
-    /// Appends the instance's rows, and names them in its params.
+    /// Appends the rows of an instance and references them in its params.
     void addInstance(const InstanceDescription& description, const Instance& instance) {
         const DeviceScan& file = scene_.files[instance.file];
         const auto first = static_cast<std::uint32_t>(rows.materials.size());
@@ -131,7 +131,7 @@ private:
         rows.instances.push_back(params);
     }
 
-    /// painted: splats have their rows by all that is said of splats, not by that of rows alone.
+    /// @param painted splats have rows by all overrides already, except those of whole rows
     void applyOverride(const MaterialOverride& each, const DeviceScan& file, bool painted,
                        gpu::InstanceParams& params) {
         if (const auto* row = std::get_if<MaterialOverride::Row>(&each.splats)) {
@@ -150,19 +150,19 @@ private:
     const RenderSettings& settings_;
 };
 
-/// Whether a surface of the material may send rays on: with integrators by chance all do, with others what mirrors, and
-/// where they gloss highlights matte ones with a highlight as well.
-bool sendsOn(const gpu::Material& material, Integrator integrator) {
+/// Whether paths may continue at the material: with stochastic integrators at all; with others at mirrors, and with
+/// those that trace glossy highlights also at matte materials with a highlight.
+bool continuesPaths(const gpu::Material& material, Integrator integrator) {
     const bool mirrors = !hasTrait(kindOf(material), MATERIAL_MIRRORS_BY_SHARE) || mirrorShare(material) > 0;
-    return hasTrait(integrator, INTEGRATOR_BY_CHANCE) || (mirrors && showsLight(integrator)) ||
-           (highlightWeight(material) > 0 && hasTrait(integrator, INTEGRATOR_GLOSSES_HIGHLIGHTS));
+    return hasTrait(integrator, INTEGRATOR_IS_STOCHASTIC) || (mirrors && usesLights(integrator)) ||
+           (highlightWeight(material) > 0 && hasTrait(integrator, INTEGRATOR_MIRRORS_HIGHLIGHTS));
 }
 
-/// Where paths go on, few of the hits on their way ask all lights: those alone, listed, cost less than lanes that go
-/// along for nothing.
-bool asksOnTheWay(const SceneRows& rows, std::uint32_t features, Integrator integrator) {
-    if (asksOneLight(integrator)) return true;
-    return (features & FEATURE_GOES_ON) == 0 && rows.lights.size() <= ASKED_TURNS;
+/// Whether hits trace their shadow rays at once. If paths continue, few of their hits sample all lights, and a queue of
+/// those costs less than idle lanes.
+bool canInlineNee(const SceneRows& rows, std::uint32_t features, Integrator integrator) {
+    if (samplesOneLight(integrator)) return true;
+    return (features & FEATURE_SECONDARY_RAYS) == 0 && rows.lights.size() <= SHADOW_RAYS_PER_PATH;
 }
 
 std::uint32_t featuresOf(const SceneRows& rows, Integrator integrator) {
@@ -171,11 +171,11 @@ std::uint32_t featuresOf(const SceneRows& rows, Integrator integrator) {
         if (LIGHT_KIND(light) != LIGHT_SKY) bits |= FEATURE_LIGHT(LIGHT_KIND(light));
     for (const gpu::Material& material : rows.materials) {
         bits |= FEATURE_MATERIAL(materialKind(material));
-        if (sendsOn(material, integrator)) bits |= FEATURE_GOES_ON;
+        if (continuesPaths(material, integrator)) bits |= FEATURE_SECONDARY_RAYS;
         if (highlightWeight(material) > 0) bits |= FEATURE_HIGHLIGHTS;
     }
     for (const gpu::Shape& shape : rows.shapes) bits |= FEATURE_SHAPE(shape.kind.x);
-    if (asksOnTheWay(rows, bits, integrator)) bits |= FEATURE_LIGHT_ON_THE_WAY;
+    if (canInlineNee(rows, bits, integrator)) bits |= FEATURE_INLINE_NEE;
     return bits;
 }
 

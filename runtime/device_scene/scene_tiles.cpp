@@ -16,41 +16,43 @@
 #include "format/base/printable.h"
 #include "format/set/open_tile.h"
 #include "runtime/device_scene/core_reach.h"
+#include "runtime/util/available_memory.h"
 #include "runtime/util/on_error.h"
 #include "runtime/util/parse.h"
 
 namespace pointrt {
 namespace {
 
-/// Of the device's own memory: what films, programs and others need is left.
+/// Share of the device's own memory for tiles. The rest is left to films, programs and other processes.
 constexpr double kDeviceShare = 0.75;
 
-/// What of a tile's place rounding makes, of its cube: hits and cores are told to a position step, and where the tile
-/// is small beside render space, its matrix moves all by a share of that.
+/// Rounding errors of a tile's hits, in its cube: hits and cores are exact to a position step, and the matrix of a tile
+/// that is small compared with render space rounds its translation.
 constexpr float kCoreSteps = 4, kMatrixRounding = 4e-7f; // a few times 2^-24
 
-/// Merged discs are means of what scans' registration left beside each other, and stand off only by the curvature of
-/// their cells: of the radii up to which hits are on the surface that a ray leaves half do. Else roofs a few radii over
-/// the ground cast no shadow on coarser levels (tests/bench/NOTES.md, Outlines).
+/// Self-intersection distance of merged discs, as a share of that of original ones. Merging averages out registration
+/// errors, so only the curvature of their cells moves merged discs off the surface. At the full distance, roofs a few
+/// radii above the ground would cast no shadow on coarser levels (tests/bench/NOTES.md, Outlines).
 constexpr float kMergedOwnShare = 0.5f;
 
-/// Of tiles without an index, a splat's share of it once it is built, as of most surfaces; lidar has 30 to 127, mostly
-/// 35 to 55. It may not depend on what is there already: the same command chooses the same tiles.
+/// Bytes per splat of an index that has yet to be built, typical of surfaces; lidar takes 30 to 127, mostly 35 to 55.
+/// A constant, whatever is resident: the same command must choose the same tiles.
 constexpr std::uint32_t kBuiltIndexBytes = 82;
 
-std::unordered_map<std::string, std::uint32_t> filesByPath(const DeviceScene& scene) {
-    std::unordered_map<std::string, std::uint32_t> files;
-    for (std::uint32_t i = 0; i < scene.files.size(); ++i) files.emplace(scene.files[i].path, i);
-    return files;
+std::unordered_map<std::string, std::uint32_t> slotsByPath(const ResidentFiles& files) {
+    std::unordered_map<std::string, std::uint32_t> slots;
+    for (const std::uint32_t slot : files.slots()) slots.emplace(files[slot].path, slot);
+    return slots;
 }
 
-/// Instances on their way into a scene.
-class Standing {
+/// Appends instances to a scene.
+class InstanceBuilder {
 public:
-    Standing(Device& device, DeviceScene& scene) : device_(device), scene_(scene), files_(filesByPath(scene)) {}
+    InstanceBuilder(Device& device, DeviceScene& scene)
+        : device_(device), scene_(scene), slots_(slotsByPath(scene.files)) {}
 
     void addFile(std::uint32_t number, const std::string& path) {
-        add(number, files_.at(path));
+        add(number, slots_.at(path));
         scene_.splat_count += scene_.files[scene_.instances.back().file].info.splat_count;
     }
 
@@ -59,11 +61,11 @@ public:
         std::vector<bool> in_cut(tiles.tiles.size(), false);
         for (const std::uint32_t tile : set.opened.cut.tiles) in_cut[tile] = true;
         for (const std::uint32_t tile : set.opened.cut.tiles) {
-            add(set.number, files_.at(tilePath(set.opened, tile)));
+            add(set.number, slots_.at(tilePath(set.opened, tile)));
             Instance& instance = scene_.instances.back();
             instance.tile = tile;
             instance.params.grid_origin.w = tile + 1;
-            placeCore(scene_.files[instance.file], hitBox(tiles, in_cut, tile), instance.params);
+            setCoreBox(scene_.files[instance.file], hitBox(tiles, in_cut, tile), instance.params);
             if (!tiles.tiles[tile].isOriginal()) instance.params.core_high.w = kMergedOwnShare;
             scene_.splat_count += tiles.tiles[tile].splats;
         }
@@ -76,8 +78,8 @@ private:
         instance.number = number;
         instance.place = scene_.instances.size();
         instance.oriented = (scene_.files[file].info.flags & PRO_FLAG_ORIENTED) != 0;
-        instance.params =
-            placeInstance(scene_.space, scene_.files[file], scene_.description.instances[number].placement, number);
+        instance.params = makeInstanceParams(scene_.space, scene_.files[file],
+                                             scene_.description.instances[number].placement, number);
         instance.params_buffer =
             createBuffer(device_, "instance parameters", sizeof instance.params, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
         scene_.instances.push_back(instance);
@@ -85,13 +87,12 @@ private:
 
     Device& device_;
     DeviceScene& scene_;
-    std::unordered_map<std::string, std::uint32_t> files_;
+    std::unordered_map<std::string, std::uint32_t> slots_;
 };
 
-/// Paths of the files that instances and cuts name, those of sets that are to come as well.
-std::unordered_set<std::string> usedFiles(const DeviceScene& scene, const std::vector<OpenedSet>& coming) {
+/// Paths of the tiles in the current cuts and in those of coming sets.
+std::unordered_set<std::string> tilesInUse(const DeviceScene& scene, const std::vector<OpenedSet>& coming) {
     std::unordered_set<std::string> used;
-    for (const InstanceDescription& each : scene.description.instances) used.insert(each.path);
     const auto use = [&](const OpenedSet& set) {
         for (const std::uint32_t tile : set.cut.tiles) used.insert(tilePath(set, tile));
     };
@@ -100,37 +101,35 @@ std::unordered_set<std::string> usedFiles(const DeviceScene& scene, const std::v
     return used;
 }
 
-/// Lets go what nothing names any more: those first that were used the longest ago, until the others fit in the cache.
-void dropUnused(Device& device, DeviceScene& scene, const std::vector<OpenedSet>& coming) {
-    const std::unordered_set<std::string> used = usedFiles(scene, coming);
-    ++scene.tile_uses;
-    std::uint64_t bytes = 0;
-    std::vector<std::uint64_t> unused; ///< when they were used last
-    for (DeviceScan& file : scene.files) {
-        bytes += file.device_bytes;
-        if (used.count(file.path) != 0)
-            file.last_used = scene.tile_uses;
+void evict(Device& device, DeviceScene& scene, std::uint32_t slot) {
+    DeviceScan file = scene.files.remove(slot);
+    scene.device_bytes -= file.device_bytes;
+    destroyScan(device, file);
+}
+
+/// Evicts tiles that no cut uses, least recently used first, until the files fit in the cache.
+void evictUnused(Device& device, DeviceScene& scene, const std::vector<OpenedSet>& coming) {
+    const std::unordered_set<std::string> used = tilesInUse(scene, coming);
+    std::unordered_set<std::uint32_t> unused;
+    for (const std::uint32_t slot : scene.files.slots())
+        if (used.count(scene.files[slot].path) != 0)
+            scene.files.use(slot);
         else
-            unused.push_back(file.last_used);
-    }
-    std::sort(unused.begin(), unused.end());
-    for (const std::uint64_t oldest : unused) {
-        if (bytes <= scene.tile_cache_bytes) break;
-        const auto file = std::find_if(scene.files.begin(), scene.files.end(),
-                                       [&](const DeviceScan& each) { return each.last_used == oldest; });
-        bytes -= file->device_bytes;
-        scene.device_bytes -= file->device_bytes;
-        destroyScan(device, *file);
-        scene.files.erase(file);
+            unused.insert(slot);
+    const auto isUnused = [&](std::uint32_t slot) { return unused.count(slot) != 0; };
+    while (scene.files.bytes() > scene.tile_cache_bytes) {
+        const auto oldest = scene.files.leastRecentlyUsed(isUnused);
+        if (!oldest) return;
+        evict(device, scene, *oldest);
     }
 }
 
-void tellLost(const std::string& reason) {
-    std::fprintf(stderr, "pointrt-view: %s; what a coarser tile has of it is shown\n",
+void reportMissing(const std::string& reason) {
+    std::fprintf(stderr, "pointrt-view: %s; showing a coarser tile instead\n",
                  printable(reason, std::string::npos).c_str());
 }
 
-/// A tile that was opened, or why it was not.
+/// An opened tile, or why it could not be opened.
 struct TileFile {
     std::uint32_t tile = 0;
     DeviceScan scan;
@@ -152,94 +151,91 @@ double secondsSince(Clock::time_point begun) { return std::chrono::duration<doub
 
 std::size_t halfOfCores() { return std::max(std::thread::hardware_concurrency() / 2, 1u); }
 
-/// Loads tiles for a delivery.
 class TileLoader {
 public:
-    TileLoader(Device& device, TileOrder order, TileDelivery& delivery)
-        : device_(device), order_(std::move(order)), delivery_(delivery) {}
+    TileLoader(Device& device, TileLoadRequest request, LoadedTiles& loaded)
+        : device_(device), request_(std::move(request)), loaded_(loaded) {}
 
     void load() {
-        for (std::size_t i = 0; i < order_.sets.size(); ++i)
-            while (!loadCut(order_.sets[i])) chooseCuts(order_.sets[i], order_.requests[i]);
-        delivery_.sets = std::move(order_.sets);
+        for (std::size_t i = 0; i < request_.sets.size(); ++i)
+            while (!loadCut(request_.sets[i])) chooseCuts(request_.sets[i], request_.requests[i]);
+        loaded_.sets = std::move(request_.sets);
     }
 
 private:
-    /// What is not there yet, as far as there is time. False where something of it is lost.
+    /// Loads the tiles of the cut that are not resident, within the time limit. False if one is missing.
     bool loadCut(OpenedSet& set) {
-        std::vector<TileFile> missing;
+        std::vector<TileFile> tiles;
         for (const std::uint32_t tile : set.cut.tiles)
-            if (order_.resident.count(tilePath(set, tile)) == 0) missing.push_back({tile, {}, {}});
+            if (request_.resident.count(tilePath(set, tile)) == 0) tiles.push_back({tile, {}, {}});
         const auto close = [&] {
-            for (TileFile& file : missing) destroyScan(device_, file.scan);
+            for (TileFile& file : tiles) destroyScan(device_, file.scan);
         };
         const OnError undo(close);
-        // they are read from end to end
-        if (order_.on_all_cores) forAll(missing.size(), [&](std::size_t i) { openTile(set, missing[i]); });
+        // opening checks a file, which reads all of it
+        if (request_.on_all_cores) forAll(tiles.size(), [&](std::size_t i) { openTile(set, tiles[i]); });
         bool found = true;
-        for (TileFile& file : missing) {
-            if (!delivery_.files.empty() && secondsSince(begun_) > order_.seconds) {
-                delivery_.whole = false;
+        for (TileFile& file : tiles) {
+            if (!loaded_.files.empty() && secondsSince(begun_) > request_.time_limit_s) {
+                loaded_.complete = false;
                 close();
                 return true;
             }
-            if (!order_.on_all_cores) openTile(set, file);
-            found &= take(set, file);
+            if (!request_.on_all_cores) openTile(set, file);
+            found &= upload(set, file);
         }
         return found;
     }
 
-    /// True where it was there; else it is marked as lost. A root has no other that would stand for it.
-    bool take(OpenedSet& set, TileFile& file) {
+    /// False if the tile cannot be opened; it is marked as missing then. A root has no parent to replace it.
+    bool upload(OpenedSet& set, TileFile& file) {
         try {
             if (file.failure) std::rethrow_exception(file.failure);
-            uploadScan(device_, file.scan, {order_.on_all_cores ? 0 : halfOfCores(), order_.verbose});
-            delivery_.files.push_back(std::exchange(file.scan, {}));
-            order_.resident.insert(delivery_.files.back().path);
+            uploadScan(device_, file.scan, {request_.on_all_cores ? 0 : halfOfCores(), request_.verbose});
+            loaded_.files.push_back(std::exchange(file.scan, {}));
+            request_.resident.insert(loaded_.files.back().path);
             return true;
         } catch (const Error& error) {
             destroyScan(device_, file.scan);
             if (error.code != ExitCode::kBadInput || file.tile == 0) throw;
-            delivery_.lost.emplace_back(error.what());
-            set.lost[file.tile] = true;
+            loaded_.missing.emplace_back(error.what());
+            set.missing[file.tile] = true;
             return false;
         }
     }
 
     Device& device_;
-    TileOrder order_;
-    TileDelivery& delivery_;
+    TileLoadRequest request_;
+    LoadedTiles& loaded_;
     Clock::time_point begun_ = Clock::now();
 };
 
 CutRequest cutRequest(const DeviceScene& scene, const SceneSet& set, const TileRequest& request) {
-    CutRequest wanted;
+    CutRequest cut;
     const Placement& placement = scene.description.instances[set.number].placement;
-    for (const Camera& camera : request.cameras) wanted.views.push_back(cutView(placement, camera, request.size));
-    wanted.detail = request.detail;
-    wanted.memory = request.memory / scene.sets.size();
-    wanted.splat_bytes = request.painted ? PRO_SPLAT_WORDS * sizeof(std::uint32_t) : 0;
+    for (const Camera& camera : request.cameras) cut.views.push_back(cutView(placement, camera, request.size));
+    cut.detail = request.detail;
+    cut.memory = request.memory / scene.sets.size();
+    cut.splat_bytes = request.painted ? PRO_SPLAT_WORDS * sizeof(std::uint32_t) : 0;
     pro_index index;
-    if (pro_get_index(set.root.file, &index) == 0) wanted.splat_bytes += kBuiltIndexBytes; // a bake's tiles are alike
-    return wanted;
+    if (pro_get_index(set.root.file, &index) == 0) cut.splat_bytes += kBuiltIndexBytes; // all tiles of a bake are alike
+    return cut;
 }
 
-std::string mebibytes(std::uint64_t bytes) { return std::to_string(bytes >> 20) + " MiB"; }
-
-void tellCoarse(SceneSet& set, double detail, std::uint64_t memory) {
+void reportCoarse(SceneSet& set, double detail, std::uint64_t memory) {
     const OpenedSet& opened = set.opened;
-    if (opened.cut.fits || std::exchange(set.told_coarse, true)) return;
+    if (opened.cut.fits || std::exchange(set.reported_coarse, true)) return;
     std::fprintf(stderr,
-                 "pointrt-view: %s: coarser than --detail %s asks for: %zu tiles fit in %s, and it wants %zu with %s; "
-                 "--memory gives more\n",
+                 "pointrt-view: %s: coarser than --detail %s: %zu tiles fit in %s, full detail needs %zu tiles (%s); "
+                 "raise --memory\n",
                  printable(opened.folder).c_str(), plainText(detail).c_str(), opened.cut.tiles.size(),
-                 mebibytes(memory).c_str(), opened.wanted.tiles.size(), mebibytes(opened.wanted.bytes).c_str());
+                 mebibytes(memory).c_str(), opened.full_cut.tiles.size(), mebibytes(opened.full_cut.bytes).c_str());
 }
 
 } // namespace
 
-gpu::InstanceParams placeInstance(const RenderSpace& space, const DeviceScan& file, const Placement& placement,
-                                  std::uint32_t number) {
+gpu::InstanceParams makeInstanceParams(const RenderSpace& space, const DeviceScan& file, const Placement& placement,
+                                       std::uint32_t number) {
     const std::array<gpu::vec4, 3> rows = cubeFromRender(space, placement, file.info);
     const pro_index& grid = file.index;
     const float cells = std::ldexp(1.0f, static_cast<int>(PRO_POSITION_BITS - grid.shift));
@@ -260,7 +256,7 @@ gpu::InstanceParams placeInstance(const RenderSpace& space, const DeviceScan& fi
     return params;
 }
 
-void placeCore(const DeviceScan& file, const TileBox& box, gpu::InstanceParams& params) {
+void setCoreBox(const DeviceScan& file, const TileBox& box, gpu::InstanceParams& params) {
     const double cells = params.grid_scale.x;
     const auto along = [&](double input, std::size_t axis) {
         const double cube = (input - file.info.origin[axis]) / file.info.scale;
@@ -281,87 +277,88 @@ std::uint64_t tileMemory(const Device& device, std::uint64_t request, std::uint6
     return std::min(request, static_cast<std::uint64_t>(kDeviceShare * static_cast<double>(own)));
 }
 
-void standInstances(Device& device, DeviceScene& scene) {
+void rebuildInstances(Device& device, DeviceScene& scene) {
     for (Instance& instance : scene.instances) destroyBuffer(device, instance.params_buffer);
     scene.instances.clear();
     scene.splat_count = 0;
-    Standing standing(device, scene);
+    InstanceBuilder builder(device, scene);
     auto set = scene.sets.begin();
     for (std::uint32_t i = 0; i < scene.description.instances.size(); ++i)
         if (set != scene.sets.end() && set->number == i)
-            standing.addTiles(*set++);
+            builder.addTiles(*set++);
         else
-            standing.addFile(i, scene.description.instances[i].path);
+            builder.addFile(i, scene.description.instances[i].path);
 }
 
-TileOrder orderTiles(const DeviceScene& scene, const TileRequest& request) {
-    TileOrder order;
-    order.verbose = request.verbose;
+TileLoadRequest makeTileLoadRequest(const DeviceScene& scene, const TileRequest& request) {
+    TileLoadRequest load;
+    load.verbose = request.verbose;
     for (const SceneSet& set : scene.sets) {
-        order.sets.push_back(set.opened);
-        order.requests.push_back(cutRequest(scene, set, request));
+        load.sets.push_back(set.opened);
+        load.requests.push_back(cutRequest(scene, set, request));
     }
-    for (const DeviceScan& file : scene.files) order.resident.insert(file.path);
-    return order;
+    for (const DeviceScan& file : scene.files) load.resident.insert(file.path);
+    return load;
 }
 
-std::uint64_t chooseTiles(TileOrder& order, double share) {
+std::uint64_t chooseTiles(TileLoadRequest& request, double share) {
     std::uint64_t missing = 0;
-    for (std::size_t i = 0; i < order.sets.size(); ++i) {
-        OpenedSet& set = order.sets[i];
-        CutRequest request = order.requests[i];
-        request.memory = static_cast<std::uint64_t>(share * static_cast<double>(request.memory));
-        chooseCuts(set, request);
+    for (std::size_t i = 0; i < request.sets.size(); ++i) {
+        OpenedSet& set = request.sets[i];
+        CutRequest cut = request.requests[i];
+        cut.memory = static_cast<std::uint64_t>(share * static_cast<double>(cut.memory));
+        chooseCuts(set, cut);
         for (const std::uint32_t tile : set.cut.tiles)
-            if (order.resident.count(tilePath(set, tile)) == 0) missing += bytesInCut(set.set.tiles[tile], request);
+            if (request.resident.count(tilePath(set, tile)) == 0) missing += bytesInCut(set.set.tiles[tile], cut);
     }
     return missing;
 }
 
-TileDelivery loadTiles(Device& device, TileOrder order) {
-    TileDelivery delivery;
-    const OnError undo([&] { destroyTiles(device, delivery); });
-    TileLoader(device, std::move(order), delivery).load();
-    return delivery;
+LoadedTiles loadTiles(Device& device, TileLoadRequest request) {
+    LoadedTiles loaded;
+    const OnError undo([&] { destroyTiles(device, loaded); });
+    TileLoader(device, std::move(request), loaded).load();
+    return loaded;
 }
 
-void destroyTiles(Device& device, TileDelivery& tiles) {
+void destroyTiles(Device& device, LoadedTiles& tiles) {
     for (DeviceScan& file : tiles.files) destroyScan(device, file);
     tiles = {};
 }
 
-bool standTiles(Device& device, DeviceScene& scene, TileDelivery tiles) {
+bool applyTiles(Device& device, DeviceScene& scene, LoadedTiles tiles) {
     for (DeviceScan& file : tiles.files) {
-        scene.device_bytes += file.device_bytes;
-        scene.files.push_back(std::move(file));
+        const std::uint64_t bytes = file.device_bytes;
+        scene.device_bytes += bytes;
+        scene.files.add(std::move(file), bytes, Eviction::kAllowed);
     }
-    if (!tiles.whole) {
-        for (std::size_t i = 0; i < scene.sets.size(); ++i) scene.sets[i].opened.lost = tiles.sets[i].lost;
-        dropUnused(device, scene, tiles.sets);
+    if (!tiles.complete) {
+        for (std::size_t i = 0; i < scene.sets.size(); ++i) scene.sets[i].opened.missing = tiles.sets[i].missing;
+        evictUnused(device, scene, tiles.sets);
         return false;
     }
-    bool others = scene.instances.empty();
+    bool changed = scene.instances.empty();
     for (std::size_t i = 0; i < scene.sets.size(); ++i) {
-        others |= scene.sets[i].opened.cut.tiles != tiles.sets[i].cut.tiles;
+        changed |= scene.sets[i].opened.cut.tiles != tiles.sets[i].cut.tiles;
         scene.sets[i].opened = std::move(tiles.sets[i]);
     }
-    dropUnused(device, scene, {});
-    if (!others) return false;
+    evictUnused(device, scene, {});
+    if (!changed) return false;
     scene.device_bytes -= deviceBytes(scene.paint);
     destroyScenePaint(device, scene.paint);
-    standInstances(device, scene);
+    rebuildInstances(device, scene);
     return true;
 }
 
-bool standTiles(Device& device, DeviceScene& scene, const TileRequest& request) {
-    TileOrder order = orderTiles(scene, request);
-    chooseTiles(order);
-    TileDelivery tiles = loadTiles(device, std::move(order));
-    for (const std::string& reason : tiles.lost) tellLost(reason);
-    const bool others = standTiles(device, scene, std::move(tiles));
+bool updateTiles(Device& device, DeviceScene& scene, const TileRequest& request) {
+    TileLoadRequest load = makeTileLoadRequest(scene, request);
+    chooseTiles(load);
+    LoadedTiles tiles = loadTiles(device, std::move(load));
+    for (const std::string& reason : tiles.missing) reportMissing(reason);
+    const bool changed = applyTiles(device, scene, std::move(tiles));
     for (SceneSet& set : scene.sets)
-        if (request.tells_coarse) tellCoarse(set, request.detail, request.memory / scene.sets.size());
-    return others;
+        if (request.reports_coarse) reportCoarse(set, request.detail, request.memory / scene.sets.size());
+    return changed;
 }
 
 } // namespace pointrt

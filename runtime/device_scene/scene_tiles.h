@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands in a scene, on the device: files, and of sets the tiles that a picture is traced with.
+// Tile streaming: chooses the level-of-detail cut of each tile set in a scene, loads its tiles and evicts others.
 #pragma once
 
 #include <cstdint>
@@ -13,64 +13,66 @@
 
 namespace pointrt {
 
-/// What tiles are chosen for.
+/// What to choose tiles for.
 struct TileRequest {
     std::vector<Camera> cameras; ///< of the scene, at least one
     PixelSize size;              ///< of their pictures
-    std::uint64_t memory = 0;    ///< bytes that the tiles of all sets may take, in files and on the device
+    std::uint64_t memory = 0;    ///< limit for the tiles of all sets, bytes in files and on the device
     double detail = 1;           ///< CutRequest::detail
-    bool painted = false;        ///< splats are painted: they are held once more
-    bool tells_coarse = true;    ///< where memory makes a cut coarser
+    bool painted = false;        ///< splats are painted: the device holds them twice
+    bool reports_coarse = true;  ///< warn if the memory limit makes a cut coarser
     bool verbose = false;
 };
 
-/// What it takes to choose and load tiles, apart from the scene: for other threads.
-struct TileOrder {
-    std::vector<OpenedSet> sets;              ///< the scene's, in its order
-    std::vector<CutRequest> requests;         ///< for each of them
-    std::unordered_set<std::string> resident; ///< paths of files that are on the device
-    bool on_all_cores = true;                 ///< else on the caller's, and where an index is built on half of them
-    /// After so many seconds no tile is begun but the first: whoever asked may want others by then.
-    double seconds = std::numeric_limits<double>::infinity();
+/// All it takes to choose and load tiles on another thread, independent of the scene.
+struct TileLoadRequest {
+    std::vector<OpenedSet> sets;              ///< in the scene's order
+    std::vector<CutRequest> requests;         ///< one for each set
+    std::unordered_set<std::string> resident; ///< paths of the files on the device
+    /// Load on all cores. Otherwise on the calling thread, and build indices on half of the cores.
+    bool on_all_cores = true;
+    /// Seconds after which no further tile is begun, except the first: the caller may want other tiles by then.
+    double time_limit_s = std::numeric_limits<double>::infinity();
     bool verbose = false;
 };
-TileOrder orderTiles(const DeviceScene& scene, const TileRequest& request);
+TileLoadRequest makeTileLoadRequest(const DeviceScene& scene, const TileRequest& request);
 
-/// Chooses order's cuts anew, with a share of the memory, and returns how many bytes of them are not on the device.
-std::uint64_t chooseTiles(TileOrder& order, double share = 1);
+/// Chooses the cuts of request anew with a share of its memory. Returns how many bytes of them are not resident.
+std::uint64_t chooseTiles(TileLoadRequest& request, double share = 1);
 
-/// Tiles for the sets of a scene, on their way there.
-struct TileDelivery {
-    std::vector<OpenedSet> sets;   ///< the scene's, in its order, with other cuts
-    std::vector<DeviceScan> files; ///< what was not on the device yet
-    std::vector<std::string> lost; ///< of each tile that could not be opened, why
-    bool whole = true;             ///< else time ran out: the cuts cannot stand yet
+/// Tiles on the device that the scene does not have yet.
+struct LoadedTiles {
+    std::vector<OpenedSet> sets;      ///< with their new cuts, in the scene's order
+    std::vector<DeviceScan> files;    ///< that were not resident
+    std::vector<std::string> missing; ///< why a tile could not be opened, for each such tile
+    bool complete = true;             ///< false: time ran out before all tiles of the cuts were loaded
 };
-/// Loads what of order's cuts, which were chosen, is not on the device; where a tile cannot be opened, its parent is
-/// loaded in its place, and stands for it from then on. Throws Error kBadInput where a root is lost, kCannotRun as
-/// loadScan does.
-TileDelivery loadTiles(Device& device, TileOrder order);
-void destroyTiles(Device& device, TileDelivery& tiles);
+/// Loads the tiles of the chosen cuts that are not resident. A tile that cannot be opened is marked as missing and its
+/// parent is used from then on. Throws Error kBadInput if a root cannot be opened, kCannotRun as loadScan does.
+LoadedTiles loadTiles(Device& device, TileLoadRequest request);
+void destroyTiles(Device& device, LoadedTiles& tiles);
 
-/// Puts tiles into scene in place of those that stand for its sets, and makes its instances anew; its tables, and
-/// tracers of it, have to be made anew then, too. False where they are the tiles that there were, and nothing is done,
-/// and where the delivery is not whole: then its files are there for the next one.
-bool standTiles(Device& device, DeviceScene& scene, TileDelivery tiles);
-/// All of that, on this thread. A tile that is lost is told of on standard error, once; so is a cut that memory made
-/// coarser.
-bool standTiles(Device& device, DeviceScene& scene, const TileRequest& request);
+/// Moves tiles into scene, makes their cuts the current ones, evicts unused files and rebuilds the instances. Returns
+/// true if the cuts changed: the caller must then update the scene's tables and rebind its tracers. If tiles are not
+/// complete, only their files are kept, for the next call.
+bool applyTiles(Device& device, DeviceScene& scene, LoadedTiles tiles);
+/// Chooses, loads and applies tiles on this thread. Reports missing tiles, and once per set a cut that the memory limit
+/// made coarser, on standard error. Returns as applyTiles.
+bool updateTiles(Device& device, DeviceScene& scene, const TileRequest& request);
 
-/// Makes scene.instances of the files and tiles that are on the device, as its description and its sets' cuts say.
-void standInstances(Device& device, DeviceScene& scene);
+/// Makes scene.instances from the resident files, the scene's description and the cuts of its sets.
+void rebuildInstances(Device& device, DeviceScene& scene);
 
-/// A file as it stands in space, for the programs, but for its materials. number: of its instance
-gpu::InstanceParams placeInstance(const RenderSpace& space, const DeviceScan& file, const Placement& placement,
-                                  std::uint32_t number);
-/// Of a tile: its hits count in this box, in the set's coordinates.
-void placeCore(const DeviceScan& file, const TileBox& box, gpu::InstanceParams& params);
+/// The shader parameters of a placed file, except its materials.
+/// @param number of the instance in the description
+gpu::InstanceParams makeInstanceParams(const RenderSpace& space, const DeviceScan& file, const Placement& placement,
+                                       std::uint32_t number);
+/// Clips the hits of a tile to box, in the set's coordinates.
+void setCoreBox(const DeviceScan& file, const TileBox& box, gpu::InstanceParams& params);
 
-/// request, or less where the device has memory of its own, and less of that. Where it has not, request is of the whole
-/// process: `others`, the bytes of all else, come off it, though tiles get half of it at least.
+/// The memory limit for tiles, bytes. On a device with memory of its own: request, but at most a share of that memory.
+/// Otherwise request covers the whole process: `others`, the bytes of everything else, are subtracted, but at most half
+/// of request.
 std::uint64_t tileMemory(const Device& device, std::uint64_t request, std::uint64_t others = 0);
 
 } // namespace pointrt

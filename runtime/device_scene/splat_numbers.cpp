@@ -32,7 +32,7 @@ pro_view viewOf(const pro_file* file) {
     return view;
 }
 
-/// "NAME.N" as its parts; nothing where it does not end so.
+/// Splits "NAME.N"; nullopt if word does not have this form.
 std::optional<std::pair<std::string, std::uint32_t>> partedWord(const std::string& word) {
     const std::size_t dot_at = word.rfind('.');
     if (dot_at == std::string::npos || dot_at + 2 != word.size()) return std::nullopt;
@@ -77,7 +77,7 @@ SplatNumbers heightNumbers(const pro_file* file, const Placement& placement, Vec
     numbers.height_of_code = (info.scale * PRO_POSITION_STEP) * input_up;
     const Vec3 origin{info.origin[0], info.origin[1], info.origin[2]};
     numbers.bottom = dot(up, placement.translation) + dot(input_up, origin) +
-                     dot(numbers.height_of_code, {0.5, 0.5, 0.5}); // codes stand for the middles of their steps
+                     dot(numbers.height_of_code, {0.5, 0.5, 0.5}); // codes denote the centres of their steps
     return numbers;
 }
 

@@ -11,14 +11,14 @@
 namespace pointrt {
 namespace {
 
-/// Splats at a time: their numbers stay in the first cache.
+/// Splats per block, so that their numbers stay in the L1 cache.
 constexpr std::size_t kBlock = 1024;
 
 using Numbers = std::array<double, kBlock>;
 
-/// Some splats: what the file has of them, and what becomes of that.
+/// Consecutive splats, as in the file and painted.
 struct Block {
-    const std::uint32_t* file_words; ///< of the first
+    const std::uint32_t* file_words; ///< from the first splat on
     std::size_t first, count;
     std::uint32_t* painted;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Splats in other colours, and of other materials, than their file has them.
+// Paints splats: replaces the colours and material rows of their file.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +13,18 @@
 
 namespace pointrt {
 
-/// By a number; where a scan has none, all of it is missing.
+/// Colours by a number. A scan without it gets the colour for missing numbers.
 struct NumberColors {
     std::optional<SplatNumbers> numbers;
     ColorScale scale;
 };
 
-/// Red, green and blue for x, y and z of the normal, black at -1 and full at 1; rotation: of the placement.
+/// Red, green and blue from x, y and z of the normal, 0 at -1 and 255 at 1.
 struct NormalColors {
-    std::array<Vec3, 3> rotation;
+    std::array<Vec3, 3> rotation; ///< of the placement
 };
 
-/// Splats that go to another material, or back to the file's own row.
+/// Selects splats and assigns a material row to them.
 struct SplatOverride {
     struct OfRow {
         std::uint8_t row;
@@ -37,16 +37,16 @@ struct SplatOverride {
         std::vector<ValueRange> ranges;
     };
     std::variant<OfRow, OfColors, OfNumbers> splats;
-    std::uint8_t row = 0; ///< that they get; of OfRow none: it stands in the place of the file's row
+    std::uint8_t row = 0; ///< to assign; unused for OfRow, whose material replaces that of the file's row
 };
 
-/// What is new about the splats of an instance.
+/// How to paint the splats of an instance.
 struct SplatPaint {
     std::variant<std::monostate, NumberColors, NormalColors> colors;
     std::vector<SplatOverride> overrides; ///< later ones win
 };
 
-/// The painted words of splats first to first + painted.size() / PRO_SPLAT_WORDS of file, on all cores.
+/// Writes the painted words of splats, from number first on, as many as painted holds, on all cores.
 void paintSplats(const SplatPaint& paint, const std::uint32_t* file_words, std::size_t first,
                  std::span<std::uint32_t> painted);
 

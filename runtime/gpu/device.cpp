@@ -34,15 +34,35 @@ VkDebugUtilsMessengerCreateInfoEXT messengerInfo() {
     VkDebugUtilsMessengerCreateInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT};
     info.messageSeverity =
         VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
-    // Not GENERAL: there the loader complains about other vendors' drivers that find no hardware.
+    // not GENERAL: in that class the loader complains about other vendors' drivers that find no hardware
     info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
     info.pfnUserCallback = onValidationMessage;
     return info;
 }
 
-bool validationWanted() {
-    const char* value = std::getenv("POINTRT_VALIDATION");
+bool isSet(const char* variable) {
+    const char* value = std::getenv(variable);
     return value && std::strcmp(value, "") != 0 && std::strcmp(value, "0") != 0;
+}
+
+bool wantsValidation() { return isSet("POINTRT_VALIDATION"); }
+
+/// Variables by which RenderDoc and the Vulkan loader enable layers.
+constexpr const char* kLayerVariables[] = {"ENABLE_VULKAN_RENDERDOC_CAPTURE", "VK_INSTANCE_LAYERS",
+                                           "VK_LOADER_LAYERS_ENABLE"};
+
+bool wantsDebugNames() {
+    return wantsValidation() || std::any_of(std::begin(kLayerVariables), std::end(kLayerVariables), isSet);
+}
+
+bool hasDebugUtils() {
+    std::uint32_t count = 0;
+    if (vkEnumerateInstanceExtensionProperties(nullptr, &count, nullptr) != VK_SUCCESS) return false;
+    std::vector<VkExtensionProperties> extensions(count);
+    if (vkEnumerateInstanceExtensionProperties(nullptr, &count, extensions.data()) != VK_SUCCESS) return false;
+    return std::any_of(extensions.begin(), extensions.end(), [](const VkExtensionProperties& each) {
+        return std::strcmp(each.extensionName, VK_EXT_DEBUG_UTILS_EXTENSION_NAME) == 0;
+    });
 }
 
 void requireValidationLayer() {
@@ -58,7 +78,7 @@ void requireValidationLayer() {
 
 void requireLoaderVersion() {
     std::uint32_t version = 0;
-    check(vkEnumerateInstanceVersion(&version), "ask for the Vulkan loader's version");
+    check(vkEnumerateInstanceVersion(&version), "query the Vulkan loader's version");
     if (version < kApiVersion)
         throw Error{ExitCode::kCannotRun, "the Vulkan loader (libvulkan.so.1) is older than Vulkan 1.2"};
 }
@@ -75,7 +95,7 @@ VkInstance createInstance(std::vector<const char*> extensions) {
     const VkValidationFeatureEnableEXT synchronization = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
     VkDebugUtilsMessengerCreateInfoEXT messenger = messengerInfo();
     VkValidationFeaturesEXT features{VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT};
-    if (validationWanted()) {
+    if (wantsValidation()) {
         requireValidationLayer();
         features.enabledValidationFeatureCount = 1;
         features.pEnabledValidationFeatures = &synchronization;
@@ -83,8 +103,10 @@ VkInstance createInstance(std::vector<const char*> extensions) {
         info.pNext = &messenger;
         info.enabledLayerCount = 1;
         info.ppEnabledLayerNames = &kValidationLayer;
-        extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     }
+    // the layer has the extension, whatever the loader's list says
+    if (wantsValidation() || (wantsDebugNames() && hasDebugUtils()))
+        extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
     info.ppEnabledExtensionNames = extensions.data();
     VkInstance instance = VK_NULL_HANDLE;
@@ -98,7 +120,7 @@ VkInstance createInstance(std::vector<const char*> extensions) {
     return instance;
 }
 
-/// As large as a power of two can be, for texels of any format.
+/// log2 of the largest page, a power of two texels, that fits for every texel format.
 std::uint32_t pageBits(const Device& device) {
     constexpr std::uint64_t kLargestTexel = 16; // bytes
     const std::uint64_t texels =
@@ -159,6 +181,11 @@ void createLogicalDevice(Device& device, const DeviceRequest& request) {
     if (device.external_memory_host)
         device.getMemoryHostPointerProperties = reinterpret_cast<PFN_vkGetMemoryHostPointerPropertiesEXT>(
             vkGetDeviceProcAddr(device.handle, "vkGetMemoryHostPointerPropertiesEXT"));
+    // null where the instance has no VK_EXT_debug_utils
+    if (wantsDebugNames())
+        device.setObjectName = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
+            vkGetInstanceProcAddr(device.instance, "vkSetDebugUtilsObjectNameEXT"));
+    device.queue_mutex = std::make_shared<std::mutex>();
     createPoolAndFence(device);
 }
 
@@ -179,7 +206,7 @@ QueueNeeds queueNeeds(const Device& device, const DeviceRequest& request) {
 }
 
 void createMessenger(Device& device) {
-    if (!validationWanted()) return;
+    if (!wantsValidation()) return;
     const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
         vkGetInstanceProcAddr(device.instance, "vkCreateDebugUtilsMessengerEXT"));
     const VkDebugUtilsMessengerCreateInfoEXT info = messengerInfo();
@@ -222,8 +249,7 @@ void destroyDevice(Device& device) {
     device = {};
 }
 
-Device workerDevice(Device& device) {
-    if (!device.queue_mutex) device.queue_mutex = std::make_shared<std::mutex>();
+Device workerDevice(const Device& device) {
     Device worker = device;
     worker.command_pool = VK_NULL_HANDLE;
     worker.fence = VK_NULL_HANDLE;
@@ -237,9 +263,7 @@ void destroyWorkerDevice(Device& worker) {
     worker = {};
 }
 
-std::unique_lock<std::mutex> lockQueue(Device& device) {
-    return device.queue_mutex ? std::unique_lock(*device.queue_mutex) : std::unique_lock<std::mutex>();
-}
+std::unique_lock<std::mutex> lockQueue(Device& device) { return std::unique_lock(*device.queue_mutex); }
 
 std::string listDevices() {
     const VkInstance instance = createInstance({});
@@ -257,13 +281,14 @@ std::string listDevices() {
 
 std::uint64_t validationMessages() { return validation_messages; }
 
-VkCommandBuffer beginCommands(Device& device) {
+VkCommandBuffer beginCommands(Device& device, const char* name) {
     VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
     allocate.commandPool = device.command_pool;
     allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
     allocate.commandBufferCount = 1;
     VkCommandBuffer commands = VK_NULL_HANDLE;
     check(vkAllocateCommandBuffers(device.handle, &allocate, &commands), "allocate a command buffer");
+    nameObject(device, VK_OBJECT_TYPE_COMMAND_BUFFER, commands, name);
     VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
     begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     check(vkBeginCommandBuffer(commands, &begin), "begin a command buffer");
@@ -271,7 +296,7 @@ VkCommandBuffer beginCommands(Device& device) {
 }
 
 void submitAndWait(Device& device, VkCommandBuffer commands) {
-    // The fence tells that the work is done; it takes a barrier to make its writes visible to what comes later.
+    // the fence signals completion; it takes a barrier to make the writes visible to the host and to later commands
     VkMemoryBarrier barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER};
     barrier.srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT;
     barrier.dstAccessMask = VK_ACCESS_HOST_READ_BIT | VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT;
@@ -283,7 +308,7 @@ void submitAndWait(Device& device, VkCommandBuffer commands) {
     submit.commandBufferCount = 1;
     submit.pCommandBuffers = &commands;
     {
-        const auto turn = lockQueue(device);
+        const auto lock = lockQueue(device);
         check(vkQueueSubmit(device.queue, 1, &submit, device.fence), "submit work to the device");
     }
     check(vkWaitForFences(device.handle, 1, &device.fence, VK_TRUE, UINT64_MAX), "wait for the device");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Choosing a Vulkan device for compute (and a window, where one is asked for), and the one queue everything runs on.
+// A Vulkan device for compute, and for a window on request, with the one queue that everything runs on.
 #pragma once
 
 #include <cstdint>
@@ -16,14 +16,15 @@ namespace pointrt {
 class ProgramStore;
 
 struct DeviceRequest {
-    std::string selector; ///< "" for the best one, an index of the list, or a part of a name in any case
+    std::string selector; ///< "" for the best device, an index in listDevices, or part of a name, ignoring case
     bool verbose = false;
-    bool graphics = false; ///< the queue draws besides computing
-    /// What the window system needs. With any, the queue also presents, and the device has VK_KHR_swapchain.
+    bool graphics = false; ///< the queue must support graphics
+    /// Extensions that the window system needs. If there are any, the queue can present and the device has
+    /// VK_KHR_swapchain.
     std::vector<const char*> instance_extensions;
-    /// Whether a queue family reaches the window's display; without it all of them are taken to.
+    /// Whether a queue family can present to the window's display. If not set, all families can.
     std::function<bool(VkInstance, VkPhysicalDevice, std::uint32_t queue_family)> can_present;
-    std::uint32_t page_bits_most = 31; ///< makes Device::page_bits no larger: tests have many pages with small scenes
+    std::uint32_t page_bits_most = 31; ///< limit for Device::page_bits: tests get many pages from small scenes
 };
 
 /// A logical device with one compute queue. Free it with destroyDevice after everything made from it.
@@ -33,7 +34,7 @@ struct Device {
     VkPhysicalDevice physical = VK_NULL_HANDLE;
     VkDevice handle = VK_NULL_HANDLE;
     VkQueue queue = VK_NULL_HANDLE;
-    std::shared_ptr<std::mutex> queue_mutex; ///< null until a workerDevice shares the queue
+    std::shared_ptr<std::mutex> queue_mutex; ///< shared with workers
     std::uint32_t queue_family = 0;
     VkCommandPool command_pool = VK_NULL_HANDLE;
     VkFence fence = VK_NULL_HANDLE;
@@ -45,41 +46,54 @@ struct Device {
     std::uint64_t max_allocation_bytes = 0;
     std::uint32_t page_bits = 0; ///< log2 of the texels in a page (paged_buffer.h)
     std::uint32_t subgroup_size = 0;
-    bool unified_memory = false;             ///< CPU or integrated: its memory is the host's, so importing saves a copy
-    bool doubles = false;                    ///< programs may reckon in them
+    bool unified_memory = false;             ///< CPU or integrated GPU: memory is the host's, so importing saves a copy
+    bool doubles = false;                    ///< shaders may use 64-bit floats
     bool external_memory_host = false;       ///< VK_EXT_external_memory_host is enabled
-    std::uint64_t host_import_alignment = 0; ///< bytes, of pointers and sizes given to importHostBuffer
+    std::uint64_t host_import_alignment = 0; ///< bytes, for pointers and sizes given to importHostBuffer
     PFN_vkGetMemoryHostPointerPropertiesEXT getMemoryHostPointerProperties = nullptr;
-    std::shared_ptr<ProgramStore> programs; ///< what createProgram built, shared with workers
+    PFN_vkSetDebugUtilsObjectNameEXT setObjectName = nullptr; ///< null unless debug names are on (nameObject)
+    std::shared_ptr<ProgramStore> programs; ///< programs that createProgram built, shared with workers
     bool verbose = false;
 };
 
-/// Opens the device that request selects; without a selector discrete comes before integrated, virtual and CPU.
-/// POINTRT_VALIDATION=1 in the environment turns the Khronos validation layer on, synchronization checks included.
-/// Throws Error kCannotRun with one line that names every device seen and why it was refused.
+/// Opens the selected device. Without a selector discrete GPUs come before integrated ones, virtual ones and CPUs.
+/// POINTRT_VALIDATION=1 in the environment enables the Khronos validation layer with synchronization checks.
+/// Throws Error kCannotRun with one line that names every device found and why it was refused.
 Device createDevice(const DeviceRequest& request);
 void destroyDevice(Device& device);
 
-/// The same device for another thread: it shares the queue, whose users then take turns, and has a command pool and a
-/// fence of its own. What is made through one may be used and freed through the other. Call it while no other thread
-/// uses device; free the result with destroyWorkerDevice before device.
-Device workerDevice(Device& device);
+/// The same device for another thread: it shares the queue, under a mutex, and has its own command pool and fence.
+/// Objects created through one may be used and freed through the other. Free it with destroyWorkerDevice before device.
+Device workerDevice(const Device& device);
 void destroyWorkerDevice(Device& worker);
 
-/// Keeps other threads off the queue while it lives; for every call that takes device.queue.
+/// Hold the lock during every call that takes device.queue.
 std::unique_lock<std::mutex> lockQueue(Device& device);
 
-/// A line for each device: index, name, type, API version, memory, and why it cannot be used where that is so.
-/// Throws Error kCannotRun where there is no loader or no driver at all.
+/// One line per device: index, name, type, API version, memory, and why it cannot be used, if so.
+/// Throws Error kCannotRun if there is no Vulkan loader or no driver.
 std::string listDevices();
 
-/// Validation messages of warning or above since the process started; each was printed to stderr.
+/// Validation messages of severity warning or above since the process started; each was printed to stderr.
 std::uint64_t validationMessages();
 
-/// A command buffer ready for recording, to be given to submitAndWait or freed with the device's command pool.
-VkCommandBuffer beginCommands(Device& device);
-/// Ends, submits and frees commands, and returns when the device is done and its writes are seen by the host and by
-/// later commands. Throws Error kCannotRun (lost device).
+/// Names a Vulkan object for validation messages and debuggers (VK_EXT_debug_utils). Does nothing unless
+/// POINTRT_VALIDATION is set or the environment enables a layer, such as a frame debugger's.
+template <typename Handle>
+void nameObject(const Device& device, VkObjectType type, Handle handle, const char* name) {
+    if (!device.setObjectName || !handle) return;
+    VkDebugUtilsObjectNameInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT};
+    info.objectType = type;
+    info.objectHandle = reinterpret_cast<std::uint64_t>(handle);
+    info.pObjectName = name;
+    device.setObjectName(device.handle, &info); // only runs out of memory, which the next call reports
+}
+
+/// A command buffer in the recording state, for submitAndWait or freed with the device's command pool.
+/// @param name for debuggers
+VkCommandBuffer beginCommands(Device& device, const char* name = "commands");
+/// Ends, submits and frees commands. Returns when the device is done and its writes are visible to the host and to
+/// later commands. Throws Error kCannotRun (device lost).
 void submitAndWait(Device& device, VkCommandBuffer commands);
 
 } // namespace pointrt

@@ -12,9 +12,9 @@
 namespace pointrt {
 namespace {
 
-// A scene of a million splats has some three million texels of near splats, and entry grids have up to 2^24 words.
+// A scene of a million splats has some three million texels of near splats; entry grids have up to 2^24 words.
 constexpr std::uint32_t kMinTexels = 1u << 24;
-/// Those of shaders/lib/bindings.glsl; Vulkan promises 4.
+/// Storage texel buffers of shaders/lib/bindings.glsl; Vulkan guarantees 4.
 constexpr std::uint32_t kStorageImages = 5;
 constexpr VkSubgroupFeatureFlags kSubgroupOperations = VK_SUBGROUP_FEATURE_BASIC_BIT | VK_SUBGROUP_FEATURE_VOTE_BIT |
                                                        VK_SUBGROUP_FEATURE_ARITHMETIC_BIT |
@@ -87,7 +87,7 @@ int typeRank(VkPhysicalDeviceType type) {
     }
 }
 
-/// Whether the user's selector means candidate, which stands at index of the list.
+/// Whether the user's selector matches candidate number index.
 bool matches(const std::string& selector, const Candidate& candidate, std::size_t index) {
     std::size_t number = 0;
     const char* end = selector.data() + selector.size();
@@ -100,7 +100,7 @@ std::string numberedName(const Candidate& candidate, std::size_t index) {
     return std::to_string(index) + " \"" + candidate.properties.deviceName + "\"";
 }
 
-/// "0 "NAME": reason; 1 "NAME": reason" for all that were not taken.
+/// "0 "NAME": reason; 1 "NAME": reason" for all candidates.
 std::string refusals(const std::vector<Candidate>& candidates, const std::string& selector) {
     std::string text;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -197,7 +197,7 @@ const Candidate& chooseCandidate(const std::vector<Candidate>& candidates, const
     if (best) return *best;
     if (candidates.empty())
         throw Error{ExitCode::kCannotRun, "no Vulkan device: the installed drivers find none (mesa-vulkan-drivers on "
-                                          "Debian and Ubuntu brings one that runs on the CPU)"};
+                                          "Debian and Ubuntu includes one that runs on the CPU)"};
     throw Error{ExitCode::kCannotRun, "no usable Vulkan device: " + refusals(candidates, selector)};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which of the Vulkan devices can run the viewer, why the others cannot, and which one is best.
+// Enumerates Vulkan devices, finds why some are unusable, and chooses the best.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +13,14 @@
 
 namespace pointrt {
 
-/// What the queue is for besides compute.
+/// What the queue must support besides compute.
 struct QueueNeeds {
     bool graphics = false;
     bool present = false;                                                    ///< graphics, and a swapchain
-    std::function<bool(VkPhysicalDevice, std::uint32_t family)> can_present; ///< without it every family can
+    std::function<bool(VkPhysicalDevice, std::uint32_t family)> can_present; ///< if not set, every family can
 };
 
-/// A device as enumerated: what choosing and listing it needs.
+/// An enumerated device, with what it takes to choose and list it.
 struct Candidate {
     VkPhysicalDevice physical = VK_NULL_HANDLE;
     VkPhysicalDeviceProperties properties{};
@@ -28,25 +28,25 @@ struct Candidate {
     VkPhysicalDeviceSubgroupProperties subgroup{};
     VkPhysicalDeviceMemoryProperties memory{};
     QueueNeeds needs;
-    std::optional<std::uint32_t> queue_family; ///< the first with compute and what needs says
-    bool swapchain = false;                    ///< has VK_KHR_swapchain; looked up where needs.present
+    std::optional<std::uint32_t> queue_family; ///< the first that supports compute and needs
+    bool swapchain = false;                    ///< has VK_KHR_swapchain; set only if needs.present
     bool external_memory_host = false;
     std::uint64_t host_import_alignment = 0; ///< bytes
-    bool doubles = false;                    ///< programs may reckon in them
-    bool reads_texels = false;               ///< in the formats the scene is stored in
-    std::string refusal;                     ///< empty when usable
+    bool doubles = false;                    ///< shaders may use 64-bit floats
+    bool reads_texels = false;               ///< supports texel buffers in the formats of scenes
+    std::string refusal;                     ///< empty if usable
 };
 
 std::vector<Candidate> enumerateCandidates(VkInstance instance, const QueueNeeds& needs = {});
 
-/// Why the viewer cannot run on candidate; empty when it can. Reads everything but candidate.physical and refusal.
+/// Why candidate is unusable; empty if it is usable. Does not read candidate.physical and refusal.
 std::string refusalOf(const Candidate& candidate);
 
-/// The best usable candidate that selector (see DeviceRequest) means.
-/// Throws Error kCannotRun with one line naming every candidate and what is wrong with it.
+/// The best usable candidate that selector (see DeviceRequest) matches.
+/// Throws Error kCannotRun with one line that names every candidate and why it was refused.
 const Candidate& chooseCandidate(const std::vector<Candidate>& candidates, const std::string& selector);
 
-/// A line of the device list, with its line end: index, name, type, API version, memory and refusal.
+/// A line of the device list, including the newline: index, name, type, API version, memory and refusal.
 std::string describeCandidate(const Candidate& candidate, std::size_t index);
 
 } // namespace pointrt

@@ -11,8 +11,8 @@
 namespace pointrt {
 namespace {
 
-/// Shaders read some of them as images (shaders/lib/bindings.glsl), for which every device takes texels of one or
-/// four words.
+/// Shaders read some buffers as storage texel buffers (shaders/lib/bindings.glsl), which every device supports for
+/// texels of one or four words.
 VkBufferUsageFlags usageFor(VkFormat format) {
     constexpr VkBufferUsageFlags kFetched = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
     return format == VK_FORMAT_R32G32_UINT ? kFetched : kFetched | VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT;
@@ -21,12 +21,12 @@ VkBufferUsageFlags usageFor(VkFormat format) {
 void requireFewPages(const char* what, std::uint64_t bytes, std::uint64_t page_bytes) {
     const std::uint64_t pages = (bytes + page_bytes - 1) / page_bytes;
     if (pages > MAX_PAGES)
-        throw Error{ExitCode::kCannotRun,
-                    std::string(what) + " of " + std::to_string(bytes) + " bytes takes " + std::to_string(pages) +
-                        " texel buffers of this device, the viewer reads " + std::to_string(MAX_PAGES)};
+        throw Error{ExitCode::kCannotRun, std::string(what) + " of " + std::to_string(bytes) + " bytes needs " +
+                                              std::to_string(pages) + " texel buffers on this device, the limit is " +
+                                              std::to_string(MAX_PAGES)};
 }
 
-/// make(start, bytes) for each page.
+/// Calls make(start, bytes) for each page.
 template <typename Make>
 PagedBuffer pagesOf(Device& device, const char* what, std::uint64_t bytes, VkFormat format, const Make& make) {
     const std::uint64_t page_bytes = texelBytes(format) << device.page_bits;
@@ -107,7 +107,7 @@ std::vector<BufferBinding> pageBindings(const PagedBuffers& buffers) {
     std::vector<BufferBinding> bindings;
     for (std::size_t k = 0; k < buffers.size(); ++k) {
         const std::vector<Buffer>& pages = buffers[k]->pages;
-        const std::size_t first = pages.size() > 1 ? 1 : 0; // there must be one, though it is not read
+        const std::size_t first = pages.size() > 1 ? 1 : 0; // an array cannot be empty, though it is not read
         bindings.push_back({kPagedPlaces[k].further, &pages[first], static_cast<std::uint32_t>(pages.size() - first)});
     }
     return bindings;

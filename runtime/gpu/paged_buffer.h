@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Buffers of any size for texel fetches: in pages, where one texel buffer or one allocation would not hold them
+// Texel buffers of any size: split into pages if they exceed the largest texel buffer or allocation
 // (shaders/lib/pages.glsl).
 #pragma once
 
@@ -17,28 +17,28 @@
 
 namespace pointrt {
 
-/// Bytes as texels of format: where device and host share memory the host's own pages, which must stay then
-/// (importHostBuffer says what that asks of them), else a copy. Throws Error kCannotRun: out of memory, or more than
-/// the device reads in a texel buffer.
+/// A texel buffer of the bytes at data. On unified memory it imports the host's pages, which must then outlive it (see
+/// importHostBuffer); otherwise it is a copy. Throws Error kCannotRun if out of memory, or if there are more texels
+/// than the device supports in a buffer.
 Buffer createTexelBuffer(Device& device, const char* what, const void* data, std::uint64_t bytes, VkFormat format);
 
-/// Texels in pages of 2^device.page_bits, the last one shorter. Plain data: free it with destroyPagedBuffer, once.
+/// Pages of 2^device.page_bits texels; the last may be shorter. Plain data: free it with destroyPagedBuffer, once.
 struct PagedBuffer {
     std::vector<Buffer> pages; ///< 1 to MAX_PAGES, each with a view
 };
 
-/// createTexelBuffer for each page. Throws Error kCannotRun also where there are more than MAX_PAGES.
+/// createTexelBuffer for each page. Throws Error kCannotRun also if there are more than MAX_PAGES.
 PagedBuffer createPagedBuffer(Device& device, const char* what, const void* data, std::uint64_t bytes, VkFormat format);
-/// The same, of memory of the device's own, without anything in it yet.
+/// The same in device memory, uninitialised.
 PagedBuffer createEmptyPagedBuffer(Device& device, const char* what, std::uint64_t bytes, VkFormat format);
-/// Copies bytes from data to the buffer's at offset, both multiples of a texel's; not of imported memory.
+/// Copies bytes from data to the buffer at offset, both multiples of the texel size. Not for imported buffers.
 void uploadPages(Device& device, PagedBuffer& buffer, const void* data, std::uint64_t bytes, std::uint64_t offset);
 void destroyPagedBuffer(Device& device, PagedBuffer& buffer);
-/// Whether any of the memory is the caller's.
+/// Whether any page is imported memory.
 bool isImported(const PagedBuffer& buffer);
 
-/// Of a buffer that may have pages: where those after its first are bound, in set SET_PAGES, and the constant that says
-/// how many there are (shaders/lib/pages.glsl).
+/// For a buffer that may have pages: the binding of those after the first, in set SET_PAGES, and the specialization
+/// constant for their number (shaders/lib/pages.glsl).
 struct PagedPlace {
     gpu::Binding further{};
     gpu::SpecId count{};
@@ -51,22 +51,22 @@ constexpr std::array<PagedPlace, PAGED_BUFFERS> kPagedPlaces{{{BINDING_BRICK_PAG
                                                               {BINDING_BLENDING_PAGES, SPEC_BLENDING_PAGES},
                                                               {BINDING_SPLAT_PAGES, SPEC_SPLAT_PAGES}}};
 
-/// The pages in use of an instance's buffers, in the order of kPagedPlaces.
+/// The page counts of an instance's buffers, in the order of kPagedPlaces.
 struct PageCounts {
-    std::uint32_t bits = 0; ///< log2 of a page's texels
+    std::uint32_t bits = 0; ///< log2 of the texels per page
     std::array<std::uint32_t, PAGED_BUFFERS> counts{};
     auto operator<=>(const PageCounts&) const = default;
 };
 
-/// Whether any buffer has more than one page, so that programs must be paged ones.
+/// Whether any buffer has more than one page, which takes the paged variants of programs.
 bool isPaged(const PageCounts& pages);
 
 using PagedBuffers = std::array<const PagedBuffer*, PAGED_BUFFERS>; ///< in the order of kPagedPlaces
 
 PageCounts pageCounts(const Device& device, const PagedBuffers& buffers);
-/// What programs are specialized by for them.
+/// The specialization constants for programs that read them.
 std::vector<SpecConstant> pageConstants(const PageCounts& pages);
-/// The pages after each one's first, at their places in set SET_PAGES.
+/// The pages after the first of each buffer, for set SET_PAGES.
 std::vector<BufferBinding> pageBindings(const PagedBuffers& buffers);
 
 } // namespace pointrt

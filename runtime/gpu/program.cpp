@@ -21,7 +21,7 @@ namespace {
 constexpr VkDescriptorType kBufferTypes[] = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
                                              VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER,
                                              VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER};
-// Of each type, for one set: more than any shader binds.
+// Descriptors of each type for one set: more than any shader binds.
 constexpr std::uint32_t kDescriptorsPerSet = 64;
 
 std::uint32_t number(gpu::Binding slot) { return static_cast<std::uint32_t>(slot); }
@@ -48,14 +48,14 @@ std::uint32_t setCount(const Program& program) {
     return bindings.empty() ? 1 : bindings.back().set + 1;
 }
 
-/// Only arrays of pages come near.
+/// Only arrays of pages come near the limit.
 void requireFewTexelBuffers(const Device& device, const Program& program) {
     std::uint32_t count = 0;
     for (const ShaderBinding& binding : program.shader.bindings)
         if (binding.type == VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER) count += binding.count;
     if (setCount(program) > 1 && count > device.limits.maxPerStageDescriptorSampledImages)
-        throw Error{ExitCode::kCannotRun, program.name + ": a scene of this size takes " + std::to_string(count) +
-                                              " texel buffers, the device binds " +
+        throw Error{ExitCode::kCannotRun, program.name + ": a scene of this size needs " + std::to_string(count) +
+                                              " texel buffers, the limit of the device is " +
                                               std::to_string(device.limits.maxPerStageDescriptorSampledImages)};
 }
 
@@ -70,9 +70,10 @@ void createLayouts(Device& device, Program& program) {
     layout.pushConstantRangeCount = push.size ? 1 : 0;
     layout.pPushConstantRanges = &push;
     check(vkCreatePipelineLayout(device.handle, &layout, nullptr, &program.layout), "create a pipeline layout");
+    nameObject(device, VK_OBJECT_TYPE_PIPELINE_LAYOUT, program.layout, program.name.c_str());
 }
 
-/// What the shader declares has its value in constants.
+/// Requires a value for each constant of the shader.
 void requireConstants(const std::string& name, const ShaderInterface& shader, std::span<const SpecConstant> constants) {
     for (const gpu::SpecId id : shader.constants)
         if (std::none_of(constants.begin(), constants.end(), [&](const SpecConstant& each) { return each.id == id; }))
@@ -80,7 +81,7 @@ void requireConstants(const std::string& name, const ShaderInterface& shader, st
                                    std::to_string(static_cast<std::uint32_t>(id)) + " has no value");
 }
 
-/// Of values that the shader does not declare nothing depends.
+/// Ignores constants that the shader does not declare.
 ProgramKey keyOf(const char* name, std::span<const std::uint32_t> spirv, const ShaderInterface& shader,
                  std::span<const SpecConstant> constants) {
     ProgramKey key{name, spirv.size_bytes(), XXH3_64bits(spirv.data(), spirv.size_bytes()), {}};
@@ -91,7 +92,7 @@ ProgramKey keyOf(const char* name, std::span<const std::uint32_t> spirv, const S
     return key;
 }
 
-/// Where each value lies in the list.
+/// Locates the values in the list.
 std::vector<VkSpecializationMapEntry> specializationMap(std::span<const SpecConstant> constants) {
     std::vector<VkSpecializationMapEntry> entries;
     for (std::size_t i = 0; i < constants.size(); ++i)
@@ -122,6 +123,7 @@ void createPipeline(Device& device, Program& program, std::span<const std::uint3
         vkCreateComputePipelines(device.handle, VK_NULL_HANDLE, 1, &info, nullptr, &program.pipeline);
     vkDestroyShaderModule(device.handle, info.stage.module, nullptr);
     check(result, what.c_str());
+    nameObject(device, VK_OBJECT_TYPE_PIPELINE, program.pipeline, program.name.c_str());
 }
 
 Program buildProgram(Device& device, const char* name, std::span<const std::uint32_t> spirv,
@@ -146,7 +148,7 @@ bool isTexelBuffer(VkDescriptorType type) {
     throw std::logic_error(program.name + ": binding " + std::to_string(number(slot)) + " " + reason);
 }
 
-/// Of texel buffers: what a descriptor names is the view.
+/// Descriptors of texel buffers refer to the view.
 void requireView(const Program& program, const ShaderBinding& wanted, const Buffer& buffer) {
     if (!buffer.handle) failBinding(program, wanted.slot, "has no buffer");
     if (isTexelBuffer(wanted.type) && !buffer.view) failBinding(program, wanted.slot, "has no view");
@@ -169,10 +171,10 @@ void requireRange(const Device& device, const Program& program, const ShaderBind
                                                                                   : device.limits.maxUniformBufferRange;
     if (buffer.bytes > limit)
         throw Error{ExitCode::kCannotRun, program.name + ": a buffer of " + std::to_string(buffer.bytes) +
-                                              " bytes, the device binds at most " + std::to_string(limit)};
+                                              " bytes, the limit of the device is " + std::to_string(limit)};
 }
 
-/// What the descriptors of one binding name.
+/// The buffers or views that the descriptors of one binding refer to.
 struct Named {
     std::vector<VkDescriptorBufferInfo> infos;
     std::vector<VkBufferView> views;
@@ -209,7 +211,7 @@ void fillSet(Device& device, const Program& program, VkDescriptorSet set, std::s
 
 void recordState(VkCommandBuffer commands, const Program& program, const DescriptorSets& sets,
                  std::span<const std::byte> push) {
-    if (!program.pipeline) throw std::logic_error("a program is to run that was not built");
+    if (!program.pipeline) throw std::logic_error("dispatch of a program that was not built");
     const std::uint32_t declared = program.shader.push_bytes;
     if (declared != 0 && push.size() != declared)
         throw std::logic_error(program.name + ": " + std::to_string(push.size()) + " bytes of push constants, " +
@@ -239,7 +241,7 @@ Program createProgram(Device& device, const char* name, std::span<const std::uin
 }
 
 void destroyProgram(Device& device, Program& program) {
-    if (program.pipeline) device.programs->giveBack(device, program);
+    if (program.pipeline) device.programs->release(device, program);
     program = {};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compute programs: a pipeline from embedded SPIR-V whose bindings are declared in the shader alone.
+// Compute programs: pipelines from embedded SPIR-V. Bindings are declared in the shaders only.
 #pragma once
 
 #include <array>
@@ -14,53 +14,52 @@
 
 namespace pointrt {
 
-/// A compute pipeline and what its shader declares, from its device's store. Give it back with destroyProgram.
+/// A compute pipeline from the device's store, and the interface of its shader. Release it with destroyProgram.
 struct Program {
     std::string name; ///< for messages
     VkPipeline pipeline = VK_NULL_HANDLE;
     VkPipelineLayout layout = VK_NULL_HANDLE;
-    std::array<VkDescriptorSetLayout, 2> set_layouts{}; ///< the second only where the shader declares set 1
+    std::array<VkDescriptorSetLayout, 2> set_layouts{}; ///< the second only if the shader declares set 1
     ShaderInterface shader;
 };
 
-/// A specialization constant's value (floats by std::bit_cast).
+/// The value of a specialization constant (floats by std::bit_cast).
 struct SpecConstant {
     gpu::SpecId id{};
     std::uint32_t value = 0;
 };
 
-/// One binding: its place in the shader and the buffer behind it (with a view for texel buffers), or the first of
-/// count buffers for an array; what elements the array has beyond get the first one again.
+/// A binding and its buffer (with a view for texel buffers), or the first of count consecutive buffers for an array;
+/// further elements of the array get the first buffer again.
 struct BufferBinding {
     gpu::Binding slot{};
     const Buffer* buffer = nullptr;
     std::uint32_t count = 1;
 };
 
-/// Builds the pipeline, or takes the one that the device's store has of the same code and values. constants have a
-/// value for each specialization constant that the shader declares, and may have more: programs of a family take what
-/// they know from one list. Throws std::logic_error where a value is missing, Error kCannotRun where the driver
-/// refuses.
+/// Builds the pipeline, or takes one with the same code and constants from the device's store.
+/// @param constants a value for each specialization constant of the shader; may have more
+/// Throws std::logic_error if a value is missing, Error kCannotRun if the driver cannot build it.
 Program createProgram(Device& device, const char* name, std::span<const std::uint32_t> spirv,
                       std::initializer_list<SpecConstant> constants = {});
 Program createProgram(Device& device, const char* name, std::span<const std::uint32_t> spirv,
                       std::span<const SpecConstant> constants);
-/// Gives the program back to the store, which keeps some that nobody uses (program_store.h).
+/// Releases the program to the store, which keeps some unused ones (program_store.h).
 void destroyProgram(Device& device, Program& program);
 
-/// A pool for up to max_sets descriptor sets; they are freed with the pool.
+/// A pool for up to max_sets descriptor sets, which are freed with it.
 VkDescriptorPool createDescriptorPool(Device& device, std::uint32_t max_sets);
 void destroyDescriptorPool(Device& device, VkDescriptorPool& pool);
 
-/// What a dispatch binds: set 1 for programs that declare it, and may stay null for others.
+/// The sets that a dispatch binds. Set 1 may be null for programs that do not declare it.
 struct DescriptorSets {
     DescriptorSets(VkDescriptorSet first = VK_NULL_HANDLE, VkDescriptorSet second = VK_NULL_HANDLE)
         : sets{first, second} {}
     std::array<VkDescriptorSet, 2> sets;
 };
 
-/// A descriptor set (0 or 1) with every binding that program has there filled. Throws std::logic_error when bindings do
-/// not match what the shader declares, Error kCannotRun when a buffer is larger than the device can bind.
+/// A descriptor set (0 or 1) for all of the program's bindings in it. Throws std::logic_error if bindings do not match
+/// the shader, Error kCannotRun if a buffer is larger than the device can bind.
 VkDescriptorSet createDescriptorSet(Device& device, VkDescriptorPool pool, const Program& program,
                                     std::initializer_list<BufferBinding> bindings);
 VkDescriptorSet createDescriptorSet(Device& device, VkDescriptorPool pool, const Program& program,
@@ -71,22 +70,22 @@ struct GroupCount {
     std::uint32_t x = 1, y = 1, z = 1;
 };
 
-/// Records binding, push constants and dispatch. push must have exactly the size of the shader's push block and the
-/// sets that the program declares must be there: std::logic_error otherwise. Where the shader has no push block,
-/// perhaps because it does not use it, push goes nowhere.
+/// Records binding, push constants and dispatch. Throws std::logic_error if the size of push differs from the shader's
+/// push block or a declared set is missing. If the shader has no push block, perhaps optimised away, push is ignored.
 void recordDispatch(VkCommandBuffer commands, const Program& program, const DescriptorSets& sets,
                     std::span<const std::byte> push, GroupCount groups);
-/// The same with the group counts read on the device: 3 uint32 at offset (a multiple of 4) of arguments.
+/// The same with the group counts read from a buffer: 3 uint32 at offset (a multiple of 4) of arguments.
 void recordDispatchIndirect(VkCommandBuffer commands, const Program& program, const DescriptorSets& sets,
                             std::span<const std::byte> push, const Buffer& arguments, std::uint64_t offset);
 
-/// The bytes of a plain struct as push constants.
+/// A plain struct as push constants.
 template <typename T>
 std::span<const std::byte> pushBytes(const T& value) {
     return std::as_bytes(std::span<const T, 1>(&value, 1));
 }
 
-/// What compute shaders and transfers wrote before is seen by compute shaders, indirect dispatches and transfers after.
+/// Makes earlier writes of compute shaders and transfers visible to later compute shaders, indirect dispatches and
+/// transfers.
 void recordBarrier(VkCommandBuffer commands);
 
 } // namespace pointrt

@@ -17,7 +17,7 @@ Program ProgramStore::take(Device& device, const ProgramKey& key, const std::fun
         const std::lock_guard lock(mutex_);
         if (const auto found = entries_.find(key); found != entries_.end()) return use(found);
     }
-    Program built = build(); // takes long: others may ask meanwhile
+    Program built = build(); // without the lock: it takes long
     const std::lock_guard lock(mutex_);
     const auto [entry, is_new] = entries_.try_emplace(key, Entry{built, 0, unused_.end()});
     if (is_new)
@@ -27,7 +27,7 @@ Program ProgramStore::take(Device& device, const ProgramKey& key, const std::fun
     return use(entry);
 }
 
-void ProgramStore::giveBack(Device& device, const Program& program) {
+void ProgramStore::release(Device& device, const Program& program) {
     const std::lock_guard lock(mutex_);
     const ProgramKey& key = keys_.at(program.pipeline);
     Entry& entry = entries_.at(key);

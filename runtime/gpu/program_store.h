@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The programs of a device: built once, shared by all who ask for the same, and kept a while for those who ask again.
+// The programs of a device: each is built once, shared by all its users, and kept for a while after the last one.
 #pragma once
 
 #include <compare>
@@ -17,7 +17,7 @@
 
 namespace pointrt {
 
-/// What makes two programs one: the code, and the values of the constants that it declares, by their numbers.
+/// Identifies a program: its code, and the numbers and values of the constants that the code declares.
 struct ProgramKey {
     std::string name;
     std::uint64_t code_bytes = 0, code_hash = 0; ///< XXH3
@@ -25,16 +25,16 @@ struct ProgramKey {
     auto operator<=>(const ProgramKey&) const = default;
 };
 
-/// Threads may use it at the same time.
+/// Thread-safe.
 class ProgramStore {
 public:
-    /// Unused programs that are kept: a scene has up to twenty, so those of the last three.
+    /// Limit for unused programs that are kept: a scene has up to twenty, so those of the last three scenes.
     static constexpr std::size_t kUnusedKept = 64;
 
-    /// The program with that key, from build where there is none. Two that ask at once may both build; one is kept.
+    /// The program with this key, built if there is none. Two threads may build the same one at once; one is kept.
     Program take(Device& device, const ProgramKey& key, const std::function<Program()>& build);
-    /// One user less; frees what has been unused for longest where more than kUnusedKept are.
-    void giveBack(Device& device, const Program& program);
+    /// Ends one use; frees the least recently used program if more than kUnusedKept are unused.
+    void release(Device& device, const Program& program);
     /// Frees all, in use or not.
     void clear(Device& device);
     std::size_t size();
@@ -43,7 +43,7 @@ private:
     struct Entry {
         Program program;
         std::size_t users = 0;
-        std::list<ProgramKey>::iterator unused; ///< its place in unused_, where it has no users
+        std::list<ProgramKey>::iterator unused; ///< its place in unused_ if it has no users
     };
     Program use(std::map<ProgramKey, Entry>::iterator entry);
     void freeOldest(Device& device);
@@ -51,10 +51,10 @@ private:
     std::mutex mutex_;
     std::map<ProgramKey, Entry> entries_;
     std::map<VkPipeline, ProgramKey> keys_;
-    std::list<ProgramKey> unused_; ///< the longest unused first
+    std::list<ProgramKey> unused_; ///< least recently used first
 };
 
-/// Frees the program's objects at once, whoever uses them.
+/// Frees the program's Vulkan objects, used or not.
 void freeProgram(Device& device, Program& program);
 
 } // namespace pointrt

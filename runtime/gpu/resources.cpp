@@ -14,22 +14,22 @@
 namespace pointrt {
 namespace {
 
-// Vulkan has no empty buffers and scenes have empty sections; 16 bytes are the largest texel.
+// Vulkan has no empty buffers, scenes have empty sections. 16 bytes: the largest texel.
 constexpr std::uint64_t kMinBufferBytes = 16;
-// Large enough to hide the cost of a submission, small enough for the pinned memory a driver may have.
+// Large enough to hide the cost of a submission, small enough for a driver's pinned memory.
 constexpr std::uint64_t kStagingBytes = 64ull << 20;
 
 constexpr VkBufferUsageFlags kTransfer = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
 constexpr VkMemoryPropertyFlags kReachable = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
 
-/// The first memory type among allowed (a bit each) with all of the wanted properties.
+/// The first memory type among allowed (a bit mask) with all wanted properties.
 std::optional<std::uint32_t> memoryType(const Device& device, std::uint32_t allowed, VkMemoryPropertyFlags wanted) {
     for (std::uint32_t i = 0; i < device.memory.memoryTypeCount; ++i)
         if ((allowed >> i & 1u) && (device.memory.memoryTypes[i].propertyFlags & wanted) == wanted) return i;
     return {};
 }
 
-/// Best type first: cached host memory reads back fast; a device without memory of its own has it reachable.
+/// Prefers cached host memory, which reads back fast, and on unified memory a host-visible device type.
 std::optional<std::uint32_t> memoryTypeFor(const Device& device, std::uint32_t allowed, MemoryHome home) {
     const VkMemoryPropertyFlags local = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
     const VkMemoryPropertyFlags cached = kReachable | VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
@@ -49,6 +49,7 @@ void createHandle(Device& device, const char* what, Buffer& buffer, VkBufferUsag
     info.usage = usage | kTransfer;
     info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
     check(vkCreateBuffer(device.handle, &info, nullptr, &buffer.handle), (std::string("create ") + what).c_str());
+    nameObject(device, VK_OBJECT_TYPE_BUFFER, buffer.handle, what);
 }
 
 void allocateMemory(Device& device, const char* what, Buffer& buffer, MemoryHome home) {
@@ -61,6 +62,7 @@ void allocateMemory(Device& device, const char* what, Buffer& buffer, MemoryHome
     info.memoryTypeIndex = *type;
     const std::string action = std::string("allocate ") + what + " (" + mebibytes(buffer.bytes) + ")";
     check(vkAllocateMemory(device.handle, &info, nullptr, &buffer.memory), action.c_str());
+    nameObject(device, VK_OBJECT_TYPE_DEVICE_MEMORY, buffer.memory, what);
     check(vkBindBufferMemory(device.handle, buffer.handle, buffer.memory, 0), action.c_str());
     const bool map = home == MemoryHome::kHost || device.unified_memory;
     const VkMemoryPropertyFlags properties = device.memory.memoryTypes[*type].propertyFlags;
@@ -68,7 +70,7 @@ void allocateMemory(Device& device, const char* what, Buffer& buffer, MemoryHome
         check(vkMapMemory(device.handle, buffer.memory, 0, VK_WHOLE_SIZE, 0, &buffer.mapped), action.c_str());
 }
 
-/// The memory types that host memory at data can be imported as, 0 for none.
+/// The memory types that host memory at data can be imported as; 0: none.
 std::uint32_t importableTypes(Device& device, const void* data) {
     VkMemoryHostPointerPropertiesEXT properties{VK_STRUCTURE_TYPE_MEMORY_HOST_POINTER_PROPERTIES_EXT};
     const VkResult result = device.getMemoryHostPointerProperties(
@@ -76,7 +78,7 @@ std::uint32_t importableTypes(Device& device, const void* data) {
     return result == VK_SUCCESS ? properties.memoryTypeBits : 0;
 }
 
-/// Binds the pages at data as buffer's memory; false where the driver refuses.
+/// Binds the pages at data as the buffer's memory; false if the driver refuses.
 bool importMemory(Device& device, const void* data, std::uint64_t bytes, Buffer& buffer) {
     VkMemoryRequirements requirements;
     vkGetBufferMemoryRequirements(device.handle, buffer.handle, &requirements);
@@ -93,7 +95,7 @@ bool importMemory(Device& device, const void* data, std::uint64_t bytes, Buffer&
 }
 
 void copyAndWait(Device& device, const Buffer& from, const Buffer& to, VkBufferCopy region) {
-    const VkCommandBuffer commands = beginCommands(device);
+    const VkCommandBuffer commands = beginCommands(device, "buffer copy");
     vkCmdCopyBuffer(commands, from.handle, to.handle, 1, &region);
     submitAndWait(device, commands);
 }
@@ -102,7 +104,7 @@ void requireInside(const Buffer& buffer, std::uint64_t bytes, std::uint64_t offs
     if (offset > buffer.bytes || bytes > buffer.bytes - offset) throw std::logic_error("copy outside of a buffer");
 }
 
-/// Calls copy(staging, offset of the chunk, its bytes) for [0, bytes) with one staging buffer.
+/// Calls copy(staging buffer, offset, size) for each chunk of [0, bytes).
 template <typename Copy>
 void forEachChunk(Device& device, std::uint64_t bytes, Copy&& copy) {
     Buffer staging = createBuffer(device, "staging buffer", std::min(bytes, kStagingBytes), 0, MemoryHome::kHost);
@@ -121,7 +123,7 @@ void addView(Device& device, const char* what, Buffer& buffer, VkFormat format) 
     const std::uint64_t texels = std::max(buffer.bytes, kMinBufferBytes) / size;
     if (texels > device.limits.maxTexelBufferElements)
         throw Error{ExitCode::kCannotRun, std::string(what) + " has " + std::to_string(texels) +
-                                              " elements, the device reads at most " +
+                                              " texels, the limit of the device is " +
                                               std::to_string(device.limits.maxTexelBufferElements)};
     VkBufferViewCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO};
     info.buffer = buffer.handle;
@@ -129,6 +131,9 @@ void addView(Device& device, const char* what, Buffer& buffer, VkFormat format) 
     info.range = texels * size;
     check(vkCreateBufferView(device.handle, &info, nullptr, &buffer.view),
           (std::string("create a view of ") + what).c_str());
+    if (buffer.imported)
+        nameObject(device, VK_OBJECT_TYPE_BUFFER, buffer.handle, what); // it was created without a name
+    nameObject(device, VK_OBJECT_TYPE_BUFFER_VIEW, buffer.view, what);
 }
 
 } // namespace
@@ -136,7 +141,7 @@ void addView(Device& device, const char* what, Buffer& buffer, VkFormat format) 
 Buffer createBuffer(Device& device, const char* what, std::uint64_t bytes, VkBufferUsageFlags usage, MemoryHome home) {
     if (bytes > device.max_allocation_bytes)
         throw Error{ExitCode::kCannotRun, std::string("cannot allocate ") + what + ": " + mebibytes(bytes) +
-                                              " are more than the device's largest allocation, " +
+                                              " exceeds the device's largest allocation, " +
                                               mebibytes(device.max_allocation_bytes)};
     Buffer buffer;
     buffer.bytes = bytes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Buffers: allocation, texel views, and the ways of bytes to the device and back.
+// Buffers: allocation, texel views, uploads and downloads.
 #pragma once
 
 #include <cstddef>
@@ -15,40 +15,41 @@ struct Buffer {
     VkBuffer handle = VK_NULL_HANDLE;
     VkDeviceMemory memory = VK_NULL_HANDLE;
     VkBufferView view = VK_NULL_HANDLE; ///< set by createTexelView
-    std::uint64_t bytes = 0;            ///< as asked for; at least 16 are allocated
-    void* mapped = nullptr;             ///< coherent; set where the host can reach the memory directly
+    std::uint64_t bytes = 0;            ///< as requested; at least 16 are allocated
+    void* mapped = nullptr;             ///< host-coherent; null if the host cannot access the memory
     bool imported = false;              ///< the memory is the caller's
 };
 
 /// kHost memory is mapped and coherent. kDevice memory is mapped only where device.unified_memory is set.
 enum class MemoryHome { kDevice, kHost };
 
-/// what names the buffer in messages ("image buffer"). usage gets the transfer bits besides the given ones.
-/// Throws Error kCannotRun: out of memory, or larger than the device's largest allocation.
+/// @param what names the buffer in messages and debuggers ("image buffer")
+/// @param usage the transfer bits are added
+/// Throws Error kCannotRun if out of memory, or larger than the device's largest allocation.
 Buffer createBuffer(Device& device, const char* what, std::uint64_t bytes, VkBufferUsageFlags usage,
                     MemoryHome home = MemoryHome::kDevice);
 void destroyBuffer(Device& device, Buffer& buffer);
 
-/// createBuffer and uploadBuffer in one: a device buffer holding the bytes at data.
+/// createBuffer and uploadBuffer: a device buffer with the bytes at data.
 Buffer createFilledBuffer(Device& device, const char* what, const void* data, std::uint64_t bytes,
                           VkBufferUsageFlags usage);
 
-/// A read-only view of the host's bytes as a device buffer without a copy, through VK_EXT_external_memory_host.
-/// data must outlive the buffer, with [data, data + bytes rounded up to device.host_import_alignment) readable.
-/// Returns a Buffer without handle where that is not possible (no extension, alignment, a driver that refuses the
-/// mapping): upload instead. On a device with memory of its own an imported buffer is read over the bus at each use.
+/// Imports host memory as a read-only device buffer without a copy, through VK_EXT_external_memory_host. data must
+/// outlive the buffer, with [data, data + bytes rounded up to device.host_import_alignment) readable. Returns a Buffer
+/// without handle if that is not possible (no extension, alignment, the driver refuses the mapping): upload instead. A
+/// device with memory of its own reads an imported buffer over the bus at each use.
 Buffer importHostBuffer(Device& device, const void* data, std::uint64_t bytes, VkBufferUsageFlags usage);
 
-/// Bytes of a texel in one of the formats that buffers are read in.
+/// Bytes per texel of the formats that buffer views use.
 std::uint64_t texelBytes(VkFormat format);
 
-/// Adds a view of the whole buffer for texel fetches in format. The buffer needs the uniform or storage texel usage.
-/// Throws Error kCannotRun when there are more texels than the device can address or it cannot read the format; the
+/// Adds a view of the whole buffer for texel fetches. The buffer needs the uniform or storage texel buffer usage.
+/// Throws Error kCannotRun if there are more texels than the device can address or it does not support the format; the
 /// buffer is destroyed then.
 void createTexelView(Device& device, const char* what, Buffer& buffer, VkFormat format);
 
-/// A device buffer of rows for texel fetches in format. Without rows it holds a few blank ones: there must be texels,
-/// and lanes without work read the first row.
+/// A device buffer of rows for texel fetches. Without rows it has a few blank ones: a buffer cannot be empty, and idle
+/// lanes read the first row.
 template <typename Row>
 Buffer createTexelRows(Device& device, const char* what, std::vector<Row> rows, VkFormat format) {
     constexpr std::size_t kBlankRows = 4;
@@ -59,9 +60,9 @@ Buffer createTexelRows(Device& device, const char* what, std::vector<Row> rows, 
     return buffer;
 }
 
-/// Copies bytes from data to buffer at offset; returns when they are there. Offset and bytes are multiples of 4.
+/// Copies bytes from data to buffer at offset, and waits for the copy. Offset and bytes are multiples of 4.
 void uploadBuffer(Device& device, Buffer& buffer, const void* data, std::uint64_t bytes, std::uint64_t offset = 0);
-/// Copies bytes at offset of buffer to data; waits for nothing but its own copy.
+/// Copies bytes at offset of buffer to data, and waits for the copy only.
 void downloadBuffer(Device& device, const Buffer& buffer, void* data, std::uint64_t bytes, std::uint64_t offset = 0);
 
 } // namespace pointrt

@@ -39,10 +39,10 @@ constexpr std::size_t kHeaderWords = 5;
 constexpr std::uint32_t kMagic = 0x07230203;
 constexpr std::uint32_t kUnset = ~0u;
 
-/// What the instructions say of one id.
+/// What the instructions declare about an id.
 struct Id {
     std::uint32_t opcode = 0;
-    std::span<const std::uint32_t> words; ///< the declaring instruction, its opcode word included
+    std::span<const std::uint32_t> words; ///< the declaring instruction, including its opcode word
     std::uint32_t spec_id = kUnset, binding = kUnset, set = 0, array_stride = 0;
     bool buffer_block = false;
     std::vector<std::uint32_t> member_offsets;
@@ -77,7 +77,7 @@ void decorateMember(Id& id, std::span<const std::uint32_t> words) {
     id.member_offsets[words[2]] = words[4];
 }
 
-/// The instruction's place for the id it declares, 0 for instructions that are of no interest here.
+/// The operand index of the id that an instruction declares; 0 for instructions that are not needed here.
 std::size_t resultWord(std::uint32_t opcode) {
     switch (opcode) {
     case kOpTypeInt:

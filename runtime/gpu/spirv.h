@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The little of SPIR-V reflection that compute programs need.
+// SPIR-V reflection for compute programs.
 #pragma once
 
 #include <cstdint>
@@ -24,10 +24,10 @@ struct ShaderBinding {
 struct ShaderInterface {
     std::vector<ShaderBinding> bindings; ///< by set, then by slot, ascending
     std::vector<gpu::SpecId> constants;  ///< specialization constants, ascending
-    std::uint32_t push_bytes = 0;        ///< size of the push constant block, 0 without one
+    std::uint32_t push_bytes = 0;        ///< size of the push constant block; 0: none
 };
 
-/// Reads bindings, specialization constants and push constant size out of a module. Follows the SPIR-V
+/// Reads bindings, specialization constants and push constant size from a module. Follows the SPIR-V
 /// specification 1.5, sections 2.3 (physical layout) and 3.42 (instructions). Throws std::logic_error on descriptors
 /// other than buffers and their arrays in sets 0 and 1: embedded shaders are ours, so that is a bug.
 ShaderInterface reflectShader(std::span<const std::uint32_t> spirv);

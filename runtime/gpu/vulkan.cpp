@@ -46,7 +46,8 @@ void* openVulkan() {
 } // namespace
 
 void loadVulkan() {
-    [[maybe_unused]] static void* const library = openVulkan(); // once, whichever threads ask; again where it failed
+    [[maybe_unused]] static void* const library =
+        openVulkan(); // initialised once, thread-safe; tried again if it threw
 }
 
 void loadWindowFunctions(VkInstance instance) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vulkan without linking to it: the loader is opened at run time, so that a machine that lacks it gets a clear line
-// (and --help) instead of a dynamic linker's failure. Inside namespace pointrt the functions have their usual names.
+// Vulkan without linking to it: the loader is opened at run time, so that --help works without it and its absence gives
+// a clear error instead of a failure of the dynamic linker. Inside namespace pointrt the functions have their usual
+// names.
 #pragma once
 
 #ifndef VK_NO_PROTOTYPES
@@ -83,6 +84,7 @@ namespace pointrt {
     X(vkDeviceWaitIdle)                                                                                                \
     X(vkEndCommandBuffer)                                                                                              \
     X(vkEnumerateDeviceExtensionProperties)                                                                            \
+    X(vkEnumerateInstanceExtensionProperties)                                                                          \
     X(vkEnumerateInstanceLayerProperties)                                                                              \
     X(vkEnumerateInstanceVersion)                                                                                      \
     X(vkEnumeratePhysicalDevices)                                                                                      \
@@ -108,7 +110,7 @@ namespace pointrt {
     X(vkUpdateDescriptorSets)                                                                                          \
     X(vkWaitForFences)
 
-/// What a window takes beyond that; null before loadWindowFunctions.
+/// Functions that a window needs besides; null before loadWindowFunctions.
 #define POINTRT_VULKAN_WINDOW_FUNCTIONS(X)                                                                             \
     X(vkAcquireNextImageKHR)                                                                                           \
     X(vkCreateSwapchainKHR)                                                                                            \
@@ -125,17 +127,18 @@ POINTRT_VULKAN_FUNCTIONS(POINTRT_DECLARE_VULKAN)
 POINTRT_VULKAN_WINDOW_FUNCTIONS(POINTRT_DECLARE_VULKAN)
 #undef POINTRT_DECLARE_VULKAN
 
-/// Opens the loader, once; later calls do nothing. Throws Error kCannotRun where there is none or it is older than 1.1.
+/// Opens the loader; later calls do nothing. Throws Error kCannotRun if there is none or it is older than 1.1.
 void loadVulkan();
 
-/// Finds the functions of surfaces and swapchains in an instance that was made with the extensions of a window.
-/// Throws Error kCannotRun where one is missing.
+/// Loads the functions of surfaces and swapchains. The instance must have the extensions of a window.
+/// Throws Error kCannotRun if one is missing.
 void loadWindowFunctions(VkInstance instance);
 
 /// "VK_ERROR_DEVICE_LOST" for messages; an unknown value comes back as "VkResult -123".
 std::string resultName(VkResult result);
 
-/// Throws Error kCannotRun "cannot WHAT: VK_ERROR_..." unless result is VK_SUCCESS. what is a verb phrase.
+/// Throws Error kCannotRun "cannot WHAT: VK_ERROR_..." unless result is VK_SUCCESS.
+/// @param what a verb phrase
 void check(VkResult result, const char* what);
 
 } // namespace pointrt

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/image/exr_read.h"
 
-// The header alone with its code, so that the viewer needs no libtinyexr.so where it runs.
+// Compiles tinyexr's implementation from its header, so that the viewer needs no libtinyexr.so at run time.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #include <zlib.h>
@@ -21,10 +21,10 @@ namespace pointrt {
 namespace {
 
 // tinyexr's PIZ decoder reads a bitmap (8 KiB), a code table (at most 48 KiB: 65537 codes of 6 bits) and some words
-// before it looks whether they are there.
+// without checking for the end of the file.
 constexpr std::size_t kReadAheadBytes = 64 * 1024;
 
-/// tinyexr's own objects, freed as it wants.
+/// Owns tinyexr's objects.
 struct Decoded {
     EXRHeader header;
     EXRImage image;
@@ -45,7 +45,7 @@ void require(const std::string& path, int result, const char* message) {
     std::string reason = message ? message : "it cannot be decoded";
     FreeEXRErrorMessage(message);
     reason.erase(reason.find_last_not_of(".\n") + 1);
-    std::replace(reason.begin(), reason.end(), '\n', ' '); // of several it makes a line each
+    std::replace(reason.begin(), reason.end(), '\n', ' '); // several reasons come on a line each
     throw Error{ExitCode::kBadInput, path + ": bad OpenEXR file: " + reason};
 }
 
@@ -59,7 +59,7 @@ void requireProportion(const std::string& path, const ExrStructure& structure, s
                 path + ": bad OpenEXR file: " + pictureRoomReason(structure.width, structure.height, file_bytes)};
 }
 
-/// tinyexr does not look at what malloc gives it; this throws std::bad_alloc where there is no room.
+/// Throws std::bad_alloc if there is not enough memory: tinyexr does not check the result of malloc.
 void requireRoom(const ExrStructure& structure) { std::make_unique_for_overwrite<float[]>(valuesOf(structure)); }
 
 void decode(const std::string& path, std::span<const std::uint8_t> file, Decoded& decoded) {
@@ -68,12 +68,12 @@ void decode(const std::string& path, std::span<const std::uint8_t> file, Decoded
     require(path, ParseEXRVersionFromMemory(&version, file.data(), file.size()), nullptr);
     int result = ParseEXRHeaderFromMemory(&decoded.header, &version, file.data(), file.size(), &message);
     require(path, result, message);
-    // Blocks know their lines; tinyexr would turn pictures that were written bottom up upside down.
+    // blocks store their line numbers; tinyexr would flip pictures that were written bottom up
     decoded.header.line_order = 0;
     for (int c = 0; c < decoded.header.num_channels; ++c)
         if (decoded.header.pixel_types[c] == TINYEXR_PIXELTYPE_HALF)
             decoded.header.requested_pixel_types[c] = TINYEXR_PIXELTYPE_FLOAT;
-    decoded.image.num_channels = decoded.header.num_channels; // so that a failure frees all planes
+    decoded.image.num_channels = decoded.header.num_channels; // so that all planes are freed on failure
     result = LoadEXRImageFromMemory(&decoded.image, &decoded.header, file.data(), file.size(), &message);
     if (result != TINYEXR_SUCCESS) InitEXRImage(&decoded.image); // freed, but still pointed to
     require(path, result, message);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenEXR files, read by tinyexr once their structure is checked.
+// Reads OpenEXR files: checks their structure, then decodes them with tinyexr.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,17 @@ namespace pointrt {
 /// The channels as planes of width * height values, row-major, y down.
 struct ExrPicture {
     std::uint32_t width = 0, height = 0;
-    std::map<std::string, std::span<const float>> floats; ///< 16-bit floats too
+    std::map<std::string, std::span<const float>> floats; ///< 16-bit floats are converted
     std::map<std::string, std::span<const std::uint32_t>> words;
     std::map<std::string, std::string> texts; ///< the string attributes
-    std::shared_ptr<const void> storage;      ///< what the planes lie in
+    std::shared_ptr<const void> storage;      ///< owns the planes
 };
 
-/// Whose files: films that this viewer saved, of which an empty one is a thousandth of its size, or any pictures, which
-/// get no more room than their files' sizes allow (pictureRoom).
+/// Films saved by this viewer, which may compress a thousandfold if empty, or other pictures, whose size is limited by
+/// that of their file (pictureRoom).
 enum class ExrKind { kFilm, kPicture };
 
-/// What is taken: checkExr. Values are as they lie in the file, infinities and NaN included.
+/// Reads the files that checkExr accepts. Values are unchanged, including infinities and NaN.
 /// Throws Error kBadInput "PATH: reason".
 ExrPicture readExr(const std::string& path, ExrKind kind);
 

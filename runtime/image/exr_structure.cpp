@@ -16,19 +16,19 @@ using Bytes = std::span<const std::uint8_t>;
 
 constexpr std::uint32_t kMagic = 20000630;
 constexpr std::uint32_t kVersion = 2;
-constexpr std::uint32_t kLongNames = 0x400;  // the one flag that scan lines of a single part may carry
+constexpr std::uint32_t kLongNames = 0x400;  // the one flag that single-part scan-line files may have
 constexpr std::size_t kMaxAttributes = 1000; // tinyexr stops at 1024
 constexpr std::size_t kMaxNameBytes = 255;
 constexpr std::size_t kMaxChannels = 64;
 constexpr std::uint64_t kMaxDecodedBytes = std::uint64_t{4} << 30;
-constexpr std::int32_t kMaxCoordinate = 1 << 20; // tinyexr takes no line numbers above twice that
-// Deflate, the densest of the codings, makes at most 1032 bytes of one; a few more for a block's own head.
+constexpr std::int32_t kMaxCoordinate = 1 << 20; // tinyexr rejects line numbers above twice that
+// Deflate, the densest coding, expands at most 1032-fold; a little more for the head of a block.
 constexpr std::uint64_t kMaxExpansion = 1040;
 constexpr std::uint64_t kBlockHeadBytes = 8; // first line, bytes that follow
 
 enum Compression : std::uint8_t { kNone = 0, kZip = 3, kPiz = 4 };
 
-/// Reads forwards and never past the end.
+/// Reads forwards, never past the end.
 struct Cursor {
     const std::string& path;
     Bytes bytes;
@@ -38,7 +38,7 @@ struct Cursor {
         throw Error{ExitCode::kBadInput, path + ": bad OpenEXR file: " + reason};
     }
     Bytes take(std::size_t count) {
-        if (count > bytes.size() - at) fail("it ends too early");
+        if (count > bytes.size() - at) fail("unexpected end of file");
         at += count;
         return bytes.subspan(at - count, count);
     }
@@ -52,7 +52,7 @@ struct Cursor {
         const std::size_t limit = std::min(bytes.size() - at, kMaxNameBytes + 1);
         const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(at);
         const auto end = std::find(begin, begin + static_cast<std::ptrdiff_t>(limit), 0);
-        if (end == begin + static_cast<std::ptrdiff_t>(limit)) fail("a name without an end");
+        if (end == begin + static_cast<std::ptrdiff_t>(limit)) fail("unterminated name");
         at += static_cast<std::size_t>(end - begin) + 1;
         return {begin, end};
     }
@@ -64,7 +64,7 @@ std::map<std::string, Bytes> readAttributes(Cursor& cursor, std::map<std::string
         const std::string type = cursor.text();
         const Bytes value = cursor.take(cursor.number<std::uint32_t>());
         if (attributes.size() == kMaxAttributes) cursor.fail("too many attributes");
-        if (!attributes.emplace(name, value).second) cursor.fail("attribute " + printable(name) + " is there twice");
+        if (!attributes.emplace(name, value).second) cursor.fail("duplicate attribute " + printable(name));
         if (type == "string") texts[name] = std::string(value.begin(), value.end());
     }
     return attributes;
@@ -75,7 +75,7 @@ Cursor attribute(const Cursor& cursor, const std::map<std::string, Bytes>& attri
                  std::size_t bytes) {
     const auto found = attributes.find(name);
     if (found == attributes.end() || found->second.size() < bytes)
-        cursor.fail(std::string("no usable attribute ") + name);
+        cursor.fail(std::string("missing or invalid attribute ") + name);
     return {cursor.path, found->second};
 }
 
@@ -89,9 +89,9 @@ std::map<std::string, ExrPixel> readChannels(Cursor list) {
         if (list.number<std::int32_t>() != 1 || list.number<std::int32_t>() != 1)
             list.fail("channel " + printable(name) + " is subsampled, which is not supported");
         if (!channels.emplace(name, static_cast<ExrPixel>(type)).second)
-            list.fail("channel " + printable(name) + " is there twice");
+            list.fail("duplicate channel " + printable(name));
     }
-    if (channels.empty() || channels.size() > kMaxChannels) list.fail("it has no channels, or more than 64");
+    if (channels.empty() || channels.size() > kMaxChannels) list.fail("no channels, or more than 64");
     return channels;
 }
 
@@ -106,7 +106,7 @@ void readWindow(Cursor window_at, ExrStructure& structure, std::int32_t& min_y) 
     const auto inside = [](std::int32_t v) { return v >= -kMaxCoordinate && v <= kMaxCoordinate; };
     if (!inside(window.min_x) || !inside(window.min_y) || !inside(window.max_x) || !inside(window.max_y) ||
         window.max_x < window.min_x || window.max_y < window.min_y)
-        window_at.fail("its data window is empty or far out");
+        window_at.fail("the data window is empty or out of range");
     structure.width = static_cast<std::uint32_t>(window.max_x - window.min_x) + 1;
     structure.height = static_cast<std::uint32_t>(window.max_y - window.min_y) + 1;
     if (structure.width > kMaxPixelSide || structure.height > kMaxPixelSide)
@@ -125,17 +125,17 @@ void checkBlocks(Cursor cursor, const ExrStructure& structure, std::uint8_t comp
     Cursor table{cursor.path, cursor.take(blocks * sizeof(std::uint64_t))};
     for (std::uint32_t block = 0; block < blocks; ++block) {
         const auto offset = table.number<std::uint64_t>();
-        if (offset < cursor.at || offset > cursor.bytes.size()) cursor.fail("a block lies outside");
+        if (offset < cursor.at || offset > cursor.bytes.size()) cursor.fail("a block is outside the file");
         Cursor head{cursor.path, cursor.bytes, offset};
         const auto line = head.number<std::int32_t>();
         const auto bytes = head.number<std::uint32_t>();
         head.take(bytes);
-        if (line != min_y + static_cast<std::int32_t>(block * rows)) cursor.fail("a block of other lines");
+        if (line != min_y + static_cast<std::int32_t>(block * rows)) cursor.fail("a block has unexpected lines");
         const std::uint64_t lines = std::min(rows, structure.height - block * rows),
                             decoded = lines * structure.width * pixelBytes(structure);
         if (bytes == 0 || bytes > decoded || (compression == kNone && bytes != decoded) ||
             decoded > kMaxExpansion * (bytes + kBlockHeadBytes))
-            cursor.fail("a block of impossible size");
+            cursor.fail("a block has an impossible size");
     }
 }
 
@@ -143,7 +143,7 @@ void checkBlocks(Cursor cursor, const ExrStructure& structure, std::uint8_t comp
 
 ExrStructure checkExr(const std::string& path, std::span<const std::uint8_t> file) {
     Cursor cursor{path, file};
-    if (cursor.number<std::uint32_t>() != kMagic) cursor.fail("it does not begin like one");
+    if (cursor.number<std::uint32_t>() != kMagic) cursor.fail("wrong magic number");
     if ((cursor.number<std::uint32_t>() & ~kLongNames) != kVersion)
         cursor.fail("tiles, several parts and deep pixels are not supported");
     ExrStructure structure;
@@ -153,7 +153,7 @@ ExrStructure checkExr(const std::string& path, std::span<const std::uint8_t> fil
     readWindow(attribute(cursor, attributes, "dataWindow", sizeof(Window)), structure, min_y);
     const auto compression = attribute(cursor, attributes, "compression", 1).number<std::uint8_t>();
     if (compression > kPiz) cursor.fail("only RLE, ZIP and PIZ compression are supported");
-    // tinyexr takes a table's length from there
+    // tinyexr would take the length of the offset table from it
     if (attributes.count("chunkCount")) cursor.fail("chunkCount belongs to files of several parts");
     if (std::uint64_t{structure.width} * structure.height * structure.channels.size() * sizeof(float) >
         kMaxDecodedBytes)

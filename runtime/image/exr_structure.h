@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an OpenEXR file holds, and whether every size and offset in it is true: pixel decoders trust both.
+// Validates every size and offset in an OpenEXR file, which pixel decoders trust, and lists its channels.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +17,9 @@ struct ExrStructure {
     std::map<std::string, std::string> texts; ///< the string attributes
 };
 
-/// Checks all of file but the pixels' coding: header, offset table, head and size of every block.
-/// Taken are single-part scan lines that are not compressed or by RLE, ZIP, ZIPS or PIZ, with at most 64 channels of
-/// full resolution, 4 GiB once decoded. The layout is "OpenEXR File Layout" of openexr.com.
+/// Checks header, offset table, and the head and size of every block; not the coding of pixels. Accepts single-part
+/// scan-line files with no, RLE, ZIP, ZIPS or PIZ compression, up to 64 channels of full resolution and 4 GiB decoded.
+/// Follows "OpenEXR File Layout" of openexr.com.
 /// Throws Error kBadInput "PATH: reason".
 ExrStructure checkExr(const std::string& path, std::span<const std::uint8_t> file);
 

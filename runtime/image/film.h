@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What comes out of rendering: the plain structs between the tracer and the image files.
+// The result of rendering: plain structs between the tracer and the image files.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ struct RayCounts {
 
 #define POINTRT_FILM_ARRAY(array, Value, channels, group, nothing, source, view) std::vector<Value> array;
 
-/// Row-major pixels, y down. Its arrays are those of FILM_PARTS; but for rgba each may be empty: not asked for. Those
-/// of first hits belong to the pixel's centre ray.
+/// Row-major pixels, y down, with the arrays of FILM_PARTS. All but rgba may be empty, if not requested. Those of first
+/// hits belong to the centre ray of each pixel.
 struct Film {
     std::uint32_t width = 0, height = 0;
     FILM_PARTS(POINTRT_FILM_ARRAY)

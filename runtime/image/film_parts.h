@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A film's arrays and what their channels are called in OpenEXR files; one list for writing and reading.
+// The arrays of a film and the names of their channels in OpenEXR files, for writing and reading.
 #pragma once
 
 #include <cstdint>
@@ -15,28 +15,28 @@ namespace pointrt {
 
 /// When a film has a part.
 enum class FilmGroup {
-    kPicture,    ///< always, and its file too
-    kAlways,     ///< its file may do without
-    kLightParts, ///< where the parts of the light are asked for
-    kFirstHits,  ///< where they are asked for
+    kPicture,    ///< always, and in its file too
+    kAlways,     ///< always; optional in its file
+    kLightParts, ///< if the parts of the light are requested
+    kFirstHits,  ///< if first hits are requested
 };
 
 struct FilmPart {
-    std::vector<std::string> channels; ///< as they follow each other within a pixel
+    std::vector<std::string> channels; ///< in their order within a pixel
     FilmGroup group = FilmGroup::kAlways;
     const char* name = ""; ///< of the film's array
 };
 
 inline bool isRequired(const FilmPart& part) { return part.group == FilmGroup::kPicture; }
 
-// As the rows of FILM_PARTS name channels.
+// The macros that rows of FILM_PARTS name channels with.
 #define CHANNELS(...) __VA_ARGS__
 #define COLOR(layer) layer ".R", layer ".G", layer ".B"
 #define VECTOR(layer) layer ".X", layer ".Y", layer ".Z"
 
 constexpr std::size_t countOf(std::initializer_list<const char*> channels) { return channels.size(); }
 
-/// Values that each array has of a pixel: film_values::ARRAY.
+/// Values per pixel of each array: film_values::ARRAY.
 namespace film_values {
 #define POINTRT_COUNT(array, Value, channels, group, nothing, source, view)                                            \
     constexpr std::size_t array = countOf({channels});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of a film that the window shows, by their numbers.
+// The parts of a film that the window can show, by number.
 #pragma once
 
 #include <array>
@@ -9,17 +9,17 @@
 
 namespace pointrt {
 
-/// What becomes of a part on its way to the screen.
+/// How a part is shown.
 enum class ShownAs {
-    kLight,  ///< exposed, and brought into the range of screens
-    kShare,  ///< of light: not exposed
-    kNumber, ///< as it is
+    kLight,  ///< exposed and tone mapped
+    kShare,  ///< a share of light: not exposed
+    kNumber, ///< unchanged
 };
 
 struct FilmView {
     FilmGroup group = FilmGroup::kAlways; ///< of the part
     std::uint32_t number = 0;
-    const char* label = nullptr; ///< none: it is not shown
+    const char* label = nullptr; ///< null: not shown
     ShownAs as = ShownAs::kLight;
 };
 
@@ -53,6 +53,6 @@ constexpr bool areComplete(const std::array<FilmView, kFilmViewCount>& views) {
         if (!view.label) return false;
     return true;
 }
-static_assert(areComplete(kFilmViews), "parts that are shown are numbered from 0, each with a number of its own");
+static_assert(areComplete(kFilmViews), "parts that are shown must be numbered from 0, without gaps or duplicates");
 
 } // namespace pointrt

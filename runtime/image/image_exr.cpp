@@ -17,7 +17,8 @@
 namespace pointrt {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "EXR is little-endian and written as it lies in memory");
+static_assert(std::endian::native == std::endian::little,
+              "EXR is little-endian, and values are written from memory unchanged");
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -26,7 +27,7 @@ constexpr std::uint32_t kVersion = 2; // no flags: single part, scan lines, shor
 constexpr std::uint8_t kZipCompression = 3;
 constexpr std::uint32_t kRowsPerBlock = 16; // of ZIP compression
 constexpr std::size_t kMaxNameBytes = 31;
-constexpr int kDeflateLevel = 4;       // OpenEXR's own default: twice as fast as zlib's, a few percent larger
+constexpr int kDeflateLevel = 4;       // OpenEXR's default: twice as fast as zlib's, files a few percent larger
 constexpr std::size_t kValueBytes = 4; // of both pixel types
 
 template <typename T>
@@ -89,7 +90,7 @@ Bytes makeHeader(ExrSize size, std::span<const ExrChannel> channels, std::span<c
     return header;
 }
 
-/// Rows [first, first + count), each as its channels one after the other.
+/// Rows [first, first + count), channel by channel within each row.
 Bytes gatherRows(ExrSize size, std::span<const ExrChannel> channels, std::uint32_t first, std::uint32_t count) {
     Bytes raw(std::size_t{count} * channels.size() * size.width * kValueBytes);
     std::uint8_t* value = raw.data();
@@ -104,7 +105,7 @@ Bytes gatherRows(ExrSize size, std::span<const ExrChannel> channels, std::uint32
     return raw;
 }
 
-/// What ZIP compression does before deflate: even bytes first, then odd ones, each as difference to the one before.
+/// The filter of ZIP compression before deflate: even bytes, then odd ones, each as difference to the one before.
 Bytes reorder(const Bytes& raw) {
     Bytes split(raw.size());
     const std::size_t half = (raw.size() + 1) / 2;
@@ -113,7 +114,7 @@ Bytes reorder(const Bytes& raw) {
     return split;
 }
 
-/// A block that does not shrink is stored as it is: readers tell by its size.
+/// Stores a block that does not shrink uncompressed, which readers recognise by its size.
 Bytes compressBlock(Bytes raw) {
     const Bytes prepared = reorder(raw);
     uLongf size = compressBound(prepared.size());
@@ -125,13 +126,13 @@ Bytes compressBlock(Bytes raw) {
     return packed;
 }
 
-/// In the order of their names, as the format demands.
+/// Sorted by name, as the format requires.
 std::vector<ExrChannel> sorted(std::span<const ExrChannel> channels) {
     std::vector<ExrChannel> result(channels.begin(), channels.end());
     std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
     for (std::size_t i = 0; i < result.size(); ++i)
         if (result[i].name.size() > kMaxNameBytes || (i > 0 && result[i].name == result[i - 1].name))
-            throw std::logic_error("writeExr: channel name " + result[i].name + " is too long or there twice");
+            throw std::logic_error("writeExr: channel name " + result[i].name + " is too long or a duplicate");
     return result;
 }
 
@@ -145,7 +146,7 @@ void writeExr(const std::string& path, ExrSize size, std::span<const ExrChannel>
     std::vector<std::uint64_t> offsets((size.height + kRowsPerBlock - 1) / kRowsPerBlock);
     const std::span table(reinterpret_cast<const std::uint8_t*>(offsets.data()), offsets.size() * sizeof offsets[0]);
     file.append(header);
-    file.append(table); // of blanks: where blocks begin is known when they are written
+    file.append(table); // placeholder: offsets are known when the blocks are written
     std::uint64_t end = header.size() + table.size();
     for (std::uint32_t block = 0; block < offsets.size(); ++block) {
         const std::uint32_t first = block * kRowsPerBlock, count = std::min(kRowsPerBlock, size.height - first);
@@ -166,7 +167,8 @@ void writeExr(const std::string& path, const Film& film, std::span<const ExrText
     forEachFilmPart(film, [&](const FilmPart& part, const auto& values) {
         if (values.empty() && !isRequired(part)) return;
         const std::size_t stride = part.channels.size();
-        if (values.size() != stride * pixels) throw std::logic_error("writeExr: pixel count does not fit the size");
+        if (values.size() != stride * pixels)
+            throw std::logic_error("writeExr: the pixel count does not match the size");
         for (std::size_t c = 0; c < stride; ++c)
             channels.push_back({part.channels[c], values.data() + c, stride, exrPixelOf(values)});
     });

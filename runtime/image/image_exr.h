@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Planes of numbers as an OpenEXR file, and a film as one.
+// Writes channels, or a film, as an OpenEXR file.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,16 @@
 
 namespace pointrt {
 
-/// Where a channel's value of pixel i (row-major, y down) lies: i * stride values after data. 32 bits each: kUint or
-/// kFloat.
+/// A channel of 32-bit values (kUint or kFloat). The value of pixel i (row-major, y down) is i * stride values after
+/// data.
 struct ExrChannel {
-    std::string name; ///< at most 31 bytes, unlike all others
+    std::string name; ///< unique, at most 31 bytes
     const void* data = nullptr;
     std::size_t stride = 1;
     ExrPixel type = ExrPixel::kFloat;
 };
 
-/// An attribute of type string. The name has at most 31 bytes.
+/// A string attribute. The name has at most 31 bytes.
 struct ExrText {
     std::string name, value;
 };
@@ -30,13 +30,13 @@ struct ExrSize {
     std::uint32_t width = 0, height = 0;
 };
 
-/// Writes the channels, in any order, to path, all or nothing: 32 bits a value in ZIP-compressed scan lines.
-/// The layout is "OpenEXR File Layout" of openexr.com, single part, version 2.
+/// Writes channels, in any order, atomically to path: 32 bits per value, ZIP-compressed scan lines.
+/// Follows "OpenEXR File Layout" of openexr.com, single part, version 2.
 /// Throws Error kCannotWrite "PATH: reason".
 void writeExr(const std::string& path, ExrSize size, std::span<const ExrChannel> channels,
               std::span<const ExrText> texts = {});
 
-/// Writes what film has, by the names of runtime/image/film_parts.h; rgba at least.
+/// Writes the arrays of film that are not empty, with the channel names of runtime/image/film_parts.h; rgba at least.
 /// Throws Error kCannotWrite "PATH: reason".
 void writeExr(const std::string& path, const Film& film, std::span<const ExrText> texts = {});
 

@@ -18,8 +18,8 @@ struct PngWriter::State {
     ~State() { png_destroy_write_struct(&png, &info); }
 
     OutputFile file;
-    std::vector<std::uint8_t> gathered; ///< libpng writes in small pieces
-    std::exception_ptr failure;         ///< of the file
+    std::vector<std::uint8_t> gathered; ///< output buffer: libpng writes in small pieces
+    std::exception_ptr failure;         ///< an exception of file
     png_structp png = nullptr;
     png_infop info = nullptr;
     std::size_t row_bytes = 0;
@@ -27,7 +27,7 @@ struct PngWriter::State {
 
 namespace {
 
-constexpr std::size_t kGatheredBytes = std::size_t{1} << 20; ///< large beside what a call of the kernel costs
+constexpr std::size_t kGatheredBytes = std::size_t{1} << 20; ///< large enough to hide the cost of a system call
 
 template <typename State>
 void writeGathered(State& state) {
@@ -38,7 +38,7 @@ void writeGathered(State& state) {
 template <typename State>
 void appendBytes(png_structp png, png_bytep data, std::size_t count) {
     auto& state = *static_cast<State*>(png_get_io_ptr(png));
-    // No exception may pass through libpng, and no jump may leave a handler.
+    // exceptions must not pass through libpng, and longjmp must not leave a handler
     try {
         state.gathered.insert(state.gathered.end(), data, data + count);
         if (state.gathered.size() >= kGatheredBytes) writeGathered(state);
@@ -67,7 +67,7 @@ void setHeader(png_structp png, png_infop info, PngSize size) {
     png_set_text(png, info, &text, 1);
 }
 
-// False when libpng gave up. Nothing in these needs a destructor: libpng jumps.
+// False if libpng failed. No local variable may need a destructor: libpng uses longjmp.
 
 bool writeHeader(png_structp png, png_infop info, PngSize size) {
     if (setjmp(png_jmpbuf(png))) return false;
@@ -89,7 +89,7 @@ bool writeEnd(png_structp png, png_infop info) {
     return true;
 }
 
-/// The arguments are valid: but for the file nothing is left to fail but memory.
+/// The arguments are valid: only the file and memory allocation can fail.
 template <typename State>
 void require(bool done, const State& state) {
     if (done) return;
@@ -114,7 +114,7 @@ PngWriter::~PngWriter() = default;
 
 void PngWriter::addRows(std::span<const std::uint8_t> rows) {
     State& state = *state_;
-    if (rows.size() % state.row_bytes != 0) throw std::logic_error("PngWriter: no whole rows");
+    if (rows.size() % state.row_bytes != 0) throw std::logic_error("PngWriter: not whole rows");
     require(writeRows(state.png, rows.data(), state.row_bytes, rows.size() / state.row_bytes), state);
 }
 
@@ -127,14 +127,14 @@ void PngWriter::finish() {
 
 void writePng(const std::string& path, const Image8& image) {
     if (image.pixels.size() != std::size_t{image.width} * image.height * image.channels)
-        throw std::logic_error("writePng: pixel count does not fit the size");
+        throw std::logic_error("writePng: the pixel count does not match the size");
     PngWriter writer(path, {image.width, image.height, image.channels});
     writer.addRows(image.pixels);
     writer.finish();
 }
 
 void writePng16(const std::string& path, std::uint32_t width, std::span<const std::uint16_t> numbers) {
-    if (width == 0 || numbers.size() % width != 0) throw std::logic_error("writePng16: no whole rows");
+    if (width == 0 || numbers.size() % width != 0) throw std::logic_error("writePng16: not whole rows");
     PngWriter writer(path, {width, static_cast<std::uint32_t>(numbers.size() / width), 1, 16, false});
     writer.addRows({reinterpret_cast<const std::uint8_t*>(numbers.data()), numbers.size_bytes()});
     writer.finish();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PNG files: 8-bit sRGB pictures, and whole numbers that are no colours.
+// Writes PNG files: 8-bit sRGB pictures, and integers that are not colours.
 #pragma once
 
 #include <cstdint>
@@ -15,20 +15,20 @@ namespace pointrt {
 struct PngSize {
     std::uint32_t width = 0, height = 0;
     std::uint32_t channels = 4; ///< 1: grey, 3: RGB, 4: RGBA with straight alpha
-    std::uint32_t bits = 8;     ///< of each; 16: rows are of std::uint16_t, as they lie in memory
-    bool is_color = true;       ///< sRGB; else numbers of another meaning, for which the file says nothing
+    std::uint32_t bits = 8;     ///< per channel; 16: rows are arrays of std::uint16_t
+    bool is_color = true;       ///< sRGB; false: data, without a colour space chunk
 };
 
-/// A PNG whose rows come from the top, a few at a time: it keeps none of them.
+/// Writes a PNG row by row from the top, without keeping rows in memory.
 /// Each function throws Error kCannotWrite "PATH: reason".
 class PngWriter {
 public:
     PngWriter(const std::string& path, PngSize size, Writing writing = Writing::kWhole);
     ~PngWriter();
 
-    /// The next rows, whole ones, with an sRGB chunk before the first where they are colours.
+    /// Appends whole rows.
     void addRows(std::span<const std::uint8_t> rows);
-    /// After the last row.
+    /// Call after the last row.
     void finish();
 
 private:
@@ -43,10 +43,10 @@ struct Image8 {
     std::vector<std::uint8_t> pixels;
 };
 
-/// Writes image to path, all or nothing, with an sRGB chunk. Throws Error kCannotWrite "PATH: reason".
+/// Writes image atomically to path, with an sRGB chunk. Throws Error kCannotWrite "PATH: reason".
 void writePng(const std::string& path, const Image8& image);
 
-/// Writes grey numbers of 16 bits, rows from the top, likewise, without one.
+/// Writes 16-bit grey values, rows from the top, likewise, without an sRGB chunk.
 void writePng16(const std::string& path, std::uint32_t width, std::span<const std::uint16_t> numbers);
 
 } // namespace pointrt

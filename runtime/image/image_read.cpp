@@ -12,8 +12,8 @@
 namespace pointrt {
 namespace {
 
-constexpr float kLargestHalf = 65504; // what overflowed in a 16-bit file
-constexpr float kBrightest = 1e9f;    // brighter than the sun in candela a square metre would want; sums stay finite
+constexpr float kLargestHalf = 65504; // in place of values that overflowed in a 16-bit file
+constexpr float kBrightest = 1e9f;    // more than the sun in candela per square metre; sums stay finite
 
 float usable(float value) {
     if (!(value > 0)) return 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of light from files: Radiance .hdr and OpenEXR.
+// Reads HDR pictures: Radiance .hdr and OpenEXR.
 #pragma once
 
 #include <cstdint>
@@ -8,16 +8,16 @@
 
 namespace pointrt {
 
-/// Row-major, y down; 3 floats a pixel, linear red, green, blue.
+/// Row-major, y down; 3 floats per pixel: linear red, green, blue.
 struct FloatImage {
     std::uint32_t width = 0, height = 0;
     std::vector<float> rgb;
 };
 
-/// A Radiance RGBE picture (-Y +X; its EXPOSURE is ignored, as most programs do) or an OpenEXR file with R, G and B or
-/// Y alone (what is taken: checkExr), told by content; at most 16384 pixels a side. All values are finite and not
-/// negative: NaN and negative ones become 0, infinity the largest 16-bit float, and none is above 1e9.
-/// A picture may take pictureRoom of its file's size. Throws Error kBadInput "PATH: reason".
+/// Reads a Radiance RGBE picture (-Y +X; EXPOSURE is ignored, as in most programs) or an OpenEXR file with R, G and B,
+/// or Y only (see checkExr), recognised by content, of at most 16384 pixels a side. Values are made finite and not
+/// negative: NaN and negative values become 0, infinity becomes the largest 16-bit float, others are clamped to 1e9.
+/// Throws Error kBadInput "PATH: reason", also if the picture exceeds the pictureRoom of its file.
 FloatImage readFloatImage(const std::string& path);
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much memory a picture may ask for, going by the size of its file.
+// Memory limit for decoding a picture, by the size of its file.
 #pragma once
 
 #include <cstdint>
@@ -7,21 +7,21 @@
 
 namespace pointrt {
 
-/// What any picture may take: RGB floats of 5792 x 3862 pixels, larger than most skies.
+/// Limit for every picture: RGB floats of 5792 x 3862 pixels, more than most skies have.
 constexpr std::uint64_t kPictureBytesAtLeast = std::uint64_t{256} << 20;
 
-/// And for each byte of its file. The densest rows that Radiance pictures are written in today hold 127 pixels in 8
-/// bytes (a run of each component), which are 190 bytes of RGB floats. Older codings and deflate reach 16384 and more.
+/// Additional limit per byte of the file. The densest rows of current Radiance writers hold 127 pixels in 8 bytes (a
+/// run per component), which is 190 bytes of RGB floats per byte. Older codings and deflate reach 16384 and more.
 constexpr std::uint64_t kPictureBytesPerByte = 192;
 
 constexpr std::uint64_t pictureRoom(std::uint64_t file_bytes) {
     return kPictureBytesAtLeast + kPictureBytesPerByte * file_bytes;
 }
 
-/// Why a picture of more than that is refused.
+/// The reason for refusing a larger picture.
 inline std::string pictureRoomReason(std::uint64_t width, std::uint64_t height, std::uint64_t file_bytes) {
     return std::to_string(width) + " x " + std::to_string(height) + " pixels from " + std::to_string(file_bytes) +
-           " bytes: a picture may take 256 MiB, and 192 bytes for each of its file; make it smaller";
+           " bytes: the limit is 256 MiB plus 192 bytes per byte of the file; make the picture smaller";
 }
 
 } // namespace pointrt

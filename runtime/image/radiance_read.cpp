@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Written here because stb_image 2.27 loops for ever on pictures that end within a scan line.
+// Not stb_image: version 2.27 loops forever on pictures that end within a scan line.
 #include "runtime/image/radiance_read.h"
 
 #include <algorithm>
@@ -18,9 +18,9 @@ namespace {
 
 using Rgbe = std::array<std::uint8_t, 4>;
 
-constexpr std::uint32_t kMinCodedWidth = 8, kMaxCodedWidth = 32767; // others are never coded by component
+constexpr std::uint32_t kMinCodedWidth = 8, kMaxCodedWidth = 32767; // other widths are never coded by component
 constexpr std::size_t kMaxLineBytes = 4096;
-constexpr std::size_t kPixelBytes = 3 * sizeof(float); // of a FloatImage
+constexpr std::size_t kPixelBytes = 3 * sizeof(float); // in a FloatImage
 constexpr int kExponentBias = 128 + 8;                 // and eight bits of fraction
 
 struct Source {
@@ -32,7 +32,7 @@ struct Source {
         throw Error{ExitCode::kBadInput, path + ": bad Radiance picture: " + reason};
     }
     std::uint8_t byte() {
-        if (at == bytes.size()) fail("it ends too early");
+        if (at == bytes.size()) fail("unexpected end of file");
         return bytes[at++];
     }
     Rgbe pixel() {
@@ -43,7 +43,7 @@ struct Source {
     std::string line() {
         std::string text;
         for (char c = static_cast<char>(byte()); c != '\n'; c = static_cast<char>(byte())) {
-            if (text.size() == kMaxLineBytes) fail("a line of its head has no end");
+            if (text.size() == kMaxLineBytes) fail("a line of the header is too long");
             text += c;
         }
         if (!text.empty() && text.back() == '\r') text.pop_back();
@@ -60,13 +60,13 @@ FloatImage readHead(Source& source) {
     if (size.size() > 32 || std::sscanf(size.c_str(), "-Y %8u +X %8u", &height, &width) != 2)
         source.fail("only rows from top to bottom and left to right (-Y +X) are supported");
     if (width == 0 || height == 0 || width > kMaxPixelSide || height > kMaxPixelSide)
-        source.fail("not 1 to " + std::to_string(kMaxPixelSide) + " pixels a side");
+        source.fail("a side must have 1 to " + std::to_string(kMaxPixelSide) + " pixels");
     if (std::uint64_t{width} * height * kPixelBytes > pictureRoom(source.bytes.size()))
         source.fail(pictureRoomReason(width, height, source.bytes.size()));
     return {width, height, {}};
 }
 
-/// One component of a row: runs of 1 to 127 equal bytes, or 1 to 128 bytes as they are.
+/// One component of a row: runs of 1 to 127 equal bytes, or 1 to 128 literal bytes.
 void readComponent(Source& source, std::span<Rgbe> row, std::size_t component) {
     for (std::size_t x = 0; x < row.size();) {
         const std::uint8_t code = source.byte();
@@ -78,13 +78,13 @@ void readComponent(Source& source, std::span<Rgbe> row, std::size_t component) {
     }
 }
 
-/// Pixels one after the other; 1 1 1 n repeats the last one n times, further such ones 256 n times and so on.
+/// Pixel by pixel; 1 1 1 n repeats the last pixel n times, a second one directly after it 256 n times, and so on.
 void readFlat(Source& source, std::span<Rgbe> row, Rgbe first) {
     unsigned shift = 0;
     std::size_t x = 0;
     for (Rgbe pixel = first;; pixel = source.pixel()) {
         if (pixel[0] == 1 && pixel[1] == 1 && pixel[2] == 1) {
-            if (x == 0 || shift > 16) source.fail("a run of nothing");
+            if (x == 0 || shift > 16) source.fail("invalid run");
             const std::size_t count = std::size_t{pixel[3]} << shift;
             if (count > row.size() - x) source.fail("a run is too long");
             std::fill_n(row.begin() + static_cast<std::ptrdiff_t>(x), count, row[x - 1]);
@@ -103,7 +103,7 @@ void readRow(Source& source, std::span<Rgbe> row) {
     const bool coded = row.size() >= kMinCodedWidth && row.size() <= kMaxCodedWidth && first[0] == 2 && first[1] == 2 &&
                        first[2] < 128;
     if (!coded) return readFlat(source, row, first);
-    if (first[2] * std::size_t{256} + first[3] != row.size()) source.fail("a row of another width");
+    if (first[2] * std::size_t{256} + first[3] != row.size()) source.fail("a row has another width");
     for (std::size_t component = 0; component < 4; ++component) readComponent(source, row, component);
 }
 
@@ -114,7 +114,7 @@ FloatImage readRadiance(const std::string& path) {
     Source source{path, bytes};
     FloatImage image = readHead(source);
     std::vector<Rgbe> row(image.width);
-    image.rgb.reserve(std::size_t{3} * image.width * image.height); // a picture that grows is there twice at times
+    image.rgb.reserve(std::size_t{3} * image.width * image.height); // growing would need twice the memory
     for (std::uint32_t y = 0; y < image.height; ++y) {
         readRow(source, row);
         for (const Rgbe& p : row)

@@ -8,7 +8,7 @@
 
 namespace pointrt {
 
-/// Throws Error kBadInput "PATH: reason", on truncated files and on those that ask for more than pictureRoom too.
+/// Throws Error kBadInput "PATH: reason", also for truncated files and pictures that exceed pictureRoom.
 FloatImage readRadiance(const std::string& path);
 
 } // namespace pointrt

@@ -10,7 +10,8 @@
 namespace pointrt {
 namespace {
 
-constexpr std::size_t kPixelsAtOnce = 1 << 14; ///< of a thread: a millisecond's work, starting one takes a tenth
+constexpr std::size_t kPixelsAtOnce =
+    1 << 14; ///< per task: a millisecond of work, ten times the cost of starting a thread
 
 } // namespace
 

@@ -14,7 +14,7 @@
 namespace pointrt {
 namespace {
 
-constexpr std::size_t kReadAtOnce = std::size_t{1} << 30; // read(2) stops short of 2 GiB on Linux
+constexpr std::size_t kReadAtOnce = std::size_t{1} << 30; // read(2) returns less than 2 GiB on Linux
 
 [[noreturn]] void failReading(const std::string& name) {
     throw Error(ExitCode::kBadInput, name + ": " + std::strerror(errno));
@@ -33,19 +33,19 @@ ByteInput::~ByteInput() {
 }
 
 std::size_t ByteInput::read(void* to, std::size_t bytes) {
-    const std::size_t ready = std::min(bytes, looked_at_.size());
+    const std::size_t ready = std::min(bytes, peeked_.size());
     if (ready > 0) {
-        std::memcpy(to, looked_at_.data(), ready);
-        looked_at_.erase(looked_at_.begin(), looked_at_.begin() + static_cast<std::ptrdiff_t>(ready));
+        std::memcpy(to, peeked_.data(), ready);
+        peeked_.erase(peeked_.begin(), peeked_.begin() + static_cast<std::ptrdiff_t>(ready));
     }
     return ready + fill(static_cast<std::uint8_t*>(to) + ready, bytes - ready);
 }
 
 bool ByteInput::beginsWith(const std::string& start) {
-    looked_at_.resize(start.size());
-    looked_at_.resize(fill(looked_at_.data(), looked_at_.size()));
-    return looked_at_.size() == start.size() &&
-           std::equal(start.begin(), start.end(), looked_at_.begin(),
+    peeked_.resize(start.size());
+    peeked_.resize(fill(peeked_.data(), peeked_.size()));
+    return peeked_.size() == start.size() &&
+           std::equal(start.begin(), start.end(), peeked_.begin(),
                       [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bytes of a file, a pipe or standard input, from first to last.
+// Sequential reading of a file, a pipe or standard input.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace pointrt {
 
-/// Each function throws Error kBadInput "PATH: reason" where nothing can be read.
+/// Every function throws Error kBadInput "PATH: reason" if reading fails.
 class ByteInput {
 public:
     /// "-" is standard input.
@@ -20,9 +20,9 @@ public:
 
     /// "standard input" for "-".
     const std::string& name() const { return name_; }
-    /// Up to bytes of them; fewer only at the end.
+    /// Reads up to bytes bytes; fewer only at the end of the input.
     std::size_t read(void* to, std::size_t bytes);
-    /// Whether the next ones are these, which stay to be read; where there are fewer, they are not.
+    /// Peeks at the next bytes. False if fewer than these are left.
     bool beginsWith(const std::string& start);
 
 private:
@@ -31,7 +31,7 @@ private:
     std::string name_;
     int descriptor_ = -1;
     bool owned_ = false;
-    std::vector<std::uint8_t> looked_at_; ///< read before they were asked for
+    std::vector<std::uint8_t> peeked_; ///< read ahead by beginsWith
 };
 
 } // namespace pointrt

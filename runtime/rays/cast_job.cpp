@@ -10,13 +10,13 @@
 #include "runtime/rays/cast_options.h"
 #include "runtime/rays/hit_sink.h"
 #include "runtime/rays/ray_source.h"
-#include "runtime/rays/usage.h"
+#include "runtime/rays/run_report.h"
 #include "runtime/util/render_progress.h"
 
 namespace pointrt {
 namespace {
 
-/// Seconds that this thread was busy with each part, or waited for it; reading goes on beside the others.
+/// Seconds that this thread spent on each part, or waited for it. Rays are read in parallel with the other parts.
 struct Seconds {
     double open = 0, read = 0, cast = 0, write = 0, total = 0;
 };
@@ -26,7 +26,7 @@ struct Outcome {
     Seconds seconds;
 };
 
-/// The block's hits in columns. Errors name the ray where it came from.
+/// Fills columns with the block's hits. Errors name the ray by its place in the input.
 std::size_t castBlock(const TraceScene& scene, const RaySource& source, const RayBlock& block, const RayLimits& limits,
                       std::span<HitColumn> columns) {
     try {
@@ -36,14 +36,14 @@ std::size_t castBlock(const TraceScene& scene, const RaySource& source, const Ra
     }
 }
 
-/// The device lives on in the scene.
+/// The scene keeps the device alive.
 TraceScene openScene(const CastOptions& options, std::string& device_name) {
     const TraceDevice device(options.device);
     device_name = device.name();
-    return TraceScene(device, options.scene, options.held);
+    return TraceScene(device, options.scene, options.scene_options);
 }
 
-/// While a block is cast, the next one is read.
+/// Reads the next block while one is cast.
 Outcome castAll(const TraceScene& scene, RaySource& source, HitSink& sink, std::vector<HitColumn>& columns,
                 const CastOptions& options) {
     Outcome outcome;
@@ -69,7 +69,7 @@ double raysPerSecond(const Outcome& outcome) {
     return outcome.seconds.cast > 0 ? static_cast<double>(outcome.rays) / outcome.seconds.cast : 0;
 }
 
-/// What is told of the scene.
+/// Numbers of the scene for the report.
 struct SceneFacts {
     std::string device;
     std::uint64_t splats = 0, tile_loads = 0;
@@ -83,18 +83,18 @@ std::string reportOf(const Outcome& outcome, const SceneFacts& facts) {
         {{"open", s.open}, {"read", s.read}, {"cast", s.cast}, {"write", s.write}, {"total", s.total}});
 }
 
-void castInto(const CastOptions& options) {
+void castToFile(const CastOptions& options) {
     double total = 0, open = 0;
     Outcome outcome;
     SceneFacts facts;
     timed(total, [&] {
         const std::unique_ptr<RaySource> source = openRays(options.rays);
         const SinkRequest request{options.output, source->count(), options.any};
-        sinkKind(request); // before anything takes time
+        sinkKind(request); // fails early on an unknown suffix
         if (!options.stats.empty()) requireReportWritable(options.stats);
         const TraceScene scene = timed(open, [&] { return openScene(options, facts.device); });
         facts.splats = scene.splatCount();
-        std::vector<HitColumn> columns = options.any ? anyColumns() : hitColumns(scene, options.attributes);
+        std::vector<HitColumn> columns = options.any ? occlusionColumns() : hitColumns(scene, options.attributes);
         const std::unique_ptr<HitSink> sink = openSink(request, columns);
         outcome = castAll(scene, *source, *sink, columns, options);
         timed(outcome.seconds.write, [&] { sink->finish(); });
@@ -114,7 +114,7 @@ void castInto(const CastOptions& options) {
 int castCommand(int argc, const char* const* argv) {
     CastOptions options;
     if (const auto done = parseCastOptions(argc, argv, options)) return *done;
-    withToolErrors([&] { castInto(options); });
+    withToolErrors([&] { castToFile(options); });
     return 0;
 }
 

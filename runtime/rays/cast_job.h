@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// pointrt-rays cast: from rays to hits, which are read, cast and written block by block.
+// pointrt-rays cast: reads rays, casts them and writes their hits, block by block.
 #pragma once
 
 namespace pointrt {
 
-/// Memory does not grow with the number of rays. Throws Error with one line; then no output is there that was not.
+/// Memory does not grow with the number of rays. Throws Error with one line, and then leaves no new output file.
 /// @param argv from "cast" on
 int castCommand(int argc, const char* const* argv);
 

@@ -10,7 +10,7 @@ namespace pointrt {
 namespace {
 
 constexpr const char* kName = "pointrt-rays cast";
-constexpr const char* kAbout = "Casts rays at scans: what each of them hits first, or whether it hits anything.";
+constexpr const char* kAbout = "Casts rays at scans and writes their first hits, or whether they hit anything.";
 constexpr const char* kExamples =
     "  pointrt-rays cast site.pro --rays rays.npy -o hits.npz\n"
     "  pointrt-rays cast site.pro --rays rays.csv -o points.ply --attributes intensity,classification\n"
@@ -18,25 +18,29 @@ constexpr const char* kExamples =
     "  pointrt-rays cast city.proset --rays rays.npy --memory 4G -o hits.npz\n"
     "  make_rays | pointrt-rays cast site.pro --rays - --any -o - | use_answers\n";
 constexpr const char* kNotes =
-    "RAYS are (N, 6): origin and direction in the scan's coordinates, float64 or float32 (.npy), or text, six\n"
-    "numbers a line. Columns of hits: t_hit (lengths of the direction; inf for a miss), splat_ids, instance_ids\n"
-    "(4294967295 for a miss), of sets tile_ids, normals, positions; docs/RAYS.md has more.";
+    "Rays are origin and direction in the scan's coordinates: a NumPy array (N, 6) of float32 or float64, or text\n"
+    "with six numbers a line. Columns of hits: t_hit (in lengths of the direction; inf for a miss), splat_ids and\n"
+    "instance_ids (4294967295 for a miss), tile_ids (tile sets only), normals, positions. See docs/RAYS.md.";
 
 void addOptions(CommandLine& app, CastOptions& options) {
-    addSceneAndOutput(app, options,
-                      "Hits, by the suffix: .npz, .npy (records), .csv, .ply (points that were hit); - is a stream, an "
-                      "array for arrays and text for text; what is there is replaced",
-                      ".npz .npy .csv .ply");
-    app.add_option("--rays", options.rays, "Rays: .npy or text, - is standard input")->required()->type_name("FILE");
+    addSceneAndOutput(
+        app, options,
+        "Hits, replacing an existing file: .npz, .npy (records), .csv or .ply (hit points); - is standard "
+        "output: an array for rays in an array, text for rays in text",
+        ".npz .npy .csv .ply");
+    app.add_option("--rays", options.rays, "Rays: .npy or text; - is standard input")->required()->type_name("FILE");
     completes(app, "--rays", ".npy .csv .txt");
-    app.add_flag("--any", options.any, "Only whether anything is hit, which is sooner known: the column hit");
-    app.add_option("--attributes", options.attributes, "Attributes of the scan at the hits, such as intensity,gps_time")
+    app.add_flag("--any", options.any, "Test occlusion only, which is faster; writes the column hit");
+    app.add_option("--attributes", options.attributes,
+                   "Attributes of the scan to write at the hits, e.g. intensity,gps_time")
         ->type_name("NAMES")
         ->delimiter(',')
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    app.add_option("--t-min", options.limits.t_min, "What is nearer does not count, in lengths of the direction (0)")
+    app.add_option("--t-min", options.limits.t_min, "Ignore nearer hits, in lengths of the direction (default 0)")
         ->type_name("T");
-    app.add_option("--t-max", options.limits.t_max, "What is farther does not count (inf)")->type_name("T");
+    app.add_option("--t-max", options.limits.t_max,
+                   "Ignore hits from here on, in lengths of the direction (default inf)")
+        ->type_name("T");
     addDeviceAndReport(app, options);
     addCommonOptions(app, POINTRT_VERSION, kWrongInput, kExamples, kNotes);
 }

@@ -14,16 +14,16 @@ namespace pointrt {
 
 struct CastOptions : CommonOptions {
     std::string rays;                    ///< a file, or "-"
-    bool any = false;                    ///< only whether anything is hit
+    bool any = false;                    ///< occlusion only
     std::vector<std::string> attributes; ///< names
     RayLimits limits;
 };
 
-/// Fills options from the words behind "cast". Returns an exit code where the run ends here (--help and --version).
-/// Throws Error kBadUsage with one line for anything wrong.
+/// Parses the arguments after "cast". Returns an exit code if the run ends here (--help, --version). Throws Error
+/// kBadUsage with one line for mistakes.
 std::optional<int> parseCastOptions(int argc, const char* const* argv, CastOptions& options);
 
-/// What --help says, as data.
+/// The text of --help, as data.
 CommandText castText();
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands of pointrt-rays by their names.
+// The commands of pointrt-rays, by name.
 #pragma once
 
 #include <span>
@@ -12,19 +12,16 @@ namespace pointrt {
 
 struct RayCommand {
     std::string_view name;
-    std::string_view purpose; ///< for --help, a few words
-    /// The words from the command's name on; returns the exit code or throws Error.
+    std::string_view purpose; ///< one line for --help
+    /// argv starts with the command's name. Returns the exit code or throws Error.
     int (*run)(int argc, const char* const* argv);
-    CommandText (*text)(); ///< what its --help says
+    CommandText (*text)(); ///< of its --help
 };
 
-/// pointrt-rays with all of its commands.
+/// The text of pointrt-rays --help, as data.
 CommandText toolText(std::span<const RayCommand> commands, const std::string& version);
 
-/// What pointrt-rays --help prints, where no command is named.
-std::string toolHelp(const CommandText& tool);
-
-/// Throws Error kBadUsage with the names that there are.
+/// Throws Error kBadUsage with the list of commands if there is no such command.
 const RayCommand& commandNamed(std::span<const RayCommand> commands, std::string_view name);
 
 } // namespace pointrt

@@ -25,7 +25,7 @@ void checkStandardOutput(const CommonOptions& options, const std::string& what) 
     if (options.output != "-") return;
     if (options.stats == "-") refuseUsage("-o - and --stats - exclude each other: both write to standard output");
     if (isatty(STDOUT_FILENO) == 1)
-        refuseUsage("-o -: standard output is a terminal; let a file or a pipe take the " + what);
+        refuseUsage("-o -: standard output is a terminal; redirect the " + what + " to a file or a pipe");
 }
 
 } // namespace
@@ -34,8 +34,8 @@ void addSceneAndOutput(CommandLine& app, CommonOptions& options, const std::stri
                        const std::string& suffixes) {
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     app.add_option("SCENE", options.scene,
-                   "One or more .pro files, tile sets (.proset) and scene files (.toml): instance_ids count them, of a "
-                   "scene file its instances, from 0")
+                   "A .pro file, tile set (.proset) or scene file (.toml). instance_ids number them from 0, in a scene "
+                   "file its instances")
         ->required()
         ->type_name("")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -46,17 +46,18 @@ void addSceneAndOutput(CommandLine& app, CommonOptions& options, const std::stri
 
 void addDeviceAndReport(CommandLine& app, CommonOptions& options) {
     app.add_option_function<std::string>(
-           "--memory", [&options](const std::string& text) { options.held.memory = bytesOf(text); },
-           "What the tiles of sets may take at once, such as 4G or 500M; with less than all take they come and go (2G)")
+           "--memory", [&options](const std::string& text) { options.scene_options.memory = bytesOf(text); },
+           "Memory limit for the tiles of sets, e.g. 4G or 500M (default 2G); a smaller limit reloads tiles, with the "
+           "same results")
         ->type_name("SIZE");
     app.add_option("--device", options.device,
-                   "Vulkan device, by index or a part of its name (the best one); "
-                   "pointrt-view --device list lists them")
+                   "Vulkan device, by index or part of its name (default: the best one); list them with "
+                   "pointrt-view --device list")
         ->type_name("DEVICE");
-    app.add_option("--stats", options.stats, "Write a report as JSON; - is standard output")->type_name("FILE");
+    app.add_option("--stats", options.stats, "Write a JSON report of the run; - is standard output")->type_name("FILE");
     completes(app, "--stats", ".json");
-    app.add_flag("-q,--quiet", options.quiet, "No progress, only errors");
-    app.add_flag("-v,--verbose", options.verbose, "Say what was done, and how fast");
+    app.add_flag("-q,--quiet", options.quiet, "Print errors only");
+    app.add_flag("-v,--verbose", options.verbose, "Print what was done and how fast");
 }
 
 void checkCommonOptions(const CommonOptions& options, std::vector<std::string> inputs, const std::string& what) {

@@ -16,14 +16,14 @@ namespace pointrt {
 namespace {
 
 constexpr std::size_t kNumbersMost = 6;        // of a row
-constexpr std::size_t kReadBytes = 1u << 20;   // at once: reading takes no time beside parsing then
-constexpr std::size_t kLongestLine = 1u << 16; // what has no line ends is no list of rays
+constexpr std::size_t kReadBytes = 1u << 20;   // at once: reading then takes no time beside parsing
+constexpr std::size_t kLongestLine = 1u << 16; // longer: not a list of rays
 
-/// The numbers of a line; error is where it stops being numbers, or empty.
+/// The numbers of a line.
 struct Parsed {
     std::array<double, kNumbersMost> numbers{};
-    std::size_t count = 0; ///< may be more than there is room for
-    std::string_view error;
+    std::size_t count = 0;  ///< of all numbers, even those beyond the array
+    std::string_view error; ///< the first word that is not a number, or empty
 };
 
 Parsed parse(std::string_view line) {
@@ -81,25 +81,24 @@ private:
     void addLine(std::string_view line, RayBlock& block) {
         const std::size_t start = line.find_first_not_of(kBetweenWords);
         if (start == line.npos || line[start] == '#') return;
-        const bool may_name_columns = !std::exchange(met_any_, true);
+        const bool may_name_columns = !std::exchange(has_first_line_, true);
         const Parsed parsed = parse(line);
         if (!parsed.error.empty() && may_name_columns && parsed.count == 0) return requireNames(line);
-        if (!parsed.error.empty()) fail("\"" + printable(parsed.error) + "\" is no number");
+        if (!parsed.error.empty()) fail("\"" + printable(parsed.error) + "\" is not a number");
         requireWidth(parsed.count);
         block.doubles.insert(block.doubles.end(), parsed.numbers.begin(),
                              parsed.numbers.begin() + static_cast<std::ptrdiff_t>(width_));
         block.lines.push_back(line_);
     }
 
-    /// The first row decides.
+    /// The first row sets the width of all rows.
     void requireWidth(std::size_t count) {
         const auto& widths = kind_.widths;
         if (std::find(widths.begin(), widths.end(), count) == widths.end())
-            fail("there are " + std::to_string(count) + " numbers, where a " + kind_.row + " has " + kind_.numbers);
+            fail(std::to_string(count) + " numbers, but a " + kind_.row + " has " + kind_.numbers);
         if (width_ == 0) width_ = count;
         if (width_ != count)
-            fail("there are " + std::to_string(count) + " numbers, where the first " + kind_.row + " has " +
-                 std::to_string(width_));
+            fail(std::to_string(count) + " numbers, but the first " + kind_.row + " has " + std::to_string(width_));
     }
 
     void requireNames(std::string_view line) const {
@@ -108,21 +107,20 @@ private:
             return words.size() == count && std::equal(words.begin(), words.end(), kind_.names.begin(), isWord);
         };
         if (kind_.names.empty() || std::any_of(kind_.widths.begin(), kind_.widths.end(), named)) return;
-        std::string wanted;
+        std::string expected;
         for (const std::size_t width : kind_.widths) {
-            wanted += wanted.empty() ? "" : ", or ";
-            for (std::size_t k = 0; k < width; ++k) wanted += (k > 0 ? "," : "") + kind_.names[k];
+            expected += expected.empty() ? "" : ", or ";
+            for (std::size_t k = 0; k < width; ++k) expected += (k > 0 ? "," : "") + kind_.names[k];
         }
-        fail("its columns are not " + wanted);
+        fail("the columns must be " + expected);
     }
 
-    /// Valid until the next call; false at the end.
+    /// line is valid until the next call. False at the end.
     bool nextLine(std::string_view& line) {
         ++line_;
         std::size_t end = text_.find('\n', at_);
         if (end == text_.npos && more()) end = text_.find('\n', at_);
-        if (end == text_.npos && text_.size() - at_ > kLongestLine)
-            fail("a line without end: no list of " + kind_.rows);
+        if (end == text_.npos && text_.size() - at_ > kLongestLine) fail("line too long: not a list of " + kind_.rows);
         if (end == text_.npos && at_ == text_.size()) return false;
         if (end == text_.npos) end = text_.size();
         line = std::string_view(text_).substr(at_, end - at_);
@@ -130,7 +128,7 @@ private:
         return true;
     }
 
-    /// What is left over of a line, and further text.
+    /// Keeps the unfinished line and reads more text. False at the end of the input.
     bool more() {
         text_.erase(0, at_);
         at_ = 0;
@@ -147,7 +145,7 @@ private:
     std::string text_;
     std::size_t at_ = 0;
     std::uint64_t line_ = 0, done_ = 0;
-    bool met_any_ = false;
+    bool has_first_line_ = false;
 };
 
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays as text, one a line: six numbers, or as many as its kind of rows has, apart by commas, semicolons or blanks.
-// Empty lines, those that begin with #, and a first one that names columns are passed over.
+// Rays as text: a line for each with six numbers, or as many as its RowKind has, separated by commas, semicolons or
+// blanks. Empty lines, comments starting with # and a first line with column names are skipped.
 #pragma once
 
 #include <memory>

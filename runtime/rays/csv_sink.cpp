@@ -8,7 +8,7 @@
 namespace pointrt {
 namespace {
 
-/// What one ray's numbers of a column are called.
+/// The names of the column's components, separated by commas.
 std::string namesOf(const HitColumn& column) {
     if (column.name == "normals") return "nx,ny,nz";
     if (column.name == "positions") return "x,y,z";
@@ -48,7 +48,7 @@ public:
     void finish() override { file_.commit(); }
 
 private:
-    static constexpr std::size_t kFlushBytes = 1u << 20; // many lines, and little beside a block
+    static constexpr std::size_t kFlushBytes = 1u << 20; // many lines, small compared to a block
 
     void flush() {
         file_.append({reinterpret_cast<const std::uint8_t*>(text_.data()), text_.size()});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hits as CSV: a line for each ray under one that names the numbers.
+// Hits as CSV: a line with column names, then one for each ray.
 #pragma once
 
 #include <memory>

@@ -12,11 +12,11 @@ namespace {
 class FilePoints final : public PointSource {
 public:
     FilePoints(const std::string& file, std::unique_ptr<PointReader> reader, const PointOutline& scene,
-               const std::vector<std::string>& left_out)
+               const std::vector<std::string>& replaced)
         : file_(file), reader_(std::move(reader)), outline_(reader_->outline()) {
         for (std::size_t k = 0; k < outline_.columns.size(); ++k)
-            if (!isLeftOut(outline_.columns[k], left_out)) kept_.push_back(k);
-        std::erase_if(outline_.columns, [&](const PointColumn& column) { return isLeftOut(column, left_out); });
+            if (!isReplaced(outline_.columns[k], replaced)) kept_.push_back(k);
+        std::erase_if(outline_.columns, [&](const PointColumn& column) { return isReplaced(column, replaced); });
         if (outline_.metadata.empty()) {
             outline_.metadata = scene.metadata;
             outline_.metres_per_unit = scene.metres_per_unit;
@@ -63,8 +63,8 @@ private:
 } // namespace
 
 std::unique_ptr<PointSource> filePoints(const std::string& file, std::unique_ptr<PointReader> reader,
-                                        const PointOutline& scene, const std::vector<std::string>& left_out) {
-    return std::make_unique<FilePoints>(file, std::move(reader), scene, left_out);
+                                        const PointOutline& scene, const std::vector<std::string>& replaced) {
+    return std::make_unique<FilePoints>(file, std::move(reader), scene, replaced);
 }
 
 } // namespace pointrt

@@ -11,11 +11,10 @@
 
 namespace pointrt {
 
-/// All columns that the file has but those left out; normals and radii, where it has some, are those of the points'
-/// discs.
+/// Reads all columns but the replaced ones. Normals and radii in the file are those of the points' discs.
 /// @param file for messages
-/// @param scene what is said of the scene's points: of coordinates that the file says nothing of
+/// @param scene supplies the coordinate system, unit and position step that the file lacks
 std::unique_ptr<PointSource> filePoints(const std::string& file, std::unique_ptr<PointReader> reader,
-                                        const PointOutline& scene, const std::vector<std::string>& left_out);
+                                        const PointOutline& scene, const std::vector<std::string>& replaced);
 
 } // namespace pointrt

@@ -17,13 +17,10 @@ HitColumn attributeColumn(const std::vector<SceneAttribute>& all, const std::str
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const SceneAttribute& each) { return each.name == name; });
     if (found != all.end()) return {name, found->type, found->components, false, true};
-    std::string there;
-    for (const SceneAttribute& each : all) there += (there.empty() ? "" : ", ") + each.name;
-    throw Error(ExitCode::kBadUsage,
-                "--attributes: there is no " + name + ", but " + (there.empty() ? "none at all" : there));
+    throw Error(ExitCode::kBadUsage, "--attributes: " + unknownAttribute(name, all));
 }
 
-/// Empty where there is no such column.
+/// Empty if there is no such column.
 template <typename Number>
 std::span<Number> numbersOf(std::span<HitColumn> columns, const std::string& name) {
     const auto found =
@@ -31,13 +28,19 @@ std::span<Number> numbersOf(std::span<HitColumn> columns, const std::string& nam
     return found == columns.end() ? std::span<Number>() : found->template as<Number>();
 }
 
-std::size_t fillAny(const TraceScene& scene, const RayRows& rays, const RayLimits& limits, HitColumn& hit) {
+std::size_t fillOcclusion(const TraceScene& scene, const RayRows& rays, const RayLimits& limits, HitColumn& hit) {
     const std::span<std::uint8_t> flags = hit.as<std::uint8_t>();
     scene.testOcclusions(rays, limits, flags);
     return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), 1));
 }
 
 } // namespace
+
+std::string unknownAttribute(const std::string& name, const std::vector<SceneAttribute>& all) {
+    std::string names;
+    for (const SceneAttribute& each : all) names += (names.empty() ? "" : ", ") + each.name;
+    return "unknown attribute " + name + "; the scene has " + (names.empty() ? "none" : names);
+}
 
 std::size_t HitColumn::rowBytes() const { return std::size_t{pro_type_bytes(type)} * components; }
 
@@ -51,13 +54,13 @@ std::vector<HitColumn> hitColumns(const TraceScene& scene, const std::vector<std
     for (const std::string& name : attributes) {
         const bool twice =
             std::any_of(columns.begin(), columns.end(), [&](const HitColumn& c) { return c.name == name; });
-        if (twice) throw Error(ExitCode::kBadUsage, "--attributes: " + name + " is there already");
+        if (twice) throw Error(ExitCode::kBadUsage, "--attributes: " + name + " is already a column");
         columns.push_back(attributeColumn(all, name));
     }
     return columns;
 }
 
-std::vector<HitColumn> anyColumns() { return {{kHit, PRO_TYPE_U8, 1, true}}; }
+std::vector<HitColumn> occlusionColumns() { return {{kHit, PRO_TYPE_U8, 1, true}}; }
 
 const HitColumn& columnNamed(std::span<const HitColumn> columns, const std::string& name) {
     return *std::find_if(columns.begin(), columns.end(), [&](const HitColumn& each) { return each.name == name; });
@@ -73,7 +76,7 @@ std::string headerName(const HitColumn& column) {
 std::size_t fillColumns(const TraceScene& scene, const RayRows& rays, const RayLimits& limits,
                         std::span<HitColumn> columns) {
     for (HitColumn& column : columns) column.resize(rays.count);
-    if (columns[0].name == kHit) return fillAny(scene, rays, limits, columns[0]);
+    if (columns[0].name == kHit) return fillOcclusion(scene, rays, limits, columns[0]);
     const HitArrays arrays{numbersOf<double>(columns, "t_hit"),
                            numbersOf<std::uint32_t>(columns, "splat_ids"),
                            numbersOf<std::uint32_t>(columns, "instance_ids"),

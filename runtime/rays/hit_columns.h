@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is told of hits, column by column: the one list that all outputs are made of.
+// Hits as columns, which every output format is written from.
 #pragma once
 
 #include <cstddef>
@@ -12,17 +12,16 @@
 
 namespace pointrt {
 
-/// A few numbers of one type for each ray.
+/// One or several numbers of one type for each ray.
 struct HitColumn {
     std::string name;
     std::uint32_t type = 0;          ///< PRO_TYPE_*
-    std::uint32_t components = 1;    ///< numbers of a ray
+    std::uint32_t components = 1;    ///< numbers per ray
     bool is_flag = false;            ///< a byte, 0 or 1
-    bool is_attribute = false;       ///< of the scan, by its name there
-    std::vector<std::byte> values{}; ///< of a block's rays
+    bool is_attribute = false;       ///< of the scan, by the scan's name for it
+    std::vector<std::byte> values{}; ///< of the rays of a block
 
     std::size_t rowBytes() const;
-    /// For count rays.
     void resize(std::size_t count) { values.resize(count * rowBytes()); }
     template <typename Number>
     std::span<Number> as() {
@@ -34,18 +33,21 @@ struct HitColumn {
     }
 };
 
-/// t_hit, splat_ids, instance_ids, where the scene has sets tile_ids, normals, positions, then the scene's attributes
-/// of these names. Throws Error kBadUsage where it has none of a name.
+/// t_hit, splat_ids, instance_ids, tile_ids (scenes with tile sets only), normals, positions, then these attributes of
+/// the scene. Throws Error kBadUsage for unknown attributes.
 std::vector<HitColumn> hitColumns(const TraceScene& scene, const std::vector<std::string>& attributes);
-/// hit alone.
-std::vector<HitColumn> anyColumns();
+/// The one column of --any: hit.
+std::vector<HitColumn> occlusionColumns();
 
 const HitColumn& columnNamed(std::span<const HitColumn> columns, const std::string& name);
 
-/// The column's name as other programs' headers take it: attributes' may hold anything.
+/// The message for a name that is none of all.
+std::string unknownAttribute(const std::string& name, const std::vector<SceneAttribute>& all);
+
+/// The column's name with _ for characters that file headers cannot hold; attributes may have any name.
 std::string headerName(const HitColumn& column);
 
-/// Fills columns, as hitColumns or anyColumns made them, with what becomes of the rays. Returns how many hit. Throws
+/// Casts rays and fills the columns, which come from hitColumns or occlusionColumns. Returns the number of hits. Throws
 /// TraceError.
 std::size_t fillColumns(const TraceScene& scene, const RayRows& rays, const RayLimits& limits,
                         std::span<HitColumn> columns);

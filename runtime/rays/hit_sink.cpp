@@ -17,9 +17,8 @@ SinkKind sinkKind(const SinkRequest& request) {
     if (path.ends_with(".csv")) return SinkKind::kCsv;
     if (!path.ends_with(".ply"))
         throw Error(ExitCode::kBadUsage,
-                    path + ": hits are written as .npz, .npy, .csv and .ply, and to - as a stream");
-    if (request.any)
-        throw Error(ExitCode::kBadUsage, path + ": --any knows no points; .npz, .npy and .csv hold its answers");
+                    path + ": hits are written as .npz, .npy, .csv or .ply, or to - (standard output)");
+    if (request.any) throw Error(ExitCode::kBadUsage, path + ": --any has no points for PLY; use .npz, .npy or .csv");
     return SinkKind::kPly;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where hits go, block by block, as they come.
+// Outputs of hits, written block by block.
 #pragma once
 
 #include <cstdint>
@@ -12,30 +12,30 @@
 
 namespace pointrt {
 
-/// What is written appears whole under its name with finish, or not at all; standard output gets it as it comes. Each
-/// function throws Error kCannotWrite "PATH: reason".
+/// The file appears under its name, complete, on finish; standard output is written at once. Every function throws
+/// Error kCannotWrite "PATH: reason".
 class HitSink {
 public:
     virtual ~HitSink() = default;
-    /// Columns of the next rays, first of them with this number; always the same columns.
+    /// Appends the hits of the next rays, which are numbered from first. Every call passes the same columns.
     virtual void add(std::span<const HitColumn> columns, std::uint64_t first) = 0;
     virtual void finish() = 0;
 };
 
-/// What an output is to be.
+/// The output to open.
 struct SinkRequest {
     std::string path;                   ///< "-": standard output
-    std::optional<std::uint64_t> count; ///< of rays, where it is known beforehand
-    bool any = false;                   ///< columns are anyColumns
+    std::optional<std::uint64_t> count; ///< of rays, if known in advance
+    bool any = false;                   ///< columns are occlusionColumns()
 };
 
 enum class SinkKind { kNpz, kNpy, kCsv, kPly };
 
-/// By the name's end; "-" is an array where the number of rays is known, else text. Throws Error kBadUsage where the
-/// name says nothing, or what cannot be.
+/// By the suffix; "-" is an array if the number of rays is known, else text. Throws Error kBadUsage for other suffixes,
+/// and for PLY with any.
 SinkKind sinkKind(const SinkRequest& request);
 
-/// @param columns as they will come, without values
+/// @param columns those of all blocks; their values are ignored
 std::unique_ptr<HitSink> openSink(const SinkRequest& request, std::span<const HitColumn> columns);
 
 } // namespace pointrt

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "format/base/error.h"
+#include "runtime/rays/hit_columns.h"
 
 namespace pointrt {
 namespace {
@@ -14,7 +15,7 @@ constexpr double kLasAngleStep = 0.006; // degrees; LAS 1.4, scan_angle of forma
 constexpr const char* kTile = "tile_id";
 constexpr const char *kLasAngle = "scan_angle", *kAngle = "scan_angle_deg";
 
-/// What all sensors tell. Names that laspy knows have fields of their own in LAS.
+/// Columns of every sensor. Names that laspy uses become fields of LAS points.
 std::vector<PointColumn> ownColumns(const LidarSensor& sensor) {
     const std::optional<std::array<double, 2>> returns{{1, static_cast<double>(sensor.most_returns)}};
     return {{"intensity", PRO_TYPE_U16},
@@ -75,15 +76,10 @@ LidarColumns::LidarColumns(const TraceScene& scene, const LidarSensor& sensor, b
 void LidarColumns::add(const std::string& attribute) {
     const auto is_it = [&](const auto& each) { return each.name == attribute; };
     if (std::any_of(columns_.begin(), columns_.end(), is_it))
-        throw Error(ExitCode::kBadUsage, "--attributes: " + attribute + " is there already");
+        throw Error(ExitCode::kBadUsage, "--attributes: " + attribute + " is already a column");
     const std::vector<SceneAttribute> all = scene_.attributes();
     const auto found = std::find_if(all.begin(), all.end(), is_it);
-    if (found == all.end()) {
-        std::string there;
-        for (const SceneAttribute& each : all) there += (there.empty() ? "" : ", ") + each.name;
-        throw Error(ExitCode::kBadUsage,
-                    "--attributes: there is no " + attribute + ", but " + (there.empty() ? "none at all" : there));
-    }
+    if (found == all.end()) throw Error(ExitCode::kBadUsage, "--attributes: " + unknownAttribute(attribute, all));
     columns_.push_back(
         {found->name, found->type, found->components, PointRole::kAttribute, {{found->low, found->high}}});
     ++attributes_;

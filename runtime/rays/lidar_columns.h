@@ -10,16 +10,16 @@
 
 namespace pointrt {
 
-/// What of each point is told besides its position: all of LidarPoints, then attributes of the scene.
+/// The columns of each point besides its position: all of LidarPoints, then attributes of the scene.
 class LidarColumns {
 public:
-    /// @param for_las scan angles are told in LAS 1.4's steps
-    /// @param attributes names. Throws Error kBadUsage where the scene has none of a name, or it is there already
+    /// @param for_las write scan angles in the steps of LAS 1.4
+    /// @param attributes names; throws Error kBadUsage for unknown and duplicate ones
     LidarColumns(const TraceScene& scene, const LidarSensor& sensor, bool for_las,
                  const std::vector<std::string>& attributes);
 
     const std::vector<PointColumn>& columns() const { return columns_; }
-    /// The points, in place of what block holds.
+    /// Overwrites block with the points.
     void fill(const LidarPoints& points, PointBlock& block) const;
 
 private:

@@ -12,7 +12,7 @@
 #include "pointrt/pro.hpp"
 #include "runtime/rays/lidar_columns.h"
 #include "runtime/rays/lidar_options.h"
-#include "runtime/rays/usage.h"
+#include "runtime/rays/run_report.h"
 #include "runtime/util/render_progress.h"
 
 namespace pointrt {
@@ -35,14 +35,14 @@ LidarPose poseOf(const std::vector<double>& numbers) {
     return pose;
 }
 
-/// The command line's place comes before the sensor file's.
+/// The pose or trajectory of the command line overrides the sensor file's.
 LidarRun runOf(const LidarOptions& options, const LidarSensorFile& file) {
     LidarRun run;
     run.trajectory = file.trajectory;
     if (!options.trajectory.empty()) run.trajectory = readLidarTrajectory(options.trajectory);
     if (!options.pose.empty()) run.trajectory = {poseOf(options.pose)};
     if (run.trajectory.empty())
-        throw Error(ExitCode::kBadUsage, options.sensor + ": says not where the scanner is; --pose or --trajectory do");
+        throw Error(ExitCode::kBadUsage, options.sensor + ": has no pose or trajectory; give --pose or --trajectory");
     run.start_s = options.start_s;
     run.duration_s = options.duration_s;
     run.seed = options.seed;
@@ -50,17 +50,17 @@ LidarRun runOf(const LidarOptions& options, const LidarSensorFile& file) {
     return run;
 }
 
-/// Finer than any scanner tells ranges.
+/// Finer than the range resolution of any scanner.
 constexpr double kPositionStep_m = 1e-4;
 
-/// The first scan's coordinate system and records are the points'.
+/// Points inherit the coordinate system and records of the first scan.
 std::string metadataOf(const std::string& path) {
     if (isTileSet(path)) return nlohmann::json{{"world", {{"crs", readTileSet(path).crs}}}}.dump();
-    if (path.ends_with(".toml")) return {};                                // which may stand anywhere
-    return std::string(ProFile(path, PRO_OPEN_SKIP_CHECKSUMS).metadata()); // the scene has checked what it reads
+    if (path.ends_with(".toml")) return {};                                // instances may be moved
+    return std::string(ProFile(path, PRO_OPEN_SKIP_CHECKSUMS).metadata()); // checked when the scene was opened
 }
 
-/// Points lie around the trajectory, and LAS lays its offset by it.
+/// The trajectory stands in for the bounds of the points, which LAS needs for its offset.
 PointOutline outlineOf(const LidarOptions& options, const TraceScene& scene, const LidarColumns& columns,
                        const LidarRun& run) {
     PointOutline outline;
@@ -79,8 +79,8 @@ PointOutline outlineOf(const LidarOptions& options, const TraceScene& scene, con
     return outline;
 }
 
-void simulateInto(const LidarOptions& options, const TraceScene& scene, const LidarSensor& sensor, const LidarRun& run,
-                  Outcome& outcome) {
+void simulateToFile(const LidarOptions& options, const TraceScene& scene, const LidarSensor& sensor,
+                    const LidarRun& run, Outcome& outcome) {
     const PointFormat format = pointFormat(options.output);
     const LidarColumns columns(scene, sensor, format == PointFormat::kLas || format == PointFormat::kLaz,
                                options.attributes);
@@ -105,7 +105,7 @@ void simulateInto(const LidarOptions& options, const TraceScene& scene, const Li
     timed(outcome.seconds.write, [&] { sink->finish(); });
 }
 
-/// What could be known to be wrong before anything takes time is told then.
+/// Checks inputs and outputs first, before the work that takes time.
 Outcome simulate(const LidarOptions& options) {
     Outcome outcome;
     timed(outcome.seconds.total, [&] {
@@ -117,10 +117,10 @@ Outcome simulate(const LidarOptions& options) {
         const TraceScene scene = timed(outcome.seconds.open, [&] {
             const TraceDevice device(options.device);
             outcome.device = device.name();
-            return TraceScene(device, options.scene, options.held);
+            return TraceScene(device, options.scene, options.scene_options);
         });
         outcome.splats = scene.splatCount();
-        simulateInto(options, scene, file.sensor, run, outcome);
+        simulateToFile(options, scene, file.sensor, run, outcome);
     });
     return outcome;
 }

@@ -17,16 +17,16 @@ struct LidarOptions : CommonOptions {
     std::string trajectory;   ///< a file, or empty
     std::vector<double> pose; ///< x, y, z and yaw, pitch, roll in degrees; or the first three; or none
     std::optional<double> start_s, duration_s;
-    double metres_per_unit = 0; ///< 0: as the scans say
+    double metres_per_unit = 0; ///< 0: the scans' own
     std::uint64_t seed = 0;
     std::vector<std::string> attributes; ///< names
 };
 
-/// Fills options from the words behind "lidar". Returns an exit code where the run ends here (--help and --version).
-/// Throws Error kBadUsage with one line for anything wrong.
+/// Parses the arguments after "lidar". Returns an exit code if the run ends here (--help, --version). Throws Error
+/// kBadUsage with one line for mistakes.
 std::optional<int> parseLidarOptions(int argc, const char* const* argv, LidarOptions& options);
 
-/// What --help says, as data.
+/// The text of --help, as data.
 CommandText lidarText();
 
 } // namespace pointrt

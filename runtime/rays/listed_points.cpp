@@ -14,8 +14,8 @@ namespace {
 const RowKind kPointRows{"point",
                          "points",
                          {3, 6},
-                         "3: its position, or 6: and a normal",
-                         "(N, 3): positions, or (N, 6): and normals",
+                         "3: a position, or 6: a position and a normal",
+                         "(N, 3): positions, or (N, 6): positions and normals",
                          {"x", "y", "z", "nx", "ny", "nz"}};
 
 class ListedPoints final : public PointSource {
@@ -55,7 +55,7 @@ private:
             for (std::size_t at = 0; at < numbers.size(); at += width) {
                 for (std::size_t k = 0; k < width; ++k)
                     if (!std::isfinite(numbers[at + k]))
-                        throw Error(ExitCode::kBadInput, rows.placeOf(block, at / width) + ": is not finite");
+                        throw Error(ExitCode::kBadInput, rows.placeOf(block, at / width) + ": not finite");
                 for (std::size_t k = 0; k < 3; ++k) positions_.push_back(static_cast<double>(numbers[at + k]));
                 for (std::size_t k = 3; k < width; ++k) normals_.push_back(static_cast<float>(numbers[at + k]));
             }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points of a list: text, or a NumPy array.
+// Points as text or as a NumPy array.
 #pragma once
 
 #include <memory>
@@ -9,8 +9,8 @@
 
 namespace pointrt {
 
-/// x, y, z, or these and a normal, in the scan's coordinates; all of them are held in memory.
-/// @param scene what is said of the scene's points: coordinate system and the steps of coordinates are theirs
+/// Rows of x, y, z, optionally with a normal, in the scan's coordinates. All points are held in memory.
+/// @param scene supplies the coordinate system, unit and position step
 /// Throws Error kBadInput "FILE[:LINE]: reason".
 std::unique_ptr<PointSource> listedPoints(const std::string& file, const PointOutline& scene);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// pointrt-rays: what rays meet in scans.
+// pointrt-rays: casts rays at point scans.
 #include <string_view>
 
 #include "format/base/report_file.h"
@@ -18,16 +18,16 @@ namespace {
 using namespace pointrt;
 
 constexpr RayCommand kCommands[] = {
-    {"cast", "first hits, or occlusion, of any rays", castCommand, castText},
-    {"lidar", "what a laser scanner would measure", lidarCommand, lidarText},
-    {"sun", "hours of direct sun on points, and how much of the sky they see", sunCommand, sunText},
-    {"viewshed", "which points observers see", viewshedCommand, viewshedText},
+    {"cast", "first hits or occlusion of given rays", castCommand, castText},
+    {"lidar", "simulates a laser scanner", lidarCommand, lidarText},
+    {"sun", "hours of direct sun and sky view of points", sunCommand, sunText},
+    {"viewshed", "points visible to observers", viewshedCommand, viewshedText},
 };
 
-/// What an option in place of a command prints; empty where it is none of the tool's.
+/// The output of an option in place of a command; empty if the tool has no such option.
 std::string answer(std::string_view option, const char* value) {
     if (option == "--version") return "pointrt-rays " POINTRT_VERSION "\n";
-    if (option == "--help" || option == "-h") return toolHelp(toolText(kCommands, POINTRT_VERSION));
+    if (option == "--help" || option == "-h") return helpText(toolText(kCommands, POINTRT_VERSION));
     return option == "--generate" ? generatedText(toolText(kCommands, POINTRT_VERSION), value ? value : "") : "";
 }
 

@@ -13,12 +13,12 @@ const std::string kNpyMagic = "\x93NUMPY";
 
 namespace {
 
-constexpr std::size_t kAlignment = 64;          // of the first number, as NumPy writes it
-constexpr std::uint32_t kLongestHeader = 65536; // ours have 128; structured arrays may have long ones
+constexpr std::size_t kAlignment = 64;          // of the first number, as in NumPy
+constexpr std::uint32_t kLongestHeader = 65536; // ours have 128 bytes, structured arrays more
 
 [[noreturn]] void fail(const std::string& reason) { throw std::invalid_argument(reason); }
 
-/// What follows 'key': in the dict.
+/// The text after 'key': in the dict.
 std::string_view valueOf(std::string_view text, const std::string& key) {
     for (const char quote : {'\'', '"'}) {
         const std::string name = quote + key + quote;
@@ -28,21 +28,21 @@ std::string_view valueOf(std::string_view text, const std::string& key) {
         const std::size_t start = rest.find_first_not_of(" :");
         if (start != rest.npos) return rest.substr(start);
     }
-    fail("its header does not say " + key);
+    fail("the header lacks " + key);
 }
 
-/// Of a plain type; of a structured one the list, which is no type of ours.
+/// A plain type, or the start of a structured type, which matches none of ours.
 std::string parseDescr(std::string_view value) {
     const char quote = value.front();
     if (quote != '\'' && quote != '"') return std::string(value.substr(0, value.find('\'')));
     const std::size_t end = value.find(quote, 1);
-    if (end == value.npos) fail("its header is cut short");
+    if (end == value.npos) fail("truncated header");
     return std::string(value.substr(1, end - 1));
 }
 
 std::vector<std::uint64_t> parseShape(std::string_view value) {
     const std::size_t end = value.find(')');
-    if (value.front() != '(' || end == value.npos) fail("its header has no shape");
+    if (value.front() != '(' || end == value.npos) fail("invalid shape in the header");
     value = value.substr(1, end - 1);
     std::vector<std::uint64_t> shape;
     while (true) {
@@ -51,7 +51,7 @@ std::vector<std::uint64_t> parseShape(std::string_view value) {
         value.remove_prefix(start);
         std::uint64_t size = 0;
         const auto [rest, error] = std::from_chars(value.data(), value.data() + value.size(), size);
-        if (error != std::errc()) fail("its header has no shape");
+        if (error != std::errc()) fail("invalid shape in the header");
         shape.push_back(size);
         value.remove_prefix(static_cast<std::size_t>(rest - value.data()));
     }
@@ -63,7 +63,7 @@ NpyHeader parseNpyHeader(std::string_view text) {
     NpyHeader header;
     header.descr = parseDescr(valueOf(text, "descr"));
     const std::string_view order = valueOf(text, "fortran_order");
-    if (!order.starts_with("True") && !order.starts_with("False")) fail("its header has no order");
+    if (!order.starts_with("True") && !order.starts_with("False")) fail("invalid fortran_order in the header");
     header.fortran_order = order.starts_with("True");
     header.shape = parseShape(valueOf(text, "shape"));
     return header;
@@ -75,16 +75,16 @@ NpyHeader readNpyHeader(ByteInput& input) {
     };
     std::uint8_t start[12] = {};
     const std::size_t fixed = kNpyMagic.size() + 2;
-    if (input.read(start, fixed) < fixed) throw wrong("cut short in its header");
+    if (input.read(start, fixed) < fixed) throw wrong("truncated in the header");
     const std::uint8_t major = start[kNpyMagic.size()];
-    if (major < 1 || major > 3) throw wrong("an array of a version that is not known here");
+    if (major < 1 || major > 3) throw wrong("unknown version of the .npy format");
     const std::size_t bytes_of_size = major == 1 ? 2 : 4;
-    if (input.read(start + fixed, bytes_of_size) < bytes_of_size) throw wrong("cut short in its header");
+    if (input.read(start + fixed, bytes_of_size) < bytes_of_size) throw wrong("truncated in the header");
     std::uint32_t size = 0;
     for (std::size_t i = 0; i < bytes_of_size; ++i) size |= static_cast<std::uint32_t>(start[fixed + i]) << 8 * i;
-    if (size > kLongestHeader) throw wrong("its header is too long");
+    if (size > kLongestHeader) throw wrong("the header is too long");
     std::string text(size, ' ');
-    if (input.read(text.data(), size) < size) throw wrong("cut short in its header");
+    if (input.read(text.data(), size) < size) throw wrong("truncated in the header");
     try {
         return parseNpyHeader(text);
     } catch (const std::invalid_argument& error) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The start of NumPy's .npy files (NEP 1, versions 1.0 to 3.0): what kind of numbers follow, and how many.
+// Headers of NumPy's .npy files (NEP 1, versions 1.0 to 3.0).
 #pragma once
 
 #include <cstdint>
@@ -19,15 +19,16 @@ struct NpyHeader {
     std::vector<std::uint64_t> shape;
 };
 
-/// Of the bytes that input is at; then it is at the first number. Throws Error kBadInput "NAME: reason".
+/// Reads the header; input is at the first number afterwards. Throws Error kBadInput "NAME: reason".
 NpyHeader readNpyHeader(ByteInput& input);
-/// Of the text in it: a Python literal of a dict with these three. Throws std::invalid_argument with the reason.
+/// Parses the text of a header: the Python literal of a dict with these three keys. Throws std::invalid_argument with
+/// the reason.
 NpyHeader parseNpyHeader(std::string_view text);
 
-/// The bytes before the numbers of an array in C order.
+/// The header of an array in C order.
 /// @param descr as Python writes it, quotes and all: "'<f8'", or a list of fields
 /// @param shape as "(3, 6)"
-/// @param least the header has no fewer bytes: room for a longer shape, to be put there later
+/// @param least minimum size in bytes, to leave room for a longer shape
 std::string npyHeader(const std::string& descr, const std::string& shape, std::size_t least = 0);
 
 } // namespace pointrt

@@ -12,7 +12,7 @@
 namespace pointrt {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "numbers are read as they lie in the file");
+static_assert(std::endian::native == std::endian::little, "numbers are read without conversion");
 
 std::string shapeText(const std::vector<std::uint64_t>& shape) {
     std::string text = "(";
@@ -20,15 +20,15 @@ std::string shapeText(const std::vector<std::uint64_t>& shape) {
     return text + (shape.size() == 1 ? ",)" : ")");
 }
 
-/// Why the array holds no rays; empty where it does.
+/// Why the array does not hold rays; empty if it does.
 std::string refusalOf(const NpyHeader& header, const RowKind& kind) {
     if (header.descr != "<f4" && header.descr != "<f8")
-        return "its numbers are '" + printable(header.descr) + "', where " + kind.rows +
+        return "the type is '" + printable(header.descr) + "', but " + kind.rows +
                " are float32 ('<f4') or float64 ('<f8')";
     if (header.shape.size() != 2 ||
         std::find(kind.widths.begin(), kind.widths.end(), header.shape[1]) == kind.widths.end())
-        return "its shape is " + shapeText(header.shape) + ", where " + kind.rows + " are " + kind.shape;
-    if (header.fortran_order) return "it is in Fortran order: save numpy.ascontiguousarray of it";
+        return "the shape is " + shapeText(header.shape) + ", but " + kind.rows + " are " + kind.shape;
+    if (header.fortran_order) return "the array is in Fortran order; save numpy.ascontiguousarray(array)";
     return {};
 }
 
@@ -74,7 +74,7 @@ private:
         std::uint8_t more = 0;
         if (input_->read(&more, 1) > 0)
             throw Error(ExitCode::kBadInput,
-                        input_->name() + ": goes on behind its " + std::to_string(header_.shape[0]) + " " + kind_.rows);
+                        input_->name() + ": more data after " + std::to_string(header_.shape[0]) + " " + kind_.rows);
     }
 
     std::unique_ptr<ByteInput> input_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays in a NumPy array, (N, 6), or as wide as its kind of rows is, of float32 or float64.
+// Rays in a NumPy array of float32 or float64, (N, 6) or as wide as its RowKind.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,8 @@
 
 namespace pointrt {
 
-/// input is at the array's first byte. Throws Error kBadInput "NAME: reason" where it does not hold rays.
+/// @param input at the first byte of the array
+/// Throws Error kBadInput "NAME: reason" if the array does not hold rays.
 std::unique_ptr<RaySource> npyRays(std::unique_ptr<ByteInput> input, const RowKind& kind);
 
 } // namespace pointrt

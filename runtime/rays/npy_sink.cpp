@@ -26,7 +26,7 @@ class NpySink final : public HitSink {
 public:
     NpySink(const SinkRequest& request, std::span<const HitColumn> columns)
         : file_(request.path), descr_(recordDescr(columns)), known_(request.count.has_value()) {
-        // of unknown length: as long as it can become, and written anew at the end
+        // if the length is unknown, leaves room for the largest one and overwrites the header at the end
         header_bytes_ = header(request.count.value_or(UINT64_MAX), 0).size();
         append(header(request.count.value_or(UINT64_MAX), header_bytes_));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hits as NumPy arrays: what one column is called there, and all of them as one array of records.
+// Hits as a NumPy array.
 #pragma once
 
 #include <memory>
@@ -10,10 +10,10 @@
 
 namespace pointrt {
 
-/// "'<f8'"
+/// The type of a column as .npy headers have it, with quotes: "'<f8'".
 std::string npyDescr(const HitColumn& column);
 
-/// One column alone is a plain array (--any); several are the fields of records.
+/// Several columns become the fields of a structured array; a single one (--any) a plain array.
 std::unique_ptr<HitSink> npySink(const SinkRequest& request, std::span<const HitColumn> columns);
 
 } // namespace pointrt

@@ -13,8 +13,8 @@
 namespace pointrt {
 namespace {
 
-/// A zip file's records (PKWARE APPNOTE 6.3.4, sections 4.3 to 4.5), little-endian. All sizes are told in their 64 bit
-/// form, which every reader of NumPy arrays knows, so that there is one way of writing for any size.
+/// Little-endian records of a zip file (PKWARE APPNOTE 6.3.4, sections 4.3 to 4.5). All sizes are written as Zip64,
+/// which every reader of NumPy arrays supports, so that one layout serves every size.
 class ZipRecord {
 public:
     ZipRecord& u16(std::initializer_list<unsigned> numbers) {
@@ -42,12 +42,12 @@ private:
     }
 };
 
-constexpr unsigned kVersion = 45;      // that knows 64 bit sizes
-constexpr unsigned kStored = 0;        // not compressed: hits hardly are smaller then
-constexpr unsigned kDate = 1 << 5 | 1; // 1980-01-01: the same hits give the same bytes
-constexpr unsigned kZip64 = 1;         // an extra field's number
-constexpr std::uint32_t kIsIn64 = ~0u; // in place of a size
-constexpr unsigned kUtf8 = 1 << 11;    // names are, as attributes' may be
+constexpr unsigned kVersion = 45;      // needed to extract: Zip64
+constexpr unsigned kStored = 0;        // uncompressed: hits hardly compress
+constexpr unsigned kDate = 1 << 5 | 1; // 1980-01-01, so that equal hits give equal bytes
+constexpr unsigned kZip64 = 1;         // ID of the extra field
+constexpr std::uint32_t kIsIn64 = ~0u; // in place of a size that Zip64 has
+constexpr unsigned kUtf8 = 1 << 11;    // attributes may have non-ASCII names
 
 struct Member {
     std::string name;
@@ -68,7 +68,7 @@ std::vector<std::uint8_t> localHeader(const Member& member) {
         .bytes;
 }
 
-std::vector<std::uint8_t> listEntry(const Member& member) {
+std::vector<std::uint8_t> directoryEntry(const Member& member) {
     const auto length = static_cast<unsigned>(member.name.size());
     return ZipRecord()
         .u32({0x02014B50})
@@ -82,7 +82,7 @@ std::vector<std::uint8_t> listEntry(const Member& member) {
         .bytes;
 }
 
-/// Behind the list of members, which is from start to end.
+/// @param start, end of the central directory, in bytes of the file
 std::vector<std::uint8_t> endRecords(std::uint64_t members, std::uint64_t start, std::uint64_t end) {
     const auto few = static_cast<unsigned>(members);
     return ZipRecord()
@@ -120,7 +120,7 @@ public:
         std::vector<Member> members;
         for (std::size_t c = 0; c < columns_.size(); ++c) members.push_back(writeMember(c));
         const std::uint64_t start = written_;
-        for (const Member& member : members) append(listEntry(member));
+        for (const Member& member : members) append(directoryEntry(member));
         append(endRecords(members.size(), start, written_));
         file_.commit();
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hits as NPZ: one array a column.
+// Hits as NPZ: an array for each column.
 #pragma once
 
 #include <memory>

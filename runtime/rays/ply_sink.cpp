@@ -37,13 +37,13 @@ class PlySink final : public HitSink {
 public:
     PlySink(const std::string& path, std::span<const HitColumn> columns)
         : path_(path), points_(openPointSink(path, outlineOf(columns))) {
-        block_.columns.resize(columns.size()); // the positions' place is taken by the ray
+        block_.columns.resize(columns.size()); // positions are not among them, the ray index is
     }
 
     void add(std::span<const HitColumn> columns, std::uint64_t first) override {
         const std::span<const std::uint32_t> instances = columnNamed(columns, "instance_ids").as<std::uint32_t>();
         if (first + instances.size() > std::uint64_t{UINT32_MAX} + 1)
-            throw Error(ExitCode::kCannotWrite, path_ + ": PLY numbers no more than 2^32 rays; take .npz");
+            throw Error(ExitCode::kCannotWrite, path_ + ": PLY can index at most 2^32 rays; use .npz");
         block_.positions.clear();
         for (std::vector<std::byte>& values : block_.columns) values.clear();
         for (std::size_t i = 0; i < instances.size(); ++i)

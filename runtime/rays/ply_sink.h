@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hits as PLY: the points that were hit, with all that is known of them and the number of their ray.
+// Hits as PLY: the points that were hit, with all columns and the index of their ray.
 #pragma once
 
 #include <memory>

@@ -15,8 +15,7 @@
 namespace pointrt {
 namespace {
 
-/// Null for what is none of the files that PointReader knows, pipes among them: their first bytes are for who reads
-/// them.
+/// Null for files that PointReader cannot read, and for pipes, whose first bytes must not be consumed.
 std::unique_ptr<PointReader> readerOf(const std::string& file) {
     std::error_code ignored;
     const bool has_bytes = std::filesystem::is_regular_file(file, ignored) && std::filesystem::file_size(file, ignored);
@@ -25,16 +24,16 @@ std::unique_ptr<PointReader> readerOf(const std::string& file) {
 
 } // namespace
 
-bool isLeftOut(const PointColumn& column, const std::vector<std::string>& names) {
+bool isReplaced(const PointColumn& column, const std::vector<std::string>& names) {
     return column.role == PointRole::kAttribute && std::find(names.begin(), names.end(), column.name) != names.end();
 }
 
 std::unique_ptr<PointSource> openPoints(const std::string& file, const std::vector<std::string>& scene,
-                                        const std::vector<std::string>& left_out) {
-    if (file.empty()) return scenePoints(scene, left_out);
+                                        const std::vector<std::string>& replaced) {
+    if (file.empty()) return scenePoints(scene, replaced);
     if (file == "-") return listedPoints(file, sceneOutline(scene));
-    if (isTileSet(file) || isSceneFile(file) || beginsAsPro(file)) return scenePoints({file}, left_out);
-    if (auto reader = readerOf(file)) return filePoints(file, std::move(reader), sceneOutline(scene), left_out);
+    if (isTileSet(file) || isSceneFile(file) || beginsAsPro(file)) return scenePoints({file}, replaced);
+    if (auto reader = readerOf(file)) return filePoints(file, std::move(reader), sceneOutline(scene), replaced);
     return listedPoints(file, sceneOutline(scene));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The points that a study is made of, block by block.
+// The points of a study, read block by block.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace pointrt {
 
-/// Points with their own columns, and what the study has to know of them.
+/// Points with their columns, and what rays from them need.
 struct StudyBlock {
     PointBlock points;
     std::vector<float> normals, radii, noise; ///< each may be empty
@@ -21,23 +21,24 @@ struct StudyBlock {
 
 class PointSource {
 public:
-    /// A block is traced as one batch; some 200 MB with all that is made of it.
+    /// A block is traced as one batch. It takes some 200 MB with its results.
     static constexpr std::size_t kPointsAtOnce = ScenePointReader::kPoints;
 
     virtual ~PointSource() = default;
-    /// With the number of points; positions are in the bounds.
+    /// Includes the number of points and their bounds.
     virtual const PointOutline& outline() const = 0;
-    /// The next points in place of those in block; false where there are none any more.
+    /// Overwrites block with the next points. False at the end.
     virtual bool next(StudyBlock& block) = 0;
 };
 
-/// Whether a column is an attribute of one of these names.
-bool isLeftOut(const PointColumn& column, const std::vector<std::string>& names);
+/// Whether a column is an attribute with one of these names.
+bool isReplaced(const PointColumn& column, const std::vector<std::string>& names);
 
-/// The points of file: a .pro, a tile set, a scene file, LAS, LAZ, PLY, a list of text or an array; of the scene where
-/// it is "". What a file does not say of its coordinates is as in the scene. Throws Error kBadInput "FILE: reason".
-/// @param left_out columns that the results bring anew
+/// Opens the points of a .pro, tile set, scene file, LAS, LAZ or PLY file, a NumPy array or text; of the scene if file
+/// is
+/// "". A file without a coordinate system inherits the scene's. Throws Error kBadInput "FILE: reason".
+/// @param replaced columns that the results replace
 std::unique_ptr<PointSource> openPoints(const std::string& file, const std::vector<std::string>& scene,
-                                        const std::vector<std::string>& left_out);
+                                        const std::vector<std::string>& replaced);
 
 } // namespace pointrt

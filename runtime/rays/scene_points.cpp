@@ -9,24 +9,24 @@
 #include "format/pointio/input_order.h"
 #include "format/pointio/pro_points.h"
 #include "format/pointio/set_points.h"
-#include "runtime/cast/describe_targets.h"
+#include "runtime/cast/describe_instances.h"
 #include "runtime/device_scene/render_space.h"
-#include "runtime/studies/target_points.h"
+#include "runtime/studies/instance_points.h"
 
 namespace pointrt {
 namespace {
 
 constexpr const char* kInstance = "instance_id";
 
-bool isAlike(const PointColumn& a, const PointColumn& b) {
+bool isSameColumn(const PointColumn& a, const PointColumn& b) {
     return a.name == b.name && a.type == b.type && a.components == b.components && a.role == b.role;
 }
 
-/// Leaves of one what both have, with room for the values of both.
-void share(PointOutline& outline, const PointOutline& other) {
+/// Keeps the columns that both outlines have, and extends ranges and bounds to both.
+void intersect(PointOutline& outline, const PointOutline& other) {
     std::erase_if(outline.columns, [&](PointColumn& column) {
         const auto found = std::find_if(other.columns.begin(), other.columns.end(),
-                                        [&](const PointColumn& each) { return isAlike(each, column); });
+                                        [&](const PointColumn& each) { return isSameColumn(each, column); });
         if (found == other.columns.end()) return true;
         if (column.range && found->range)
             column.range = {
@@ -41,7 +41,7 @@ void share(PointOutline& outline, const PointOutline& other) {
     outline.count = *outline.count + *other.count;
 }
 
-/// As it stands: what is moved lies in no coordinate system.
+/// Places the outline in the world. Moved points are in no coordinate system.
 void place(const Placement& placement, PointOutline& outline) {
     if (placement == Placement{}) return;
     pro_info info{};
@@ -55,30 +55,31 @@ void place(const Placement& placement, PointOutline& outline) {
     outline.metadata.clear();
 }
 
-PointOutline outlineOf(const TargetList& list, const TargetRun& instance) {
-    const Target& first = list.targets[instance.first];
+PointOutline outlineOf(const InstanceList& list, const InstanceRun& instance) {
+    const CastInstance& first = list.instances[instance.first];
     PointOutline outline;
     if (instance.set) {
         outline = outlineOf(list.sets[*instance.set].set, list.sets[*instance.set].folder);
     } else {
-        const ProFile file = openTarget(list, first);
+        const ProFile file = openInstance(list, first);
         outline = outlineOf(file);
         outline.count = inputCount(file);
-        for (PointColumn& column : outline.columns) column.values = nullptr; // the file is closed again
+        for (PointColumn& column : outline.columns) column.values = nullptr; // the file is closed on return
     }
     place(first.placement, outline);
     return outline;
 }
 
 /// @param scene for messages
-PointOutline outlineOf(const TargetList& list, const std::string& scene) {
-    if (list.instances.empty()) throw Error(ExitCode::kBadInput, scene + ": has no scan: studies are of points");
-    PointOutline all = outlineOf(list, list.instances.front());
-    for (std::size_t i = 1; i < list.instances.size(); ++i) share(all, outlineOf(list, list.instances[i]));
+PointOutline outlineOf(const InstanceList& list, const std::string& scene) {
+    if (list.scene_instances.empty()) throw Error(ExitCode::kBadInput, scene + ": has no scan, so no points to study");
+    PointOutline all = outlineOf(list, list.scene_instances.front());
+    for (std::size_t i = 1; i < list.scene_instances.size(); ++i)
+        intersect(all, outlineOf(list, list.scene_instances[i]));
     return all;
 }
 
-/// From the file's coordinates to where it stands. Normals and radii are the first two columns.
+/// Transforms points to the world. Normals and radii are the first two columns.
 void place(const Placement& placement, PointBlock& block) {
     if (placement == Placement{}) return;
     const std::span<float> normals = numbersIn<float>(block.columns[0]), radii = numbersIn<float>(block.columns[1]);
@@ -102,11 +103,11 @@ void append(std::vector<Each>& to, const std::vector<Each>& from) {
 
 class PointsOfScene final : public PointSource {
 public:
-    PointsOfScene(const std::vector<std::string>& paths, const std::vector<std::string>& left_out)
-        : list_(describeTargets(paths)), outline_(outlineOf(list_, paths.front())) {
-        std::vector<std::string> names = left_out;
+    PointsOfScene(const std::vector<std::string>& paths, const std::vector<std::string>& replaced)
+        : list_(describeInstances(paths)), outline_(outlineOf(list_, paths.front())) {
+        std::vector<std::string> names = replaced;
         if (isNumbered()) names.push_back(kInstance);
-        std::erase_if(outline_.columns, [&](const PointColumn& column) { return isLeftOut(column, names); });
+        std::erase_if(outline_.columns, [&](const PointColumn& column) { return isReplaced(column, names); });
         if (isNumbered()) outline_.columns.push_back({kInstance, PRO_TYPE_U32});
     }
 
@@ -120,12 +121,12 @@ public:
     }
 
 private:
-    bool isNumbered() const { return list_.instances.size() > 1; }
+    bool isNumbered() const { return list_.scene_instances.size() > 1; }
 
-    /// Whether there is a point that is not done yet.
+    /// Opens the next instance or tile when needed. False if no points are left.
     bool findNext() {
-        while (target_ < list_.targets.size()) {
-            if (!file_) open(list_.targets[target_]);
+        while (target_ < list_.instances.size()) {
+            if (!file_) open(list_.instances[target_]);
             if (done_ < splats_.size()) return true;
             file_.reset();
             ++target_;
@@ -133,21 +134,21 @@ private:
         return false;
     }
 
-    void open(const Target& target) {
-        file_.emplace(openTarget(list_, target));
+    void open(const CastInstance& target) {
+        file_.emplace(openInstance(list_, target));
         splats_ = target.tile == kNoTile ? inputOrder(*file_) : coreNumbers(*file_);
         requireCount(list_, target, splats_.size());
         done_ = 0;
     }
 
-    /// The next points of the open file, up to most of them.
+    /// Appends the next points of the open file, at most `most` of them.
     void take(std::size_t most, StudyBlock& block) {
         const auto splats =
             std::span<const std::uint32_t>(splats_).subspan(done_, std::min(most, splats_.size() - done_));
-        const Target& target = list_.targets[target_];
+        const CastInstance& target = list_.instances[target_];
         gatherPoints(*file_, splats, outline_.columns, part_);
         place(target.placement, part_);
-        if (isNumbered()) std::ranges::fill(numbersIn<std::uint32_t>(part_.columns.back()), target.instance);
+        if (isNumbered()) std::ranges::fill(numbersIn<std::uint32_t>(part_.columns.back()), target.scene_instance);
         takeNoise(splats, block);
         append(block.points.positions, part_.positions);
         for (std::size_t k = 0; k < part_.columns.size(); ++k) append(block.points.columns[k], part_.columns[k]);
@@ -158,7 +159,7 @@ private:
         done_ += splats.size();
     }
 
-    /// Of files that have none it is 0 where others of the block have some.
+    /// Appends noise, 0 for files without it if another file in the block has some.
     void takeNoise(std::span<const std::uint32_t> splats, StudyBlock& block) {
         const std::span<const std::uint8_t> noise = file_->noise();
         if (noise.empty() && block.noise.empty()) return;
@@ -170,24 +171,24 @@ private:
                                                       static_cast<float>(PRO_NOISE_STEPS));
     }
 
-    TargetList list_;
+    InstanceList list_;
     PointOutline outline_;
-    std::size_t target_ = 0; ///< whose points come next
+    std::size_t target_ = 0; ///< index of the instance or tile that is read
     std::optional<ProFile> file_;
-    std::vector<std::uint32_t> splats_; ///< of it
-    std::size_t done_ = 0;              ///< of these
+    std::vector<std::uint32_t> splats_; ///< of file_
+    std::size_t done_ = 0;              ///< of splats_
     PointBlock part_;
 };
 
 } // namespace
 
 std::unique_ptr<PointSource> scenePoints(const std::vector<std::string>& paths,
-                                         const std::vector<std::string>& left_out) {
-    return std::make_unique<PointsOfScene>(paths, left_out);
+                                         const std::vector<std::string>& replaced) {
+    return std::make_unique<PointsOfScene>(paths, replaced);
 }
 
 PointOutline sceneOutline(const std::vector<std::string>& paths) {
-    return outlineOf(describeTargets(paths), paths.front());
+    return outlineOf(describeInstances(paths), paths.front());
 }
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The points of scenes with all of their attributes.
+// The points of a scene with all of their attributes.
 #pragma once
 
 #include <memory>
@@ -10,14 +10,16 @@
 
 namespace pointrt {
 
-/// Instance by instance, in the world's coordinates: of a .pro its points in the order of its input, without those that
-/// fill gaps; of a tile set those of its original tiles' cores, tile by tile, one of which is open at a time. Columns
-/// are those that all instances have, and of several instance_id. Throws Error kBadInput for what is no scene.
+/// Reads points instance by instance, in world coordinates. Those of a .pro come in the order of its input, without the
+/// ones that fill gaps; those of a tile set are in the cores of its original tiles, one of which is open at a time.
+/// Columns are the ones that all instances have; scenes of several instances add instance_id. Throws Error kBadInput if
+/// a path is not a scene.
+/// @param replaced columns that the results replace
 std::unique_ptr<PointSource> scenePoints(const std::vector<std::string>& paths,
-                                         const std::vector<std::string>& left_out);
+                                         const std::vector<std::string>& replaced);
 
-/// What is said of all of them: columns that all instances have, bounds, the first one's coordinate system where it is
-/// not moved. Throws the same.
+/// The columns that all instances have, the bounds, and the coordinate system of the first instance unless the scene
+/// moves it. Throws as scenePoints does.
 PointOutline sceneOutline(const std::vector<std::string>& paths);
 
 } // namespace pointrt

@@ -18,28 +18,28 @@
 namespace pointrt {
 namespace {
 
-constexpr std::size_t kAtOnce = std::size_t{1} << 20; // large enough that calls cost nothing; zlib takes 32 bits
+constexpr std::size_t kAtOnce = std::size_t{1} << 20; // makes calls negligible; zlib takes 32 bits at most
 
 [[noreturn]] void failWriting(const std::string& output) {
     throw Error(ExitCode::kCannotWrite, output + ": " + std::strerror(errno));
 }
 
-/// Where the file system has no nameless files it has a name until the next line: one that the next AtomicFile of the
-/// output takes away, if a process is killed between them.
-int openNameless(const std::string& output) {
-    constexpr mode_t kUserAlone = 0600;
+/// On file systems without O_TMPFILE the file briefly has a name; if the process is killed in between, the next
+/// AtomicFile of this output deletes it.
+int openUnnamed(const std::string& output) {
+    constexpr mode_t kOwnerOnly = 0600;
     const std::filesystem::path folder = std::filesystem::path(output).parent_path();
-    const int nameless = ::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, kUserAlone);
-    if (nameless >= 0) return nameless;
+    const int unnamed = ::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, kOwnerOnly);
+    if (unnamed >= 0) return unnamed;
     const std::string name = format::temporaryStem(output) + format::randomLetters();
-    const int named = ::open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, kUserAlone);
+    const int named = ::open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, kOwnerOnly);
     if (named >= 0) ::unlink(name.c_str());
     return named;
 }
 
 } // namespace
 
-SpoolFile::SpoolFile(std::string output) : output_(std::move(output)), descriptor_(openNameless(output_)) {
+SpoolFile::SpoolFile(std::string output) : output_(std::move(output)), descriptor_(openUnnamed(output_)) {
     if (descriptor_ < 0) failWriting(output_);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bytes that wait on disk until it is known what goes before them.
+// A temporary file for bytes whose header is not known yet.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace pointrt {
 
-/// A file without a name, in the folder of the output that it is for, so that it needs no other disk. It is gone with
-/// the object, whatever ends the process. Each function throws Error kCannotWrite "OUTPUT: reason".
+/// An unnamed file in the folder of the output, so on the same disk. The system deletes it with the object or the
+/// process. Every function throws Error kCannotWrite "OUTPUT: reason".
 class SpoolFile {
 public:
     explicit SpoolFile(std::string output);
@@ -24,7 +24,7 @@ public:
     std::uint64_t size() const { return size_; }
     /// CRC-32 of all bytes, as in zip files.
     std::uint32_t checksum() const { return checksum_; }
-    /// Appends all of them to file.
+    /// Appends all bytes to file.
     void copyTo(OutputFile& file) const;
 
 private:

@@ -19,7 +19,6 @@ Sides parseSides(const std::string& text) {
     throw std::invalid_argument("\"" + text + "\" is not auto, front or both");
 }
 
-/// Digits alone, as many as that.
 bool isDigits(const std::string& text, std::size_t count) {
     return text.size() == count && text.find_first_not_of("0123456789") == text.npos;
 }
@@ -52,24 +51,24 @@ void addValue(CommandLine& app, const std::string& name, const std::string& type
 void addStudyOptions(CommandLine& app, StudyOptions& options) {
     addSceneAndOutput(
         app, options,
-        "Points, with the columns that they had and the results, by the suffix: .ply, .las, .laz, .csv; - "
-        "is PLY to standard output; what is there is replaced",
+        "Points with their columns and the results, replacing an existing file: .ply, .las, .laz or .csv; - is PLY "
+        "on standard output",
         ".ply .las .laz .csv");
-    app.add_option(
-           "--points", options.points,
-           "Points to ask about instead of the scene's own: a .pro, a set or a scene file, LAS, LAZ or PLY with "
-           "their columns, an array (.npy) or text, x y z or x y z nx ny nz; - is standard input")
+    app.add_option("--points", options.points,
+                   "Evaluate these points instead of the scene's: .pro, .proset, .toml, .las, .laz or .ply, or x y z "
+                   "[nx ny nz] "
+                   "as .npy or text; - is standard input")
         ->type_name("FILE");
     completes(app, "--points", ".pro .proset .toml .las .laz .ply .npy .csv .txt");
     addValue(app, "--sides", "auto|front|both",
-             "Sides of a point's disc that count (auto: front where the scans' normals are oriented)",
+             "Sides of a point's disc that receive light (default auto: front if the scans' normals are oriented)",
              [&](const std::string& text) {
                  if (text == "auto")
                      options.sides.reset();
                  else
                      options.sides = parseSides(text);
              });
-    addValue(app, "--up", "X,Y,Z", "Up in the scan's coordinates (what its file says, else +Z)",
+    addValue(app, "--up", "X,Y,Z", "Up in the scan's coordinates (default: the scan's up, else +Z)",
              [&](const std::string& text) { options.up = parseTriple(text); });
 }
 
@@ -106,8 +105,8 @@ CalendarDate parseDate(const std::string& text) {
                             static_cast<unsigned>(std::stoi(text.substr(8)))};
     const std::chrono::year_month_day day{std::chrono::year(date.year), std::chrono::month(date.month),
                                           std::chrono::day(date.day)};
-    if (!day.ok()) throw std::invalid_argument("there is no day " + text);
-    if (date.year < 1900 || date.year > 2100) throw std::invalid_argument(text + " is not from 1900 to 2100");
+    if (!day.ok()) throw std::invalid_argument(text + " does not exist");
+    if (date.year < 1900 || date.year > 2100) throw std::invalid_argument(text + " is outside 1900 to 2100");
     return date;
 }
 
@@ -120,7 +119,8 @@ double parseUtcOffset(const std::string& text) {
     const bool is_offset = (isDigits(hours, 1) || isDigits(hours, 2)) && isDigits(minutes, 2) && minutes < "60";
     if (!is_offset) throw std::invalid_argument("\"" + text + "\" is not an offset from UTC such as +02:00, -8 or Z");
     const double offset = std::stod(hours) + std::stod(minutes) / 60;
-    if (offset > 14) throw std::invalid_argument(text + " is more than 14 hours"); // Kiribati's, the largest in use
+    if (offset > 14)
+        throw std::invalid_argument(text + " is more than 14 hours from UTC"); // Kiribati has the largest offset in use
     return text.starts_with('-') ? -offset : offset;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options of sun and viewshed, and words of them as values.
+// Options shared by sun and viewshed, and parsers of their values.
 #pragma once
 
 #include <array>
@@ -13,26 +13,26 @@
 namespace pointrt {
 
 struct StudyOptions : CommonOptions {
-    std::string points;         ///< a file; "": the scene's own
-    std::optional<Sides> sides; ///< none: by the scans
+    std::string points;         ///< a file; "": the points of the scene
+    std::optional<Sides> sides; ///< none: chosen by sidesOf()
     std::optional<std::array<double, 3>> up;
 };
 
 /// SCENE, -o, --points, --sides, --up.
 void addStudyOptions(CommandLine& app, StudyOptions& options);
-/// An option with a value that set takes; what set throws as std::invalid_argument becomes "NAME: reason".
-/// @param many it may be given several times
+/// Adds an option whose value set parses; a std::invalid_argument of set becomes the error "NAME: reason".
+/// @param many the option can be given several times
 void addValue(CommandLine& app, const std::string& name, const std::string& type, const std::string& help,
               const std::function<void(const std::string&)>& set, bool required = false, bool many = false);
-/// As parseCommandLine, which knows what files of studies are for.
+/// parseCommandLine with the suffixes of output files of studies.
 std::optional<int> parseStudyLine(CommandLine& app, int argc, const char* const* argv);
-/// As checkCommonOptions.
+/// checkCommonOptions for studies.
 void checkStudyOptions(const StudyOptions& options);
 
-/// Each takes all of text and throws std::invalid_argument with the reason.
+/// Each parses all of text and throws std::invalid_argument with the reason.
 GeoPlace parsePlace(const std::string& text);    ///< "LAT,LON"
 CalendarDate parseDate(const std::string& text); ///< "2026-06-21"
-double parseUtcOffset(const std::string& text);  ///< "+2", "-03:30", "Z", in hours
+double parseUtcOffset(const std::string& text);  ///< hours: "+2", "-03:30", "Z"
 std::array<double, 3> parseTriple(const std::string& text);
 
 } // namespace pointrt

@@ -6,7 +6,7 @@
 
 #include "format/base/report_file.h"
 #include "format/pointio/point_sink.h"
-#include "runtime/rays/usage.h"
+#include "runtime/rays/run_report.h"
 #include "runtime/util/render_progress.h"
 
 namespace pointrt {
@@ -25,7 +25,7 @@ struct Outcome {
 OpenStudy openStudy(const StudyOptions& options, std::string& device_name) {
     const TraceDevice device(options.device);
     device_name = device.name();
-    OpenStudy study{TraceScene(device, options.scene, options.held), {}};
+    OpenStudy study{TraceScene(device, options.scene, options.scene_options), {}};
     study.rules.sides = options.sides ? *options.sides : sidesOf(options.scene);
     study.rules.up = options.up ? *options.up : scanUp(options.scene.front());
     if (!options.points.empty()) study.rules.radius = medianRadius(options.scene);
@@ -47,11 +47,11 @@ void runBlocks(const StudyOptions& options, const OpenStudy& study, StudyWork& w
     std::vector<std::vector<std::byte>> values(work.results.size());
     while (timed(outcome.seconds.read, [&] { return source.next(block); })) {
         const std::size_t count = block.points.count();
-        const auto tell = [&](double share) {
+        const auto report_progress = [&](double share) {
             progress.update((static_cast<double>(outcome.points) + share * static_cast<double>(count)) / all);
         };
-        outcome.rays +=
-            timed(outcome.seconds.cast, [&] { return work.block(study, block.rows(), count, values, tell); });
+        outcome.rays += timed(outcome.seconds.cast,
+                              [&] { return work.block(study, block.rows(), count, values, report_progress); });
         for (std::vector<std::byte>& each : values) block.points.columns.push_back(std::move(each));
         timed(outcome.seconds.write, [&] { sink.add(block.points); });
         outcome.points += count;
@@ -76,7 +76,7 @@ void report(const StudyOptions& options, const StudyWork& work, const Outcome& o
 }
 
 void runInto(const StudyOptions& options, StudyWork& work, Outcome& outcome) {
-    pointFormat(options.output); // before anything takes time
+    pointFormat(options.output); // fails early on an unknown suffix
     if (!options.stats.empty()) requireReportWritable(options.stats);
     OpenStudy study = timed(outcome.seconds.open, [&] { return openStudy(options, outcome.device); });
     outcome.splats = study.scene.splatCount();
@@ -98,7 +98,7 @@ void runStudy(const StudyOptions& options, StudyWork& work) {
     report(options, work, outcome);
 }
 
-void sayLine(const StudyOptions& options, const std::string& line) {
+void printNote(const StudyOptions& options, const std::string& line) {
     if (!options.quiet) std::fprintf(stderr, "%s\n", line.c_str());
 }
 

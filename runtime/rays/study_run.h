@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A study from its scene to its output: blocks of points in, results beside their columns out.
+// Runs a study: reads points block by block and writes them with the results as further columns.
 #pragma once
 
 #include <functional>
@@ -22,28 +22,27 @@ struct OpenStudy {
     StudyRules rules;
 };
 
-/// Share of the block's work that is done, in [0, 1].
-using TellShare = std::function<void(double)>;
+/// Called with the share of the block's work that is done, in [0, 1].
+using ReportProgress = std::function<void(double)>;
 
-/// What a study does.
+/// The parts of a study that differ between commands.
 struct StudyWork {
-    std::vector<PointColumn> results; ///< of each point, in order
-    /// Called once before the first block. May change the rules. What is said there comes before all progress.
+    std::vector<PointColumn> results; ///< columns that it adds, in order
+    /// Called once before the first block and before any progress is shown. May change the rules.
     std::function<void(OpenStudy&)> begin;
-    /// The results' values for a block's points, a row each, in place of what values hold. Returns the rays cast.
+    /// Overwrites values, one array per result, with a row for each point of a block. Returns the number of rays cast.
     std::function<std::uint64_t(const OpenStudy&, const StudyPoints&, std::size_t count,
-                                std::vector<std::vector<std::byte>>& values, const TellShare&)>
+                                std::vector<std::vector<std::byte>>& values, const ReportProgress&)>
         block;
-    /// For the report: "instants" and such.
+    /// Further numbers of the report, such as "instants".
     std::vector<std::pair<std::string, std::uint64_t>> counts;
 };
 
-/// Memory does not grow with the number of the scene's points, but for 4 bytes of each of the largest file or tile.
-/// Throws Error with one line;
-/// then no output is there that was not.
+/// Memory does not grow with the number of points, but for 4 bytes a point of the largest file or tile. Throws Error
+/// with one line, and then leaves no new output file.
 void runStudy(const StudyOptions& options, StudyWork& work);
 
-/// Says a line on standard error, unless quiet.
-void sayLine(const StudyOptions& options, const std::string& line);
+/// Prints a line to standard error unless options.quiet.
+void printNote(const StudyOptions& options, const std::string& line);
 
 } // namespace pointrt

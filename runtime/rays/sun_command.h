@@ -9,7 +9,7 @@ namespace pointrt {
 /// @param argv from "sun" on
 int sunCommand(int argc, const char* const* argv);
 
-/// What --help says, as data.
+/// The text of --help, as data.
 CommandText sunText();
 
 } // namespace pointrt

@@ -13,14 +13,14 @@ namespace pointrt {
 namespace {
 
 constexpr const char* kName = "pointrt-rays viewshed";
-constexpr const char* kAbout = "Which points of a scan observers see, and how many observers see each.";
+constexpr const char* kAbout = "Computes which points observers see, and how many observers see each.";
 constexpr const char* kExamples =
     "  pointrt-rays viewshed site.pro --from 2600010,1200020,480 -o seen.laz\n"
     "  pointrt-rays viewshed site.pro --from 10,20,0 --from 40,25,0 --height 1.7 --radius 500 -o seen.ply\n";
 constexpr const char* kNotes =
-    "Columns: seen_by (how many observers see a point), and observer_0, observer_1 ... (1 where that one does).\n"
-    "Lines of sight end at the observer: one within a wall, or in the ground, sees nothing; --height lifts it.";
-/// Columns that LAS, whose list of extra bytes has 65,535 bytes of 192 each, takes beside a scan's own.
+    "Columns: seen_by (number of observers that see the point), and observer_0, observer_1 ... (1 if that observer\n"
+    "does). An observer inside a wall or below the ground sees nothing; raise it with --height.";
+/// LAS describes extra bytes in a record of 65,535 bytes, 192 for each column: 341 columns, some of them the scan's.
 constexpr std::size_t kMostObservers = 255;
 
 struct ViewshedOptions : StudyOptions {
@@ -29,14 +29,15 @@ struct ViewshedOptions : StudyOptions {
 };
 
 void addOptions(CommandLine& app, ViewshedOptions& options) {
-    constexpr double kFarthest = 1e30; // as coordinates of .pro files
+    constexpr double kFarthest = 1e30; // the limit of coordinates in .pro files
     addStudyOptions(app, options);
     addValue(
-        app, "--from", "X,Y,Z", "An observer, in the scan's coordinates; several of them are numbered from 0",
+        app, "--from", "X,Y,Z",
+        "Position of an observer in the scan's coordinates; repeat it for more, numbered from 0",
         [&](const std::string& text) { options.from.push_back(parseTriple(text)); }, true, true);
-    addValue(app, "--height", "H", "Observers are that far up of where --from says (0)",
+    addValue(app, "--height", "H", "Height of observers above --from, in the scan's unit (default 0)",
              [&](const std::string& text) { options.height = parseReal(text, -kFarthest, kFarthest); });
-    addValue(app, "--radius", "R", "Nothing farther from an observer is seen (inf)",
+    addValue(app, "--radius", "R", "Maximum viewing distance, in the scan's unit (default inf)",
              [&](const std::string& text) { options.radius = parseRealAbove(text, 0, kFarthest); });
     addDeviceAndReport(app, options);
     addCommonOptions(app, POINTRT_VERSION, kWrongInput, kExamples, kNotes);
@@ -45,8 +46,8 @@ void addOptions(CommandLine& app, ViewshedOptions& options) {
 void checkOptions(const ViewshedOptions& options) {
     checkStudyOptions(options);
     if (options.from.size() > kMostObservers)
-        throw Error(ExitCode::kBadUsage, "--from: there are " + std::to_string(options.from.size()) +
-                                             " observers, where 255 is the most at once");
+        throw Error(ExitCode::kBadUsage,
+                    "--from: " + std::to_string(options.from.size()) + " observers, at most 255 are possible");
 }
 
 std::vector<PointColumn> resultColumns(std::size_t observers) {
@@ -55,12 +56,11 @@ std::vector<PointColumn> resultColumns(std::size_t observers) {
     return columns;
 }
 
-/// Points that each observer sees.
-void sayWhat(const ViewshedOptions& options, const std::vector<std::uint64_t>& seen, std::uint64_t points) {
+void printSummary(const ViewshedOptions& options, const std::vector<std::uint64_t>& seen, std::uint64_t points) {
     for (std::size_t k = 0; k < seen.size(); ++k)
-        sayLine(options, "viewshed: observer " + std::to_string(k) + " sees " + std::to_string(seen[k]) + " of " +
-                             std::to_string(points) + " points" +
-                             (seen[k] == 0 ? ": it may stand within something, --height lifts it" : ""));
+        printNote(options, "viewshed: observer " + std::to_string(k) + " sees " + std::to_string(seen[k]) + " of " +
+                               std::to_string(points) + " points" +
+                               (seen[k] == 0 ? ": it may be inside an object; raise it with --height" : ""));
 }
 
 void runViewshed(const ViewshedOptions& options) {
@@ -76,7 +76,7 @@ void runViewshed(const ViewshedOptions& options) {
         }
     };
     work.block = [&](const OpenStudy& study, const StudyPoints& points, std::size_t count,
-                     std::vector<std::vector<std::byte>>& values, const TellShare& tell) {
+                     std::vector<std::vector<std::byte>>& values, const ReportProgress& report) {
         std::uint64_t rays = 0;
         for (std::vector<std::byte>& column : values) column.assign(count, std::byte{0});
         const std::span<std::uint8_t> sums = numbersIn<std::uint8_t>(values[0]);
@@ -87,13 +87,13 @@ void runViewshed(const ViewshedOptions& options) {
                 sums[i] = static_cast<std::uint8_t>(sums[i] + visible[i]);
                 seen[k] += visible[i];
             }
-            tell(static_cast<double>(k + 1) / static_cast<double>(observers.size()));
+            report(static_cast<double>(k + 1) / static_cast<double>(observers.size()));
         }
         points_done += count;
         return rays;
     };
     runStudy(options, work);
-    sayWhat(options, seen, points_done);
+    printSummary(options, seen, points_done);
 }
 
 } // namespace

@@ -9,7 +9,7 @@ namespace pointrt {
 /// @param argv from "viewshed" on
 int viewshedCommand(int argc, const char* const* argv);
 
-/// What --help says, as data.
+/// The text of --help, as data.
 CommandText viewshedText();
 
 } // namespace pointrt

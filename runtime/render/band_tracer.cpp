@@ -4,21 +4,22 @@
 #include <utility>
 
 #include "runtime/render/frame_params.h"
+#include "runtime/render/instance_culling.h"
 #include "runtime/render/map_schedule.h"
 #include "runtime/render/sample_recorder.h"
-#include "runtime/render/sieves.h"
 #include "runtime/util/on_error.h"
 
 namespace pointrt {
 namespace {
 
 void bind(Device& device, BandTracer& tracer) {
-    tracer.targets = bindTargets(device, tracer.programs, *tracer.scene, tracer.buffers, shownMap(tracer.caustics));
+    tracer.instances =
+        bindTracedInstances(device, tracer.programs, *tracer.scene, tracer.buffers, shownMap(tracer.caustics));
 }
 
-/// A step on to the later map of that number, in place of the one there is, so that there are never three. True where
-/// it is bound.
-bool traceLater(Device& device, BandTracer& tracer, std::uint32_t number) {
+/// Works on the later map of that number, which replaces the current later map, so that at most two are in memory. True
+/// once it is bound.
+bool traceLaterMap(Device& device, BandTracer& tracer, std::uint32_t number) {
     CausticMaps& maps = tracer.caustics;
     if (!maps.job || maps.job->map() != number) {
         maps.job.reset();
@@ -45,7 +46,7 @@ void createBandTracer(Device& device, BandTracer& tracer, const DeviceScene& sce
     tracer.scene = &scene;
     tracer.shadows = settings.shadows;
     const OnError undo([&] { destroyBandTracer(device, tracer); });
-    tracer.buffers = createFrameBuffers(device, lanes, film_pixels, maySift(scene));
+    tracer.buffers = createFrameBuffers(device, lanes, film_pixels, mayCull(scene));
     tracer.programs = createPrograms(device, scene, settings, form);
     tracer.caustics.first = emptyCaustics(device);
     bind(device, tracer);
@@ -53,20 +54,20 @@ void createBandTracer(Device& device, BandTracer& tracer, const DeviceScene& sce
 
 void destroyBandTracer(Device& device, BandTracer& tracer) {
     destroyPrograms(device, tracer.programs);
-    destroyTargets(device, tracer.targets);
+    destroyTracedInstances(device, tracer.instances);
     destroyFrameBuffers(device, tracer.buffers);
     destroyCaustics(device, tracer.caustics);
     tracer.scene = nullptr;
 }
 
-bool wantsPhotons(const DeviceScene& scene, const RenderSettings& settings) {
-    return castsCaustics(scene) && showsLight(settings.integrator);
+bool needsPhotons(const DeviceScene& scene, const RenderSettings& settings) {
+    return castsCaustics(scene) && usesLights(settings.integrator);
 }
 
-void castPhotons(Device& device, BandTracer& tracer, const RenderSettings& settings) {
+void tracePhotons(Device& device, BandTracer& tracer, const RenderSettings& settings) {
     CausticMaps maps;
     maps.seed = settings.seed;
-    if (wantsPhotons(*tracer.scene, settings)) {
+    if (needsPhotons(*tracer.scene, settings)) {
         CausticJob job(device, *tracer.scene, tracer.programs, {kPhotons, 0, maps.seed});
         while (job.step()) {
         }
@@ -79,19 +80,19 @@ void castPhotons(Device& device, BandTracer& tracer, const RenderSettings& setti
     rebind(device, tracer);
 }
 
-bool showPhotons(Device& device, BandTracer& tracer, std::uint32_t sample, std::uint64_t pixels) {
+bool usePhotonMap(Device& device, BandTracer& tracer, std::uint32_t sample, std::uint64_t pixels) {
     CausticMaps& maps = tracer.caustics;
     const std::uint32_t wanted = mapOfSample(sample, pixels);
     const bool later = wanted > 0 && maps.first.frame.count.x > 0;
     if (later && maps.later_number != wanted) {
         const HostSpan span(tracer.profile, "caustics");
-        return traceLater(device, tracer, wanted);
+        return traceLaterMap(device, tracer, wanted);
     }
     if (std::exchange(maps.shows_later, later) != later) rebind(device, tracer);
     return true;
 }
 
-void forgetPhotons(BandTracer& tracer) {
+void dropPhotons(BandTracer& tracer) {
     CausticMaps& maps = tracer.caustics;
     maps.first.frame.count.x = 0;
     maps.shows_later = false;
@@ -105,12 +106,12 @@ void resizeFilm(Device& device, BandTracer& tracer, std::uint64_t film_pixels) {
 }
 
 void rebind(Device& device, BandTracer& tracer) {
-    destroyTargets(device, tracer.targets);
+    destroyTracedInstances(device, tracer.instances);
     bind(device, tracer);
 }
 
 std::uint64_t deviceBytes(const BandTracer& tracer) {
-    return tracer.buffers.device_bytes + tracer.targets.sieves.size() * sizeof(gpu::Sieve) +
+    return tracer.buffers.device_bytes + tracer.instances.cull_groups.size() * sizeof(gpu::CullBoxes) +
            deviceBytes(tracer.caustics);
 }
 
@@ -124,35 +125,36 @@ void openBand(Device& device, BandTracer& tracer, const RenderSettings& settings
     uploadBuffer(device, tracer.buffers.params, &params, sizeof params);
 }
 
-BandSample openPlaces(Device& device, BandTracer& tracer, const RenderSettings& settings, const Camera& camera,
-                      std::uint32_t count, FilmPlace film) {
-    const std::uint32_t rows = (count + kPlacesRow - 1) / kPlacesRow;
+BandSample openPixelList(Device& device, BandTracer& tracer, const RenderSettings& settings, const Camera& camera,
+                         std::uint32_t count, FilmPlace film) {
+    const std::uint32_t rows = (count + kPixelListWidth - 1) / kPixelListWidth;
     gpu::FrameParams params = makeFrameParams(*tracer.scene, settings, camera, 0, rows);
-    params.width = kPlacesRow;
+    params.width = kPixelListWidth;
     params.film_pixels = film.pixels;
     params.film_first = film.first_pixel;
     params.caustics = shownMap(tracer.caustics).frame;
     uploadBuffer(device, tracer.buffers.params, &params, sizeof params);
-    BandSample sample{kPlacesRow, rows, 0, true};
-    sample.first_hits = sample.at_places = true;
+    BandSample sample{kPixelListWidth, rows, 0, true};
+    sample.first_hits = sample.at_listed_pixels = true;
     return sample;
 }
 
-void traceOn(Device& device, const BandTracer& tracer, BandSample& sample, std::uint32_t passes, RayCounts& counts) {
+void tracePasses(Device& device, const BandTracer& tracer, BandSample& sample, std::uint32_t passes,
+                 RayCounts& counts) {
     PassCommands commands(device, tracer.buffers.control, tilesOf(sample.width, sample.rows), tracer.profile);
     SampleRecorder recorder(commands, tracer, sample);
     if (sample.pass == 0) {
-        if ((sample.first_hits && !sample.at_places) || sample.only_first_hits) recorder.firstHits();
+        if ((sample.first_hits && !sample.at_listed_pixels) || sample.only_first_hits) recorder.firstHits();
         if (!sample.only_first_hits) recorder.begin();
         sample.pass = 1;
     }
-    if (!sample.only_first_hits && tracer.programs.rays_go_on)
+    if (!sample.only_first_hits && tracer.programs.has_secondary_rays)
         for (std::uint32_t i = 0; i < passes; ++i) recorder.pass(sample.pass++);
     const gpu::Control control = commands.finish();
-    // rays that had to wait, where surfaces reflect and refract, take more passes than a path has bounces
+    // deferred rays of surfaces that reflect and refract take more passes than a path has bounces
     sample.done = control.queued[0] + control.queued[1] == 0;
     if (!sample.done) return;
-    // they are 32 bits wide on the device and start at 0 with each sample
+    // 32-bit counters on the device, reset for each sample
     counts.primary += control.primary_rays;
     counts.shadow += control.shadow_rays;
     counts.secondary += control.secondary_rays;

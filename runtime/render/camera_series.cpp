@@ -34,16 +34,16 @@ CameraSeries::CameraSeries(Device& device, LoadedScene& loaded, std::uint64_t me
     request_.form = loaded.tracer.programs.form;
 }
 
-/// A tracer with the room that the settings' size takes, for all sizes that there were.
+/// Grows the tracer to the size of the settings, keeping room for all earlier sizes.
 void CameraSeries::makeRoom() {
     const TracerSize wanted = roomFor(device_, loaded_.settings);
     if (wanted.lanes <= room_.lanes && wanted.film_pixels <= room_.film_pixels) return;
     const TracerSize both{std::max(wanted.lanes, room_.lanes), std::max(wanted.film_pixels, room_.film_pixels)};
-    room_ = {}; // until there is one
+    room_ = {}; // in case of an exception
     destroyBandTracer(device_, loaded_.tracer);
     createBandTracer(device_, loaded_.tracer, loaded_.scene, loaded_.settings, both.lanes, both.film_pixels,
                      request_.form);
-    castPhotons(device_, loaded_.tracer, loaded_.settings);
+    tracePhotons(device_, loaded_.tracer, loaded_.settings);
     room_ = both;
 }
 
@@ -57,8 +57,8 @@ void CameraSeries::aim(const SeriesShot& shot) {
     requireMemory(settings);
     makeRoom();
     if (loaded_.scene.sets.empty()) return;
-    standTilesAnew(device_, loaded_, request_);
-    if (wantsPhotons(loaded_.scene, settings)) castPhotons(device_, loaded_.tracer, settings);
+    reselectTiles(device_, loaded_, request_);
+    if (needsPhotons(loaded_.scene, settings)) tracePhotons(device_, loaded_.tracer, settings);
 }
 
 Film CameraSeries::render(const SeriesShot& shot, const FrameJob& job) {

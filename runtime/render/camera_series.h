@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene that is loaded once and rendered from one camera after another, at any sizes.
+// Renders a scene that is loaded once from a series of cameras, at any sizes.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace pointrt {
 
-/// A picture of a series, and what its film is to have.
+/// A picture of a series and the parts of its film.
 struct SeriesShot {
     Camera camera;
     PixelSize size;
@@ -18,20 +18,20 @@ struct SeriesShot {
 
 class CameraSeries {
 public:
-    /// loaded, whose tracer has room for its settings' size, must outlive it. device: for the calling thread.
-    /// memory: bytes for the tiles of its sets
+    /// loaded must outlive it, and have a tracer with room for its settings' size. device: for the calling thread.
+    /// memory: bytes for the tiles of its sets.
     CameraSeries(Device& device, LoadedScene& loaded, std::uint64_t memory);
     CameraSeries(const CameraSeries&) = delete;
     CameraSeries& operator=(const CameraSeries&) = delete;
 
-    /// The shot's film as loaded's settings and job say, the same to the bit as that of a scene that was loaded for
-    /// this shot, but for surroundings, which stay where they are. Where job.interrupted has ended it, state() tells.
-    /// Throws Error kCannotRun where there is not the memory for it, else as loadScene does.
+    /// Renders the shot with the settings of the loaded scene and job. Bit-identical to loading the scene for this
+    /// shot, except that surroundings stay in place. state() shows whether job.interrupted ended it. Throws Error
+    /// kCannotRun if memory is insufficient, and otherwise as loadScene does.
     Film render(const SeriesShot& shot, const FrameJob& job);
 
-    /// Of the last film.
+    /// State of the last film.
     const FrameState& state() const { return state_; }
-    /// Of the films since the last call.
+    /// Rays of the films since the last call.
     RayCounts takeRays() { return renderer_.takeRays(); }
 
 private:
@@ -40,8 +40,8 @@ private:
 
     Device& device_;
     LoadedScene& loaded_;
-    LoadRequest request_; ///< for tiles
-    TracerSize room_;     ///< of loaded's tracer
+    LoadRequest request_; ///< for the selection of tiles
+    TracerSize room_;     ///< capacity of the tracer
     ProgressiveRenderer renderer_;
     FrameState state_;
 };

@@ -13,7 +13,7 @@ namespace pointrt {
 
 struct CausticMap {
     Buffer photons, buckets;
-    Buffer traced; ///< where photons in flight are kept; as small as can be where none are
+    Buffer traced; ///< photons in flight; of minimal size if there are none
     gpu::CausticFrame frame{};
 };
 
@@ -22,7 +22,7 @@ CausticMap uploadCaustics(Device& device, PhotonMap map);
 CausticMap emptyCaustics(Device& device);
 void destroyCaustics(Device& device, CausticMap& map);
 
-/// At their places in shaders/lib/bindings.glsl.
+/// Bindings as in shaders/lib/bindings.glsl.
 std::vector<BufferBinding> causticBindings(const CausticMap& map);
 std::uint64_t deviceBytes(const CausticMap& map);
 

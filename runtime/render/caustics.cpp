@@ -13,23 +13,23 @@
 
 #include "runtime/render/frame_buffers.h"
 #include "runtime/render/frame_params.h"
+#include "runtime/render/instance_culling.h"
 #include "runtime/render/map_schedule.h"
 #include "runtime/render/photon_emission.h"
-#include "runtime/render/sieves.h"
-#include "runtime/render/targets.h"
+#include "runtime/render/traced_instances.h"
 #include "runtime/util/on_error.h"
 
 namespace pointrt {
 
 namespace {
 
-/// Photons in flight, as a band of pixels.
+/// Photons of a batch, traced as a band of pixels.
 constexpr std::uint32_t kBatchWidth = 512, kBatchRows = 256;
 constexpr std::uint32_t kBatch = kBatchWidth * kBatchRows;
-/// Mirrors and glass in a photon's way, at most: more than light keeps much of itself through.
+/// Most mirror and glass bounces of a photon; little light is left after these.
 constexpr std::uint32_t kPhotonBounces = 16;
-/// Each instance takes passes of its own for each batch: with more of them than this there are fewer photons, so that
-/// the time stays about the same.
+/// Each instance takes its own passes for each batch: scenes of more instances than this trace fewer photons, to keep
+/// the time about the same.
 constexpr std::size_t kInstancesForAll = 8;
 
 RenderSphere sphereAround(const RenderSpace& space, const Bounds& bounds) {
@@ -37,13 +37,13 @@ RenderSphere sphereAround(const RenderSpace& space, const Bounds& bounds) {
     return {0.5 * (lo + hi), 0.5 * length(hi - lo)};
 }
 
-/// With all that may stand in the sun's way, but endless planes.
+/// Bounds including all shapes that may block the sun, except infinite planes.
 Bounds boundsWithShapes(const DeviceScene& scene) {
     const std::optional<Bounds> shapes = boundsOfShapes(scene.description);
     return shapes ? joined(scene.bounds, *shapes) : scene.bounds;
 }
 
-/// Around the shape's unit form, by the inverse of its rows: a similarity but for unequal edges.
+/// A sphere around the shape; its transform is a similarity except for unequal edges.
 PhotonTarget shapeTarget(const DeviceScene& scene, std::size_t number) {
     const ShapeDescription& shape = scene.description.shapes[number];
     const bool round = shape.kind == ShapeKind::kSphere || shape.kind == ShapeKind::kDisc;
@@ -56,7 +56,7 @@ PhotonTarget shapeTarget(const DeviceScene& scene, std::size_t number) {
 
 std::vector<PhotonTarget> findTargets(const DeviceScene& scene) {
     std::vector<PhotonTarget> targets;
-    const std::vector<const DeviceScan*> scans = wholeScans(scene);
+    const std::vector<const DeviceScan*> scans = representativeScans(scene);
     const auto casts = [&](std::uint32_t number) {
         return std::any_of(scene.instances.begin(), scene.instances.end(),
                            [&](const Instance& each) { return each.number == number && each.params.materials.w != 0; });
@@ -78,7 +78,7 @@ public:
     PhotonTracer(Device& device, const DeviceScene& scene, const Programs& programs, std::uint32_t seed)
         : device_(device), scene_(scene), programs_(programs) {
         const OnError undo([&] { release(); });
-        buffers_ = createFrameBuffers(device, kBatch, kBatch, maySift(scene));
+        buffers_ = createFrameBuffers(device, kBatch, kBatch, mayCull(scene));
         map_ = emptyCaustics(device);
         destroyBuffer(device, map_.traced);
         map_.traced = createBuffer(device, "traced photon buffer", kBatch * sizeof(gpu::Photon),
@@ -89,7 +89,7 @@ public:
     PhotonTracer& operator=(const PhotonTracer&) = delete;
     ~PhotonTracer() { release(); }
 
-    /// Starts paths, at most kBatch and at least one, with numbers of the sampler that no other batch has.
+    /// Starts 1 to kBatch paths, with random numbers that no other batch uses.
     void begin(const std::vector<gpu::PathState>& paths, std::uint32_t batch) {
         batch_ = batch;
         pass_ = 1;
@@ -106,8 +106,8 @@ public:
         uploadBuffer(device_, buffers_.control, &control, sizeof control);
     }
 
-    /// On to the next hits, by itself: a window that shares the queue goes on between them. False where no photon of
-    /// the batch is under way any more.
+    /// Traces to the next hits, in a submission of its own, so that a window sharing the queue can draw in between.
+    /// False once no photon of the batch is in flight.
     bool pass() {
         PassCommands commands(device_, buffers_.control, kBatch / TILE_PIXELS, nullptr);
         record(commands, pass_++);
@@ -115,23 +115,23 @@ public:
         return pass_ <= kPhotonBounces + 1 && control.queued[0] + control.queued[1] > 0;
     }
 
-    /// Appends what is left of the batch.
-    void keep(std::vector<gpu::Photon>& kept) const {
+    /// Appends the stored photons of the batch.
+    void collect(std::vector<gpu::Photon>& stored) const {
         std::vector<gpu::Photon> traced(count_);
         downloadBuffer(device_, map_.traced, traced.data(), traced.size() * sizeof traced[0]);
-        std::copy_if(traced.begin(), traced.end(), std::back_inserter(kept),
+        std::copy_if(traced.begin(), traced.end(), std::back_inserter(stored),
                      [](const gpu::Photon& photon) { return photon.flux.w > 0; });
     }
 
 private:
     void release() {
-        destroyTargets(device_, targets_);
+        destroyTracedInstances(device_, instances_);
         destroyFrameBuffers(device_, buffers_);
         destroyCaustics(device_, map_);
     }
 
     void bindAll(std::uint32_t seed) {
-        targets_ = bindTargets(device_, programs_, scene_, buffers_, map_);
+        instances_ = bindTracedInstances(device_, programs_, scene_, buffers_, map_);
         gpu::FrameParams params{};
         params.width = kBatchWidth;
         params.height = params.rows = kBatchRows;
@@ -141,38 +141,38 @@ private:
         params.integrator = static_cast<std::uint32_t>(Integrator::kPath);
         params.bounces = kPhotonBounces;
         params.seed = seed;
-        setReach(scene_, params);
+        setInstanceBounds(scene_, params);
         uploadBuffer(device_, buffers_.params, &params, sizeof params);
     }
 
     void record(PassCommands& commands, std::uint32_t pass) {
-        const gpu::PushParams push{batch_, 0, pass % 2 ? STEP_QUEUE_ONE : 0u, LIST_ASKED};
+        const gpu::PushParams push{batch_, 0, pass % 2 ? STEP_QUEUE_ONE : 0u, LIST_INSTANCE_RAYS};
         const PassLanes queue = pass % 2 ? PassLanes::kQueueOne : PassLanes::kQueueZero;
         const auto prepare = [&](std::uint32_t bits) {
             gpu::PushParams step = push;
             step.step |= bits;
-            commands.run({programs_.prepare, targets_.sets, pushBytes(step), PassLanes::kOne, 1});
+            commands.run({programs_.prepare, instances_.sets, pushBytes(step), PassLanes::kOne, 1});
         };
-        commands.run({programs_.queued.trace_shapes, targets_.sets, pushBytes(push), queue});
+        commands.run({programs_.queued.intersect_shapes, instances_.sets, pushBytes(push), queue});
         prepare(STEP_LIST);
-        const AskedList asked{LIST_ASKED, &SievePrograms::asked, push};
-        askTargets(commands, programs_, targets_, asked, [&](const TracerTarget& target, std::uint32_t list) {
+        const InstanceRayList rays{LIST_INSTANCE_RAYS, &CullPrograms::closest, push};
+        intersectInstances(commands, programs_, instances_, rays, [&](const TracedInstance& each, std::uint32_t list) {
             gpu::PushParams of_list = push;
             of_list.list = list;
-            commands.run({target.programs->trace, target.sets, pushBytes(of_list), PassLanes::kList, 0, list});
+            commands.run({each.programs->intersect_closest, each.sets, pushBytes(of_list), PassLanes::kList, 0, list});
             prepare(STEP_HITS);
-            commands.run({target.programs->surface, target.sets, pushBytes(push), PassLanes::kHits});
+            commands.run({each.programs->surface, each.sets, pushBytes(push), PassLanes::kHits});
         });
-        commands.run({programs_.photon, targets_.sets, pushBytes(push), queue});
+        commands.run({programs_.photon, instances_.sets, pushBytes(push), queue});
         prepare(0);
     }
 
     Device& device_;
     const DeviceScene& scene_;
     const Programs& programs_;
-    CausticMap map_; ///< without photons but those in flight
+    CausticMap map_; ///< empty but for the photons in flight
     FrameBuffers buffers_;
-    Targets targets_;
+    TracedInstances instances_;
     std::uint32_t batch_ = 0, pass_ = 0, count_ = 0;
 };
 
@@ -196,11 +196,11 @@ struct CausticJob::State {
     CausticOrder order;
     double scene_radius;
     PhotonEmission emission;
-    std::optional<PhotonTracer> tracer; ///< until all photons are traced
-    std::uint32_t batch = 0;            ///< the next one, of all maps' batches
+    std::optional<PhotonTracer> tracer; ///< until all photons have been traced
+    std::uint32_t batch = 0;            ///< the next one, numbered over all maps
     bool in_flight = false;
-    std::vector<gpu::Photon> kept;
-    std::future<PhotonMap> sorted; ///< by a thread of its own, as that takes a while
+    std::vector<gpu::Photon> stored;
+    std::future<PhotonMap> sorted; ///< on its own thread: sorting takes a while
 };
 
 CausticJob::CausticJob(Device& device, const DeviceScene& scene, const Programs& programs, const CausticOrder& order)
@@ -220,7 +220,7 @@ bool CausticJob::step() {
     if (state.sorted.valid()) return state.sorted.wait_for(kStep) != std::future_status::ready;
     if (state.in_flight) {
         state.in_flight = state.tracer->pass();
-        if (!state.in_flight) state.tracer->keep(state.kept);
+        if (!state.in_flight) state.tracer->collect(state.stored);
         return true;
     }
     const std::vector<gpu::PathState> paths = state.emission.next(kBatch);
@@ -231,7 +231,7 @@ bool CausticJob::step() {
     }
     state.tracer.reset();
     state.sorted = std::async(std::launch::async, [&state] {
-        return sortPhotons(std::move(state.kept), state.scene_radius,
+        return sortPhotons(std::move(state.stored), state.scene_radius,
                            {state.order.finest, discShrink(state.order.map)});
     });
     return true;

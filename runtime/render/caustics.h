@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Caustics: photons traced from the lights by way of mirrors and glass, kept where they meet what scatters light. A
-// picture's samples show one map of them after another (runtime/render/map_schedule.h), which are traced as they come
-// to be needed, in steps.
+// Caustics: photons traced from the lights through mirrors and glass, stored where they hit a surface that scatters
+// light. The samples of a picture use a sequence of photon maps (runtime/render/map_schedule.h), which are traced on
+// demand, in steps.
 #pragma once
 
 #include <cstdint>
@@ -13,29 +13,29 @@
 
 namespace pointrt {
 
-/// Photons that set out for a map: what two cores trace in half a second to a second.
+/// Photons emitted for a map: two cores trace them in half a second to a second.
 constexpr std::uint32_t kPhotons = 1u << 20;
 
-/// Which map is to be traced.
+/// The map to trace.
 struct CausticOrder {
-    std::uint32_t count = kPhotons; ///< of photons, about; scenes of many instances get fewer
+    std::uint32_t count = kPhotons; ///< approximate number of photons; scenes of many instances get fewer
     std::uint32_t map = 0, seed = 0;
     double finest = 0; ///< PhotonDiscs::finest
 };
 
-/// A map under way. It depends on the scene and the order alone: camera and image do not matter.
+/// A map being traced. It depends only on the scene and the order, not on camera or image.
 class CausticJob {
 public:
-    /// device, scene and programs must outlive it, and not change.
+    /// device, scene and programs must outlive it unchanged.
     CausticJob(Device& device, const DeviceScene& scene, const Programs& programs, const CausticOrder& order);
     ~CausticJob();
     CausticJob(const CausticJob&) = delete;
     CausticJob& operator=(const CausticJob&) = delete;
 
     std::uint32_t map() const;
-    /// Some 10 ms of work; false where the map is there.
+    /// Does some 10 ms of work; false once the map is complete.
     bool step();
-    /// The map, once: after the last step.
+    /// The map; call once, after the last step.
     CausticMap take(double& finest);
 
 private:
@@ -45,13 +45,13 @@ private:
 
 /// The maps of a scene.
 struct CausticMaps {
-    CausticMap first;               ///< that every picture begins with
-    CausticMap later;               ///< one of those that follow
-    std::uint32_t later_number = 0; ///< 0: there is none
+    CausticMap first;               ///< for the first samples of every picture
+    CausticMap later;               ///< a later one
+    std::uint32_t later_number = 0; ///< 0: none
     bool shows_later = false;
-    std::uint32_t seed = 0;          ///< of first, and so of all
-    double finest = 0;               ///< likewise, CausticOrder::finest
-    std::unique_ptr<CausticJob> job; ///< a later one, where one is under way
+    std::uint32_t seed = 0;          ///< of all maps
+    double finest = 0;               ///< of all maps, CausticOrder::finest
+    std::unique_ptr<CausticJob> job; ///< a later map being traced, or null
 };
 
 const CausticMap& shownMap(const CausticMaps& maps);

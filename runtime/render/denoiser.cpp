@@ -17,12 +17,12 @@ constexpr VkFormat kTwoFloats = VK_FORMAT_R32G32_SFLOAT;
 constexpr std::uint64_t kPixelBytes = 4 * sizeof(float);
 constexpr std::uint32_t kLevels = kDenoiseLevels, kLevelSteps = kDenoiseSteps - kLevels;
 constexpr std::uint32_t kGroupWidth = 16, kGroupHeight = 8; // local_size of the shaders
-/// A picture's under the default 40 degrees, 2 tan(20 degrees).
+/// Height of a picture at distance 1 with the default field of view of 40 degrees: 2 tan(20 degrees).
 constexpr float kPictureAngle = 0.728f;
 
 struct Push {
     std::int32_t size[4]; ///< width, height, pixels between taps
-    float angles[4];      ///< of a pixel, radians
+    float angles[4];      ///< angle of a pixel, radians
 };
 struct SizePush {
     std::int32_t size[4];
@@ -125,7 +125,7 @@ void recordDenoiseStep(VkCommandBuffer commands, const Denoiser& d, std::uint32_
     if (step == 0) recordDispatch(commands, d.prepare, d.prepare_set, pushBytes(size), groupsOf(d));
     if (step == 1) recordDispatch(commands, d.clean, d.clean_set, pushBytes(size), groupsOf(d));
     if (step == 2) recordDispatch(commands, d.variance, d.variance_set, pushBytes(push), groupsOf(d));
-    if (step >= kLevelSteps) { // level i works on light[1] when i is even; the variance pass leaves its result there
+    if (step >= kLevelSteps) { // level i reads light[1] if i is even; the variance pass writes light[1]
         const std::uint32_t i = step - kLevelSteps;
         const bool last = i == kLevels - 1;
         push.size[2] = 1 << i;

@@ -35,7 +35,7 @@ std::uint32_t numberOf(const std::string& path, const ExrPicture& picture, const
     return number;
 }
 
-/// The planes of T's type.
+/// The planes of type T.
 template <typename T>
 const auto& planesOf(const ExrPicture& picture) {
     if constexpr (std::is_same_v<T, float>)
@@ -44,7 +44,7 @@ const auto& planesOf(const ExrPicture& picture) {
         return picture.words;
 }
 
-/// Interleaves a part's planes; leaves values empty where the file has none of them.
+/// Interleaves the planes of a part; leaves values empty if the file has none of them.
 template <typename T>
 void readPart(const std::string& path, const ExrPicture& picture, const FilmPart& part, std::vector<T>& values) {
     const auto& planes = planesOf<T>(picture);

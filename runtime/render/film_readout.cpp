@@ -18,12 +18,13 @@ namespace pointrt {
 
 namespace {
 
-constexpr std::size_t kPixelsAtOnce = 1 << 16; ///< of a thread: a millisecond's work, starting one takes a tenth
+constexpr std::size_t kPixelsAtOnce =
+    1 << 16; ///< per thread: a millisecond of work; starting a thread takes a tenth of that
 
 std::size_t firstPixel(Band band, const Film& film) { return std::size_t{band.first_row} * film.width; }
 std::size_t pixelCount(Band band, const Film& film) { return std::size_t{band.rows} * film.width; }
 
-/// buffer's vectors where the host can read them: in place, or in copy.
+/// The vectors of buffer in host-readable memory: in place if mapped, else in copy.
 const gpu::vec4* readVectors(Device& device, const Buffer& buffer, std::size_t count, std::vector<gpu::vec4>& copy) {
     if (buffer.mapped) return static_cast<const gpu::vec4*>(buffer.mapped);
     copy.resize(count);
@@ -31,22 +32,22 @@ const gpu::vec4* readVectors(Device& device, const Buffer& buffer, std::size_t c
     return copy.data();
 }
 
-/// Of the mean of samples with this sum and this sum of squares.
+/// Variance of the mean of samples with this sum and this sum of squares.
 float varianceOfMean(double sum, double squares, double samples) {
     if (samples < 2) return std::numeric_limits<float>::infinity();
     const double mean = sum / samples;
     return static_cast<float>(std::max(squares / samples - mean * mean, 0.0) / (samples - 1));
 }
 
-/// What the device knows of a pixel's light: sums over samples.
+/// The film of a pixel on the device: sums over samples.
 struct PixelLight {
     gpu::vec4 layers[FILM_LAYERS];
-    gpu::vec4 sum; ///< of the light's parts; w: of the share covered
+    gpu::vec4 sum; ///< total light; w: coverage
     std::uint32_t samples;
-    float share; ///< of one of them
+    float share; ///< 1 / samples
 };
 
-/// What its centre ray has hit.
+/// The first hit of a pixel's centre ray.
 struct PixelHit {
     gpu::vec4 surface;                  ///< normal and t
     std::array<std::uint32_t, 4> words; ///< HIT_*
@@ -62,7 +63,7 @@ void storeMean(const gpu::vec4& sum, float share, float* rgb) {
 
 gpu::vec4 restored(const float* rgb, float sum) { return {rgb[0] * sum, rgb[1] * sum, rgb[2] * sum, 0}; }
 
-// The sources that rows of FILM_PARTS name: each stores its values from a pixel's light, or from what it has hit.
+// The sources named in FILM_PARTS: each stores its values from a pixel's light or from its first hit.
 
 struct Beauty {
     static void store(const PixelLight& pixel, float* rgba) {
@@ -71,7 +72,7 @@ struct Beauty {
     }
 };
 
-/// A layer of the film on the device, which can be restored.
+/// The mean of a film layer; can be restored to a sum.
 template <std::uint32_t kLayer>
 struct Mean {
     static constexpr std::uint32_t layer = kLayer;
@@ -84,7 +85,7 @@ struct Samples {
 
 struct Variance {
     static void store(const PixelLight& pixel, float* variance) {
-        // the last sample is not squared yet
+        // the last sample is not in the sum of squares yet
         const float last = pixel.layers[LAYER_INDIRECT].w;
         const double squares = double{pixel.layers[LAYER_CAUSTIC].w} + double{last} * last;
         *variance = varianceOfMean(luminance(pixel.sum.x, pixel.sum.y, pixel.sum.z), squares, pixel.samples);
@@ -111,7 +112,7 @@ struct Position {
     }
 };
 
-/// One of the words of a first hit.
+/// A word of a first hit.
 template <std::uint32_t kWord>
 struct HitWord {
     static void store(const PixelHit& pixel, std::uint32_t* word) { *word = pixel.words[kWord]; }
@@ -145,7 +146,7 @@ concept StoresHit = requires(const PixelHit& pixel, Value* values) {
     Source::store(pixel, values);
 };
 
-/// Stores a pixel's values of an array, where the film has it and they come from such a pixel.
+/// Stores a pixel's values in an array, if the film has it and its source takes this kind of pixel.
 template <typename Source, std::size_t kValues, typename Pixel, typename Value>
 void storeValues(const Pixel& pixel, std::size_t at, std::vector<Value>& values) {
     static_assert(StoresLight<Source, Value> != StoresHit<Source, Value>, "a source stores one or the other");
@@ -161,7 +162,7 @@ void storePixel(const Pixel& pixel, std::size_t at, Film& film) {
 #undef POINTRT_STORE
 }
 
-/// Where it is a mean: sums of its layer as the film has them.
+/// Restores the sums of a layer, if the source is a mean.
 template <typename Source>
 void restoreValues(std::size_t at, const std::vector<float>& values, float samples, PixelLight& pixel) {
     if constexpr (requires { Source::layer; }) pixel.layers[Source::layer] = restored(values.data() + 3 * at, samples);
@@ -169,7 +170,7 @@ void restoreValues(std::size_t at, const std::vector<float>& values, float sampl
 template <typename Source>
 void restoreValues(std::size_t, const std::vector<std::uint32_t>&, float, PixelLight&) {}
 
-/// The pixel's sums over that many samples.
+/// The sums of a pixel over that many samples.
 PixelLight restoredPixel(const Film& film, std::size_t at, std::uint32_t samples) {
     PixelLight pixel{};
     const auto sum = static_cast<float>(samples);
@@ -233,7 +234,7 @@ void storeLight(Device& device, const FrameBuffers& buffers, const BandRows& row
 }
 
 void restoreLight(Device& device, FrameBuffers& buffers, Band band, std::uint32_t samples, const Film& film) {
-    if (film.direct.empty()) throw std::logic_error("film: there are no parts of the light to go on from");
+    if (film.direct.empty()) throw std::logic_error("film: lacks the light parts needed to resume");
     const std::size_t pixels = pixelCount(band, film), first = firstPixel(band, film);
     std::vector<gpu::vec4> layers(FILM_LAYERS * pixels);
     for (std::size_t i = 0; i < pixels; ++i) {

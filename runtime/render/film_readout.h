@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Between the film on the device, in sums, and the Film of the host, in means.
+// Conversion between the film on the device (sums) and the Film on the host (means).
 #pragma once
 
 #include <cstdint>
@@ -11,25 +11,25 @@
 
 namespace pointrt {
 
-/// Sizes the film's arrays for settings; what no ray hits stays as this leaves it.
+/// Sizes the arrays of the film for settings and fills them with the values of misses.
 void allocateFilm(const RenderSettings& settings, Film& film);
-/// What its arrays take.
+/// Memory of its arrays in bytes per pixel.
 std::uint64_t filmBytesPerPixel(const RenderSettings& settings);
 
-/// Some rows of a band whose film is on the device, on their way to the host.
+/// Rows to read back of a band whose film is on the device.
 struct BandRows {
     Band band;
-    std::uint32_t first = 0, rows = 0; ///< of the band
-    std::uint32_t film_origin = 0;     ///< the picture's row that the host's film begins with
+    std::uint32_t first = 0, rows = 0; ///< within the band
+    std::uint32_t film_origin = 0;     ///< row of the picture where the host's film starts
 };
 
-/// The device's sums over samples (at least 1) as means in the film's rows.
+/// Stores the device's sums over samples (at least 1) as means in rows of the film.
 void storeLight(Device& device, const FrameBuffers& buffers, const BandRows& rows, std::uint32_t samples, Film& film);
 
-/// The film's rows as sums over samples: the way back, to go on from there.
+/// The inverse, to resume: uploads rows of the film as sums over samples.
 void restoreLight(Device& device, FrameBuffers& buffers, Band band, std::uint32_t samples, const Film& film);
 
-/// Depth, normal, position (along the ray in double, rounded to float once) and ids of the centre rays.
+/// Stores depth, normal, position (computed in double, rounded to float once) and ids of the centre rays.
 void storeFirstHits(Device& device, const FrameBuffers& buffers, const BandRows& rows, const DeviceScene& scene,
                     const RenderSettings& settings, const Camera& camera, Film& film);
 

@@ -24,7 +24,7 @@ void requireAllParts(const std::string& path, Film& film) {
     });
 }
 
-/// Rows are rendered whole, so their pixels have the same number of samples.
+/// Rows are rendered as a whole, so all pixels of a row have the same number of samples.
 void requireRowCounts(const std::string& path, const Film& film) {
     for (std::size_t i = 0; i < film.samples.size(); ++i) {
         const float count = film.samples[i];

@@ -19,8 +19,8 @@ namespace pointrt {
 namespace {
 
 constexpr std::string_view kSeparator = "; ";
-/// Films of queued passes say nothing, as before there was another form.
-constexpr const char* kFusedEntry = "passes=fused";
+/// Entry of films started by the megakernel; those of wavefront kernels have none.
+constexpr const char* kMegakernelEntry = "passes=fused";
 
 std::string exact(double value) {
     char text[32];
@@ -62,7 +62,7 @@ std::string cameraText(const Camera& camera) {
            (camera.ortho_height > 0 ? "ortho " + exact(camera.ortho_height) : exact(camera.fov_deg));
 }
 
-/// Real numbers with all their digits.
+/// Real numbers with all digits.
 template <typename Limits>
 std::string exactText(const Limits& limits, typename Limits::Value value) {
     if constexpr (std::is_same_v<Limits, RealRange>)
@@ -79,11 +79,11 @@ std::string settingInFilm(const Row& row, const RenderSettings& settings) {
 }
 
 template <typename Row>
-bool isTold(const Row& row, const RenderSettings& settings) {
-    return !row.film.where_said || settingOf(settings, row.member) != settingOf(RenderSettings{}, row.member);
+bool isInSignature(const Row& row, const RenderSettings& settings) {
+    return !row.film.omits_default || settingOf(settings, row.member) != settingOf(RenderSettings{}, row.member);
 }
 
-/// Takes the next "name=value" off text.
+/// Removes the next "name=value" from text.
 std::string_view takeEntry(std::string_view& text) {
     const std::size_t end = text.find(kSeparator);
     const std::string_view entry = text.substr(0, end);
@@ -99,22 +99,22 @@ std::string valueOf(std::string_view entry) {
 } // namespace
 
 std::string filmSignature(const DeviceScene& scene, const RenderSettings& settings, const Camera& camera,
-                          PassForm form) {
+                          KernelForm form) {
     std::map<int, std::string> entries = {{kCameraPlaceInFilm, "camera=" + cameraText(camera)}};
     forEachRenderSetting([&](const auto& row) {
-        if (row.film.place != 0 && isTold(row, settings))
+        if (row.film.place != 0 && isInSignature(row, settings))
             entries[row.film.place] = std::string(row.film.name) + "=" + settingInFilm(row, settings);
     });
     std::string signature = "renderer=" POINTRT_VERSION + std::string(kSeparator) + "scene=" + sceneHash(scene);
     for (const auto& [place, entry] : entries) signature += std::string(kSeparator) + entry;
-    return signature + (form == PassForm::kFused ? std::string(kSeparator) + kFusedEntry : "");
+    return signature + (form == KernelForm::kMegakernel ? std::string(kSeparator) + kMegakernelEntry : "");
 }
 
-PassForm formOf(const std::string& signature) {
+KernelForm formOf(const std::string& signature) {
     std::string_view text = signature;
     while (!text.empty())
-        if (takeEntry(text) == kFusedEntry) return PassForm::kFused;
-    return PassForm::kQueued;
+        if (takeEntry(text) == kMegakernelEntry) return KernelForm::kMegakernel;
+    return KernelForm::kWavefront;
 }
 
 std::string signatureDifference(const std::string& before, const std::string& now) {

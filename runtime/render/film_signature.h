@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a film is of, as text: films with the same signature can be added up.
+// Signature of a film: a text of all that determines its samples. Films with the same signature can be added.
 #pragma once
 
 #include <string>
 
 #include "runtime/device_scene/device_scene.h"
-#include "runtime/render/form_of_passes.h"
+#include "runtime/render/kernel_form.h"
 #include "runtime/scene/render_settings.h"
 
 namespace pointrt {
 
-/// "name=value; ..." with all that decides what a sample with a given number is: the renderer's version, the camera,
-/// the settings whose row in render_setting_table.h says so, and one XXH3-64 of the scene file's bytes, the header
-/// checksums of the .pro files (which cover those of their sections) and the sky image. Not the number of samples,
-/// but whether one is taken at the pixel's centre. And the form of the passes, where that is not the queued one. Throws
-/// Error kBadInput where a file cannot be read.
+/// "name=value; ..." of all that determines a sample of a given number: the version of the renderer, the camera, the
+/// settings whose row in render_setting_table.h says so, one XXH3-64 of the scene file's bytes, the header checksums of
+/// the .pro files (which cover those of their sections) and the sky image, and the kernel form unless it is wavefront.
+/// Not the number of samples, but whether a single one is taken at the pixel centre. Throws Error kBadInput if a file
+/// cannot be read.
 std::string filmSignature(const DeviceScene& scene, const RenderSettings& settings, const Camera& camera,
-                          PassForm form);
+                          KernelForm form);
 
-/// The form of the passes of the film with that signature.
-PassForm formOf(const std::string& signature);
+/// The kernel form of the film with that signature.
+KernelForm formOf(const std::string& signature);
 
-/// "NAME was VALUE and is VALUE" of the first entry that differs; "" where all agree.
+/// "NAME was VALUE and is VALUE" of the first entry that differs; "" if all agree.
 std::string signatureDifference(const std::string& before, const std::string& now);
 
 } // namespace pointrt

@@ -12,7 +12,7 @@ std::uint32_t tilesOf(std::uint32_t width, std::uint32_t rows) {
 
 std::uint32_t lanesOf(std::uint32_t width, std::uint32_t rows) { return tilesOf(width, rows) * TILE_PIXELS; }
 
-FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, std::uint64_t film_pixels, bool sifts) {
+FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, std::uint64_t film_pixels, bool culls) {
     const std::uint64_t lanes = lane_count;
     FrameBuffers buffers;
     const auto storage = [&](const char* what, std::uint64_t bytes, VkBufferUsageFlags more = 0) {
@@ -28,20 +28,20 @@ FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, std::u
     const OnError undo([&] { destroyFrameBuffers(device, buffers); });
     buffers.params = storage("frame parameters", sizeof(gpu::FrameParams), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     buffers.control = storage("control buffer", sizeof(gpu::Control), VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
-    // words a lane, see shaders/lib/bindings.glsl
-    constexpr std::uint64_t kQueueWords = 5 + ASKED_TURNS, kSiftedWords = ASKED_TURNS + SIFTED_ENTRIES;
-    const std::uint64_t queue_words = kQueueWords + (sifts ? kSiftedWords : 0);
+    // words per lane, see shaders/lib/bindings.glsl
+    constexpr std::uint64_t kQueueWords = 5 + SHADOW_RAYS_PER_PATH, kCullWords = SHADOW_RAYS_PER_PATH + CULLED_ENTRIES;
+    const std::uint64_t queue_words = kQueueWords + (culls ? kCullWords : 0);
     buffers.queues = texels("queue buffer", queue_words * lanes * sizeof(std::uint32_t), VK_FORMAT_R32_UINT, kRead);
     buffers.paths = texels("path buffer", lanes * sizeof(gpu::PathState), VK_FORMAT_R32G32B32A32_UINT, kRead);
     buffers.hits = texels("hit buffer", lanes * sizeof(gpu::uvec4), VK_FORMAT_R32G32B32A32_UINT,
                           VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT);
     buffers.beams = texels("beam buffer", lanes / TILE_PIXELS * sizeof(float), VK_FORMAT_R32_SFLOAT, kRead);
-    buffers.places = texels("place buffer", lanes * sizeof(std::uint32_t), VK_FORMAT_R32_UINT, kRead);
+    buffers.pixel_list = texels("pixel list", lanes * sizeof(std::uint32_t), VK_FORMAT_R32_UINT, kRead);
     buffers.surfaces =
         texels("surface buffer", lanes * sizeof(gpu::SurfaceInteraction), VK_FORMAT_R32G32B32A32_UINT, kRead);
     buffers.light_queries =
         texels("light query buffer", lanes * sizeof(gpu::DirectLightQuery), VK_FORMAT_R32G32B32A32_UINT, kRead);
-    buffers.blank_sieve = storage("blank sieve", sizeof(gpu::Sieve), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    buffers.no_cull_boxes = storage("blank cull boxes", sizeof(gpu::CullBoxes), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     buffers.light_masks = storage("light mask buffer", lanes * sizeof(std::uint32_t));
     buffers.deferred = storage("deferred ray buffer", lanes * MAX_DEFERRED * sizeof(gpu::PathState));
     createFilm(device, buffers, film_pixels);
@@ -61,9 +61,10 @@ void createFilm(Device& device, FrameBuffers& buffers, std::uint64_t film_pixels
 }
 
 void destroyFrameBuffers(Device& device, FrameBuffers& buffers) {
-    for (Buffer* buffer : {&buffers.params, &buffers.control, &buffers.queues, &buffers.paths, &buffers.hits,
-                           &buffers.surfaces, &buffers.light_queries, &buffers.light_masks, &buffers.deferred,
-                           &buffers.film, &buffers.first_hits, &buffers.beams, &buffers.places, &buffers.blank_sieve})
+    for (Buffer* buffer :
+         {&buffers.params, &buffers.control, &buffers.queues, &buffers.paths, &buffers.hits, &buffers.surfaces,
+          &buffers.light_queries, &buffers.light_masks, &buffers.deferred, &buffers.film, &buffers.first_hits,
+          &buffers.beams, &buffers.pixel_list, &buffers.no_cull_boxes})
         destroyBuffer(device, *buffer);
     buffers = {};
 }
@@ -86,7 +87,7 @@ std::vector<BufferBinding> frameBindings(const FrameBuffers& buffers) {
             {BINDING_SURFACES_TEXELS, &buffers.surfaces},
             {BINDING_LIGHT_MASKS, &buffers.light_masks},
             {BINDING_DEFERRED, &buffers.deferred},
-            {BINDING_PLACES, &buffers.places},
+            {BINDING_PIXEL_LIST, &buffers.pixel_list},
             {BINDING_SHADOW_RAYS, &buffers.light_queries},
             {BINDING_SHADOW_RAYS_TEXELS, &buffers.light_queries}};
 }

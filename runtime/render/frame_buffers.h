@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the device keeps for each pixel of a band while it is traced, and of a film.
+// Device buffers of a band being traced, and of the film.
 #pragma once
 
 #include <cstdint>
@@ -12,12 +12,12 @@ namespace pointrt {
 
 struct FrameBuffers {
     Buffer params, control, queues, paths, hits, surfaces, light_queries, light_masks, deferred, film, first_hits,
-        beams, places;
-    Buffer blank_sieve; ///< for programs that sift nothing
+        beams, pixel_list;
+    Buffer no_cull_boxes; ///< for programs that cull nothing
     std::uint64_t device_bytes = 0;
 };
 
-/// Tiles of TILE_SIDE pixels, the last ones padded, and their lanes.
+/// Number of tiles of TILE_SIDE x TILE_SIDE pixels, the last ones padded, and of their lanes.
 std::uint32_t tilesOf(std::uint32_t width, std::uint32_t rows);
 std::uint32_t lanesOf(std::uint32_t width, std::uint32_t rows);
 
@@ -26,18 +26,18 @@ struct Band {
     std::uint32_t first_row = 0, rows = 0;
 };
 
-/// A band's pixels in the film on the device, which may hold more than the band.
+/// Position of a band in the film on the device, which may hold more than the band.
 struct FilmPlace {
-    std::uint32_t pixels = 0;      ///< of the film
-    std::uint32_t first_pixel = 0; ///< of the band
+    std::uint32_t pixels = 0;      ///< size of the film
+    std::uint32_t first_pixel = 0; ///< index in the film of the first pixel of the band
 };
 
-/// For bands of up to so many lanes, in films of up to so many pixels. sifts: with room for sifted lists.
-FrameBuffers createFrameBuffers(Device& device, std::uint32_t lanes, std::uint64_t film_pixels, bool sifts);
-/// Its film and first hits anew, for so many pixels.
+/// Buffers for bands of up to `lanes` lanes, and films of up to film_pixels pixels. culls: with room for culled lists.
+FrameBuffers createFrameBuffers(Device& device, std::uint32_t lanes, std::uint64_t film_pixels, bool culls);
+/// Reallocates the film and the first hits for film_pixels pixels.
 void createFilm(Device& device, FrameBuffers& buffers, std::uint64_t film_pixels);
 void destroyFrameBuffers(Device& device, FrameBuffers& buffers);
-/// At their places in shaders/lib/bindings.glsl.
+/// Bindings as in shaders/lib/bindings.glsl.
 std::vector<BufferBinding> frameBindings(const FrameBuffers& buffers);
 
 } // namespace pointrt

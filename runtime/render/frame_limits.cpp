@@ -11,19 +11,20 @@ namespace pointrt {
 namespace {
 
 constexpr std::uint32_t kFirstNoise = 8;
-// Between looks at the noise at least this part is added, so that ten or so of them lead from half way to the target.
+// Between noise checks at least 1 / kSmallestStep of the samples is added: about ten checks lead from half way to the
+// target.
 constexpr std::uint32_t kSmallestStep = 8;
 constexpr double kDarkest = 0.01; ///< of the mean luminance
 
 double luminanceOf(const float* rgb) { return luminance<double>(rgb[0], rgb[1], rgb[2]); }
 
-/// Samples that the target noise takes, going by the last look.
+/// Samples needed for the noise limit, extrapolated from the last check.
 double samplesForNoise(const FrameLimits& limits, const FrameState& now) {
     const double over = *now.noise / *limits.noise;
     return now.noise_samples * over * over;
 }
 
-std::uint32_t nextNoiseLook(const FrameLimits& limits, const FrameState& now) {
+std::uint32_t nextNoiseCheck(const FrameLimits& limits, const FrameState& now) {
     if (!now.noise) return std::max(kFirstNoise, now.samples + 1);
     if (*now.noise <= *limits.noise) return now.samples;
     const double wanted = std::ceil(samplesForNoise(limits, now));
@@ -31,13 +32,14 @@ std::uint32_t nextNoiseLook(const FrameLimits& limits, const FrameState& now) {
     return static_cast<std::uint32_t>(std::clamp<double>(wanted, least, 2.0 * now.samples));
 }
 
-std::uint32_t nextTimeLook(const FrameLimits& limits, const FrameState& now) {
+std::uint32_t nextTimeCheck(const FrameLimits& limits, const FrameState& now) {
     if (now.traced == 0) return now.samples + 1;
     const double fit = (*limits.seconds - now.seconds) / (now.seconds / now.traced);
     return now.samples + static_cast<std::uint32_t>(std::clamp<double>(fit, 0, now.samples));
 }
 
-/// lightOf(i), varianceOf(i): of each of so many pixels, which have 2 samples or more.
+/// lightOf(i), varianceOf(i): luminance of pixel i and the variance of its mean; all pixels must have 2 samples or
+/// more.
 template <typename LightOf, typename VarianceOf>
 double noiseOf(std::size_t pixels, const LightOf& lightOf, const VarianceOf& varianceOf) {
     double total = 0, sum = 0;
@@ -57,12 +59,12 @@ bool hasFewSamples(const Film& film) {
 
 } // namespace
 
-std::uint32_t nextLook(const FrameLimits& limits, bool progressive, std::uint32_t most, const FrameState& now) {
+std::uint32_t nextCheck(const FrameLimits& limits, bool progressive, std::uint32_t most, const FrameState& now) {
     if (now.samples >= most) return now.samples;
     std::uint32_t next = most;
     if (progressive) next = std::min(next, std::max(2 * now.samples, 1u));
-    if (limits.noise) next = std::min(next, nextNoiseLook(limits, now));
-    if (limits.seconds) next = std::min(next, nextTimeLook(limits, now));
+    if (limits.noise) next = std::min(next, nextNoiseCheck(limits, now));
+    if (limits.seconds) next = std::min(next, nextTimeCheck(limits, now));
     return next;
 }
 
@@ -89,7 +91,7 @@ NoiseMeter::NoiseMeter(std::size_t pixels) {
 
 void NoiseMeter::addRows(const Film& rows) {
     unknown_ = unknown_ || hasFewSamples(rows);
-    if (unknown_) return; // and keeps no more of it
+    if (unknown_) return; // the noise stays unknown: stores nothing
     for (std::size_t i = 0; i < rows.variance.size(); ++i)
         lights_.push_back(static_cast<float>(luminanceOf(rows.rgba.data() + 4 * i)));
     variances_.insert(variances_.end(), rows.variance.begin(), rows.variance.end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// When a frame is good enough, or has taken long enough.
+// Limits that end a frame: noise, time, samples.
 #pragma once
 
 #include <cstddef>
@@ -13,52 +13,52 @@ namespace pointrt {
 
 constexpr double kTimeOverrun_s = 1;
 
-/// What may end a frame before it has all its samples.
+/// Limits that may end a frame before it has all its samples.
 struct FrameLimits {
-    /// No sample begins that, going by those before, would end later; one that goes on for kTimeOverrun_s more is
-    /// broken off.
+    /// No sample starts that would end later, judged by the earlier ones; a sample that overruns by kTimeOverrun_s is
+    /// aborted.
     std::optional<double> seconds;
-    std::optional<double> noise; ///< relativeNoise is at or below this
+    std::optional<double> noise; ///< ends when relativeNoise is at or below this
 };
 
-/// How far a frame is.
+/// Progress of a frame.
 struct FrameState {
     std::uint32_t samples = 0;    ///< the fewest of any pixel
-    double seconds = 0;           ///< since this run of it began
-    double mean = 0;              ///< samples a pixel, the mean over pixels ...
-    double traced = 0;            ///< ... and what this run has added to it
-    std::uint32_t empty_rows = 0; ///< that have none
-    std::optional<double> noise;  ///< at the last look, which was at noise_samples
+    double seconds = 0;           ///< since this run started
+    double mean = 0;              ///< samples per pixel, averaged over the picture
+    double traced = 0;            ///< share of mean added by this run
+    std::uint32_t empty_rows = 0; ///< rows without samples
+    std::optional<double> noise;  ///< at the last check, at noise_samples
     std::uint32_t noise_samples = 0;
 };
 
-/// Samples a pixel after which to look at the picture and the clock again; now.samples where the frame is done.
-/// Looks come at doubling counts, sooner where time or noise are about to run out: so they are few, and the bands of a
-/// large image, rendered one after the other up to each look, stay within a factor of 2 of each other.
-/// progressive: look though there are no limits, so that a frame that is broken off has something everywhere.
-std::uint32_t nextLook(const FrameLimits& limits, bool progressive, std::uint32_t most, const FrameState& now);
+/// Samples per pixel after which to check noise and time again; now.samples if the frame is done. Checks come at
+/// doubling counts, sooner if a limit is near: so they are few, and the bands of a large image, rendered in turn up to
+/// each check, stay within a factor of 2 of each other. progressive: check even without limits, so that an interrupted
+/// frame has samples everywhere.
+std::uint32_t nextCheck(const FrameLimits& limits, bool progressive, std::uint32_t most, const FrameState& now);
 
-/// Share of the frame that is done, in [0, 1]: by samples, time or noise, which falls as 1 / sqrt(samples).
+/// Progress in [0, 1], by the limit that is nearest: samples, time, or noise, which falls as 1 / sqrt(samples).
 double shareDone(const FrameLimits& limits, std::uint32_t most, const FrameState& now);
 
-/// True where the noise can be judged: with fewer samples too many pixels have not met what is rare.
+/// Whether there are enough samples to estimate noise: with fewer, too many pixels have missed rare bright paths.
 bool judgesNoise(const FrameState& now);
 
 /// Root mean square over the pixels of the standard error of the luminance over (luminance + 1% of the picture's mean
 /// luminance), from film.variance: the square root of the relative mean squared error of Rousselle, Knaus and Zwicker,
-/// Adaptive Sampling and Reconstruction using Greedy Error Minimization, 2011, with the true error estimated. No pixel
-/// counts for more than 1, so a few fireflies do not rule it; samples are taken as independent, and since they are
-/// spread more evenly than that, it is rather too high. Infinite where a pixel has fewer than 2 samples.
+/// Adaptive Sampling and Reconstruction using Greedy Error Minimization, 2011, with the true error estimated. Pixels
+/// count at most 1, so a few fireflies do not dominate. Samples are assumed independent; as they
+/// are stratified, it overestimates. Infinite if a pixel has fewer than 2 samples.
 double relativeNoise(const Film& film);
 
 constexpr std::uint64_t kNoiseBytes = 2 * sizeof(float);
 
-/// relativeNoise of a picture of so many pixels whose rows come one after the other. It keeps kNoiseBytes of each.
+/// relativeNoise of a picture whose rows are added one after the other. Stores kNoiseBytes per pixel.
 class NoiseMeter {
 public:
     explicit NoiseMeter(std::size_t pixels);
     void addRows(const Film& rows);
-    /// Of all rows there were.
+    /// Of all rows added so far.
     double noise() const;
 
 private:

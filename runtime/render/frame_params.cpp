@@ -23,7 +23,7 @@ std::uint32_t optionBits(const RenderSettings& settings) {
     return (settings.blend ? OPTION_BLEND : 0u) | (settings.shadows ? OPTION_SHADOWS : 0u);
 }
 
-/// A sky image lights the scene as a light does, with shadows: nothing of it is taken as ambient.
+/// A sky image is sampled as a light, with shadows, so it adds no ambient light.
 void setSky(const SkyDescription& sky, gpu::FrameParams& params) {
     params.sky_zenith = scaled(sky.zenith, sky.strength);
     params.ambient_share = sky.image.empty() ? sky.ambient : 0.0f;
@@ -31,7 +31,8 @@ void setSky(const SkyDescription& sky, gpu::FrameParams& params) {
     params.sky_ground = scaled(sky.ground, sky.strength);
 }
 
-/// Of what rays go through and of the window that they start in: one of them is 0 (shaders/lib/camera_ray.glsl).
+/// Half heights of the plane at distance 1 that rays go through and of the window that they start in; one of them is 0
+/// (shaders/lib/camera_ray.glsl).
 struct HalfHeights {
     double at_distance_1 = 0;
     double window = 0; ///< input units
@@ -42,7 +43,7 @@ HalfHeights halfHeights(const Camera& camera) {
     return {std::tan(verticalHalfAngle(camera.fov_deg)), 0};
 }
 
-/// From the picture's middle to the centre of pixel (x, y), in half heights of the picture.
+/// From the centre of the picture to the centre of pixel (x, y), in half heights of the picture.
 Vec3 pixelOffset(const RenderSettings& settings, const Camera& camera, std::uint32_t x, std::uint32_t y) {
     const double aspect = static_cast<double>(settings.width) / settings.height;
     const double across = (2.0 * (x + 0.5) / settings.width - 1.0) * aspect;
@@ -50,11 +51,11 @@ Vec3 pixelOffset(const RenderSettings& settings, const Camera& camera, std::uint
     return across * camera.right + upwards * camera.up;
 }
 
-/// A share of the reach's size, more than what rounding adds where rays are asked whether they meet it.
-constexpr float kReachMargin = 1e-4f;
+/// Margin of the box around all instances, as a share of its size: more than the rounding error of the ray test.
+constexpr float kBoundsMargin = 1e-4f;
 
-/// Of a point in an instance's cube, by the transposed rows: they are a rotation's but for the scale.
-std::array<float, 3> stageFromCube(const gpu::InstanceParams& p, std::array<float, 3> cube) {
+/// A point of an instance's cube in render space, by the transposed rows: they are those of a scaled rotation.
+std::array<float, 3> renderFromCube(const gpu::InstanceParams& p, std::array<float, 3> cube) {
     const float x = cube[0] - p.row_x.w, y = cube[1] - p.row_y.w, z = cube[2] - p.row_z.w;
     const float squared = p.splat.w * p.splat.w;
     return {(p.row_x.x * x + p.row_y.x * y + p.row_z.x * z) / squared,
@@ -62,7 +63,7 @@ std::array<float, 3> stageFromCube(const gpu::InstanceParams& p, std::array<floa
             (p.row_x.z * x + p.row_y.z * y + p.row_z.z * z) / squared};
 }
 
-/// A corner of its entry grid, by three bits.
+/// A corner of the entry grid, selected by three bits, in the cube.
 std::array<float, 3> gridCorner(const gpu::InstanceParams& p, unsigned corner) {
     const auto end = [&](unsigned axis, std::uint32_t lowest, std::uint32_t cells) {
         return static_cast<float>(lowest + (corner >> axis & 1 ? cells : 0)) / p.grid_scale.x;
@@ -73,21 +74,21 @@ std::array<float, 3> gridCorner(const gpu::InstanceParams& p, unsigned corner) {
 
 } // namespace
 
-void setReach(const DeviceScene& scene, gpu::FrameParams& params) {
+void setInstanceBounds(const DeviceScene& scene, gpu::FrameParams& params) {
     constexpr float kFar = std::numeric_limits<float>::max();
     std::array<float, 3> low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
     for (const Instance& instance : scene.instances)
         for (unsigned corner = 0; corner < 8; ++corner) {
-            const std::array<float, 3> at = stageFromCube(instance.params, gridCorner(instance.params, corner));
+            const std::array<float, 3> at = renderFromCube(instance.params, gridCorner(instance.params, corner));
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 low[axis] = std::min(low[axis], at[axis]);
                 high[axis] = std::max(high[axis], at[axis]);
             }
         }
     const float margin =
-        scene.instances.empty() ? 0 : kReachMargin * std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
-    params.reach_low = {low[0] - margin, low[1] - margin, low[2] - margin};
-    params.reach_high = {high[0] + margin, high[1] + margin, high[2] + margin};
+        scene.instances.empty() ? 0 : kBoundsMargin * std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+    params.instances_low = {low[0] - margin, low[1] - margin, low[2] - margin};
+    params.instances_high = {high[0] + margin, high[1] + margin, high[2] + margin};
 }
 
 void setShapes(const DeviceScene& scene, gpu::FrameParams& params) {
@@ -128,7 +129,7 @@ gpu::FrameParams makeFrameParams(const DeviceScene& scene, const RenderSettings&
     params.integrator = static_cast<std::uint32_t>(settings.integrator);
     params.bounces = settings.bounces;
     params.seed = settings.seed;
-    setReach(scene, params);
+    setInstanceBounds(scene, params);
     return params;
 }
 

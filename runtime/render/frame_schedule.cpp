@@ -7,7 +7,7 @@
 namespace pointrt {
 
 FrameSchedule::FrameSchedule(FrameJob job, std::vector<FrameBand> bands, FrameGauges gauges)
-    : job_(std::move(job)), bands_(std::move(bands)), gauges_(std::move(gauges)), began_(gauges_.seconds()) {
+    : job_(std::move(job)), bands_(std::move(bands)), gauges_(std::move(gauges)), start_(gauges_.seconds()) {
     for (const FrameBand& each : bands_) height_ += each.band.rows;
     for (const FrameBand& each : bands_) state_.mean += each.samples * shareOf(each);
 }
@@ -15,9 +15,9 @@ FrameSchedule::FrameSchedule(FrameJob job, std::vector<FrameBand> bands, FrameGa
 const FrameBand* FrameSchedule::next() {
     current_ = nullptr;
     if (const FrameBand* band = firstBelowGoal()) return band;
-    look();
+    checkNoise();
     const bool progressive = job_.interrupted && !job_.band_by_band;
-    goal_ = nextLook(job_.limits, progressive, job_.samples, state_);
+    goal_ = nextCheck(job_.limits, progressive, job_.samples, state_);
     return firstBelowGoal();
 }
 
@@ -28,27 +28,27 @@ const FrameBand* FrameSchedule::firstBelowGoal() {
     return nullptr;
 }
 
-void FrameSchedule::took(std::uint32_t rows) {
+void FrameSchedule::addRows(std::uint32_t rows) {
     const double share = static_cast<double>(rows) / height_;
     state_.traced += share;
     state_.mean += share;
-    rows_took_ += rows;
-    if (rows_took_ == current_->band.rows) {
+    rows_done_ += rows;
+    if (rows_done_ == current_->band.rows) {
         ++current_->samples;
-        rows_took_ = 0;
+        rows_done_ = 0;
     }
-    tell();
+    reportProgress();
 }
 
-bool FrameSchedule::breaksOff() {
+bool FrameSchedule::shouldAbort() {
     if (!mustEnd()) return false;
-    note();
+    updateState();
     return true;
 }
 
 bool FrameSchedule::mustEnd() const {
     if (job_.interrupted && job_.interrupted()) return true;
-    return job_.limits.seconds && gauges_.seconds() - began_ > *job_.limits.seconds + kTimeOverrun_s;
+    return job_.limits.seconds && gauges_.seconds() - start_ > *job_.limits.seconds + kTimeOverrun_s;
 }
 
 void FrameSchedule::setSamples(std::uint32_t samples) {
@@ -64,24 +64,24 @@ std::uint32_t FrameSchedule::samples() const {
 
 double FrameSchedule::shareOf(const FrameBand& band) const { return static_cast<double>(band.band.rows) / height_; }
 
-void FrameSchedule::note() {
-    state_.seconds = gauges_.seconds() - began_;
+void FrameSchedule::updateState() {
+    state_.seconds = gauges_.seconds() - start_;
     state_.samples = samples();
     state_.empty_rows = 0;
     for (const FrameBand& each : bands_)
-        if (each.samples == 0) state_.empty_rows += each.band.rows - (&each == current_ ? rows_took_ : 0);
+        if (each.samples == 0) state_.empty_rows += each.band.rows - (&each == current_ ? rows_done_ : 0);
 }
 
-void FrameSchedule::look() {
-    note();
+void FrameSchedule::checkNoise() {
+    updateState();
     if (!job_.limits.noise || !judgesNoise(state_)) return;
     state_.noise = gauges_.noise();
     state_.noise_samples = state_.samples;
 }
 
-void FrameSchedule::tell() {
+void FrameSchedule::reportProgress() {
     if (!job_.progress) return;
-    state_.seconds = gauges_.seconds() - began_;
+    state_.seconds = gauges_.seconds() - start_;
     job_.progress(state_, shareDone(job_.limits, job_.samples, state_));
 }
 

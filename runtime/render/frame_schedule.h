@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The order in which a frame's samples are taken: bands of rows, each up to the next look, until the frame is done.
+// The order in which the samples of a frame are taken: band after band, each up to the next check of the limits, until
+// the frame is done.
 #pragma once
 
 #include <cstdint>
@@ -12,75 +13,74 @@
 
 namespace pointrt {
 
-/// Rows that are on the device together, and how many samples their pixels have.
+/// Rows that are on the device together, and the samples of each of their pixels.
 struct FrameBand {
     Band band;
     std::uint32_t samples = 0;
 };
 
-/// All of film's rows, at most so many in a band, with the samples that the film says: the same within a band.
+/// Divides the film into bands of at most `rows` rows with equal numbers of samples.
 std::vector<FrameBand> frameBands(const Film& film, std::uint32_t rows);
-/// The same of a film of so many rows that has no samples yet.
+/// Bands of a film of `height` rows without samples.
 std::vector<FrameBand> emptyBands(std::uint32_t height, std::uint32_t rows);
 
 struct FrameJob {
-    std::uint32_t samples = 1; ///< a pixel in all, the most
+    std::uint32_t samples = 1; ///< most samples per pixel
     FrameLimits limits;
-    std::function<bool()> interrupted; ///< may be empty; asked between strips, where true the frame ends
-    /// A band gets all its samples before the next one. Without it those of a frame that may be interrupted take turns,
-    /// so that it has something everywhere; what they have been given is rounded when they come back.
+    std::function<bool()> interrupted; ///< may be empty; polled between strips; true ends the frame
+    /// Complete each band before the next. If false, the bands of a frame that may be interrupted take turns, so that
+    /// it has samples everywhere; their films are rounded when they move to the host and back.
     bool band_by_band = false;
-    std::function<void(const FrameState&, double share)> progress; ///< may be empty; after each strip
-    /// May be empty; for jobs that go band by band, without limits. Gets each band's rows, from the top, as soon as
-    /// they have all their samples: the film is not kept then. Of a frame that is interrupted the last ones have fewer.
+    std::function<void(const FrameState&, double share)> progress; ///< may be empty; called after each strip
+    /// May be empty; only for band_by_band jobs without limits. Receives the rows of each band, from the top, as soon
+    /// as they are complete, instead of keeping the film. If interrupted, the last rows have fewer samples.
     std::function<void(const Film& rows)> take_rows;
 };
 
-/// What looks are taken with.
+/// Measurements for the limits.
 struct FrameGauges {
-    std::function<double()> noise;   ///< of all that was sampled; asked only where the job has a noise limit
+    std::function<double()> noise;   ///< noise of the film; called only if the job has a noise limit
     std::function<double()> seconds; ///< a clock
 };
 
-/// Says which sample of which band comes next. Bands are taken one after the other, each up to the next look.
+/// Chooses the band and sample to trace next. Bands are taken in turn, each up to the next check of the limits.
 class FrameSchedule {
 public:
     /// bands: at least one.
     FrameSchedule(FrameJob job, std::vector<FrameBand> bands, FrameGauges gauges);
 
-    /// The band whose sample number band.samples is to be taken. Null where the frame is done or interrupted; state has
-    /// then had its last look.
+    /// The band to trace, with sample number band.samples. Null if the frame is done or interrupted; state is final
+    /// then.
     const FrameBand* next();
-    /// So many rows more of that band have that sample. With the last of them it was taken.
-    void took(std::uint32_t rows);
-    /// Whether to break the sample under way off: the frame is interrupted, or much later than its time. It has had its
-    /// last look then.
-    bool breaksOff();
+    /// Reports that `rows` more rows of that band have the sample. The last rows complete it.
+    void addRows(std::uint32_t rows);
+    /// Whether to abort the current sample: the frame is interrupted, or overran its time limit. State is final then.
+    bool shouldAbort();
 
-    /// So many samples a pixel in all from here on. The sample under way is still wanted.
+    /// Changes the number of samples per pixel. The current sample is still completed.
     void setSamples(std::uint32_t samples);
-    /// The fewest of any pixel.
+    /// Fewest samples of any pixel.
     std::uint32_t samples() const;
-    /// How far the frame has come, as of the last look or sample.
+    /// Progress as of the last check or sample.
     const FrameState& state() const { return state_; }
 
 private:
     const FrameBand* firstBelowGoal();
     double shareOf(const FrameBand& band) const;
     bool mustEnd() const;
-    void note();
-    void look();
-    void tell();
+    void updateState();
+    void checkNoise();
+    void reportProgress();
 
     FrameJob job_;
     std::vector<FrameBand> bands_;
     FrameGauges gauges_;
     FrameState state_;
     FrameBand* current_ = nullptr;
-    std::uint32_t rows_took_ = 0; ///< of current_'s sample under way
-    std::uint32_t goal_ = 0;      ///< samples of every band at the next look
+    std::uint32_t rows_done_ = 0; ///< rows of current_ that have its current sample
+    std::uint32_t goal_ = 0;      ///< samples of every band at the next check
     std::uint32_t height_ = 0;
-    double began_;
+    double start_;
 };
 
 } // namespace pointrt

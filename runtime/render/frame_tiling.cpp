@@ -9,11 +9,11 @@
 namespace pointrt {
 namespace {
 
-/// Pixels in flight: their states take about 600 bytes each, no more than 148 in any buffer, so that none nears the 128
-/// MiB that some drivers allow in a storage binding. Larger images are rendered in bands of rows.
+/// Most pixels of a band. Their state takes about 600 bytes each, at most 148 in any one buffer, well below the 128 MiB
+/// that some drivers allow for a storage buffer binding. Larger images are rendered in bands of rows.
 constexpr std::uint32_t kBandPixels = 1u << 19;
-/// A processor needs no more lanes than keep it busy: a band is traced strip by strip there. With half of that its
-/// threads wait for each other more often, for a tenth of a frame (tests/bench/NOTES.md).
+/// Most pixels of a strip on CPUs, enough to keep all threads busy: a band is traced strip by strip there. With half as
+/// many, threads wait for each other for a tenth of a frame (tests/bench/NOTES.md).
 constexpr std::uint32_t kStripPixels = 1u << 18;
 
 std::uint32_t wholeTiles(std::uint32_t rows) { return std::max(rows / TILE_SIDE, 1u) * TILE_SIDE; }

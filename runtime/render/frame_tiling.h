@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a frame is cut: into bands of rows, whose film is on the device one at a time, and those into strips, whose rays
-// are under way together.
+// Division of a frame into bands of rows, whose film is on the device one at a time, and of bands into strips, whose
+// rays are traced together.
 #pragma once
 
 #include <cstdint>
@@ -13,20 +13,21 @@ struct FrameTiling {
     std::uint32_t band_rows = 1, strip_rows = 1;
 };
 
-/// Both are whole tiles of TILE_SIDE, but where the frame ends.
+/// Both are multiples of TILE_SIDE, except at the end of the frame.
 FrameTiling tilingFor(const Device& device, std::uint32_t width, std::uint32_t height);
 
-/// Rows of the next strip of a band of which so many are done: at most so many, and either whole tiles, to which what
-/// is left at the band's end belongs, or rows of one. So a tile's beam (beam.comp.glsl) is the same in whatever strips.
+/// Rows of the next strip of a band of which `done` rows are done: at most `most`, and either whole tiles (including a
+/// partial one at the end of the band) or rows within one tile. So the beam of a tile (beam.comp.glsl) does not depend
+/// on the strips.
 std::uint32_t stripRows(std::uint32_t done, std::uint32_t most, std::uint32_t band_rows);
 
-/// What a BandTracer has room for.
+/// Capacity of a BandTracer.
 struct TracerSize {
-    std::uint32_t lanes = 0;       ///< of a strip
-    std::uint64_t film_pixels = 0; ///< of a band
+    std::uint32_t lanes = 0;       ///< per strip
+    std::uint64_t film_pixels = 0; ///< per band
 };
 
-/// The least for frames of this width that are cut so.
+/// The smallest capacity for frames of this width and tiling.
 TracerSize tracerSizeFor(FrameTiling tiling, std::uint32_t width);
 
 } // namespace pointrt

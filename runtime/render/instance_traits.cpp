@@ -15,7 +15,7 @@ std::vector<SpecConstant> traitConstants(const InstanceTraits& traits) {
     std::vector<SpecConstant> values{{SPEC_UNEVEN, traits.uneven},
                                      {SPEC_ORIENTED, traits.oriented},
                                      {SPEC_NOISY, traits.noisy},
-                                     {SPEC_CORED, traits.cored}};
+                                     {SPEC_CLIPS_TO_CORE, traits.clips_to_core}};
     if (!isPaged(traits.pages)) return values;
     for (const SpecConstant& each : pageConstants(traits.pages)) values.push_back(each);
     return values;

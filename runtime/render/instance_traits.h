@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What programs that look into an instance are built for.
+// Traits of an instance that programs are specialized for.
 #pragma once
 
 #include <compare>
@@ -11,19 +11,19 @@
 
 namespace pointrt {
 
-/// What programs know of an instance: whether it is uneven, oriented, noisy and a tile (shaders/trace/instance.glsl),
-/// and where it has several, its pages (shaders/lib/pages.glsl).
+/// Whether an instance is uneven, oriented, noisy, and a tile clipped to its core (shaders/trace/instance.glsl), and
+/// the pages of its buffers (shaders/lib/pages.glsl).
 struct InstanceTraits {
-    bool uneven = false, oriented = false, noisy = false, cored = false;
-    PageCounts pages; ///< all 0 where each buffer has one
+    bool uneven = false, oriented = false, noisy = false, clips_to_core = false;
+    PageCounts pages; ///< all 0 if every buffer has a single page
     auto operator<=>(const InstanceTraits&) const = default;
 };
 
-/// is_tile: its hits count in a core alone.
+/// is_tile: hits are clipped to the core.
 InstanceTraits traitsOf(const DeviceScan& file, bool oriented, bool is_tile);
 InstanceTraits traitsOf(const DeviceScene& scene, const Instance& instance);
 
-/// What programs are specialized by for them; those of pages only where there are several.
+/// Specialization constants for the traits; those of pages only if there are several pages.
 std::vector<SpecConstant> traitConstants(const InstanceTraits& traits);
 
 } // namespace pointrt

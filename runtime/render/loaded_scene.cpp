@@ -14,7 +14,7 @@
 namespace pointrt {
 namespace {
 
-// What of loading is done when a stage begins, by the times of scans of half a million to a million splats with an
+// Progress at the start of each stage of loading, measured for scans of half a million to a million splats with an
 // index in the file, on a CPU.
 constexpr double kFilesShare = 0.0, kRowsShare = 0.15, kProgramsShare = 0.2, kPhotonsShare = 0.6;
 
@@ -24,17 +24,17 @@ Camera framedCamera(const LoadedScene& loaded, const CameraRequest& request) {
     return frameCamera(request, loaded.scene.bounds.lo, loaded.scene.bounds.hi, aspectOf(loaded.settings));
 }
 
-/// What a request comes to in the scene as it stands.
+/// The request resolved for the current scene.
 FramedRequest framed(const LoadedScene& loaded, const CameraRequest& request, const LoadRequest& load) {
     const Vec3 up = sceneUp(loaded.scene.description, loaded.settings);
     return frameScene(request, loaded.sample, up, {aspectOf(loaded.settings), load.free_share}, load.fov_is_free);
 }
 
-/// The bounds, but where strays are well outside of all the rest. Of clean scans they are the bounds, to the bit; of
-/// those that are a few large discs they go around the discs, so that these do not stand knee-deep in a floor.
+/// The bounds without strays far outside the rest. For clean scans exactly the bounds; for scans of a few large discs,
+/// the bounds of the discs, so that a floor does not cut through them.
 Bounds shownBounds(const DeviceScene& scene, const SceneSample& sample) {
     if (sample.splats.empty() || scene.description.instances.empty()) return scene.bounds;
-    constexpr double kMargin = 0.1; // of each edge: rims that the sample has missed
+    constexpr double kMargin = 0.1; // of each edge, for rims that the sample misses
     if (sample.splats.size() < kEachCounts) {
         const SampleBox discs = discBounds(sample);
         return {discs.low, discs.high};
@@ -46,15 +46,15 @@ Bounds shownBounds(const DeviceScene& scene, const SceneSample& sample) {
             {std::min(all.hi.x, high.x), std::min(all.hi.y, high.y), std::min(all.hi.z, high.z)}};
 }
 
-/// Puts up what stands around the scene, and all tables.
-void furnish(Device& device, LoadedScene& loaded, const LoadRequest& request) {
+/// Adds surroundings to the scene, selects its tiles and uploads all tables.
+void prepareScene(Device& device, LoadedScene& loaded, const LoadRequest& request) {
     DeviceScene& scene = loaded.scene;
     CameraRequest staging = request.staging;
-    standUpright(scene.description, loaded.settings.camera, staging, {knownUp(scene), request.fallback_up});
+    resolveUp(scene.description, loaded.settings.camera, staging, {knownUp(scene), request.fallback_up});
     loaded.sample = gatherSample(scene);
     loaded.free_share = request.free_share;
     loaded.shown = shownBounds(scene, loaded.sample);
-    // what is up in a view from above is not so in the scene
+    // a view from above has an up of its own; keep that of the scene
     if (loaded.settings.camera.view && !scene.description.up)
         scene.description.up = sceneUp(scene.description, loaded.settings);
     loaded.described = scene.description;
@@ -68,7 +68,7 @@ void furnish(Device& device, LoadedScene& loaded, const LoadRequest& request) {
     const Camera stage = framedCamera(loaded, stage_view.camera);
     loaded.staged_for = scene.description.staged_for.value_or(stage.eye);
     addSurroundings(scene.description, loaded.settings, stage, loaded.shown.lo, loaded.shown.hi, loaded.subject);
-    if (!scene.sets.empty()) standTiles(device, scene, tileRequest(device, loaded, request));
+    if (!scene.sets.empty()) updateTiles(device, scene, tileRequest(device, loaded, request));
     uploadSceneTables(device, scene, loaded.settings);
 }
 
@@ -102,20 +102,20 @@ std::unique_ptr<LoadedScene> loadScene(Device& owner, Device& worker, const Load
     begin("reading", kFilesShare);
     loaded->settings = request.settings;
     loaded->scene = openScene(worker, request.scene, request.verbose);
-    // tiles come and go, then
+    // tiles will be loaded and evicted
     if (request.roots_alone)
         loaded->scene.tile_cache_bytes = pictureTileMemory(worker, request.settings, request.memory);
     begin("materials and lights", kRowsShare);
-    furnish(worker, *loaded, request);
+    prepareScene(worker, *loaded, request);
     begin("programs", kProgramsShare);
     const TracerSize size = request.size.value_or(wholeFrames(worker, request.settings));
     createBandTracer(worker, loaded->tracer, loaded->scene, loaded->settings, size.lanes, size.film_pixels,
                      request.form);
     if (request.refines_tiles && !loaded->scene.sets.empty()) refineTiles(worker, *loaded, request);
     loaded->program_kinds = kindsOf(loaded->scene, loaded->settings);
-    if (!wantsPhotons(loaded->scene, loaded->settings)) return loaded;
+    if (!needsPhotons(loaded->scene, loaded->settings)) return loaded;
     begin("caustics", kPhotonsShare);
-    castPhotons(worker, loaded->tracer, loaded->settings);
+    tracePhotons(worker, loaded->tracer, loaded->settings);
     return loaded;
 }
 

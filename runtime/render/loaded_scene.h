@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A described scene on the device with all that it takes to trace it: the one way there, for files, the window and
+// A scene on the device with everything needed to render it, and the function that loads it for files, the window and
 // tests.
 #pragma once
 
@@ -19,7 +19,7 @@
 
 namespace pointrt {
 
-/// What a tracer's programs are built for.
+/// What the programs of a tracer are specialized for.
 struct ProgramKinds {
     std::uint32_t features = 0, shape_kinds = 0;
     Integrator integrator = Integrator::kPhong;
@@ -29,56 +29,55 @@ struct ProgramKinds {
 
 ProgramKinds kindsOf(const DeviceScene& scene, const RenderSettings& settings);
 
-/// It does not move: the tracer points at the scene.
+/// Not movable: the tracer points to the scene.
 struct LoadedScene {
-    /// owner frees what is here, and outlives it.
+    /// owner frees its resources and must outlive it.
     explicit LoadedScene(Device& owner) : device(owner) {}
     ~LoadedScene();
     LoadedScene(const LoadedScene&) = delete;
     LoadedScene& operator=(const LoadedScene&) = delete;
 
     Device& device;
-    SceneDescription
-        described; ///< as its file has it, standing upright; scene.description has what stands around it besides
-    RenderSettings settings;   ///< that its tables are made for
-    Camera camera;             ///< the first
-    Vec3 staged_for;           ///< the eye that its surroundings were put up for, world frame
-    SceneSample sample;        ///< of its scans
-    Bounds shown;              ///< of the scene without strays
-    std::optional<Vec3> pivot; ///< in the middle of what the first camera shows, where it was framed for that
+    SceneDescription described; ///< as in its file, made upright; scene.description also has surroundings
+    RenderSettings settings;    ///< that its tables were built for
+    Camera camera;              ///< the initial camera
+    Vec3 staged_for;            ///< the eye that its surroundings were made for, world frame
+    SceneSample sample;         ///< of the splats of its scans
+    Bounds shown;               ///< bounds of the scene without strays
+    std::optional<Vec3> pivot;  ///< centre of what the initial camera shows, if it was framed automatically
     StudioSubject subject;
     double free_share = 1; ///< LoadRequest::free_share
-    double aside = 0;      ///< how far that is left of the picture's middle, in heights of the picture
+    double aside = 0;      ///< distance of the pivot to the left of the picture's centre, in picture heights
     DeviceScene scene;
     BandTracer tracer; ///< for ProgressiveRenderer
     ProgramKinds program_kinds;
-    bool lacks_photons = false; ///< since its tables were changed: it throws caustics that the tracer does not have yet
+    bool lacks_photons = false; ///< the scene casts caustics, but its tables changed and photons were not traced yet
 };
 
-/// What pictures of a turntable of the scene go around.
+/// The axis that turntables of the scene rotate about.
 TurntableAxis turntableAxis(const LoadedScene& loaded);
 
 struct LoadRequest {
     SceneDescription scene;
     RenderSettings settings;
-    CameraRequest staging;              ///< what surroundings are put up for: the settings' camera, were there no view
-    std::optional<TracerSize> size;     ///< of the tracer; none: for whole frames of the settings' size
-    std::optional<Vec3> fallback_up;    ///< where neither scene nor scans say it; none: what the camera has
-    bool fov_is_free = false;           ///< nobody has said it: it may become wider
-    double free_share = 1;              ///< of the picture's width, from the left: nothing covers it
-    std::uint64_t memory = kTileMemory; ///< bytes for pictures of sets
-    bool roots_alone = false;           ///< of sets, for now: the scene is there soon, tiles follow
-    std::uint32_t turntable = 0;        ///< pictures of a turntable that tiles are chosen for; 0: for the first camera
-    bool refines_tiles = false;         ///< those that no camera sees as well, where rays meet them
+    CameraRequest staging;              ///< surroundings are made for this camera: that of the settings without a view
+    std::optional<TracerSize> size;     ///< of the tracer; none: for frames of the settings' size
+    std::optional<Vec3> fallback_up;    ///< if neither scene nor scans define it; none: that of the camera
+    bool fov_is_free = false;           ///< not specified by the user: framing may widen it
+    double free_share = 1;              ///< uncovered share of the picture's width, from the left
+    std::uint64_t memory = kTileMemory; ///< bytes, for pictures of sets
+    bool roots_alone = false;           ///< load only the root tiles of sets now; others follow later
+    std::uint32_t turntable = 0;        ///< pictures of the turntable to select tiles for; 0: the initial camera only
+    bool refines_tiles = false;         ///< also refine tiles outside the views where secondary rays hit them
     bool verbose = false;
-    FormRequest form; ///< of its passes
+    FormRequest form; ///< of its kernels
 };
 
-/// Called as a stage of loading begins, with a word for it and the share of the whole that is done by then. It may
-/// throw to give the loading up.
+/// Called at the start of each stage of loading, with its name and the progress in [0, 1]. May throw to cancel loading.
 using LoadStage = std::function<void(const char* stage, double share)>;
 
-/// Loads on the calling thread. worker: the owner's for that thread, or the owner. stage may be empty. Throws Error as
+/// Loads on the calling thread. worker: the device of that thread made from owner, or owner. stage may be empty. Throws
+/// Error as
 /// openScene, frameCamera and uploadSceneTables do.
 std::unique_ptr<LoadedScene> loadScene(Device& owner, Device& worker, const LoadRequest& request,
                                        const LoadStage& stage);

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Progressive photon mapping: a picture's samples show one photon map after another, of ever narrower discs, so that
+// Progressive photon mapping: the samples of a picture use a sequence of photon maps with ever narrower discs, so that
 // their mean converges (Hachisuka, Ogaki and Jensen, Progressive Photon Mapping, 2008; Knaus and Zwicker, Progressive
-// Photon Mapping: A Probabilistic Approach, 2011). All of it hangs on a sample's number alone: films that are gone on
-// with show what they would have shown in one go.
+// Photon Mapping: A Probabilistic Approach, 2011). It depends only on the sample's number: resumed films
+// equal films rendered without interruption.
 #pragma once
 
 #include <cstdint>
 
 namespace pointrt {
 
-/// The number of the map that a sample shows, in a picture of so many pixels.
+/// Number of the map that a sample uses, in a picture of so many pixels.
 std::uint32_t mapOfSample(std::uint32_t sample, std::uint64_t pixels);
 
-/// How wide that map's discs are, in widths of the first one's.
+/// Radius of the discs of a map relative to those of the first map.
 double discShrink(std::uint32_t map);
 
 } // namespace pointrt

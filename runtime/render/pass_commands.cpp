@@ -8,10 +8,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// What a profile itself takes.
+/// Span of the time that profiling itself takes.
 constexpr const char* kReadSpan = "profile: counters and clock read";
 
-/// Where control has the workgroups for a list.
+/// Offset in gpu::Control of the group count for a list.
 std::size_t groupsOf(PassLanes lanes, std::uint32_t list) {
     switch (lanes) {
     case PassLanes::kTilesLeft:
@@ -71,14 +71,14 @@ void PassCommands::runTimed(const Pass& pass) {
     const Clock::time_point start = Clock::now();
     const std::clock_t cpu = std::clock();
     commands_ = beginCommands(device_);
-    recordClockStart(commands_, profile_->clock);
+    recordTimerStart(commands_, profile_->clock);
     record(pass);
-    recordClockEnd(commands_, profile_->clock);
+    recordTimerEnd(commands_, profile_->clock);
     submitAndWait(device_, commands_);
     run.cpu_ms = 1e3 * static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
     run.host_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     const HostSpan span(profile_, kReadSpan);
-    run.device_ms = clockedMilliseconds(device_, profile_->clock);
+    run.device_ms = elapsedMilliseconds(device_, profile_->clock);
     run.after = counters_ = readControl();
     addRun(*profile_, run);
 }

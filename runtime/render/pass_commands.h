@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Passes on their way to the device: in one submission, or for a profile each in one of its own.
+// Records and submits passes: all in one submission, or when profiling one submission per pass.
 #pragma once
 
 #include <chrono>
@@ -11,26 +11,26 @@
 
 namespace pointrt {
 
-/// A pass: a program over the lanes of a list, or over so many workgroups.
+/// A program run over the lanes of a list, or over a number of workgroups.
 struct Pass {
     const Program& program;
     const DescriptorSets& sets;
     std::span<const std::byte> push;
     PassLanes lanes = PassLanes::kOne;
-    std::uint32_t groups = 0; ///< 0: as control says for the list
-    std::uint32_t list = 0;   ///< of kList: LIST_* or after
+    std::uint32_t groups = 0; ///< 0: indirect, from control
+    std::uint32_t list = 0;   ///< for kList: LIST_* or a culled list
 };
 
 class PassCommands {
 public:
-    /// Bands of so many tiles. profile may be null; it and control must outlive this.
+    /// tiles: of the band. profile may be null; it and control must outlive this.
     PassCommands(Device& device, const Buffer& control, std::uint32_t tiles, PassProfile* profile);
 
-    /// What later ones read it has written by then.
+    /// Its writes are visible to later passes.
     void run(const Pass& pass);
-    /// Copies how many hits the list of hits has to a place in counts, unless a profile is taken.
+    /// Copies the length of the hit list to counts[place]; not while profiling.
     void copyHitCount(const Buffer& counts, std::size_t place);
-    /// Returns when all passes are done, with the counters as they are then.
+    /// Waits for all passes and returns the counters after the last one.
     gpu::Control finish();
 
 private:
@@ -42,8 +42,8 @@ private:
     const Buffer& control_;
     std::uint32_t tiles_;
     PassProfile* profile_;
-    VkCommandBuffer commands_ = VK_NULL_HANDLE; ///< without a profile
-    gpu::Control counters_{};                   ///< with one: after the last pass
+    VkCommandBuffer commands_ = VK_NULL_HANDLE; ///< when not profiling
+    gpu::Control counters_{};                   ///< when profiling: after the last pass
 };
 
 } // namespace pointrt

@@ -13,51 +13,51 @@ constexpr std::uint64_t kWord = sizeof(std::uint32_t), kVector = sizeof(gpu::vec
 constexpr std::uint64_t kPath = sizeof(gpu::PathState), kQuery = sizeof(gpu::DirectLightQuery);
 constexpr std::uint64_t kSurface = sizeof(gpu::SurfaceInteraction);
 constexpr std::uint64_t kShadowRay = sizeof(gpu::ShadowRay);
-/// Of the film: rgb of one layer and the luminance beside, read and written.
+/// Film traffic of accumulating light: rgb of one layer and the luminance, read and written.
 constexpr std::uint64_t kAddedLight = 2 * (3 * kWord + kWord);
 
-/// A lane of a program (see PassTally::bytes), and what it stores with the rays and the points or shadow rays that it
-/// lists.
+/// Bytes per lane of a program (see PassTally::bytes), per ray that it queues, and per query or shadow ray that it
+/// appends to LIST_DIRECT_LIGHT.
 struct PassBytes {
     const char* program;
-    std::uint64_t bytes, ray = kPath, lit = kQuery;
+    std::uint64_t bytes, ray = kPath, query = kQuery;
 };
 
 constexpr PassBytes kPassBytes[] = {
     {"prepare", 2 * sizeof(gpu::Control)},
-    {"trace_shapes (camera)", kHit},
-    {"trace_shapes", kWord + kPath + kHit},
+    {"intersect_shapes (camera)", kHit},
+    {"intersect_shapes", kWord + kPath + kHit},
     {"beam", kWord},
-    {"trace_primary", kHit}, // a tile's number and beam are 1/64 of a word each
-    {"trace", kWord + kPath + kHit},
-    {"surface (camera)", kWord + kHit + 2 * kSurface}, // the second time by shade, which does not list whose it reads
+    {"intersect_camera", kHit}, // the number and beam of a tile are 1/64 of a word each
+    {"intersect_closest", kWord + kPath + kHit},
+    {"surface (camera)", kWord + kHit + 2 * kSurface}, // stored, and loaded by shade_surface
     {"surface", kWord + kPath + kHit + 2 * kSurface},
     {"first_hits", kHit + FIRST_HIT_VECTORS* kVector},
-    {"shade (camera)", kHit + 2 * FILM_LAYERS* kVector},
-    {"shade", kWord + kPath + kHit + kAddedLight},
-    {"shadow_shapes", kWord + kQuery + kWord},
-    {"shadow", kWord + kQuery + 2 * kWord},
-    {"light", kWord + kQuery + kWord + kAddedLight},
-    // those that ask all lights list their points, which are longer than shadow rays
-    {"follow (camera)", kHit + 2 * FILM_LAYERS* kVector, kPath + kHit, kShadowRay},
-    {"follow", kWord + kPath + kHit + 4 * kVector, kPath + kHit, kShadowRay},
-    {"shadow_light", kWord + kShadowRay + kAddedLight},
-    {"sift_asked", kWord + 2 * kVector + kHit + kWord},
-    {"sift_turns", kWord + kQuery + 2 * kWord},
-    {"sift_shadow_rays", kWord + 2 * kVector + kWord},
-    {"place", 2 * kWord},
-    {"bring", kWord + kShadowRay + kAddedLight},
+    {"shade_surface (camera)", kHit + 2 * FILM_LAYERS* kVector},
+    {"shade_surface", kWord + kPath + kHit + kAddedLight},
+    {"intersect_shadow_shapes", kWord + kQuery + kWord},
+    {"intersect_shadow", kWord + kQuery + 2 * kWord},
+    {"shade_shadow", kWord + kQuery + kWord + kAddedLight},
+    // for one light sample; megakernels that sample every light append queries, which are larger than shadow rays
+    {"megakernel (camera)", kHit + 2 * FILM_LAYERS* kVector, kPath + kHit, kShadowRay},
+    {"megakernel", kWord + kPath + kHit + 4 * kVector, kPath + kHit, kShadowRay},
+    {"intersect_shadow_ray", kWord + kShadowRay + kAddedLight},
+    {"cull_closest", kWord + 2 * kVector + kHit + kWord},
+    {"cull_shadow", kWord + kQuery + 2 * kWord},
+    {"cull_shadow_ray", kWord + 2 * kVector + kWord},
+    {"compact", 2 * kWord},
+    {"accumulate_shadow", kWord + kShadowRay + kAddedLight},
     {"caustic", kWord + kQuery + kAddedLight},
 };
 
-/// Entries of queues and lists that a run has appended, and the bytes that came with them.
+/// Entries that a run has appended to queues and lists, and the bytes stored with them.
 struct Appended {
     std::uint64_t entries = 0, bytes = 0;
 };
 
 Appended appendedBy(const PassRun& run, const PassBytes& each_has) {
     Appended sum;
-    if (run.lanes == PassLanes::kOne) return sum; // it empties them
+    if (run.lanes == PassLanes::kOne) return sum; // prepare resets the counters
     const auto add = [&](std::uint32_t before, std::uint32_t after, std::uint64_t bytes) {
         sum.entries += after - before;
         sum.bytes += (after - before) * (kWord + bytes);
@@ -65,8 +65,9 @@ Appended appendedBy(const PassRun& run, const PassBytes& each_has) {
     for (const int queue : {0, 1}) add(run.before.queued[queue], run.after.queued[queue], each_has.ray);
     const auto in_list = [&](std::uint32_t list) {
         const gpu::RayList &before = run.before.lists[list], &after = run.after.lists[list];
-        if (list < LIST_SIFTED) return add(before.appended, after.appended, list == LIST_LIT ? each_has.lit : 0);
-        add(before.placed, after.placed, 0);
+        if (list < LIST_CULLED)
+            return add(before.appended, after.appended, list == LIST_DIRECT_LIGHT ? each_has.query : 0);
+        add(before.compacted, after.compacted, 0);
     };
     for (std::uint32_t list = 0; list < LISTS; ++list) in_list(list);
     add(run.before.hits_appended, run.after.hits_appended, kHit);
@@ -77,10 +78,10 @@ Appended appendedBy(const PassRun& run, const PassBytes& each_has) {
 const PassBytes& bytesOf(const std::string& program) {
     for (const PassBytes& each : kPassBytes)
         if (program == each.program) return each;
-    throw std::logic_error("a profile knows nothing of what " + program + " moves");
+    throw std::logic_error("kPassBytes lacks the program " + program);
 }
 
-/// The one of that name, at the end where there is none yet.
+/// The tally of that name, appended if new.
 template <typename Tally>
 Tally& tallyOf(std::vector<Tally>& tallies, const std::string& name) {
     const auto at = std::find_if(tallies.begin(), tallies.end(), [&](const Tally& each) { return each.name == name; });
@@ -93,7 +94,7 @@ Tally& tallyOf(std::vector<Tally>& tallies, const std::string& name) {
 } // namespace
 
 void clearProfile(PassProfile& profile) {
-    const DeviceClock clock = profile.clock;
+    const GpuTimer clock = profile.clock;
     profile = {};
     profile.clock = clock;
 }

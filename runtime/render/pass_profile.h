@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the time of frames goes: what every kind of pass took and moved, and what the host did between them.
+// Profile of frames: time and memory traffic of each kind of pass, and host time between passes.
 #pragma once
 
 #include <chrono>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/gpu/device_clock.h"
+#include "runtime/gpu/gpu_timer.h"
 #include "shaders/shared/params.h"
 
 namespace pointrt {
@@ -17,43 +17,43 @@ namespace pointrt {
 struct PassTally {
     std::string name; ///< of the program
     std::uint64_t runs = 0;
-    double device_ms = 0;        ///< by its clock, where it has one
-    double host_ms = 0;          ///< recorded, submitted and waited for, by the host's
-    double cpu_ms = 0;           ///< of this process's threads meanwhile, a device's that is a processor among them
-    std::uint64_t lanes_in = 0;  ///< that had something to do
-    std::uint64_t lanes_out = 0; ///< entries they put into queues and lists
-    /// Of queues, paths, hits, surfaces, light and film, loaded and stored, by what the sources say. What walks and
-    /// blending read of a scan is not among it: that hangs on the way of each ray.
+    double device_ms = 0;        ///< by the device's clock, if it has one
+    double host_ms = 0;          ///< recording, submission and waiting, by the host's clock
+    double cpu_ms = 0;           ///< CPU time of this process meanwhile, including a CPU device's threads
+    std::uint64_t lanes_in = 0;  ///< lanes with work
+    std::uint64_t lanes_out = 0; ///< entries they appended to queues and lists
+    /// Bytes of queues, paths, hits, surfaces, light and film loaded and stored, by the sources. Excludes what
+    /// traversal and blending read of a scan, which depends on each ray.
     std::uint64_t bytes = 0;
 };
 
-/// What the host did that is no pass.
+/// Host time outside passes.
 struct HostTally {
     std::string name;
     double ms = 0;
 };
 
 struct PassProfile {
-    DeviceClock clock; ///< the session's, which makes it and frees it
+    GpuTimer clock; ///< owned by the session
     std::uint64_t frames = 0;
-    double frames_ms = 0;          ///< of whole frames, by the host's clock
-    std::vector<PassTally> passes; ///< in the order of their first runs
-    std::vector<HostTally> host;   ///< likewise
+    double frames_ms = 0;          ///< total time of the frames, by the host's clock
+    std::vector<PassTally> passes; ///< ordered by first run
+    std::vector<HostTally> host;   ///< ordered by first use
 };
 
-/// As if nothing had run yet.
+/// Resets all but the clock.
 void clearProfile(PassProfile& profile);
 
-/// What of the frames neither passes nor host account for, in milliseconds.
+/// Time of the frames outside passes and host spans, in milliseconds.
 double unaccountedMilliseconds(const PassProfile& profile);
 
-/// The list a pass works on: its length is what control says.
+/// What the lanes of a pass are; gpu::Control has their number.
 enum class PassLanes { kOne, kTiles, kTilesLeft, kPixels, kQueueZero, kQueueOne, kList, kHits };
 
-/// Lanes with something to do; tiles: of the band; list: of kList, LIST_* or after.
+/// Number of lanes with work. tiles: of the band; list: for kList, LIST_* or a culled list.
 std::uint64_t lanesIn(const gpu::Control& control, PassLanes lanes, std::uint32_t tiles, std::uint32_t list = 0);
 
-/// A run of a pass, with the counters before and after it.
+/// One run of a pass, with the counters before and after it.
 struct PassRun {
     const char* name = "";
     PassLanes lanes = PassLanes::kOne;
@@ -61,12 +61,12 @@ struct PassRun {
     gpu::Control before, after;
     double host_ms = 0, cpu_ms = 0;
     std::optional<double> device_ms;
-    std::uint32_t list = 0; ///< of kList
+    std::uint32_t list = 0; ///< for kList
 };
-/// Throws std::logic_error for a program whose bytes are not told in pass_profile.cpp.
+/// Throws std::logic_error for a program that kPassBytes in pass_profile.cpp lacks.
 void addRun(PassProfile& profile, const PassRun& run);
 
-/// Times what the host does while it lives, under a name. None of these may live within another, or around a pass.
+/// Times the host during its lifetime, under a name. Spans must not nest, nor contain a pass.
 class HostSpan {
 public:
     HostSpan(PassProfile* profile, const char* name);
@@ -75,7 +75,7 @@ public:
     HostSpan& operator=(const HostSpan&) = delete;
 
 private:
-    PassProfile* profile_; ///< null: nothing is noted
+    PassProfile* profile_; ///< null: nothing is recorded
     const char* name_;
     std::chrono::steady_clock::time_point start_{};
 };

@@ -17,7 +17,7 @@ namespace {
 
 using Numbers = std::array<double, 4>;
 
-/// Of the R4 sequence: powers of the root of x^5 = x + 1 (Roberts, The Unreasonable Effectiveness of Quasirandom
+/// Steps of the R4 sequence: powers of the root of x^5 = x + 1 (Roberts, The Unreasonable Effectiveness of Quasirandom
 /// Sequences, 2018).
 constexpr Numbers kSteps = [] {
     constexpr double kRoot = 1.1673039782614187;
@@ -27,7 +27,7 @@ constexpr Numbers kSteps = [] {
     return steps;
 }();
 
-/// x, 0 to 2^63, less its whole part.
+/// Fractional part of x in [0, 2^63).
 double fraction(double x) { return x - static_cast<double>(static_cast<std::int64_t>(x)); }
 
 Numbers quasiRandom(std::uint64_t i, const Numbers& shift) {
@@ -36,22 +36,23 @@ Numbers quasiRandom(std::uint64_t i, const Numbers& shift) {
     return u;
 }
 
-/// To where a map's photons begin in the sequence of all maps, count in each, and anywhere for a seed but 0.
-Numbers shiftOf(PhotonTurn turn, std::uint64_t count) {
-    std::mt19937 random(turn.seed);
+/// Offset of the photons of a map in the sequence of all maps with count photons each, plus a random offset for seeds
+/// other than 0.
+Numbers shiftOf(PhotonSequence sequence, std::uint64_t count) {
+    std::mt19937 random(sequence.seed);
     Numbers shift{};
     for (std::size_t k = 0; k < shift.size(); ++k) {
-        // in two steps, as digits behind the point get lost in large products
+        // in two steps: a large product would lose fractional digits
         const double map_step = fraction(kSteps[k] * static_cast<double>(count));
-        const double of_seed = turn.seed == 0 ? 0 : std::ldexp(static_cast<double>(random()), -32);
-        shift[k] = fraction(map_step * turn.map + of_seed);
+        const double of_seed = sequence.seed == 0 ? 0 : std::ldexp(static_cast<double>(random()), -32);
+        shift[k] = fraction(map_step * sequence.map + of_seed);
     }
     return shift;
 }
 
 double brightness(const gpu::Light& light) { return (light.power.x + light.power.y + light.power.z) / 3.0; }
 
-/// Photons that find out how much light a pair carries.
+/// Photons that estimate the flux of a pair of light and target.
 constexpr std::uint32_t kTrialPhotons = 256;
 
 double pairFlux(const gpu::Light& light, const PhotonTarget& target, RenderSphere scene) {
@@ -60,13 +61,13 @@ double pairFlux(const gpu::Light& light, const PhotonTarget& target, RenderSpher
     return sum / kTrialPhotons * brightness(light);
 }
 
-/// bits of a path are never 0.
-bool setsOut(const gpu::PathState& path) { return path.bits != 0; }
+/// The bits of a valid path are never 0.
+bool isEmitted(const gpu::PathState& path) { return path.bits != 0; }
 
 } // namespace
 
 PhotonEmission::PhotonEmission(std::span<const gpu::Light> lights, std::vector<PhotonTarget> targets,
-                               RenderSphere scene, std::uint32_t count, PhotonTurn turn)
+                               RenderSphere scene, std::uint32_t count, PhotonSequence sequence)
     : targets_(std::move(targets)), scene_(scene) {
     std::vector<double> fluxes;
     for (const gpu::Light& light : lights)
@@ -75,17 +76,17 @@ PhotonEmission::PhotonEmission(std::span<const gpu::Light> lights, std::vector<P
     for (const double flux : fluxes) total += flux;
     if (!(total > 0)) return;
     std::size_t pair = 0;
-    // pairs go on in one sequence, so that they are not alike
+    // all pairs share one sequence, so that they are uncorrelated
     for (const gpu::Light& light : lights)
         for (const PhotonTarget& target : targets_) {
             const auto share = static_cast<std::uint64_t>(std::ceil(count * (fluxes[pair++] / total)));
             if (share > 0) pairs_.push_back({light, target, count_, share});
             count_ += share;
         }
-    shift_ = shiftOf(turn, count_);
+    shift_ = shiftOf(sequence, count_);
 }
 
-/// Blank where the photon would carry no light.
+/// Zero if the photon would carry no light.
 gpu::PathState PhotonEmission::pathOf(std::uint64_t photon) const {
     const auto behind = std::upper_bound(pairs_.begin(), pairs_.end(), photon,
                                          [](std::uint64_t number, const Pair& pair) { return number < pair.first; });
@@ -114,7 +115,7 @@ std::vector<gpu::PathState> PhotonEmission::next(std::size_t most) {
             for (std::size_t i = first; i < end; ++i) tried[i] = pathOf(sent_ + i);
         });
         sent_ += tried.size();
-        std::copy_if(tried.begin(), tried.end(), std::back_inserter(paths), setsOut);
+        std::copy_if(tried.begin(), tried.end(), std::back_inserter(paths), isEmitted);
     }
     return paths;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Photons on their way from the lights to what mirrors or refracts them.
+// Emission of photons from the lights towards everything that mirrors or refracts them.
 #pragma once
 
 #include <array>
@@ -12,41 +12,40 @@
 
 namespace pointrt {
 
-/// Which photons set out: those of one map after another, others for each seed.
-struct PhotonTurn {
+/// Selects the photons to emit: a different set for each map and each seed.
+struct PhotonSequence {
     std::uint32_t map = 0, seed = 0;
 };
 
-/// About count paths, each with its flux, from all lights with a place or direction (no sky images) to all targets,
-/// in proportion to the light that each light sends to each target. Directions are quasi-random: the same for the same
-/// arguments, and those of all maps of a seed one even sequence. Of a pair of light and target all of what the light
-/// sends into the target's sphere is sent; what meets something else on the way does not count
-/// (shaders/shade/photon.comp.glsl).
+/// About count photon paths, each with its flux, from all lights except sky images to all targets, in proportion to the
+/// flux from each light to each target. Directions are quasi-random and deterministic; those of all maps of a seed form
+/// one even sequence. All light from a light into the bounding sphere of a target is sampled; photons that first hit
+/// something else are dropped (shaders/shade/photon.comp.glsl).
 class PhotonEmission {
 public:
     /// lights must outlive it.
     PhotonEmission(std::span<const gpu::Light> lights, std::vector<PhotonTarget> targets, RenderSphere scene,
-                   std::uint32_t count, PhotonTurn turn = {});
+                   std::uint32_t count, PhotonSequence sequence = {});
     PhotonEmission(const PhotonEmission&) = delete;
     PhotonEmission& operator=(const PhotonEmission&) = delete;
 
-    /// Numbers of photons in the map: no more paths than that.
+    /// Photons of the map; an upper bound of the number of paths.
     std::uint64_t count() const { return count_; }
-    /// The next paths, fewer than most where those were the last.
+    /// The next paths, at most `most`; fewer only if they are the last.
     std::vector<gpu::PathState> next(std::size_t most);
 
 private:
     struct Pair {
         const gpu::Light& light;
         const PhotonTarget& target;
-        std::uint64_t first = 0, count = 0; ///< of the map's photons
+        std::uint64_t first = 0, count = 0; ///< numbers of its photons in the map
     };
 
     gpu::PathState pathOf(std::uint64_t photon) const;
 
     std::vector<PhotonTarget> targets_;
     RenderSphere scene_;
-    std::vector<Pair> pairs_; ///< in order; each has photons
+    std::vector<Pair> pairs_; ///< in order of first; each has photons
     std::uint64_t count_ = 0, sent_ = 0;
     std::array<double, 4> shift_{}; ///< of the quasi-random numbers
 };

@@ -13,14 +13,14 @@ namespace pointrt {
 
 namespace {
 
-/// Photons in a kernel, at least where they are dense: the light's relative error is about the inverse root of this,
-/// less by the evenness of quasi-random photons.
+/// Least photons in a kernel where they are dense. The relative error of the light is about the inverse root of this,
+/// less thanks to quasi-random photons.
 constexpr std::uint32_t kKernelPhotons = 48;
-/// Photons that the finest radius is taken from.
+/// Photons sampled to choose the finest radius.
 constexpr std::size_t kProbes = 64;
-/// Photons that neighbours are looked for among, about.
+/// Approximate number of photons among which neighbours are searched.
 constexpr std::size_t kSearched = 1u << 16;
-/// The finest kernel's radius in scene radii, at most.
+/// Largest radius of the finest kernel, in scene radii.
 constexpr double kMaxRadius = 0.01;
 
 double squaredDistance(const gpu::Photon& a, const gpu::Photon& b) {
@@ -28,9 +28,9 @@ double squaredDistance(const gpu::Photon& a, const gpu::Photon& b) {
     return x * x + y * y + z * z;
 }
 
-/// Of the distances from some photons to their kKernelPhotons-th neighbour one that an eighth of them are below. Among
-/// many photons every n-th is looked at, for a neighbour as much nearer in rank: kProbes of them even out what one rank
-/// tells less well.
+/// The 1/8 quantile of the distances of kProbes photons to their kKernelPhotons-th neighbour. Among many photons only
+/// every n-th is searched, for a neighbour of a rank n times lower; the number of probes averages out the lower
+/// precision.
 double finestRadius(const std::vector<gpu::Photon>& photons) {
     const std::size_t thinning = std::clamp<std::size_t>(photons.size() / kSearched, 1, kKernelPhotons / 4);
     std::vector<gpu::Photon> searched;
@@ -57,7 +57,7 @@ struct Cell {
     std::int32_t x, y, z;
 };
 
-/// Computed as the shader does.
+/// Computed as in the shader.
 Cell cellOf(Vec3f at, float cells) {
     const auto along = [&](float x) { return static_cast<std::int32_t>(std::floor(x * cells)); };
     return {along(at.x), along(at.y), along(at.z)};
@@ -81,9 +81,9 @@ std::uint32_t ownBucket(const gpu::Photon& photon, Levels levels, std::uint32_t 
     return bucketOf(cellOf(placeOf(photon), levels[level].low.w), level);
 }
 
-/// Each photon to the finest level where enough others share its cell.
+/// Assigns each photon the finest level at which enough others share its cell.
 void chooseLevels(std::vector<gpu::Photon>& photons, Levels levels) {
-    // a disc takes pi / 4 of a cell
+    // a disc covers pi / 4 of a cell
     constexpr std::uint32_t kCellPhotons = kKernelPhotons * 4 / 3;
     for (gpu::Photon& photon : photons) photon.flux.w = PHOTON_LEVELS - 1;
     for (std::uint32_t level = PHOTON_LEVELS - 1; level-- > 0;) {
@@ -94,7 +94,8 @@ void chooseLevels(std::vector<gpu::Photon>& photons, Levels levels) {
     }
 }
 
-/// Where each bucket starts in an array of all, the last end included; bucketsOf(i, visit) visits those of photon i.
+/// Start of each bucket in an array of all entries, and the end of the last. bucketsOf(i, visit) visits the buckets of
+/// photon i.
 template <typename BucketsOf>
 std::vector<std::uint32_t> startsOf(std::size_t photons, const BucketsOf& bucketsOf) {
     std::vector<std::uint32_t> starts(PHOTON_BUCKETS + 1, 0);
@@ -114,7 +115,7 @@ std::vector<gpu::Photon> sortedByCell(const std::vector<gpu::Photon>& photons, L
     return sorted;
 }
 
-/// Visits the buckets of the cells that the photon's disc meets, each once.
+/// Visits the buckets of the cells that the photon's disc overlaps, each once.
 template <typename Visit>
 void visitBuckets(const gpu::Photon& photon, Levels levels, const Visit& visit) {
     const std::uint32_t level = levelOf(photon), bits = std::bit_cast<std::uint32_t>(photon.position.w);
@@ -124,7 +125,7 @@ void visitBuckets(const gpu::Photon& photon, Levels levels, const Visit& visit) 
     };
     const Vec3f normal{byte(0), byte(8), byte(16)}, place = placeOf(photon),
                                                     in_cells{place.x * cells, place.y * cells, place.z * cells};
-    // in cells: half of a cell's extent along the normal, and the disc's reach, a little more for rounding
+    // in cells: half the extent of a cell along the normal, plus the reach of the disc with a margin for rounding
     const float reach = 0.5f * (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z)) + 0.51f * PHOTON_REACH;
     const Cell low = cellOf({place.x - 0.5f / cells, place.y - 0.5f / cells, place.z - 0.5f / cells}, cells);
     std::array<std::uint32_t, 8> visited{};
@@ -143,16 +144,17 @@ void visitBuckets(const gpu::Photon& photon, Levels levels, const Visit& visit) 
 
 /// The words of PhotonMap::buckets.
 std::vector<std::uint32_t> listByCell(const std::vector<gpu::Photon>& photons, Levels levels) {
-    const auto met = [&](std::size_t i, const auto& visit) { visitBuckets(photons[i], levels, visit); };
-    std::vector<std::uint32_t> words = startsOf(photons.size(), met);
+    const auto buckets = [&](std::size_t i, const auto& visit) { visitBuckets(photons[i], levels, visit); };
+    std::vector<std::uint32_t> words = startsOf(photons.size(), buckets);
     for (std::uint32_t& start : words) start += PHOTON_BUCKETS + 1;
     std::vector<std::uint32_t> next = words;
     words.resize(words.back());
-    for (std::uint32_t i = 0; i < photons.size(); ++i) met(i, [&](std::uint32_t bucket) { words[next[bucket]++] = i; });
+    for (std::uint32_t i = 0; i < photons.size(); ++i)
+        buckets(i, [&](std::uint32_t bucket) { words[next[bucket]++] = i; });
     return words;
 }
 
-/// Levels without photons.
+/// Initializes the levels, without photons.
 void setRadii(gpu::CausticFrame& frame, double finest) {
     constexpr float kNowhere = std::numeric_limits<float>::max();
     for (gpu::PhotonLevel& level : frame.levels) {
@@ -181,12 +183,12 @@ PhotonMap sortPhotons(std::vector<gpu::Photon> photons, double scene_radius, Pho
     map.buckets.assign(PHOTON_BUCKETS + 1, PHOTON_BUCKETS + 1);
     setRadii(map.frame, 1);
     if (photons.empty()) return map;
-    // no narrower than what floats of that size tell apart
+    // no narrower than the resolution of floats of that size
     const double least = 1e-5 * scene_radius;
     map.finest = discs.finest > 0 ? discs.finest : std::clamp(finestRadius(photons), least, kMaxRadius * scene_radius);
     map.frame.count = {static_cast<std::uint32_t>(photons.size()), 0, 0, 0};
     const Levels levels(map.frame.levels);
-    // by cells that do not shrink: narrower ones would tell less and less of how dense photons are
+    // by cells that do not shrink: narrower ones would measure the density less and less precisely
     setRadii(map.frame, map.finest);
     chooseLevels(photons, levels);
     setRadii(map.frame, std::max(map.finest * discs.shrink, least));

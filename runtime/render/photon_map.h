@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Photons sorted for shaders/shade/caustic.glsl.
+// The photon map, sorted for shaders/shade/caustic.glsl.
 #pragma once
 
 #include <cstdint>
@@ -9,22 +9,22 @@
 
 namespace pointrt {
 
-/// How wide discs are.
+/// Radii of the discs.
 struct PhotonDiscs {
-    double finest = 0; ///< radius of the finest, before they shrink; 0: by the photons
-    double shrink = 1; ///< all of them, by this factor; levels are chosen before
+    double finest = 0; ///< radius of the finest level before shrinking; 0: chosen from the photons
+    double shrink = 1; ///< factor for all radii, applied after levels are chosen
 };
 
 struct PhotonMap {
-    std::vector<gpu::Photon> photons;   ///< by the bucket of the cell that each is in
-    std::vector<std::uint32_t> buckets; ///< PHOTON_BUCKETS + 1 words and the lists that they point to; none: none
+    std::vector<gpu::Photon> photons;   ///< sorted by the bucket of the cell of each
+    std::vector<std::uint32_t> buckets; ///< PHOTON_BUCKETS + 1 words and the lists that they point to
     gpu::CausticFrame frame{};
-    double finest = 0; ///< PhotonDiscs::finest of the maps to follow
+    double finest = 0; ///< PhotonDiscs::finest for later maps
 };
 
-/// Gives each photon a level, sorts and lists them. Where discs does not say it, the finest are as wide as where
-/// light is bundled tightly kKernelPhotons lie around a photon, at most kMaxRadius of scene_radius. No photons: an
-/// empty map.
+/// Assigns a level to each photon, sorts the photons and builds the lists. If discs.finest is 0, the finest discs hold
+/// kKernelPhotons where light is most focused, with a radius of at most kMaxRadius of scene_radius. Without photons the
+/// map is empty.
 PhotonMap sortPhotons(std::vector<gpu::Photon> photons, double scene_radius, PhotonDiscs discs = {});
 
 } // namespace pointrt

@@ -14,7 +14,7 @@ std::optional<Pick> pickPixel(Device& device, BandTracer& tracer, const RenderSe
     BandSample sample{settings.width, 1};
     sample.only_first_hits = true;
     RayCounts rays;
-    traceOn(device, tracer, sample, 0, rays);
+    tracePasses(device, tracer, sample, 0, rays);
     gpu::vec4 hit[FIRST_HIT_VECTORS];
     downloadBuffer(device, tracer.buffers.first_hits, hit, sizeof hit, std::uint64_t{first + x} * sizeof hit);
     if (hit[0].w < 0) return std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is under a pixel.
+// Picking: the first hit under a pixel.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,16 @@
 
 namespace pointrt {
 
-/// Of the ray through a pixel's centre.
+/// First hit of the ray through a pixel centre.
 struct Pick {
     std::uint32_t splat = 0, owner = 0; ///< owner: an instance's number, or OWNER_SHAPES
-    std::optional<std::uint32_t> tile;  ///< of the owner's set, where it is one
+    std::optional<std::uint32_t> tile;  ///< index in the set, if the owner is a set
     double distance = 0;                ///< along the ray, input units
     Vec3 position, normal;              ///< input frame
 };
 
-/// Traces that ray; none where it hits nothing. It borrows the tracer's buffers, which have room for the whole
-/// picture's film: no strip may be under way, and of the film the row's first hits become the picture's.
+/// Traces that ray; none for a miss. Uses the tracer's buffers, which must have room for the film of the whole picture:
+/// no strip may be in progress, and the first hits of the row in the film are overwritten.
 std::optional<Pick> pickPixel(Device& device, BandTracer& tracer, const RenderSettings& settings, const Camera& camera,
                               std::uint32_t x, std::uint32_t y);
 

@@ -13,10 +13,10 @@ namespace pointrt {
 namespace {
 
 constexpr std::uint32_t kTilePixels = 1u << 21;
-/// Wider tiles would be low ones, with much around.
+/// Wider tiles would have few rows and large borders.
 constexpr std::uint32_t kTileWidth = 1u << 12;
 constexpr std::uint64_t kTexelBytes = 4 * sizeof(float);
-constexpr std::uint64_t kTileBytes = 88 + 3 * kTexelBytes + kTexelBytes; ///< a pixel: denoiser, inputs, a copy
+constexpr std::uint64_t kTileBytes = 88 + 3 * kTexelBytes + kTexelBytes; ///< per pixel: denoiser, inputs, staging copy
 
 void requireSize(const char* name, const std::vector<float>& values, std::size_t expected, bool may_be_empty) {
     if (values.size() == expected || (may_be_empty && values.empty())) return;
@@ -34,7 +34,7 @@ void requireSizes(const Film& film) {
     requireSize("samples", film.samples, pixels, true);
 }
 
-/// Appends xyz and w of count pixels from first on; what is empty becomes missing.
+/// Appends xyz and w of count pixels from first on. Empty arrays are replaced by missing_xyz and 0.
 void interleave(const std::vector<float>& xyz, float missing_xyz, const std::vector<float>& w, std::size_t first,
                 std::size_t count, std::vector<float>& texels) {
     const std::size_t end = texels.size();
@@ -46,7 +46,7 @@ void interleave(const std::vector<float>& xyz, float missing_xyz, const std::vec
     }
 }
 
-/// Columns that a tile of this width brings, where there are more on both sides.
+/// Columns of results of a tile of this width with borders on both sides.
 std::uint32_t innerWidth(std::uint32_t width) { return width - 2 * kDenoiseReach; }
 
 void dropFront(std::vector<float>& texels, std::size_t count) {
@@ -132,7 +132,7 @@ void PictureFilter::gather(const Film& film, std::uint32_t row) {
     ++rows_;
 }
 
-/// All rows that know what is around them.
+/// Filters all rows whose neighbourhood has arrived.
 void PictureFilter::filterRows() {
     const std::uint32_t width = plan_.picture.width, end = first_row_ + rows_;
     const std::uint32_t done_end = end == plan_.picture.height ? end : end - kDenoiseReach;
@@ -149,7 +149,7 @@ void PictureFilter::filterRows() {
     rows_ -= dropped;
 }
 
-/// So many columns of the next rows into done_, from what is gathered of them and around.
+/// Filters columns of the next rows into done_.
 void PictureFilter::filterTile(std::uint32_t first_column, std::uint32_t columns, std::uint32_t rows) {
     const std::uint32_t width = plan_.picture.width;
     const std::uint32_t left = first_column - std::min(first_column, kDenoiseReach);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The denoiser on the host's films, of any size: tile by tile, while rows come from the top.
+// Denoises films on the host, of any size: tile by tile, while rows arrive from the top.
 #pragma once
 
 #include <cstdint>
@@ -15,44 +15,43 @@
 
 namespace pointrt {
 
-/// What is on the device at once, the kDenoiseReach pixels around what comes of it among them. Edges of pictures have
-/// none around.
+/// Size of a tile on the device, including a border of kDenoiseReach pixels except at edges of the picture.
 struct FilterTile {
-    std::uint32_t width = 0, rows = 0; ///< above 2 * kDenoiseReach each, but for pictures that are smaller
+    std::uint32_t width = 0, rows = 0; ///< above 2 * kDenoiseReach each, unless the picture is smaller
 };
 
-/// 2 million pixels at most: the least that Vulkan promises to bind is four times that. Smaller pictures are one tile;
-/// of a large one a sixth of the work is done twice.
+/// At most 2 million pixels, whose buffers are a quarter of what every Vulkan device can bind. Smaller pictures are one
+/// tile; in large ones a sixth of the work is repeated in borders.
 FilterTile filterTileFor(PixelSize picture);
 
 struct FilterPlan {
     PixelSize picture;
-    bool has_variance = false; ///< of the samples' mean, as a film has it; without, the light's spread stands in
-    bool covers_all = false; ///< what the scene does not cover is filtered too: a backdrop has shadows as noisy as any
+    bool has_variance = false; ///< the film has the variance of the mean; else spatial variance is used
+    bool covers_all = false;   ///< also filter pixels the scene does not cover: shadows on the backdrop are noisy too
     FilterTile tile;
 };
 
-/// Bytes that a PictureFilter holds, on the host and on the device.
+/// Memory of a PictureFilter in bytes, host and device together.
 std::uint64_t filterBytes(const FilterPlan& plan);
 
-/// A picture's pixels are the same to the last bit however it is cut into tiles and into rows that are added together.
+/// The result is bit-identical however the picture is divided into tiles and rows are added.
 class PictureFilter {
 public:
-    /// The next rows that are done, from the top: 4 floats a pixel, linear rgb and alpha.
+    /// Receives the next filtered rows, from the top: 4 floats per pixel, linear rgb and alpha.
     using TakeRows = std::function<void(std::span<const float> rgba)>;
 
-    /// Throws Error kCannotRun where the device has not got the memory.
+    /// Throws Error kCannotRun if the device lacks memory.
     PictureFilter(Device& device, const FilterPlan& plan, TakeRows take);
     ~PictureFilter();
     PictureFilter(const PictureFilter&) = delete;
     PictureFilter& operator=(const PictureFilter&) = delete;
 
-    /// The next rows of the picture are film's from first on. Its guides are normal, depth, albedo and variance; those
-    /// that are empty are not used. After the picture's last row all has been taken.
+    /// Adds the next rows of the picture, those of film from first on. Guides are normal, depth, albedo and variance;
+    /// empty ones are ignored. The last row of the picture flushes all filtered rows.
     void addRows(const Film& film, std::uint32_t first, std::uint32_t rows);
 
 private:
-    using Texels = std::vector<float>; ///< 4 a pixel, of rows that are whole
+    using Texels = std::vector<float>; ///< 4 per pixel, complete rows
 
     void createTile();
     void gather(const Film& film, std::uint32_t row);
@@ -63,26 +62,25 @@ private:
     Device& device_;
     FilterPlan plan_;
     TakeRows take_;
-    Buffer color_, surface_, albedo_; ///< as in DenoiseInputs, of a tile
+    Buffer color_, surface_, albedo_; ///< DenoiseInputs of a tile
     Denoiser denoiser_;
-    Texels colors_, surfaces_, albedos_; ///< of the rows from first_row_ on that are still asked for
-    Texels tile_;                        ///< on its way to the device, and back
+    Texels colors_, surfaces_, albedos_; ///< input rows from first_row_ on that are still needed
+    Texels tile_;                        ///< staging to and from the device
     Texels done_;
-    std::uint32_t first_row_ = 0, rows_ = 0; ///< gathered
-    std::uint32_t done_rows_ = 0;            ///< of the picture, taken
+    std::uint32_t first_row_ = 0, rows_ = 0; ///< of the input rows
+    std::uint32_t done_rows_ = 0;            ///< rows of the picture passed to take_
 };
 
-/// Whether film.variance counts: every pixel has 2 samples or more, where film.samples is not empty.
+/// Whether film.variance is valid: every pixel has 2 samples or more (unless film.samples is empty).
 bool hasVariance(const Film& film);
 
-/// Filters film.rgba's colours on device; alpha and all else stay. Guides are film.normal, depth, albedo and variance;
-/// those that are empty are not used. The variance counts only where hasVariance; without it the spread of similar
-/// pixels around stands in, which takes sharp shadows' edges for noise.
-/// A film without pixels stays as it is. Throws std::logic_error when an array has the wrong size, Error kCannotRun
-/// when the device cannot.
+/// Filters the colours of film.rgba on device; changes nothing else. Guides are film.normal, depth, albedo and
+/// variance; empty ones are ignored. Without valid variance (hasVariance) it uses the spatial variance of similar
+/// pixels, which mistakes the edges of sharp shadows for noise. A film without pixels is unchanged. Throws
+/// std::logic_error if an array has the wrong size, Error kCannotRun if the device lacks memory.
 void denoiseFilm(Device& device, Film& film);
 
-/// The same, with what the scene does not cover taken for covered: a backdrop has shadows as noisy as any.
+/// The same, but also filters pixels that the scene does not cover: shadows on the backdrop are noisy too.
 void denoisePicture(Device& device, Film& film);
 
 } // namespace pointrt

@@ -9,19 +9,19 @@
 namespace pointrt {
 namespace {
 
-/// Tiles as their rays want them, round by round: what children are met is known when they are there. Two rounds bring
-/// what no camera sees to the pixel of what one sees (kUnseenPixel), and one finds that nothing more is wanted.
+/// Rounds of refinement by secondary rays: which children are hit is known only once they are loaded. Two rounds refine
+/// tiles outside the views to their pixel size (kUnseenPixelScale); the third finds nothing left to refine.
 constexpr int kTileRounds = 3;
 
-/// Of a turntable so many tell which tiles it needs.
+/// Cameras that a turntable selects its tiles by.
 constexpr std::uint32_t kTurntableCameras = 64;
 
-/// What a process takes beside tiles and the filter: the driver and its programs up to 190 MB, a band of a film 65,
-/// what is in flight with rays in queues another 50, as measured with lavapipe. Whether a picture will be filtered or
-/// in queues is not asked, so that its tiles do not depend on that.
+/// Memory of a process beside tiles and the filter, measured with lavapipe: the driver and its programs up to 190 MB, a
+/// band of a film 65 MB, wavefront queues 50 MB. Counted whether or not a picture is filtered or uses queues, so that
+/// its tiles do not depend on that.
 constexpr std::uint64_t kProcessBytes = 305'000'000;
 
-/// That tiles are chosen for.
+/// The cameras to select tiles for.
 std::vector<Camera> pictureCameras(const LoadedScene& loaded, const LoadRequest& request) {
     if (request.turntable == 0) return {loaded.camera};
     const TurntableAxis axis = turntableAxis(loaded);
@@ -31,7 +31,7 @@ std::vector<Camera> pictureCameras(const LoadedScene& loaded, const LoadRequest&
     return cameras;
 }
 
-void remakeTables(Device& device, LoadedScene& loaded) {
+void rebuildTables(Device& device, LoadedScene& loaded) {
     uploadSceneTables(device, loaded.scene, loaded.settings);
     addPrograms(device, loaded.scene, loaded.settings, loaded.tracer.programs);
     rebind(device, loaded.tracer);
@@ -50,7 +50,7 @@ TileRequest tileRequest(const Device& device, const LoadedScene& loaded, const L
     tiles.size = {loaded.settings.width, loaded.settings.height};
     tiles.detail = loaded.settings.detail;
     tiles.memory = request.roots_alone ? 0 : pictureTileMemory(device, loaded.settings, request.memory);
-    tiles.tells_coarse = !request.roots_alone;
+    tiles.reports_coarse = !request.roots_alone;
     const std::vector<InstanceDescription>& instances = loaded.scene.description.instances;
     tiles.painted = std::any_of(instances.begin(), instances.end(),
                                 [&](const InstanceDescription& each) { return isPainted(each, loaded.settings); });
@@ -58,19 +58,19 @@ TileRequest tileRequest(const Device& device, const LoadedScene& loaded, const L
     return tiles;
 }
 
-void standTilesAnew(Device& device, LoadedScene& loaded, const LoadRequest& request) {
+void reselectTiles(Device& device, LoadedScene& loaded, const LoadRequest& request) {
     for (SceneSet& each : loaded.scene.sets)
-        std::fill_n(each.opened.wanted_unseen.begin(), each.opened.set.tiles.size(), false);
-    if (standTiles(device, loaded.scene, tileRequest(device, loaded, request))) remakeTables(device, loaded);
+        std::fill_n(each.opened.hit_unseen.begin(), each.opened.set.tiles.size(), false);
+    if (updateTiles(device, loaded.scene, tileRequest(device, loaded, request))) rebuildTables(device, loaded);
     refineTiles(device, loaded, request);
 }
 
 void refineTiles(Device& device, LoadedScene& loaded, const LoadRequest& request) {
     const TileRequest tiles = tileRequest(device, loaded, request);
     for (int round = 0; round < kTileRounds; ++round) {
-        if (!markTilesMet(device, loaded.tracer, loaded.scene, loaded.settings, tiles.cameras)) return;
-        if (!standTiles(device, loaded.scene, tiles)) return;
-        remakeTables(device, loaded);
+        if (!markTilesHit(device, loaded.tracer, loaded.scene, loaded.settings, tiles.cameras)) return;
+        if (!updateTiles(device, loaded.scene, tiles)) return;
+        rebuildTables(device, loaded);
     }
 }
 

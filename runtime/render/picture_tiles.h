@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tiles of sets that a picture of a loaded scene is traced with.
+// Selection of the tiles of sets for a picture of a loaded scene.
 #pragma once
 
 #include "runtime/device_scene/scene_tiles.h"
@@ -7,18 +7,17 @@
 
 namespace pointrt {
 
-/// Of `memory` bytes those that tiles may take beside a picture of the settings' size.
+/// Bytes of `memory` left for tiles beside a picture of the settings' size.
 std::uint64_t pictureTileMemory(const Device& device, const RenderSettings& settings, std::uint64_t memory);
 
-/// What loaded's camera, or the turntable that request tells of, wants at its settings' size.
+/// The tile request of the loaded camera, or of the turntable of request, at the settings' size.
 TileRequest tileRequest(const Device& device, const LoadedScene& loaded, const LoadRequest& request);
 
-/// Finer tiles where rays meet what no camera sees, round by round, with tables and programs for them. Tiles stand
-/// already, and the tracer is there, without photons that count.
+/// Loads finer tiles outside the views where secondary rays hit them, in several rounds, and rebuilds tables and
+/// programs. Needs loaded tiles and a tracer; its photons are not used.
 void refineTiles(Device& device, LoadedScene& loaded, const LoadRequest& request);
 
-/// The tiles of a picture from loaded's camera in place of those of the last one, as a scene that is loaded for it has
-/// them, refined.
-void standTilesAnew(Device& device, LoadedScene& loaded, const LoadRequest& request);
+/// Replaces the tiles by those for a picture from the loaded camera, refined: the same as a scene loaded for it has.
+void reselectTiles(Device& device, LoadedScene& loaded, const LoadRequest& request);
 
 } // namespace pointrt

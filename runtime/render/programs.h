@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tracer's compute programs. Those that look into an instance are built for what it is like.
+// The renderer's compute programs. Programs that read an instance are specialized for its traits.
 #pragma once
 
 #include <map>
@@ -8,7 +8,7 @@
 #include "runtime/device_scene/device_scene.h"
 #include "runtime/gpu/program.h"
 #include "runtime/render/instance_traits.h"
-#include "runtime/render/pass_form.h"
+#include "runtime/render/kernel_form_choice.h"
 
 namespace pointrt {
 
@@ -16,47 +16,48 @@ struct CausticMap;
 struct FrameBuffers;
 
 struct InstancePrograms {
-    Program trace_primary, camera_surface;
-    Program trace, surface;       ///< of rays that go on
-    Program shadow, shadow_light; ///< of light, of either form
+    Program intersect_camera, camera_surface;
+    Program intersect_closest, surface; ///< for secondary rays
+    Program intersect_shadow,
+        intersect_shadow_ray; ///< one of them: queued shadow rays, or the megakernel's stored ones
 };
 
-/// What camera rays and queued rays have one each of (shaders/lib/features.glsl).
+/// Programs with one variant for camera rays and one for queued rays (shaders/lib/features.glsl).
 struct PassPrograms {
-    Program trace_shapes, shade;
-    Program follow; ///< of the fused form, in place of shade
+    Program intersect_shapes, shade_surface;
+    Program megakernel; ///< in place of shade_surface
 };
 
-/// What sifts rays for targets (shaders/trace/sift.glsl), each a list.
-struct SievePrograms {
-    Program asked, turns, shadow_rays;
+/// Culling programs (shaders/trace/cull.glsl), named after the programs whose input lists they cull.
+struct CullPrograms {
+    Program closest, shadow, shadow_ray;
 };
 
-/// All declare the same bindings in set 0 (shaders/lib/bindings.glsl), and those for paged instances in set 1.
+/// All declare the same bindings in set 0 (shaders/lib/bindings.glsl), those for paged instances also in set 1.
 struct Programs {
-    PassForm form = PassForm::kQueued;
-    bool rays_go_on = true, show_light = true; ///< else the programs for that are not built
-    bool asks_one = false;                     ///< light of all at each hit
-    bool light_on_the_way = false;             ///< see FEATURE_LIGHT_ON_THE_WAY
-    Program prepare, first_hits, beam, shadow_shapes, light, photon, caustic;
+    KernelForm form = KernelForm::kWavefront;
+    bool has_secondary_rays = true, has_direct_lighting = true; ///< if false, the programs for it are not built
+    bool samples_one_light = false;                             ///< at each hit, instead of every light
+    bool inline_nee = false;                                    ///< see FEATURE_INLINE_NEE
+    Program prepare, first_hits, beam, intersect_shadow_shapes, shade_shadow, photon, caustic;
     PassPrograms camera, queued;
     std::map<InstanceTraits, InstancePrograms> variants;
-    std::map<std::uint32_t, SievePrograms> sieves; ///< by how many boxes there may be
-    Program place, bring;                          ///< of what was sifted
+    std::map<std::uint32_t, CullPrograms> cull; ///< by the number of boxes (cullProgramSize)
+    Program compact, accumulate_shadow;         ///< after culling
 };
 
-/// Builds what the scene needs for the settings' integrator, in the form asked for where that can be.
+/// Builds the programs that the scene needs for the settings' integrator, in the requested form if possible.
 Programs createPrograms(Device& device, const DeviceScene& scene, const RenderSettings& settings, FormRequest form);
-/// Builds what the scene's instances need besides, now that they are others.
+/// Builds the programs that the scene's instances need in addition after they have changed.
 void addPrograms(Device& device, const DeviceScene& scene, const RenderSettings& settings, Programs& programs);
 void destroyPrograms(Device& device, Programs& programs);
 
 const InstancePrograms& programsFor(const Programs& programs, const DeviceScene& scene, const Instance& instance);
 
-/// Sets with the instance, its pages where it has any, the frame's buffers, the caustics and a sieve, for all programs
-/// and those of the instance. They take two of the pool's sets.
+/// Descriptor sets of an instance, its pages if it has any, the frame's buffers, the caustics and cull boxes, for all
+/// programs and those of the instance. They take two sets of the pool.
 DescriptorSets bindInstance(Device& device, VkDescriptorPool pool, const Programs& programs, const DeviceScene& scene,
                             const Instance& instance, const FrameBuffers& buffers, const CausticMap& caustics,
-                            const Buffer& sieve);
+                            const Buffer& cull_boxes);
 
 } // namespace pointrt

@@ -21,12 +21,13 @@ double steadySeconds() {
 } // namespace
 
 void ProgressiveRenderer::begin(const RenderPlan& plan, const FrameJob& job, std::optional<Film> start) {
-    const bool turns = job.limits.seconds || job.limits.noise || (job.interrupted && !job.band_by_band);
-    if (job.take_rows && (turns || start)) throw std::logic_error("frame: rows are handed on where bands come once");
+    const bool revisits_bands = job.limits.seconds || job.limits.noise || (job.interrupted && !job.band_by_band);
+    if (job.take_rows && (revisits_bands || start))
+        throw std::logic_error("frame: take_rows needs bands that are rendered once");
     plan_ = plan;
     take_rows_ = job.take_rows;
-    may_break_off_ = job.interrupted || job.limits.seconds;
-    film_.width = 0; // its memory is used again
+    may_abort_ = job.interrupted || job.limits.seconds;
+    film_.width = 0; // keeps its memory
     const std::uint32_t rows = plan.tiling.band_rows;
     std::vector<FrameBand> bands = start ? frameBands(*start, rows) : emptyBands(plan.settings.height, rows);
     if (start) film_ = std::move(*start);
@@ -44,13 +45,13 @@ void ProgressiveRenderer::begin(const RenderPlan& plan, const FrameJob& job, std
 bool ProgressiveRenderer::preparePhotons() { return !schedule_ || showPhotonsFor(schedule_->samples()); }
 
 bool ProgressiveRenderer::showPhotonsFor(std::uint32_t sample) {
-    return showPhotons(device_, tracer_, sample, std::uint64_t{plan_.settings.width} * plan_.settings.height);
+    return usePhotonMap(device_, tracer_, sample, std::uint64_t{plan_.settings.width} * plan_.settings.height);
 }
 
 bool ProgressiveRenderer::openStrip(std::uint32_t most_rows) {
-    if (rows_done_ == 0 ? !openNextBand() : schedule_->breaksOff()) return false;
+    if (rows_done_ == 0 ? !openNextBand() : schedule_->shouldAbort()) return false;
     while (!showPhotonsFor(open_->samples))
-        if (schedule_->breaksOff()) return false;
+        if (schedule_->shouldAbort()) return false;
     const RenderSettings& settings = plan_.settings;
     const Band& band = open_->band;
     const std::uint32_t rows = stripRows(rows_done_, most_rows, band.rows);
@@ -63,7 +64,7 @@ bool ProgressiveRenderer::openStrip(std::uint32_t most_rows) {
     return true;
 }
 
-/// Makes the device ready for the band that is to be sampled next.
+/// Moves the band to sample next to the device.
 bool ProgressiveRenderer::openNextBand() {
     const FrameBand* next = schedule_->next();
     if (!next) return false;
@@ -79,25 +80,25 @@ bool ProgressiveRenderer::openNextBand() {
 }
 
 bool ProgressiveRenderer::traceStrip(std::uint32_t bounces) {
-    traceOn(device_, tracer_, strip_->sample, bounces, rays_);
+    tracePasses(device_, tracer_, strip_->sample, bounces, rays_);
     if (!strip_->sample.done) return false;
     const std::uint32_t rows = strip_->sample.rows;
     strip_.reset();
     light_waits_ = true;
     rows_done_ = (rows_done_ + rows) % open_->band.rows;
-    schedule_->took(rows);
+    schedule_->addRows(rows);
     return true;
 }
 
 FrameState ProgressiveRenderer::run() {
     StripPace pace(splatsPerCell(*tracer_.scene));
     const std::uint32_t width = plan_.settings.width, most = plan_.tiling.strip_rows;
-    while (openStrip(may_break_off_ ? pace.rowsFor(width, most) : most)) {
+    while (openStrip(may_abort_ ? pace.rowsFor(width, most) : most)) {
         const double start = steadySeconds();
         const std::uint64_t pixels = std::uint64_t{width} * strip_->sample.rows;
         while (!traceStrip(plan_.settings.bounces)) {
         }
-        pace.learn(pixels, steadySeconds() - start);
+        pace.update(pixels, steadySeconds() - start);
     }
     store();
     return schedule_->state();
@@ -113,8 +114,7 @@ Film ProgressiveRenderer::takeFilm() {
     return std::exchange(film_, {});
 }
 
-/// Puts what was traced of the open band since the last time into the host's film, and hands it on where that is asked
-/// for.
+/// Stores what was traced of the open band since the last call in the host's film, or hands it to take_rows.
 void ProgressiveRenderer::store() {
     if (!light_waits_) return;
     const Band& band = open_->band;
@@ -132,7 +132,7 @@ void ProgressiveRenderer::store() {
     film_.width = 0;
 }
 
-/// Of the open band, with so many samples.
+/// Stores rows of the open band that have this many samples.
 void ProgressiveRenderer::storeRows(std::uint32_t first, std::uint32_t rows, std::uint32_t samples) {
     if (rows == 0 || samples == 0) return;
     const HostSpan span(tracer_.profile, "film read back");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A film that grows sample by sample: the one renderer behind files, turntables, benchmarks and the window. It is
-// driven in steps of one submission each, or to the end at once.
+// Progressive rendering of a film, sample by sample: the renderer behind files, turntables, benchmarks and the window.
+// It is driven in steps of one submission each, or to the end in one call.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +17,13 @@ namespace pointrt {
 
 /// What is rendered, and how its samples are taken.
 struct RenderPlan {
-    RenderSettings settings; ///< first_hits, light_parts: what its film has; spp: 1 for rays through pixels' centres
+    RenderSettings settings; ///< first_hits, light_parts: parts of the film; spp: 1 for rays through pixel centres
     Camera camera;
     FrameTiling tiling;
-    bool preview = false; ///< rays through pixels' centres, hard shadows of the first lamp alone: no noise, and soon
+    bool preview = false; ///< rays through pixel centres, hard shadows of the first light only: no noise
 };
 
-/// Rows of a band whose rays are under way together, for a sample of each pixel.
+/// Rows of a band that are traced together, one sample per pixel.
 struct Strip {
     std::uint32_t first_row = 0; ///< of the band
     BandSample sample;
@@ -31,43 +31,42 @@ struct Strip {
 
 class ProgressiveRenderer {
 public:
-    /// tracer, whose scene is on the device with its tables, must outlive it, and have room for what is rendered.
+    /// tracer must outlive it, have a scene with its tables on the device, and room for what is rendered.
     ProgressiveRenderer(Device& device, BandTracer& tracer) : device_(device), tracer_(tracer) {}
     ProgressiveRenderer(const ProgressiveRenderer&) = delete;
     ProgressiveRenderer& operator=(const ProgressiveRenderer&) = delete;
 
-    /// Begins a film, or goes on with start, of the same scene, settings and camera. What there was is given up.
+    /// Starts a film, or resumes start, which must have the same scene, settings and camera. Drops the current film.
     void begin(const RenderPlan& plan, const FrameJob& job, std::optional<Film> start = {});
 
-    /// Of frames that are one band, where no strip is under way: works for some milliseconds on the photons that the
-    /// next one shows. True where they are there.
+    /// For frames of one band, between strips: works for some milliseconds on the photons that the next strip needs.
+    /// True once they are ready.
     bool preparePhotons();
-    /// Begins a strip of at most so many rows, as soon as its photons are there. Only where none is under way; false
-    /// where the job is done, interrupted or late.
+    /// Starts a strip of at most `rows` rows once its photons are ready. Call only between strips. False if the job is
+    /// done, interrupted or late.
     bool openStrip(std::uint32_t rows);
-    /// Traces it on, in one submission: the camera rays, and so many bounces. True where it is done, and gone.
+    /// Traces the strip further in one submission: the camera rays, and `bounces` bounces. True once it is complete.
     bool traceStrip(std::uint32_t bounces);
-    /// All that is left of the job, in strips of the plan's rows; of fewer where those take long (strip_pace.h) and the
-    /// frame may be broken off. The film is the host's then, or was handed on. Broken off, it has one sample more in
-    /// some of its rows.
+    /// Completes the job, in strips of the plan's rows, or fewer if those take long (strip_pace.h) and the frame may be
+    /// aborted. The film is then on the host, or was handed to take_rows. If aborted, some rows have one more sample.
     FrameState run();
 
-    /// So many samples a pixel in all from here on.
+    /// Changes the number of samples per pixel.
     void setSamples(std::uint32_t samples) {
         if (schedule_) schedule_->setSamples(samples);
     }
 
-    const std::optional<Strip>& strip() const { return strip_; } ///< under way
-    /// Samples of every pixel. Of the next one the open band has this many rows, those of a strip under way not among
-    /// them.
+    const std::optional<Strip>& strip() const { return strip_; } ///< in progress
+    /// Samples that every pixel has.
     std::uint32_t samples() const { return schedule_ ? schedule_->samples() : 0; }
+    /// Rows of the open band that have the next sample too, without those of the current strip.
     std::uint32_t rowsDone() const { return rows_done_; }
-    /// Whether its film has first hits.
+    /// Whether the film has first hits.
     bool hasFirstHits() const { return plan_.settings.first_hits; }
-    /// Rays of the samples that were taken since the last call.
+    /// Rays of the samples completed since the last call.
     RayCounts takeRays();
-    /// The film as it is between two samples, with first hits, in input units, and parts of the light where the plan
-    /// wants them. Where all of it is on the device, it may be taken again later.
+    /// The film so far, in input units, with first hits and light parts if the plan has them. Can be called again later
+    /// if the whole film is on the device.
     Film takeFilm();
 
 private:
@@ -80,17 +79,17 @@ private:
     BandTracer& tracer_;
     RenderPlan plan_;
     std::optional<FrameSchedule> schedule_;
-    std::function<void(const Film& rows)> take_rows_; ///< the job's
-    bool may_break_off_ = false;
-    const FrameBand* open_ = nullptr; ///< whose film is on the device
-    bool traces_hits_ = false;        ///< its first hits are, too
-    bool light_waits_ = false;        ///< what is on the device is to be stored
-    bool hits_wait_ = false;
+    std::function<void(const Film& rows)> take_rows_; ///< of the job
+    bool may_abort_ = false;
+    const FrameBand* open_ = nullptr; ///< the band whose film is on the device
+    bool traces_hits_ = false;        ///< its first hits are on the device too
+    bool light_waits_ = false;        ///< its light is not on the host yet
+    bool hits_wait_ = false;          ///< its first hits are not on the host yet
     std::uint32_t rows_done_ = 0;
     std::optional<Strip> strip_;
     RayCounts rays_;
-    Film film_;                     ///< of the host; of width 0 until something is stored
-    std::uint32_t film_origin_ = 0; ///< the picture's row that it begins with
+    Film film_;                     ///< on the host; width 0 until something is stored
+    std::uint32_t film_origin_ = 0; ///< row of the picture where it starts
 };
 
 } // namespace pointrt

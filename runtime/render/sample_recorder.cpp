@@ -6,137 +6,143 @@ namespace pointrt {
 SampleRecorder::SampleRecorder(PassCommands& commands, const BandTracer& tracer, const BandSample& sample)
     : commands_(commands), tracer_(tracer), tiles_(tilesOf(sample.width, sample.rows)), sample_(sample.number),
       center_(sample.at_centers ? STEP_CENTER : 0u), preview_(sample.preview ? STEP_PREVIEW : 0u),
-      places_(sample.at_places ? STEP_PLACES : 0u), keeps_hits_(sample.at_places && sample.first_hits) {}
+      pixel_list_(sample.at_listed_pixels ? STEP_PIXEL_LIST : 0u),
+      stores_first_hits_(sample.at_listed_pixels && sample.first_hits) {}
 
 void SampleRecorder::firstHits() {
-    const std::uint32_t bits = STEP_CENTER | (places_ ? 0u : STEP_FIRST_HIT);
+    const std::uint32_t bits = STEP_CENTER | (pixel_list_ ? 0u : STEP_FIRST_HIT);
     prepare(bits | STEP_RESET);
-    primary(bits);
-    run(tracer_.programs.first_hits, tracer_.targets.sets, bits, rays_);
+    intersectCamera(bits);
+    run(tracer_.programs.first_hits, tracer_.instances.sets, bits, rays_);
 }
 
 void SampleRecorder::begin() {
     prepare(STEP_RESET);
-    primary(center_);
-    if (keeps_hits_) run(tracer_.programs.first_hits, tracer_.targets.sets, center_, rays_);
-    if (tracer_.programs.form == PassForm::kFused)
-        follow(tracer_.programs.camera.follow, center_);
+    intersectCamera(center_);
+    if (stores_first_hits_) run(tracer_.programs.first_hits, tracer_.instances.sets, center_, rays_);
+    if (tracer_.programs.form == KernelForm::kMegakernel)
+        megakernel(tracer_.programs.camera.megakernel, center_);
     else
-        shade(tracer_.programs.camera.shade, center_);
+        shadeSurface(tracer_.programs.camera.shade_surface, center_);
 }
 
 void SampleRecorder::pass(std::uint32_t index) {
     const std::uint32_t queue = index % 2 ? STEP_QUEUE_ONE : 0u;
     rays_ = index % 2 ? PassLanes::kQueueOne : PassLanes::kQueueZero;
     const PassPrograms& programs = tracer_.programs.queued;
-    if (tracer_.programs.form == PassForm::kFused) {
-        askInstances(queue);
-        return follow(programs.follow, queue);
+    if (tracer_.programs.form == KernelForm::kMegakernel) {
+        intersectClosest(queue);
+        return megakernel(programs.megakernel, queue);
     }
-    run(programs.trace_shapes, tracer_.targets.sets, queue, rays_);
-    prepareList(LIST_ASKED, queue);
-    askInstances(queue);
-    shade(programs.shade, queue);
+    run(programs.intersect_shapes, tracer_.instances.sets, queue, rays_);
+    closeList(LIST_INSTANCE_RAYS, queue);
+    intersectClosest(queue);
+    shadeSurface(programs.shade_surface, queue);
 }
 
-/// What the rays listed for them hit.
-void SampleRecorder::askInstances(std::uint32_t bits) {
-    const TracerTarget* const first = tracer_.targets.each.data();
-    askAll(LIST_ASKED, &SievePrograms::asked, bits, [&](const TracerTarget& target, std::uint32_t list) {
-        runOver(list, target.programs->trace, target.sets, bits);
-        surface(target.programs->surface, target.sets, bits);
-        if (tracer_.hit_counts) commands_.copyHitCount(*tracer_.hit_counts, static_cast<std::size_t>(&target - first));
-    });
-}
-
-/// The fused form's shade: on to where instances are to be asked, at once for the light that is waiting.
-void SampleRecorder::follow(const Program& program, std::uint32_t bits) {
-    const Programs& programs = tracer_.programs;
-    run(program, tracer_.targets.sets, bits, rays_);
-    prepare(bits);
-    prepareList(LIST_ASKED, bits);
-    if (!programs.light_on_the_way) return light(bits);
-    if (!tracer_.shadows || tracer_.targets.each.empty()) return;
-    if (programs.asks_one) return shadowLight(bits);
-    askForShadows(bits);
-    runOver(LIST_LIT, programs.light, tracer_.targets.sets, bits);
-}
-
-/// Brings the light of shadow rays that no instance stops.
-void SampleRecorder::shadowLight(std::uint32_t bits) {
-    const Targets& targets = tracer_.targets;
-    const bool sifted = !targets.sieves.empty(); // then which target asks a ray last is not known
-    askAll(LIST_LIT, &SievePrograms::shadow_rays, bits, [&](const TracerTarget& target, std::uint32_t list) {
-        const std::uint32_t last = !sifted && &target == &targets.each.back() ? STEP_LAST : 0u;
-        runOver(list, target.programs->shadow_light, target.sets, bits | last);
-    });
-    if (sifted) runOver(LIST_LIT, tracer_.programs.bring, targets.sets, bits);
-}
-
-void SampleRecorder::shade(const Program& program, std::uint32_t bits) {
-    run(program, tracer_.targets.sets, bits, rays_);
-    prepare(bits);
-    if (tracer_.programs.show_light) light(bits);
-}
-
-/// Of all lights that reach the points listed, or of one of them.
-void SampleRecorder::light(std::uint32_t bits) {
-    const Programs& programs = tracer_.programs;
-    const auto lights = static_cast<std::uint32_t>(tracer_.scene->light_rows.size());
-    if (lights == 0) return;
-    // path has one turn, and nothing in a second go
-    for (std::uint32_t first = 0; first < lights; first += ASKED_TURNS) shadows(first, bits);
-    runOver(LIST_LIT, programs.light, tracer_.targets.sets, bits);
-    if (shownMap(tracer_.caustics).frame.count.x > 0) runOver(LIST_LIT, programs.caustic, tracer_.targets.sets, bits);
-}
-
-/// Which of the lights from first on reach the lit points.
-void SampleRecorder::shadows(std::uint32_t first, std::uint32_t bits) {
-    first_turn_ = first;
-    runOver(LIST_LIT, tracer_.programs.shadow_shapes, tracer_.targets.sets, bits);
-    if (tracer_.shadows) askForShadows(bits);
-}
-
-/// Which of the shadow rays listed for them instances stop.
-void SampleRecorder::askForShadows(std::uint32_t bits) {
-    prepareList(LIST_TURNS, bits);
-    askAll(LIST_TURNS, &SievePrograms::turns, bits, [&](const TracerTarget& target, std::uint32_t list) {
-        runOver(list, target.programs->shadow, target.sets, bits);
-    });
-}
-
-/// First hits of the camera rays.
-void SampleRecorder::primary(std::uint32_t bits) {
-    run(tracer_.programs.camera.trace_shapes, tracer_.targets.sets, bits, rays_);
-    for (std::size_t i = 0; i < tracer_.targets.each.size(); ++i) {
-        const TracerTarget& target = tracer_.targets.each[i];
+/// Closest hits of the camera rays, on shapes and then on each instance.
+void SampleRecorder::intersectCamera(std::uint32_t bits) {
+    run(tracer_.programs.camera.intersect_shapes, tracer_.instances.sets, bits, rays_);
+    for (std::size_t i = 0; i < tracer_.instances.each.size(); ++i) {
+        const TracedInstance& instance = tracer_.instances.each[i];
         if (i > 0) prepare(bits | STEP_RESET);
-        run(tracer_.programs.beam, target.sets, bits, PassLanes::kTiles,
+        run(tracer_.programs.beam, instance.sets, bits, PassLanes::kTiles,
             (tiles_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE);
-        run(target.programs->trace_primary, target.sets, bits, PassLanes::kTilesLeft);
-        surface(target.programs->camera_surface, target.sets, bits);
+        run(instance.programs->intersect_camera, instance.sets, bits, PassLanes::kTilesLeft);
+        surface(instance.programs->camera_surface, instance.sets, bits);
     }
 }
 
-/// Of what has just been hit: where a later instance is nearer, its own takes the place.
+/// Closest hits on all instances of the rays listed for them.
+void SampleRecorder::intersectClosest(std::uint32_t bits) {
+    const TracedInstance* const first = tracer_.instances.each.data();
+    intersectAll(LIST_INSTANCE_RAYS, &CullPrograms::closest, bits,
+                 [&](const TracedInstance& instance, std::uint32_t list) {
+                     runOver(list, instance.programs->intersect_closest, instance.sets, bits);
+                     surface(instance.programs->surface, instance.sets, bits);
+                     if (tracer_.hit_counts)
+                         commands_.copyHitCount(*tracer_.hit_counts, static_cast<std::size_t>(&instance - first));
+                 });
+}
+
+/// Surface interactions of the hits on one instance. A nearer hit on a later instance overwrites them.
 void SampleRecorder::surface(const Program& program, const DescriptorSets& sets, std::uint32_t bits) {
     prepare(bits | STEP_HITS);
     run(program, sets, bits, PassLanes::kHits);
 }
 
+void SampleRecorder::shadeSurface(const Program& program, std::uint32_t bits) {
+    run(program, tracer_.instances.sets, bits, rays_);
+    prepare(bits);
+    if (tracer_.programs.has_direct_lighting) directLight(bits);
+}
+
+/// Paths up to where they need instances, and the occlusion of their shadow rays by instances.
+void SampleRecorder::megakernel(const Program& program, std::uint32_t bits) {
+    const Programs& programs = tracer_.programs;
+    run(program, tracer_.instances.sets, bits, rays_);
+    prepare(bits);
+    closeList(LIST_INSTANCE_RAYS, bits);
+    if (!programs.inline_nee) return directLight(bits);
+    if (!tracer_.shadows || tracer_.instances.each.empty()) return;
+    if (programs.samples_one_light) return intersectShadowRay(bits);
+    intersectShadow(bits);
+    runOver(LIST_DIRECT_LIGHT, programs.shade_shadow, tracer_.instances.sets, bits);
+}
+
+/// Direct light and caustics of the queries of LIST_DIRECT_LIGHT.
+void SampleRecorder::directLight(std::uint32_t bits) {
+    const Programs& programs = tracer_.programs;
+    const auto lights = static_cast<std::uint32_t>(tracer_.scene->light_rows.size());
+    if (lights == 0) return;
+    // path has one light sample, and none in further iterations
+    for (std::uint32_t first = 0; first < lights; first += SHADOW_RAYS_PER_PATH) shadows(first, bits);
+    runOver(LIST_DIRECT_LIGHT, programs.shade_shadow, tracer_.instances.sets, bits);
+    if (shownMap(tracer_.caustics).frame.count.x > 0)
+        runOver(LIST_DIRECT_LIGHT, programs.caustic, tracer_.instances.sets, bits);
+}
+
+/// Occlusion of SHADOW_RAYS_PER_PATH light samples from first on.
+void SampleRecorder::shadows(std::uint32_t first, std::uint32_t bits) {
+    first_light_sample_ = first;
+    runOver(LIST_DIRECT_LIGHT, tracer_.programs.intersect_shadow_shapes, tracer_.instances.sets, bits);
+    if (tracer_.shadows) intersectShadow(bits);
+}
+
+/// Occlusion by instances of the queued shadow rays.
+void SampleRecorder::intersectShadow(std::uint32_t bits) {
+    closeList(LIST_SHADOW_RAYS, bits);
+    intersectAll(LIST_SHADOW_RAYS, &CullPrograms::shadow, bits,
+                 [&](const TracedInstance& instance, std::uint32_t list) {
+                     runOver(list, instance.programs->intersect_shadow, instance.sets, bits);
+                 });
+}
+
+/// Occlusion by instances of the megakernel's stored shadow rays; accumulates the unoccluded ones.
+void SampleRecorder::intersectShadowRay(std::uint32_t bits) {
+    const TracedInstances& instances = tracer_.instances;
+    const bool culled = !instances.cull_groups.empty(); // then the last instance of a ray is unknown
+    intersectAll(LIST_DIRECT_LIGHT, &CullPrograms::shadow_ray, bits,
+                 [&](const TracedInstance& instance, std::uint32_t list) {
+                     const std::uint32_t last = !culled && &instance == &instances.each.back() ? STEP_LAST : 0u;
+                     runOver(list, instance.programs->intersect_shadow_ray, instance.sets, bits | last);
+                 });
+    if (culled) runOver(LIST_DIRECT_LIGHT, tracer_.programs.accumulate_shadow, instances.sets, bits);
+}
+
 void SampleRecorder::prepare(std::uint32_t bits) {
-    run(tracer_.programs.prepare, tracer_.targets.sets, bits, PassLanes::kOne, 1);
+    run(tracer_.programs.prepare, tracer_.instances.sets, bits, PassLanes::kOne, 1);
 }
 
-/// What was appended to a list is its own.
-void SampleRecorder::prepareList(std::uint32_t list, std::uint32_t bits) {
+/// Makes the entries appended to a list its contents.
+void SampleRecorder::closeList(std::uint32_t list, std::uint32_t bits) {
     const gpu::PushParams params = pushed(bits | STEP_LIST, list);
-    commands_.run({tracer_.programs.prepare, tracer_.targets.sets, pushBytes(params), PassLanes::kOne, 1});
+    commands_.run({tracer_.programs.prepare, tracer_.instances.sets, pushBytes(params), PassLanes::kOne, 1});
 }
 
-void SampleRecorder::askAll(std::uint32_t list, Program SievePrograms::*sift, std::uint32_t bits,
-                            const AskTarget& ask) {
-    askTargets(commands_, tracer_.programs, tracer_.targets, {list, sift, pushed(bits)}, ask);
+void SampleRecorder::intersectAll(std::uint32_t list, Program CullPrograms::*cull, std::uint32_t bits,
+                                  const IntersectInstance& intersect) {
+    intersectInstances(commands_, tracer_.programs, tracer_.instances, {list, cull, pushed(bits)}, intersect);
 }
 
 void SampleRecorder::run(const Program& program, const DescriptorSets& sets, std::uint32_t bits, PassLanes lanes,
@@ -152,7 +158,7 @@ void SampleRecorder::runOver(std::uint32_t list, const Program& program, const D
 }
 
 gpu::PushParams SampleRecorder::pushed(std::uint32_t bits, std::uint32_t list) const {
-    return {sample_, first_turn_, bits | preview_ | places_, list};
+    return {sample_, first_light_sample_, bits | preview_ | pixel_list_, list};
 }
 
 } // namespace pointrt

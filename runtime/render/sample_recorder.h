@@ -9,31 +9,32 @@
 
 namespace pointrt {
 
-/// Records what traces sample's band, pass by pass.
+/// Records the dispatches that trace a sample of a band, pass by pass.
 class SampleRecorder {
 public:
     SampleRecorder(PassCommands& commands, const BandTracer& tracer, const BandSample& sample);
 
-    /// Depth, normal and ids of the rays through pixel centres.
+    /// First hits of the rays through pixel centres: depth, normal and ids.
     void firstHits();
-    /// Camera rays up to where they ask for light.
+    /// The camera pass: camera rays, their shading and direct light.
     void begin();
-    /// Pass index, 1 or more: the rays that the pass before has queued.
+    /// Pass index, 1 or more: the rays that the previous pass has queued.
     void pass(std::uint32_t index);
 
 private:
-    void shade(const Program& program, std::uint32_t bits);
-    void follow(const Program& program, std::uint32_t bits);
-    void askInstances(std::uint32_t bits);
-    void primary(std::uint32_t bits);
-    void shadows(std::uint32_t first, std::uint32_t bits);
-    void askForShadows(std::uint32_t bits);
-    void shadowLight(std::uint32_t bits);
-    void light(std::uint32_t bits);
+    void intersectCamera(std::uint32_t bits);
+    void intersectClosest(std::uint32_t bits);
     void surface(const Program& program, const DescriptorSets& sets, std::uint32_t bits);
+    void shadeSurface(const Program& program, std::uint32_t bits);
+    void megakernel(const Program& program, std::uint32_t bits);
+    void directLight(std::uint32_t bits);
+    void shadows(std::uint32_t first, std::uint32_t bits);
+    void intersectShadow(std::uint32_t bits);
+    void intersectShadowRay(std::uint32_t bits);
     void prepare(std::uint32_t bits);
-    void prepareList(std::uint32_t list, std::uint32_t bits);
-    void askAll(std::uint32_t list, Program SievePrograms::*sift, std::uint32_t bits, const AskTarget& ask);
+    void closeList(std::uint32_t list, std::uint32_t bits);
+    void intersectAll(std::uint32_t list, Program CullPrograms::*cull, std::uint32_t bits,
+                      const IntersectInstance& intersect);
     void runOver(std::uint32_t list, const Program& program, const DescriptorSets& sets, std::uint32_t bits);
     void run(const Program& program, const DescriptorSets& sets, std::uint32_t bits, PassLanes lanes,
              std::uint32_t groups = 0);
@@ -41,10 +42,10 @@ private:
 
     PassCommands& commands_;
     const BandTracer& tracer_;
-    std::uint32_t tiles_, sample_, center_, preview_, places_;
-    bool keeps_hits_;                     ///< of the rays that are shaded
-    std::uint32_t first_turn_ = 0;        ///< of those that shadows asks
-    PassLanes rays_ = PassLanes::kPixels; ///< those under way
+    std::uint32_t tiles_, sample_, center_, preview_, pixel_list_;
+    bool stores_first_hits_;               ///< of the camera rays that are shaded
+    std::uint32_t first_light_sample_ = 0; ///< of the shadow pass
+    PassLanes rays_ = PassLanes::kPixels;  ///< the rays of the current pass
 };
 
 } // namespace pointrt

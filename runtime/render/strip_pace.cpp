@@ -6,12 +6,12 @@
 namespace pointrt {
 namespace {
 
-/// Four times what the largest strips of usual scans take on two cores: those are never cut.
+/// Four times the time of the largest strips of usual scans on two cores: those are never split.
 constexpr double kStripSeconds = 1;
-/// For a splat that a cell lists, of a pixel that shows the scan: twice what two cores take where a cell lists 7000.
-/// From 76 splats a cell on the largest strips (frame_tiling.cpp) are not taken unseen.
+/// Seconds per pixel that shows the scan and per splat that a cell lists: twice the time of two cores at 7000 splats
+/// per cell. From 76 splats per cell on, the first strip is smaller than the largest (frame_tiling.cpp).
 constexpr double kSecondsPerListed = 50e-9;
-/// Of a new measurement where it is faster; what is slower is believed at once.
+/// Weight of a new measurement that is faster; slower ones count fully.
 constexpr double kShareOfFaster = 0.3;
 
 double splatsPerCell(const pro_index& index) {
@@ -35,7 +35,7 @@ std::uint32_t StripPace::rowsFor(std::uint32_t width, std::uint32_t most) const 
     return std::max(static_cast<std::uint32_t>(rows), 1u);
 }
 
-void StripPace::learn(std::uint64_t pixels, double seconds) {
+void StripPace::update(std::uint64_t pixels, double seconds) {
     const double measured = seconds / static_cast<double>(pixels);
     seconds_ += (measured > seconds_ ? 1 : kShareOfFaster) * (measured - seconds_);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many rows to trace in one go, so that a frame can be broken off soon, whatever its rays meet.
+// Rows to trace per submission, so that a frame can be aborted within about a second whatever the scene.
 #pragma once
 
 #include <cstdint>
@@ -8,22 +8,22 @@
 
 namespace pointrt {
 
-/// Splats that a cell lists, in the scan where those are most: 15 to 40 in scans of surfaces, thousands where radii are
-/// many times the points' distance.
+/// Mean number of splats that a cell lists, of the scan where it is largest: 15 to 40 in scans of surfaces, thousands
+/// if radii are many times the spacing of the points.
 double splatsPerCell(const DeviceScene& scene);
 
-/// Of one scene. What strips took is believed for those that follow; what none has met yet, by how crowded cells are.
+/// Predicts the time of strips of a scene from the earlier ones, and at first from the number of splats per cell.
 class StripPace {
 public:
     explicit StripPace(double splats_per_cell);
 
-    /// Rows of so many pixels that take about a second, 1 to most.
+    /// Number of rows of `width` pixels that take about a second, 1 to most.
     std::uint32_t rowsFor(std::uint32_t width, std::uint32_t most) const;
-    /// A sample of each of so many pixels has taken that long.
-    void learn(std::uint64_t pixels, double seconds);
+    /// Reports the time that one sample of each of `pixels` pixels took.
+    void update(std::uint64_t pixels, double seconds);
 
 private:
-    double least_, seconds_; ///< of a pixel: for all that is known of the scene, and as the last strips were
+    double least_, seconds_; ///< per pixel: lower bound from the scene, and as measured
 };
 
 } // namespace pointrt

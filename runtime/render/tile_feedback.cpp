@@ -7,9 +7,10 @@
 namespace pointrt {
 namespace {
 
-/// Of the small pictures, about: what is met by a hundredth of them shows in them, and they take little time.
+/// Approximate pixels of the low-resolution pictures, which take little time, and the inverse of the share of rays that
+/// must hit a tile for it to count.
 constexpr double kPixels = 1 << 15;
-constexpr std::uint64_t kMetShare = 100;
+constexpr std::uint64_t kHitShare = 100;
 
 RenderSettings smallPicture(RenderSettings settings) {
     const double width = settings.width, height = settings.height;
@@ -22,7 +23,7 @@ RenderSettings smallPicture(RenderSettings settings) {
 class HitCounter {
 public:
     HitCounter(Device& device, BandTracer& tracer)
-        : device_(device), tracer_(tracer), counts_(tracer.targets.each.size()) {
+        : device_(device), tracer_(tracer), counts_(tracer.instances.each.size()) {
         hits_ = createBuffer(device, "tile hit counts", counts_.size() * sizeof counts_[0],
                              VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
         tracer_.hit_counts = &hits_;
@@ -34,14 +35,14 @@ public:
         destroyBuffer(device_, hits_);
     }
 
-    /// Adds what all rays but the camera's hit of each of the tracer's instances.
+    /// Renders a picture and adds to sums the secondary rays that hit each of the tracer's instances.
     void addPicture(const RenderSettings& settings, const Camera& camera, std::vector<std::uint64_t>& sums) {
         openBand(device_, tracer_, settings, camera, {0, settings.height}, {settings.width * settings.height, 0});
         BandSample sample{settings.width, settings.height, 0, true};
         RayCounts rays;
-        traceOn(device_, tracer_, sample, 0, rays);
+        tracePasses(device_, tracer_, sample, 0, rays);
         while (!sample.done) {
-            traceOn(device_, tracer_, sample, 1, rays);
+            tracePasses(device_, tracer_, sample, 1, rays);
             downloadBuffer(device_, hits_, counts_.data(), hits_.bytes);
             for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += counts_[i];
         }
@@ -56,22 +57,22 @@ private:
 
 } // namespace
 
-bool markTilesMet(Device& device, BandTracer& tracer, DeviceScene& scene, const RenderSettings& settings,
+bool markTilesHit(Device& device, BandTracer& tracer, DeviceScene& scene, const RenderSettings& settings,
                   const std::vector<Camera>& cameras) {
-    if (!tracer.programs.rays_go_on || tracer.targets.each.empty()) return false;
+    if (!tracer.programs.has_secondary_rays || tracer.instances.each.empty()) return false;
     const RenderSettings small = smallPicture(settings);
-    std::vector<std::uint64_t> hits(tracer.targets.each.size());
+    std::vector<std::uint64_t> hits(tracer.instances.each.size());
     HitCounter counter(device, tracer);
     for (const Camera& camera : cameras) counter.addPicture(small, camera, hits);
     const std::uint64_t pixels = std::uint64_t{small.width} * small.height * cameras.size();
     bool others = false;
     for (const Instance& instance : scene.instances) {
-        if (!instance.tile || hits[instance.place] * kMetShare < pixels) continue;
+        if (!instance.tile || hits[instance.place] * kHitShare < pixels) continue;
         OpenedSet& set = std::find_if(scene.sets.begin(), scene.sets.end(), [&](const SceneSet& each) {
                              return each.number == instance.number;
                          })->opened;
-        others |= !set.wanted_unseen[*instance.tile] && !set.children[*instance.tile].empty();
-        set.wanted_unseen[*instance.tile] = true;
+        others |= !set.hit_unseen[*instance.tile] && !set.children[*instance.tile].empty();
+        set.hit_unseen[*instance.tile] = true;
     }
     return others;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What rays tell of the tiles that a picture needs: those that no camera sees, but mirrors and shining surfaces show.
+// Tile selection feedback: finds tiles outside every view that secondary rays hit.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace pointrt {
 
-/// Traces small pictures of scene, the tracer's, and marks those of its sets' tiles as wanted that are met by a
-/// hundredth as many scattered and mirrored rays as a picture has pixels, or more. True where any of them was not
-/// marked before and has finer ones below it. The tracer must have room for the settings' pictures; its film is lost.
-bool markTilesMet(Device& device, BandTracer& tracer, DeviceScene& scene, const RenderSettings& settings,
+/// Traces low-resolution pictures of the tracer's scene and marks the tiles that are hit by at least 1% as many
+/// secondary rays as the pictures have pixels. True if a newly marked tile has finer ones below it. The tracer must
+/// have room for pictures of the settings; its film is lost.
+bool markTilesHit(Device& device, BandTracer& tracer, DeviceScene& scene, const RenderSettings& settings,
                   const std::vector<Camera>& cameras);
 
 } // namespace pointrt

@@ -8,12 +8,12 @@
 #include <string>
 
 #include "format/base/error.h"
-#include "runtime/scene/reach.h"
+#include "runtime/scene/camera_range.h"
 
 namespace pointrt {
 namespace {
 
-// Sine of the angle below which up and view direction count as parallel: far above rounding, far below what is visible.
+// Sine of the angle below which up and view direction count as parallel: far above rounding errors, far below visible.
 constexpr double kParallelSine = 1e-6;
 
 /// The distance at which a sphere of radius just fills the narrower field of view.
@@ -21,15 +21,15 @@ double framingDistance(double radius, double fov_deg, double aspect) {
     return radius / std::sin(std::min(verticalHalfAngle(fov_deg), horizontalHalfAngle(fov_deg, aspect)));
 }
 
-/// Distances along rays are float on the device: from here they still resolve a thousandth of the scene's radius.
+/// The device stores ray distances as float: at this distance they still resolve a thousandth of the scene's radius.
 constexpr double kFarthestRadii = 1e4;
-/// Below this, neighbouring rays are the same in float.
+/// Below this, neighbouring rays are equal in float.
 constexpr double kMinFov_deg = 1e-3;
 
-/// Starts of rays are float as well: windows of this many radii still have a hundred rows apart from each other.
+/// Ray origins are float too: at this window height, in scene radii, a hundred rows still have distinct origins.
 constexpr double kMinHeightRadii = 1e-5;
 
-/// A vector of the same direction whose squares neither overflow nor vanish.
+/// v scaled so that its squares neither overflow nor underflow.
 Vec3 withinRange(Vec3 v) {
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     return largest > 0 ? v * (1 / largest) : v;
@@ -53,20 +53,20 @@ void requireUsable(const CameraRequest& request) {
 }
 
 void requireNear(const char* option, const std::optional<Vec3>& point, Vec3 low, Vec3 high) {
-    if (point && !isWithinReach(*point, low, high))
+    if (point && !isWithinCameraRange(*point, low, high))
         throw Error{ExitCode::kBadUsage, std::string(option) + ": more than 10000 scene radii away"};
 }
 
-/// Of the sphere around the bounds.
+/// The radius of the sphere around the bounds.
 double boundingRadius(Vec3 low, Vec3 high) {
     const double half_diagonal = length(high - low) / 2;
-    // A scene of one splat has no extent; any distance shows it.
+    // a scene of one splat has no extent; any distance shows it
     return half_diagonal > 0 ? half_diagonal : 1;
 }
 
 bool isParallelProjection(const CameraRequest& request) { return request.ortho || request.ortho_height; }
 
-/// 0 for a pinhole.
+/// The height of the picture in scene units; 0 for a perspective camera.
 double windowHeight(const CameraRequest& request, Vec3 low, Vec3 high, double aspect) {
     if (!isParallelProjection(request)) return 0;
     if (!request.ortho_height) return framingHeight(low, high, aspect);
@@ -78,7 +78,7 @@ double windowHeight(const CameraRequest& request, Vec3 low, Vec3 high, double as
 
 } // namespace
 
-bool isWithinReach(Vec3 point, Vec3 bounds_min, Vec3 bounds_max) {
+bool isWithinCameraRange(Vec3 point, Vec3 bounds_min, Vec3 bounds_max) {
     const Vec3 centre = bounds_min + (bounds_max - bounds_min) * 0.5;
     return length(point - centre) <= kFarthestRadii * boundingRadius(bounds_min, bounds_max);
 }

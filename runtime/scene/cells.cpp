@@ -7,12 +7,12 @@
 namespace pointrt {
 namespace {
 
-/// Of a surface across the box some thousand splats leave ten a cell; where they are a hundred times as thin, cells
-/// with a splat do not touch any more.
+/// Edge of a cell, as a share of the box's diagonal. A few thousand splats of a surface across the box leave about ten
+/// per cell; only at a hundredth of that density are occupied cells no longer adjacent.
 constexpr double kCellShare = 1.0 / 20;
 constexpr std::uint32_t kEnough = 4;
 constexpr double kGrowth = 1.25;
-/// What is farther out lies in the outermost cells.
+/// Splats farther out are counted in the outermost cells.
 constexpr double kMostCells = 1 << 20;
 
 CellPlace placeOf(Vec3 from_low, double edge) {
@@ -50,7 +50,7 @@ bool areFilled(const SampleCells& cells) {
 SampleCells cellsOf(const SceneSample& sample) {
     const SampleBox box = denseBox(sample);
     double edge = kCellShare * length(box.high - box.low);
-    if (!(edge > 0)) edge = 1; // most lie at one place
+    if (!(edge > 0)) edge = 1; // most splats coincide
     SampleCells cells = sortedInto(sample, box.low, edge);
     while (!areFilled(cells)) cells = sortedInto(sample, box.low, edge *= kGrowth);
     return cells;

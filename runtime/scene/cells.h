@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cubes of a grid that the splats of a sample lie in.
+// The occupied cells of a grid over the splats of a sample.
 #pragma once
 
 #include <array>
@@ -13,16 +13,16 @@ namespace pointrt {
 using CellPlace = std::array<std::int32_t, 3>;
 
 struct SampleCells {
-    std::vector<CellPlace> places;      ///< of cells with a splat in them, in rising order
-    std::vector<std::uint32_t> counts;  ///< splats of each
-    std::vector<std::uint32_t> cell_of; ///< for each splat its cell's index in places
+    std::vector<CellPlace> places;      ///< of the occupied cells, in ascending order
+    std::vector<std::uint32_t> counts;  ///< splats per cell
+    std::vector<std::uint32_t> cell_of; ///< per splat, the index of its cell in places
 };
 
-/// Cells of a twentieth of denseBox's diagonal; of a sample that thin, so large that half of the splats share theirs
-/// with three others. sample: not empty
+/// The edge of a cell is a twentieth of denseBox's diagonal, or longer for sparse samples: at least half of the splats
+/// are in cells of four or more. sample: not empty
 SampleCells cellsOf(const SceneSample& sample);
 
-/// A weight for each splat, 1 in all: all cells weigh the same, however many splats a scanner near by has left in them.
+/// A weight per splat, with sum 1: all cells have equal weight, however many splats a nearby scanner left in them.
 std::vector<double> evenWeights(const SceneSample& sample);
 
 } // namespace pointrt

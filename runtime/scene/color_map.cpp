@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t kSteps = 256;
 
-/// The colours of greatest contrast of Kenneth L. Kelly, Twenty-two colors of maximum contrast, Color Engineering 3,
-/// 1965, as sRGB, without white, black and grey: what is missing is grey.
+/// Kenneth L. Kelly, Twenty-two colors of maximum contrast, Color Engineering 3, 1965, as sRGB, without white, black
+/// and grey, which marks missing values.
 constexpr std::string_view kScanColors = "ffb300803e75ff6800a6bdd7c10020cea262007d34f6768e00538aff7a5c53377aff8e00"
                                          "b32851f4c8007f180d93aa00593315f13a13232c16";
 

@@ -20,28 +20,28 @@ inline constexpr std::array kColorMapNames = {
     Name{"plasma", ColorMap::kPlasma},   Name{"cividis", ColorMap::kCividis}, Name{"turbo", ColorMap::kTurbo},
     Name{"grey", ColorMap::kGrey},       Name{"classes", ColorMap::kClasses}, Name{"scans", ColorMap::kScans}};
 
-/// Of what has no number: NaN, infinite, or not said by its scan.
+/// The colour of splats without a value: NaN, infinite, or not in their scan.
 inline constexpr Srgb8 kMissingColor{128, 128, 128};
 
-/// Whether the map has a colour for each whole number, and nothing between them.
+/// True if the map has a colour per integer and none between.
 constexpr bool isCategorical(ColorMap map) { return map == ColorMap::kClasses || map == ColorMap::kScans; }
 
-/// A map over a range, to be asked many times.
+/// A colour map over a range of values.
 class ColorScale {
 public:
-    /// range: of maps that are not categorical.
+    /// range: ignored by categorical maps.
     ColorScale(ColorMap map, ValueRange range);
 
-    /// What is beyond the range gets the colour of its end; of categorical maps the number is rounded, and one below 0
-    /// is missing. kClasses goes to 255, kScans begins anew after its last.
+    /// Values beyond the range get the colour of its end. Categorical maps round the value and take negative ones for
+    /// missing; kClasses ends at 255, kScans repeats its colours.
     Srgb8 operator()(double value) const;
 
-    /// All colours of a map that is not categorical, the lowest first.
+    /// The colours of a continuous map, lowest value first.
     const std::vector<Srgb8>& colors() const { return colors_; }
 
 private:
     ColorMap map_;
-    std::vector<Srgb8> colors_; ///< 256, or those of the scans
+    std::vector<Srgb8> colors_; ///< 256, or the number of kScans
     double low_, high_, steps_;
 };
 

@@ -11,25 +11,25 @@ namespace {
 
 using std::numbers::pi;
 
-/// Rooms in multiples of the scene's bounding radius. Mirrors stand close, so that their images are large; matte walls
-/// stand back, where the lights leave no bright spots.
+/// Room sizes in multiples of the scene's bounding radius. Mirrors are close, so that reflections are large; matte
+/// walls are farther away, where the lights leave no bright spots.
 struct RoomSize {
     double half_width, height;
 };
 constexpr RoomSize kMirrorRoom{1.8, 3.0};
 constexpr RoomSize kMatteRoom{3.6, 5.0};
 constexpr Color kMatteWall{0.42f, 0.42f, 0.43f};
-/// Silvered glass gives back nine tenths, a little less of the blue at every turn.
+/// Silvered glass reflects nine tenths of the light, and slightly less of the blue.
 constexpr Color kMirrorWall{0.90f, 0.90f, 0.88f};
 
 /// The ring of lights, in the same unit: inside either room, whose floor is at most 1 below the centre.
 constexpr double kRingRadius = 1.5;
 constexpr double kRingHeight = 1.9;
-/// Share left between the eye and a wall behind it.
+/// Smallest distance between the eye and the wall behind it, in bounding radii.
 constexpr double kEyeMargin = 0.05;
-/// The first light stands this far to the left of the eye, as a key light does.
+/// The first light is this far to the left of the eye, like a key light.
 constexpr double kKeyLightAngle = -40.0 * pi / 180.0;
-/// Radiance that all lights together give a white surface at the scene's centre that faces them.
+/// Radiance of a white surface at the scene's centre that faces all lights together.
 constexpr double kLightSum = 1.5;
 
 struct Staging {
@@ -39,7 +39,7 @@ struct Staging {
     double floor = 0;        ///< lowest point along up, measured from center
 };
 
-/// The axis nearest to v: floors are level in scans whose up is not quite.
+/// The axis nearest to v, so that floors are level in scans whose up is slightly off.
 Vec3 nearestAxis(Vec3 v) {
     const double x = std::abs(v.x), y = std::abs(v.y), z = std::abs(v.z);
     if (y >= x && y >= z) return {0, std::copysign(1.0, v.y), 0};
@@ -52,7 +52,7 @@ Staging stageBounds(Vec3 up, Vec3 eye, Vec3 low, Vec3 high) {
     staging.eye = eye;
     staging.up = up;
     staging.radius = 0.5 * length(high - low);
-    if (!(staging.radius > 0)) staging.radius = 1; // a lone splat; frameCamera takes the same
+    if (!(staging.radius > 0)) staging.radius = 1; // a single splat, as in frameCamera
     staging.floor = -0.5 * dot(high - low, absolute(up));
     const Vec3 side = std::abs(up.y) > 0.5 ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
     Vec3 towards_eye = staging.eye - staging.center;
@@ -68,7 +68,7 @@ std::uint32_t addMaterial(SceneDescription& scene, const MaterialDescription& ma
     return static_cast<std::uint32_t>(scene.materials.size() - 1);
 }
 
-/// A box whose floor carries the scene, along the axes nearest to up; the eye is inside.
+/// A box whose floor is at the scene's lowest point; the eye is inside.
 void addRoom(SceneDescription& scene, const Staging& staging, Room room) {
     const bool mirror = room == Room::kMirror;
     const RoomSize size = mirror ? kMirrorRoom : kMatteRoom;
@@ -102,53 +102,54 @@ void addRing(SceneDescription& scene, const Staging& staging, std::uint32_t coun
     }
 }
 
-/// A lamp of the studio, so far off that it lights all of the floor alike: angle to the right of the eye, height over
-/// the horizon, angular radius (what softens the shadows), and what it gives a facing white surface, as radiance.
+/// A studio lamp at infinity, which lights the whole floor evenly: angle to the right of the eye, elevation, angular
+/// radius (for soft shadows), and the radiance of a white surface that faces it.
 struct StudioLamp {
     double angle_deg, height_deg, radius_deg;
     Color light;
 };
-// Key, fill and rim as portrait photographers set them: the key high to one side and a little warm, the fill on the
-// other side at a quarter of it and large, the rim behind.
+// Key, fill and rim light as in portrait photography: the key high to one side and slightly warm, the fill large, on
+// the other side, at a quarter of the key, the rim behind.
 constexpr StudioLamp kStudioLamps[] = {
     {-42, 48, 5, {0.98f, 0.94f, 0.88f}}, {52, 22, 14, {0.22f, 0.24f, 0.27f}}, {160, 35, 8, {0.40f, 0.42f, 0.46f}}};
 constexpr float kStudioFloor = 0.42f;
-/// Below the lowest point, in the scene's bounding radius: discs that lie flat there are above it by more than a float
-/// tells, and shadows still touch what throws them.
+/// How far the floor is below the lowest point, in bounding radii: more than float precision, so that discs flat on the
+/// floor stay above it, and so little that shadows still touch their objects.
 constexpr double kStudioGap = 1e-3;
-/// Of the sky's brightness at the horizon, where it is the floor's: dark above, so that it lights little by itself.
+/// Radiance of the zenith as a share of the horizon's, which equals the floor's: dark, so that the sky adds little
+/// light.
 constexpr float kStudioZenith = 0.35f;
 
-/// The brightest and the darkest that the studio's lamps are made for, and the most that they are opened.
+/// The highest and the lowest reflectance that the lamps suit unchanged, and the largest gain for darker subjects.
 constexpr double kBright = 0.75, kDark = 0.25, kMostGain = 2.5;
 
-/// What multiplies the lamps for a subject.
+/// The factor of the lamps' light for a subject of this reflectance.
 float lampGain(double reflectance) {
     if (reflectance > kBright) return static_cast<float>(kBright / reflectance);
     return static_cast<float>(std::clamp(kDark / std::max(reflectance, 1e-6), 1.0, kMostGain));
 }
 
-/// A lamp by the eye gives what lies at the middle's distance this, as radiance of a white surface. The rest comes from
-/// all sides, this share of a sky as dark as the studio's, so that neither what is near nor what is far is lost.
+/// A lamp near the eye gives a white surface at the centre's distance this radiance. A dim sky adds ambient light, so
+/// that neither near nor far surfaces are too dark or too bright.
 struct EyeLamp {
     float lamp, all_around;
 };
 constexpr EyeLamp kBeforeEye{0.5f, 0.9f};
-constexpr EyeLamp kAmongWalls{0.6f, 0.75f};                    // they hide much of that sky from each other
-constexpr float kAbove = 0.4f, kAcross = 0.36f, kBelow = 0.3f; // floors, walls and ceilings are told apart
-/// Among walls the lamp hangs, this share of the way from the eye to the ceiling: what stands near by at the height of
-/// the eye does not outshine the rest, and throws a shadow that shows it.
-constexpr double kHangs = 0.5;
+constexpr EyeLamp kAmongWalls{0.6f, 0.75f};                    // walls occlude much of the sky from each other
+constexpr float kAbove = 0.4f, kAcross = 0.36f, kBelow = 0.3f; // floors, walls and ceilings differ in brightness
+/// Among walls the lamp is this share of the way from the eye up to the ceiling: nearby objects at eye level do not
+/// outshine the rest, and their shadows show their shape.
+constexpr double kLampHeight = 0.5;
 
 void addEyeLamp(SceneDescription& scene, const Staging& staging, float gain) {
     const Vec3 to_centre = staging.center - staging.eye;
     const double distance = std::max(length(to_centre), 0.25 * staging.radius);
-    // above and left of the eye, as far as hands reach: what is seen has shading. Where nothing stands behind the eye,
-    // as far behind it as the middle is before it: what is near does not get much more light
+    // above and left of the eye, so that surfaces have shading. Without walls, the lamp is as far behind the eye as the
+    // centre is in front of it: near surfaces do not get much more light than far ones
     const bool walled = length(to_centre) < staging.radius / 2;
     const double headroom = std::max(0.0, dot(to_centre, staging.up) - staging.floor);
     const Vec3 aside = 0.1 * distance * (staging.up - staging.right);
-    const Vec3 place = staging.eye + aside + (walled ? kHangs * headroom * staging.up : -1.0 * to_centre);
+    const Vec3 place = staging.eye + aside + (walled ? kLampHeight * headroom * staging.up : -1.0 * to_centre);
     const double reach = walled ? distance : 2 * distance;
     const EyeLamp share = walled ? kAmongWalls : kBeforeEye;
     const auto intensity = static_cast<float>(pi * share.lamp * gain * reach * reach);
@@ -176,7 +177,7 @@ void addStudio(SceneDescription& scene, const Staging& staging, const StudioSubj
     const float gain = lampGain(subject.reflectance), grey = kStudioFloor / gain;
     if (subject.around_eye) return addEyeLamp(scene, staging, gain);
     const double level = staging.floor - kStudioGap * staging.radius;
-    // from below a floor would hide all there is; the lamps then shine from there as well
+    // from below, a floor would hide the scene; the lamps then shine from below too
     const bool below = dot(staging.eye - staging.center, staging.up) <= level;
     if (!below) addFloor(scene, staging, level, grey);
     const Vec3 lamps_up = (below ? -1.0 : 1.0) * staging.up;
@@ -195,7 +196,7 @@ void addStudio(SceneDescription& scene, const Staging& staging, const StudioSubj
     for (int c = 0; c < 3; ++c) {
         sky.zenith[c] = kStudioZenith * sky.horizon[c];
         sky.ground[c] = sky.horizon[c];
-        sky.horizon[c] += kStudioFloor * sky.ambient * sky.zenith[c]; // the floor's ambient light
+        sky.horizon[c] += kStudioFloor * sky.ambient * sky.zenith[c]; // ambient light on the floor
     }
     scene.sky = sky;
 }
@@ -213,7 +214,7 @@ void addSurroundings(SceneDescription& scene, const RenderSettings& settings, co
     const Vec3 eye = scene.staged_for.value_or(camera.eye);
     const Staging staging = stageBounds(sceneUp(scene, settings), eye, low, high);
     const bool bare = scene.lights.empty() && scene.shapes.empty() && !scene.sky;
-    if (bare && !room && !settings.lights && showsLight(settings.integrator)) return addStudio(scene, staging, subject);
+    if (bare && !room && !settings.lights && usesLights(settings.integrator)) return addStudio(scene, staging, subject);
     if (room && *room != Room::kNone) addRoom(scene, staging, *room);
     if (scene.lights.empty() && !scene.sky) addRing(scene, staging, settings.lights.value_or(kRingLights));
 }

@@ -16,14 +16,14 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// Three quarters above: sites lie open, and what stands on them does not look flat.
+/// A three-quarter view from above: sites are seen in plan, but buildings keep their height.
 constexpr double kSiteElevation = 35 * kDegree, kSiteAzimuth = 30 * kDegree;
-/// Another side must show so many times as much as the front to be taken in its place.
+/// Another side replaces the front if it shows this many times as much.
 constexpr double kMuchMore = 1.3;
-/// A frame: all but strays within this angle of the line of sight.
+/// A range image: this share of the splats is within this angle of the line of sight.
 constexpr double kFrameCosine = 0.34; // 70 degrees
 constexpr double kFrameShare = 0.99;
-/// As wide as an eye sees within a room, in degrees.
+/// Field of view inside rooms.
 constexpr double kRoomFov_deg = 80;
 constexpr std::size_t kMostPlaces = 16;
 
@@ -58,16 +58,16 @@ Extent alongAxis(const SceneSample& sample, Vec3 axis) {
     return extentOfMost(values);
 }
 
-/// Its height over its width.
+/// The sample's height over its width.
 double flatness(const SceneSample& sample, const Ground& ground) {
     const double width = std::max(alongAxis(sample, ground.front).size(), alongAxis(sample, ground.right).size());
     return width > 0 ? alongAxis(sample, ground.up).size() / width : std::numeric_limits<double>::infinity();
 }
 
-/// Of the ground plan, the share whose lowest surface is level.
+/// The share of the ground plan whose lowest surface is horizontal.
 double levelGround(const SceneSample& sample, const Ground& ground) {
     constexpr int kCells = 16;
-    constexpr double kLevel = 0.85; // 32 degrees: slopes, and noise of normals
+    constexpr double kLevel = 0.85; // 32 degrees: allows for slopes and noisy normals
     const Extent x = alongAxis(sample, ground.right), y = alongAxis(sample, ground.front);
     const double edge = std::max({x.size(), y.size(), std::numeric_limits<double>::min()}) / kCells;
     struct Cell {
@@ -94,22 +94,22 @@ double levelGround(const SceneSample& sample, const Ground& ground) {
     return filled > 0 ? level / filled : 0;
 }
 
-/// From above a level front view shows an edge.
+/// True for sites, which a horizontal front view would show edge-on.
 bool isSite(const SceneSample& sample, const Ground& ground) {
     constexpr double kFlat = 0.25, kAsHighAsWide = 1, kGround = 0.7;
     const double flat = flatness(sample, ground);
     return flat < kFlat || (flat < kAsHighAsWide && levelGround(sample, ground) >= kGround);
 }
 
-/// The side from which most is seen of what faces the eye, at one elevation; the first but for one that shows much
-/// more.
+/// The side, at one elevation, with the largest area of surfaces facing the eye; the first unless another shows
+/// kMuchMore.
 Vec3 fullestSide(const SceneSample& sample, const Ground& ground, double azimuth, double elevation) {
     const SampleBox box = boundsOf(sample);
     Vec3 best = sideAt(ground, azimuth, elevation);
-    double most = lookAlong(sample, box, basisFrom(ground, best)).facing * kMuchMore;
+    double most = visibleAlong(sample, box, basisFrom(ground, best)).facing * kMuchMore;
     for (int turn = 1; turn < 8; ++turn) {
         const Vec3 side = sideAt(ground, azimuth + turn * 45 * kDegree, elevation);
-        const double facing = lookAlong(sample, box, basisFrom(ground, side)).facing;
+        const double facing = visibleAlong(sample, box, basisFrom(ground, side)).facing;
         if (facing > most) most = facing, best = side;
     }
     return best;
@@ -120,9 +120,9 @@ bool isWithin(const SampleBox& box, Vec3 point) {
            point.y < box.high.y && point.z < box.high.z;
 }
 
-/// Whether an eye has room there: next to no disc would hold it.
+/// True if there is room for an eye: almost no disc's sphere contains it.
 bool isFree(const SceneSample& sample, Vec3 eye) {
-    constexpr double kInTheWay = 0.001; // a scanner's own dust
+    constexpr double kInTheWay = 0.001; // tolerates dust around a scanner
     double around = 0;
     for (const SampledSplat& splat : sample.splats) around += length(splat.position - eye) <= splat.radius ? 1 : 0;
     return around <= kInTheWay * static_cast<double>(sample.splats.size());
@@ -135,32 +135,32 @@ std::vector<Vec3> freeWithin(const SceneSample& sample, const SampleBox& box, co
     return within;
 }
 
-/// From wherever one looks down on it, of what is seen more is turned away than faces the eye.
+/// True if, seen from any side and from above, more of the visible surface faces away than towards the eye.
 bool showsItsBack(const SceneSample& sample, const Ground& ground) {
     const SampleBox box = denseBox(sample);
     for (const double elevation : {5 * kDegree, kSiteElevation, 89 * kDegree})
         for (int turn = 0; turn < 8; ++turn) {
-            const Sight sight =
-                lookAlong(sample, box, basisFrom(ground, sideAt(ground, turn * 45 * kDegree, elevation)));
-            if (sight.facing >= sight.covered / 2) return false;
+            const Visibility visible =
+                visibleAlong(sample, box, basisFrom(ground, sideAt(ground, turn * 45 * kDegree, elevation)));
+            if (visible.facing >= visible.covered / 2) return false;
         }
     return true;
 }
 
-/// Share of the sample that something hides from all of its six sides.
+/// The share of the sample that is occluded from all six sides.
 double hiddenShare(const SceneSample& sample, const Ground& ground) {
     const SampleBox box = denseBox(sample);
     std::vector<bool> seen(sample.splats.size());
     for (const Vec3 side :
          {ground.up, -1.0 * ground.up, ground.front, -1.0 * ground.front, ground.right, -1.0 * ground.right})
-        for (const std::uint32_t splat : lookAlong(sample, box, basisFrom(ground, side)).seen) seen[splat] = true;
+        for (const std::uint32_t splat : visibleAlong(sample, box, basisFrom(ground, side)).seen) seen[splat] = true;
     return static_cast<double>(std::count(seen.begin(), seen.end(), false)) / static_cast<double>(seen.size());
 }
 
-/// Of what is seen from above, the share that is level and about as high as the highest.
+/// The share of the surface seen from above that is horizontal and near the maximum height.
 double ceilingShare(const SceneSample& sample, const Ground& ground) {
     constexpr double kLevel = 0.85, kDepth = 0.1; // 32 degrees; of the height
-    const Sight above = lookAlong(sample, denseBox(sample), basisFrom(ground, ground.up));
+    const Visibility above = visibleAlong(sample, denseBox(sample), basisFrom(ground, ground.up));
     const Extent heights = alongAxis(sample, ground.up);
     double level = 0;
     for (const std::uint32_t i : above.seen) {
@@ -171,16 +171,16 @@ double ceilingShare(const SceneSample& sample, const Ground& ground) {
     return above.seen.empty() ? 0 : level / static_cast<double>(above.seen.size());
 }
 
-/// Whether what was scanned is the inside of something: scanners stood within and saw nothing of its outside; or things
-/// stand under a ceiling.
+/// True for interiors: either scanners were inside and saw nothing of the outside, or there are objects under a
+/// ceiling.
 bool isRoom(const SceneSample& sample, const Ground& ground) {
-    constexpr double kFurniture = 0.015, kCeiling = 0.5; // of boxes nothing is hidden, and no statue has a flat top
+    constexpr double kFurniture = 0.015, kCeiling = 0.5; // a box occludes nothing, and no statue has a flat top
     const bool scanned_within = !freeWithin(sample, boundsOf(sample), sample.sensors).empty();
     if (sample.oriented && scanned_within && showsItsBack(sample, ground)) return true;
     return hiddenShare(sample, ground) >= kFurniture && ceilingShare(sample, ground) >= kCeiling;
 }
 
-/// Places at the height of eyes, from wall to wall, with room around them.
+/// Positions at eye level, from wall to wall: the half with the largest clearance.
 std::vector<Vec3> placesWithin(const SceneSample& sample, const Ground& ground) {
     constexpr int kSteps = 5;
     const Extent x = alongAxis(sample, ground.right), y = alongAxis(sample, ground.front),
@@ -212,18 +212,18 @@ std::vector<Vec3> someOf(const std::vector<Vec3>& places) {
     return some;
 }
 
-/// The share of a sample that an eye sees when it turns around.
+/// The share of a sample that is visible from eye in all directions.
 double seenAround(const SceneSample& sample, const std::vector<double>& weights, const Ground& ground, Vec3 eye) {
     double seen = 0;
     for (const Vec3 side :
          {ground.up, -1.0 * ground.up, ground.front, -1.0 * ground.front, ground.right, -1.0 * ground.right})
-        seen += seenFrom(sample, weights, eye, basisFrom(ground, side), 90);
+        seen += visibleWeight(sample, weights, eye, basisFrom(ground, side), 90);
     return seen;
 }
 
-/// Scanners' places in a room. Where none is known, the place from which most is seen: nothing was hidden from the
-/// scanner. It may be the zero of the file, or one with room around it.
-std::vector<Vec3> placesToStand(const SceneSample& sample, const Ground& ground) {
+/// The scanners' positions in a room. If none is known, the position that sees most, since the scanner saw everything:
+/// the origin of a file's coordinates, or one with clearance around it.
+std::vector<Vec3> eyesInRoom(const SceneSample& sample, const Ground& ground) {
     const std::vector<Vec3> known = someOf(freeWithin(sample, boundsOf(sample), sample.sensors));
     if (!known.empty()) return known;
     std::vector<Vec3> places = someOf(freeWithin(sample, denseBox(sample), sample.zeros));
@@ -235,21 +235,21 @@ std::vector<Vec3> placesToStand(const SceneSample& sample, const Ground& ground)
     return {places[static_cast<std::size_t>(std::max_element(seen.begin(), seen.end()) - seen.begin())]};
 }
 
-/// Of some places the one, and the level direction, that shows most.
+/// The position and near-horizontal direction that show most.
 ViewChoice fullestPlace(const SceneSample& sample, const Ground& ground, const std::vector<Vec3>& places) {
     const std::vector<double> weights = evenWeights(sample);
     ViewChoice best;
     double most = -1;
     for (const Vec3 place : places)
         for (int turn = 0; turn < 8; ++turn) {
-            const Vec3 side = sideAt(ground, turn * 45 * kDegree, 5 * kDegree); // a little down: floors tell more
-            const double seen = seenFrom(sample, weights, place, basisFrom(ground, side), kRoomFov_deg);
+            const Vec3 side = sideAt(ground, turn * 45 * kDegree, 5 * kDegree); // slightly down, towards the floor
+            const double seen = visibleWeight(sample, weights, place, basisFrom(ground, side), kRoomFov_deg);
             if (seen > most) most = seen, best = {side, place};
         }
     return best;
 }
 
-/// Where one scanner saw all that is there in front of it.
+/// The view of a single scanner that saw everything in front of it.
 std::optional<ViewChoice> viewOfFrame(const SceneSample& sample) {
     if (sample.sensors.size() != 1) return {};
     const Vec3 eye = sample.sensors[0], ahead = centroidOf(sample) - eye;
@@ -301,7 +301,7 @@ std::optional<ViewChoice> viewOfSensor(const SceneSample& sample, Vec3 up) {
 ViewChoice chooseView(const SceneSample& sample, Vec3 up) {
     const Ground ground = groundOf(up);
     if (const auto frame = viewOfFrame(sample)) return *frame;
-    if (isRoom(sample, ground)) return fullestPlace(sample, ground, placesToStand(sample, ground));
+    if (isRoom(sample, ground)) return fullestPlace(sample, ground, eyesInRoom(sample, ground));
     if (isSite(sample, ground)) return {fullestSide(sample, ground, kSiteAzimuth, kSiteElevation), {}};
     return {fullestSide(sample, ground, 0, 0), {}};
 }

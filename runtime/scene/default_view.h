@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The side that a scene is seen from where nobody says it.
+// The default view of a scene.
 #pragma once
 
 #include <optional>
@@ -10,24 +10,25 @@
 namespace pointrt {
 
 struct ViewChoice {
-    Vec3 side;               ///< unit, from what is seen to the eye
-    std::optional<Vec3> eye; ///< where it has to stand: a camera's place, or one within a room
+    Vec3 side;               ///< unit vector from the scene to the eye
+    std::optional<Vec3> eye; ///< a fixed position: a scanner's, or one inside a room; none: outside the scene
 };
 
-/// The direction of a view by its name. up: unit length
+/// The side of a standard view. up: unit length
 Vec3 sideOf(StandardView view, Vec3 up);
-/// What is up in its picture.
+/// The up direction of a standard view's picture.
 Vec3 upIn(StandardView view, Vec3 up);
 
-/// What shows most of sample, which has no strays:
-///  - one scanner that saw all in front of it is where the eye stands;
-///  - of a room, of which most is hidden from outside, a place within it, a scanner's where one is known;
-///  - sites, wide and flat or with level ground, from above, a little to the right of the front;
-///  - all else from the front, or from the side where much more was scanned.
+/// The view that shows most of sample, which must have no strays:
+///  - range images: from the single scanner that saw everything in front of it;
+///  - rooms, mostly occluded from outside: from a position inside, a scanner's if known;
+///  - sites, wide and flat or with horizontal ground: from above, slightly right of the front;
+///  - all else: from the front, or from another side if that shows much more.
 /// sample: not empty
 ViewChoice chooseView(const SceneSample& sample, Vec3 up);
 
-/// From a scanner: the one that saw all, or the one with most before it. None where no scanner's place is known.
+/// The view from a scanner: the one that saw everything, or the one that shows most. None if no scanner's position is
+/// known.
 std::optional<ViewChoice> viewOfSensor(const SceneSample& sample, Vec3 up);
 
 } // namespace pointrt

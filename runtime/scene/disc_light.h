@@ -11,7 +11,7 @@
 namespace pointrt {
 
 struct DiscLight {
-    Vec3 center, normal{0, -1, 0}; ///< normal: unit length; both sides shine
+    Vec3 center, normal{0, -1, 0}; ///< normal: unit length; both sides emit
     double radius = 1;
     Color radiance;
     bool seen_by_camera = true;

@@ -10,17 +10,17 @@ namespace pointrt {
 namespace {
 
 constexpr int kRounds = 40;
-/// From here on nobody sees the rest.
+/// Iterations stop below this relative error, which is invisible.
 constexpr double kDone = 0.0005;
-/// What is nearer to the eye than this share of the distance to the middle is taken for as far.
+/// Smallest depth, as a share of the distance to the centre; nearer splats are treated as this far.
 constexpr double kNearShare = 0.05;
 
-/// What a picture shows from side to side: tangents from the line of sight, or lengths of a parallel picture.
+/// The extents of the splats in the picture: tangents of angles from the line of sight, or lengths if parallel.
 struct Shown {
     Extent across, upward;
 };
 
-/// A splat as the camera has it, from the point that the fit begins at, and how far its disc reaches from its middle.
+/// A splat in camera axes, relative to the starting point of the fit, and the half extents of its disc.
 struct InView {
     double right, up, ahead, reach_right, reach_up;
 };
@@ -31,7 +31,7 @@ std::vector<InView> viewed(const SceneSample& sample, const ViewBasis& basis, Ve
     for (const SampledSplat& splat : sample.splats) {
         const Vec3 to = splat.position - from;
         splats.push_back({dot(to, basis.right), dot(to, basis.up), dot(to, basis.forward),
-                          reachAlong(splat, basis.right), reachAlong(splat, basis.up)});
+                          halfExtentAlong(splat, basis.right), halfExtentAlong(splat, basis.up)});
     }
     return splats;
 }
@@ -42,7 +42,7 @@ void include(Extent& extent, double middle, double reach) {
     extent = {std::min(extent.low, middle - reach), std::max(extent.high, middle + reach)};
 }
 
-/// distance: from the eye to where splats are seen from; none for a parallel picture.
+/// distance: from the eye to the origin of the splats' positions; 0 for parallel projection.
 Shown shownOf(const std::vector<InView>& splats, double right, double up, double distance) {
     Shown shown{{kInfinity, -kInfinity}, {kInfinity, -kInfinity}};
     for (const InView& splat : splats) {
@@ -53,7 +53,7 @@ Shown shownOf(const std::vector<InView>& splats, double right, double up, double
     return shown;
 }
 
-/// How many times as large as wanted; half_height: of the picture, in the unit of shown.
+/// The size of shown relative to its target size; half_height: of the picture, in the unit of shown.
 double excess(const Shown& shown, double half_height, const PictureArea& area) {
     const double wide = 2 * half_height * area.aspect * area.free_share * kFramedShare;
     return std::max(shown.across.size() / wide, shown.upward.size() / (2 * half_height * kFramedShare));
@@ -64,7 +64,7 @@ Vec3 middleOf(const SceneSample& sample) {
     return 0.5 * (box.low + box.high);
 }
 
-/// Of one splat, or of several at one place: any length shows it.
+/// length, or 1 for coincident splats, which any length shows.
 double orOne(double length) { return length > 0 && std::isfinite(length) ? length : 1; }
 
 } // namespace
@@ -78,7 +78,7 @@ Fit fitPinhole(const SceneSample& sample, const ViewBasis& basis, double fov_deg
     const Vec3 middle = middleOf(sample);
     const std::vector<InView> splats = viewed(sample, basis, middle);
     const double tangent = std::tan(fov_deg * std::numbers::pi / 360);
-    // the middle of the free part, right of the picture's
+    // the centre of the free part relative to the picture's
     const double aim = -tangent * area.aspect * (1 - area.free_share);
     const SampleBox box = boundsOf(sample);
     double distance = orOne(length(box.high - box.low)) / std::min(tangent, 1.0), right = 0, up = 0;

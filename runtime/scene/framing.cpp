@@ -10,11 +10,12 @@
 namespace pointrt {
 namespace {
 
-/// Cameras and rooms may want wider pictures than objects, but beyond this everything is bent.
+/// Scanners and rooms may need wider pictures than objects, but beyond this perspective distorts too much.
 constexpr double kWidest_deg = 80;
-/// What is seen under less from a scanner is seen from afar: there is no more to be seen from its very place.
+/// If a scanner saw the scene under a smaller angle, it was far away, and its exact position shows no more than
+/// another.
 constexpr double kNarrowest_deg = 20;
-/// From the eye to what it looks at within a room, of the way to what it sees on average.
+/// Distance of the pivot inside a room, as a share of the mean distance to the surfaces.
 constexpr double kPivotShare = 0.5;
 
 Vec3 usable(Vec3 up, Vec3 side) {
@@ -28,7 +29,7 @@ double meanDistance(const SceneSample& sample, Vec3 eye) {
     return sum / static_cast<double>(sample.splats.size());
 }
 
-/// Sides and places are many, and are told apart by a part of the sample: at even steps so many, or up to twice as
+/// The many candidate views are compared with a regular subset of the sample: between this many splats and twice as
 /// many.
 constexpr std::size_t kChoosing = 8192;
 
@@ -44,14 +45,14 @@ ViewChoice chosen(const CameraRequest& request, const SceneSample& sample, Vec3 
     if (!request.view) return chooseView(sample, up);
     if (*request.view != StandardView::kSensor) return {sideOf(*request.view, up), {}};
     if (const auto view = viewOfSensor(sample, up)) return *view;
-    throw Error{ExitCode::kBadUsage, "--view sensor: no scan says where its scanner stood"};
+    throw Error{ExitCode::kBadUsage, "--view sensor: no scan contains its scanner's position"};
 }
 
-/// The eye stays; a picture whose field of view was not said is as wide as it takes.
+/// A view from a fixed eye; a free field of view becomes as wide as needed.
 FramedRequest fromPlace(CameraRequest request, const SceneSample& sample, const ViewChoice& choice,
                         const FixedEyeFit& fit, Vec3 up, bool free_fov) {
     const Vec3 eye = *choice.eye;
-    const bool sees_all = fit.fov_deg < kWidest_deg; // else it stands amidst them
+    const bool sees_all = fit.fov_deg < kWidest_deg; // else the eye is amidst the scene
     FramedRequest framed;
     framed.within = true;
     const Vec3 forward = sees_all ? fit.forward : -1.0 * choice.side;
@@ -87,7 +88,7 @@ FramedRequest fromOutside(CameraRequest request, const SceneSample& sample, Vec3
     return framed;
 }
 
-/// A target seen from the side that a view names, as far as frameCamera goes away, or from a scanner's place.
+/// A given target seen from the side of a view, at frameCamera's distance, or from a scanner's position.
 FramedRequest fromSideOf(CameraRequest request, const SceneSample& sample, Vec3 up) {
     const ViewChoice choice = chosen(request, sample, up);
     request.eye = choice.eye;
@@ -105,16 +106,16 @@ FramedRequest frameScene(const CameraRequest& request, const SceneSample& all, V
     framed.camera.view.reset();
     if (request.view && request.target && !request.eye && !all.splats.empty())
         return fromSideOf(request, thinned(withoutStrays(all)), up);
-    if (request.eye || request.target || all.splats.empty() || (all.furnished && !request.view)) return framed;
+    if (request.eye || request.target || all.splats.empty() || (all.has_shapes && !request.view)) return framed;
     const SceneSample sample = withoutStrays(all);
-    // an --up of the picture's own is no scene's: it looks along the side it has
+    // an --up other than the scene's only rotates the picture: keep the side of the request
     const bool tilted = !request.view && request.up && length(cross(*request.up, up)) > 1e-6 * length(*request.up);
     const ViewChoice choice = tilted ? ViewChoice{request.side, {}} : chosen(request, thinned(sample), up);
     const Vec3 picture_up = request.view ? upIn(*request.view, up) : tilted ? *request.up : up;
     const Vec3 level = usable(picture_up, choice.side);
     if (!choice.eye || request.ortho || request.ortho_height)
         return fromOutside(framed.camera, sample, choice.side, level, area);
-    // what a camera sees from afar or, where its field of view is given, would not see whole: as near as it takes
+    // if the scanner was far away, or a given field of view would crop the scene, frame it from outside instead
     const FixedEyeFit fit = fitFromEye(sample, *choice.eye, -1.0 * choice.side, level, area);
     const bool hardly_seen = fit.fov_deg < (free_fov ? kNarrowest_deg : kNarrowest_deg / 2);
     const bool cut = !free_fov && fit.fov_deg > request.fov_deg && fit.fov_deg < kWidest_deg;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A camera for a scene, from what was said of it and what there is to see.
+// Frames a scene: completes a camera request so that the scene fills the picture.
 #pragma once
 
 #include "runtime/scene/fit.h"
@@ -9,18 +9,17 @@
 namespace pointrt {
 
 struct FramedRequest {
-    CameraRequest camera;      ///< what frameCamera completes
-    std::optional<Vec3> pivot; ///< what it was framed for: the middle of what it shows; none: it was not framed
-    double aside = 0;          ///< how far left of the picture's middle that is, in heights of the picture
-    bool within = false;       ///< the eye stands where a scanner or a visitor did: lamps outside would not reach
+    CameraRequest camera;      ///< to be completed by frameCamera
+    std::optional<Vec3> pivot; ///< the centre of the scene as shown; none: the camera was not framed
+    double aside = 0;          ///< distance of the pivot to the left of the picture's centre, in picture heights
+    bool within = false;       ///< the eye is inside the scene, where light from outside would be occluded
 };
 
-/// Completes request where it says neither eye nor target: looks from the side it names, or else from the side that
-/// shows most, and so near that all but strays fill the free part of the picture. A target is looked at from the side
-/// that is named with it. Left as it is where it says where to look; so are cameras of furnished scenes that name no
-/// side, which might end up behind a wall.
-/// up: of the scene, unit length; free_fov: a scanner's place may ask for another field of view than request has.
-/// Throws Error kBadUsage where a scanner's view is asked for and no scanner's place is known.
+/// Completes a request without eye and target: from its standard view, else from the side that shows most, at the
+/// distance at which all but strays fill the free part of the picture. A standard view also applies to a given target.
+/// Requests with an eye stay unchanged; so do requests without a standard view in scenes with shapes, where the eye
+/// might end up behind a wall. up: of the scene, unit length; free_fov: a view from a scanner may change the field of
+/// view. Throws Error kBadUsage for a scanner's view if no scanner's position is known.
 FramedRequest frameScene(const CameraRequest& request, const SceneSample& sample, Vec3 up, const PictureArea& area,
                          bool free_fov);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The integrators (shaders/shared/integrators.h) as C++ knows them.
+// The integrators of shaders/shared/integrators.h as a C++ enumeration.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@ enum class Integrator { INTEGRATORS(POINTRT_ENUMERATOR) };
 
 struct IntegratorRow {
     Integrator integrator;
-    const char* word;  ///< of the command line and scene files
-    const char* label; ///< of the window
+    const char* word;  ///< on the command line and in scene files
+    const char* label; ///< in the window
     std::uint32_t traits;
 };
 
@@ -26,25 +26,25 @@ struct IntegratorRow {
 constexpr std::array kIntegrators = {INTEGRATORS(POINTRT_LISTED)};
 #undef POINTRT_LISTED
 
-constexpr bool countsFromZero() {
+constexpr bool areNumberedInOrder() {
     for (std::uint32_t i = 0; i < kIntegrators.size(); ++i)
         if (static_cast<std::uint32_t>(kIntegrators[i].integrator) != i || kIntegrators[i].traits >> INTEGRATOR_BITS)
             return false;
     return INTEGRATOR_BITS * kIntegrators.size() <= 32;
 }
-static_assert(countsFromZero(), "rows of INTEGRATORS are numbered as they stand, and their traits fit in one number");
+static_assert(areNumberedInOrder(), "rows of INTEGRATORS must be numbered in order, and their traits fit in 32 bits");
 
 #define POINTRT_NAME(number, Kind, word, label, SHADING, traits) Name{word, Integrator::k##Kind},
 inline constexpr std::array kIntegratorNames = {INTEGRATORS(POINTRT_NAME)};
 #undef POINTRT_NAME
 
-/// Whether it has one of INTEGRATOR_*.
+/// True if the integrator has a trait INTEGRATOR_*.
 constexpr bool hasTrait(Integrator integrator, std::uint32_t trait) {
     return integratorHas(static_cast<std::uint32_t>(integrator), trait);
 }
 
-/// At each hit, where the others ask all.
-constexpr bool asksOneLight(Integrator integrator) { return hasTrait(integrator, INTEGRATOR_BY_CHANCE); }
-constexpr bool showsLight(Integrator integrator) { return hasTrait(integrator, INTEGRATOR_SHOWS_LIGHT); }
+/// True if one light is sampled at each hit; other integrators use all lights.
+constexpr bool samplesOneLight(Integrator integrator) { return hasTrait(integrator, INTEGRATOR_IS_STOCHASTIC); }
+constexpr bool usesLights(Integrator integrator) { return hasTrait(integrator, INTEGRATOR_USES_LIGHTS); }
 
 } // namespace pointrt

@@ -10,19 +10,19 @@
 namespace pointrt {
 namespace {
 
-/// A list of more would hide the picture.
+/// Longer lists would cover the picture.
 constexpr std::size_t kMostEntries = 16;
 constexpr double kMostTicks = 6;
 
-/// The least of 1, 2 and 5 times a power of ten that parts width into so few pieces.
+/// The smallest step of 1, 2 or 5 times a power of ten that divides width into at most kMostTicks parts.
 double stepFor(double width) {
     const double least = width / kMostTicks, power = std::pow(10.0, std::floor(std::log10(least)));
     for (const double factor : {1.0, 2.0, 5.0})
-        if (factor * power >= least * (1 - 1e-9)) return factor * power; // but for rounding
+        if (factor * power >= least * (1 - 1e-9)) return factor * power; // tolerates rounding
     return 10 * power;
 }
 
-/// Larger numbers are written with an exponent: a double has no more digits.
+/// Larger numbers are written with an exponent: doubles have no more digits.
 constexpr double kLongest = 1e15;
 
 std::string tickText(double value, double step) {
@@ -57,7 +57,7 @@ std::vector<LegendTick> ticksOf(ValueRange range) {
     for (int k = 0; k <= 2 * kMostTicks && (first + k) * step <= range.high + 1e-9 * step; ++k) {
         const double value = (first + k) * step;
         const std::string text = tickText(value, step);
-        if (!ticks.empty() && ticks.back().text == text) continue; // numbers so large that steps are lost in them
+        if (!ticks.empty() && ticks.back().text == text) continue; // steps below the precision of large numbers
         ticks.push_back({std::clamp((value - range.low) / width, 0.0, 1.0), text});
     }
     return ticks;

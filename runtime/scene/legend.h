@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What colours mean, for whoever looks at them.
+// Legends of colour maps, as data.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 namespace pointrt {
 
 struct LegendTick {
-    double share; ///< of the bar, from its lowest number
+    double share; ///< position on the bar, 0 to 1 from its lowest value
     std::string text;
 };
 
@@ -29,13 +29,13 @@ struct Legend {
     std::vector<LegendEntry> entries;
 };
 
-/// Of a map that is not categorical.
+/// The legend of a continuous map.
 Legend barLegend(const std::string& title, ColorMap map, ValueRange range);
 
-/// Of a categorical map, with the numbers that are there, in ascending order: the first of them where they are many.
+/// The legend of a categorical map for the values in use, in ascending order; long lists are cut.
 Legend listLegend(const std::string& title, ColorMap map, std::span<const double> numbers);
 
-/// Round numbers within range, a few: steps of 1, 2 or 5 times a power of ten, with no more decimals than that takes.
+/// Round values within range, in steps of 1, 2 or 5 times a power of ten, with as many decimals as the step needs.
 std::vector<LegendTick> ticksOf(ValueRange range);
 
 } // namespace pointrt

@@ -11,7 +11,7 @@
 namespace pointrt {
 namespace {
 
-// Of the design, in pixels of a picture of about kDesignSide.
+// The layout, in pixels of a picture of about kDesignSide pixels.
 constexpr std::size_t kDesignSide = 512;
 constexpr std::size_t kMargin = 10, kPadding = 7, kGap = 6, kLine = kGlyphHeight + 2;
 constexpr std::size_t kBarWidth = 16, kBarHeight = 160, kTickWidth = 4, kSwatch = 10;
@@ -20,7 +20,7 @@ constexpr std::uint8_t kBackOpacity = 165;
 
 struct Pen {
     LegendPicture& picture;
-    std::size_t scale; ///< pixels to a unit of the design
+    std::size_t scale; ///< pixels per layout unit
 
     void fill(std::size_t left, std::size_t top, std::size_t width, std::size_t height, Srgb8 color) const {
         for (std::size_t y = top * scale; y < (top + height) * scale && y < picture.size.height; ++y)
@@ -52,12 +52,12 @@ struct Pen {
     }
 };
 
-/// In letters that the font has: others of UTF-8 become a ?, and what is too long ends in dots.
+/// text in characters of the font: other UTF-8 characters become ?, and long text ends in dots.
 std::string writable(std::string_view text) {
     std::string letters;
     for (const char c : text) {
-        const bool goes_on = (static_cast<unsigned char>(c) & 0xC0) == 0x80; // the same sign in UTF-8
-        if (!goes_on) letters += c >= kFirstGlyph && c <= kLastGlyph ? c : '?';
+        const bool is_continuation = (static_cast<unsigned char>(c) & 0xC0) == 0x80; // byte of a UTF-8 character
+        if (!is_continuation) letters += c >= kFirstGlyph && c <= kLastGlyph ? c : '?';
     }
     if (letters.size() > kMostLetters) letters.replace(kMostLetters - 3, std::string::npos, "...");
     return letters;
@@ -73,7 +73,7 @@ std::size_t innerWidth(const Legend& legend) {
     return width;
 }
 
-/// Half a line above and below the bar, for numbers at its ends.
+/// Includes half a line above and below the bar, for the ticks at its ends.
 std::size_t innerHeight(const Legend& legend) {
     return kLine + kGap + (legend.bar.empty() ? kLine * legend.entries.size() : kBarHeight + kLine);
 }
@@ -123,7 +123,7 @@ LegendPicture drawLegend(const Legend& legend, PixelSize picture) {
     return drawn;
 }
 
-void layOn(const LegendPicture& legend, const PictureRows& picture) {
+void compositeLegend(const LegendPicture& legend, const PictureRows& picture) {
     const std::size_t rows = picture.rgb.size() / (3 * picture.width);
     const std::size_t bottom = std::min(legend.top + legend.size.height, picture.first_row + rows);
     const std::size_t right = std::min(legend.left + legend.size.width, picture.width);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A legend as pixels, for pictures in files.
+// Legends drawn as pixels, for picture files.
 #pragma once
 
 #include <cstddef>
@@ -12,23 +12,23 @@
 
 namespace pointrt {
 
-/// Lies on a picture; what reaches out of it is not seen.
+/// A rectangle to composite over a picture, which clips it.
 struct LegendPicture {
     std::size_t left = 0, top = 0;
     PixelSize size;
     std::vector<std::uint8_t> rgba; ///< sRGB and opacity, rows from the top
 };
 
-/// For the lower left corner of a picture of this size, in letters that are larger in larger pictures.
+/// Draws a legend for the lower left corner of a picture of this size, scaled with it.
 LegendPicture drawLegend(const Legend& legend, PixelSize picture);
 
-/// Whole rows of a picture.
+/// Complete rows of a picture, 3 bytes per pixel.
 struct PictureRows {
     std::span<std::uint8_t> rgb;
     std::size_t width = 1; ///< pixels
     std::size_t first_row = 0;
 };
 
-void layOn(const LegendPicture& legend, const PictureRows& picture);
+void compositeLegend(const LegendPicture& legend, const PictureRows& picture);
 
 } // namespace pointrt

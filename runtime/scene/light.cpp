@@ -7,10 +7,10 @@ namespace pointrt {
 namespace {
 
 #define CHECK_KIND(number, name, surface)                                                                              \
-    static_assert(Light<name##Light>, "runtime/scene/light.h says what each kind of light has");                       \
+    static_assert(Light<name##Light>, "each kind of light must satisfy the concept Light of runtime/scene/light.h");   \
     static_assert(std::same_as<std::variant_alternative_t<number, LightDescription>, name##Light>,                     \
-                  "LIGHT_KINDS and LightDescription have the kinds in one order");                                     \
-    static_assert(HasSurface<name##Light> == surface, "C++ and GLSL agree on which lights have a surface");
+                  "LIGHT_KINDS and LightDescription must list the kinds in the same order");                           \
+    static_assert(HasSurface<name##Light> == surface, "C++ and GLSL must agree on which lights have a surface");
 LIGHT_KINDS(CHECK_KIND)
 #undef CHECK_KIND
 
@@ -19,13 +19,13 @@ static_assert(kLightKinds == 0 LIGHT_KINDS(COUNT_KIND), "LIGHT_KINDS lacks a kin
 #undef COUNT_KIND
 static_assert(kLightKinds <= MAX_LIGHT_KINDS);
 
-/// What answer(std::type_identity<L>{}) says for the kind L of this number; otherwise where there is none.
-template <typename Answer, typename Value>
-Value ofKind(std::size_t kind, Value otherwise, Answer&& answer) {
+/// visit(std::type_identity<L>{}) for the kind L of this number; fallback if there is none.
+template <typename Visit, typename Value>
+Value ofKind(std::size_t kind, Value fallback, Visit&& visit) {
     eachLightKind([&](auto type, std::size_t number) {
-        if (number == kind) otherwise = answer(type);
+        if (number == kind) fallback = visit(type);
     });
-    return otherwise;
+    return fallback;
 }
 
 template <typename Type>

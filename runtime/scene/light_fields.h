@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The values that lights are made of. Each kind of light lists its own, once: scene files are read and written, panels
-// drawn and lengths brought to render units by what each of these types is, and where one of them has no answer for a
-// type, it does not compile.
+// The types of values that lights consist of. Each kind of light lists its values once; reading and writing scene
+// files, panels, and the conversion to render units handle each type, and fail to compile if they miss one.
 #pragma once
 
 #include <algorithm>
@@ -19,16 +18,16 @@ namespace pointrt {
 /// The names of a light's values in scene files.
 using FieldKeys = std::vector<std::string_view>;
 
-/// Where it stands.
+/// A position.
 struct PositionField {
     const char* key;
     Vec3& value;
-    /// Whether a light that is brought to the camera then looks the way that the camera does.
+    /// True if moving the light to the camera also aims it along the view direction.
     bool turns = false;
     FieldKeys keys() const { return {key}; }
 };
 
-/// Unit vector: where it points, or where its face looks. In scene files also as a point to look at.
+/// Unit vector: the light's direction, or the normal of its face. Scene files can give a point to aim at instead.
 struct AimField {
     const char* key;
     Vec3& value;
@@ -37,52 +36,52 @@ struct AimField {
     FieldKeys keys() const { return {"target", key}; }
 };
 
-/// Unit vector to the sun. In scene files also as a place and time.
+/// Unit vector to the sun. Scene files can give a place and a time instead.
 struct SunwardField {
     Vec3& value;
     FieldKeys keys() const { return {"towards", "time", "latitude", "longitude", "north"}; }
 };
 
-/// A spot's.
+/// The cone of a spot light.
 struct ConeField {
     static constexpr double kNarrowest = 0.1, kWidest = 90;
     double& outer_deg; ///< half angle
-    double& inner_deg; ///< undimmed inside of this half angle, at most outer_deg
+    double& inner_deg; ///< full intensity within this half angle, at most outer_deg
     FieldKeys keys() const { return {"outer", "inner"}; }
 };
 
-/// Half the angle that the sun's disc is seen under.
+/// Angular radius of the sun's disc.
 struct AngularRadiusField {
     static constexpr double kWidest = 45;
     double& degrees;
     FieldKeys keys() const { return {"angular_radius"}; }
 };
 
-/// Of a lamp.
+/// Radius of a lamp.
 struct RadiusField {
     double& value;
     FieldKeys keys() const { return {"radius"}; }
 };
 
-/// Half edges of a rectangle, at right angles.
+/// Half edges of a rectangle, perpendicular to each other.
 struct HalfEdgesField {
     Vec3 &u, &v;
     FieldKeys keys() const { return {"u", "v"}; }
 };
 
-/// Whether the lamp itself is in the picture.
+/// True if camera rays can hit the lamp itself.
 struct VisibleField {
     bool& value;
     FieldKeys keys() const { return {"seen_by_camera"}; }
 };
 
-/// How strong a light is, by what its number means.
+/// The strength of a light, and its quantity.
 struct EmissionField {
     enum class Quantity { kIntensity, kIrradiance, kRadiance };
     Quantity quantity;
     Color& value;
-    double seen_area = 0;               ///< of radiance: as seen from far off, where it faces
-    std::optional<double> watts_of_one; ///< power of a light whose number is 1; none: not given in watts
+    double seen_area = 0;               ///< for radiance: projected area, seen from afar in front
+    std::optional<double> watts_of_one; ///< power of a light of strength 1; none: cannot be given in watts
 
     const char* key() const {
         constexpr const char* keys[] = {"intensity", "irradiance", "radiance"};
@@ -95,13 +94,13 @@ struct EmissionField {
     }
 };
 
-/// Irradiance on a facing surface at unit distance.
+/// Irradiance at unit distance on a surface that faces the light.
 inline EmissionField intensityField(Color& value, std::optional<double> watts_of_one = {}) {
     return {EmissionField::Quantity::kIntensity, value, 0, watts_of_one};
 }
-/// On a surface that faces it.
+/// Irradiance on a surface that faces the light.
 inline EmissionField irradianceField(Color& value) { return {EmissionField::Quantity::kIrradiance, value, 0, {}}; }
-/// shining_area: all that gives off light.
+/// shining_area: total emitting area.
 inline EmissionField radianceField(Color& value, double seen_area, double shining_area) {
     return {EmissionField::Quantity::kRadiance, value, seen_area, std::numbers::pi * shining_area};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What kinds of light say of themselves.
+// Types and helpers that the kinds of light share.
 #pragma once
 
 #include <cmath>
@@ -13,34 +13,34 @@ namespace pointrt {
 
 struct LightNames {
     const char* type;   ///< in scene files
-    const char* called; ///< in messages
+    const char* called; ///< in messages, with its article
     const char* label;  ///< in the window
-    const char* hint;   ///< beside it
+    const char* hint;   ///< next to the label
 };
 
-/// The surface of a lamp: the unit form of a shape, put at center + x * u + y * v + z * w.
+/// The surface of a lamp: the unit form of a shape, at center + x * u + y * v + z * w.
 struct LampSurface {
     std::uint32_t shape; ///< SHAPE_*
     Vec3 center, u, v, w;
     bool seen_by_camera = true;
 };
-/// Of lights without any.
+/// For lights without a surface.
 struct NoSurface {};
 
-/// Where a light is put up that somebody adds to a scene.
+/// The initial position of a light added to a scene.
 struct LightPlace {
-    Vec3 position, ahead; ///< unit length, to the middle of the scene
+    Vec3 position, ahead; ///< ahead: unit vector to the centre of the scene
     Vec3 up;              ///< unit length
     double scene_radius = 1;
-    double distance = 2; ///< of the middle of the scene
+    double distance = 2; ///< from the centre of the scene
 };
-/// As large beside the scene as a window or a softbox beside a person.
+/// In scene radii: like a window or a softbox next to a person.
 constexpr double kLampRadius = 0.2, kPanelHalfEdge = 0.4;
 
 constexpr double kDegree = std::numbers::pi / 180;
 inline double cosineOf(double degrees) { return std::cos(degrees * std::numbers::pi / 180); }
 
-/// Any unit vector at right angles to v.
+/// Any unit vector perpendicular to v.
 inline Vec3 across(Vec3 v) {
     return normalize(std::abs(v.x) < 0.7 ? cross(v, Vec3{1, 0, 0}) : cross(v, Vec3{0, 1, 0}));
 }

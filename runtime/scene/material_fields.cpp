@@ -9,9 +9,9 @@ namespace pointrt {
 namespace {
 
 using M = MaterialDescription;
-constexpr double kLargest = 1e12; ///< squares and products of a few such numbers stay within float
+constexpr double kLargest = 1e12; ///< squares and products of a few such numbers fit in float
 
-// In the order in which scene files are written.
+// In the order of written scene files.
 constexpr MaterialField kFields[] = {
     {"mirror_share", &M::mirror_share, 0, 1, "Mirror", "share of light reflected as by a mirror", "%.2f", false},
     {"specular", &M::specular, 0, 1, "Highlight", "for direct light and mirrors", "%.2f", false},
@@ -27,13 +27,13 @@ constexpr MaterialField kFields[] = {
 constexpr const MaterialField* field(std::string_view key) {
     for (const MaterialField& each : kFields)
         if (key == each.key) return &each;
-    throw "no such field"; // not a constant then: it does not compile
+    throw "no such field"; // not a constant expression: a wrong key fails to compile
 }
 
 template <std::size_t kCount>
 using Fields = std::array<const MaterialField*, kCount>;
 
-// Of each kind in MATERIALS, k...Fields in the panel's order.
+// One list per kind in MATERIALS, in the panel's order.
 constexpr Fields<3> kMatteFields{field("mirror_share"), field("specular"), field("shininess")};
 constexpr Fields<1> kMetalFields{field("roughness")};
 constexpr Fields<2> kPlasticFields{field("roughness"), field("index")};

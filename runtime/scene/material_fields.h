@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What kinds of material have: one list for reading and writing scene files and for the window's panel.
+// The fields of each kind of material: one list for reading and writing scene files and for the window's panel.
 #pragma once
 
 #include <span>
@@ -10,25 +10,25 @@
 
 namespace pointrt {
 
-/// The most materials that a scene holds.
+/// Largest number of materials in a scene.
 constexpr std::size_t kMaxMaterials = 256;
 
 struct MaterialField {
     const char* key; ///< in scene files
     std::variant<float MaterialDescription::*, bool MaterialDescription::*, Color MaterialDescription::*> member;
-    double low, high; ///< of numbers and colours, ends included
+    double low, high; ///< range of numbers and colour components, inclusive
     // in the window
     const char* label;
     const char* tip;
-    const char* format;                          ///< of numbers
-    bool logarithmic;                            ///< numbers are
-    bool MaterialDescription::*unless = nullptr; ///< where this holds, it says nothing: it is neither shown nor written
-    float MaterialDescription::*shown_with = nullptr; ///< it is shown where that is above 0
+    const char* format;                               ///< printf format of numbers
+    bool logarithmic;                                 ///< numbers have a logarithmic slider
+    bool MaterialDescription::*unless = nullptr;      ///< if true, the field has no effect: not shown, not written
+    float MaterialDescription::*shown_with = nullptr; ///< shown only while this is above 0
 };
 
-/// Those of a kind beside colour and emission, which all have, in the panel's order.
+/// The fields of a kind in the panel's order, without colour and emission, which all kinds have.
 std::span<const MaterialField* const> fieldsOf(MaterialKind kind);
-/// Those of a kind in the order in which scene files are written.
+/// The fields of a kind in the order of written scene files.
 std::vector<const MaterialField*> writtenFieldsOf(MaterialKind kind);
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kinds of material (shaders/shared/materials.h) as C++ knows them.
+// The kinds of material of shaders/shared/materials.h as a C++ enumeration.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@ enum class MaterialKind { MATERIALS(POINTRT_ENUMERATOR) };
 
 struct MaterialKindRow {
     MaterialKind kind;
-    const char* word;  ///< of scene files
-    const char* label; ///< of the window
+    const char* word;  ///< in scene files
+    const char* label; ///< in the window
     std::uint32_t traits;
 };
 
@@ -25,17 +25,17 @@ struct MaterialKindRow {
 constexpr std::array kMaterialKinds = {MATERIALS(POINTRT_LISTED)};
 #undef POINTRT_LISTED
 
-constexpr bool areNumberedAsTheyStand(const decltype(kMaterialKinds)& rows) {
+constexpr bool areNumberedInOrder(const decltype(kMaterialKinds)& rows) {
     for (std::size_t i = 0; i < rows.size(); ++i)
         if (static_cast<std::size_t>(rows[i].kind) != i) return false;
     return true;
 }
-static_assert(areNumberedAsTheyStand(kMaterialKinds), "rows of MATERIALS are numbered as they stand");
+static_assert(areNumberedInOrder(kMaterialKinds), "rows of MATERIALS must be numbered in order");
 static_assert(kMaterialKinds.size() <= 8, "FEATURE_MATERIAL has eight bits (shaders/shared/params.h)");
 
 constexpr const MaterialKindRow& rowOf(MaterialKind kind) { return kMaterialKinds.at(static_cast<std::size_t>(kind)); }
 
-/// Whether it has one of the traits MATERIAL_*.
+/// True if the kind has a trait MATERIAL_*.
 constexpr bool hasTrait(MaterialKind kind, std::uint32_t trait) { return (rowOf(kind).traits & trait) != 0; }
 
 } // namespace pointrt

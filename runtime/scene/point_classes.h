@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The classes of points in LAS files.
+// The point classes of LAS files.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,11 @@
 
 namespace pointrt {
 
-/// Its name by ASPRS, LAS Specification 1.4 R15, table 17; "class N" where that has none.
+/// The name of a class in ASPRS, LAS Specification 1.4 R15, table 17; "class N" if it has none.
 std::string className(std::uint8_t number);
 
-/// The specification names no colours. Ground brown, vegetation green, buildings orange, noise magenta and water blue
-/// are what viewers of LAS files agree on; the others are chosen here to be told apart.
+/// The specification defines no colours. LAS viewers commonly show ground brown, vegetation green, buildings orange,
+/// noise magenta and water blue; the other colours are chosen to be distinct.
 Srgb8 classColor(std::uint8_t number);
 
 } // namespace pointrt

@@ -11,7 +11,7 @@
 namespace pointrt {
 
 struct QuadLight {
-    Vec3 center, u, v; ///< half edges at right angles; both sides shine
+    Vec3 center, u, v; ///< u, v: perpendicular half edges; both sides emit
     Color radiance;
     bool seen_by_camera = true;
     bool operator==(const QuadLight&) const = default;
@@ -32,11 +32,11 @@ struct QuadLight {
         const Vec3 normal = cross(u, v);
         return length(normal) > 0 ? normalize(normal) : Vec3{0, 1, 0};
     }
-    /// Its width becomes level with up.
+    /// Makes the edge u perpendicular to up.
     void face(Vec3 normal, Vec3 up) {
-        constexpr double upright = 1e-6;
+        constexpr double min_sine = 1e-6;
         const Vec3 level = cross(up, normal);
-        const Vec3 along = length(level) > upright ? normalize(level) : across(normal);
+        const Vec3 along = length(level) > min_sine ? normalize(level) : across(normal);
         u = along * length(u);
         v = cross(normal, along) * length(v);
     }

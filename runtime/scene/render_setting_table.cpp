@@ -28,7 +28,7 @@ constexpr bool holds(const RenderSettings& settings, SizeMembers member, const v
     return &(settings.*member.width) == address || &(settings.*member.height) == address;
 }
 
-/// Does not compile when a member comes or goes: name it here, too.
+/// Fails to compile when a member is added or removed: update the list.
 [[maybe_unused]] constexpr bool everyMemberHasARow() {
     const RenderSettings settings;
     const auto& [width, height, spp, seed, camera, integrator, bounces, room, lights, shadows, caustics, blend,
@@ -43,17 +43,18 @@ constexpr bool holds(const RenderSettings& settings, SizeMembers member, const v
         forEachRenderSetting([&](const auto& row) { found |= holds(settings, row.member, member); });
         return found;
     };
-    // the camera is resolved part by part; what else is filled of a film does not change what it has
+    // the camera is resolved part by part; the others only add layers to a film
     const std::array<const void*, 3> elsewhere = {&camera, &first_hits, &light_parts};
     return std::all_of(members.begin(), members.end(), [&](const void* member) {
         return has_row(member) || std::find(elsewhere.begin(), elsewhere.end(), member) != elsewhere.end();
     });
 }
-#if !defined(__clang__) || __clang_major__ >= 16 // before, it knows no strings of libstdc++ in constants
+#if !defined(__clang__) ||                                                                                             \
+    __clang_major__ >= 16 // older versions cannot use std::string of libstdc++ in constant expressions
 static_assert(everyMemberHasARow(), "a member of RenderSettings is in no row of kRenderSettings");
 #endif
 
-/// Places in films and scene files are each for one row.
+/// No two rows share a place in films or scene files.
 constexpr bool placesAreUnique() {
     std::array<int, 64> film{}, scene{}, render{};
     ++film[kCameraPlaceInFilm];

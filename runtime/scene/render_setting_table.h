@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of render settings: all that there is to know of one stands in its row. Command line and --help, scene
-// files read and written, the settings of a run, the signature of its film and the window's panel come from here, and
-// the tests hold docs/SCENES.md against it. A new setting is a member of RenderSettings, one of RenderChoices and a
-// row.
+// The table of render settings: one row defines everything about a setting. The command line and --help, scene files,
+// the settings of a run, the signature of its film and the window's panel all use it, and tests compare docs/SCENES.md
+// with it. A new setting needs a member of RenderSettings, one of RenderChoices and a row.
 #pragma once
 
 #include <limits>
@@ -14,38 +13,38 @@
 
 namespace pointrt {
 
-/// Headings of --help that settings stand under, in the order of the table.
+/// The headings of settings in --help, in the order of the table.
 enum class HelpGroup { kImage, kLightAndSurfaces };
 
 struct OnCommandLine {
     HelpGroup group;
     const char* option;
     const char* placeholder;
-    const char* help; ///< {default} and {limits} stand for what they are
+    const char* help; ///< {default} and {limits} are replaced by their values
 };
 
-/// Tables of a scene file that have settings: the whole file and [render].
+/// The tables of a scene file that contain settings: the top level and [render].
 enum class FileTable { kScene, kRender };
 
 struct InSceneFile {
     FileTable table;
-    int place; ///< in its table, as files are written
+    int place; ///< its position in the table when a file is written
     const char* key;
 };
 
-/// Whether samples with one value and samples with another can be in the same film. Where they cannot, an entry of the
-/// film's signature tells (film_signature.h), and its place there is for ever: films are gone on with years later.
+/// Whether a film can mix samples taken with different values of the setting. If not, the value is an entry of the
+/// film's signature (film_signature.h). Its place there never changes, since films are resumed years later.
 struct InFilm {
-    int place; ///< 0: in no signature
+    int place; ///< 0: not in the signature
     const char* name;
-    const char* (*text)(const RenderSettings&) = nullptr; ///< else the value, or "default" for one that is not there
-    bool where_said = false; ///< no entry for the default: of settings that came after films without them
+    const char* (*text)(const RenderSettings&) = nullptr; ///< default: the value, or "default" if it is not set
+    bool omits_default = false; ///< no entry for the default value: the setting is newer than films without it
 };
 inline constexpr InFilm kNotInFilm{0, ""};
-/// Of the camera, which is no setting of this table.
+/// The camera's place in the signature; it is not in this table.
 inline constexpr int kCameraPlaceInFilm = 2;
 
-/// Where two members of RenderSettings are one setting.
+/// Two members of RenderSettings that are one setting.
 struct SizeMembers {
     std::uint32_t RenderSettings::*width;
     std::uint32_t RenderSettings::*height;
@@ -65,74 +64,74 @@ template <typename Members, typename Limits>
 RenderSetting(Members, std::optional<typename Limits::Value> RenderChoices::*, Limits, OnCommandLine, InSceneFile,
               InFilm) -> RenderSetting<Members, Limits>;
 
-/// One sample goes through the pixel's centre, more are spread over its area: more of them go on with each other.
+/// A single sample is taken at the pixel's centre; several are spread over its area, and only these can be mixed.
 inline const char* pixelPattern(const RenderSettings& settings) { return settings.spp == 1 ? "centre" : "area"; }
 
 // clang-format off
 inline constexpr std::tuple kRenderSettings{
     RenderSetting{SizeMembers{&RenderSettings::width, &RenderSettings::height}, &RenderChoices::size,
         SizeRange{kMaxPixelSide},
-        OnCommandLine{HelpGroup::kImage, "--size", "WxH", "Image size in pixels (default {default}, each {limits})"},
+        OnCommandLine{HelpGroup::kImage, "--size", "WxH", "Image size in pixels (default {default}; each side {limits})"},
         InSceneFile{FileTable::kRender, 4, "size"},
         InFilm{1, "size"}},
     RenderSetting{&RenderSettings::spp, &RenderChoices::spp,
         CountRange{1, kMaxSpp},
         OnCommandLine{HelpGroup::kImage, "--spp", "N",
-            "Samples a pixel; 1 samples its centre (default {default}, {limits})"},
+            "Samples per pixel; 1 samples its centre (default {default}; {limits})"},
         InSceneFile{FileTable::kRender, 3, "spp"},
         InFilm{6, "pixel", pixelPattern}},
     RenderSetting{&RenderSettings::seed, &RenderChoices::seed,
         CountRange{0, std::numeric_limits<std::uint32_t>::max()},
-        OnCommandLine{HelpGroup::kImage, "--seed", "N", "Of the random numbers (default {default}, {limits})"},
+        OnCommandLine{HelpGroup::kImage, "--seed", "N", "Random seed (default {default}; {limits})"},
         InSceneFile{FileTable::kRender, 5, "seed"},
         InFilm{5, "seed"}},
     RenderSetting{&RenderSettings::denoise, &RenderChoices::denoise,
         OneOf{kDenoiseNames},
         OnCommandLine{HelpGroup::kImage, "--denoise", "on|off|auto",
-            "Filter the noise out: a guess, for previews (default {default}: PNG of soft light with fewer than 256 "
-            "samples)"},
+            "Denoise the picture, for previews; may blur detail (default {default}: noisy PNGs with fewer than 256 "
+            "samples per pixel)"},
         InSceneFile{FileTable::kRender, 6, "denoise"},
         kNotInFilm},
     RenderSetting{&RenderSettings::exposure, &RenderChoices::exposure,
         RealRange{-20, 20}, // stops: a factor of a million
         OnCommandLine{HelpGroup::kImage, "--exposure", "STOPS",
-            "Brighten a PNG by 2^STOPS (default {default}, {limits})"},
+            "Multiply the brightness of a PNG by 2^STOPS (default {default}; {limits})"},
         InSceneFile{FileTable::kRender, 7, "exposure"},
         kNotInFilm},
     RenderSetting{&RenderSettings::detail, &RenderChoices::detail,
-        RealRange{0, kMaxPixelSide}, // nothing is larger in a picture
+        RealRange{0, kMaxPixelSide}, // no error is larger than the picture
         OnCommandLine{HelpGroup::kImage, "--detail", "PIXELS",
-            "So large may be what the tiles of a set leave out; 0: all of it at its finest (default {default}, "
-            "{limits})"},
+            "Largest level-of-detail error of tile sets to accept, in pixels; 0 loads the finest tiles (default "
+            "{default}; {limits})"},
         InSceneFile{FileTable::kRender, 17, "detail"},
-        kNotInFilm}, // the scene's files tell: with the same tiles a film goes on
+        kNotInFilm}, // the signature lists the scene's tiles instead
     RenderSetting{&RenderSettings::integrator, &RenderChoices::integrator,
         OneOf{kIntegratorNames},
-        OnCommandLine{HelpGroup::kLightAndSurfaces, "--integrator", "NAME", "{limits} (default {default})"},
+        OnCommandLine{HelpGroup::kLightAndSurfaces, "--integrator", "NAME", "Rendering method: {limits} (default {default})"},
         InSceneFile{FileTable::kRender, 1, "integrator"},
         InFilm{3, "integrator"}},
     RenderSetting{&RenderSettings::bounces, &RenderChoices::bounces,
         CountRange{0, 64},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--bounces", "N",
-            "Secondary rays in a path at most (default {default}, {limits})"},
+            "Maximum number of bounces in a path (default {default}; {limits})"},
         InSceneFile{FileTable::kRender, 2, "bounces"},
         InFilm{4, "bounces"}},
     RenderSetting{&RenderSettings::room, &RenderChoices::room,
         OneOf{kRoomNames},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--room", "NAME",
-            "A box around the scene: {limits} (default: none; without --lights too, and without lights in the scene, a "
-            "studio of three lamps over a floor)"},
+            "Box around the scene: {limits} (default: none, and a studio of three lamps over a floor if neither "
+            "--lights nor the scene sets up lights)"},
         InSceneFile{FileTable::kScene, 1, "room"},
         InFilm{7, "room"}},
     RenderSetting{&RenderSettings::lights, &RenderChoices::lights,
         CountRange{0, 16},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--lights", "N",
-            "Point lights on a ring above a scene that has no light of its own (default 3 with --room, {limits})"},
+            "Point lights on a ring above a scene that has no lights of its own (default 3 with --room; {limits})"},
         InSceneFile{FileTable::kRender, 8, "lights"},
         InFilm{8, "lights"}},
     RenderSetting{&RenderSettings::shadows, &RenderChoices::shadows,
         OneOf{kSwitchNames},
-        OnCommandLine{HelpGroup::kLightAndSurfaces, "--shadows", "on|off", "Shadow rays (default {default})"},
+        OnCommandLine{HelpGroup::kLightAndSurfaces, "--shadows", "on|off", "Trace shadow rays (default {default})"},
         InSceneFile{FileTable::kRender, 9, "shadows"},
         InFilm{9, "shadows"}},
     RenderSetting{&RenderSettings::blend, &RenderChoices::blend,
@@ -143,39 +142,39 @@ inline constexpr std::tuple kRenderSettings{
     RenderSetting{&RenderSettings::caustics, &RenderChoices::caustics,
         OneOf{kSwitchNames},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--caustics", "on|off",
-            "Light bundled by glass and mirrors (default {default})"},
+            "Render caustics, light focused by glass and mirrors (default {default})"},
         InSceneFile{FileTable::kRender, 10, "caustics"},
         InFilm{11, "caustics"}},
     RenderSetting{&RenderSettings::reflectivity, &RenderChoices::reflectivity,
         RealRange{0, 1},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--reflectivity", "R",
-            "Of scans with their files' own materials, 0 matte to 1 mirror (default: each material's own)"},
+            "Reflectivity of scans without a material in the scene file, 0 matte to 1 mirror (default: each scan's own)"},
         InSceneFile{FileTable::kRender, 12, "reflectivity"},
         InFilm{12, "reflectivity"}},
     RenderSetting{&RenderSettings::color_by, &RenderChoices::color_by,
         AttributeWord{},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--color-by", "NAME",
-            "Colour scans by {limits} (default {default}: their own colours)"},
+            "Colour scans by {limits} (default {default}: the scan's colours)"},
         InSceneFile{FileTable::kRender, 13, "color_by"},
         InFilm{13, "color_by", nullptr, true}},
     RenderSetting{&RenderSettings::color_map, &RenderChoices::color_map,
         OneOf{kColorMapNames},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--color-map", "NAME",
-            "{limits} (default viridis, classes for classes, scans for scans)"},
+            "Colour map of --color-by: {limits} (default viridis; classes for class, scans for scan)"},
         InSceneFile{FileTable::kRender, 14, "color_map"},
         InFilm{14, "color_map", nullptr, true}},
     RenderSetting{&RenderSettings::color_range, &RenderChoices::color_range,
         RangeOfValues{},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--color-range", "LO,HI",
-            "Numbers at the ends of the map, {limits} (default: all of small whole numbers, else without the lowest "
-            "and the highest percent)"},
+            "Values at the ends of the colour map, {limits} (default: the whole range of small integers, else the 1st "
+            "to the 99th percentile)"},
         InSceneFile{FileTable::kRender, 15, "color_range"},
         InFilm{15, "color_range", nullptr, true}},
     RenderSetting{&RenderSettings::legend, &RenderChoices::legend,
         OneOf{kSwitchNames},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--legend", "on|off",
-            "What the colours of --color-by mean, in the corner of the picture (default: on in the window, off in "
-            "PNGs; never in EXRs)"},
+            "Draw a legend of --color-by in the corner of the picture (default: on in the window, off in PNGs; never "
+            "in EXRs)"},
         InSceneFile{FileTable::kRender, 16, "legend"},
         kNotInFilm},
 };
@@ -202,7 +201,7 @@ constexpr const auto& rowOf() {
     }
 }
 
-/// What settings have in a row; empty where that is left to the scene.
+/// The value of a row's member in settings; empty if the scene decides it.
 template <typename Value>
 constexpr std::optional<Value> settingOf(const RenderSettings& settings, Value RenderSettings::*member) {
     return settings.*member;
@@ -215,9 +214,9 @@ constexpr std::optional<PixelSize> settingOf(const RenderSettings& settings, Siz
     return PixelSize{settings.*member.width, settings.*member.height};
 }
 
-/// Where choices speak, they overrule settings.
+/// Sets the settings that choices contain.
 void applyChoices(const RenderChoices& choices, RenderSettings& settings);
-/// All that settings have to say.
+/// The choices that reproduce settings.
 RenderChoices choicesOf(const RenderSettings& settings);
 
 } // namespace pointrt

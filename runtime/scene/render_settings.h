@@ -24,38 +24,38 @@ enum class DenoiseChoice { kAuto, kOn, kOff };
 inline constexpr std::array kDenoiseNames = {Name{"on", DenoiseChoice::kOn}, Name{"off", DenoiseChoice::kOff},
                                              Name{"auto", DenoiseChoice::kAuto}};
 
-/// What the user said of the camera, in input coordinates; what is missing is framed by frameCamera.
+/// The camera as far as the user gives it, in input coordinates; frameScene and frameCamera complete it.
 struct CameraRequest {
     std::optional<Vec3> eye, target, up;
-    double fov_deg = 40; ///< vertical, in (0, 180); nothing to a parallel projection
-    bool ortho = false;  ///< parallel projection, for which ortho_height asks as well
-    /// Height of the picture's window in the scene, input units, above 0; where not given it shows all of the scene.
+    double fov_deg = 40; ///< vertical, in (0, 180); not used by parallel projection
+    bool ortho = false;  ///< parallel projection; implied by ortho_height
+    /// Height of the picture in the scene, input units, above 0; none: shows the whole scene.
     std::optional<double> ortho_height;
-    Vec3 side{0, 0, 1}; ///< unit vector from the target to the eye, where no eye is given
-    /// Where neither eye nor target is given: what frameScene (runtime/scene) looks from, in place of its own choice.
+    Vec3 side{0, 0, 1}; ///< unit vector from the target to the eye, used if eye is none
+    /// The view for frameScene if eye is none; none: chosen automatically.
     std::optional<StandardView> view;
     bool operator==(const CameraRequest&) const = default;
 };
 
-/// A complete camera in input coordinates; right, up and forward are orthonormal, but for pinholeCamera's (pinhole.h).
-/// With parallel projection all rays go forward, from a window around the eye: nothing behind that is seen.
+/// A complete camera in input coordinates; right, up and forward are orthonormal, except for pinholeCamera (pinhole.h).
+/// With parallel projection all rays start on the plane through the eye and go forward.
 struct Camera {
     Vec3 eye, right, up, forward;
     double fov_deg = 40;     ///< vertical
-    double ortho_height = 0; ///< above 0: parallel projection, the height in input units that the picture shows
+    double ortho_height = 0; ///< above 0: parallel projection, with the picture's height in input units
     bool operator==(const Camera&) const = default;
 };
 
-/// The most samples a pixel can have: sums of them in 32-bit floats still gain by one more.
+/// Largest number of samples per pixel: another sample still changes a sum of so many in 32-bit float.
 constexpr std::uint32_t kMaxSpp = 65536;
 
-/// RenderSettings::color_by of scans that have the colours of their files.
+/// The value of RenderSettings::color_by for the scans' own colours.
 inline constexpr const char* kOwnColors = "rgb";
 
-/// What decides a picture besides its scene. render_setting_table.h has what each may be, and where users say it.
+/// Render settings. render_setting_table.h defines their ranges and where users set them.
 struct RenderSettings {
     std::uint32_t width = 512, height = 512; ///< pixels
-    std::uint32_t spp = 4;                   ///< samples a pixel
+    std::uint32_t spp = 4;                   ///< samples per pixel
     std::uint32_t seed = 0;
     CameraRequest camera;
     Integrator integrator = Integrator::kPhong;
@@ -63,22 +63,21 @@ struct RenderSettings {
     std::optional<Room> room;            ///< a box around the scene
     std::optional<std::uint32_t> lights; ///< point lights on the ring
     bool shadows = true;
-    bool caustics = true;              ///< light bundled by glass and mirrors
+    bool caustics = true;              ///< light focused by glass and mirrors
     bool blend = true;                 ///< off: each hit is one splat's flat disc
-    std::optional<float> reflectivity; ///< overrules what scans' files say
-    std::string color_by = kOwnColors; ///< what scans are coloured by: see color_words.h of device_scene
+    std::optional<float> reflectivity; ///< overrides the scans' materials
+    std::string color_by = kOwnColors; ///< see color_choice.h of device_scene
     std::optional<ColorMap> color_map;
-    std::optional<ValueRange> color_range; ///< of the map's ends
-    std::optional<bool> legend;            ///< of the colours; where nothing is said in windows, not in files
-    bool first_hits = false;               ///< also fill the Film's depth, normal and position
-    bool light_parts = true;               ///< also fill its direct, indirect and caustic: to go on later, or to keep
+    std::optional<ValueRange> color_range; ///< values at the ends of the colour map
+    std::optional<bool> legend;            ///< default: in windows, not in files
+    bool first_hits = false;               ///< also fill the film's depth, normal and position
+    bool light_parts = true;               ///< also fill the film's direct, indirect and caustic light
     DenoiseChoice denoise = DenoiseChoice::kAuto;
     float exposure = 0; ///< stops, for 8-bit pictures
-    float detail =
-        1; ///< pixels: what a tile of a set leaves out may be so large (CutRequest::detail of runtime/device_scene)
+    float detail = 1;   ///< largest level-of-detail error of tile sets, pixels (CutRequest::detail)
 };
 
-/// What the command line or a scene file says of them; empty where it is silent.
+/// The settings that the command line or a scene file gives; none: not given.
 struct RenderChoices {
     std::optional<PixelSize> size;
     std::optional<std::uint32_t> spp, seed;

@@ -8,7 +8,7 @@
 namespace pointrt {
 namespace {
 
-/// Left out at each end: what tells nothing of a whole, and what some scans have of strays.
+/// Shares to ignore at each end: an insignificant one, and the strays of the worst scans.
 constexpr double kFew = 0.001, kManyStrays = 0.025;
 
 double quantile(std::vector<double>& values, double share) {
@@ -38,7 +38,7 @@ SampleBox boxOf(const SceneSample& sample, const Measure& extent) {
 
 Extent extentOfMost(std::vector<double>& values) { return extentWithout(values, kFew); }
 
-double reachAlong(const SampledSplat& splat, Vec3 axis) {
+double halfExtentAlong(const SampledSplat& splat, Vec3 axis) {
     const double tilt = dot(splat.normal, axis);
     return splat.radius * std::sqrt(std::max(0.0, 1 - tilt * tilt));
 }
@@ -59,7 +59,8 @@ SampleBox boundsOf(const SceneSample& sample) {
 SampleBox discBounds(const SceneSample& sample) {
     SampleBox box = boundsOf(sample);
     for (const SampledSplat& splat : sample.splats) {
-        const Vec3 reach{reachAlong(splat, {1, 0, 0}), reachAlong(splat, {0, 1, 0}), reachAlong(splat, {0, 0, 1})};
+        const Vec3 reach{halfExtentAlong(splat, {1, 0, 0}), halfExtentAlong(splat, {0, 1, 0}),
+                         halfExtentAlong(splat, {0, 0, 1})};
         const Vec3 from = splat.position - reach, to = splat.position + reach;
         box.low = {std::min(box.low.x, from.x), std::min(box.low.y, from.y), std::min(box.low.z, from.z)};
         box.high = {std::max(box.high.x, to.x), std::max(box.high.y, to.y), std::max(box.high.z, to.z)};

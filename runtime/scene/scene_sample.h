@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A few splats that stand for all scans of a scene.
+// A sample of a scene's splats, for framing and lighting.
 #pragma once
 
 #include <array>
@@ -11,52 +11,52 @@
 namespace pointrt {
 
 struct SampledSplat {
-    Vec3 position, normal; ///< world units; unit length, pointing out where the sample is oriented
+    Vec3 position, normal; ///< world units; unit length, outward if the sample is oriented
     double radius = 0;
     std::array<float, 3> color{}; ///< reflectance, linear
 };
 
 struct SceneSample {
-    std::vector<SampledSplat> splats; ///< each stands for as many
-    std::vector<Vec3> sensors;        ///< where scanners stood
-    std::vector<Vec3> zeros;          ///< of the files' coordinates: a scanner's place where nobody has moved its scan
+    std::vector<SampledSplat> splats; ///< each represents the same number of splats
+    std::vector<Vec3> sensors;        ///< positions of scanners
+    std::vector<Vec3> zeros; ///< origins of the files' coordinates: a scanner's position in an unregistered scan
     bool oriented = false;
-    bool furnished = false; ///< shapes stand in the scene besides its scans
+    bool has_shapes = false; ///< shapes stand in the scene besides its scans
 };
 
-/// Of fewer splats each is one that somebody looks for: none is a stray, and all of its disc is to be seen.
+/// In scenes of fewer splats none is treated as a stray.
 constexpr std::size_t kEachCounts = 100;
 
-/// Ends of a range of numbers.
+/// A range of numbers.
 struct Extent {
     double low = 0, high = 0;
     double size() const { return high - low; }
     double middle() const { return (low + high) / 2; }
 };
 
-/// All values but a thousandth at each end. values: at least one; they are put in another order.
+/// The range without a thousandth of the values at each end. values: not empty; reordered.
 Extent extentOfMost(std::vector<double>& values);
 
-/// How far a disc reaches from its middle along an axis of unit length.
-double reachAlong(const SampledSplat& splat, Vec3 axis);
+/// Half the extent of a disc along an axis of unit length.
+double halfExtentAlong(const SampledSplat& splat, Vec3 axis);
 
-/// Luminance of the reflectance that a twentieth of the sample exceeds; 0.5 of an empty one.
+/// The 95th percentile of the luminance of reflectance; 0.5 for an empty sample.
 double brightReflectance(const SceneSample& sample);
 
-/// The corners of a box along the axes.
+/// An axis-aligned box.
 struct SampleBox {
     Vec3 low, high;
 };
-/// Around the middles of all splats. sample: not empty
+/// The bounds of the splats' centres. sample: not empty
 SampleBox boundsOf(const SceneSample& sample);
-/// Around their discs.
+/// The bounds of the splats' discs. sample: not empty
 SampleBox discBounds(const SceneSample& sample);
-/// Around the inner 95% along each axis. sample: not empty
+/// The bounds of the inner 95% along each axis. sample: not empty
 SampleBox denseBox(const SceneSample& sample);
 
-/// The part that hangs together and holds most, and what else there is of it near by or plenty: what doubles the box
-/// around all is a twentieth of the sample or more. A tree's tip is of the tree, however few splats it has; the thin
-/// fringe of what a spinning scanner saw is not of the street. Below kEachCounts it is all.
+/// The largest connected part, and other parts that are near or large: a part may enlarge the box's diagonal by 100% if
+/// it holds 5% of the sample, and in proportion. A tree's tip belongs to the tree, however few its splats; the sparse
+/// fringe seen by a spinning scanner does not belong to the street. Samples below kEachCounts are kept whole.
 SceneSample withoutStrays(const SceneSample& sample);
 
 } // namespace pointrt

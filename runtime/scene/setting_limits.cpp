@@ -10,7 +10,7 @@
 namespace pointrt {
 namespace {
 
-/// With all digits that it takes to be read as the same number.
+/// The shortest text that parses to the same number.
 std::string exactText(double value) {
     char text[32];
     return {text, std::to_chars(text, text + sizeof text, value).ptr};
@@ -41,8 +41,7 @@ PixelSize parseValue(SizeRange range, const std::string& text) { return parseSiz
 std::string parseValue(AttributeWord, const std::string& text) {
     const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
     if (text.empty() || std::any_of(text.begin(), text.end(), is_control))
-        throw std::invalid_argument("\"" + printable(text) +
-                                    "\" is no word for what to colour by, as height or intensity");
+        throw std::invalid_argument("\"" + printable(text) + "\" is not a valid attribute name");
     return text;
 }
 

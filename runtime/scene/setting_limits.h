@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a setting may be, a struct for each kind of value, and how limits and values read as text.
+// The ranges of settings, a struct for each type of value, and the conversions of ranges and values from and to text.
 #pragma once
 
 #include <array>
@@ -24,13 +24,13 @@ struct RealRange {
     double low, high;
 };
 
-/// Of width and height each, from 1.
+/// Width and height, 1 to longest each.
 struct SizeRange {
     using Value = PixelSize;
     std::uint32_t longest;
 };
 
-/// Words for what scans are coloured by: whether they mean anything, only the scans tell.
+/// A word for --color-by. Only the scans show whether it names an attribute.
 struct AttributeWord {
     using Value = std::string;
 };
@@ -40,7 +40,7 @@ struct RangeOfValues {
     using Value = ValueRange;
 };
 
-/// With kSwitchNames a switch, which scene files spell true and false.
+/// A choice of names. kSwitchNames makes a switch, which is a boolean in scene files.
 template <typename Named>
 struct OneOf {
     using Value = Named;
@@ -60,7 +60,7 @@ std::string limitsText(OneOf<Named> choices) {
     return joinedNames(choices.names, ", ");
 }
 
-/// value as the command line takes it.
+/// value in the syntax of the command line.
 std::string valueText(CountRange, std::uint32_t value);
 std::string valueText(RealRange, float value);
 std::string valueText(SizeRange, PixelSize value);
@@ -71,7 +71,7 @@ std::string valueText(OneOf<Named> choices, Named value) {
     return nameOf(choices.names, value);
 }
 
-/// These throw std::invalid_argument with the reason where text is no value within the limits.
+/// The value of text. Throws std::invalid_argument with the reason if it is malformed or out of range.
 std::uint32_t parseValue(CountRange range, const std::string& text);
 float parseValue(RealRange range, const std::string& text);
 PixelSize parseValue(SizeRange range, const std::string& text);

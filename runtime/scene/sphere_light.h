@@ -50,7 +50,7 @@ struct SphereLight {
         const double radius = SPHERE_RADIUS(row);
         const Vec3 way = aim.target.center - unpack(row.position);
         const double distance = std::max(length(way), 1e-300);
-        // the cap of the lamp whose points have some of the target over their horizon
+        // the cap of the lamp from which part of the target is above the horizon
         const double cap = 1 - std::clamp((radius - aim.target.radius) / distance, -1.0, 1.0);
         const Vec3 towards = distance > 1e-300 ? normalize(way) : Vec3{0, 0, 1};
         const Vec3 normal = Frame(towards).at(1 - cap * aim.u[2], aim.u[3]);

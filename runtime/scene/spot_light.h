@@ -13,7 +13,7 @@ namespace pointrt {
 struct SpotLight {
     Vec3 position, direction; ///< direction: unit length
     double outer_deg = 30;    ///< half angle of the cone, in (0, 90]
-    double inner_deg = 25;    ///< undimmed inside of this half angle, at most outer_deg
+    double inner_deg = 25;    ///< full intensity within this half angle, at most outer_deg
     Color intensity;
     bool operator==(const SpotLight&) const = default;
 
@@ -47,10 +47,10 @@ struct SpotLight {
     static EmittedPhoton photon(const gpu::Light& row, const PhotonAim& aim) {
         const Vec3 origin = unpack(row.position), axis = unpack(row.axis);
         const double outer_cosine = SPOT_OUTER_COSINE(row), inner_cosine = SPOT_INNER_COSINE(row);
-        const Cone lit{axis, 1 - outer_cosine}, wanted = coneTo(aim.target, origin);
-        // either cone may be a small part of the other
-        EmittedPhoton photon = photonWithin(lit.cap < wanted.cap ? lit : wanted, origin, aim.u[0], aim.u[1]);
-        if (1 - dot(photon.direction, wanted.axis) > wanted.cap * (1 + 1e-9)) photon.share = 0;
+        const Cone lit{axis, 1 - outer_cosine}, target = coneTo(aim.target, origin);
+        // sample the narrower cone: either may be a small part of the other
+        EmittedPhoton photon = photonWithin(lit.cap < target.cap ? lit : target, origin, aim.u[0], aim.u[1]);
+        if (1 - dot(photon.direction, target.axis) > target.cap * (1 + 1e-9)) photon.share = 0;
         photon.share *= gpu::spotFalloff(dot(photon.direction, axis), outer_cosine, inner_cosine);
         return photon;
     }

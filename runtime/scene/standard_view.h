@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Views that every scene has.
+// Named views of every scene.
 #pragma once
 
 #include <array>

@@ -10,7 +10,7 @@
 namespace pointrt {
 namespace {
 
-/// What a part far from the rest must hold, of the sample, to be shown though all then is half as large.
+/// Share of the sample that a distant part must hold to be shown, if all else is then shown at half the size.
 constexpr double kWorthTwice = 0.05;
 
 std::uint32_t rootOf(std::vector<std::uint32_t>& parents, std::uint32_t cell) {
@@ -18,12 +18,12 @@ std::uint32_t rootOf(std::vector<std::uint32_t>& parents, std::uint32_t cell) {
     return cell;
 }
 
-/// For each cell the first of those that it hangs together with, by sides, edges and corners.
-std::vector<std::uint32_t> joined(const std::vector<CellPlace>& places) {
+/// The connected components of cells, adjacent by faces, edges or corners: for each cell the first of its component.
+std::vector<std::uint32_t> connectedComponents(const std::vector<CellPlace>& places) {
     std::vector<std::uint32_t> parents(places.size());
     std::iota(parents.begin(), parents.end(), 0u);
     for (std::uint32_t i = 0; i < places.size(); ++i)
-        for (int n = 0; n < 13; ++n) { // the half of the neighbours that comes before it
+        for (int n = 0; n < 13; ++n) { // the neighbours with smaller coordinates
             const auto [x, y, z] = places[i];
             const CellPlace neighbour{x + n / 9 - 1, y + n / 3 % 3 - 1, z + n % 3 - 1};
             const auto found = std::lower_bound(places.begin(), places.end(), neighbour);
@@ -41,10 +41,10 @@ struct Part {
     SampleBox box;
 };
 
-/// Splats that hang together, the most first.
+/// The connected parts of the sample, largest first.
 std::vector<Part> partsOf(const SceneSample& sample) {
     const SampleCells cells = cellsOf(sample);
-    const std::vector<std::uint32_t> roots = joined(cells.places);
+    const std::vector<std::uint32_t> roots = connectedComponents(cells.places);
     std::vector<Part> parts(cells.places.size());
     for (std::size_t i = 0; i < sample.splats.size(); ++i)
         parts[roots[cells.cell_of[i]]].sample.splats.push_back(sample.splats[i]);

@@ -13,7 +13,7 @@ namespace pointrt {
 struct SunLight {
     Vec3 towards;               ///< unit vector to the sun
     double radius_deg = 0.2665; ///< angular radius of its disc, 0 to 45; 0 gives hard shadows
-    Color irradiance;           ///< on a surface that faces it
+    Color irradiance;           ///< on a surface that faces the sun
     bool operator==(const SunLight&) const = default;
 
     static constexpr LightNames kNames{"sun", "a sun", "Sun", "from far away, parallel"};
@@ -36,7 +36,7 @@ struct SunLight {
         return row;
     }
 
-    /// From a disc as wide as the target, outside of the scene, in the direction of a point of the sun.
+    /// Starts on a disc of the target's radius, outside the scene, in the direction of a random point of the sun.
     static EmittedPhoton photon(const gpu::Light& row, const PhotonAim& aim) {
         using std::numbers::pi;
         const PhotonTarget& target = aim.target;
@@ -47,7 +47,7 @@ struct SunLight {
         const double distance = length(target.center - aim.scene.center) + 1.01 * aim.scene.radius;
         const Vec3 origin =
             target.center + distance * towards + ring * std::cos(angle) * across.s + ring * std::sin(angle) * across.t;
-        // points at the rim of a wide sun shine on its middle's plane askew (shaders/shade/sun_light.glsl)
+        // light from the rim of a wide sun meets the plane facing its centre obliquely (shaders/shade/sun_light.glsl)
         return {origin, -1.0 * towards, pi * target.radius * target.radius * 2 / (2 - cap)};
     }
 };

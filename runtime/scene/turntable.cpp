@@ -14,10 +14,10 @@ namespace {
 /// A %d or %0Nd in a path.
 struct NumberPlace {
     std::size_t at = 0, size = 0;
-    std::size_t digits = 1; ///< at least so many, with zeros in front
+    std::size_t digits = 1; ///< minimum number of digits, padded with zeros
 };
 
-/// What begins at a percent sign of path, where it is a place for a number.
+/// The %d or %0Nd at a percent sign of path, if any.
 std::optional<NumberPlace> numberPlaceAt(const std::string& path, std::size_t percent) {
     const std::string text = path.substr(percent, 4);
     if (text.starts_with("%d")) return NumberPlace{percent, 2, 1};
@@ -32,7 +32,7 @@ std::optional<NumberPlace> firstNumberPlace(const std::string& path) {
     return std::nullopt;
 }
 
-/// v turned about axis, a unit vector: Rodrigues' formula.
+/// v rotated about axis, a unit vector, by Rodrigues' formula.
 Vec3 turned(Vec3 v, Vec3 axis, double cosine, double sine) {
     return v * cosine + cross(axis, v) * sine + axis * (dot(axis, v) * (1 - cosine));
 }
@@ -55,13 +55,13 @@ void requireFrameNames(const std::string& path, bool turntable) {
     const auto place = firstNumberPlace(path);
     const auto fail = [&](const std::string& reason) { throw Error{ExitCode::kBadUsage, path + ": " + reason}; };
     if (!turntable) {
-        if (place) fail("\"" + path.substr(place->at, place->size) + "\" is for --turntable");
+        if (place) fail("\"" + path.substr(place->at, place->size) + "\" needs --turntable");
         return;
     }
-    if (path.empty()) throw Error{ExitCode::kBadUsage, "--turntable: goes with -o FILE%d.png, as in frames/%04d.png"};
-    if (!place) fail("--turntable numbers its pictures: %d or %0Nd is missing, as in frames/%04d.png");
+    if (path.empty()) throw Error{ExitCode::kBadUsage, "--turntable: needs -o FILE%d.png, e.g. frames/%04d.png"};
+    if (!place) fail("--turntable needs %d or %0Nd in the name, e.g. frames/%04d.png");
     if (std::count(path.begin(), path.end(), '%') != 1)
-        fail("--turntable takes one % in the name, that of %d or %0Nd, as in frames/%04d.png");
+        fail("--turntable allows only one % in the name, e.g. frames/%04d.png");
 }
 
 std::string frameName(const std::string& pattern, std::uint32_t frame) {

@@ -8,13 +8,14 @@
 namespace pointrt {
 namespace {
 
-/// Below this sine north is no direction along the ground: lengths that scene files take begin there.
-constexpr double kAlong = 1e-9;
+/// Sine of the angle between north and up below which north has no horizontal direction; also the shortest length that
+/// scene files accept.
+constexpr double kParallelSine = 1e-9;
 
-void putUpSuns(SceneDescription& scene, Vec3 up) {
+void placeSuns(SceneDescription& scene, Vec3 up) {
     for (const SunInTheSky& sun : scene.suns) {
         const Vec3 north = sun.north.value_or(defaultNorth(up));
-        if (length(cross(north, up)) < kAlong)
+        if (length(cross(north, up)) < kParallelSine)
             throw Error{ExitCode::kBadInput, sun.place + "must not be along the scene's \"up\""};
         std::get<SunLight>(scene.lights.at(sun.light)).towards = sunDirection(sun.position, up, north);
     }
@@ -36,18 +37,17 @@ std::optional<Vec3> axisNamed(const std::string& word) {
     return axis ? std::optional(Vec3{(*axis)[0], (*axis)[1], (*axis)[2]}) : std::nullopt;
 }
 
-void standUpright(SceneDescription& scene, CameraRequest& camera, CameraRequest& staging,
-                  const UprightRequest& request) {
-    // a camera that a lone scan is given says what is up there as well
-    const bool is_said = scene.up || (!request.fallback && camera.up);
-    if (!is_said && request.known) {
+void resolveUp(SceneDescription& scene, CameraRequest& camera, CameraRequest& staging, const UpRequest& request) {
+    // for a single scan, an up of the camera is also that of the scene
+    const bool is_given = scene.up || (!request.fallback && camera.up);
+    if (!is_given && request.known) {
         scene.up = request.known;
         lookAtFront(camera, *scene.up);
         lookAtFront(staging, *scene.up);
         for (NamedView& view : scene.views) lookAtFront(view.camera, *scene.up);
     }
     if (!scene.up) scene.up = request.fallback;
-    if (scene.up) putUpSuns(scene, *scene.up);
+    if (scene.up) placeSuns(scene, *scene.up);
 }
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which way is up, where it is not said as a direction.
+// The up direction of a scene, from the scene file, the camera or the scans.
 #pragma once
 
 #include <optional>
@@ -9,22 +9,20 @@
 
 namespace pointrt {
 
-/// "x", "y", "z", "-x", "-y" or "-z" as a unit vector; nothing for other words.
+/// The unit vector of "x", "y", "z", "-x", "-y" or "-z"; none for other words.
 std::optional<Vec3> axisNamed(const std::string& word);
 
-/// The other way round; "" for what is none of these.
+/// The name of a unit vector along an axis; "" for other vectors.
 std::string axisName(Vec3 axis);
 
-/// What is up is asked of several in turn: the scene, who asks for its picture, its scans.
-struct UprightRequest {
-    std::optional<Vec3> known;    ///< by its scans, unit length
-    std::optional<Vec3> fallback; ///< where nobody knows; none: what the camera has for up, as sceneUp takes it
+/// The sources of the up direction after the scene itself.
+struct UpRequest {
+    std::optional<Vec3> known;    ///< from the scans, unit length
+    std::optional<Vec3> fallback; ///< the default; none: the camera's up, see sceneUp
 };
 
-/// Completes scene.up, puts up what waits for it, and lets cameras that have no up of their own look at the front of
-/// what stands on it. Where scans know nothing, cameras stay as they are. Throws Error kBadInput where a sun's north is
-/// along up.
-void standUpright(SceneDescription& scene, CameraRequest& camera, CameraRequest& staging,
-                  const UprightRequest& request);
+/// Sets scene.up if it is not set, places scene.suns, and makes cameras without an up look at the scene's front. If the
+/// scans do not know their up, cameras stay unchanged. Throws Error kBadInput if a sun's north is along up.
+void resolveUp(SceneDescription& scene, CameraRequest& camera, CameraRequest& staging, const UpRequest& request);
 
 } // namespace pointrt

@@ -9,13 +9,13 @@
 namespace pointrt {
 namespace {
 
-/// Cells along the edge of a picture: of some thousand splats ten lie in each, of one side of a surface five.
+/// Cells along the edge of a picture: a few thousand splats leave about ten in each, five of them on the near side.
 constexpr int kCells = 28;
-/// What is no farther behind the nearest of a cell, in cells' edges, is of the same surface.
+/// Splats up to this far behind the nearest one of a cell, in cell edges, are on the same surface.
 constexpr double kSurfaceDepth = 1.5;
 
-/// What is within a degree of the picture's plane is beside the eye.
-constexpr double kAcross = 0.02;
+/// Splats within about a degree of the plane through the eye are ignored.
+constexpr double kMinAheadCosine = 0.02;
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr std::size_t kOutside = kCells * kCells;
@@ -37,13 +37,13 @@ std::vector<double> nearest(const std::vector<Placed>& placed) {
     return depths;
 }
 
-/// Where a disc is in a picture, and how far it reaches, in cells.
+/// The centre and half extents of a disc in the picture, in cells.
 struct Outline {
     double x, y, reach_x, reach_y;
 };
 
-/// Cells whose middles are within the ellipse, and the one that its own is in.
-void hide(std::vector<double>& depths, const Outline& disc, double depth) {
+/// Rasterizes a disc: lowers the depth of the cells whose centres are in its ellipse, and of the one at its centre.
+void rasterize(std::vector<double>& depths, const Outline& disc, double depth) {
     const auto nearer = [&](std::size_t cell) {
         if (cell != kOutside) depths[cell] = std::min(depths[cell], depth);
     };
@@ -59,11 +59,11 @@ void hide(std::vector<double>& depths, const Outline& disc, double depth) {
 
 } // namespace
 
-Sight lookAlong(const SceneSample& sample, const SampleBox& box, const ViewBasis& basis) {
+Visibility visibleAlong(const SceneSample& sample, const SampleBox& box, const ViewBasis& basis) {
     const Vec3 middle = 0.5 * (box.low + box.high);
     const double edge = length(box.high - box.low) / kCells;
-    Sight sight;
-    if (!(edge > 0)) return sight;
+    Visibility visible;
+    if (!(edge > 0)) return visible;
     std::vector<Placed> placed;
     for (const SampledSplat& splat : sample.splats) {
         const Vec3 to = splat.position - middle;
@@ -75,19 +75,19 @@ Sight lookAlong(const SceneSample& sample, const SampleBox& box, const ViewBasis
     for (std::size_t i = 0; i < placed.size(); ++i) {
         const auto [cell, depth] = placed[i];
         if (cell == kOutside || depth > depths[cell] + kSurfaceDepth) continue;
-        sight.seen.push_back(static_cast<std::uint32_t>(i));
+        visible.seen.push_back(static_cast<std::uint32_t>(i));
         fronts[cell] -= dot(sample.splats[i].normal, basis.forward);
     }
     for (std::size_t cell = 0; cell < kOutside; ++cell) {
         if (depths[cell] == kFar) continue;
-        sight.covered += 1.0 / kOutside;
-        if (fronts[cell] > 0 || !sample.oriented) sight.facing += 1.0 / kOutside;
+        visible.covered += 1.0 / kOutside;
+        if (fronts[cell] > 0 || !sample.oriented) visible.facing += 1.0 / kOutside;
     }
-    return sight;
+    return visible;
 }
 
-double seenFrom(const SceneSample& sample, const std::vector<double>& weights, Vec3 eye, const ViewBasis& basis,
-                double fov_deg) {
+double visibleWeight(const SceneSample& sample, const std::vector<double>& weights, Vec3 eye, const ViewBasis& basis,
+                     double fov_deg) {
     const double half = std::tan(fov_deg * std::numbers::pi / 360);
     std::vector<Placed> placed(sample.splats.size());
     std::vector<double> depths(kOutside, kFar);
@@ -95,16 +95,17 @@ double seenFrom(const SceneSample& sample, const std::vector<double>& weights, V
         const SampledSplat& splat = sample.splats[i];
         const Vec3 to = splat.position - eye;
         const double ahead = dot(to, basis.forward);
-        if (!(ahead > kAcross * length(to))) continue;
-        const double cells = kCells / (2 * ahead * half); // a unit of length
+        if (!(ahead > kMinAheadCosine * length(to))) continue;
+        const double cells = kCells / (2 * ahead * half); // per unit of length
         const double x = dot(to, basis.right) * cells + kCells / 2.0, y = dot(to, basis.up) * cells + kCells / 2.0;
         placed[i] = {cellOf(x, y), length(to)};
-        hide(depths, {x, y, cells * reachAlong(splat, basis.right), cells * reachAlong(splat, basis.up)}, length(to));
+        rasterize(depths, {x, y, cells * halfExtentAlong(splat, basis.right), cells * halfExtentAlong(splat, basis.up)},
+                  length(to));
     }
     double seen = 0;
     for (std::size_t i = 0; i < placed.size(); ++i)
-        if (placed[i].cell != kOutside && placed[i].depth <= 1.25 * depths[placed[i].cell])
-            seen += weights[i]; // slanted walls, and their noise
+        if (placed[i].cell != kOutside && placed[i].depth <= 1.25 * depths[placed[i].cell]) // oblique and noisy walls
+            seen += weights[i];
     return seen;
 }
 

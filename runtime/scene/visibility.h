@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much of a scan is seen from where, as far as a few splats tell.
+// Visibility of a scan from a direction or a position, estimated from a sample of its splats.
 #pragma once
 
 #include <cstdint>
@@ -10,18 +10,19 @@
 
 namespace pointrt {
 
-struct Sight {
-    double covered = 0; ///< of the picture: area at the scale of the whole scan, 1 for its longest edge squared
-    double facing = 0;  ///< ... whose front is seen
-    std::vector<std::uint32_t> seen; ///< splats of the sample that nothing hides
+struct Visibility {
+    double covered = 0;              ///< share of the picture that the scan covers
+    double facing = 0;               ///< share of the picture where the front of a surface is visible
+    std::vector<std::uint32_t> seen; ///< visible splats of the sample
 };
 
-/// A parallel look at all of sample along basis. box: what of it is looked at
-Sight lookAlong(const SceneSample& sample, const SampleBox& box, const ViewBasis& basis);
+/// The visibility of sample in a parallel view along basis.forward. box: the part to view; its diagonal is the
+/// picture's edge
+Visibility visibleAlong(const SceneSample& sample, const SampleBox& box, const ViewBasis& basis);
 
-/// Sum of the weights, one for each splat, of what an eye within the sample sees in a picture of this field of view,
-/// degrees, as wide as high. Discs hide what is behind all of them, not behind their middles only.
-double seenFrom(const SceneSample& sample, const std::vector<double>& weights, Vec3 eye, const ViewBasis& basis,
-                double fov_deg);
+/// The sum of the weights, one per splat, of the splats visible from eye in a square picture. fov_deg: field of view.
+/// Discs occlude with their whole area, not only at their centres.
+double visibleWeight(const SceneSample& sample, const std::vector<double>& weights, Vec3 eye, const ViewBasis& basis,
+                     double fov_deg);
 
 } // namespace pointrt

@@ -22,8 +22,8 @@ bool isThere(const fs::path& path) {
 }
 
 struct Kind {
-    const char* images;  ///< the file that lists pictures
-    const char* cameras; ///< and the one with their lenses beside it, if there is one
+    const char* images;  ///< the file that lists the pictures
+    const char* cameras; ///< a second file beside it with the lenses; null: none
     std::vector<CameraShot> (*read)(const std::string& images, const std::string& cameras,
                                     const CameraFileRequest& request);
 };
@@ -36,7 +36,7 @@ std::vector<CameraShot> readKind(const Kind& kind, const fs::path& file, const C
     if (!kind.cameras) return kind.read(file.string(), "", request);
     const fs::path images = file.parent_path() / kind.images, cameras = file.parent_path() / kind.cameras;
     for (const fs::path& each : {images, cameras})
-        if (!isThere(each)) refuse(each.string() + ": No such file or directory; COLMAP's models have both of them");
+        if (!isThere(each)) refuse(each.string() + ": No such file or directory; a COLMAP model needs both files");
     return kind.read(images.string(), cameras.string(), request);
 }
 
@@ -53,23 +53,23 @@ std::vector<CameraShot> readAny(const std::string& path, const CameraFileRequest
     if (fs::is_directory(status)) {
         for (const fs::path& folder : {fs::path(path), fs::path(path) / "sparse" / "0"})
             if (auto shots = readFolder(folder, request)) return std::move(*shots);
-        refuse(path + ": has neither transforms.json nor COLMAP's cameras and images, as .bin or .txt");
+        refuse(path + ": has neither transforms.json nor a COLMAP model (cameras and images, .bin or .txt)");
     }
     const std::string name = fs::path(path).filename().string();
     for (const Kind& kind : kKinds)
         if (name == kind.images || (kind.cameras && name == kind.cameras)) return readKind(kind, path, request);
     if (name.ends_with(".json")) return readTransforms(path, "", request);
-    refuse(path + ": cameras are in a transforms.json, or in COLMAP's cameras and images, .bin or .txt");
+    refuse(path + ": not a list of cameras; use transforms.json or COLMAP's cameras and images (.bin or .txt)");
 }
 
 void requireUsable(const CameraShot& shot, bool drops_distortion) {
     if (shot.size.width < 1 || shot.size.height < 1 || shot.size.width > kMaxPixelSide ||
         shot.size.height > kMaxPixelSide)
-        refuse(shot.place + "a picture of " + std::to_string(shot.size.width) + " x " +
-               std::to_string(shot.size.height) + " pixels; each side is 1 to " + std::to_string(kMaxPixelSide));
+        refuse(shot.place + "picture size " + std::to_string(shot.size.width) + " x " +
+               std::to_string(shot.size.height) + "; each side must be 1 to " + std::to_string(kMaxPixelSide));
     if (!shot.distortion.empty() && !drops_distortion)
         refuse(shot.place + "the lens has distortion (" + shot.distortion +
-               "), and pictures here have none; --distortion drop renders without it");
+               "), which cannot be rendered; --distortion drop ignores it");
     try {
         pinholeCamera(shot.pose, shot.lens, shot.size);
     } catch (const std::invalid_argument& error) {
@@ -81,7 +81,7 @@ void requireUsable(const CameraShot& shot, bool drops_distortion) {
 
 std::vector<CameraShot> readCameraList(const std::string& path, const CameraFileRequest& request) {
     std::vector<CameraShot> shots = readAny(path, request);
-    if (shots.empty()) refuse(path + ": has no cameras with pictures");
+    if (shots.empty()) refuse(path + ": contains no cameras");
     for (const CameraShot& shot : shots) requireUsable(shot, request.drops_distortion);
     return shots;
 }

@@ -13,9 +13,9 @@
 namespace pointrt {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "numbers are taken as they lie in the file");
+static_assert(std::endian::native == std::endian::little, "numbers are copied from the file without byte swaps");
 
-constexpr std::size_t kPointBytes = 24; ///< x and y as doubles, the number of a point in 3D
+constexpr std::size_t kPointBytes = 24; ///< x and y as doubles, the id of a 3D point
 
 class Bytes {
 public:
@@ -31,24 +31,24 @@ public:
     }
     std::string takeText(const char* what) {
         const void* const end = std::memchr(bytes_.data() + at_, 0, bytes_.size() - at_);
-        if (!end) refuse(std::string("it ends within ") + what);
+        if (!end) refuse(std::string("truncated within ") + what);
         std::string text(reinterpret_cast<const char*>(bytes_.data() + at_));
         at_ += text.size() + 1;
         return text;
     }
     void skip(std::uint64_t count, std::size_t each, const char* what) {
-        if (count > (bytes_.size() - at_) / each) refuse(std::string("it ends within ") + what);
+        if (count > (bytes_.size() - at_) / each) refuse(std::string("truncated within ") + what);
         at_ += static_cast<std::size_t>(count) * each;
     }
     void requireEnd() const {
-        if (at_ != bytes_.size()) refuse("there is more than it says");
+        if (at_ != bytes_.size()) refuse("extra bytes at the end");
     }
     std::string place() const { return path_ + ": byte " + std::to_string(at_) + ": "; }
     [[noreturn]] void refuse(const std::string& reason) const { throw Error{ExitCode::kBadInput, place() + reason}; }
 
 private:
     void require(std::size_t count, const char* what) const {
-        if (bytes_.size() - at_ < count) refuse(std::string("it ends within ") + what);
+        if (bytes_.size() - at_ < count) refuse(std::string("truncated within ") + what);
     }
 
     std::string path_;
@@ -68,13 +68,13 @@ ColmapCameras readCameras(const std::string& path) {
         const auto id = bytes.take<std::uint32_t>("a camera");
         const auto model = bytes.take<std::int32_t>("a camera");
         ColmapCamera camera{colmapModel(model), {}, {}};
-        if (!camera.model) bytes.refuse(std::to_string(model) + " is no camera model of COLMAP");
+        if (!camera.model) bytes.refuse(std::to_string(model) + " is not a COLMAP camera model");
         camera.size.width = sideOf(bytes.take<std::uint64_t>("a camera"));
         camera.size.height = sideOf(bytes.take<std::uint64_t>("a camera"));
         for (std::size_t p = 0; p < camera.model->parameters; ++p)
             camera.parameters.push_back(bytes.take<double>("a camera"));
         if (!cameras.emplace(id, std::move(camera)).second)
-            bytes.refuse("camera " + std::to_string(id) + " is there twice");
+            bytes.refuse("camera " + std::to_string(id) + " is defined twice");
     }
     bytes.requireEnd();
     return cameras;

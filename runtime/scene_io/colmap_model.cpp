@@ -10,7 +10,7 @@
 namespace pointrt {
 namespace {
 
-/// As src/colmap/sensor/models.h of COLMAP 4.2 numbers them.
+/// The models of COLMAP 4.2, src/colmap/sensor/models.h.
 constexpr ColmapModel kModels[] = {{0, "SIMPLE_PINHOLE", 3, 1, true},
                                    {1, "PINHOLE", 4, 2, true},
                                    {2, "SIMPLE_RADIAL", 4, 1, true},
@@ -50,11 +50,11 @@ std::string distortionOf(const ColmapCamera& camera) {
     return text;
 }
 
-/// Of the quaternion as COLMAP turns it into a matrix, whose rows are the camera's axes in the world.
+/// The rows of camera_from_world's rotation matrix are the camera's axes in the world.
 CameraPose poseOf(const ColmapImage& image) {
     const auto [qw, qx, qy, qz] = image.rotation;
     const double size = std::sqrt(qw * qw + qx * qx + qy * qy + qz * qz);
-    if (!(size > 0) || !std::isfinite(size)) throw std::invalid_argument("its quaternion has no length");
+    if (!(size > 0) || !std::isfinite(size)) throw std::invalid_argument("its quaternion is zero");
     const double w = qw / size, x = qx / size, y = qy / size, z = qz / size;
     CameraPose pose;
     pose.right = {1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)};
@@ -78,10 +78,10 @@ const ColmapModel* colmapModel(const std::string& name) {
 CameraShot colmapShot(const ColmapImage& image, const ColmapCameras& cameras, const std::string& place) {
     const auto camera = cameras.find(image.camera);
     if (camera == cameras.end())
-        throw std::invalid_argument("there is no camera " + std::to_string(image.camera) + " in the file of cameras");
+        throw std::invalid_argument("camera " + std::to_string(image.camera) + " is not in the file of cameras");
     if (!camera->second.model->is_pinhole)
-        throw std::invalid_argument(std::string("its camera is of the model ") + camera->second.model->name +
-                                    ", which is no pinhole's; undistort the model first");
+        throw std::invalid_argument(std::string("its camera model is ") + camera->second.model->name +
+                                    ", not a pinhole; undistort the images first");
     return {
         image.name, place, camera->second.size, lensOf(camera->second), poseOf(image), distortionOf(camera->second)};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// COLMAP's camera models, and its poses (https://colmap.github.io/format.html, cameras.html).
+// COLMAP's camera models and poses (https://colmap.github.io/format.html, cameras.html).
 #pragma once
 
 #include <array>
@@ -16,11 +16,11 @@ struct ColmapModel {
     std::int32_t id;  ///< in cameras.bin
     const char* name; ///< in cameras.txt
     std::size_t parameters;
-    std::size_t focal_lengths; ///< 1 or 2; the principal point follows, then distortion
-    bool is_pinhole;           ///< but for its distortion
+    std::size_t focal_lengths; ///< 1 or 2, followed by the principal point and distortion parameters
+    bool is_pinhole;           ///< apart from distortion
 };
 
-/// Null where there is none.
+/// Null for an unknown model.
 const ColmapModel* colmapModel(std::int32_t id);
 const ColmapModel* colmapModel(const std::string& name);
 
@@ -40,8 +40,8 @@ struct ColmapImage {
     std::string name;
 };
 
-/// Throws std::invalid_argument with the reason for a camera that is not there or no pinhole, and a quaternion of no
-/// length. place: of the image
+/// Throws std::invalid_argument with the reason for an unknown camera, a camera that is not a pinhole, or a zero
+/// quaternion. place: of the image
 CameraShot colmapShot(const ColmapImage& image, const ColmapCameras& cameras, const std::string& place);
 
 } // namespace pointrt

@@ -15,7 +15,7 @@
 namespace pointrt {
 namespace {
 
-/// Lines that are read, by number. Of images.txt one line of two may have a megabyte of points.
+/// Reads numbered lines one by one: every second line of images.txt may contain a megabyte of points.
 class Lines {
 public:
     explicit Lines(const std::string& path) : path_(path), file_(path) {
@@ -30,7 +30,7 @@ public:
         if (line.ends_with('\r')) line.pop_back();
         return true;
     }
-    /// The next one that is neither empty nor a comment.
+    /// The next line that is neither empty nor a comment.
     bool nextRow(std::string& line) {
         while (next(line)) {
             const std::size_t first = line.find_first_not_of(" \t");
@@ -66,13 +66,13 @@ ColmapCameras readCameras(const std::string& path) {
         std::string model;
         words >> model;
         ColmapCamera camera{colmapModel(model), {}, {}};
-        if (!camera.model) lines.refuse(printable(model) + " is no camera model of COLMAP");
+        if (!camera.model) lines.refuse(printable(model) + " is not a COLMAP camera model");
         camera.size.width = take<std::uint32_t>(words, lines, "WIDTH");
         camera.size.height = take<std::uint32_t>(words, lines, "HEIGHT");
         for (std::size_t i = 0; i < camera.model->parameters; ++i)
             camera.parameters.push_back(take<double>(words, lines, "parameter of the model"));
         if (!cameras.emplace(id, std::move(camera)).second)
-            lines.refuse("camera " + std::to_string(id) + " is there twice");
+            lines.refuse("camera " + std::to_string(id) + " is defined twice");
     }
     return cameras;
 }
@@ -102,7 +102,7 @@ std::vector<CameraShot> readColmapText(const std::string& images, const std::str
         } catch (const std::invalid_argument& error) {
             lines.refuse(error.what());
         }
-        lines.next(line); // its points, which may be none
+        lines.next(line); // its points, maybe an empty line
     }
     return shots;
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A reader for each kind of list. They take what is there; readCameraList says what of it is no camera.
+// The readers of camera lists, one per format. readCameraList checks the cameras they return.
 #pragma once
 
 #include "runtime/scene_io/camera_list.h"
 
 namespace pointrt {
 
-/// There is no second file.
+/// none: unused, there is no second file.
 std::vector<CameraShot> readTransforms(const std::string& path, const std::string& none,
                                        const CameraFileRequest& request);
 std::vector<CameraShot> readColmapBinary(const std::string& images, const std::string& cameras,

@@ -14,7 +14,7 @@ constexpr std::size_t kMaxInstances = 254;
 
 Vec3 times(const Matrix& matrix, Vec3 v) { return {dot(matrix[0], v), dot(matrix[1], v), dot(matrix[2], v)}; }
 
-/// first, then second.
+/// The product second * first.
 Matrix chained(const Matrix& second, const Matrix& first) {
     const Vec3 x = times(second, {first[0].x, first[1].x, first[2].x});
     const Vec3 y = times(second, {first[0].y, first[1].y, first[2].y});
@@ -22,7 +22,7 @@ Matrix chained(const Matrix& second, const Matrix& first) {
     return {Vec3{x.x, y.x, z.x}, Vec3{x.y, y.y, z.y}, Vec3{x.z, y.z, z.z}};
 }
 
-/// About axis, counterclockwise seen against it: Rodrigues' formula. axis: unit length.
+/// The rotation about axis, unit length, counterclockwise with the axis towards the viewer: Rodrigues' formula.
 Matrix turn(Vec3 axis, double degrees) {
     const double angle = degrees * std::numbers::pi / 180;
     const double c = std::cos(angle), s = std::sin(angle);
@@ -66,13 +66,13 @@ MaterialOverride::ColorRange colorRangeOf(const SceneValue& value) {
     const MaterialOverride::ColorRange range{bytesOf(ends[0]), bytesOf(ends[1])};
     for (std::size_t i = 0; i < range.low.size(); ++i)
         if (range.low[i] > range.high[i])
-            refuse(value, "no colour is in it: the first must not be above the second in red, green or blue");
+            refuse(value, "empty range: the first colour must not exceed the second in red, green or blue");
     return range;
 }
 
 constexpr std::size_t kMaxNumbers = 256; // as many as there are classes
 
-/// Each number as a range of its own.
+/// Each number as a range.
 std::vector<ValueRange> numbersOf(const SceneValue& value) {
     if (!value.node->is_array() || value.node->as_array()->empty()) refuse(value, "must be a list of numbers");
     if (value.node->as_array()->size() > kMaxNumbers) refuse(value, "has at most 256 numbers");
@@ -90,13 +90,13 @@ MaterialOverride::Numbers attributeNumbersOf(const SceneValue& table, const Scen
     return {name, {rangeOf(*find(table, "range"))}};
 }
 
-/// The one key that says which splats an override is of.
+/// The key that selects the splats of an override; refuses several.
 SceneValue chosenKeyOf(const SceneValue& table) {
     if (const auto attribute = find(table, "attribute")) {
         forbid(table, {"row", "colors"}, "excludes \"attribute\"");
         return *attribute;
     }
-    forbid(table, {"values", "range"}, "says nothing without \"attribute\"");
+    forbid(table, {"values", "range"}, "has no effect without \"attribute\"");
     if (!find(table, "row") && !find(table, "colors")) refuse(table, "\"row\", \"colors\" or \"attribute\" is missing");
     return hasFirst(table, "row", "colors") ? *find(table, "row") : *find(table, "colors");
 }

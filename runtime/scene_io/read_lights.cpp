@@ -11,7 +11,7 @@
 namespace pointrt {
 namespace {
 
-/// The light's colour times its strength, under key: a number that multiplies "color", or a colour itself.
+/// The strength of a light under key: a number, multiplied by "color", or a colour.
 Color strengthOf(const SceneValue& table, std::string_view key) {
     const SceneValue strength = require(table, key);
     const auto color = find(table, "color");
@@ -20,8 +20,7 @@ Color strengthOf(const SceneValue& table, std::string_view key) {
     return colorOf(strength, kLight);
 }
 
-/// The same, or from "power" in watts, of which each of red, green and blue gets the colour's share: watts_of_one is
-/// the power of a lamp whose key is 1.
+/// The same, or from "power" in watts, multiplied by "color". watts_of_one: the power of a light of strength 1.
 Color strengthOrPower(const SceneValue& table, std::string_view key, double watts_of_one) {
     if (hasFirst(table, key, "power")) return strengthOf(table, key);
     Color color{1, 1, 1};
@@ -49,7 +48,7 @@ Vec3 northOf(const SceneValue& table, Vec3 up) {
     return north;
 }
 
-/// The sun as it is seen at a place and time.
+/// The apparent position of the sun at a place and time.
 SunPosition sunSeenFrom(const SceneValue& table) {
     const SceneValue time = require(table, "time");
     const double latitude_deg = numberOf(require(table, "latitude"), {-90, 90});
@@ -64,7 +63,7 @@ SunPosition sunSeenFrom(const SceneValue& table) {
     return sun;
 }
 
-/// Where the scene's up is known, towards the sun; else it is put up later.
+/// The direction to the sun if the scene's up is known; else adds it to scene.suns for later.
 Vec3 directionOfSun(const SceneValue& table, SceneReading& reading) {
     const SunPosition sun = sunSeenFrom(table);
     if (reading.scene.up) return sunDirection(sun, *reading.scene.up, northOf(table, *reading.scene.up));
@@ -75,7 +74,7 @@ Vec3 directionOfSun(const SceneValue& table, SceneReading& reading) {
     return {0, 1, 0};
 }
 
-/// Reads each value of a light as what it is.
+/// Reads the value of each type of field.
 struct FieldReader {
     const SceneValue& table;
     SceneReading& reading;
@@ -99,14 +98,14 @@ struct FieldReader {
             field.value = directionOfSun(table, reading);
             return;
         }
-        forbid(table, {"latitude", "longitude", "north"}, "says nothing without \"time\"");
+        forbid(table, {"latitude", "longitude", "north"}, "has no effect without \"time\"");
         field.value = directionOf(require(table, "towards"));
     }
 
     void operator()(const ConeField& field) const {
-        const double undimmed = field.inner_deg / field.outer_deg;
+        const double inner_share = field.inner_deg / field.outer_deg;
         takeNumber(table, "outer", {ConeField::kNarrowest, ConeField::kWidest}, field.outer_deg);
-        field.inner_deg = undimmed * field.outer_deg;
+        field.inner_deg = inner_share * field.outer_deg;
         takeNumber(table, "inner", {0, field.outer_deg}, field.inner_deg);
     }
 

@@ -17,7 +17,7 @@ const MaterialKindRow& kindOf(const SceneValue& table) {
     return kMaterialKinds[value ? choiceOf(*value, words) : 0];
 }
 
-/// The keys that mean something to a kind.
+/// The keys of a kind.
 std::vector<std::string_view> keysOf(MaterialKind kind) {
     std::vector<std::string_view> keys = {"kind", "color", "splat_color", "emission"};
     for (const MaterialField* field : fieldsOf(kind)) {
@@ -27,7 +27,7 @@ std::vector<std::string_view> keysOf(MaterialKind kind) {
     return keys;
 }
 
-/// Beer-Lambert: what is left of tint after tint_distance inside.
+/// The absorption coefficient of a transmittance tint over tint_distance, by the Beer-Lambert law.
 Color absorptionOfTint(const SceneValue& table, const SceneValue& tint_value) {
     double distance = 1;
     takeNumber(table, "tint_distance", kLengths, distance);
@@ -40,12 +40,12 @@ Color absorptionOfTint(const SceneValue& table, const SceneValue& tint_value) {
     return absorption;
 }
 
-/// In place of absorption it may say what colour it gives to light.
+/// Reads a tint, the alternative to an absorption coefficient.
 void readTint(const SceneValue& table, MaterialDescription& material) {
     if (material.thin)
         forbid(table, {"absorption", "tint", "tint_distance"}, "a thin pane has no inside that absorbs; use \"color\"");
     const auto tint = find(table, "tint");
-    if (!tint) return forbid(table, {"tint_distance"}, "says nothing without \"tint\"");
+    if (!tint) return forbid(table, {"tint_distance"}, "has no effect without \"tint\"");
     forbid(table, {"absorption"}, "excludes \"tint\"");
     material.absorption = absorptionOfTint(table, *tint);
 }
@@ -61,8 +61,8 @@ void readField(const SceneValue& table, const MaterialField& field, MaterialDesc
     if (field.key == kAbsorption) readTint(table, material);
 }
 
-/// Matte, metal and plastic splats keep their own colours unless the file gives one. Where those rule, or light is only
-/// reflected and let through, nothing is taken off by default.
+/// Matte, metal and plastic use the splats' colours unless "color" is given. With splat colours, and for mirrors and
+/// glass, "color" defaults to white.
 void readColor(const SceneValue& table, MaterialDescription& material) {
     const bool colored = find(table, "color").has_value();
     const bool clear = hasTrait(material.kind, MATERIAL_IS_CLEAR);
@@ -91,7 +91,7 @@ void readMaterials(const SceneValue& file, SceneReading& reading) {
     if (!all) return;
     for (const auto& [name, table] : membersOf(*all)) {
         if (!table.node->is_table()) refuse(table, "must be a table, begun with [material.NAME]");
-        if (name.empty() || name != printable(name)) refuse(table, "is no name for a material");
+        if (name.empty() || name != printable(name)) refuse(table, "is not a valid name of a material");
         if (reading.scene.materials.size() == kMaxMaterials) refuse(table, "there are at most 256 materials");
         const auto number = static_cast<std::uint32_t>(reading.scene.materials.size());
         reading.scene.materials.push_back(readMaterial(table));

@@ -12,16 +12,16 @@
 namespace pointrt {
 
 struct SceneReading {
-    SceneDescription scene; ///< path and up come before the sections, materials and lights before what asks for them
+    SceneDescription scene; ///< path and up are read before the sections, materials before the users of materials
     std::map<std::string, std::uint32_t, std::less<>> material_of_name;
-    std::set<std::uint32_t> uncolored_materials; ///< which have splats' colours only
+    std::set<std::uint32_t> uncolored_materials; ///< which only have the splats' colours
 };
 
 /// Keys of the render settings in a table of the file, in the order of messages.
 std::vector<std::string_view> settingKeys(FileTable table);
-/// What values, which are such a table, say of them.
+/// Reads the render settings in values, a table of this kind.
 void readSettings(const SceneValue& values, FileTable table, RenderChoices& choices);
-/// [render], which needs nothing of the rest.
+/// Reads [render].
 void readRender(const SceneValue& file, SceneDescription& scene);
 void readMaterials(const SceneValue& file, SceneReading& reading);
 void readInstances(const SceneValue& file, SceneReading& reading);
@@ -31,28 +31,28 @@ void readSky(const SceneValue& file, SceneReading& reading);
 
 /// Number of the material that value names.
 std::uint32_t materialOf(const SceneValue& value, const SceneReading& reading);
-/// The file that value names, relative to the scene file's folder; it is there.
+/// The path of the file that value names relative to the scene file's folder. Refuses missing files.
 std::string fileOf(const SceneValue& value, const SceneReading& reading);
-/// Rows of the matrix that value's rotations make, in their order: {axis, degrees} or a list of them.
+/// The matrix of a rotation {axis, degrees} or {matrix}, or of a list of them, applied in order. Returns its rows.
 std::array<Vec3, 3> rotationOf(const SceneValue& value);
 
 /// [[x, y, z], [x, y, z], [x, y, z]]
 std::array<Vec3, 3> rowsOf(const SceneValue& value);
-/// What rows of written matrices may be off by, as a sine: six digits are enough to write one.
+/// Tolerance of matrices in files, as a sine: six digits are enough to write one.
 constexpr double kAxesError = 1e-6;
-/// True where axes, of unit length, are at right angles to each other and right-handed.
+/// True if axes, of unit length, are orthogonal and right-handed.
 bool areRightAngled(const std::array<Vec3, 3>& axes);
 
-/// Half edges of a rectangle. Refuses table where they are not at right angles.
+/// Half edges of a rectangle. Refuses table if they are not perpendicular.
 struct HalfEdges {
     Vec3 u, v;
 };
 HalfEdges halfEdgesOf(const SceneValue& table);
 
-/// Puts a flat shape into the plane of normal, a unit vector; u and v get length half.
+/// Orients a flat shape along normal, a unit vector; u and v get length half.
 void layFlat(ShapeDescription& shape, Vec3 normal, double half);
 
-/// Refuses value where its shape is one more than MAX_SHAPES: shapes and lights with a surface together.
+/// Refuses value if there are MAX_SHAPES shapes already, counting lights with a surface.
 void requireRoomForShape(const SceneValue& value, const SceneReading& reading);
 
 } // namespace pointrt

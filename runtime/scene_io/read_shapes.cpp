@@ -9,14 +9,14 @@
 namespace pointrt {
 namespace {
 
-/// Any unit vector at right angles to normal, a unit vector too.
+/// Any unit vector perpendicular to normal, a unit vector.
 Vec3 besides(Vec3 normal) {
     const Vec3 axis = std::abs(normal.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
     return normalize(axis - normal * dot(axis, normal));
 }
 
 void readPlane(const SceneValue& table, ShapeDescription& shape) {
-    forbid(table, {"center"}, "says nothing without \"axes\"; a plane has a \"point\"");
+    forbid(table, {"center"}, "has no effect without \"axes\"; a plane has a \"point\"");
     shape.center = vectorOf(require(table, "point"));
     layFlat(shape, directionOf(require(table, "normal")), 1);
 }
@@ -34,14 +34,14 @@ void readQuad(const SceneValue& table, ShapeDescription& shape) {
     shape.w = cross(normalize(edges.u), normalize(edges.v));
 }
 
-/// Half of each side.
+/// Half of each edge length.
 Vec3 halfSizeOf(const SceneValue& table, ShapeDescription& shape) {
     if (find(table, "center")) {
         forbid(table, {"min", "max"}, "excludes \"center\"");
         shape.center = vectorOf(require(table, "center"));
         return vectorOf(require(table, "size"), kLengths) * 0.5;
     }
-    forbid(table, {"size"}, "says nothing without \"center\"");
+    forbid(table, {"size"}, "has no effect without \"center\"");
     const Vec3 low = vectorOf(require(table, "min"));
     const Vec3 high = vectorOf(require(table, "max")), half = (high - low) * 0.5;
     if (std::min({half.x, half.y, half.z}) < kSmallest / 2)
@@ -69,8 +69,8 @@ void readSphere(const SceneValue& table, ShapeDescription& shape) {
 
 bool areAlike(double a, double b) { return std::abs(a - b) <= kAxesError * std::max(a, b); }
 
-/// u, v and w as they are, where they suit the shape (scene_description.h): at right angles and right-handed, of plane,
-/// disc and quad w one long, of plane and disc u and v alike, of spheres all three.
+/// Reads u, v and w unchanged, if they suit the shape (scene_description.h): orthogonal and right-handed; plane, disc
+/// and quad: w has unit length; plane and disc: u and v have equal length; sphere: all three have.
 void readAxes(const SceneValue& table, const SceneValue& axes, ShapeDescription& shape) {
     forbid(table, {"point", "normal", "radius", "u", "v", "min", "max", "size", "rotate"}, "excludes \"axes\"");
     shape.center = vectorOf(require(table, "center"));
@@ -107,8 +107,8 @@ const std::vector<Kind>& kinds() {
     return all;
 }
 
-/// Number of a material for shapes that name none: the default one, made when it is first wanted.
-std::uint32_t plainMaterial(const SceneValue& table, SceneReading& reading) {
+/// The number of the default material for shapes, which is created on first use.
+std::uint32_t defaultMaterial(const SceneValue& table, SceneReading& reading) {
     auto& materials = reading.scene.materials;
     const auto [found, is_new] = reading.material_of_name.try_emplace("", static_cast<std::uint32_t>(materials.size()));
     if (is_new && materials.size() == kMaxMaterials)
@@ -119,10 +119,10 @@ std::uint32_t plainMaterial(const SceneValue& table, SceneReading& reading) {
 
 std::uint32_t shapeMaterial(const SceneValue& table, SceneReading& reading) {
     const auto value = find(table, "material");
-    if (!value) return plainMaterial(table, reading);
+    if (!value) return defaultMaterial(table, reading);
     const std::uint32_t material = materialOf(*value, reading);
     if (reading.uncolored_materials.count(material))
-        refuse(*value, "needs a \"color\" there: it takes those of splats, and a shape has none");
+        refuse(*value, "needs a \"color\": shapes have no splats to take colours from");
     return material;
 }
 
@@ -146,7 +146,7 @@ ShapeDescription shapeOf(const SceneValue& table, SceneReading& reading) {
     return shape;
 }
 
-/// "sphere and quad lights": those with a surface.
+/// "sphere and quad lights": the lights with a surface.
 std::string lampsInWords() {
     std::vector<std::string_view> types;
     for (std::size_t kind = 0; kind < kLightKinds; ++kind)
@@ -167,7 +167,7 @@ void layFlat(ShapeDescription& shape, Vec3 normal, double half) {
 HalfEdges halfEdgesOf(const SceneValue& table) {
     const SceneValue u_value = require(table, "u"), v_value = require(table, "v");
     const Vec3 along_u = directionOf(u_value), along_v = directionOf(v_value);
-    // Three written digits are enough for a right angle, and the rest is made exact.
+    // three digits in the file are enough; v is then made exactly perpendicular
     constexpr double most_cosine = 1e-3;
     const double cosine = dot(along_u, along_v);
     if (std::abs(cosine) > most_cosine) refuse(v_value, "must be at right angles to \"u\"");

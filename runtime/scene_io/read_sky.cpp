@@ -15,7 +15,7 @@ void readImage(const SceneValue& table, const SceneReading& reading, SkyDescript
 }
 
 void readColors(const SceneValue& table, SkyDescription& sky) {
-    forbid(table, {"rotation"}, "says nothing without \"image\"");
+    forbid(table, {"rotation"}, "has no effect without \"image\"");
     if (find(table, "color")) {
         forbid(table, {"zenith", "horizon", "ground"}, "excludes \"color\"");
         takeColor(table, "color", kLight, sky.zenith);

@@ -28,7 +28,7 @@ std::string readText(const std::string& path) {
     return text;
 }
 
-/// A height, or "fit": all of the scene.
+/// Reads a height, or "fit" for the whole scene.
 void takeOrtho(const SceneValue& table, const SceneValue& ortho, CameraRequest& camera) {
     if (find(table, "fov")) refuse(ortho, "excludes \"fov\": a parallel projection has no field of view");
     camera.ortho = true;
@@ -38,7 +38,7 @@ void takeOrtho(const SceneValue& table, const SceneValue& ortho, CameraRequest& 
         refuse(ortho, "must be a height or \"fit\"");
 }
 
-/// [camera] or a [[view]]. Without an up of its own it stands as the scene does.
+/// The camera of [camera] or a [[view]]; its up defaults to the scene's.
 CameraRequest cameraOf(const SceneValue& table, const SceneDescription& scene) {
     CameraRequest camera;
     camera.up = scene.up;
@@ -67,12 +67,12 @@ void readViews(const SceneValue& file, SceneDescription& scene) {
     for (const SceneValue& table : findTables(file, "view")) {
         requireKnownKeys(table, "a view", {"name", "eye", "target", "up", "fov", "ortho"});
         const SceneValue name = require(table, "name");
-        if (!names.insert(textOf(name)).second) refuse(name, "is the name of another view already");
+        if (!names.insert(textOf(name)).second) refuse(name, "is also the name of another view");
         scene.views.push_back({textOf(name), cameraOf(table, scene)});
     }
 }
 
-/// A direction; or an axis, whose front cameras look at; or "auto": as the scans say.
+/// Reads a direction; an axis, which also selects the front for cameras; or "auto": from the scans.
 void readUp(const SceneValue& value, SceneDescription& scene) {
     if (!value.node->is_string()) {
         scene.up = directionOf(value);
@@ -117,7 +117,7 @@ SceneDescription parseScene(std::string_view text, const std::string& path) {
     readLights(file, reading);
     readSky(file, reading);
     if (reading.scene.instances.empty() && reading.scene.shapes.empty())
-        refuse(file, "there is no [[instance]] and no [[shape]] to see");
+        refuse(file, "the scene has neither an [[instance]] nor a [[shape]]");
     return reading.scene;
 }
 

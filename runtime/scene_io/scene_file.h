@@ -10,18 +10,18 @@
 
 namespace pointrt {
 
-/// Of a scene file.
+/// Largest size of a scene file.
 constexpr std::size_t kMaxSceneBytes = std::size_t{1} << 20;
 
-/// True where path ends in .toml.
+/// True if path ends in .toml.
 bool isSceneFile(const std::string& path);
 
-/// Reads the scene file at path, at most 1 MiB. Files named in it are looked for beside it, and are there when this
-/// returns. Throws Error kBadInput with one line: "PATH:LINE: key "light[2].radius": reason", without the key where
-/// the text is no TOML, without the line where the file cannot be read. Lists count from 0.
+/// Reads the scene file at path, at most 1 MiB. Files named in it are relative to its folder, and must exist. Throws
+/// Error kBadInput with one line: "PATH:LINE: key "light[2].radius": reason", without the key for invalid TOML, without
+/// the line if the file cannot be read. Lists count from 0.
 SceneDescription readSceneFile(const std::string& path);
 
-/// The same of text; path is for messages and for finding what it names.
+/// The same for text; path is used for messages and to find the files that it names.
 SceneDescription parseScene(std::string_view text, const std::string& path);
 
 } // namespace pointrt

@@ -30,7 +30,7 @@ void putCamera(SceneWriting& writing, const CameraRequest& camera) {
         put(writing, "ortho", camera.ortho_height ? tomlOf(*camera.ortho_height) : "\"fit\"");
 }
 
-/// A word where it says from where cameras look.
+/// Writes up as a word if cameras use the front that the word selects.
 void putUp(SceneWriting& writing) {
     const SceneDescription& scene = writing.scene;
     const auto looks_by_word = [](const CameraRequest& camera) { return camera.side != CameraRequest{}.side; };
@@ -74,7 +74,7 @@ std::string pathFrom(const std::string& folder, const std::string& path) {
     const std::string prefix = folder.empty() ? "" : folder + "/";
     const std::string rest = path.starts_with(prefix) ? path.substr(prefix.size()) : "";
     if (!rest.empty() && rest[0] != '/') return rest;
-    // as the file system has it: ".." after a symbolic link is not the folder before it
+    // resolve symbolic links: ".." after one does not lead to the folder that contains it
     std::error_code error;
     const std::string near = std::filesystem::proximate(path, folder.empty() ? "." : folder, error).string();
     if (!error && !near.empty()) return near;

@@ -16,7 +16,7 @@ namespace {
 using Parts = std::vector<std::string>;
 
 constexpr std::array kSuffixes = {".png", ".jpg", ".jpeg", ".exr", ".tif", ".tiff", ".bmp", ".webp", ".hdr"};
-/// What file systems take of a name, with room for suffixes of ours and of files under way.
+/// The file system's limit for names, less the length of our suffixes and of those of temporary files.
 constexpr std::size_t kMaxBytes = 200;
 
 std::string withoutSuffix(const std::string& name) {
@@ -26,7 +26,7 @@ std::string withoutSuffix(const std::string& name) {
     return std::find(kSuffixes.begin(), kSuffixes.end(), suffix) == kSuffixes.end() ? name : name.substr(0, dot);
 }
 
-/// Folders and the name, without those that lead nowhere or out.
+/// The folders and the name of a picture, without ".", ".." and empty ones.
 Parts partsOf(const CameraShot& shot) {
     Parts parts;
     std::string part;
@@ -45,7 +45,7 @@ Parts partsOf(const CameraShot& shot) {
     const bool is_long =
         std::any_of(parts.begin(), parts.end(), [](const auto& each) { return each.size() > kMaxBytes; });
     if (parts.empty() || is_long)
-        throw Error{ExitCode::kBadInput, shot.place + "the name " + printable(shot.name) + " is none for a file"};
+        throw Error{ExitCode::kBadInput, shot.place + "the name " + printable(shot.name) + " is not a valid file name"};
     return parts;
 }
 
@@ -78,7 +78,8 @@ std::vector<std::string> shotNames(const std::vector<CameraShot>& shots) {
         const auto [other, is_new] = taken.emplace(names.back(), i);
         if (!is_new)
             throw Error{ExitCode::kBadInput, shots[i].place + "the picture " + printable(shots[i].name) +
-                                                 " would have the name of " + printable(shots[other->second].name)};
+                                                 " would have the same name as " +
+                                                 printable(shots[other->second].name)};
     }
     return names;
 }

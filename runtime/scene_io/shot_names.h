@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names for a list's pictures, of our own files.
+// Names of output files for the pictures of a camera list.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace pointrt {
 
-/// For each shot a relative path without a suffix, unlike all others: its name in the list without the folders that all
-/// have in common, the suffix of an image, and what would lead out of a folder ("/", "..").
-/// Throws Error kBadInput "PLACE: reason" where a name has control characters, or comes to another one's.
+/// A unique relative path for each shot, without a suffix: its name in the list without the folders common to all, the
+/// image suffix, and parts that would lead out of the output folder ("/", "..").
+/// Throws Error kBadInput "PLACE: reason" for names with control characters and duplicate paths.
 std::vector<std::string> shotNames(const std::vector<CameraShot>& shots);
 
 } // namespace pointrt

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// toml++ without its promises to the compiler. It marks places that its parser cannot come to, and states what must be
-// true there; bad input proves it wrong ("a = \u00e9" has it ask whether U+00E9 is white space, of which its tables say
-// that nobody asks). What follows from a broken promise may be anything. Here letters that its tables do not have are
-// no white space and none of the classes, statements are not made, and what is left to be reached throws.
+// Includes toml++ without its compiler hints. It marks code as unreachable and states assumptions that malformed input
+// violates ("a = \u00e9" makes it look up U+00E9 in tables declared to exclude it), which is undefined behaviour. Here
+// characters outside its tables belong to no class, assumptions are dropped, and other "unreachable" code throws.
 #pragma once
 
 // Compiled once, in values.cpp, and not linked: the viewer needs no shared library for it.
 #define TOML_HEADER_ONLY 0
 #define TOML_ENABLE_FORMATTERS 0
-// Its parser asserts, in builds without NDEBUG, what bad input can make untrue ("a = [}") and checks it right after.
+// Without NDEBUG its parser asserts conditions that malformed input can violate ("a = [}"), and then checks them
+// anyway.
 #define TOML_ASSERT(expression) static_assert(true)
 
 #include <stdexcept>
 
 namespace pointrt {
-/// In a function that throws nothing this ends the process.
-[[noreturn]] inline void leaveToml() { throw std::logic_error("toml++ has come where it cannot come"); }
+/// Within a noexcept function this ends the process.
+[[noreturn]] inline void leaveToml() { throw std::logic_error("internal error in toml++"); }
 } // namespace pointrt
 
-// 3.4 has renamed its files.
+// toml++ 3.4 renamed its files.
 #if __has_include(<toml++/impl/preprocessor.hpp>)
 #define POINTRT_TOML_FILE(name) <toml++/impl/name.hpp>
 #else

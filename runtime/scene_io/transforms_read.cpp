@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// transforms.json, as nerfstudio (docs.nerf.studio, Data conventions), Instant-NGP and NeRF's own scenes write it.
+// transforms.json of nerfstudio (docs.nerf.studio, Data conventions), Instant-NGP and the original NeRF scenes.
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -14,24 +14,24 @@
 namespace pointrt {
 namespace {
 
-/// Not ordered_json, whose time is quadratic in an object's keys.
+/// Not ordered_json, which takes quadratic time in the number of an object's keys.
 using Json = nlohmann::json;
 
-/// What says that a lens is no pinhole's: camera_model of nerfstudio, flags of Instant-NGP.
+/// Values of nerfstudio's camera_model for pinholes, and keys of Instant-NGP for other lenses.
 constexpr const char* kPinholeModels[] = {"OPENCV",        "PINHOLE", "SIMPLE_PINHOLE",
                                           "SIMPLE_RADIAL", "RADIAL",  "PERSPECTIVE"};
 constexpr const char* kOtherLenses[] = {"is_fisheye", "ftheta_lens", "latlong"};
-constexpr const char* kOtherLensTerm = "ftheta_p0"; // of a polynomial
+constexpr const char* kOtherLensTerm = "ftheta_p0"; // a polynomial coefficient
 constexpr const char* kDistortion[] = {"k1", "k2", "k3", "k4", "k5", "k6", "p1", "p2"};
-/// Of applied_transform, as pinholeCamera takes rotations.
+/// Tolerance of applied_transform, as in pinholeCamera.
 constexpr double kRotationError = 1e-3;
 
 [[noreturn]] void refuse(const std::string& reason) { throw std::invalid_argument(reason); }
 
-/// What a frame says, or else all of the file.
-class Words {
+/// Values of a frame, or if it has none, of the file.
+class FrameValues {
 public:
-    Words(const Json& file, const Json& frame) : file_(file), frame_(frame) {}
+    FrameValues(const Json& file, const Json& frame) : file_(file), frame_(frame) {}
 
     const Json* find(const char* key) const {
         for (const Json* each : {&frame_, &file_})
@@ -59,7 +59,7 @@ private:
     const Json &file_, &frame_;
 };
 
-/// Rows of 4 numbers, 3 or 4 of them.
+/// A 3x4 or 4x4 matrix.
 struct Matrix {
     double at[4][4] = {};
     Vec3 column(int c) const { return {at[0][c], at[1][c], at[2][c]}; }
@@ -87,69 +87,70 @@ void requireRotation(const Matrix& matrix, const char* key) {
     for (int a = 0; a < 3; ++a)
         for (int b = 0; b < 3; ++b)
             error = std::max(error, std::abs(dot(matrix.column(a), matrix.column(b)) - (a == b ? 1 : 0)));
-    if (!(error <= kRotationError)) refuse(std::string(key) + " is more than a rotation and a shift");
+    if (!(error <= kRotationError)) refuse(std::string(key) + " is not a rotation and a translation");
 }
 
-/// Whole pixels, from what may be written as 1920.0.
+/// A number of pixels, possibly written as 1920.0.
 std::uint32_t sideOf(double pixels, const char* key) {
     if (!(pixels >= 1 && pixels <= kMaxPixelSide && std::floor(pixels) == pixels))
-        refuse(std::string(key) + " is no number of pixels from 1 to " + std::to_string(kMaxPixelSide));
+        refuse(std::string(key) + " is not an integer from 1 to " + std::to_string(kMaxPixelSide));
     return static_cast<std::uint32_t>(pixels);
 }
 
-PixelSize sizeOf(const Words& words, const CameraFileRequest& request) {
-    const auto w = words.number("w"), h = words.number("h");
+PixelSize sizeOf(const FrameValues& values, const CameraFileRequest& request) {
+    const auto w = values.number("w"), h = values.number("h");
     if (w && h) return {sideOf(*w, "w"), sideOf(*h, "h")};
-    if (!request.size) refuse("there is no w and h; --size WxH says how large its pictures are");
+    if (!request.size) refuse("w and h are missing; set the picture size with --size WxH");
     return *request.size;
 }
 
-/// By fl_NAME in pixels, or camera_angle_NAME, of all of a side.
-std::optional<double> focalLength(const Words& words, const char* length, const char* angle, std::uint32_t side) {
-    if (const auto pixels = words.number(length)) return pixels;
-    const auto radians = words.number(angle);
+/// The focal length in pixels from the key length, or from angle, the field of view of a side.
+std::optional<double> focalLength(const FrameValues& values, const char* length, const char* angle,
+                                  std::uint32_t side) {
+    if (const auto pixels = values.number(length)) return pixels;
+    const auto radians = values.number(angle);
     return radians ? std::optional(side / (2 * std::tan(*radians / 2))) : std::nullopt;
 }
 
-PinholeLens lensOf(const Words& words, PixelSize size) {
-    const auto fx = focalLength(words, "fl_x", "camera_angle_x", size.width);
-    const auto fy = focalLength(words, "fl_y", "camera_angle_y", size.height);
-    if (!fx && !fy) refuse("there is neither fl_x nor camera_angle_x");
+PinholeLens lensOf(const FrameValues& values, PixelSize size) {
+    const auto fx = focalLength(values, "fl_x", "camera_angle_x", size.width);
+    const auto fy = focalLength(values, "fl_y", "camera_angle_y", size.height);
+    if (!fx && !fy) refuse("fl_x or camera_angle_x is missing");
     PinholeLens lens;
     lens.fx = fx ? *fx : *fy;
     lens.fy = fy ? *fy : *fx;
-    lens.cx = words.number("cx").value_or(size.width / 2.0);
-    lens.cy = words.number("cy").value_or(size.height / 2.0);
+    lens.cx = values.number("cx").value_or(size.width / 2.0);
+    lens.cy = values.number("cy").value_or(size.height / 2.0);
     return lens;
 }
 
-void requirePinhole(const Words& words) {
-    const std::string model = words.text("camera_model");
+void requirePinhole(const FrameValues& values) {
+    const std::string model = values.text("camera_model");
     const bool is_known = model.empty() || std::find(std::begin(kPinholeModels), std::end(kPinholeModels), model) !=
                                                std::end(kPinholeModels);
-    if (!is_known) refuse("camera_model " + printable(model) + " is no pinhole's; undistort the pictures first");
+    if (!is_known) refuse("camera_model " + printable(model) + " is not a pinhole; undistort the images first");
     const auto isOther = [](const char* key) {
-        refuse(std::string(key) + " says that it is no pinhole's; undistort the pictures first");
+        refuse(std::string(key) + ": not a pinhole camera; undistort the images first");
     };
     for (const char* key : kOtherLenses)
-        if (words.flag(key)) isOther(key);
-    if (words.find(kOtherLensTerm)) isOther(kOtherLensTerm);
+        if (values.flag(key)) isOther(key);
+    if (values.find(kOtherLensTerm)) isOther(kOtherLensTerm);
 }
 
-std::string distortionOf(const Words& words) {
+std::string distortionOf(const FrameValues& values) {
     std::string text;
     for (const char* key : kDistortion)
-        if (const double value = words.number(key).value_or(0); value != 0)
+        if (const double value = values.number(key).value_or(0); value != 0)
             text += (text.empty() ? "" : ", ") + std::string(key) + " " + plainText(value);
     return text;
 }
 
-/// x to the right, y up, z behind the camera become OpenCV's axes.
+/// Converts from axes x right, y up, z backward to OpenCV's.
 CameraPose poseOf(const Matrix& matrix) {
     return {matrix.column(0), -1.0 * matrix.column(1), -1.0 * matrix.column(2), matrix.column(3)};
 }
 
-/// As before applied was: its inverse is its transpose.
+/// Undoes applied_transform; the inverse of its rotation is the transpose.
 CameraPose withoutApplied(const CameraPose& pose, const Matrix& applied) {
     const auto back = [&](Vec3 v) {
         return Vec3{dot(applied.column(0), v), dot(applied.column(1), v), dot(applied.column(2), v)};
@@ -158,20 +159,20 @@ CameraPose withoutApplied(const CameraPose& pose, const Matrix& applied) {
 }
 
 CameraShot shotOf(const Json& file, const Json& frame, const CameraFileRequest& request) {
-    if (!frame.is_object()) refuse("it is no object");
-    const Words words(file, frame);
+    if (!frame.is_object()) refuse("it is not an object");
+    const FrameValues values(file, frame);
     CameraShot shot;
-    shot.name = words.text("file_path");
+    shot.name = values.text("file_path");
     if (shot.name.empty()) refuse("file_path is missing");
-    requirePinhole(words);
-    shot.size = sizeOf(words, request);
-    shot.lens = lensOf(words, shot.size);
-    shot.distortion = distortionOf(words);
+    requirePinhole(values);
+    shot.size = sizeOf(values, request);
+    shot.lens = lensOf(values, shot.size);
+    shot.distortion = distortionOf(values);
     const auto matrix = frame.find("transform_matrix");
     if (matrix == frame.end()) refuse("transform_matrix is missing");
     shot.pose = poseOf(matrixOf(*matrix, "transform_matrix"));
-    if (const double scale = words.number("applied_scale").value_or(1); scale != 1)
-        refuse("applied_scale " + plainText(scale) + " is not 1: the scan has another scale than its cameras");
+    if (const double scale = values.number("applied_scale").value_or(1); scale != 1)
+        refuse("applied_scale " + plainText(scale) + " is not 1: cameras and scan must have the same scale");
     if (const auto applied = file.find("applied_transform"); applied != file.end()) {
         const Matrix transform = matrixOf(*applied, "applied_transform");
         requireRotation(transform, "applied_transform");
@@ -185,9 +186,9 @@ Json parsed(const std::string& path) {
     try {
         return Json::parse(bytes.begin(), bytes.end());
     } catch (const Json::parse_error& error) {
-        throw Error{ExitCode::kBadInput, path + ": byte " + std::to_string(error.byte) + ": is no JSON there"};
+        throw Error{ExitCode::kBadInput, path + ": byte " + std::to_string(error.byte) + ": invalid JSON"};
     } catch (const Json::out_of_range&) {
-        throw Error{ExitCode::kBadInput, path + ": has a number that no double holds"};
+        throw Error{ExitCode::kBadInput, path + ": has a number out of range"};
     }
 }
 
@@ -197,7 +198,7 @@ std::vector<CameraShot> readTransforms(const std::string& path, const std::strin
     const Json file = parsed(path);
     const auto frames = file.is_object() ? file.find("frames") : file.end();
     if (frames == file.end() || !frames->is_array())
-        throw Error{ExitCode::kBadInput, path + ": has no list \"frames\", as transforms.json of nerfstudio has"};
+        throw Error{ExitCode::kBadInput, path + ": the list \"frames\" is missing"};
     std::vector<CameraShot> shots;
     for (const Json& frame : *frames) {
         const std::string place = path + ": frame " + std::to_string(shots.size()) + ": ";

@@ -10,10 +10,10 @@
 namespace pointrt {
 namespace {
 
-using Json = nlohmann::ordered_json; // of few keys, in the order that people look for them
+using Json = nlohmann::ordered_json; // few keys, in a readable order
 
-/// From here on neighbouring floats are 2^-10 and more apart.
-constexpr double kFloatsTellLess = 1 << 13;
+/// At this magnitude neighbouring floats are 2^-10 apart.
+constexpr double kCoarseFloats = 1 << 13;
 
 Json matrixOf(Vec3 x, Vec3 y, Vec3 z, Vec3 place) {
     return {{x.x, y.x, z.x, place.x}, {x.y, y.y, z.y, place.y}, {x.z, y.z, z.z, place.z}};
@@ -40,7 +40,7 @@ Json frameOf(const RenderedShot& rendered, Vec3 offset, bool with_lens) {
     for (const auto& [key, path] : rendered.files) frame[key] = path;
     if (with_lens) putLens(rendered.shot, frame);
     const CameraPose& pose = rendered.shot.pose;
-    // 0 - v where -v would write -0
+    // 0 - v avoids the -0 of -v
     const Vec3 none;
     Json matrix = matrixOf(pose.right, none - pose.down, none - pose.forward, pose.eye - offset);
     matrix.push_back({0, 0, 0, 1});
@@ -52,7 +52,7 @@ Json frameOf(const RenderedShot& rendered, Vec3 offset, bool with_lens) {
 
 void writeTransforms(const std::string& path, const TransformsFile& file) {
     Json json = Json::object();
-    json["camera_model"] = "OPENCV"; // with coefficients of 0: a pinhole's
+    json["camera_model"] = "OPENCV"; // with coefficients of 0: a pinhole
     const bool alike = areAlike(file.shots);
     if (alike && !file.shots.empty()) putLens(file.shots.front().shot, json);
     if (file.depth_unit > 0) json["depth_unit_scale_factor"] = file.depth_unit;
@@ -67,7 +67,7 @@ void writeTransforms(const std::string& path, const TransformsFile& file) {
 Vec3 offsetFor(Vec3 bounds_min, Vec3 bounds_max) {
     const Vec3 low = absolute(bounds_min), high = absolute(bounds_max);
     const double farthest = std::max({low.x, low.y, low.z, high.x, high.y, high.z});
-    if (farthest < kFloatsTellLess) return {};
+    if (farthest < kCoarseFloats) return {};
     const Vec3 middle = 0.5 * (bounds_min + bounds_max);
     return {std::round(middle.x), std::round(middle.y), std::round(middle.z)};
 }

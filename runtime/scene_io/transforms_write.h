@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// transforms.json for pictures that were rendered: what nerfstudio and Instant-NGP train on.
+// Writes transforms.json for rendered pictures, as input for nerfstudio and Instant-NGP.
 #pragma once
 
 #include <string>
@@ -12,24 +12,23 @@ namespace pointrt {
 
 struct RenderedShot {
     CameraShot shot;
-    /// Keys and the files they name, relative to the list's folder: "file_path" and "rgb/0001.png", "depth_file_path"
-    /// ...
+    /// Keys and files, relative to the list's folder: "file_path" and "rgb/0001.png", "depth_file_path" ...
     std::vector<std::pair<std::string, std::string>> files;
 };
 
 struct TransformsFile {
     std::vector<RenderedShot> shots;
-    /// What is taken off the cameras' places, and named as applied_transform: those who train work in floats.
+    /// Subtracted from the cameras' positions, since training uses floats; written as applied_transform.
     Vec3 offset;
-    double depth_unit = 0; ///< of the whole numbers in depth pictures, in the scan's unit; 0: there are none
+    double depth_unit = 0; ///< scene units per step of depth pictures; 0: there are none
 };
 
-/// Writes it to path, all or nothing. Read again by readCameraList, its cameras are the same to the bit where offset is
-/// whole. Throws Error kCannotWrite "PATH: reason".
+/// Writes file to path, atomically. If offset is integral, readCameraList returns bit-identical cameras. Throws Error
+/// kCannotWrite "PATH: reason".
 void writeTransforms(const std::string& path, const TransformsFile& file);
 
-/// What to take off in a scene with these bounds: whole numbers near its middle, where floats would tell less than a
-/// thousandth of a unit, else nothing.
+/// The offset for a scene with these bounds: its centre, rounded to integers, if floats resolve less than a thousandth
+/// of a unit there, else 0.
 Vec3 offsetFor(Vec3 bounds_min, Vec3 bounds_max);
 
 } // namespace pointrt

@@ -36,7 +36,7 @@ float linearFromSrgb(std::uint8_t byte) {
 
 double numberOf(const SceneValue& value, Range range) {
     if (!value.node->is_number()) refuse(value, "must be a number");
-    // value<double>() has none for integers that a double cannot hold to the bit
+    // value<double>() returns none for integers that a double cannot represent
     const auto* whole = value.node->as_integer();
     const double number = whole ? static_cast<double>(whole->get()) : value.node->as_floating_point()->get();
     if (number >= range.low && number <= range.high) return number;
@@ -46,7 +46,7 @@ double numberOf(const SceneValue& value, Range range) {
 std::uint32_t wholeNumberOf(const SceneValue& value, std::uint32_t low, std::uint32_t high) {
     const auto* number = value.node->as_integer();
     if (number && number->get() >= low && number->get() <= high) return static_cast<std::uint32_t>(number->get());
-    refuse(value, "must be a whole number " + rangeText(low, high));
+    refuse(value, "must be an integer " + rangeText(low, high));
 }
 
 bool flagOf(const SceneValue& value) {
@@ -55,7 +55,7 @@ bool flagOf(const SceneValue& value) {
 }
 
 std::string textOf(const SceneValue& value) {
-    if (!value.node->is_string()) refuse(value, "must be a text in quotes");
+    if (!value.node->is_string()) refuse(value, "must be a string in quotes");
     const std::string& text = value.node->as_string()->get();
     if (text.empty()) refuse(value, "must not be empty");
     for (char c : text)
@@ -90,7 +90,7 @@ std::array<std::uint8_t, 3> bytesOf(const SceneValue& value) {
         const auto [end, error] = std::from_chars(digits, digits + 2, bytes[i], 16);
         good = error == std::errc() && end == digits + 2;
     }
-    if (!good) refuse(value, "\"" + printable(text) + "\" is no colour such as \"#ff8000\"");
+    if (!good) refuse(value, "\"" + printable(text) + "\" is not a colour such as \"#ff8000\"");
     return bytes;
 }
 
@@ -108,7 +108,7 @@ std::size_t choiceOf(const SceneValue& value, const std::vector<std::string_view
     const std::string text = textOf(value);
     const auto found = std::find(names.begin(), names.end(), text);
     if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-    refuse(value, "\"" + printable(text) + "\" is none of " + joined(names));
+    refuse(value, "\"" + printable(text) + "\" is not one of " + joined(names));
 }
 
 void takeFlag(const SceneValue& table, std::string_view key, bool& flag) {

@@ -63,7 +63,7 @@ std::optional<double> radiusOfFlat(const ShapeDescription& shape) {
     return std::nullopt;
 }
 
-// Each of these puts the shape's own keys, as a person would, and returns false where they do not say all of it.
+// Each of these writes the shape's usual keys, and returns false if they cannot represent it exactly.
 
 bool putPlane(SceneWriting& writing, const ShapeDescription& shape) {
     ShapeDescription laid = shape;
@@ -85,7 +85,8 @@ bool putDisc(SceneWriting& writing, const ShapeDescription& shape) {
 
 bool putQuad(SceneWriting& writing, const ShapeDescription& shape) {
     const Vec3 u = normalize(shape.u), v = normalize(shape.v);
-    if (shape.w != cross(u, v) || !isNear(2 * dot(u, v), 0)) return false; // twice: sure to be near to the reader too
+    if (shape.w != cross(u, v) || !isNear(2 * dot(u, v), 0))
+        return false; // twice the cosine: surely near for the reader too
     put(writing, "center", tomlOf(shape.center));
     put(writing, "u", tomlOf(shape.u));
     put(writing, "v", tomlOf(shape.v));

@@ -4,7 +4,7 @@
 namespace pointrt {
 namespace {
 
-/// Writes each value of a light as FieldReader takes it.
+/// Writes the value of each type of field, as FieldReader reads it.
 struct FieldWriter {
     SceneWriting& writing;
 

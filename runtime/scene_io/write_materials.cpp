@@ -10,8 +10,8 @@
 namespace pointrt {
 namespace {
 
-/// True for what the reader makes for shapes that name no material, and where that is all it is for.
-bool isPlain(const SceneDescription& scene, std::uint32_t material) {
+/// True for the default material of shapes, unless instances use it too.
+bool isDefault(const SceneDescription& scene, std::uint32_t material) {
     if (scene.materials[material] != MaterialDescription{}) return false;
     return std::none_of(scene.instances.begin(), scene.instances.end(), [&](const InstanceDescription& instance) {
         return instance.material == material ||
@@ -20,13 +20,13 @@ bool isPlain(const SceneDescription& scene, std::uint32_t material) {
     });
 }
 
-/// In quotes where TOML needs them.
+/// name in quotes if TOML needs them.
 std::string keyOf(const std::string& name) {
     constexpr const char* bare = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
     return name.find_first_not_of(bare) == std::string::npos ? name : tomlOf(name);
 }
 
-/// Switches that are off are left out.
+/// Switches that are off are omitted.
 void putField(SceneWriting& writing, const MaterialField& field, const MaterialDescription& material) {
     if (field.unless && material.*field.unless) return;
     if (const auto* number = std::get_if<float MaterialDescription::*>(&field.member))
@@ -47,7 +47,7 @@ std::vector<std::string> materialNames(const SceneDescription& scene) {
     bool plain_taken = false;
     for (std::uint32_t m = 0; m < scene.materials.size(); ++m) {
         std::string name = scene.materials[m].name;
-        const bool plain = !plain_taken && isPlain(scene, m);
+        const bool plain = !plain_taken && isDefault(scene, m);
         plain_taken = plain_taken || plain;
         if (!plain && (name.empty() || name != printable(name) || given.count(name)))
             for (int number = 1; taken.count(name) || name != printable(name); ++number)

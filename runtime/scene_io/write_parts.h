@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sections of a scene file that is written, and values as TOML.
+// Writers of the sections of a scene file, and values as TOML.
 #pragma once
 
 #include <array>
@@ -16,14 +16,14 @@ namespace pointrt {
 struct SceneWriting {
     const SceneDescription& scene;
     std::string folder;                      ///< of the scene file
-    std::vector<std::string> material_names; ///< of scene.materials; "" for what shapes have that name none
-    std::string text;                        ///< as far as it goes
+    std::vector<std::string> material_names; ///< of scene.materials; "" for the default material of shapes
+    std::string text;                        ///< written so far
 };
 
-/// Names under which the materials can be told apart.
+/// Unique names of the materials.
 std::vector<std::string> materialNames(const SceneDescription& scene);
 
-/// How path, as the viewer opens it, is called in a scene file in folder.
+/// path relative to the folder of a scene file.
 std::string pathFrom(const std::string& folder, const std::string& path);
 
 /// The render settings of a table of the file.
@@ -41,7 +41,7 @@ void put(SceneWriting& writing, const char* key, const std::string& value);
 
 /// "[a, b]" of one or more.
 std::string listOf(std::initializer_list<std::string> values);
-/// The shortest text that reads as the same number.
+/// The shortest text that parses to the same number.
 std::string tomlOf(double number);
 std::string tomlOf(float number);
 std::string tomlOf(std::uint32_t number);
@@ -49,7 +49,7 @@ std::string tomlOf(bool flag);
 std::string tomlOf(Vec3 vector);
 std::string tomlOf(const Color& color);
 std::string tomlOf(const std::array<Vec3, 3>& rows);
-/// In quotes.
+/// text in quotes.
 std::string tomlOf(const std::string& text);
 
 } // namespace pointrt

@@ -39,7 +39,7 @@ std::string listOf(std::initializer_list<std::string> values) {
 
 std::string tomlOf(double number) {
     std::string text = shortest(number);
-    // a whole number would be an integer to TOML, which has no -0 and ends at 2^63
+    // without a point it would be a TOML integer, which has no -0 and is limited to 2^63
     constexpr double most_digits = 1e15;
     const bool whole = text.find_first_of(".ein") == std::string::npos;
     if (whole && (std::abs(number) > most_digits || (number == 0 && std::signbit(number)))) text += ".0";
@@ -48,7 +48,7 @@ std::string tomlOf(double number) {
 
 std::string tomlOf(float number) {
     const std::string text = shortest(number);
-    // read as a double first, then made a float: where that rounds to another one, all digits have to do
+    // the reader parses a double and rounds it to float: if that gives another float, write all digits
     const bool same = static_cast<float>(valueOf(text)) == number;
     return same && text.find_first_of(".ein") != std::string::npos ? text : tomlOf(static_cast<double>(number));
 }

@@ -12,12 +12,12 @@ LoadRequest loadRequest(const Options& options, SceneDescription scene) {
     LoadRequest request;
     request.settings = resolveSettings(options, scene);
     Options without_view = options;
-    // lamps are put up for the camera that a scene has of its own, else for the side that was asked for
+    // lamps are placed for the scene's own camera, or else for the requested standard view
     if (!standardView(options, scene) || scene.camera.eye) without_view.view.clear();
     request.staging = resolveSettings(without_view, scene).camera;
     request.fov_is_free = !options.fov_deg && request.settings.camera.fov_deg == CameraRequest{}.fov_deg;
     request.scene = std::move(scene);
-    if (isSceneFile(options.scene)) request.fallback_up = Vec3{0, 1, 0}; // not the camera's, which may be tilted
+    if (isSceneFile(options.scene)) request.fallback_up = Vec3{0, 1, 0}; // not the camera's up, which may be tilted
     request.memory = options.memory.value_or(kTileMemory);
     request.turntable = options.turntable;
     request.verbose = options.verbose;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the command line and a scene say, as what is to be loaded.
+// The request to load a scene with the options of the command line.
 #pragma once
 
 #include "runtime/render/loaded_scene.h"
@@ -7,8 +7,8 @@
 
 namespace pointrt {
 
-/// For scene, which describeScene has read. Surroundings are put up for the camera without options.view, so that views
-/// differ in the camera alone. Throws Error as resolveSettings does.
+/// The request for scene, from describeScene. Default surroundings are placed for the camera without options.view, so
+/// that views differ only in the camera. Throws Error as resolveSettings does.
 LoadRequest loadRequest(const Options& options, SceneDescription scene);
 
 } // namespace pointrt

@@ -14,16 +14,16 @@ namespace pointrt {
 namespace {
 
 constexpr std::uint32_t kMaxBenchFrames = 100000;
-constexpr std::uint32_t kMaxThumbnail = 1024; // the largest of file managers
-constexpr double kMaxSeconds = 1e7;           // a third of a year
-constexpr double kMaxHeight = 1e12;           // as scene files take lengths
+constexpr std::uint32_t kMaxThumbnail = 1024; // the largest size that file managers request
+constexpr double kMaxSeconds = 1e7;           // 116 days
+constexpr double kMaxHeight = 1e12;           // the limit of lengths in scene files
 
 constexpr std::array kProgressNames = {Name{"auto", false}, Name{"lines", true}};
 
 constexpr std::array kDistortionNames = {Name{"refuse", false}, Name{"drop", true}};
 constexpr double kMaxDepthUnit = 1e9;
 
-/// A layer for cameras' pictures, and where options have it.
+/// A layer of --cameras, and the flag that selects it.
 struct LayerName {
     const char* name;
     bool CameraOutput::*member;
@@ -41,7 +41,7 @@ void setLayers(CameraOutput& output, const std::string& text) {
         const auto layer = std::find_if(kLayerNames.begin(), kLayerNames.end(),
                                         [&](const LayerName& each) { return each.name == word; });
         if (layer == kLayerNames.end())
-            throw std::invalid_argument("\"" + word + "\" is none of " + joinedNames(kLayerNames, ", "));
+            throw std::invalid_argument("\"" + word + "\" is not one of " + joinedNames(kLayerNames, ", "));
         output.*layer->member = true;
         begin = end + 1;
     }
@@ -52,7 +52,7 @@ Vec3 parseUp(const std::string& text) {
         return parseVector(text);
     } catch (const std::invalid_argument&) {
         throw std::invalid_argument("\"" + text +
-                                    "\" is none of auto, x, y, z, -x, -y, -z, and not X,Y,Z with three finite numbers");
+                                    "\" is not one of auto, x, y, z, -x, -y, -z, and not X,Y,Z with three finite numbers");
     }
 }
 
@@ -79,101 +79,97 @@ OptionGroup imageOptions() {
     return {
         "Image",
         {{"-o,--output", "FILE",
-          "Render to FILE.png (8-bit sRGB) or FILE.exr (float, with first hits and the parts of the light), replacing "
-          "what is there; - is PNG to standard output",
+          "Render to FILE.png (8-bit sRGB) or FILE.exr (float, with first hits and light components), overwriting an "
+          "existing file; - writes a PNG to standard output",
           [](Options& o, const std::string& text) { o.output = text; }, ".png .exr"},
          {"--turntable", "N",
-          "Render N pictures with the camera going around the target once, -o frames/%04d.png (default: none, 1 "
-          "to " +
+          "Render N pictures from a camera that circles the target once, to -o frames/%04d.png (default: off; 1 to " +
               std::to_string(kMaxTurntable) + ")",
           [](Options& o, const std::string& text) { o.turntable = parseCount(text, 1, kMaxTurntable); }},
          {"--thumbnail", "N",
-          "Render a PNG of N x N pixels to -o FILE, whatever its suffix, in about a second, for file managers "
-          "(default: "
-          "none, 1 to " +
+          "Render a PNG of N x N pixels in about a second, for file managers; -o FILE may have any suffix (default: "
+          "off; 1 to " +
               std::to_string(kMaxThumbnail) + ")",
           [](Options& o, const std::string& text) { o.thumbnail = parseCount(text, 1, kMaxThumbnail); }}},
         HelpGroup::kImage};
 }
 
-/// With one of the first two --spp is the most, and what a scene file says of samples is not asked.
+/// --time-limit and --noise make --spp an upper bound and ignore the scene file's number of samples.
 OptionGroup qualityOptions() {
-    return {
-        "How long",
-        {{"--time-limit", "SECONDS",
-          "Samples until the time is up; what has none a second later stays black (default: none; with it --spp is the "
-          "most, and without --spp " +
-              std::to_string(kMaxSpp) + " are)",
-          [](Options& o, const std::string& text) { o.limits.seconds = parseRealAbove(text, 0, kMaxSeconds); }},
-         {"--noise", "TARGET",
-          "Samples until the relative noise of the picture is this or less, such as 0.02 (default: none; --spp as "
-          "above)",
-          [](Options& o, const std::string& text) { o.limits.noise = parseRealAbove(text, 0, 1); }},
-         {.names = "--resume",
-          .help = "Go on with the film in -o FILE.exr up to --spp samples in all; a new one where there is no such "
-                  "file (default: off)",
-          .flag = &Options::resume}},
-        {}};
+    return {"Quality and time",
+            {{"--time-limit", "SECONDS",
+              "Keep sampling for SECONDS, up to --spp samples per pixel, or " + std::to_string(kMaxSpp) +
+                  " without --spp; pixels not reached within another second stay black (default: no limit)",
+              [](Options& o, const std::string& text) { o.limits.seconds = parseRealAbove(text, 0, kMaxSeconds); }},
+             {"--noise", "TARGET",
+              "Keep sampling until the relative noise of the picture is at most TARGET, e.g. 0.02; --spp limits it as "
+              "with --time-limit (default: no target)",
+              [](Options& o, const std::string& text) { o.limits.noise = parseRealAbove(text, 0, 1); }},
+             {.names = "--resume",
+              .help = "Add samples to an existing -o FILE.exr, up to --spp in all; create the file if there is none "
+                      "(default: off)",
+              .flag = &Options::resume}},
+            {}};
 }
 
 OptionGroup cameraOptions() {
     return {
-        "Camera (in the coordinates of the input scan)",
+        "Camera (in the coordinates of the scan)",
         {{"--view", "NAME",
-          "A view of the scene file in place of its camera, or of any scene " + joinedNames(kStandardViewNames, ", ") +
-              "; the options below overrule it",
+          "Use a view that the scene file names, or a standard view: " + joinedNames(kStandardViewNames, ", ") +
+              "; the options below override it (default: the scene file's camera)",
           [](Options& o, const std::string& text) { o.view = text; }, joinedNames(kStandardViewNames, " ")},
-         {"--eye", "X,Y,Z",
-          "Where it stands (default: at the side that shows most, as near as all of the scene but strays fits; where "
-          "one scanner saw all, there)",
+         {"--eye", "X,Y,Z", "Camera position (default: framed automatically; at the scanner if there was only one)",
           [](Options& o, const std::string& text) { o.camera.eye = parseVector(text); }},
-         {"--target", "X,Y,Z", "What it looks at (default: the centre of the scene)",
+         {"--target", "X,Y,Z", "Point to look at (default: the centre of the scene)",
           [](Options& o, const std::string& text) { o.camera.target = parseVector(text); }},
          {"--up", "auto|AXIS|X,Y,Z",
-          "What is up: x, y, z, -x, -y or -z stands the scene on it and looks at its front; a vector turns the "
-          "image (default auto: as the scan says, else y)",
+          "Up direction. An axis (x, y, z, -x, -y, -z) turns the whole scene upright and selects its front; a vector "
+          "rotates the picture only (default auto: the scan's up, else y)",
           setUp, "x y z -x -y -z"},
          {"--fov", "DEG",
-          "Vertical field of view (default " + plainText(CameraRequest{}.fov_deg) + ", above 0 and below 180)",
+          "Vertical field of view in degrees (default " + plainText(CameraRequest{}.fov_deg) +
+              "; above 0 and below 180)",
           [](Options& o, const std::string& text) { o.fov_deg = parseAngle(text); }},
          {"--ortho", "HEIGHT|fit",
-          "Parallel projection that shows this height of the scene, or with fit all of it (default: off; not with "
-          "--fov)",
+          "Use a parallel projection HEIGHT scene units high; fit shows the whole scene (default: off; not with --fov)",
           [](Options& o, const std::string& text) { setOrtho(o.camera, text); }}},
         {}};
 }
 
 OptionGroup camerasOptions() {
     return {
-        "Pictures for machines (from a list of cameras, in the coordinates of the input scan)",
+        "Batch rendering (cameras in the coordinates of the scan)",
         {{"--cameras", "FILE|FOLDER",
-          "Render a picture from each camera of a transforms.json (nerfstudio, Instant-NGP), or of COLMAP's cameras "
-          "and images (.txt, .bin), to -o FOLDER, with a transforms.json that names them (default: none)",
+          "Render from each camera of a transforms.json (nerfstudio, Instant-NGP) or of a COLMAP model (cameras and "
+          "images, .txt or .bin); write the pictures and a transforms.json to -o FOLDER (default: off)",
           [](Options& o, const std::string& text) { o.cameras = text; }, ".json .txt .bin"},
          {"--layers", "NAMES",
-          "What is written of each, apart by commas: " + joinedNames(kLayerNames, ", ") +
-              "; depths are whole numbers along the viewing axis, 0 for nothing (default rgb,depth,normal,exr)",
+          "Layers to write for each camera, separated by commas: " + joinedNames(kLayerNames, ", ") +
+              "; depth is a 16-bit PNG of distances along the viewing axis, 0 for no hit (default "
+              "rgb,depth,normal,exr)",
           [](Options& o, const std::string& text) { setLayers(o.camera_output, text); }, joinedNames(kLayerNames, " ")},
          {"--depth-unit", "LENGTH",
-          "A depth PNG's 1, in the scan's unit (default: 0.001, or the next power of ten that all of the scene "
-          "fits in 65535 of)",
+          "Scene units per depth PNG step (default: 0.001, or the smallest larger power of ten at which the scene's "
+          "depth fits in 16 bits)",
           [](Options& o, const std::string& text) {
               o.camera_output.depth_unit = parseRealAbove(text, 0, kMaxDepthUnit);
           }},
          {"--distortion", "refuse|drop",
-          "Lists whose lenses are distorted: none is rendered, or all as if they were not (default refuse)",
+          "Cameras with lens distortion: refuse the list, or drop the distortion and render pinhole pictures (default "
+          "refuse)",
           [](Options& o, const std::string& text) { o.drops_distortion = parseName(kDistortionNames, text); }}},
         {}};
 }
 
 OptionGroup windowOptions() {
-    return {"Window (without -o and --bench; H in it lists keys)",
-            {{"--record", "FILE", "Write what you do in the window to FILE (default: none)",
+    return {"Window (without -o and --bench; press H in it for the keys)",
+            {{"--record", "FILE", "Record your actions in the window to FILE (default: off)",
               [](Options& o, const std::string& text) { o.record = text; }},
-             {"--replay", "FILE", "Do what FILE says, then quit; its screenshots become NAME.png (default: none)",
+             {"--replay", "FILE", "Replay a recording, then quit; its screenshots are saved as NAME.png (default: off)",
               [](Options& o, const std::string& text) { o.replay = text; }},
              {.names = "--offscreen",
-              .help = "Replay without showing a window or needing a display (default: off)",
+              .help = "Replay without a visible window or a display (default: off)",
               .flag = &Options::offscreen}},
             {}};
 }
@@ -181,28 +177,33 @@ OptionGroup windowOptions() {
 OptionGroup runOptions() {
     return {
         "Run",
-        {{"--device", "list|N|NAME", "Vulkan device by number or part of its name; list shows them (default: best)",
+        {{"--device", "list|N|NAME",
+          "Vulkan device to use, by number or part of its name; list prints all devices (default: the best one)",
           setDevice},
          {"--memory", "SIZE",
-          "What a picture of tile sets may take, such as 2G or 500M; where it wants more, tiles are coarser (default "
-          "2G)",
+          "Memory limit for the tiles of tile sets, e.g. 2G or 500M; coarser tiles are used if the finest do not fit "
+          "(default 2G)",
           [](Options& o, const std::string& text) { o.memory = parseBytes(text); }},
          {"--bench", "N",
-          "Render N frames after a warm-up, print JSON (default: none, 1 to " + std::to_string(kMaxBenchFrames) + ")",
+          "Render N frames after a warm-up and print timings as JSON (default: off; 1 to " +
+              std::to_string(kMaxBenchFrames) + ")",
           [](Options& o, const std::string& text) { o.bench_frames = parseCount(text, 1, kMaxBenchFrames); }},
-         {"--stats", "FILE", "Write counts and times as JSON, - for standard output (default: none)",
+         {"--stats", "FILE", "Write counts and timings as JSON to FILE, - for standard output (default: off)",
           [](Options& o, const std::string& text) { o.stats = text; }, ".json"},
          {.names = "--profile",
-          .help = "Where the time of a frame goes, pass by pass: on standard error, and in --stats and --bench as "
-                  "\"profile\". Each pass waits for the one before: frames take a little longer (default: off)",
+          .help = "Print the time of each pass to standard error, and add it to --stats and --bench as \"profile\"; "
+                  "passes no longer overlap, so frames take slightly longer (default: off)",
           .flag = &Options::profile},
          {"--progress", "auto|lines",
-          "On standard error; lines: 'progress SHARE DETAIL' for programs (default auto: for people)",
+          "Progress on standard error: auto redraws one line on a terminal, lines prints 'progress SHARE DETAIL' for "
+          "programs to parse (default auto)",
           [](Options& o, const std::string& text) { o.progress_lines = parseName(kProgressNames, text); }},
          {.names = "-q,--quiet",
-          .help = "No progress, but what --progress lines asks for; only errors (default: off)",
+          .help = "Print errors only, and the lines of --progress lines (default: off)",
           .flag = &Options::quiet},
-         {.names = "-v,--verbose", .help = "More detail on standard error (default: off)", .flag = &Options::verbose}},
+         {.names = "-v,--verbose",
+          .help = "Print more detail to standard error (default: off)",
+          .flag = &Options::verbose}},
         {}};
 }
 

@@ -12,21 +12,20 @@
 namespace pointrt {
 namespace {
 
-constexpr const char* kExamples =
-    "  pointrt-view scan.pro                               in a window; H in it lists keys\n"
-    "  pointrt-view scan.pro -o scan.png                   in a small studio, without a window\n"
-    "  pointrt-view scan.pro --integrator path --time-limit 60 --size 1920x1080 -o scan.png\n"
-    "  pointrt-view scene.toml --view top -o - | convert - top.jpg\n";
+constexpr const char* kExamples = "  pointrt-view scan.pro               open a window; press H for the keys\n"
+                                  "  pointrt-view scan.pro -o scan.png   render a picture, lit by studio lamps\n"
+                                  "  pointrt-view scan.pro --integrator path --time-limit 60 -o scan.png\n"
+                                  "  pointrt-view scene.toml --view top -o - | convert - top.jpg\n";
 constexpr const char* kNotes =
-    "Ctrl-C while a picture is rendered: what there is of it is written, of an EXR for --resume; the exit status is\n"
-    "the signal's all the same. A second Ctrl-C ends at once.\n"
-    "A PNG is written while it is rendered, in 1.3 GiB of memory at most. EXRs, turntables and what\n"
-    "--time-limit or --noise may end are held whole, in 112 bytes a pixel; where memory lacks nothing is begun.\n"
-    "POINTRT_INDEX_CACHE=20G, or off, in the environment says how much is kept in ~/.cache/pointrt/index of\n"
-    "what is built for files without an index; 8 GiB where nothing is said.\n"
-    "POINTRT_VALIDATION=1 in the environment turns the Vulkan validation layer on; any message is exit code 3.";
+    "Ctrl-C stops rendering and saves the partial picture (continue an EXR with --resume); the exit status is that of "
+    "the signal. A second Ctrl-C quits at once.\n\n"
+    "PNGs are written as they are rendered and need at most 1.3 GiB of memory. EXRs, turntables, and pictures with "
+    "--time-limit or --noise need 112 bytes per pixel; pointrt-view refuses to start if memory is insufficient.\n\n"
+    "Environment variables: POINTRT_INDEX_CACHE limits the cache of tracing indices in ~/.cache/pointrt/index, which "
+    "are built for files without one (e.g. 20G, or off; default 8G). POINTRT_VALIDATION=1 enables the Vulkan "
+    "validation layer; any message ends the run with exit code 3.";
 
-/// Adds an option whose text goes through set; what set throws as std::invalid_argument becomes "NAME: reason".
+/// Adds an option that passes its text to set. An std::invalid_argument from set becomes the error "NAME: reason".
 void add(CommandLine& app, const std::string& names, const char* placeholder, const std::string& help,
          const std::string& candidates, const std::function<void(const std::string&)>& set) {
     const std::string name = names.substr(names.rfind(',') == std::string::npos ? 0 : names.rfind(',') + 1);
@@ -61,21 +60,21 @@ std::string helpOf(const Row& row) {
     return standard ? replaced(help, "{default}", valueText(row.limits, *standard)) : help;
 }
 
-/// What shells offer for a setting, blanks between them.
+/// The values of a setting that shells offer, separated by spaces.
 template <typename Limits>
-std::string offersOf(const Limits&) {
+std::string candidatesOf(const Limits&) {
     return {};
 }
 template <typename Named>
-std::string offersOf(const OneOf<Named>& limits) {
+std::string candidatesOf(const OneOf<Named>& limits) {
     return joinedNames(limits.names, " ");
 }
-std::string offersOf(const AttributeWord&) { return "rgb height normal scan intensity class"; }
+std::string candidatesOf(const AttributeWord&) { return "rgb height normal scan intensity class"; }
 
 void addSettings(CommandLine& app, HelpGroup group, RenderChoices& choices) {
     forEachRenderSetting([&](const auto& row) {
         if (row.command_line.group != group) return;
-        add(app, row.command_line.option, row.command_line.placeholder, helpOf(row), offersOf(row.limits),
+        add(app, row.command_line.option, row.command_line.placeholder, helpOf(row), candidatesOf(row.limits),
             [&choices, &row](const std::string& text) { choices.*row.choice = parseValue(row.limits, text); });
     });
 }
@@ -86,14 +85,15 @@ void addGroups(CommandLine& app, Options& options) {
         for (const OptionRow& row : group.options) addRow(app, row, options);
         if (group.settings) addSettings(app, *group.settings, options.choices);
     }
-    addCommonOptions(app, POINTRT_VERSION, "the scene is wrong", kExamples, kNotes); // under the last heading
+    addCommonOptions(app, POINTRT_VERSION, "the scene is unreadable, malformed or empty", kExamples,
+                     kNotes); // under the last heading
 }
 
 void requireOutput(bool given, bool fits, const char* option, const char* suffix) {
-    if (given && !fits) throw Error{ExitCode::kBadUsage, std::string(option) + ": goes with -o FILE" + suffix};
+    if (given && !fits) throw Error{ExitCode::kBadUsage, std::string(option) + ": needs -o FILE" + suffix};
 }
 
-/// Standard output holds one thing.
+/// Only one output can be written to standard output.
 void requireOwnStream(const Options& options) {
     const char* other = options.bench_frames != 0 ? "--bench" : options.stats == "-" ? "--stats -" : nullptr;
     if (options.output == "-" && other)
@@ -105,28 +105,26 @@ void requireWindow(const Options& options) {
     const char* option = !options.record.empty() ? "--record" : !options.replay.empty() ? "--replay" : "--offscreen";
     const bool any = !options.record.empty() || !options.replay.empty() || options.offscreen;
     if (any && !opensWindow(options))
-        throw Error{ExitCode::kBadUsage, std::string(option) + " is for the window: leave out -o and --bench"};
+        throw Error{ExitCode::kBadUsage, std::string(option) + " is for the window: omit -o and --bench"};
     if (options.offscreen && options.replay.empty())
-        throw Error{ExitCode::kBadUsage, "--offscreen needs --replay FILE: nobody could close such a window"};
+        throw Error{ExitCode::kBadUsage, "--offscreen needs --replay FILE: an invisible window cannot be closed"};
     if (!options.record.empty() && options.record == options.replay)
         throw Error{ExitCode::kBadUsage, "--record and --replay name the same file"};
     if (opensWindow(options) && options.profile)
-        throw Error{ExitCode::kBadUsage,
-                    "--profile goes with -o FILE or --bench: the window's frames are not profiled"};
+        throw Error{ExitCode::kBadUsage, "--profile needs -o FILE or --bench: the window's frames are not profiled"};
     if (opensWindow(options) && (options.limits.seconds || options.limits.noise))
-        throw Error{ExitCode::kBadUsage, "--time-limit and --noise go with -o FILE; the window refines until --spp"};
+        throw Error{ExitCode::kBadUsage, "--time-limit and --noise need -o FILE: the window refines up to --spp"};
 }
 
 void requireImage(const Options& options) {
     const std::string& path = options.output;
     if (!path.empty() && !writesPng(options) && !path.ends_with(".exr"))
-        throw Error{ExitCode::kBadUsage, path + ": an image ends in .png or .exr"};
+        throw Error{ExitCode::kBadUsage, path + ": image files must end in .png or .exr"};
 }
 
-/// What each camera of a list has of its own, and what goes with one picture.
+/// Refuses options that the cameras of a list set themselves, and options that need a single picture.
 void requireCameraList(const Options& options) {
-    if (options.output.empty() || options.output == "-")
-        throw Error{ExitCode::kBadUsage, "--cameras: goes with -o FOLDER"};
+    if (options.output.empty() || options.output == "-") throw Error{ExitCode::kBadUsage, "--cameras: needs -o FOLDER"};
     const CameraRequest& camera = options.camera;
     const char* other = options.turntable != 0                   ? "--turntable"
                         : options.bench_frames != 0              ? "--bench"
@@ -141,18 +139,18 @@ void requireCameraList(const Options& options) {
                                                                  : nullptr;
     if (other) throw Error{ExitCode::kBadUsage, std::string("--cameras and ") + other + " exclude each other"};
     if (options.camera_output.depth_unit && !options.camera_output.depth)
-        throw Error{ExitCode::kBadUsage, "--depth-unit: is of depths, which --layers leaves out"};
+        throw Error{ExitCode::kBadUsage, "--depth-unit: needs the depth layer, which --layers omits"};
 }
 
-/// What says something of such lists alone.
+/// Refuses options that only affect lists of cameras.
 void requireNoCameraList(const Options& options) {
     requireImage(options);
     if (options.camera_output != CameraOutput{} || options.drops_distortion)
-        throw Error{ExitCode::kBadUsage, "--layers, --depth-unit and --distortion go with --cameras"};
+        throw Error{ExitCode::kBadUsage, "--layers, --depth-unit and --distortion need --cameras"};
 }
 
 void requireThumbnail(const Options& options) {
-    if (options.output.empty()) throw Error{ExitCode::kBadUsage, "--thumbnail: goes with -o FILE"};
+    if (options.output.empty()) throw Error{ExitCode::kBadUsage, "--thumbnail: needs -o FILE"};
     const char* other = options.choices.size               ? "--size"
                         : options.turntable != 0           ? "--turntable"
                         : options.bench_frames != 0        ? "--bench"
@@ -163,19 +161,19 @@ void requireThumbnail(const Options& options) {
     if (other) throw Error{ExitCode::kBadUsage, std::string("--thumbnail and ") + other + " exclude each other"};
 }
 
-/// What nobody has said of it. The time bounds scenes whose samples take long.
+/// Fills in the settings of a thumbnail that are not given. The time limit bounds scenes whose samples take long.
 void fillThumbnail(Options& options) {
-    constexpr double kSeconds = 1; // file managers wait for pictures of whole folders
+    constexpr double kSeconds = 1; // file managers render thumbnails of whole folders
     options.choices.size = PixelSize{options.thumbnail, options.thumbnail};
     if (!options.choices.spp) options.choices.spp = RenderSettings{}.spp;
     if (!options.limits.seconds) options.limits.seconds = kSeconds;
     options.quiet = !options.verbose;
 }
 
-/// A list of devices is all that is done.
+/// --device list does nothing else.
 void requireNothingElse(const Options& options) {
     if (!options.scene.empty() || !options.output.empty() || options.bench_frames != 0)
-        throw Error{ExitCode::kBadUsage, "--device list: goes alone"};
+        throw Error{ExitCode::kBadUsage, "--device list cannot be combined with other options"};
 }
 
 void requireTask(const Options& options) {
@@ -200,7 +198,7 @@ void requireTask(const Options& options) {
     if (options.turntable != 0 && (options.resume || options.bench_frames != 0))
         throw Error{ExitCode::kBadUsage, std::string("--turntable and ") + (options.resume ? "--resume" : "--bench") +
                                              " exclude each other"};
-    if (options.scene.empty()) throw Error{ExitCode::kBadUsage, "no scene is given"};
+    if (options.scene.empty()) throw Error{ExitCode::kBadUsage, "no SCENE given"};
     if (options.cameras.empty()) requireFrameNames(options.output, options.turntable != 0);
     requireWindow(options);
 }
@@ -217,13 +215,12 @@ bool opensWindow(const Options& options) {
 }
 
 std::optional<int> parseOptions(int argc, const char* const* argv, Options& options) {
-    CommandLine app("Renders point scans and scenes of them by tracing rays on a Vulkan device.", "pointrt-view");
-    app.get_formatter()->column_width(26);
+    CommandLine app("View and render point scans by ray tracing on a Vulkan device.", "pointrt-view");
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     app.add_option(
            "SCENE", options.scene,
-           "FILE.pro or NAME.proset as pointrt-bake wrote it, or a scene file FILE.toml (docs/SCENES.md), which the "
-           "options overrule")
+           "Scan to render: FILE.pro or NAME.proset from pointrt-bake, or a scene file FILE.toml (docs/SCENES.md); "
+           "options override the scene file")
         ->type_name("")
         ->group("Scene");
     completes(app, "SCENE", ".pro .proset .toml");

@@ -31,14 +31,14 @@ std::vector<std::string> filesOf(const Options& options, const SceneDescription&
 
 void requireOutputsApart(const Options& options, const SceneDescription& scene) {
     if (options.output == "-" && isatty(STDOUT_FILENO) == 1)
-        refuse("-o -: standard output is a terminal; let a file or a pipe take the picture");
+        refuse("-o -: standard output is a terminal; redirect the picture to a file or a pipe");
     const NamedOutput outputs[] = {{"-o", options.output}, {"--stats", options.stats}, {"--record", options.record}};
     const std::vector<std::string> inputs = filesOf(options, scene);
     for (const NamedOutput& output : outputs) {
         if (output.path.empty() || output.path == "-") continue;
         for (const std::string& input : inputs)
             if (isSameFile(output.path, input))
-                refuse(output.path + ": " + output.option + " would overwrite what the scene is read from");
+                refuse(output.path + ": " + output.option + " would overwrite an input of the scene");
         for (const NamedOutput& other : outputs)
             if (&other != &output && !other.path.empty() && isSameFile(output.path, other.path))
                 refuse(output.path + ": " + output.option + " and " + other.option + " are the same file");

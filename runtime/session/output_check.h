@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run writes against what it reads.
+// Protects the inputs of a run from being overwritten.
 #pragma once
 
 #include "runtime/scene/scene_description.h"
@@ -7,8 +7,8 @@
 
 namespace pointrt {
 
-/// Throws Error kBadUsage where the picture, the report or the recording would be written over the scene, one of its
-/// files or one another, and where a picture would be written to a terminal.
+/// Throws Error kBadUsage if the picture, the report or the recording would overwrite the scene, one of its files or
+/// each other, or if the picture would be written to a terminal.
 void requireOutputsApart(const Options& options, const SceneDescription& scene);
 
 } // namespace pointrt

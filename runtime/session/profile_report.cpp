@@ -21,7 +21,7 @@ std::string hostJson(const HostTally& span) {
     return "{\"what\": " + jsonText(span.name) + ", \"ms\": " + jsonNumber(span.ms) + "}";
 }
 
-/// A JSON array with one of entries in each line.
+/// A JSON array with one entry per line.
 template <typename Entries, typename ToJson>
 std::string listed(const Entries& entries, const ToJson& toJson) {
     std::string json = "[";
@@ -40,7 +40,7 @@ double millions(std::uint64_t count) { return 1e-6 * static_cast<double>(count);
 
 std::string passLine(const PassTally& pass, bool has_clock) {
     const std::string device = has_clock ? line("%10.1f", pass.device_ms) : "         -";
-    const bool over_lists = pass.lanes_in > pass.runs; // a lane each has what goes between passes
+    const bool over_lists = pass.lanes_in > pass.runs; // lanes are queue entries
     const std::string lane_ns =
         over_lists ? line("%9.1f", 1e6 * pass.host_ms / static_cast<double>(pass.lanes_in)) : "        -";
     return line("  %-34s %7llu %s %10.1f %10.1f %10.3f %10.3f %9.1f %s\n", pass.name.c_str(),
@@ -69,7 +69,7 @@ std::string profileTable(const PassProfile& profile) {
                              "cpu ms", "M lanes in", "M out", "MB", "ns/lane");
     for (const PassTally& pass : passes) table += passLine(pass, profile.clock.pool != VK_NULL_HANDLE);
     for (const HostTally& span : profile.host) table += hostLine(span.name.c_str(), span.ms);
-    table += hostLine("nothing accounts for", unaccountedMilliseconds(profile));
+    table += hostLine("unaccounted for", unaccountedMilliseconds(profile));
     return table +
            line("  %-34s %7llu %21.1f\n", "frames", static_cast<unsigned long long>(profile.frames), profile.frames_ms);
 }

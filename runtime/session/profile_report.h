@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A profile for people and for programs.
+// A profile as JSON and as a table.
 #pragma once
 
 #include <string>
@@ -8,12 +8,11 @@
 
 namespace pointrt {
 
-/// A JSON object: frames, frames_ms of all of them, passes (each with its name, runs, device_ms, host_ms, cpu_ms,
-/// lanes_in, lanes_out and bytes), host (name and ms) and unaccounted_ms. device_ms is null where the device keeps no
-/// time.
+/// A JSON object: frames, frames_ms (total), passes (each with pass, runs, device_ms, host_ms, cpu_ms, lanes_in,
+/// lanes_out and bytes), host (what and ms) and unaccounted_ms. device_ms is null if the device has no timestamps.
 std::string profileJson(const PassProfile& profile);
 
-/// The same as a table, what took most first.
+/// The same as a table, slowest pass first.
 std::string profileTable(const PassProfile& profile);
 
 } // namespace pointrt

@@ -23,9 +23,9 @@ std::optional<SetReport> describeSets(const DeviceScene& scene) {
         const OpenedSet& set = each.opened;
         report.tiles += set.cut.tiles.size();
         report.bytes += set.cut.bytes;
-        report.wanted_tiles += set.wanted.tiles.size();
-        report.wanted_bytes += set.wanted.bytes;
-        report.lost_tiles += static_cast<std::uint64_t>(std::count(set.lost.begin(), set.lost.end(), true));
+        report.wanted_tiles += set.full_cut.tiles.size();
+        report.wanted_bytes += set.full_cut.bytes;
+        report.lost_tiles += static_cast<std::uint64_t>(std::count(set.missing.begin(), set.missing.end(), true));
     }
     return report;
 }
@@ -42,19 +42,20 @@ void describe(const RenderSession& session, Report& report) {
     report.device_bytes = session.loaded->scene.device_bytes + deviceBytes(session.loaded->tracer);
 }
 
-/// What the film holds besides the light.
+/// Selects the film's layers.
 void chooseLayers(const Options& options, const SceneDescription& scene, RenderSettings& settings) {
-    // the denoiser is guided by first hits; where the samples may end early, it may be wanted in the end
+    // the denoiser needs first hits; if sampling may end early, it may turn out to be needed
     const std::uint32_t fewest = options.limits.seconds || options.limits.noise ? 1 : settings.spp;
     settings.first_hits |= wantsDenoising(options, settings, scene, fewest);
-    // what is to be gone on with, or kept, keeps the parts
+    // resumable and unfinished films keep the light components
     settings.light_parts =
         options.output.ends_with(".exr") || options.turntable != 0 || options.limits.seconds || options.limits.noise;
 }
 
-void tellWithoutEffect(const Options& options, const DeviceScene& scene, Integrator integrator) {
+void reportWithoutEffect(const Options& options, const DeviceScene& scene, Integrator integrator) {
     if (options.quiet) return;
-    const SceneTraits traits = {!scene.sets.empty(), (scene.features & FEATURE_GOES_ON) != 0, showsLight(integrator)};
+    const SceneTraits traits = {!scene.sets.empty(), (scene.features & FEATURE_SECONDARY_RAYS) != 0,
+                                usesLights(integrator)};
     for (const std::string& line : optionsWithoutEffect(options, traits))
         std::fprintf(stderr, "pointrt-view: %s\n", line.c_str());
 }
@@ -66,7 +67,7 @@ RenderSession::RenderSession(const Options& options) : device(createDevice({opti
 RenderSession::~RenderSession() {
     renderer.reset();
     loaded.reset();
-    if (profile) destroyDeviceClock(device, profile->clock);
+    if (profile) destroyGpuTimer(device, profile->clock);
     destroyDevice(device);
 }
 
@@ -78,11 +79,11 @@ void loadSession(RenderSession& session, SceneDescription description, const Opt
     session.loaded = loadScene(session.device, session.device, request, LoadStage{});
     session.settings = session.loaded->settings;
     session.camera = session.loaded->camera;
-    tellWithoutEffect(options, session.loaded->scene, session.settings.integrator);
+    reportWithoutEffect(options, session.loaded->scene, session.settings.integrator);
     chooseLayers(options, session.loaded->scene.description, session.settings);
     if (options.profile) {
         session.profile.emplace();
-        session.profile->clock = createDeviceClock(session.device);
+        session.profile->clock = createGpuTimer(session.device);
         session.loaded->tracer.profile = &*session.profile;
     }
     session.renderer.emplace(session.device, session.loaded->tracer);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device with a scene on it, ready to render to files.
+// A device with a loaded scene, ready to render to files.
 #pragma once
 
 #include <memory>
@@ -14,13 +14,13 @@
 
 namespace pointrt {
 
-/// What lives on the device, freed in order however the run ends.
+/// The device's resources, freed in order however the run ends.
 struct RenderSession {
     Device device;
-    std::optional<PassProfile> profile; ///< where options want it
+    std::optional<PassProfile> profile; ///< with options.profile
     std::unique_ptr<LoadedScene> loaded;
     std::optional<ProgressiveRenderer> renderer; ///< of loaded
-    RenderSettings settings;                     ///< loaded's, with what the files are to hold
+    RenderSettings settings;                     ///< of loaded, with the film layers that the files need
     Camera camera;
 
     explicit RenderSession(const Options& options);
@@ -29,11 +29,11 @@ struct RenderSession {
     ~RenderSession();
 };
 
-/// Puts description on the device with what options say, and notes both in report. Throws Error as resolveSettings and
+/// Loads description onto the device with options, and describes both in report. Throws Error as resolveSettings and
 /// loadScene do.
 void loadSession(RenderSession& session, SceneDescription description, const Options& options, Report& report);
 
-/// Frees what it takes to trace, when the last sample is taken: what comes then takes as much memory again.
+/// Frees the memory of tracing after the last sample; the denoiser needs as much again.
 void dropRenderer(RenderSession& session);
 
 } // namespace pointrt

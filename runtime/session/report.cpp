@@ -21,8 +21,8 @@ double bootSeconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Field 22 of /proc/self/stat (proc(5)): the start in clock ticks after boot. Field 2, in parentheses, may have
-/// spaces.
+/// The start of the process after boot: field 22 of /proc/self/stat in clock ticks (proc(5)). Field 2, in parentheses,
+/// may contain spaces.
 std::optional<double> startAfterBoot() {
     std::ifstream file("/proc/self/stat");
     std::string line;
@@ -37,7 +37,7 @@ std::optional<double> startAfterBoot() {
     return ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
-/// Of at least one value.
+/// sorted: not empty
 double median(const std::vector<double>& sorted) {
     const std::size_t half = sorted.size() / 2;
     return sorted.size() % 2 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;

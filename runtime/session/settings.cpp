@@ -23,7 +23,7 @@ const NamedView& viewNamed(const SceneDescription& scene, const std::string& nam
                                          joinedNames(kStandardViewNames, ", ")};
 }
 
-/// Part by part, options' word or else filed's.
+/// Each part from options, else from the scene file.
 CameraRequest resolveCamera(const Options& options, const CameraRequest& filed) {
     CameraRequest camera = options.camera;
     if (!camera.eye) camera.eye = filed.eye;
@@ -41,7 +41,7 @@ CameraRequest resolveCamera(const Options& options, const CameraRequest& filed) 
     return camera;
 }
 
-/// Of the scene's camera only the lens.
+/// The scene's camera with only its lens, looking from a standard view.
 CameraRequest lookingFrom(StandardView view, const CameraRequest& filed) {
     CameraRequest camera = filed;
     camera.eye.reset();
@@ -56,16 +56,15 @@ CameraRequest filedCamera(const Options& options, const SceneDescription& scene)
     return viewNamed(scene, options.view).camera;
 }
 
-/// What is said of colours goes with a colouring, which the scene file may have.
+/// The colour options need a --color-by, possibly from the scene file.
 void requireColored(const RenderChoices& said, const std::string& color_by) {
     const char* const option = said.color_map                ? "--color-map"
                                : said.color_range            ? "--color-range"
                                : said.legend.value_or(false) ? "--legend"
                                                              : nullptr;
-    if (option && color_by == kOwnColors)
-        throw Error{ExitCode::kBadUsage, std::string(option) + ": goes with --color-by"};
+    if (option && color_by == kOwnColors) throw Error{ExitCode::kBadUsage, std::string(option) + ": needs --color-by"};
     if (option && color_by == kNormal)
-        throw Error{ExitCode::kBadUsage, std::string(option) + ": goes with numbers, and normals have none"};
+        throw Error{ExitCode::kBadUsage, std::string(option) + ": does not apply to --color-by normal"};
 }
 
 } // namespace
@@ -79,8 +78,8 @@ std::optional<StandardView> standardView(const Options& options, const SceneDesc
 }
 
 bool isNoisy(const RenderSettings& settings, const SceneDescription& scene) {
-    if (hasTrait(settings.integrator, INTEGRATOR_BY_CHANCE)) return true;
-    if (!showsLight(settings.integrator)) return false;
+    if (hasTrait(settings.integrator, INTEGRATOR_IS_STOCHASTIC)) return true;
+    if (!usesLights(settings.integrator)) return false;
     return std::any_of(scene.lights.begin(), scene.lights.end(), isSoft) || (scene.sky && !scene.sky->image.empty());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the command line and a scene file meet.
+// Merges the command line with the scene file.
 #pragma once
 
 #include <cstdint>
@@ -11,27 +11,28 @@
 
 namespace pointrt {
 
-/// The scene that options.scene names: a scene file, or a .pro that stands alone. Throws Error as readSceneFile does.
+/// The scene of options.scene: a scene file, or a single scan. Throws Error as readSceneFile does.
 SceneDescription describeScene(const Options& options);
 
-/// The command line's word, else the scene file's, else the default; of the camera's parts, each by itself. Samples are
-/// as many as can be where limits are given and --spp is not. Throws Error kBadUsage for a view that is not there.
+/// Each setting, and each part of the camera, from the command line, else from the scene file, else its default. With
+/// --time-limit or --noise and without --spp the number of samples is kMaxSpp. Throws Error kBadUsage for an unknown
+/// view.
 RenderSettings resolveSettings(const Options& options, const SceneDescription& scene);
 
-/// The other way round: scene with all that settings say in it, so that its file shows the same picture. scene: without
-/// what addSurroundings has added for the eye staged_for.
+/// The reverse: scene with settings, so that its scene file gives the same picture. scene: without the additions of
+/// addSurroundings; staged_for: the eye that these were placed for
 SceneDescription describeRun(SceneDescription scene, const RenderSettings& settings, Vec3 staged_for);
 
-/// The side of every scene that options.view names, but for a view of the scene that has that name.
+/// The standard view of options.view, unless the scene has a view of that name.
 std::optional<StandardView> standardView(const Options& options, const SceneDescription& scene);
 
-/// From here on noise is hardly seen, and what the denoiser takes off is detail.
+/// From this number of samples on noise is hardly visible, and the denoiser would remove detail.
 constexpr std::uint32_t kCleanSamplesOfLight = 256;
 
-/// True where samples of a pixel differ by more than its edges.
+/// True if samples of a pixel differ by more than antialiasing: random light paths, soft shadows.
 bool isNoisy(const RenderSettings& settings, const SceneDescription& scene);
 
-/// True where the denoiser is to run on a picture with this many samples a pixel. scene: with its surroundings.
+/// True if a picture with this many samples per pixel is to be denoised. scene: with its surroundings
 bool wantsDenoising(const Options& options, const RenderSettings& settings, const SceneDescription& scene,
                     std::uint32_t samples);
 

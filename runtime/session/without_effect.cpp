@@ -10,16 +10,16 @@ std::vector<std::string> optionsWithoutEffect(const Options& options, const Scen
         bool without_effect;
         const char* why;
     } kOptions[] = {
-        {"--memory", options.memory && !scene.has_tiles, "there are no tiles, of which it says how many may be held"},
-        {"--detail", said.detail && !scene.has_tiles, "there are no tiles to be coarser"},
-        {"--lights", said.lights && !scene.shows_light, "the picture shows no light"},
-        {"--bounces", said.bounces.value_or(0) > 0 && scene.shows_light && !scene.sends_on,
-         "nothing here reflects or refracts; --integrator path lets all surfaces light each other"},
-        {"--bounces", said.bounces && !scene.shows_light, "the picture shows no light"},
+        {"--memory", options.memory && !scene.has_tiles, "the scene has no tile sets"},
+        {"--detail", said.detail && !scene.has_tiles, "the scene has no tile sets"},
+        {"--lights", said.lights && !scene.uses_lights, "the integrator uses no lights"},
+        {"--bounces", said.bounces.value_or(0) > 0 && scene.uses_lights && !scene.has_secondary_rays,
+         "no surface reflects or refracts; use --integrator path for global illumination"},
+        {"--bounces", said.bounces && !scene.uses_lights, "the integrator uses no lights"},
     };
     std::vector<std::string> lines;
     for (const auto& [option, without_effect, why] : kOptions)
-        if (without_effect) lines.push_back(std::string(option) + " changes nothing: " + why);
+        if (without_effect) lines.push_back(std::string(option) + " has no effect: " + why);
     return lines;
 }
 

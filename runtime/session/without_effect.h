@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options that change nothing of a scene as it is, which nobody can know before it is loaded.
+// Warnings about options that have no effect on the loaded scene.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace pointrt {
 
-/// What decides whether an option has something to change.
+/// Properties of a scene that decide whether options have an effect.
 struct SceneTraits {
-    bool has_tiles = false;  ///< it has sets of tiles
-    bool sends_on = false;   ///< a surface reflects, refracts or scatters, as the integrator goes
-    bool shows_light = true; ///< the integrator is one of light, not of normals or depths
+    bool has_tiles = false;          ///< it has tile sets
+    bool has_secondary_rays = false; ///< with its integrator, a surface reflects, refracts or scatters
+    bool uses_lights = true;         ///< its integrator renders light, not normals or depths
 };
 
-/// A line for each option that was given and has nothing to change, without the tool's name.
+/// A line for each given option without effect, without the tool's name.
 std::vector<std::string> optionsWithoutEffect(const Options& options, const SceneTraits& scene);
 
 } // namespace pointrt

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include "runtime/studies/limits.h"
 #include "runtime/studies/number_table.h"
 #include "runtime/studies/sensor_keys.h"
+#include "runtime/studies/sensor_limits.h"
 #include "runtime/util/parse.h"
 
 namespace pointrt {
@@ -30,7 +30,7 @@ std::vector<LidarBeam> readBeams(const std::string& path) {
     const std::string owner = "a table of angles";
     const std::size_t azimuth = table.require("azimuth_deg", owner), elevation = table.require("elevation_deg", owner);
     const auto ring = table.find("ring"), delay = table.find("delay_s");
-    if (table.rows() > kMaxLidarBeams) table.refuse(kMaxLidarBeams, "a table has at most 16777216 beams");
+    if (table.rows() > kMaxLidarBeams) table.refuse(kMaxLidarBeams, "a table must have at most 16777216 beams");
     std::vector<LidarBeam> beams(table.rows());
     for (std::size_t row = 0; row < beams.size(); ++row) {
         LidarBeam& beam = beams[row];

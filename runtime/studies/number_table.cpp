@@ -22,23 +22,22 @@ void takeNames(const std::vector<std::string_view>& words, std::uint32_t line, N
     for (const std::string_view word : words) {
         if (parseNumber(std::string(word), number))
             refuseLine(table.path, line,
-                       "the first line must name the columns, and \"" + printable(word) + "\" is a number");
+                       "the first line must name the columns, but \"" + printable(word) + "\" is a number");
         table.names.push_back(lowerCase(word));
         if (std::count(table.names.begin(), table.names.end(), table.names.back()) > 1)
-            refuseLine(table.path, line, "there are two columns \"" + printable(word) + "\"");
+            refuseLine(table.path, line, "duplicate column \"" + printable(word) + "\"");
     }
 }
 
 void takeRow(const std::vector<std::string_view>& words, std::uint32_t line, NumberTable& table) {
     if (words.size() != table.names.size())
         refuseLine(table.path, line,
-                   "there are " + std::to_string(words.size()) + " numbers under " +
-                       std::to_string(table.names.size()) + " names");
+                   std::to_string(words.size()) + " numbers in " + std::to_string(table.names.size()) + " columns");
     for (std::string_view word : words) {
         if (word.starts_with('+')) word.remove_prefix(1);
         double number = 0;
         if (!parseNumber(std::string(word), number) || !std::isfinite(number))
-            refuseLine(table.path, line, "\"" + printable(word) + "\" is no finite number");
+            refuseLine(table.path, line, "\"" + printable(word) + "\" is not a finite number");
         table.numbers.push_back(number);
     }
     table.lines.push_back(line);
@@ -54,10 +53,10 @@ std::optional<std::size_t> NumberTable::find(std::string_view name) const {
 
 std::size_t NumberTable::require(std::string_view name, const std::string& owner) const {
     if (const auto column = find(name)) return *column;
-    std::string there;
-    for (const std::string& each : names) there += (there.empty() ? "" : ", ") + printable(each);
-    throw Error(ExitCode::kBadInput, path + ": there is no column \"" + std::string(name) + "\", which " + owner +
-                                         " must have, but " + there);
+    std::string columns;
+    for (const std::string& each : names) columns += (columns.empty() ? "" : ", ") + printable(each);
+    throw Error(ExitCode::kBadInput,
+                path + ": " + owner + " needs the column \"" + std::string(name) + "\"; there are " + columns);
 }
 
 void NumberTable::refuse(std::size_t row, const std::string& reason) const { refuseLine(path, lines[row], reason); }
@@ -77,7 +76,7 @@ NumberTable readNumberTable(const std::string& path) {
         else
             takeRow(words, line, table);
     }
-    if (table.lines.empty()) throw Error(ExitCode::kBadInput, path + ": there is no row of numbers in it");
+    if (table.lines.empty()) throw Error(ExitCode::kBadInput, path + ": no row of numbers");
     return table;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text files of numbers in columns that have names.
+// Text files with named columns of numbers.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace pointrt {
 
-/// Numbers of a file, row by row; all of them finite.
+/// The rows of a file; all numbers are finite.
 struct NumberTable {
     std::string path;
     std::vector<std::string> names;   ///< of the columns, lower case
@@ -21,14 +21,15 @@ struct NumberTable {
     std::size_t rows() const { return lines.size(); }
     double at(std::size_t row, std::size_t column) const { return numbers[row * names.size() + column]; }
     std::optional<std::size_t> find(std::string_view name) const;
-    /// Throws Error kBadInput where the table has it not. owner: what should have it, "a trajectory".
+    /// Throws Error kBadInput if there is no such column.
+    /// @param owner of the column, for messages: "a trajectory"
     std::size_t require(std::string_view name, const std::string& owner) const;
     /// Throws Error kBadInput "FILE:LINE: reason".
     [[noreturn]] void refuse(std::size_t row, const std::string& reason) const;
 };
 
-/// Columns are apart by commas, semicolons or blanks; empty lines, and those that begin with #, are passed over; the
-/// first of the others names the columns. Throws Error kBadInput "FILE[:LINE]: reason", where there is no row, too.
+/// Columns are separated by commas, semicolons or blanks. Skips empty lines and comments starting with #; the first
+/// other line names the columns. Throws Error kBadInput "FILE[:LINE]: reason", also if there is no row.
 NumberTable readNumberTable(const std::string& path);
 
 } // namespace pointrt

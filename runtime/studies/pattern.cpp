@@ -14,7 +14,7 @@ Vec3 directionOf(double azimuth_deg, double elevation_deg) {
     return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
 }
 
-/// Degrees that so many steps come to, whole turns left out.
+/// The angle after this many steps, in degrees modulo 360.
 double turned(std::uint64_t number, double step_deg) { return std::fmod(static_cast<double>(number) * step_deg, 360); }
 
 FiringTimes timesOf(const LidarSpinning& spinning) {
@@ -35,7 +35,7 @@ LidarPulse pulseIn(const LidarSpinning& spinning, std::uint64_t period, std::uin
 
 LidarPulse pulseIn(const LidarFlash& flash, std::uint64_t, std::uint64_t pixel) {
     const std::uint64_t column = pixel % flash.width, row = pixel / flash.width;
-    // from the picture's left and upper edge to the other one: 1 to -1
+    // 1 at the left and upper edge of the frame, -1 at the right and lower one
     const auto across = [](std::uint64_t place, std::uint32_t count) {
         return 1 - (2 * static_cast<double>(place) + 1) / count;
     };
@@ -44,7 +44,7 @@ LidarPulse pulseIn(const LidarFlash& flash, std::uint64_t, std::uint64_t pixel) 
     return {0, normalize({1, left, up}), static_cast<std::uint16_t>(row), 0};
 }
 
-/// -1 to 1 and back in the course of a cycle.
+/// From -1 to 1 and back within a cycle.
 double swing(double cycles, bool sinusoidal) {
     const double phase = cycles - std::floor(cycles);
     if (sinusoidal) return -std::cos(2 * std::numbers::pi * phase);

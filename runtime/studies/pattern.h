@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which way each pulse of a scanner goes, and when.
+// Direction and time of each pulse of a scan pattern.
 #pragma once
 
 #include <cstdint>
@@ -9,23 +9,23 @@
 
 namespace pointrt {
 
-/// A pattern fires again and again: so many pulses each period.
+/// A pattern repeats: it fires pulses pulses in each period.
 struct FiringTimes {
     double period_s = 0;
     std::uint64_t pulses = 0;
-    double cycle_s = 0; ///< until all directions have come once: a turn, a frame, there and back
+    double cycle_s = 0; ///< until every direction has occurred: a rotation, a frame, a sweep and back
 };
 
 FiringTimes firingTimes(const LidarPattern& pattern);
 
 struct LidarPulse {
-    double delay_s = 0; ///< behind the run's start
-    Vec3 direction;     ///< unit length, scanner's frame
+    double delay_s = 0; ///< after the start of the run
+    Vec3 direction;     ///< unit length, in the scanner's frame
     std::uint16_t ring = 0;
     float scan_angle_deg = 0;
 };
 
-/// The pulse of this number, from 0.
+/// @param number of the pulse, from 0
 LidarPulse pulseOf(const LidarPattern& pattern, std::uint64_t number);
 
 } // namespace pointrt

@@ -2,8 +2,8 @@
 #include <array>
 #include <filesystem>
 
-#include "runtime/studies/limits.h"
 #include "runtime/studies/sensor_keys.h"
+#include "runtime/studies/sensor_limits.h"
 
 namespace pointrt {
 namespace {
@@ -14,14 +14,14 @@ double numberIn(const SceneValue& table, std::string_view key, LidarLimit limit)
 
 std::vector<double> elevationsOf(const SceneValue& list) {
     if (!list.node->is_array() || list.node->as_array()->empty()) refuse(list, "must be a list of numbers");
-    if (list.node->as_array()->size() > kMaxLidarRings) refuse(list, "has at most 65536 numbers");
+    if (list.node->as_array()->size() > kMaxLidarRings) refuse(list, "must have at most 65536 numbers");
     std::vector<double> elevations;
     for (const SceneValue& each : elementsOf(list))
         elevations.push_back(numberOf(each, {kLidarElevations.low, kLidarElevations.high}));
     return elevations;
 }
 
-/// So many from the lowest to the highest, evenly.
+/// `beams` elevations, evenly spaced from the lowest to the highest.
 std::vector<double> evenElevations(const SceneValue& table) {
     const std::uint32_t count = wholeNumberOf(*find(table, "beams"), 1, kMaxLidarRings);
     const double lowest = numberIn(table, "lowest_deg", kLidarElevations);
@@ -76,10 +76,10 @@ LidarOscillating oscillatingOf(const SceneValue& table) {
 
 LidarTable tableOf(const SceneValue& table) {
     requireKnownKeys(table, "a table of angles", {"file", "repeat_hz"});
-    LidarTable pattern{readBeams(besideOf(require(table, "file"))), numberIn(table, "repeat_hz", kLidarRates)};
+    LidarTable pattern{readBeams(relativePath(require(table, "file"))), numberIn(table, "repeat_hz", kLidarRates)};
     for (const LidarBeam& beam : pattern.beams)
         if (beam.delay_s * pattern.repeat_hz > 1)
-            refuse(*find(table, "file"), "a delay_s in it is longer than a pattern, which is 1 / repeat_hz");
+            refuse(*find(table, "file"), "a delay_s is longer than the period 1 / repeat_hz");
     return pattern;
 }
 
@@ -115,7 +115,7 @@ LidarPattern readPattern(const SceneValue& file) {
     return found->read(*find(file, found->name));
 }
 
-std::string besideOf(const SceneValue& value) {
+std::string relativePath(const SceneValue& value) {
     return (std::filesystem::path(*value.file).parent_path() / textOf(value)).string();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random numbers by their number: the same for whoever asks, in any order.
+// Counter-based random numbers: independent of threads and of the order of calls.
 #pragma once
 
 #include <array>
@@ -7,10 +7,10 @@
 
 namespace pointrt {
 
-/// Philox4x32-10 of Salmon, Moraes, Dror and Shaw, "Parallel random numbers: as easy as 1, 2, 3" (SC 2011): what it
-/// gives for each counter is independent of what it gives for all others.
+/// Philox4x32-10 of Salmon, Moraes, Dror and Shaw, "Parallel random numbers: as easy as 1, 2, 3" (SC 2011). Results for
+/// different counters are independent.
 constexpr std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key) {
-    constexpr std::uint64_t kMultipliers[2] = {0xD2511F53, 0xCD9E8D57}; // the paper's, as are the steps of the key
+    constexpr std::uint64_t kMultipliers[2] = {0xD2511F53, 0xCD9E8D57}; // from the paper, as are the steps of the key
     constexpr std::uint32_t kKeySteps[2] = {0x9E3779B9, 0xBB67AE85};    // golden ratio, sqrt(3) - 1
     for (int round = 0; round < 10; ++round) {
         const std::uint64_t a = kMultipliers[0] * counter[0], b = kMultipliers[1] * counter[2];
@@ -21,8 +21,8 @@ constexpr std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> count
     return counter;
 }
 
-/// What a pulse asks random numbers for.
-enum class LidarChance : std::uint32_t { kDrop, kTurn, kRange };
+/// The uses of random numbers, which are independent streams.
+enum class LidarDraw : std::uint32_t { kDrop, kFootprint, kRange };
 
 /// The random numbers of one run.
 class LidarRandom {
@@ -30,13 +30,13 @@ public:
     explicit LidarRandom(std::uint64_t seed)
         : key_{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)} {}
 
-    /// Above 0 and below 1, evenly.
-    double uniform(std::uint64_t pulse, LidarChance what) const;
-    /// Of mean 0 and standard deviation 1, for the pulse's return of this number.
-    double gaussian(std::uint64_t pulse, LidarChance what, std::uint32_t number) const;
+    /// Uniform in (0, 1).
+    double uniform(std::uint64_t pulse, LidarDraw what) const;
+    /// Mean 0 and standard deviation 1, for one return of a pulse.
+    double gaussian(std::uint64_t pulse, LidarDraw what, std::uint32_t number) const;
 
 private:
-    std::array<std::uint32_t, 4> words(std::uint64_t pulse, LidarChance what, std::uint32_t number) const {
+    std::array<std::uint32_t, 4> words(std::uint64_t pulse, LidarDraw what, std::uint32_t number) const {
         return philox({static_cast<std::uint32_t>(pulse), static_cast<std::uint32_t>(pulse >> 32), number,
                        static_cast<std::uint32_t>(what)},
                       key_);

@@ -9,7 +9,7 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& reason) { throw TraceError(TraceError::Kind::kBadUsage, reason); }
 
-/// Of what is measured: 0 where it is not.
+/// 0 for an invalid measurement.
 double sizeAt(std::span<const float> sizes, std::size_t row, double otherwise) {
     if (sizes.empty()) return otherwise;
     const double size = sizes[row];
@@ -20,13 +20,13 @@ double sizeAt(std::span<const float> sizes, std::size_t row, double otherwise) {
 
 void requireRows(const StudyPoints& points, std::size_t count, const StudyRules& rules) {
     const auto require = [](bool holds, const char* what) {
-        if (!holds) refuse(std::string(what) + " must have a row for each point");
+        if (!holds) refuse(std::string(what) + " must have one row per point");
     };
     require(points.positions.size() == 3 * count, "results");
     require(points.normals.empty() || points.normals.size() == 3 * count, "normals");
     require(points.radii.empty() || points.radii.size() == count, "radii");
     require(points.noise.empty() || points.noise.size() == count, "noise");
-    if (!(rules.radius >= 0 && std::isfinite(rules.radius))) refuse("a radius must be 0 or more and finite");
+    if (!(rules.radius >= 0 && std::isfinite(rules.radius))) refuse("the radius must be finite and at least 0");
 }
 
 StudyDisc discAt(const StudyPoints& points, std::size_t row, const StudyRules& rules) {

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows of a study's arrays as discs.
+// From rows of arrays to discs.
 #pragma once
 
 #include <cstddef>
 
 #include "pointrt/studies.hpp"
-#include "runtime/studies/departure.h"
+#include "runtime/studies/visibility_ray.h"
 
 namespace pointrt {
 
-/// Throws TraceError kBadUsage where the arrays do not have the same number of rows, count, or rules are none.
+/// Throws TraceError kBadUsage if an array has other than count rows, or the rules are invalid.
 void requireRows(const StudyPoints& points, std::size_t count, const StudyRules& rules);
 
-/// Throws TraceError kBadInput "point N: ..." where the position is not finite.
+/// Throws TraceError kBadInput "point N: ..." if the position is not finite.
 StudyDisc discAt(const StudyPoints& points, std::size_t row, const StudyRules& rules);
 
 } // namespace pointrt

@@ -14,7 +14,7 @@ namespace {
 
 using Source = LidarReflectance::Source;
 
-constexpr const char* kIntensity = "intensity"; // SPEC.md's name for what a scanner measured
+constexpr const char* kIntensity = "intensity"; // the name in SPEC.md for measured intensities
 
 std::optional<SceneAttribute> find(const TraceScene& scene, const std::string& name) {
     for (const SceneAttribute& each : scene.attributes())
@@ -23,13 +23,13 @@ std::optional<SceneAttribute> find(const TraceScene& scene, const std::string& n
 }
 
 [[noreturn]] void refuse(const TraceScene& scene, const std::string& name) {
-    std::string there;
-    for (const SceneAttribute& each : scene.attributes()) there += (there.empty() ? "" : ", ") + each.name;
-    throw TraceError(TraceError::Kind::kBadUsage, "the sensor's reflectance is of the attribute " + name +
-                                                      ", and the scene has " + (there.empty() ? "none" : there));
+    std::string names;
+    for (const SceneAttribute& each : scene.attributes()) names += (names.empty() ? "" : ", ") + each.name;
+    throw TraceError(TraceError::Kind::kBadUsage, "the sensor's reflectance needs the attribute " + name +
+                                                      ", but the scene has " + (names.empty() ? "none" : names));
 }
 
-/// Linear light of sRGB's bytes (IEC 61966-2-1).
+/// Linear light for each sRGB byte (IEC 61966-2-1).
 std::array<float, 256> linearOfBytes() {
     std::array<float, 256> linear{};
     for (std::size_t i = 0; i < linear.size(); ++i) {
@@ -41,7 +41,7 @@ std::array<float, 256> linearOfBytes() {
 
 } // namespace
 
-LidarSurface::LidarSurface(const TraceScene& scene, const LidarReflectance& reflectance)
+ReflectanceLookup::ReflectanceLookup(const TraceScene& scene, const LidarReflectance& reflectance)
     : scene_(scene), reflectance_(reflectance) {
     if (reflectance_.source == Source::kScan) {
         reflectance_.source = find(scene, kIntensity) ? Source::kAttribute : Source::kColor;
@@ -54,36 +54,36 @@ LidarSurface::LidarSurface(const TraceScene& scene, const LidarReflectance& refl
     if (reflectance_.white == 0) reflectance_.white = attribute_.high > 0 ? attribute_.high : 1;
 }
 
-void LidarSurface::look(const LidarHitIds& hits, std::span<float> reflectances) {
+void ReflectanceLookup::lookUp(const HitIds& hits, std::span<float> reflectances) {
     const auto value = static_cast<float>(reflectance_.value);
     if (reflectance_.source == Source::kConstant) return std::fill(reflectances.begin(), reflectances.end(), value);
     if (reflectance_.source == Source::kAttribute) {
-        room_.resize(reflectances.size() * attribute_.bytes);
-        scene_.readAttribute(attribute_.name, hits.splats, hits.instances, hits.tiles, room_);
-        lookAtAttribute(reflectances);
+        buffer_.resize(reflectances.size() * attribute_.bytes);
+        scene_.readAttribute(attribute_.name, hits.splats, hits.instances, hits.tiles, buffer_);
+        fromAttribute(reflectances);
     } else {
-        room_.resize(reflectances.size() * 3);
+        buffer_.resize(reflectances.size() * 3);
         scene_.readColors(hits.splats, hits.instances, hits.tiles,
-                          {reinterpret_cast<std::uint8_t*>(room_.data()), room_.size()});
-        lookAtColors(reflectances);
+                          {reinterpret_cast<std::uint8_t*>(buffer_.data()), buffer_.size()});
+        fromColors(reflectances);
     }
     for (std::size_t i = 0; i < reflectances.size(); ++i)
         if (hits.instances[i] == kShapesInstance) reflectances[i] = value;
 }
 
-void LidarSurface::lookAtColors(std::span<float> reflectances) const {
+void ReflectanceLookup::fromColors(std::span<float> reflectances) const {
     static const std::array<float, 256> kLinear = linearOfBytes();
-    const auto light = [&](std::size_t i) { return kLinear[std::to_integer<std::size_t>(room_[i])]; };
+    const auto light = [&](std::size_t i) { return kLinear[std::to_integer<std::size_t>(buffer_[i])]; };
     for (std::size_t i = 0; i < reflectances.size(); ++i)
         reflectances[i] = luminance<float>(light(3 * i), light(3 * i + 1), light(3 * i + 2));
 }
 
-/// The first number where there are several; what is none, or below 0, is black.
-void LidarSurface::lookAtAttribute(std::span<float> reflectances) const {
+/// Uses the first component. NaN and negative numbers are black.
+void ReflectanceLookup::fromAttribute(std::span<float> reflectances) const {
     pro_attribute numbers{};
     numbers.type = attribute_.type;
     numbers.components = attribute_.components;
-    numbers.values = room_.data();
+    numbers.values = buffer_.data();
     for (std::size_t i = 0; i < reflectances.size(); ++i) {
         const double share = pro_attribute_value(&numbers, i * attribute_.components) / reflectance_.white;
         reflectances[i] = share > 0 ? static_cast<float>(std::min(share, 1.0)) : 0.0f;

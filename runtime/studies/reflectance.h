@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much of the light the scene's splats send back.
+// Reflectances of the splats that rays hit.
 #pragma once
 
 #include <cstddef>
@@ -11,28 +11,28 @@
 
 namespace pointrt {
 
-/// What was hit, as castRays tells it.
-struct LidarHitIds {
+/// IDs of hits, as from castRays.
+struct HitIds {
     std::span<const std::uint32_t> splats, instances;
-    std::span<const std::uint32_t> tiles; ///< empty where the scene has no tile sets
+    std::span<const std::uint32_t> tiles; ///< empty for scenes without tile sets
 };
 
-class LidarSurface {
+class ReflectanceLookup {
 public:
-    /// Throws TraceError kBadUsage where the scene has not the attribute that reflectance names.
-    LidarSurface(const TraceScene& scene, const LidarReflectance& reflectance);
+    /// Throws TraceError kBadUsage if the scene lacks the attribute that reflectance names.
+    ReflectanceLookup(const TraceScene& scene, const LidarReflectance& reflectance);
 
-    /// Reflectances of what was hit; those of misses mean nothing.
-    void look(const LidarHitIds& hits, std::span<float> reflectances);
+    /// Writes a reflectance for each hit; those of misses are undefined.
+    void lookUp(const HitIds& hits, std::span<float> reflectances);
 
 private:
-    void lookAtColors(std::span<float> reflectances) const;
-    void lookAtAttribute(std::span<float> reflectances) const;
+    void fromColors(std::span<float> reflectances) const;
+    void fromAttribute(std::span<float> reflectances) const;
 
     const TraceScene& scene_;
     LidarReflectance reflectance_; ///< source is never kScan
     SceneAttribute attribute_;
-    std::vector<std::byte> room_;
+    std::vector<std::byte> buffer_;
 };
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a receiver makes of the rays of one beam.
+// From ray echoes to the returns of a beam.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace pointrt {
 
-/// Where one ray of a beam was sent back.
-struct LidarTouch {
+/// The reflection of one ray of a beam.
+struct RayEcho {
     double range = 0;
     double power = 0;
     float cosine = 0; ///< of the incidence
@@ -17,13 +17,12 @@ struct LidarTouch {
 };
 
 struct LidarReturn {
-    double range = 0;     ///< mean of its touches, weighted by power
-    double power = 0;     ///< sum of theirs
-    LidarTouch strongest; ///< of them; the nearest of equal ones
+    double range = 0;  ///< mean of its echoes, weighted by power
+    double power = 0;  ///< sum over its echoes
+    RayEcho strongest; ///< echo; the nearest one on ties
 };
 
-/// Sorts touches by range and parts them where the next one is more than resolution away. The result is in place of
-/// what was in returns, nearest first.
-void findReturns(std::span<LidarTouch> touches, double resolution, std::vector<LidarReturn>& returns);
+/// Sorts echoes by range and starts a new return at each gap wider than resolution. Overwrites returns, nearest first.
+void findReturns(std::span<RayEcho> echoes, double resolution, std::vector<LidarReturn>& returns);
 
 } // namespace pointrt

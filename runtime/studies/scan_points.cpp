@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pointrt/studies.hpp"
 #include "runtime/cast/translated.h"
-#include "runtime/studies/target_points.h"
+#include "runtime/studies/instance_points.h"
 
 namespace pointrt {
 

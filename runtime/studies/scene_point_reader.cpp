@@ -2,40 +2,40 @@
 #include <optional>
 
 #include "format/set/core_splats.h"
-#include "runtime/cast/describe_targets.h"
+#include "runtime/cast/describe_instances.h"
 #include "runtime/cast/translated.h"
-#include "runtime/studies/target_points.h"
+#include "runtime/studies/instance_points.h"
 
 namespace pointrt {
 
 struct ScenePointReader::State {
-    TargetList list;
-    std::size_t target = 0, splat = 0; ///< the next one
-    std::uint64_t found = 0;           ///< points of the target before it
-    std::optional<ProFile> file;       ///< the target's
+    InstanceList list;
+    std::size_t instance = 0, splat = 0; ///< indices of the next splat
+    std::uint64_t found = 0;             ///< points of the instance so far
+    std::optional<ProFile> file;         ///< of the instance
 
-    /// Whether there is a next splat.
+    /// Opens the next instance when needed. False if no splats are left.
     bool findNext() {
-        while (target < list.targets.size()) {
-            if (!file) file.emplace(openTarget(list, list.targets[target]));
+        while (instance < list.instances.size()) {
+            if (!file) file.emplace(openInstance(list, list.instances[instance]));
             if (splat < file->info().splat_count) return true;
-            requireCount(list, list.targets[target], found);
+            requireCount(list, list.instances[instance], found);
             file.reset();
             splat = 0;
             found = 0;
-            ++target;
+            ++instance;
         }
         return false;
     }
 
-    /// Points of the target up to most in all.
+    /// Appends points of the instance until points has `most`.
     void take(std::size_t most, ScenePoints& points) {
-        const Target& from = list.targets[target];
+        const CastInstance& from = list.instances[instance];
         for (; splat < file->info().splat_count && points.radii.size() < most; ++splat) {
             if (from.tile != kNoTile && !isInCore(file->splat(splat))) continue;
             addPoint(*file, splat, from.placement, points);
             points.splat_ids.push_back(static_cast<std::uint32_t>(splat));
-            points.instance_ids.push_back(from.instance);
+            points.instance_ids.push_back(from.scene_instance);
             points.tile_ids.push_back(from.tile);
             ++found;
         }
@@ -46,7 +46,7 @@ static_assert(kNoTile == kNoHit);
 
 ScenePointReader::ScenePointReader(const std::vector<std::string>& paths)
     : state_(translated([&] {
-          return std::make_unique<State>(State{describeTargets(paths), 0, 0, 0, {}});
+          return std::make_unique<State>(State{describeInstances(paths), 0, 0, 0, {}});
       })) {}
 ScenePointReader::~ScenePointReader() = default;
 ScenePointReader::ScenePointReader(ScenePointReader&&) noexcept = default;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What scenes say of the world around them.
+// Up, coordinate system and orientation of a scene.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 namespace pointrt {
 
 struct SceneWorld {
-    Vec3 up;              ///< unit length; 0: nothing says
-    std::string crs;      ///< of the first scan that names one; or ""
+    Vec3 up;              ///< unit length; 0 if unknown
+    std::string crs;      ///< of the first scan with one, else ""
     Placement placement;  ///< of that scan
-    bool oriented = true; ///< all normals say which side is outside
+    bool oriented = true; ///< all scans have oriented normals
 };
 
-/// Of a .pro, a tile set or a scene file. Of a scene file's instances the first one that says what is up, as it stands,
-/// where the scene does not. Throws Error or ProError as opening these does.
+/// Reads a .pro, a tile set or a scene file. A scene file without an up of its own takes that of its first instance
+/// with one, as placed. Throws Error or ProError.
 SceneWorld sceneWorld(const std::string& path);
 
 } // namespace pointrt

@@ -3,14 +3,14 @@
 
 #include "format/base/error.h"
 #include "runtime/cast/translated.h"
-#include "runtime/studies/limits.h"
 #include "runtime/studies/sensor_keys.h"
+#include "runtime/studies/sensor_limits.h"
 #include "runtime/util/input_file.h"
 
 namespace pointrt {
 namespace {
 
-/// A list of 65536 elevations with room for comments; what is longer is no sensor.
+/// Room for 65536 elevations and comments.
 constexpr std::size_t kMaxSensorBytes = std::size_t{4} << 20;
 
 constexpr Range rangeOf(LidarLimit limit) { return {limit.low, limit.high}; }
@@ -35,11 +35,11 @@ void readBeam(const SceneValue& file, LidarSensor& sensor) {
     if (const auto rays = find(*table, "rays")) sensor.rays = wholeNumberOf(*rays, 1, kMaxLidarRays);
     if (sensor.rays > 1 && sensor.range_resolution_m == 0)
         refuse(*find(*table, "rays"),
-               "several rays need \"range.resolution_m\": what is nearer together is one return");
+               "several rays need \"range.resolution_m\", below which surfaces merge into one return");
     if (sensor.rays == 1 && sensor.divergence_mrad > 0)
-        refuse(*find(*table, "divergence_mrad"), "says nothing of a single ray: \"rays\" gives the beam more");
+        refuse(*find(*table, "divergence_mrad"), "has no effect on a single ray; raise \"rays\"");
     if (sensor.rays > 1 && sensor.divergence_mrad == 0)
-        refuse(*find(*table, "rays"), "are all the same one without \"divergence_mrad\"");
+        refuse(*find(*table, "rays"), "would coincide without \"divergence_mrad\"");
 }
 
 void readReturns(const SceneValue& file, LidarSensor& sensor) {
@@ -54,7 +54,7 @@ void readReturns(const SceneValue& file, LidarSensor& sensor) {
     if (const auto most = find(*table, "most")) sensor.most_returns = wholeNumberOf(*most, 1, kMaxLidarReturns);
 }
 
-/// A number for all, "color", or "scan".
+/// A number from 0 to 1, "color", or "scan".
 void readReflectance(const SceneValue& value, LidarReflectance& reflectance) {
     using Source = LidarReflectance::Source;
     if (value.node->is_number()) {
@@ -78,7 +78,7 @@ void readIntensity(const SceneValue& file, LidarSensor& sensor) {
         reflectance.source = LidarReflectance::Source::kAttribute;
         reflectance.attribute = textOf(*name);
     } else {
-        forbid(*table, {"attribute_white"}, "says nothing without \"attribute\"");
+        forbid(*table, {"attribute_white"}, "has no effect without \"attribute\"");
     }
     takeNumber(*table, "attribute_white", rangeOf(kLidarSomeNumbers), reflectance.white);
     takeNumber(*table, "reference_m", rangeOf(kLidarSomeLengths), sensor.reference_range_m);
@@ -101,7 +101,7 @@ std::array<double, 4> quaternionOf(const SceneValue& list) {
     std::size_t i = 0;
     for (const SceneValue& each : elementsOf(list)) q[i++] = numberOf(each, kCoordinates);
     if (!(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] > kSmallest * kSmallest))
-        refuse(list, "is 0, which is no rotation");
+        refuse(list, "is 0, which is not a rotation");
     return q;
 }
 
@@ -127,7 +127,7 @@ std::vector<LidarPose> readWhere(const SceneValue& file) {
     const auto pose = findTable(file, "pose"), trajectory = find(file, "trajectory");
     if (pose && trajectory) refuse(*trajectory, "excludes [pose]");
     if (pose) return {poseOf(*pose)};
-    return trajectory ? readPoses(besideOf(*trajectory)) : std::vector<LidarPose>{};
+    return trajectory ? readPoses(relativePath(*trajectory)) : std::vector<LidarPose>{};
 }
 
 LidarSensorFile parse(std::string_view text, const std::string& path) {
@@ -157,7 +157,7 @@ LidarSensorFile readLidarSensor(const std::string& path) {
     return translated([&] {
         const std::vector<std::uint8_t> bytes = readFileStart(path, kMaxSensorBytes + 1);
         if (bytes.size() > kMaxSensorBytes)
-            throw Error(ExitCode::kBadInput, path + ": a sensor file has at most 4 MiB");
+            throw Error(ExitCode::kBadInput, path + ": larger than 4 MiB, so not a sensor file");
         return parse({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path);
     });
 }

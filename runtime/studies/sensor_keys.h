@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of a sensor file that have files of their own.
+// Parts of the reader of sensor files.
 #pragma once
 
 #include <string>
@@ -10,18 +10,18 @@
 
 namespace pointrt {
 
-/// The one of [spinning], [flash], [oscillating] and [table] that the file has.
+/// Reads the one table of [spinning], [flash], [oscillating] and [table].
 LidarPattern readPattern(const SceneValue& file);
-/// Names of those tables.
+/// The names of these tables.
 std::vector<std::string_view> patternTables();
 
-/// Beams of a text file: columns azimuth_deg and elevation_deg, and ring and delay_s where there are any. Throws Error
+/// Reads a text file of beams with the columns azimuth_deg, elevation_deg and optionally ring and delay_s. Throws Error
 /// kBadInput "FILE[:LINE]: reason".
 std::vector<LidarBeam> readBeams(const std::string& path);
-/// As readLidarTrajectory, but throws Error.
+/// readLidarTrajectory that throws Error.
 std::vector<LidarPose> readPoses(const std::string& path);
 
-/// The file that value names, beside the one that it stands in.
-std::string besideOf(const SceneValue& value);
+/// The path that value names, relative to the file that contains value.
+std::string relativePath(const SceneValue& value);
 
 } // namespace pointrt

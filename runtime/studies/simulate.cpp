@@ -3,20 +3,21 @@
 #include <cmath>
 
 #include "format/base/parallel.h"
-#include "runtime/studies/aim.h"
-#include "runtime/studies/check.h"
-#include "runtime/studies/measure.h"
+#include "runtime/studies/pulse_rays.h"
+#include "runtime/studies/receiver.h"
 #include "runtime/studies/reflectance.h"
+#include "runtime/studies/sensor_check.h"
 
 namespace pointrt {
 namespace {
 
-/// Doubles count whole numbers up to here.
+/// Doubles hold all integers up to here.
 constexpr double kMostPulses = 0x1p53;
-/// A block's work is handed to cores in so many parts: enough for many of them, and each takes longer than its start.
+/// Tasks of a block: enough for many cores, and each takes much longer than its start.
 constexpr std::size_t kSlices = 64;
 
-/// Of periods that start before the end; one within a millionth of it does not, since times are rounded.
+/// Pulses of all periods that start before the end. Times are rounded, so a period that starts within a millionth of a
+/// period before the end does not count.
 std::uint64_t pulsesWithin(double duration_s, const FiringTimes& times) {
     const double periods = std::ceil(duration_s / times.period_s * (1 - 1e-12) - 1e-6);
     const double pulses = std::max(periods, 1.0) * static_cast<double>(times.pulses);
@@ -37,16 +38,16 @@ double unitOf(const TraceScene& scene, const LidarRun& run) {
     return scene.metresPerUnit() > 0 ? scene.metresPerUnit() : 1;
 }
 
-/// Consecutive pulses, their rays, and what those hit.
+/// Consecutive pulses with their rays and hits.
 struct Block {
-    std::vector<LidarShot> shots;
+    std::vector<FiredPulse> pulses_fired;
     std::vector<double> rays, t;
     std::vector<std::uint32_t> splat_ids, instance_ids, tile_ids;
     std::vector<float> normals, reflectances;
 
     void resize(std::size_t pulses, std::size_t rays_per_pulse, bool has_tiles) {
         const std::size_t count = pulses * rays_per_pulse;
-        shots.resize(pulses);
+        pulses_fired.resize(pulses);
         rays.resize(6 * count);
         t.resize(count);
         splat_ids.resize(count);
@@ -55,7 +56,7 @@ struct Block {
         normals.resize(3 * count);
         reflectances.resize(count);
     }
-    LidarHits hitsOf(std::size_t pulse, std::size_t rays_per_pulse) const {
+    PulseHits hitsOf(std::size_t pulse, std::size_t rays_per_pulse) const {
         const std::size_t first = pulse * rays_per_pulse;
         const auto part = [&](const auto& all, std::size_t width) {
             return std::span(all).subspan(width * first, width * rays_per_pulse);
@@ -65,7 +66,7 @@ struct Block {
     }
 };
 
-/// work(first, end, slice) on all cores, with [0, count) in slices.
+/// Calls work(first, end, slice) on all cores for each slice [first, end) of [0, count).
 template <typename Work>
 void inSlices(std::size_t count, const Work& work) {
     forAll(kSlices, [&](std::size_t s) { work(count * s / kSlices, count * (s + 1) / kSlices, s); });
@@ -74,40 +75,41 @@ void inSlices(std::size_t count, const Work& work) {
 class Simulation {
 public:
     Simulation(const TraceScene& scene, const LidarSensor& sensor, const LidarRun& run)
-        : scene_(scene), sensor_(sensor), unit_(unitOf(scene, run)), aim_(sensor, run),
-          surface_(scene, sensor.reflectance), meters_(kSlices, LidarMeter(sensor, run.seed, unit_)), parts_(kSlices) {}
+        : scene_(scene), sensor_(sensor), unit_(unitOf(scene, run)), generator_(sensor, run),
+          reflectance_(scene, sensor.reflectance), receivers_(kSlices, LidarReceiver(sensor, run.seed, unit_)),
+          parts_(kSlices) {}
 
     void fire(std::uint64_t first, std::size_t pulses, LidarPoints& points) {
-        const std::size_t rays = aim_.raysPerPulse();
+        const std::size_t rays = generator_.raysPerPulse();
         block_.resize(pulses, rays, scene_.hasTiles());
-        inSlices(pulses, [&](std::size_t from, std::size_t end, std::size_t) { aim(first, from, end); });
+        inSlices(pulses, [&](std::size_t from, std::size_t end, std::size_t) { generateRays(first, from, end); });
         scene_.castRays(std::span<const double>(block_.rays), {0, sensor_.max_range_m / unit_},
                         {block_.t, block_.splat_ids, block_.instance_ids, block_.normals, {}, block_.tile_ids});
-        surface_.look({block_.splat_ids, block_.instance_ids, block_.tile_ids}, block_.reflectances);
+        reflectance_.lookUp({block_.splat_ids, block_.instance_ids, block_.tile_ids}, block_.reflectances);
         inSlices(pulses, [&](std::size_t from, std::size_t end, std::size_t slice) {
             parts_[slice].clear();
             for (std::size_t i = from; i < end; ++i)
-                meters_[slice].measure(block_.shots[i], block_.hitsOf(i, rays), parts_[slice]);
+                receivers_[slice].receive(block_.pulses_fired[i], block_.hitsOf(i, rays), parts_[slice]);
         });
         points.clear();
         for (const LidarPoints& part : parts_) points.append(part);
     }
 
 private:
-    void aim(std::uint64_t first, std::size_t from, std::size_t end) {
-        const std::size_t numbers = 6 * aim_.raysPerPulse();
+    void generateRays(std::uint64_t first, std::size_t from, std::size_t end) {
+        const std::size_t numbers = 6 * generator_.raysPerPulse();
         for (std::size_t i = from; i < end; ++i) {
-            block_.shots[i] = aim_.shot(first + i);
-            aim_.rays(block_.shots[i], std::span(block_.rays).subspan(i * numbers, numbers));
+            block_.pulses_fired[i] = generator_.pulse(first + i);
+            generator_.rays(block_.pulses_fired[i], std::span(block_.rays).subspan(i * numbers, numbers));
         }
     }
 
     const TraceScene& scene_;
     const LidarSensor& sensor_;
     double unit_;
-    LidarAim aim_;
-    LidarSurface surface_;
-    std::vector<LidarMeter> meters_;
+    PulseRayGenerator generator_;
+    ReflectanceLookup reflectance_;
+    std::vector<LidarReceiver> receivers_;
     std::vector<LidarPoints> parts_;
     Block block_;
 };

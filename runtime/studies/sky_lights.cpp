@@ -9,7 +9,7 @@ namespace pointrt {
 namespace {
 
 constexpr std::size_t kMostDirections = 65536;
-/// Between neighbours of a sunflower: what a turn leaves when the golden ratio divides it.
+/// The golden angle between consecutive points of a sunflower spiral.
 const double kGoldenAngle = std::numbers::pi * (3 - std::sqrt(5.0));
 
 Vec3 vectorOf(const std::array<double, 3>& n) { return {n[0], n[1], n[2]}; }
@@ -18,12 +18,13 @@ Vec3 vectorOf(const std::array<double, 3>& n) { return {n[0], n[1], n[2]}; }
 
 Lights skyLights(std::size_t count, const StudyFrame& frame) {
     if (count < 1 || count > kMostDirections)
-        throw TraceError(TraceError::Kind::kBadUsage, "directions of the sky must be from 1 to 65536");
+        throw TraceError(TraceError::Kind::kBadUsage, "the number of sky directions must be from 1 to 65536");
     const Vec3 up = vectorOf(frame.up), north = vectorOf(frame.north), east = cross(north, up);
     Lights lights;
     lights.weights.assign(count, 1 / static_cast<double>(count));
     for (std::size_t k = 0; k < count; ++k) {
-        // shares of a disc's area; what lies above a point of it on the hemisphere is as wide as the cosine says
+        // equal areas of the unit disc: projected up to the hemisphere, they are equal cosine-weighted solid angles
+        // (Malley)
         const double area = (static_cast<double>(k) + 0.5) / static_cast<double>(count), radius = std::sqrt(area);
         const double angle = kGoldenAngle * static_cast<double>(k);
         const Vec3 towards = radius * (std::cos(angle) * north + std::sin(angle) * east) + std::sqrt(1 - area) * up;

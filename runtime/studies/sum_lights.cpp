@@ -2,37 +2,37 @@
 #include <algorithm>
 
 #include "pointrt/studies.hpp"
-#include "runtime/studies/open_rays.h"
 #include "runtime/studies/point_rays.h"
 #include "runtime/studies/point_rows.h"
+#include "runtime/studies/unoccluded.h"
 
 namespace pointrt {
 namespace {
 
-/// Rays towards lights until there are enough of them to be cast.
+/// Collects rays towards lights and casts them in batches.
 class LightRays {
 public:
     LightRays(const TraceScene& scene, const std::vector<StudyDisc>& discs, std::span<double> sums)
         : scene_(scene), discs_(discs), sums_(sums) {}
 
-    /// towards: unit length
+    /// @param towards the light, unit length
     void add(Vec3 towards, double weight) {
-        const auto wanted = [&](std::size_t i) { return isFaced(discs_[i], towards); };
-        const auto make = [&](std::size_t i) { return leaveTowards(discs_[i], towards); };
+        const auto has_ray = [&](std::size_t i) { return isFacing(discs_[i], towards); };
+        const auto make = [&](std::size_t i) { return rayToLight(discs_[i], towards); };
         for (std::size_t first = 0; first < discs_.size();) {
-            const std::size_t last = std::min(discs_.size(), first + kDeparturesAtOnce - rays_.rays.size());
-            addRays(first, last, wanted, make, rays_);
+            const std::size_t last = std::min(discs_.size(), first + kRaysAtOnce - rays_.rays.size());
+            appendRays(first, last, has_ray, make, rays_);
             weights_.resize(rays_.rays.size(), weight);
             first = last;
-            if (kDeparturesAtOnce - rays_.rays.size() < kLeastRoom) cast();
+            if (kRaysAtOnce - rays_.rays.size() < kLeastRoom) cast();
         }
     }
 
     void cast() {
-        open_.resize(rays_.rays.size());
-        cast_ += findOpen(scene_, rays_.rays, open_);
-        for (std::size_t i = 0; i < open_.size(); ++i)
-            if (open_[i] != 0) sums_[rays_.points[i]] += weights_[i];
+        unoccluded_.resize(rays_.rays.size());
+        cast_ += findUnoccluded(scene_, rays_.rays, unoccluded_);
+        for (std::size_t i = 0; i < unoccluded_.size(); ++i)
+            if (unoccluded_[i] != 0) sums_[rays_.points[i]] += weights_[i];
         rays_.rays.clear();
         rays_.points.clear();
         weights_.clear();
@@ -41,15 +41,15 @@ public:
     std::uint64_t castCount() const { return cast_; }
 
 private:
-    /// A batch need not be full to the last ray: what is left of a light goes with the next one.
-    static constexpr std::size_t kLeastRoom = kDeparturesAtOnce / 8;
+    /// A batch with less room is cast; the next one continues the light.
+    static constexpr std::size_t kLeastRoom = kRaysAtOnce / 8;
 
     const TraceScene& scene_;
     const std::vector<StudyDisc>& discs_;
     std::span<double> sums_;
     PointRays rays_;
-    std::vector<double> weights_; ///< of the rays' lights
-    std::vector<std::uint8_t> open_;
+    std::vector<double> weights_; ///< of the light of each ray
+    std::vector<std::uint8_t> unoccluded_;
     std::uint64_t cast_ = 0;
 };
 
@@ -69,7 +69,7 @@ std::uint64_t sumLights(const TraceScene& scene, const StudyPoints& points, cons
         for (std::size_t i = first; i < last; ++i) discs[i] = discAt(points, i, rules);
     });
     LightRays rays(scene, discs, sums);
-    // light by light: neighbours' rays run beside each other, which is how they are traced fastest
+    // light by light: rays of neighbouring points are parallel, which traces fastest
     for (std::size_t k = 0; k < lights.weights.size(); ++k) {
         const double* d = lights.directions.data() + 3 * k;
         rays.add({d[0], d[1], d[2]}, lights.weights[k]);

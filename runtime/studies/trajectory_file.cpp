@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* kOwner = "a trajectory";
 
-/// Where a table has the numbers of a rotation.
+/// The columns of a rotation: quaternions or angles.
 struct RotationColumns {
     explicit RotationColumns(const NumberTable& table) : is_quaternion(table.find("qx") || !table.find("yaw")) {
         std::size_t i = 0;
@@ -23,7 +23,7 @@ struct RotationColumns {
         if (!is_quaternion) return lidarRotation(number(0), number(1), number(2));
         const std::array<double, 4> q{number(0), number(1), number(2), number(3)};
         if (!std::isnormal(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]))
-            table.refuse(row, "its quaternion is 0, which is no rotation");
+            table.refuse(row, "the quaternion is 0, which is not a rotation");
         return q;
     }
 
@@ -43,7 +43,7 @@ std::vector<LidarPose> readPoses(const std::string& path) {
     std::vector<LidarPose> poses;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         if (row > 0 && table.at(row, time) <= table.at(row - 1, time))
-            table.refuse(row, "its time is not after the one before");
+            table.refuse(row, "the time must be later than the previous row's");
         poses.push_back({table.at(row, time),
                          {table.at(row, x), table.at(row, y), table.at(row, z)},
                          rotation.rotationIn(table, row)});

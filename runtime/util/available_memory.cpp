@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
 
-/// The number behind name in a file of "NAME NUMBER ..." lines, such as /proc/meminfo.
+/// The number after name in a file of "NAME NUMBER ..." lines, such as /proc/meminfo.
 std::optional<std::uint64_t> numberIn(const std::string& path, const std::string& name) {
     std::ifstream file(path);
     for (std::string line; std::getline(file, line);) {
@@ -28,7 +28,7 @@ std::optional<std::uint64_t> numberIn(const std::string& path, const std::string
     return {};
 }
 
-/// Of a file that is one number; none where it says "max".
+/// The number in a file that holds just one; nullopt for "max".
 std::optional<std::uint64_t> numberOf(const std::string& path) {
     std::ifstream file(path);
     std::uint64_t number = 0;
@@ -46,11 +46,11 @@ std::uint64_t leftOfMachine() {
 std::uint64_t leftOfAddresses() {
     rlimit limit{};
     if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return kUnlimited;
-    const auto pages = numberOf("/proc/self/statm"); // the first: all that is mapped
+    const auto pages = numberOf("/proc/self/statm"); // the first: mapped pages
     return above(limit.rlim_cur, pages.value_or(0) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)));
 }
 
-/// Names of a control group's files, of the two versions.
+/// File names of control groups, versions 2 and 1.
 struct GroupFiles {
     const char *limit, *used, *cached;
 };
@@ -66,8 +66,8 @@ std::uint64_t leftOfGroup(const std::string& folder) {
     return kUnlimited;
 }
 
-/// Of the group at path, and of those that it is part of. In containers a group's path may be that of the machine
-/// outside: then it is the root.
+/// The minimum over the group at path and its ancestors. In containers path may be that on the host: then only the root
+/// exists.
 std::uint64_t leftOfGroups(const std::string& root, std::string path) {
     std::uint64_t left = leftOfGroup(root);
     while (path.size() > 1) {
@@ -77,7 +77,7 @@ std::uint64_t leftOfGroups(const std::string& root, std::string path) {
     return left;
 }
 
-/// By the lines "NUMBER:CONTROLLERS:PATH" of proc(5).
+/// From the lines "NUMBER:CONTROLLERS:PATH" of /proc/self/cgroup, see cgroups(7).
 std::uint64_t leftOfGroups() {
     std::uint64_t left = kUnlimited;
     std::ifstream file("/proc/self/cgroup");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much memory this process may still take.
+// Memory available to this process.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +7,9 @@
 
 namespace pointrt {
 
-/// Bytes: the least of what the machine has free (memory and swap; caches of files count as free), what is left of the
-/// process's address space (ulimit -v), and what the control groups it is in have left, where they are limited. More
-/// than there can be where the system does not tell.
+/// Bytes: the minimum of the machine's free memory and swap (file caches count as free), of what is left of the
+/// process's address space (ulimit -v), and of what is left of the limits of its control groups. The largest number if
+/// unknown.
 std::uint64_t availableMemory();
 
 /// "1.5 GiB", rounded up to a tenth.

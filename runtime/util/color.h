@@ -5,7 +5,7 @@
 
 namespace pointrt {
 
-/// Linear RGB: reflectance in [0, 1], or light from 0 up.
+/// Linear RGB: reflectance in [0, 1], or light of at least 0.
 using Color = std::array<float, 3>;
 
 } // namespace pointrt

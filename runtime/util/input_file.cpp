@@ -43,7 +43,7 @@ struct OpenFile {
         for (std::size_t done = 0; done < count;) {
             const ssize_t got = read(descriptor, bytes + done, count - done);
             if (got < 0 && errno == EINTR) continue;
-            if (got <= 0) fail(path, got < 0 ? std::strerror(errno) : "it was cut short while it was read");
+            if (got <= 0) fail(path, got < 0 ? std::strerror(errno) : "the file was truncated while it was read");
             done += static_cast<std::size_t>(got);
         }
     }

@@ -9,37 +9,38 @@
 namespace pointrt {
 namespace {
 
-/// Not a sig_atomic_t: the signal may come to another thread than the one that asks.
-std::atomic<int> noted = 0;
-static_assert(decltype(noted)::is_always_lock_free); // within a signal handler
+/// Not a sig_atomic_t: the signal may arrive on another thread.
+std::atomic<int> caught = 0;
+static_assert(decltype(caught)::is_always_lock_free); // within a signal handler
 
-void note(int number) { noted = number; }
+void onSignal(int number) { caught = number; }
 
-constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGXCPU}; // the user, a batch system, a lost line, time's limit
+constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP,
+                            SIGXCPU}; // the user, a batch system, a lost terminal, a time limit
 
 } // namespace
 
-void noteInterrupts() {
+void catchInterrupts() {
     for (const int number : kSignals) {
         struct sigaction before {};
         sigaction(number, nullptr, &before);
         if (before.sa_handler == SIG_IGN) continue;
         struct sigaction action {};
-        action.sa_handler = note;
+        action.sa_handler = onSignal;
         action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
         sigaction(number, &action, nullptr);
     }
 }
 
-bool interrupted() { return noted != 0; }
+bool interrupted() { return caught != 0; }
 
-void passInterruptOn() {
-    if (noted == 0) return;
+void raiseInterrupt() {
+    if (caught == 0) return;
     std::fflush(nullptr);
     struct sigaction action {};
     action.sa_handler = SIG_DFL;
-    sigaction(noted, &action, nullptr);
-    raise(noted);
+    sigaction(caught, &action, nullptr);
+    raise(caught);
 }
 
 } // namespace pointrt

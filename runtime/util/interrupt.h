@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ctrl-C and kill while something is worth saving.
+// Catches Ctrl-C and kill, so that results can be saved.
 #pragma once
 
 namespace pointrt {
 
-/// From now on the first SIGINT, SIGTERM, SIGHUP or SIGXCPU is only noted; a second one ends the process at once. A
-/// signal that the process was started to ignore stays ignored.
-void noteInterrupts();
+/// From now on the first SIGINT, SIGTERM, SIGHUP or SIGXCPU only sets a flag; a second one terminates the process.
+/// Signals that the process was started to ignore stay ignored.
+void catchInterrupts();
 
-/// True once one was noted. Cheap.
+/// Whether a signal was caught. Cheap.
 bool interrupted();
 
-/// Ends the process as the noted signal would have, so that whoever started it sees that; nothing without one.
-void passInterruptOn();
+/// Terminates the process by the caught signal, so that its parent sees it. Does nothing if none was caught.
+void raiseInterrupt();
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values that have names. Each enum has one list, next to it, that command line, files and panels take them from.
+// Names for enum values: one list next to each enum, for command line, files and panels.
 #pragma once
 
 #include <array>
@@ -20,11 +20,11 @@ Name(const char*, Value) -> Name<Value>;
 
 inline constexpr std::array kSwitchNames = {Name{"on", true}, Name{"off", false}};
 
-/// What a list of Name names.
+/// The value type of a list of Name.
 template <typename List>
 using NamedBy = decltype(List::value_type::value);
 
-/// "" where it has none.
+/// "" if the value has no name.
 template <typename List>
 constexpr const char* nameOf(const List& names, NamedBy<List> wanted) {
     for (const auto& [name, value] : names)
@@ -46,12 +46,12 @@ std::string joinedNames(const List& names, const char* separator) {
     return text;
 }
 
-/// Throws std::invalid_argument with the reason.
+/// The value with this name. Throws std::invalid_argument with the reason.
 template <typename List>
 NamedBy<List> parseName(const List& names, const std::string& text) {
     for (const auto& [name, value] : names)
         if (text == name) return value;
-    throw std::invalid_argument("\"" + text + "\" is none of " + joinedNames(names, ", "));
+    throw std::invalid_argument("\"" + text + "\" is not one of " + joinedNames(names, ", "));
 }
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is undone where a function ends by an error: std::experimental::scope_fail of the Library Fundamentals TS.
+// A scope guard that runs only if the scope is left by an exception, as std::experimental::scope_fail.
 #pragma once
 
 #include <exception>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that appear whole or not at all, with the errors of the tools.
+// Atomically written files, with errors as exceptions.
 #pragma once
 
 #include <cstdint>
@@ -12,20 +12,20 @@
 
 namespace pointrt {
 
-/// What becomes of a file that is there while another one is written.
+/// How an existing file is replaced.
 enum class Writing {
-    kWhole,  ///< it stays until all is there, and then is another file
-    kInPlace ///< it gets the pieces as they come: somebody holds it open and waits for them
+    kWhole,  ///< atomically, by a new file, when all is written
+    kInPlace ///< overwritten piece by piece: another process has it open and reads the pieces as they come
 };
 
-/// A file that is written in pieces. The path "-" is standard output, which gets them as they come.
+/// A file written in pieces. The path "-" is standard output, which gets the pieces as they come.
 /// Each function throws Error kCannotWrite "PATH: reason".
 class OutputFile {
 public:
     explicit OutputFile(std::string path, Writing writing = Writing::kWhole);
 
     void append(std::span<const std::uint8_t> bytes);
-    /// In place of those at offset, which are there already; of a file that appears whole only.
+    /// Replaces bytes that were appended before, from offset on. Not for standard output or kInPlace.
     void overwrite(std::uint64_t offset, std::span<const std::uint8_t> bytes);
     void commit();
 
@@ -38,15 +38,15 @@ private:
 
     std::string path_;
     format::AtomicFile file_;
-    std::unique_ptr<std::FILE, Close> stream_; ///< in place of file_
+    std::unique_ptr<std::FILE, Close> stream_; ///< instead of file_
 };
 
-/// Writes bytes to path, replacing what is there; a failure leaves what was there.
+/// Writes bytes atomically to path: on failure an existing file is unchanged.
 /// Throws Error kCannotWrite "PATH: reason".
 void writeFile(const std::string& path, std::span<const std::uint8_t> bytes);
 
-/// Throws Error kCannotWrite where writeFile is sure to fail: the folder is missing or read-only, or path is no file.
-/// To be asked before long work.
+/// Throws Error kCannotWrite if writeFile is sure to fail: the folder is missing or read-only, or path is not a file.
+/// Call it before long work.
 void requireWritable(const std::string& path);
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectors of the host and of the device.
+// Converts vectors between host and device.
 #pragma once
 
 #include "runtime/util/color.h"
@@ -8,7 +8,7 @@
 
 namespace pointrt {
 
-/// Rounded to float.
+/// Rounds to float.
 inline gpu::vec4 pack(Vec3 v, double w = 0) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)};
 }

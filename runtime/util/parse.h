@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words of the command line, or of a recording, as values. Each function takes all of text and throws
-// std::invalid_argument with the reason where it is not what it should be.
+// Parses words of the command line or of a recording. Each function parses all of text and throws std::invalid_argument
+// with the reason if it is invalid.
 #pragma once
 
 #include <charconv>
@@ -13,7 +13,7 @@
 
 namespace pointrt {
 
-/// All of text as a number; false, not an exception, where it is not one or out of T's range.
+/// Parses all of text as a number. Returns false, without an exception, if it is not one or out of T's range.
 template <typename T>
 bool parseNumber(const std::string& text, T& value) {
     const char* end = text.data() + text.size();
@@ -21,7 +21,7 @@ bool parseNumber(const std::string& text, T& value) {
     return error == std::errc() && rest == end;
 }
 
-/// A whole number from low to high.
+/// An integer from low to high.
 std::uint32_t parseCount(const std::string& text, std::uint32_t low, std::uint32_t high);
 
 /// A number from low to high.
@@ -42,7 +42,7 @@ double parseAngle(const std::string& text);
 /// "X,Y,Z" as three finite numbers.
 Vec3 parseVector(const std::string& text);
 
-/// A number with as many digits as a message needs.
+/// A number with up to six significant digits, for messages.
 std::string plainText(double value);
 
 } // namespace pointrt

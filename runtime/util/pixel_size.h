@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many pixels a picture or a window has.
+// The size of a picture or window in pixels.
 #pragma once
 
 #include <cstdint>
 
 namespace pointrt {
 
-/// The most on each side of any picture: what image viewers and GPUs take as a texture.
+/// Limit for each side of a picture: what GPUs and image viewers support as a texture.
 constexpr std::uint32_t kMaxPixelSide = 16384;
 
 struct PixelSize {

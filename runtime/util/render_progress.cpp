@@ -9,7 +9,7 @@ namespace pointrt {
 namespace {
 
 using Seconds = std::chrono::duration<double>;
-// Frames shorter than this show nothing, and redrawing more often than this would only flicker.
+// Shorter renders show nothing; redrawing more often would only flicker.
 constexpr Seconds kPatience{0.5}, kRedraw{0.1};
 constexpr const char* kWipe = "\r\033[K";
 

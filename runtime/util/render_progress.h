@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far a long render is, on standard error.
+// Progress of a render on standard error.
 #pragma once
 
 #include <chrono>
@@ -9,14 +9,16 @@
 
 namespace pointrt {
 
-/// One redrawn line on a terminal; elsewhere a line each ten percent when verbose, else nothing; nothing when quiet.
-/// for_programs: lines "progress SHARE DETAIL", ten a second at most, whatever the rest says.
+/// One redrawn line on a terminal; elsewhere a line per 10% if verbose; nothing if quiet.
+/// for_programs: lines "progress SHARE DETAIL", at most ten per second, regardless of quiet and verbose.
 class RenderProgress {
 public:
     RenderProgress(bool quiet, bool verbose, bool for_programs);
-    /// share in [0, 1]; detail follows the time left. Cheap enough for every dispatch.
+    /// Cheap enough to call for every dispatch.
+    /// @param share in [0, 1]
+    /// @param detail text after the time left
     void update(double share, const std::string& detail = {});
-    /// Wipes the redrawn line.
+    /// Erases the redrawn line.
     void finish();
 
 private:

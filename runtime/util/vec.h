@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Three doubles: all the viewer needs on the host side.
+// A vector of three doubles.
 #pragma once
 
 #include <cmath>

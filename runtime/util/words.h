@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words of a row of text.
+// Splits lines into words.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace pointrt {
 
-/// What stands between the numbers and names of a row.
+/// Separators between the numbers and names of a line.
 constexpr std::string_view kBetweenWords = " ,;\t\r";
 
-/// The words of a line, views of it.
+/// The words of a line, as views of it.
 std::vector<std::string_view> wordsOf(std::string_view line);
 
-/// A to Z as a to z.
+/// Converts A-Z to a-z.
 std::string lowerCase(std::string_view text);
 
 } // namespace pointrt

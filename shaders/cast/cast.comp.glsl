@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// First hits of a batch of rays with one instance: the disc, as it is, without its neighbours.
+// Closest hits of a batch of rays with one instance: the flat disc, not blended with its neighbours.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/cast/cast_rays.glsl"

@@ -6,7 +6,7 @@
 #include "shaders/shared/cast_layout.h"
 #include "shaders/shared/params.h"
 
-layout(rgba32ui, binding = BINDING_CAST_RAYS) uniform readonly uimageBuffer cast_ray_texels; // CastRay, or as given
-layout(r32ui, binding = BINDING_CAST_STOPPED) uniform writeonly uimageBuffer cast_stopped; // 0: it is not
+layout(rgba32ui, binding = BINDING_CAST_RAYS) uniform readonly uimageBuffer cast_ray_texels; // CastRay; GIVEN: as given
+layout(r32ui, binding = BINDING_CAST_STOPPED) uniform writeonly uimageBuffer cast_stopped; // per ray: 0 unless occluded
 
 #endif

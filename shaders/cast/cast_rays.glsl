@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the programs for batches of rays share: the way from a row to a ray in the instance's cube. GIVEN: rays are as
-// callers have them.
+// Shared by the programs for batches of rays: from a row to a ray in the instance's cube. GIVEN: rays are in the
+// caller's layout and coordinates.
 #ifndef POINTRT_SHADERS_CAST_RAYS_GLSL
 #define POINTRT_SHADERS_CAST_RAYS_GLSL
 #include "shaders/lib/instance_bindings.glsl"
@@ -13,13 +13,13 @@
 #include "shaders/cast/packed_rays.glsl"
 #endif
 
-// Of this lane; NO_INDEX where there is no ray for it.
+// The row of this lane, NO_INDEX if it has no ray.
 uint castRow() {
     uint lane = balancedLane();
     return lane < ofLane(push.rays) ? rowOfLane(lane) : NO_INDEX;
 }
 
-// GIVEN: rays are in it already.
+// GIVEN: rays are already in the cube.
 TraceRay instanceRay(CastRay ray) {
 #ifdef GIVEN
     return TraceRay(ray.origin, ray.direction, 0.0, ray.t_max, vec3(0.0), 0.0);
@@ -28,6 +28,7 @@ TraceRay instanceRay(CastRay ray) {
 #endif
 }
 
+// Cube units per unit of a ray's t.
 float unitsInCube() {
 #ifdef GIVEN
     return 1.0;

@@ -1,31 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays as callers give them, in doubles or floats of the world, and their hits as callers want them: what lies between
-// is done where a ray is traced, so that the host copies rows at most.
+// Rays in the caller's layout, doubles or floats in world coordinates, and hits likewise. Conversion happens on the
+// device where a ray is traced, so the host copies at most rows of memory.
 //
-// Floats tell a ray finely only from beside what it may hit. So doubles are for the sum that puts it there: floats say
-// roughly how far along to start, and any start will do as long as all that follows takes the same one. Render space is
-// the instance's cube.
+// Floats represent a ray precisely only from an origin close to what it may hit. So the origin is moved along the ray,
+// in doubles, to the sphere around the cube; the distance to move is estimated in floats, as any value will do if all
+// that follows uses the same one. Render space is the instance's cube.
 #ifndef POINTRT_SHADERS_GIVEN_RAYS_GLSL
 #define POINTRT_SHADERS_GIVEN_RAYS_GLSL
 #include "shaders/cast/cast_bindings.glsl"
 #include "shaders/shared/spec_constants.h"
 
-// Whether numbers are doubles; else floats.
+// Whether the caller's numbers are doubles; else floats.
 layout(constant_id = SPEC_CAST_DOUBLES) const bool kDoubles = true;
 
 layout(push_constant) uniform Push { GivenPush push; };
 
-// GivenHit, in two words of 64 bits each: lavapipe takes as long for one of 32. The host has put misses there, so that
-// these cost nothing.
+// GivenHit as two 64-bit words: on lavapipe storing 32 bits takes as long. The host has filled it with misses, so
+// misses store nothing.
 layout(std430, binding = BINDING_CAST_HITS) writeonly buffer Hits { double given_hits[]; };
 
 uint rowOfLane(uint lane) { return lane; }
 
 struct LoadedRay {
     CastRay ray;
-    bool odd;       // not for this program: no ray at all, or with numbers too large or too small for floats
-    double start;   // where ray starts, in lengths of the given direction
-    float per_unit; // lengths of the given direction in a world unit
+    bool odd;       // left to the host: invalid, or numbers too large or too small for floats
+    double start;   // distance the origin was moved, in lengths of the given direction
+    float per_unit; // lengths of the given direction per world unit
 };
 
 void loadDoubles(uint row, out dvec3 origin, out dvec3 direction) {
@@ -36,7 +36,7 @@ void loadDoubles(uint row, out dvec3 origin, out dvec3 direction) {
     direction = dvec3(packDouble2x32(b.zw), packDouble2x32(c.xy), packDouble2x32(c.zw));
 }
 
-// Two rays are three texels.
+// Two rays take three texels.
 void loadFloats(uint row, out dvec3 origin, out dvec3 direction) {
     int at = int(push.first_texel + row + (row >> 1u));
     uvec4 a = imageLoad(cast_ray_texels, at), b = imageLoad(cast_ray_texels, at + 1);
@@ -56,7 +56,7 @@ LoadedRay loadRay(uint row) {
     float squared = dot(along, along), per_unit = 1.0 / sqrt(squared);
     bool odd = !(squared > GIVEN_LEAST && squared < GIVEN_MOST && dot(from, from) < GIVEN_MOST);
     vec3 direction = along * per_unit;
-    // to the sphere around the cube, which is wide enough for what floats lose on the way
+    // to the sphere around the cube, which is wide enough for the rounding error of floats
     float ahead = (-dot(from, direction) - push.radius) * GIVEN_SHORT;
     double start = double(ahead > 0.0 ? ahead * per_unit : 0.0);
     start = start > push.t_min ? start : push.t_min;

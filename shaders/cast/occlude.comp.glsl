@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether one instance stands in the way of a batch of rays.
+// Any hit: whether one instance occludes each ray of a batch.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define ANY_HIT

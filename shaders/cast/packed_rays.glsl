@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays that the host has put into render space, each with a reach of its own, and their hits in its units.
+// Rays that the host has transformed to render space, each with its own t_max, and hits in render units.
 #ifndef POINTRT_SHADERS_PACKED_RAYS_GLSL
 #define POINTRT_SHADERS_PACKED_RAYS_GLSL
 #include "shaders/cast/cast_bindings.glsl"

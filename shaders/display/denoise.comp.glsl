@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Denoiser, one level: an edge-avoiding a-trous wavelet (Dammertz, Sewtz, Hanika, Lensch, Edge-Avoiding A-Trous Wavelet
-// Transform for fast Global Illumination Filtering, HPG 2010) whose luminance weight follows the light's variance
-// (Schied et al., Spatiotemporal Variance-Guided Filtering, HPG 2017).
+// Denoiser, one wavelet level: an edge-avoiding a-trous wavelet (Dammertz, Sewtz, Hanika, Lensch, Edge-Avoiding A-Trous
+// Wavelet Transform for fast Global Illumination Filtering, HPG 2010) with a luminance weight guided by the variance of
+// the light (Schied et al., Spatiotemporal Variance-Guided Filtering, HPG 2017).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/display/denoise_grid.glsl"
@@ -13,21 +13,22 @@ layout(local_size_x = 16, local_size_y = 8) in;
 layout(constant_id = SPEC_IS_LAST_LEVEL) const uint IS_LAST = 0;
 layout(push_constant) uniform Push { // x, y: size of the image, z: pixels between taps
     ivec4 push;
-    vec4 angles; // x: of a pixel, radians
+    vec4 angles; // x: angle of a pixel, radians
 };
 
-layout(binding = BINDING_DENOISE_LIGHT) uniform samplerBuffer light_texels;   // light, variance
+layout(binding = BINDING_DENOISE_LIGHT) uniform samplerBuffer light_texels;   // rgb: light, a: variance
 layout(binding = BINDING_DENOISE_SURFACES) uniform samplerBuffer surface_texels; // DenoiseSurface
 layout(binding = BINDING_DENOISE_SLOPES) uniform samplerBuffer slope_texels;
-layout(binding = BINDING_DENOISE_FACTORS) uniform samplerBuffer factor_texels; // albedo taken out, alpha
+layout(binding = BINDING_DENOISE_FACTORS) uniform samplerBuffer factor_texels; // rgb: albedo divided out, a: alpha
 layout(std430, binding = BINDING_DENOISE_LIGHT_OUT) writeonly buffer LightBuffer { vec4 lights[]; };
 
-// Squared differences count in units of this many variances: the geometric mean of both pixels', so that weights are
-// symmetric and the mean is kept, and a pixel that is certain, as what mirrors show often is, neither gives nor takes.
+// Squared luminance differences are measured in units of this many variances. The variance is the geometric mean of
+// both pixels': weights are then symmetric and preserve the mean, and a pixel of zero variance, common in mirrors, is
+// neither changed nor spread.
 const float kVarianceScale = 16.0;
 
 struct Sum {
-    vec4 light; // weighted light; variance by squared weights
+    vec4 light; // weighted sum; variance weighted by squared weights
     float weight;
 };
 
@@ -38,11 +39,11 @@ void addTap(inout Sum sum, vec4 light, DenoiseSurface center, vec2 slope, ivec2 
     DenoiseSurface surface = unpackSurface(texelFetch(surface_texels, texel));
     float difference = luminance(tap.rgb - light.rgb);
     float variance = sqrt(light.a * tap.a);
-    float strangeness = difference * difference / (kVarianceScale * variance + 1e-20) +
+    float dissimilarity = difference * difference / (kVarianceScale * variance + 1e-20) +
                         surfaceDistance(center, slope, surface, vec2(offset), angles.x);
-    // Without the last a certain pixel would learn doubt from a neighbour that shows the same.
+    // Without the last term, a converged pixel would inherit the variance of a noisier neighbour of equal colour.
     bool counts = isInside(other, push.xy) && sameKind(center, surface) && variance > 0.0;
-    float weight = counts ? kernel * exp(-strangeness) : 0.0;
+    float weight = counts ? kernel * exp(-dissimilarity) : 0.0;
     sum.light += tap * vec4(vec3(weight), weight * weight);
     sum.weight += weight;
 }
@@ -54,7 +55,7 @@ void main() {
     vec4 light = texelFetch(light_texels, texel);
     DenoiseSurface center = unpackSurface(texelFetch(surface_texels, texel));
     vec2 slope = texelFetch(slope_texels, texel).xy;
-    // The kernel is (1 2 1)/4 in both directions, scaled to 1 in the middle.
+    // The kernel is (1 2 1)/4 in both directions, scaled to 1 at the centre.
     Sum sum = Sum(light, 1.0);
     addTap(sum, light, center, slope, pixel, ivec2(-stride, -stride), 0.25);
     addTap(sum, light, center, slope, pixel, ivec2(0, -stride), 0.5);

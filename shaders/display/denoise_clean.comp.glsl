@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Denoiser, second pass: pixels that are no number take their neighbours' mean, single bright ones their neighbours'
-// brightness; and the slope of the surface is found.
+// Denoiser, second pass: replaces pixels that are not finite by the mean of their neighbours, clamps fireflies to the
+// brightness of their neighbours, and estimates the slope of the surface.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/display/denoise_grid.glsl"
@@ -10,29 +10,30 @@
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(push_constant) uniform Push { ivec4 push; }; // x, y: size of the image
 
-layout(binding = BINDING_DENOISE_LIGHT) uniform samplerBuffer light_texels;   // light, variance
+layout(binding = BINDING_DENOISE_LIGHT) uniform samplerBuffer light_texels;   // rgb: light, a: variance
 layout(binding = BINDING_DENOISE_SURFACES) uniform samplerBuffer surface_texels; // DenoiseSurface
 layout(std430, binding = BINDING_DENOISE_LIGHT_OUT) writeonly buffer LightBuffer { vec4 lights[]; };
 layout(std430, binding = BINDING_DENOISE_SLOPES_OUT) writeonly buffer SlopeBuffer { vec2 slopes[]; };
 
-// A firefly is this many times as bright as its second brightest neighbour, which exponentially distributed noise is
-// in 1 pixel of 430 (the product of k/(k+6) for k from 2 to 8) ...
+// A firefly is at least this many times as bright as its second brightest neighbour; exponentially distributed noise
+// does that in 1 pixel of 430 (the product of k/(k+6) for k from 2 to 8) ...
 const float kFireflyRatio = 6.0;
-// ... and so uncertain: one bright sample of n makes the deviation of the mean as large as the mean.
+// ... and its relative deviation is at least this: one bright sample of n makes the deviation of the mean equal the
+// mean.
 const float kFireflyDeviation = 0.25;
 
-// The neighbours that count, gathered.
-struct Around {
-    vec4 sum; // of light and variance
+// Statistics of the valid neighbours.
+struct Neighbours {
+    vec4 sum; // light and variance
     float count;
     float brightest, second;
 };
 
-void look(inout Around around, DenoiseSurface center, ivec2 pixel) {
+void addNeighbour(inout Neighbours around, DenoiseSurface center, ivec2 pixel) {
     int texel = texelOf(pixel, push.xy);
     vec4 light = texelFetch(light_texels, texel);
     vec4 words = texelFetch(surface_texels, texel);
-    // Empty pixels count among each other, for those of them that are to be mended.
+    // Empty pixels are valid neighbours of each other, to repair those that are not finite.
     bool counts = isInside(pixel, push.xy) && words.w == center.kind && words.w >= 0.0;
     float shown = counts ? luminance(light.rgb) : 0.0;
     around.sum += counts ? light : vec4(0.0);
@@ -41,7 +42,7 @@ void look(inout Around around, DenoiseSurface center, ivec2 pixel) {
     around.brightest = max(around.brightest, shown);
 }
 
-vec4 mended(vec4 light, DenoiseSurface center, Around around) {
+vec4 repaired(vec4 light, DenoiseSurface center, Neighbours around) {
     if (center.broken) return around.count > 0.0 ? around.sum / around.count : vec4(0.0);
     float shown = luminance(light.rgb);
     bool firefly = center.kind != KIND_EMPTY && around.count >= 3.0 && shown > kFireflyRatio * around.second &&
@@ -50,7 +51,7 @@ vec4 mended(vec4 light, DenoiseSurface center, Around around) {
     return light * vec4(vec3(scale), scale * scale);
 }
 
-// The smaller of the differences to both sides: the other one may cross an edge.
+// The smaller of the differences to the two sides: the larger one may cross an edge.
 float slopeBetween(DenoiseSurface center, ivec2 before, ivec2 after) {
     float a = texelFetch(surface_texels, texelOf(before, push.xy)).z;
     float b = texelFetch(surface_texels, texelOf(after, push.xy)).z;
@@ -65,16 +66,16 @@ void main() {
     if (!isInside(pixel, push.xy)) return;
     int texel = texelOf(pixel, push.xy);
     DenoiseSurface center = unpackSurface(texelFetch(surface_texels, texel));
-    Around around = Around(vec4(0.0), 0.0, 0.0, 0.0);
-    look(around, center, pixel + ivec2(-1, -1));
-    look(around, center, pixel + ivec2(0, -1));
-    look(around, center, pixel + ivec2(1, -1));
-    look(around, center, pixel + ivec2(-1, 0));
-    look(around, center, pixel + ivec2(1, 0));
-    look(around, center, pixel + ivec2(-1, 1));
-    look(around, center, pixel + ivec2(0, 1));
-    look(around, center, pixel + ivec2(1, 1));
-    lights[texel] = mended(texelFetch(light_texels, texel), center, around);
+    Neighbours around = Neighbours(vec4(0.0), 0.0, 0.0, 0.0);
+    addNeighbour(around, center, pixel + ivec2(-1, -1));
+    addNeighbour(around, center, pixel + ivec2(0, -1));
+    addNeighbour(around, center, pixel + ivec2(1, -1));
+    addNeighbour(around, center, pixel + ivec2(-1, 0));
+    addNeighbour(around, center, pixel + ivec2(1, 0));
+    addNeighbour(around, center, pixel + ivec2(-1, 1));
+    addNeighbour(around, center, pixel + ivec2(0, 1));
+    addNeighbour(around, center, pixel + ivec2(1, 1));
+    lights[texel] = repaired(texelFetch(light_texels, texel), center, around);
     vec2 slope = vec2(slopeBetween(center, pixel - ivec2(1, 0), pixel + ivec2(1, 0)),
                       slopeBetween(center, pixel - ivec2(0, 1), pixel + ivec2(0, 1)));
     slopes[texel] = center.closeness > 0.0 ? slope : vec2(0.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Denoiser, first pass: takes the albedo out of the light and sorts pixels into kinds.
+// Denoiser, first pass: divides the light by the albedo and classifies pixels.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/display/denoise_grid.glsl"
@@ -11,17 +11,17 @@ layout(local_size_x = 16, local_size_y = 8) in;
 layout(constant_id = SPEC_KNOWS_VARIANCE) const uint KNOWS_VARIANCE = 1;
 layout(push_constant) uniform Push { ivec4 push; }; // x, y: size of the image
 
-layout(binding = BINDING_DENOISE_COLORS) uniform samplerBuffer color_texels;   // rgb, alpha
-layout(binding = BINDING_DENOISE_GUIDES) uniform samplerBuffer surface_texels; // normal, depth
-layout(binding = BINDING_DENOISE_ALBEDOS) uniform samplerBuffer albedo_texels;  // albedo, variance of the mean luminance
+layout(binding = BINDING_DENOISE_COLORS) uniform samplerBuffer color_texels;   // rgb: colour, a: alpha
+layout(binding = BINDING_DENOISE_GUIDES) uniform samplerBuffer surface_texels; // xyz: normal, w: depth
+layout(binding = BINDING_DENOISE_ALBEDOS) uniform samplerBuffer albedo_texels; // rgb: albedo, a: variance of the mean
 layout(std430, binding = BINDING_DENOISE_LIGHT_OUT) writeonly buffer LightBuffer { vec4 lights[]; };
 layout(std430, binding = BINDING_DENOISE_SURFACES_OUT) writeonly buffer SurfaceBuffer { vec4 surfaces[]; };
-// what was taken out, alpha
+// rgb: albedo divided out, a: alpha
 layout(std430, binding = BINDING_DENOISE_FACTORS_OUT) writeonly buffer AlbedoBuffer { vec4 factors[]; };
 
-// Squares and products of four fit into a float up to here.
+// Largest light: its square, and products of four such values, fit into a float.
 const float kBrightest = 1e9;
-// Below this a channel's albedo is not divided by: what such a surface shows is mostly gloss.
+// Lower limit of the divisor: surfaces of lower albedo mostly show gloss.
 const float kAlbedoFloor = 1.0 / 64.0;
 
 vec3 factorOf(vec3 albedo) {
@@ -30,7 +30,7 @@ vec3 factorOf(vec3 albedo) {
 
 float kindOf(float alpha, vec3 albedo) {
     if (!(alpha > 0.0)) return KIND_EMPTY;
-    // Sums of samples may miss 1 by rounding; what is left of a step of 1/65536 does not.
+    // Mean coverage may miss 1 by rounding, but a missing sample of 65,536 is larger than that.
     float covered = alpha > 1.0 - 1e-5 ? KIND_FULL : KIND_EMPTY + clamp(ceil(alpha * 8.0), 1.0, 7.0);
     return all(equal(albedo, vec3(0.0))) ? covered + KIND_BLACK : covered;
 }
@@ -55,7 +55,7 @@ void main() {
     bool broken = !isFinite(color.rgb);
     vec3 light = broken ? vec3(0.0) : clamp(color.rgb / factor, -kBrightest, kBrightest);
     float lit = luminance(light), scale = luminance(factor);
-    // unknown: anything up to the light itself
+    // if unknown: as large as the light itself
     bool known = KNOWS_VARIANCE != 0u && isFinite(albedo.a) && albedo.a >= 0.0;
     float variance = known ? min(albedo.a / (scale * scale), kBrightest * kBrightest) : lit * lit;
     lights[texel] = vec4(light, variance);

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the preview denoiser knows of a pixel besides its light, and how alike that makes two pixels.
+// Guides of the preview denoiser: the surface of a pixel, and the distance between the surfaces of two pixels.
 #ifndef POINTRT_SHADERS_DENOISE_SURFACE_GLSL
 #define POINTRT_SHADERS_DENOISE_SURFACE_GLSL
 #include "shaders/shared/luminance.h"
 
-// Kinds of pixels; only pixels of one kind are averaged. Between empty and full: by eighths of the pixel that the scene
-// covers, so that the background that partly covered pixels hold stays among them.
+// Kinds of pixels; only pixels of the same kind are averaged. Between empty and full: eighths of coverage, so that the
+// background in partly covered pixels does not spread.
 #define KIND_EMPTY 1.0
 #define KIND_FULL 9.0
-#define KIND_BLACK 16.0 // added where the albedo is 0: emitters and perfect mirrors
+#define KIND_BLACK 16.0 // added if the albedo is 0: emitters and perfect mirrors
 
-// The largest angle between normals that still counts is about 20 degrees: exp(-64 (1 - cos 20)) = 0.02.
+// Normals more than about 20 degrees apart hardly count: exp(-48 (1 - cos 20)) = 0.06.
 const float kNormalSharpness = 48.0;
-// A plane continues for this share of the slope it was predicted with ...
+// Deviation from the predicted plane that counts as the same surface: this share of the predicted slope ...
 const float kSlopeTolerance = 0.25;
-// ... and for this many pixel widths of depth a pixel of distance: what turns away by 45 degrees at once.
+// ... plus this many pixel widths of depth per pixel of distance: a surface that turns away by 45 degrees.
 const float kDepthPixels = 1.0;
 
 struct DenoiseSurface {
     vec3 normal;
-    float closeness; // 1 / depth, linear across a plane's picture; 0: unknown
+    float closeness; // 1 / depth, linear in the picture of a plane; 0: unknown
     float kind;      // KIND_*
-    bool broken;     // its light is not a number
+    bool broken;     // its light is not finite
 };
 
 bool isFinite(float value) { return (floatBitsToUint(value) & 0x7F800000u) != 0x7F800000u; }
@@ -30,7 +30,7 @@ bool isFinite(vec3 v) { return isFinite(v.x) && isFinite(v.y) && isFinite(v.z); 
 vec2 signs(vec2 v) { return vec2(v.x < 0.0 ? -1.0 : 1.0, v.y < 0.0 ? -1.0 : 1.0); }
 
 // Octahedral normal (Cigolle et al., A Survey of Efficient Representations for Independent Unit Vectors, JCGT 2014),
-// closeness, kind; a broken pixel's kind is written negative.
+// closeness, kind; the kind is negated for broken pixels.
 vec4 packSurface(DenoiseSurface surface) {
     vec3 n = surface.normal / max(dot(abs(surface.normal), vec3(1.0)), 1e-12);
     vec2 folded = n.z >= 0.0 ? n.xy : (1.0 - abs(n.yx)) * signs(n.xy);
@@ -45,8 +45,8 @@ DenoiseSurface unpackSurface(vec4 words) {
 
 bool sameKind(DenoiseSurface a, DenoiseSurface b) { return a.kind == b.kind && a.kind != KIND_EMPTY; }
 
-// What keeps b, at offset pixels from a, from being averaged with a, as the exponent x of exp(-x). slope: change of
-// closeness a pixel at a. pixel_angle: radians.
+// Distance between the surfaces of a and of b, offset pixels away, as the exponent x of the weight exp(-x). slope:
+// change of closeness per pixel at a. pixel_angle: radians.
 float surfaceDistance(DenoiseSurface a, vec2 slope, DenoiseSurface b, vec2 offset, float pixel_angle) {
     float predicted = dot(slope, offset);
     float tolerance = kSlopeTolerance * abs(predicted) +

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Denoiser, third pass: how much a pixel's light can be trusted. A pixel's own estimate from a few samples is noise
-// itself and is averaged with its neighbours', as deviation, so that a few uncertain pixels (an edge in a mirrored
-// picture) do not count for all around; where there is none the light's spread among the neighbours stands in.
+// Denoiser, third pass: the variance of each pixel's light. The estimate of a single pixel from few samples is itself
+// noisy, so it is averaged with its neighbours', as a standard deviation, to keep a few pixels of high variance (an
+// edge in a mirrored picture) from dominating. Without estimates the spatial variance of the light among the neighbours
+// is used.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/display/denoise_grid.glsl"
@@ -13,16 +14,16 @@ layout(local_size_x = 16, local_size_y = 8) in;
 layout(constant_id = SPEC_KNOWS_VARIANCE) const uint KNOWS_VARIANCE = 1;
 layout(push_constant) uniform Push { // x, y: size of the image
     ivec4 push;
-    vec4 angles; // x: of a pixel, radians
+    vec4 angles; // x: angle of a pixel, radians
 };
 
-layout(binding = BINDING_DENOISE_LIGHT) uniform samplerBuffer light_texels;   // light, variance
+layout(binding = BINDING_DENOISE_LIGHT) uniform samplerBuffer light_texels;   // rgb: light, a: variance
 layout(binding = BINDING_DENOISE_SURFACES) uniform samplerBuffer surface_texels; // DenoiseSurface
 layout(binding = BINDING_DENOISE_SLOPES) uniform samplerBuffer slope_texels;
 layout(std430, binding = BINDING_DENOISE_LIGHT_OUT) writeonly buffer LightBuffer { vec4 lights[]; };
 
-// Of the window: 5x5 smooths given variances, 7x7 measures spreads (as Schied et al. 2017 do for new pixels). Every
-// second pixel of it stands for all: a third of the time, and pictures as good.
+// Half width of the window: 5x5 smooths given variances, 7x7 measures spatial variance (as Schied et al. 2017 do for
+// new pixels). Only every second pixel is sampled: a third of the time for the same quality.
 const int kReach = KNOWS_VARIANCE != 0u ? 2 : 3;
 
 void main() {
@@ -32,8 +33,8 @@ void main() {
     vec4 light = texelFetch(light_texels, texel);
     DenoiseSurface center = unpackSurface(texelFetch(surface_texels, texel));
     vec2 slope = texelFetch(slope_texels, texel).xy;
-    float own = luminance(light.rgb);
-    float total = 1.0, deviations = sqrt(light.a), sum = 0.0, squares = 0.0; // of differences to the pixel's own light
+    float center_light = luminance(light.rgb);
+    float total = 1.0, deviations = sqrt(light.a), sum = 0.0, squares = 0.0; // of differences to the pixel's light
     ivec2 at = ivec2(-kReach);
     while (at.y <= kReach) {
         ivec2 other = pixel + at;
@@ -42,7 +43,7 @@ void main() {
         DenoiseSurface surface = unpackSurface(texelFetch(surface_texels, tap));
         bool counts = isInside(other, push.xy) && sameKind(center, surface) && at != ivec2(0);
         float weight = counts ? exp(-surfaceDistance(center, slope, surface, vec2(at), angles.x)) : 0.0;
-        float difference = luminance(tap_light.rgb) - own;
+        float difference = luminance(tap_light.rgb) - center_light;
         total += weight;
         deviations += weight * sqrt(tap_light.a);
         sum += weight * difference;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The film's sums as means: a picture of the part that is shown, and what guides the denoiser.
+// Resolves the film's sums to means: a picture of the part shown, and the guides of the denoiser.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/color.glsl"
@@ -16,18 +16,20 @@ layout(push_constant) uniform Push { ResolveParams push; };
 layout(std430, binding = BINDING_RESOLVE_FILM) readonly buffer FilmBuffer { vec4 film[]; };
 layout(std430, binding = BINDING_RESOLVE_FIRST_HITS) readonly buffer FirstHitBuffer { vec4 first_hits[]; };
 layout(std430, binding = BINDING_RESOLVE_COLORS) writeonly buffer ColorBuffer { vec4 colors[]; };
-layout(std430, binding = BINDING_RESOLVE_SURFACES) writeonly buffer SurfaceBuffer { vec4 surfaces[]; }; // normal, depth
-layout(std430, binding = BINDING_RESOLVE_ALBEDOS) writeonly buffer AlbedoBuffer { vec4 albedos[]; }; // w: variance of the mean
+// xyz: normal, w: depth
+layout(std430, binding = BINDING_RESOLVE_SURFACES) writeonly buffer SurfaceBuffer { vec4 surfaces[]; };
+// rgb: albedo, w: variance of the mean luminance
+layout(std430, binding = BINDING_RESOLVE_ALBEDOS) writeonly buffer AlbedoBuffer { vec4 albedos[]; };
 
 vec4 layer(uint pixel, uint which) { return film[which * push.film_pixels + pixel]; }
 
-// Of the mean of the samples with this sum and this sum of squares.
+// Variance of the mean of samples with this sum and this sum of squares.
 float varianceOfMean(float sum, float squares, float samples) {
     float mean = sum / samples;
     return max(squares / samples - mean * mean, 0.0) / (samples - 1.0);
 }
 
-// What is known of a pixel.
+// The film at a pixel.
 struct Pixel {
     uint number;
     vec3 beauty;
@@ -39,7 +41,7 @@ struct Pixel {
     float variance;
 };
 
-// The functions that rows of FILM_PARTS name.
+// The views, by the function names in FILM_PARTS.
 vec3 showBeauty(Pixel p) { return p.beauty; }
 vec3 showAlbedo(Pixel p) { return p.albedo.rgb * push.share; }
 vec3 showNormal(Pixel p) { return p.hit.w >= 0.0 ? 0.5 + 0.5 * p.hit.xyz : vec3(0.0); }
@@ -47,15 +49,14 @@ vec3 showDepth(Pixel p) { return vec3(p.hit.w >= 0.0 ? max(1.0 - p.hit.w / push.
 vec3 showDirect(Pixel p) { return p.direct.rgb * push.share; }
 vec3 showIndirect(Pixel p) { return p.indirect.rgb * push.share; }
 vec3 showCaustic(Pixel p) { return p.caustic.rgb * push.share; }
-// The deviation beside the light itself, a tenth of which is as bright as can be.
+// Relative standard deviation; 10% is shown as white.
 vec3 showNoise(Pixel p) { return vec3(10.0 * sqrt(p.variance) / max(luminance(p.beauty), 1e-3)); }
 
-// A colour for each material: from one to the next the hue goes on by the golden ratio, so that neighbours in the table
-// differ most.
+// A colour per material: hues advance by the golden ratio, so that neighbours in the table differ most.
 vec3 showMaterial(Pixel p) {
     if (p.hit.w < 0.0) return vec3(0.0);
     uint material = floatBitsToUint(first_hits[FIRST_HIT_VECTORS * p.number + 1u][HIT_MATERIAL]);
-    float hue = float(material * 2654435769u) / 4294967296.0; // its product with the golden ratio, without the whole part
+    float hue = float(material * 2654435769u) / 4294967296.0; // fractional part of the product with the golden ratio
     vec3 color = clamp(abs(fract(hue + vec3(0.0, 2.0, 1.0) / 3.0) * 6.0 - 3.0) - 1.0, 0.0, 1.0);
     return mix(vec3(1.0), color, 0.7);
 }
@@ -76,12 +77,12 @@ void main() {
     vec4 direct = layer(pixel, LAYER_DIRECT), indirect = layer(pixel, LAYER_INDIRECT),
          caustic = layer(pixel, LAYER_CAUSTIC), albedo = layer(pixel, LAYER_ALBEDO);
     vec3 sum = direct.rgb + indirect.rgb + caustic.rgb;
-    // of one sample there is no variance; the last one is not squared yet
+    // one sample has no variance; the last sample is not in the sum of squares yet
     float variance = samples < 2.0 ? 0.0
                                    : varianceOfMean(luminance(sum), caustic.w + indirect.w * indirect.w, samples);
     vec4 hit = vec4(0.0, 0.0, 0.0, -1.0);
     if (HAS_FIRST_HITS != 0u) hit = first_hits[FIRST_HIT_VECTORS * pixel];
-    // what the scene does not cover is a backdrop, whose shadows are as noisy as any
+    // uncovered pixels show the backdrop, whose shadows need denoising too
     float alpha = direct.w > 0.0 ? direct.w * share : 1.0;
     colors[pixel] = vec4(shownOf(Pixel(pixel, sum * share, direct, indirect, caustic, albedo, hit, variance)), alpha);
     if (HAS_FIRST_HITS == 0u) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From linear light to the 8 bits of a screen, as runtime/image/tonemap.cpp does for files.
+// Linear light to 8-bit display values, as runtime/image/tonemap.cpp does for files.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/shared/display_layout.h"
@@ -11,7 +11,7 @@ layout(local_size_x = DISPLAY_GROUP) in;
 layout(push_constant) uniform Push { TonemapParams push; };
 
 layout(binding = BINDING_TONEMAP_COLORS) uniform samplerBuffer colors;
-// 0xAARRGGBB, as windows take them
+// 0xAARRGGBB, the format of windows
 layout(std430, binding = BINDING_TONEMAP_PIXELS) writeonly buffer PixelBuffer { uint pixels[]; };
 
 vec3 toneMap(vec3 linear) {

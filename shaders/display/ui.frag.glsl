@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #version 460
-// The UI's colours: sRGB-encoded, straight alpha, as the picture underneath.
+// Colours of the user interface: sRGB-encoded like the picture below, straight alpha.
 
 layout(location = 0) in vec2 glyph;
 layout(location = 1) in vec4 color;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #version 460
-// The UI's triangles, in window units from the upper left corner (ui_renderer.h).
+// Triangles of the user interface, in window units from the upper left corner (ui_renderer.h).
 
 layout(location = 0) in vec2 position;
 layout(location = 1) in vec2 glyph;

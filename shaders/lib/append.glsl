@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Queues and lists that a whole subgroup appends to at once.
+// Appends to queues and lists, one atomic per subgroup (stream compaction).
 #ifndef POINTRT_SHADERS_APPEND_GLSL
 #define POINTRT_SHADERS_APPEND_GLSL
 #extension GL_KHR_shader_subgroup_ballot : require
 #extension GL_KHR_shader_subgroup_basic : require
 
-// Beside LIST_*.
-#define APPEND_RAY LISTS // to the queue that the step does not read
-#define APPEND_HIT (LISTS + 1u)
+// Further destinations beside LIST_*.
+#define APPEND_RAY LISTS // the ray queue that the step does not read
+#define APPEND_HIT (LISTS + 1u) // the hit list
 
 uint addToCount(uint list, uint more) {
     if (list == APPEND_HIT) return atomicAdd(control.hits_appended, more);
@@ -21,19 +21,19 @@ uint appendStart(uint list) {
     return listStart(list);
 }
 
-// list: a constant, APPEND_* or LIST_*.
-void appendEntry(uint list, bool wants, uint entry) {
-    uvec4 ballot = subgroupBallot(wants);
+// list: a constant, APPEND_* or LIST_*. All lanes of the subgroup must call it; those with appends add their entry.
+void appendEntry(uint list, bool appends, uint entry) {
+    uvec4 ballot = subgroupBallot(appends);
     uint total = subgroupBallotBitCount(ballot);
     uint start = 0u;
     if (subgroupElect() && total > 0u) start = addToCount(list, total);
     uint slot = subgroupBroadcastFirst(start) + subgroupBallotExclusiveBitCount(ballot);
-    if (wants) queues[appendStart(list) + slot] = entry;
+    if (appends) queues[appendStart(list) + slot] = entry;
 }
 
-void appendRay(bool wants, uint index, PathState path) {
-    appendEntry(APPEND_RAY, wants, index);
-    if (wants) paths[index] = path;
+void appendRay(bool appends, uint index, PathState path) {
+    appendEntry(APPEND_RAY, appends, index);
+    if (appends) paths[index] = path;
 }
 
 #endif

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every buffer of a frame's programs, once; those of an instance are in instance_bindings.glsl, with how each kind is
-// best read.
+// All buffers of the programs of a frame. Those of an instance, and how to read each kind of buffer fastest:
+// instance_bindings.glsl.
 #ifndef POINTRT_SHADERS_BINDINGS_GLSL
 #define POINTRT_SHADERS_BINDINGS_GLSL
 #include "shaders/lib/instance_bindings.glsl"
 #include "shaders/lib/features.glsl"
 
-// The scene's.
+// The scene.
 layout(binding = BINDING_MATERIALS) uniform usamplerBuffer material_texels;
 layout(binding = BINDING_SHAPES) uniform usamplerBuffer shape_texels;
 layout(binding = BINDING_LIGHTS) uniform usamplerBuffer light_texels;
@@ -17,37 +17,38 @@ layout(binding = BINDING_ENVIRONMENT_CDF) uniform samplerBuffer environment_cdf;
 layout(binding = BINDING_PHOTON_TEXELS) uniform usamplerBuffer photon_texels;
 layout(binding = BINDING_PHOTON_BUCKETS) uniform usamplerBuffer photon_buckets;
 
-// The frame's.
+// The frame.
 layout(std140, binding = BINDING_PARAMS) uniform ParamsBuffer { FrameParams params; };
 layout(std430, binding = BINDING_CONTROL) buffer ControlBuffer { Control control; };
-// two of rays (the first one holds tiles at first), one of light queries, one of hits, one of rays for instances, and
-// with room for ASKED_TURNS of each path one of shadow rays for them; where there are sieves, as much again for bits of
-// the targets that a list's entries meet, and SIFTED_ENTRIES of each path for the targets' lists
+// In this order: two ray queues (the first initially holds tiles), LIST_DIRECT_LIGHT, the hit list, LIST_INSTANCE_RAYS,
+// and LIST_SHADOW_RAYS with SHADOW_RAYS_PER_PATH entries per path; with instance culling also the cull masks of the
+// entries of a list, as long as LIST_SHADOW_RAYS, and the culled lists, CULLED_ENTRIES per path
 layout(std430, binding = BINDING_QUEUES) buffer QueueBuffer { uint queues[]; };
 layout(std430, binding = BINDING_PATHS) buffer PathBuffer { PathState paths[]; };
-// TraceHit: t as bits, cell, disc, which is its place in the lists too, owner; of shapes: t, 0, shape, OWNER_SHAPES
+// splats, as in TraceHit: t as bits, cell, disc (an index into the listed splats), owner; shapes: t, 0, shape,
+// OWNER_SHAPES
 layout(rgba32ui, binding = BINDING_HITS) uniform uimageBuffer hit_texels;
 layout(std430, binding = BINDING_LIGHT_QUERIES) buffer LightQueryBuffer { DirectLightQuery light_queries[]; };
 layout(std430, binding = BINDING_FILM) buffer FilmBuffer { vec4 film[]; };
-layout(std430, binding = BINDING_FIRST_HITS) buffer FirstHitBuffer { vec4 first_hits[]; }; // of pixels
-layout(binding = BINDING_PATHS_TEXELS) uniform usamplerBuffer path_texels; // of paths
-layout(binding = BINDING_QUEUES_TEXELS) uniform usamplerBuffer queue_words; // of queues
-// of each tile: its rays' free distance
+layout(std430, binding = BINDING_FIRST_HITS) buffer FirstHitBuffer { vec4 first_hits[]; }; // per pixel
+layout(binding = BINDING_PATHS_TEXELS) uniform usamplerBuffer path_texels; // views paths
+layout(binding = BINDING_QUEUES_TEXELS) uniform usamplerBuffer queue_words; // views queues
+// per tile: the free distance of its rays
 layout(std430, binding = BINDING_BEAMS) buffer BeamBuffer { float beams[]; };
-layout(binding = BINDING_BEAMS_TEXELS) uniform samplerBuffer beam_texels; // of beams
+layout(binding = BINDING_BEAMS_TEXELS) uniform samplerBuffer beam_texels; // views beams
 layout(std430, binding = BINDING_SURFACES) buffer SurfaceBuffer { SurfaceInteraction surfaces[]; };
-// bit l: light l does not reach it
+// per path: bit i set if light sample i is occluded
 layout(std430, binding = BINDING_LIGHT_MASKS) buffer ShadowBuffer { uint light_masks[]; };
-layout(std430, binding = BINDING_DEFERRED) buffer DeferredBuffer { PathState deferred[]; }; // MAX_DEFERRED a pixel
-// of paths: they share their memory with light_queries, for no form has both
+layout(std430, binding = BINDING_DEFERRED) buffer DeferredBuffer { PathState deferred[]; }; // MAX_DEFERRED per pixel
+// per path; shares memory with light_queries: no kernel form uses both at a time
 layout(std430, binding = BINDING_SHADOW_RAYS) buffer ShadowRayBuffer { ShadowRay shadow_rays[]; };
 layout(binding = BINDING_SHADOW_RAYS_TEXELS) uniform usamplerBuffer shadow_ray_texels;
-layout(std430, binding = BINDING_PHOTONS) buffer PhotonBuffer { Photon photons[]; }; // being traced
-layout(binding = BINDING_SURFACES_TEXELS) uniform usamplerBuffer surface_texels; // of surfaces
-layout(binding = BINDING_LIGHT_QUERIES_TEXELS) uniform usamplerBuffer light_query_texels; // of light_queries
-// pixels of the picture, x | y << 16, that lanes of STEP_PLACES trace
-layout(binding = BINDING_PLACES) uniform usamplerBuffer place_words;
-layout(std140, binding = BINDING_SIEVE) uniform SieveBuffer { Sieve sieve; };
+layout(std430, binding = BINDING_PHOTONS) buffer PhotonBuffer { Photon photons[]; }; // in flight
+layout(binding = BINDING_SURFACES_TEXELS) uniform usamplerBuffer surface_texels; // views surfaces
+layout(binding = BINDING_LIGHT_QUERIES_TEXELS) uniform usamplerBuffer light_query_texels; // views light_queries
+// pixels of the picture, x | y << 16, traced with STEP_PIXEL_LIST
+layout(binding = BINDING_PIXEL_LIST) uniform usamplerBuffer pixel_list_words;
+layout(std140, binding = BINDING_CULL_BOXES) uniform CullBuffer { CullBoxes cull; };
 layout(push_constant) uniform Push { PushParams push; };
 
 #define loadPhoton(photon, member) uintBitsToFloat(texelFetch(photon_texels, int(photon) * PHOTON_VECTORS + (member)))
@@ -59,17 +60,17 @@ layout(push_constant) uniform Push { PushParams push; };
 #define PATH_ORIGIN 0
 #define PATH_DIRECTION 1
 #define PATH_THROUGHPUT 2
-#define PATH_LEFT_NORMAL 3
+#define PATH_SELF_NORMAL 3
 #define loadPathTexel(path, member) texelFetch(path_texels, int(path) * PATH_VECTORS + (member))
 #define loadQueue(i) texelFetch(queue_words, int(i)).x
 #define loadBeam(tile) texelFetch(beam_texels, int(tile)).x
 #define loadSurfaceTexel(path, member) texelFetch(surface_texels, int(path) * SURFACE_VECTORS + (member))
 #define loadLightQueryTexel(path, member) texelFetch(light_query_texels, int(path) * LIGHT_QUERY_VECTORS + (member))
 #define loadShadowTexel(path, member) texelFetch(shadow_ray_texels, int(path) * SHADOW_RAY_VECTORS + (member))
-#define loadPlace(i) texelFetch(place_words, int(i)).x
+#define loadListedPixel(i) texelFetch(pixel_list_words, int(i)).x
 #define loadHit(path) imageLoad(hit_texels, int(path))
 
-// Floats are fetched as bits: what they hold as bits would be small floats, which drivers may take for 0.
+// Texels are fetched as integers: integers in them would read as denormal floats, which drivers may flush to 0.
 float asFloat(uint word) { return uintBitsToFloat(word); }
 vec3 asVector(uvec4 words) { return uintBitsToFloat(words.xyz); }
 vec4 materialVector(int i) { return uintBitsToFloat(texelFetch(material_texels, i)); }
@@ -88,7 +89,7 @@ Shape fetchShape(uint index) {
     return Shape(shapeVector(i), shapeVector(i + 1), shapeVector(i + 2), texelFetch(shape_texels, i + 3));
 }
 
-// One of a scene that has few: i is a constant where loops are unrolled.
+// A shape of a scene with at most HELD_SHAPES; i is a constant in unrolled loops.
 Shape heldShape(uint i) {
     Shape shape = params.held_shapes[i];
     shape.kind.x = kShapeKinds >> (SHAPE_COUNT_BITS + SHAPE_KIND_BITS * i) & (1u << SHAPE_KIND_BITS) - 1u;
@@ -102,22 +103,24 @@ Light loadLight(uint index) {
 
 bool hasOption(uint option) { return (params.options & option) != 0u; }
 bool hasStep(uint bit) { return (push.step & bit) != 0u; }
-// Lanes of a sample: the band in tiles, the last ones padded.
+// Lanes of a sample: the band in tiles; tiles at its borders are padded.
 uint tilesAcross() { return (params.width + TILE_SIDE - 1u) / TILE_SIDE; }
 uint bandTiles() { return tilesAcross() * ((params.rows + TILE_SIDE - 1u) / TILE_SIDE); }
 uint bandLanes() { return bandTiles() * TILE_PIXELS; }
 uint rayQueueStart(bool second) { return second ? bandLanes() : 0u; }
 uint lightQueueStart() { return 2u * bandLanes(); }
 uint hitListStart() { return 3u * bandLanes(); }
-uint askedListStart() { return 4u * bandLanes(); }
-uint turnListStart() { return 5u * bandLanes(); }
-uint sieveBitsStart() { return (5u + ASKED_TURNS) * bandLanes(); }
-uint siftedStart() { return (5u + 2u * ASKED_TURNS) * bandLanes(); }
-uint siftedEnd() { return siftedStart() + SIFTED_ENTRIES * bandLanes(); }
+uint instanceRayListStart() { return 4u * bandLanes(); }
+uint shadowRayListStart() { return 5u * bandLanes(); }
+uint cullMaskStart() { return (5u + SHADOW_RAYS_PER_PATH) * bandLanes(); }
+uint culledListStart() { return (5u + 2u * SHADOW_RAYS_PER_PATH) * bandLanes(); }
+uint culledListEnd() { return culledListStart() + CULLED_ENTRIES * bandLanes(); }
 
-// Of those that programs append to.
+// For lists that programs append to.
 uint listStart(uint list) {
-    return list == LIST_LIT ? lightQueueStart() : (list == LIST_ASKED ? askedListStart() : turnListStart());
+    return list == LIST_DIRECT_LIGHT    ? lightQueueStart()
+           : list == LIST_INSTANCE_RAYS ? instanceRayListStart()
+                                        : shadowRayListStart();
 }
 
 #endif

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// One instance's buffers. What is looked up at random is read through texel buffers: on lavapipe those are hardware
-// gathers, three times as fast as storage buffers, and they may hold 2 GiB where storage buffers end at 128 MiB. More
-// than that, of an instance's, is in further pages in a set of their own, for programs built with PAGED (pages.glsl).
-// What the loops of traversal and blending read are images of buffers: lavapipe makes those loads part of a program,
-// where fetches of texels are calls, for which all that is alive goes through memory.
+// The buffers of one instance. Random reads go through texel buffers: on lavapipe those are hardware gathers, three
+// times as fast as storage buffers, and they may hold 2 GiB, while storage buffers end at 128 MiB. Larger buffers have
+// further pages in a descriptor set of their own, for programs built with PAGED (pages.glsl). The loops of traversal
+// and blending read image buffers: lavapipe inlines image loads, while texel fetches are calls that spill all live
+// registers.
 #ifndef POINTRT_SHADERS_INSTANCE_BINDINGS_GLSL
 #define POINTRT_SHADERS_INSTANCE_BINDINGS_GLSL
 #include "shaders/shared/bindings.h"
@@ -19,10 +19,10 @@ layout(binding = BINDING_CELLS) uniform usamplerBuffer cell_words;
 layout(binding = BINDING_NEAR, rgba32ui) uniform readonly uimageBuffer near_words;
 layout(binding = BINDING_BLENDING, r32ui) uniform readonly uimageBuffer blending_words;
 layout(binding = BINDING_SLABS, r32ui) uniform readonly uimageBuffer slab_words;
-layout(binding = BINDING_NOISE) uniform usamplerBuffer noise_words; // bytes, 16 to a texel: one page holds 2^31
+layout(binding = BINDING_NOISE) uniform usamplerBuffer noise_words; // 16 bytes per texel: one page holds 2^31 splats
 layout(std140, binding = BINDING_INSTANCE) uniform InstanceBuffer { InstanceParams instance; };
 
-#ifdef PAGED // the same loads
+#ifdef PAGED
 #include "shaders/lib/pages.glsl"
 #else
 #define loadBrickWord(i) imageLoad(brick_words, int(i)).x
@@ -37,8 +37,8 @@ layout(std140, binding = BINDING_INSTANCE) uniform InstanceBuffer { InstancePara
 #define loadNoise(i) (texelFetch(noise_words, int((i) >> 4))[(i) >> 2 & 3u] >> (8u * ((i) & 3u)) & 0xFFu)
 #define loadGrid(i) imageLoad(grid_words, int(i)).x
 
-// A number below 2^31 from a uniform block, where a loop's end or an if hangs on it. Else lavapipe takes it for a
-// constant and makes the program anew, for milliseconds, at each dispatch.
+// A number below 2^31 from a uniform block that controls a loop or a branch. Without this lavapipe treats it as a
+// constant and recompiles the program at each dispatch, which takes milliseconds.
 uint ofLane(uint number) { return min(number, 0x80000000u | gl_LocalInvocationID.x); }
 
 #endif

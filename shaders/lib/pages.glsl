@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loads from buffers that outgrow one texel buffer: page k, from 1 on, is element k - 1 of an array in set 1, and page 0
-// where unpaged programs have the whole buffer (bindings.glsl). Some drivers, lavapipe among them, index such arrays by
-// constants alone, so each page in use is fetched from, those that do not have the texel at 0, and one is taken.
+// Loads from buffers larger than one texel buffer. Page 0 is bound where unpaged programs bind the whole buffer
+// (instance_bindings.glsl); page k >= 1 is element k - 1 of an array in set 1. Some drivers, lavapipe among them, index
+// such arrays by constants only: so every page in use is fetched from, at index 0 if it does not hold the texel, and
+// the right result selected.
 #ifndef POINTRT_SHADERS_PAGES_GLSL
 #define POINTRT_SHADERS_PAGES_GLSL
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/pages.h"
 #include "shaders/shared/spec_constants.h"
 
-// Texels of a page are 2^kPageBits; then the pages in use of each buffer, 1 to MAX_PAGES.
+// A page has 2^kPageBits texels. Then: pages in use of each buffer, 1 to MAX_PAGES.
 layout(constant_id = SPEC_PAGE_BITS) const uint kPageBits = 27u;
 layout(constant_id = SPEC_BRICK_PAGES) const uint kBrickPages = 1u;
 layout(constant_id = SPEC_CELL_PAGES) const uint kCellPages = 1u;
@@ -32,7 +33,7 @@ layout(set = SET_PAGES, binding = BINDING_SPLAT_PAGES) uniform usamplerBuffer sp
         texel = page == k ? other : texel; \
     }
 
-// load: how the first page is read.
+// load: the function that reads the first page.
 #define DEFINE_FETCH(fetch, load, first, pages, page_count) \
     uvec4 fetch(uint i) { \
         const uint count = page_count; \

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The path that a lane works on: a camera ray in the first pass, a queued one in later passes.
+// The path state of a lane: a camera ray in the camera pass, an entry of the ray queue in later passes.
 #ifndef POINTRT_SHADERS_PATH_GLSL
 #define POINTRT_SHADERS_PATH_GLSL
 #include "shaders/lib/bindings.glsl"
@@ -9,7 +9,7 @@
 
 const uvec4 kNoHit = uvec4(0x7149F2CAu, NO_INDEX, NO_INDEX, 0u); // t is 1e30
 
-// Paths are numbered as lanes, by tiles of pixels: what is near each other then lies near each other in memory.
+// Paths are numbered like lanes, by tiles of pixels: neighbours in the picture are neighbours in memory.
 uvec2 pathPixel(uint path) { return tilePixel(path / TILE_PIXELS, path % TILE_PIXELS); }
 
 PathState cameraPath(uint index) {
@@ -19,7 +19,7 @@ PathState cameraPath(uint index) {
 
 PathState storedPath(uint index) {
     uvec4 origin = loadPathTexel(index, PATH_ORIGIN), direction = loadPathTexel(index, PATH_DIRECTION),
-          throughput = loadPathTexel(index, PATH_THROUGHPUT), left = loadPathTexel(index, PATH_LEFT_NORMAL);
+          throughput = loadPathTexel(index, PATH_THROUGHPUT), left = loadPathTexel(index, PATH_SELF_NORMAL);
     return PathState(asVector(origin), asFloat(origin.w), asVector(direction), asFloat(direction.w), asVector(throughput),
                      throughput.w, asVector(left), left.w);
 }
@@ -29,7 +29,7 @@ PathState pathOf(uint index) {
     return storedPath(index);
 }
 
-// index: the path's number, NO_INDEX where this lane has none.
+// index: number of the path, NO_INDEX if this lane has none.
 PathState currentPath(out uint index) {
     uint lane = balancedLane();
     index = kCameraPass ? (isPixel(lane) ? lane : NO_INDEX) : queuedIndex(lane);
@@ -38,19 +38,19 @@ PathState currentPath(out uint index) {
 
 uint bounceOf(uint bits) { return bits & PATH_BOUNCE_MASK; }
 
-// The path's pixel in the band, and in the whole image.
+// Pixel of the path in the band, and in the whole image.
 uint bandPixel(uint path) {
     uvec2 pixel = pathPixel(path);
     return pixel.y * params.width + pixel.x;
 }
 uint imagePixel(uint path) { return bandPixel(path) + params.first_row * params.width; }
 
-// Dimensions of the sample sequence, in pairs: a pixel's place, then these for each bounce.
-#define DIMENSIONS_A_BOUNCE 4u
+// Pairs of dimensions of the sample sequence: the position in the pixel, then these for each bounce.
+#define PAIRS_PER_BOUNCE 4u
 #define PAIR_DIRECTION 0u
-#define PAIR_CHOICES 1u // which lobe, whether to go on
+#define PAIR_CHOICES 1u // lobe and Russian roulette
 #define PAIR_LIGHT 2u
 #define PAIR_LIGHT_CHOICE 3u
-uint dimensionPair(uint bounce, uint use) { return 1u + bounce * DIMENSIONS_A_BOUNCE + use; }
+uint dimensionPair(uint bounce, uint use) { return 1u + bounce * PAIRS_PER_BOUNCE + use; }
 
 #endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One lane between dispatches: turns queue lengths into the group counts of the next ones and
-// counts their rays.
+// One lane between dispatches: turns queue lengths into group counts of the next dispatches, and counts their rays.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/bindings.glsl"
@@ -14,7 +13,7 @@ void setList(uint list, uint start, uint count) {
     control.lists[list].count = count;
     control.lists[list].start = start;
     control.lists[list].appended = 0u;
-    control.lists[list].placed = 0u;
+    control.lists[list].compacted = 0u;
 }
 
 void reset() {
@@ -32,25 +31,26 @@ void reset() {
     control.secondary_rays = 0u;
 }
 
-void takeList(uint list) { setList(list, listStart(list), control.lists[list].appended); }
+void closeList(uint list) { setList(list, listStart(list), control.lists[list].appended); }
 
-// The queue just shaded is empty again; the other holds the next rays.
-void takeNextQueue() {
+// Empties the ray queue just shaded; the other one holds the next rays.
+void swapQueues() {
     bool second = hasStep(STEP_QUEUE_ONE);
     uint next = control.queued[second ? 0 : 1];
     control.secondary_rays += next;
     control.queued[second ? 1 : 0] = 0u;
     control.ray_groups = groupsFor(next);
-    takeList(LIST_LIT);
+    closeList(LIST_DIRECT_LIGHT);
 }
 
-// A sieve's lists, one behind the other; a target whose entries do not fit is asked for all that were sifted.
-void takeSifted(uint sifted) {
-    uint start = siftedStart();
-    for (uint list = LIST_SIFTED; list < LISTS; list++) {
+// Allocates the culled lists of a cull group one after the other. An instance whose list does not fit gets all entries
+// of the list that was culled.
+void allocateCulledLists(uint source) {
+    uint start = culledListStart();
+    for (uint list = LIST_CULLED; list < LISTS; list++) {
         uint count = control.lists[list].appended;
-        bool fits = count <= siftedEnd() - start;
-        setList(list, fits ? start : control.lists[sifted].start, fits ? count : control.lists[sifted].count);
+        bool fits = count <= culledListEnd() - start;
+        setList(list, fits ? start : control.lists[source].start, fits ? count : control.lists[source].count);
         start += fits ? count : 0u;
     }
 }
@@ -59,14 +59,14 @@ void main() {
     if (hasStep(STEP_RESET)) {
         reset();
     } else if (hasStep(STEP_LIST)) {
-        takeList(push.list);
-    } else if (hasStep(STEP_SIFTED)) {
-        takeSifted(push.list);
+        closeList(push.list);
+    } else if (hasStep(STEP_CULLED)) {
+        allocateCulledLists(push.list);
     } else if (hasStep(STEP_HITS)) {
         control.hit_groups = groupsFor(control.hits_appended);
         control.hit_count = control.hits_appended;
         control.hits_appended = 0u;
     } else {
-        takeNextQueue();
+        swapQueues();
     }
 }

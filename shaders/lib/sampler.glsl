@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Low-discrepancy numbers: for each pixel and pair of dimensions an Owen-scrambled Sobol sequence of its own, whose
-// samples 0 to 2^k - 1, and every following 2^k, fill each elementary interval of area 2^-k once. Pairs of dimensions
-// are padded: each sequence is shuffled by itself, so that nothing of one tells of another.
+// Low-discrepancy samples: an Owen-scrambled Sobol sequence for each pixel and pair of dimensions. Its samples 0 to
+// 2^k - 1, and every following 2^k, put one point into each elementary interval of area 2^-k. Pairs of dimensions are
+// padded: each sequence is shuffled independently, so that pairs are uncorrelated.
 // After Burley, Practical Hash-Based Owen Scrambling (JCGT 9(4), 2020).
 #ifndef POINTRT_SHADERS_SAMPLER_GLSL
 #define POINTRT_SHADERS_SAMPLER_GLSL
 
 #include "shaders/lib/random.glsl"
 
-// Owen scrambling of a number whose bits are reversed: a bit is flipped by a hash of the bits below it. This is
-// Vegdahl's hash (Building a Better LK Hash, 2021), of better quality than Laine and Karras's at the same cost.
+// Owen scrambling of a bit-reversed number: flips each bit by a hash of the bits below it. Vegdahl's hash (Building a
+// Better LK Hash, 2021), of better quality than that of Laine and Karras at the same cost.
 uint scrambleReversed(uint x, uint seed) {
     x ^= x * 0x3D20ADEAu;
     x += seed;
@@ -19,8 +19,8 @@ uint scrambleReversed(uint x, uint seed) {
     return x;
 }
 
-// The second Sobol dimension, reversed: bit j is the sum of index's bits k with odd C(k, j), the Pascal matrix modulo
-// 2. C(k, j) is odd where j's bits are among k's (Lucas), so sums over halves make it in five steps.
+// The second Sobol dimension, bit-reversed: bit j is the sum of the bits k of index with odd C(k, j), the Pascal matrix
+// modulo 2. C(k, j) is odd if the bits of j are a subset of those of k (Lucas), so five butterfly steps compute it.
 uint pascalBits(uint index) {
     index ^= index >> 16u;
     index ^= index >> 8u & 0x00FF00FFu;
@@ -30,7 +30,7 @@ uint pascalBits(uint index) {
     return index;
 }
 
-// 24 bits are what a float below 1 holds evenly.
+// 24 bits: the most that floats in [0, 1) represent with even spacing.
 float unitFloat(uint bits) { return float(bits >> 8u) * (1.0 / 16777216.0); }
 
 // Two numbers in [0, 1).
@@ -42,7 +42,7 @@ vec2 sample2(uint pixel, uint sample_index, uint dimension_pair, uint seed) {
     return vec2(unitFloat(x), unitFloat(y));
 }
 
-// The first of the pair: one number in [0, 1) for decisions that need no more. It uses up the pair's number.
+// The first number of the pair only, in [0, 1). It uses up the pair.
 float sample1(uint pixel, uint sample_index, uint dimension_pair, uint seed) {
     uvec3 hash = pcg3(uvec3(pixel, dimension_pair, seed));
     uint index = bitfieldReverse(scrambleReversed(bitfieldReverse(sample_index), hash.x));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Caustics on the points that ask for light.
+// Gathers photons (caustics) at the points of LIST_DIRECT_LIGHT.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/shade/direct_light.glsl"

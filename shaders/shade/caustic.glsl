@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light that mirrors and glass have bundled, gathered from photons around a point (Jensen, Global Illumination Using
-// Photon Maps, 1996). The kernel is the weight that splats blend with: (1 - d^2/r^2)^2, over its integral pi r^2 / 3, so
-// that a photon's light is spread around it and none is lost.
+// Caustics: irradiance estimated from the photons around a point (Jensen, Global Illumination Using Photon Maps, 1996).
+// The kernel is the blend weight of splats, (1 - d^2/r^2)^2, over its integral pi r^2 / 3, so that a photon's flux is
+// conserved.
 //
-// The program defines loadPhoton(photon, member), a vec4 of it, loadPhotonWord(i), a word of the buckets, and
+// The program defines loadPhoton(photon, member), a vec4 of a Photon, loadPhotonWord(i), a word of the buckets, and
 // loadPhotonLevel(i).
 #ifndef POINTRT_SHADERS_CAUSTIC_GLSL
 #define POINTRT_SHADERS_CAUSTIC_GLSL
@@ -14,10 +14,11 @@ uint photonBucket(ivec3 cell, uint level) {
     return (c.x * PHOTON_HASH_X ^ c.y * PHOTON_HASH_Y ^ c.z * PHOTON_HASH_Z ^ level * PHOTON_HASH_LEVEL) % PHOTON_BUCKETS;
 }
 
-// Surfaces that differ by more than 60 degrees are others, as for splats that blend.
+// Cosine of the largest angle between normals of the same surface, as for splats that blend: 60 degrees.
 const float kSameSurface = 0.5;
 
-// Of the photon's flux, times r^2. The bucket may hold other levels' photons and those of other cells, which are away.
+// Kernel times the photon's flux, without 3 / (pi r^2). 0 for photons of other levels and out of reach, which may share
+// the bucket.
 vec3 photonShare(uint photon, float level, float squared_radius, vec3 position, vec3 normal) {
     vec4 place = loadPhoton(photon, 0), flux = loadPhoton(photon, 1);
     vec3 offset = position - place.xyz, facing = unpackSnorm4x8(floatBitsToUint(place.w)).xyz;
@@ -28,8 +29,8 @@ vec3 photonShare(uint photon, float level, float squared_radius, vec3 position, 
     return counts ? flux.rgb * (inside * inside) : vec3(0.0);
 }
 
-vec3 levelIrradiance(PhotonLevel level, uint number, bool asks, vec3 position, vec3 normal) {
-    bool reached = asks && all(greaterThan(position, level.low.xyz)) && all(lessThan(position, level.high.xyz));
+vec3 levelIrradiance(PhotonLevel level, uint number, bool live, vec3 position, vec3 normal) {
+    bool reached = live && all(greaterThan(position, level.low.xyz)) && all(lessThan(position, level.high.xyz));
     uint bucket = photonBucket(ivec3(floor(position * level.low.w)), number);
     uint entry = reached ? loadPhotonWord(bucket) : 0u, end = reached ? loadPhotonWord(bucket + 1u) : 0u;
     float squared_radius = level.high.w * level.high.w;
@@ -41,10 +42,10 @@ vec3 levelIrradiance(PhotonLevel level, uint number, bool asks, vec3 position, v
     return sum * (3.0 / (3.14159265358979 * squared_radius));
 }
 
-// Irradiance at a point whose unit normal is on the lit side. asks: whether this lane wants to know.
-vec3 causticIrradiance(bool asks, vec3 position, vec3 normal) {
+// Irradiance by photons at a point whose unit normal is on the lit side; 0 if not live.
+vec3 causticIrradiance(bool live, vec3 position, vec3 normal) {
     vec3 sum = vec3(0.0);
-    for (uint i = 0u; i < PHOTON_LEVELS; i++) sum += levelIrradiance(loadPhotonLevel(i), i, asks, position, normal);
+    for (uint i = 0u; i < PHOTON_LEVELS; i++) sum += levelIrradiance(loadPhotonLevel(i), i, live, position, normal);
     return sum;
 }
 

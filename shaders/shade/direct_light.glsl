@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which light a query asks for in each of its turns. Three programs need the same answer: it comes from the query and
-// the sample's numbers alone.
+// Next event estimation: light samples and shadow rays of a direct-lighting query. Several programs need the same
+// samples: they depend on the query and the sample's random numbers alone.
 #ifndef POINTRT_SHADERS_DIRECT_LIGHT_GLSL
 #define POINTRT_SHADERS_DIRECT_LIGHT_GLSL
 #include "shaders/lib/path.glsl"
 #include "shaders/lib/sampler.glsl"
 #include "shaders/shade/sky.glsl"
+#include "shaders/trace/instance_bounds.glsl"
 #include "shaders/trace/offset.glsl"
 
 DirectLightQuery loadLightQuery(uint path) {
@@ -16,26 +17,28 @@ DirectLightQuery loadLightQuery(uint path) {
                             asVector(throughput), throughput.w, asVector(view), asFloat(view.w));
 }
 
-// The query of this lane; path: its pixel, NO_INDEX where it has none.
+// The query of this lane; path: NO_INDEX if it has none.
 DirectLightQuery currentLightQuery(out uint path) {
     uint lane = balancedLane();
-    bool live = lane < control.lists[LIST_LIT].count;
+    bool live = lane < control.lists[LIST_DIRECT_LIGHT].count;
     path = live ? loadQueue(lightQueueStart() + lane) : NO_INDEX;
     return loadLightQuery(live ? path : 0u);
 }
 
-// Integrators by chance ask one light of all, the others each in turn.
-const bool kAsksOne = integratorHas(kIntegrator, INTEGRATOR_BY_CHANCE);
+// Stochastic integrators sample one light chosen at random, the others every light.
+const bool kSamplesOneLight = integratorHas(kIntegrator, INTEGRATOR_IS_STOCHASTIC);
 
-uint lightTurns() {
+uint lightSampleCount() {
     uint lights = ofLane(params.light_count);
-    return kAsksOne ? min(lights, 1u) : lights;
+    return kSamplesOneLight ? min(lights, 1u) : lights;
 }
 
-float lightChance() { return kAsksOne ? 1.0 / float(params.light_count) : 1.0; }
+// Probability of choosing a light.
+float lightChance() { return kSamplesOneLight ? 1.0 / float(params.light_count) : 1.0; }
 
-uint lightOfTurn(uint turn, uint path, uint bounce) {
-    if (!kAsksOne) return turn;
+// The light of a light sample. number: of the sample, below lightSampleCount().
+uint lightOfSample(uint number, uint path, uint bounce) {
+    if (!kSamplesOneLight) return number;
     float u = sample1(imagePixel(path), push.sample_index, dimensionPair(bounce, PAIR_LIGHT_CHOICE), params.seed);
     return min(uint(u * float(params.light_count)), params.light_count - 1u);
 }
@@ -43,48 +46,72 @@ uint lightOfTurn(uint turn, uint path, uint bounce) {
 // Beyond the pairs of any bounce.
 #define FIRST_LIGHT_PAIR 2048u
 
-LightSample sampleTurn(DirectLightQuery query, uint path, uint turn, out Light light) {
+LightSample drawLightSample(DirectLightQuery query, uint path, uint number, out Light light) {
     uint bounce = query.bounce;
     uint pair = dimensionPair(bounce, PAIR_LIGHT);
-    // each light has its own numbers
-    if (!kAsksOne) pair = FIRST_LIGHT_PAIR + bounce * MAX_LIGHTS + turn;
-    light = loadLight(lightOfTurn(turn, path, bounce));
+    // each light has its own random numbers
+    if (!kSamplesOneLight) pair = FIRST_LIGHT_PAIR + bounce * MAX_LIGHTS + number;
+    light = loadLight(lightOfSample(number, path, bounce));
     vec2 u = sample2(imagePixel(path), push.sample_index, pair, params.seed);
     u = hasStep(STEP_PREVIEW) && lightKind(light) != LIGHT_SKY ? lightMiddle(lightKind(light)) : u;
     if (kSkyImage && lightKind(light) == LIGHT_SKY) return sampleSky(u);
     return sampleLight(light, query.position, u);
 }
 
-// The shape of a lamp with an area, NO_INDEX of other lights.
-uint lampOf(Light light) {
+// The shape of an area light, NO_INDEX for other lights.
+uint shapeOfLight(Light light) {
     return hasSurface(lightKind(light)) ? floatBitsToUint(LIGHT_SHAPE(light)) : NO_INDEX;
 }
 
 bool facesLight(DirectLightQuery query, LightSample to) { return dot(query.normal, to.direction) > 0.0; }
 
-// Shadow rays end before the lamp that they ask: a share of the way that no float's rounding exceeds.
-const float kBeforeLamp = 0.99999;
+// Shadow rays end just short of their light: by a share of the distance larger than the rounding of floats.
+const float kBeforeLight = 0.99999;
 
-// A shadow ray on its way to instances, which are asked for it.
-struct TurnRay {
+// A light sample and the start of its shadow ray.
+struct LightRay {
+    uint number; // of the light sample
+    Light light;
+    LightSample to;
     vec3 origin;
-    float own_t; // as of a PathState
-    vec3 direction;
-    float t_max; // negative: another instance has answered already
+    float self_t; // self-intersection distance
 };
 
-// The path and the turn of a list's entry.
-uint turnPath(uint entry) { return entry & (1u << ASKED_TURN_SHIFT) - 1u; }
-uint turnOf(uint entry) { return entry >> ASKED_TURN_SHIFT; }
+LightRay lightRay(DirectLightQuery query, uint path, uint number) {
+    LightRay ray;
+    ray.number = number;
+    ray.to = drawLightSample(query, path, number, ray.light);
+    ray.origin =
+        offsetRayOrigin(query.position, query.normal, query.radius, query.material, ray.to.direction, ray.self_t);
+    return ray;
+}
 
-TurnRay turnRay(DirectLightQuery query, uint entry) {
-    uint path = turnPath(entry), turn = turnOf(entry);
-    Light light;
-    LightSample to = sampleTurn(query, path, turn, light);
-    bool asks = (light_masks[path] >> turn & 1u) == 0u;
-    float own_t;
-    vec3 origin = leaveSurface(query.position, query.normal, query.radius, query.material, to.direction, own_t);
-    return TurnRay(origin, own_t, to.direction, asks ? to.distance * kBeforeLamp : -1.0);
+// Whether a light sample is tested for occlusion. Previews show the shadows of the key light only, as cues of position.
+bool castsShadow(LightRay ray) {
+    return hasOption(OPTION_SHADOWS) && (!hasStep(STEP_PREVIEW) || ray.number == 0u);
+}
+
+bool mayHitInstances(LightRay ray) {
+    return mayHitInstances(ray.origin, ray.to.direction, ray.to.distance * kBeforeLight);
+}
+
+// light: its contribution to the pixel if nothing occludes the ray.
+ShadowRay shadowRay(DirectLightQuery query, LightRay ray, vec3 light) {
+    return ShadowRay(ray.origin, ray.self_t, ray.to.direction, ray.to.distance * kBeforeLight,
+                     query.normal * query.side, query.owner, light, query.bounce + 1u);
+}
+
+// Path and number of the light sample of an entry of LIST_SHADOW_RAYS.
+uint pathOfEntry(uint entry) { return entry & (1u << SHADOW_RAY_LIGHT_SHIFT) - 1u; }
+uint lightSampleOfEntry(uint entry) { return entry >> SHADOW_RAY_LIGHT_SHIFT; }
+
+// The shadow ray of an entry, drawn again from its query. Its t_max is negative if another instance occludes it.
+ShadowRay shadowRayOfEntry(uint entry) {
+    uint path = pathOfEntry(entry), number = lightSampleOfEntry(entry);
+    DirectLightQuery query = loadLightQuery(path);
+    ShadowRay ray = shadowRay(query, lightRay(query, path, number), vec3(0.0));
+    ray.t_max = (light_masks[path] >> number & 1u) == 0u ? ray.t_max : -1.0;
+    return ray;
 }
 
 #endif

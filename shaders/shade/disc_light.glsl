@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light from a disc, on both sides. By area, which varies little from where all of it is about as far away; from nearer
-// than its radius by the solid angle of the square around it, whose corners send nothing: areas seen from next to them
-// have no bound (Gamito, Solid Angle Sampling of Disk and Cylinder Lights, EGSR 2016).
+// Two-sided disc light. Sampled by area, which has low variance if all of it is about as far away. Nearer than its
+// radius, sampled by the solid angle of the square around it, whose corners emit nothing: sampling by area is unbounded
+// there (Gamito, Solid Angle Sampling of Disk and Cylinder Lights, EGSR 2016).
 #ifndef POINTRT_SHADERS_DISC_LIGHT_GLSL
 #define POINTRT_SHADERS_DISC_LIGHT_GLSL
 #include "shaders/shade/quad_light.glsl"
 
 const vec2 kMiddleDisc = vec2(0.5, 0.5);
-const bool kFoundByChanceDisc = true;
+const bool kBsdfSamplesHitDisc = true;
 
 float discRadius(Light light) { return length(light.edge_u.xyz); }
 
 bool isNearDisc(SeenQuad square, float radius) { return square.squared_distance < radius * radius; }
 
-// A point of the unit disc, evenly, that keeps what is near together. Shirley and Chiu, A Low Distortion Map Between
+// Uniform point of the unit disc that preserves neighbourhoods. Shirley and Chiu, A Low Distortion Map Between
 // Disk and Square (1997).
 vec2 concentricPoint(vec2 u) {
     vec2 from_middle = 2.0 * u - 1.0;
@@ -32,7 +32,7 @@ LightSample sampleDisc(Light light, vec3 point, vec2 u) {
     vec2 at = near ? solidAnglePoint(square, ends, u) : center + radius * concentricPoint(u), off = at - center;
     vec3 way = at.x * square.x_axis + at.y * square.y_axis + square.depth * square.z_axis;
     float squared = max(dot(way, way), 1e-30), distance = sqrt(squared);
-    // what an even share of the area is worth in solid angle
+    // solid angle of the disc if it were all at this distance and angle
     float seen_area = kPi * radius * radius * square.depth / (squared * distance);
     float square_angle = dot(off, off) < radius * radius ? max(ends.y - ends.x, 0.0) : 0.0;
     float pdf = near ? nearQuadPdf(ends) : 1.0 / max(seen_area, 1.0 / kHighestPdf);
@@ -43,7 +43,7 @@ float pdfDisc(Light light, vec3 point, vec3 direction) {
     SeenQuad square = seeQuad(light, point);
     vec2 ends = endAngles(square);
     float radius = discRadius(light), cosine = abs(dot(direction, square.z_axis));
-    // depth / cosine is the distance
+    // the distance is depth / cosine
     float density = square.depth * square.depth / max(kPi * radius * radius * cosine * cosine * cosine, 1e-30);
     return isNearDisc(square, radius) ? nearQuadPdf(ends) : min(density, kHighestPdf);
 }

@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// Radiance of an environment image, and directions drawn in proportion to it (Pharr, Jakob and Humphreys, Physically
-// Based Rendering, "Piecewise-Constant 2D Distributions"). runtime/device_scene/environment.h makes the data; the program defines
+// Environment image: radiance, and importance sampling of directions (Pharr, Jakob and Humphreys, Physically
+// Based Rendering, "Piecewise-Constant 2D Distributions"). Data: runtime/device_scene/environment.h. The program
+// defines
 //   loadEnvironmentTexel(i)  rgb of texel i of the image, row by row
-//   loadEnvironmentCdf(i)    word i of the cumulative distributions: rows + 1 for the rows, then columns + 1 in each
-//   row
+//   loadEnvironmentCdf(i)    word i of the cumulative distributions: rows + 1 for the rows, then columns + 1 for
+//   each row
 #ifndef POINTRT_SHADERS_ENVIRONMENT_GLSL
 #define POINTRT_SHADERS_ENVIRONMENT_GLSL
 
 #include "shaders/shared/environment_layout.h"
 #include "shaders/lib/math.glsl"
 
-// Unit direction in the world to u, v in the image and the sine of the angle to the zenith.
+// Unit world direction to (u, v) in the image and the sine of the angle to the zenith.
 vec3 environmentPoint(EnvironmentFrame frame, vec3 direction) {
     const vec3 d =
         vec3(dot(frame.row_x.xyz, direction), dot(frame.row_y.xyz, direction), dot(frame.row_z.xyz, direction));
     const float sine = length(d.xz);
-    const float turn = sine > 0.0 ? atan(d.x, -d.z) : 0.0; // of (0, 0) GLSL leaves it undefined
-    return vec3(0.5 + turn / (2.0 * kPi), atan(sine, d.y) / kPi, sine);
+    const float azimuth = sine > 0.0 ? atan(d.x, -d.z) : 0.0; // atan(0, 0) is undefined in GLSL
+    return vec3(0.5 + azimuth / (2.0 * kPi), atan(sine, d.y) / kPi, sine);
 }
 
-// Bilinear between the centres of texels, around the horizon and up to the poles.
+// Bilinear lookup between texel centres; wraps around the horizon, clamps at the poles.
 vec3 environmentLookup(EnvironmentFrame frame, vec2 uv) {
     const ivec2 size = ivec2(frame.size.xy);
     const vec2 at = uv * vec2(size) - 0.5;
@@ -35,18 +36,18 @@ vec3 environmentLookup(EnvironmentFrame frame, vec2 uv) {
     return mix(top, bottom, share.y) * frame.row_x.w;
 }
 
-// Radiance that comes from a unit direction.
+// Radiance from a unit direction.
 vec3 environmentRadiance(EnvironmentFrame frame, vec3 direction) {
     return environmentLookup(frame, environmentPoint(frame, direction).xy);
 }
 
-// From shares of the row and of the column in it to a density over solid angle.
+// Probabilities of the row and of the column within it to a density over solid angle.
 float environmentDensity(EnvironmentFrame frame, float row_share, float column_share, float sine) {
     const float cells = float(frame.size.z * frame.size.w);
     return sine > 0.0 ? row_share * column_share * cells / (2.0 * kPi * kPi * sine) : 0.0;
 }
 
-// Density per solid angle with which sampleEnvironment draws a unit direction.
+// Density over solid angle with which sampleEnvironment draws a unit direction.
 float environmentPdf(EnvironmentFrame frame, vec3 direction) {
     const vec3 point = environmentPoint(frame, direction);
     const ivec2 grid = ivec2(frame.size.zw), cell = clamp(ivec2(point.xy * vec2(grid)), ivec2(0), grid - 1);
@@ -55,8 +56,8 @@ float environmentPdf(EnvironmentFrame frame, vec3 direction) {
                               loadEnvironmentCdf(column + 1) - loadEnvironmentCdf(column), point.z);
 }
 
-// Inverts the cumulative distribution in words first to first + count: x is the cell, from 0, with the share of it that
-// lies before u in [0, 1); y is the cell's own share. Cells without a share are never chosen. All lanes take the same
+// Inverts the cumulative distribution in words first to first + count for u in [0, 1). x: the cell, from 0, plus the
+// fraction within it; y: probability of the cell. Cells of probability 0 are never chosen. All lanes take the same
 // number of steps.
 vec2 invertEnvironmentCdf(int first, int count, float u) {
     int cell = 0, left = count;
@@ -69,7 +70,7 @@ vec2 invertEnvironmentCdf(int first, int count, float u) {
     return vec2(float(cell) + (share > 0.0 ? min((u - before) / share, 1.0) : 0.5), share);
 }
 
-// Draws a unit direction in the world by u in [0, 1)^2; radiance from there. A density of 0: nothing drawn.
+// Draws a unit world direction for u in [0, 1)^2 and returns the radiance from there. Density 0: no sample.
 vec3 sampleEnvironment(EnvironmentFrame frame, vec2 u, out vec3 direction, out float pdf_solid_angle) {
     const ivec2 grid = ivec2(frame.size.zw);
     const vec2 row = invertEnvironmentCdf(0, grid.y, u.y);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums over the samples.
+// Film accumulation: sums over the samples of each pixel.
 #ifndef POINTRT_SHADERS_FILM_GLSL
 #define POINTRT_SHADERS_FILM_GLSL
 #include "shaders/lib/path.glsl"
@@ -7,19 +7,19 @@
 
 uint filmIndex(uint path, uint layer) { return layer * params.film_pixels + params.film_first + bandPixel(path); }
 
-// Adds light that was scattered this many times on its way from its source to the pixel. Each word that is read or
-// written takes its time: black costs none.
-void addLight(uint path, vec3 light, uint scatterings) {
+// Accumulates light that was scattered this many times on its way from its source to the pixel. Skips black, to save
+// memory traffic.
+void accumulateLight(uint path, vec3 light, uint scatterings) {
     if (light == vec3(0.0)) return;
     film[filmIndex(path, scatterings <= 1u ? LAYER_DIRECT : LAYER_INDIRECT)].rgb += light;
     film[filmIndex(path, LAYER_INDIRECT)].w += luminance(light);
 }
 
-// A pixel's sums, for as long as a path adds to them: the film's layers of these names.
+// The sums of a pixel in registers while a path adds to them: the film layers of these names.
 struct PixelSums {
     vec4 direct;
     vec4 indirect;
-    vec4 caustic; // of points that gather photons
+    vec4 caustic; // loaded only if the program may change it
 };
 
 PixelSums loadSums(uint path) {
@@ -33,17 +33,17 @@ void storeSums(uint path, PixelSums sums) {
     if (kGathersPhotons || kCameraPass) film[filmIndex(path, LAYER_CAUSTIC)] = sums.caustic;
 }
 
-void addLight(inout PixelSums sums, vec3 light, uint scatterings) {
+void accumulateLight(inout PixelSums sums, vec3 light, uint scatterings) {
     sums.direct.rgb += scatterings <= 1u ? light : vec3(0.0);
     sums.indirect += vec4(scatterings <= 1u ? vec3(0.0) : light, luminance(light));
 }
 
-void addCaustic(inout PixelSums sums, vec3 light) {
+void accumulateCaustic(inout PixelSums sums, vec3 light) {
     sums.caustic.rgb += light;
     sums.indirect.w += luminance(light);
 }
 
-// A sample's sums before its first light, as beginSample begins it.
+// The sums at the start of a sample, like beginSample.
 PixelSums beginSums(PixelSums before, bool first, float covered) {
     if (first) return PixelSums(vec4(vec3(0.0), covered), vec4(0.0), vec4(0.0));
     float last = before.indirect.w;
@@ -51,14 +51,14 @@ PixelSums beginSums(PixelSums before, bool first, float covered) {
                      before.caustic + vec4(vec3(0.0), last * last));
 }
 
-void addAlbedo(uint path, bool first, float covered, vec3 albedo) {
+void accumulateAlbedo(uint path, bool first, float covered, vec3 albedo) {
     uint albedos = filmIndex(path, LAYER_ALBEDO);
     if (first) film[albedos] = vec4(albedo, 0.0);
     if (!first && covered > 0.0) film[albedos] += vec4(albedo, 0.0);
 }
 
-// The first light of a sample, and what it sees: covered is 1 where that is the scene itself, and albedo then its own.
-// What the last sample came to is squared and summed; the first one clears all.
+// Starts a sample: accumulates its first light, coverage (1 if the scene itself is hit) and the albedo of the hit. Adds
+// the squared luminance of the previous sample to the sum of squares. The first sample clears the film.
 void beginSample(uint path, bool first, vec3 light, float covered, vec3 albedo) {
     uint direct = filmIndex(path, LAYER_DIRECT), indirect = filmIndex(path, LAYER_INDIRECT);
     uint caustic = filmIndex(path, LAYER_CAUSTIC);
@@ -66,14 +66,14 @@ void beginSample(uint path, bool first, vec3 light, float covered, vec3 albedo) 
         film[direct] = vec4(light, covered);
         film[indirect] = vec4(vec3(0.0), luminance(light));
         film[caustic] = vec4(0.0);
-        addAlbedo(path, first, covered, albedo);
+        accumulateAlbedo(path, first, covered, albedo);
         return;
     }
     float last = film[indirect].w;
     film[direct] += vec4(light, covered);
     film[indirect].w = luminance(light);
     film[caustic].w += last * last;
-    addAlbedo(path, first, covered, albedo);
+    accumulateAlbedo(path, first, covered, albedo);
 }
 
 #endif

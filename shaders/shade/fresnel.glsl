@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much light a smooth boundary reflects. Cosines are in [0, 1].
+// Reflectance of smooth boundaries. Cosines are in [0, 1].
 #ifndef POINTRT_SHADERS_FRESNEL_GLSL
 #define POINTRT_SHADERS_FRESNEL_GLSL
 
-// Schlick's weight of the white reflection at grazing angles.
+// Schlick's weight of the reflection at grazing angles.
 float schlickWeight(float cosine) {
     float m = 1.0 - min(cosine, 1.0), m2 = m * m;
     return m2 * m2 * m;
 }
 
-// Reflectance at normal incidence of a boundary between air and that index of refraction.
+// Reflectance at normal incidence of a boundary between air and a medium of this index of refraction.
 float facingReflectance(float index) {
     float r = (index - 1.0) / (index + 1.0);
     return r * r;
 }
 
-// Fresnel's equations for light without polarization. eta is the index before the boundary over the one behind it;
-// cosine_behind is that of the refracted direction. Beyond the critical angle it is 0 and all is reflected. cosine > 0.
+// Fresnel's equations for unpolarized light. cosine > 0; eta: index of refraction in front of the boundary over the one
+// behind. cosine_behind: of the refracted direction; 0 beyond the critical angle, where all light is reflected.
 float dielectricReflectance(float cosine, float eta, out float cosine_behind) {
     cosine_behind = sqrt(max(0.0, 1.0 - eta * eta * (1.0 - cosine * cosine)));
     float across = (eta * cosine - cosine_behind) / (eta * cosine + cosine_behind);
@@ -24,10 +24,10 @@ float dielectricReflectance(float cosine, float eta, out float cosine_behind) {
     return 0.5 * (across * across + along * along);
 }
 
-// Of a pane whose sides each reflect that share: the sum over all turns between them.
+// Reflectance of a pane whose sides each have reflectance side: the sum over all internal reflections.
 float paneReflectance(float side) { return 2.0 * side / (1.0 + side); }
 
-// Where light goes that came from wo through a boundary, cosine = dot(n, wo).
+// Refracted direction of light from wo. cosine = dot(n, wo).
 vec3 refractedDirection(vec3 n, vec3 wo, float cosine, float eta, float cosine_behind) {
     return normalize((eta * cosine - cosine_behind) * n - eta * wo);
 }

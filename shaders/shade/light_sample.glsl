@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-// What asking a light from a point gives, and what the kinds of light need for it.
+// A sample of a light as seen from a point, and helpers of the kinds of light.
 #ifndef POINTRT_SHADERS_LIGHT_SAMPLE_GLSL
 #define POINTRT_SHADERS_LIGHT_SAMPLE_GLSL
 #include "shaders/lib/basis.glsl"
 #include "shaders/lib/math.glsl"
 #include "shaders/shared/light_layout.h"
 
-// To what is not at a distance: the sun.
+// Distance to the sun and the sky.
 const float kLightAfar = 1e30;
-// Densities end here, where their squares are still finite: a quad seen from its own plane has no solid angle.
+// Upper limit of densities, whose square is still finite: a quad seen edge-on has no solid angle.
 const float kHighestPdf = 1e15;
 
 struct LightSample {
-    vec3 direction;          // to the light
-    float distance;          // to the lamp's surface, where a shadow ray ends
-    vec3 radiance_over_pdf;  // what the sample adds to the irradiance of a surface that faces it, were nothing between
-    float pdf;               // of the direction, over solid angle; 0: the light has no extent and no ray can meet it
+    vec3 direction;         // to the light
+    float distance;         // to the surface of the light, where a shadow ray ends
+    vec3 radiance_over_pdf; // unoccluded contribution to the irradiance of a surface facing the light
+    float pdf;              // of the direction, over solid angle; 0: a delta light, which no ray can hit
 };
 
-// The arc of (x, y), y not negative: 0 to pi, with an error of 3e-7. Vulkan lets atan be off by 4096 units in the last
-// place, and solid angles are differences of arcs. Polynomial: Cephes, atanf.
+// Angle of (x, y) for y >= 0, 0 to pi, with an error of 3e-7. Vulkan allows atan an error of 4096 units in the last
+// place, which is too much for solid angles, the differences of angles. Polynomial: Cephes, atanf.
 float arcOf(float x, float y) {
     float width = abs(x);
-    // turned so that the quotient is at most tan(pi / 8)
+    // rotated so that the quotient is at most tan(pi / 8)
     bool steep = y > 2.414213562 * width, middle = !steep && y > 0.414213562 * width;
     float above = steep ? -width : (middle ? y - width : y), below = steep ? y : (middle ? y + width : width);
     float q = below > 0.0 ? above / below : 0.0, s = q * q;
@@ -31,10 +31,10 @@ float arcOf(float x, float y) {
     return x < 0.0 ? kPi - arc : arc;
 }
 
-// The direction whose angle with axis has a cosine of 1 - from_axis, at turn u (of 1) around it.
+// Direction at an angle of cosine 1 - from_axis to the axis, and at azimuth 2 pi u around it.
 vec3 coneDirection(vec3 axis, float from_axis, float u) {
-    float sine = sqrt(max(from_axis * (2.0 - from_axis), 0.0)), turn = 2.0 * kPi * u;
-    return normalize(frameAround(axis) * vec3(sine * cos(turn), sine * sin(turn), 1.0 - from_axis));
+    float sine = sqrt(max(from_axis * (2.0 - from_axis), 0.0)), azimuth = 2.0 * kPi * u;
+    return normalize(frameAround(axis) * vec3(sine * cos(azimuth), sine * sin(azimuth), 1.0 - from_axis));
 }
 
 #endif

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lights seen from a point: directions to send shadow rays in, and the densities of those directions, by which they are
-// weighed against scattered rays that meet a lamp. The sky is sampled elsewhere (LIGHT_SKY has no directions here).
-// Points, normals and distances in render units; directions are unit vectors.
+// Light sampling: directions for shadow rays, and the densities of those directions for multiple importance sampling
+// (MIS) against BSDF samples that hit the light. The sky is sampled in sky.glsl. Points, normals and distances in
+// render units; directions are unit vectors.
 //
-// Each kind NAME of LIGHT_KINDS (shaders/shared/light_layout.h) has a file with all of these; to lack one is an error:
-//   LightSample sampleNAME(Light light, vec3 point, vec2 u)    as sampleLight, of that kind; likewise
-//   float pdfNAME(Light light, vec3 point, vec3 direction)     as lightPdf, and
+// Each kind NAME of LIGHT_KINDS (shaders/shared/light_layout.h) has a file that defines all of these:
+//   LightSample sampleNAME(Light light, vec3 point, vec2 u)    as sampleLight, for that kind
+//   float pdfNAME(Light light, vec3 point, vec3 direction)     as lightPdf
 //   vec3 radianceNAME(Light light)                             as lightRadiance
-//   const vec2 kMiddleNAME                                     u of the direction that stands for all of it
-//   const bool kFoundByChanceNAME                              whether scattered rays bring its light, met by chance
+//   const vec2 kMiddleNAME                                     u of a representative direction
+//   const bool kBsdfSamplesHitNAME                              whether BSDF samples may hit it (MIS)
 #ifndef POINTRT_SHADERS_LIGHTS_GLSL
 #define POINTRT_SHADERS_LIGHTS_GLSL
 
@@ -19,14 +19,14 @@
 #include "shaders/shade/spot_light.glsl"
 #include "shaders/shade/sun_light.glsl"
 
-// A program may say which kinds there are.
+// A program may restrict the kinds.
 #ifndef mayHaveLight
 #define mayHaveLight(kind) true
 #endif
 
 uint lightKind(Light light) { return uint(LIGHT_KIND(light)); }
 
-// A direction from point to the light, for u in [0, 1)^2. What is behind the surface is for the caller to leave out.
+// Draws a direction from point to the light for u in [0, 1)^2. It may point below the surface; the caller checks.
 LightSample sampleLight(Light light, vec3 point, vec2 u) {
     uint kind = lightKind(light);
 #define SAMPLE(number, name, surface) \
@@ -36,8 +36,8 @@ LightSample sampleLight(Light light, vec3 point, vec2 u) {
     return LightSample(vec3(0.0, 0.0, 1.0), kLightAfar, vec3(0.0), 0.0);
 }
 
-// Density with which sampleLight gives a direction that meets the lamp's shape or ends in the sun's disc; 0 for lights
-// without extent. Whether it does meet it is not looked at here.
+// Density of sampleLight for a direction that hits the light's shape or the sun's disc; 0 for delta lights. Does not
+// test whether the direction hits.
 float lightPdf(Light light, vec3 point, vec3 direction) {
     uint kind = lightKind(light);
 #define PDF(number, name, surface) \
@@ -47,7 +47,7 @@ float lightPdf(Light light, vec3 point, vec3 direction) {
     return 0.0;
 }
 
-// What a ray sees that meets the lamp.
+// Radiance of a ray that hits the light.
 vec3 lightRadiance(Light light) {
     uint kind = lightKind(light);
 #define RADIANCE(number, name, surface) \
@@ -57,7 +57,7 @@ vec3 lightRadiance(Light light) {
     return vec3(0.0);
 }
 
-// In place of random numbers while things move.
+// u of previews, in place of random numbers.
 vec2 lightMiddle(uint kind) {
     vec2 middle = vec2(0.0, 0.5);
 #define MIDDLE(number, name, surface) middle = mayHaveLight(number) && kind == number ? kMiddle##name : middle;
@@ -66,14 +66,14 @@ vec2 lightMiddle(uint kind) {
     return middle;
 }
 
-// The sky's image is.
-bool isFoundByChance(uint kind) {
-#define FOUND(number, name, surface) && (kFoundByChance##name || !mayHaveLight(number) || kind != number)
+// Whether BSDF samples may hit the light, so that MIS applies. True for the sky image.
+bool isHitByBsdfSamples(uint kind) {
+#define FOUND(number, name, surface) && (kBsdfSamplesHit##name || !mayHaveLight(number) || kind != number)
     return true LIGHT_KINDS(FOUND);
 #undef FOUND
 }
 
-// Whether it has a surface, which is a shape as well.
+// Whether it is an area light, which is a shape too.
 bool hasSurface(uint kind) {
 #define SURFACE(number, name, surface) || (surface && mayHaveLight(number) && kind == number)
     return false LIGHT_KINDS(SURFACE);

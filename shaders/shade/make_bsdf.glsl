@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// A surface's BSDF as the integrator wants it.
+// The BSDF of a surface for the integrator.
 #ifndef POINTRT_SHADERS_MAKE_BSDF_GLSL
 #define POINTRT_SHADERS_MAKE_BSDF_GLSL
 #include "shaders/lib/bindings.glsl"
 #include "shaders/shade/material.glsl"
 
-bool isClassic() { return !integratorHas(kIntegrator, INTEGRATOR_BY_CHANCE); }
+// phong and whitted.
+bool isClassic() { return !integratorHas(kIntegrator, INTEGRATOR_IS_STOCHASTIC); }
 
-// The kinds that show where light comes from, a bit each.
+// Mask of the material kinds with MATERIAL_SHOWS_DIRECTION.
 #define SHOWS_DIRECTION(number, NAME, Name, word, label, lobes, traits)                                                \
     | (((traits) & MATERIAL_SHOWS_DIRECTION) != 0u ? 1u << number : 0u)
 const uint kShowDirection = 0u MATERIALS(SHOWS_DIRECTION);
 
-// Whether photons bring it the light of caustics. They tell how much arrives but not from where, which is what metals
-// show: integrators by chance leave those to rays that find lamps.
+// Whether the surface receives caustics from the photon map. Photons record irradiance but not direction, which the
+// look of metals depends on: stochastic integrators leave caustics on metals to rays that hit lights.
 bool gathersPhotons(Material row) { return isClassic() || (kShowDirection >> materialKind(row) & 1u) == 0u; }
 
-// cosine: of the angle between normal and view.
+// cosine: between normal and view direction.
 Bsdf makeBsdf(Material row, vec3 albedo, bool back, float cosine) {
-    if (integratorHas(kIntegrator, INTEGRATOR_GLOSSES_HIGHLIGHTS)) row.gloss.w = glossedMirrorShare(row, cosine);
+    if (integratorHas(kIntegrator, INTEGRATOR_MIRRORS_HIGHLIGHTS)) row.gloss.w = highlightMirrorShare(row, cosine);
     return materialBsdf(row, albedo, back, cosine);
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// How surfaces scatter light. Directions point away from the surface and have unit length, the normal n is on the side
-// of wo. Rough surfaces are a glossy lobe over one that scatters by cosine: matter below a plastic's coat, or what a
-// metal's facets pass on among themselves (Kulla and Conty, Revisiting Physically Based Shading at Imageworks, 2017).
-// The lower one gets exactly what the upper one leaves, in both directions, so that white surfaces give back all light.
+// BSDFs. Directions are unit vectors pointing away from the surface; the normal n is on the side of wo. Rough surfaces
+// have a glossy lobe over a matte (cosine) lobe: the material below the coat of a plastic, or interreflection between
+// the microfacets of a metal (Kulla and Conty, Revisiting Physically Based Shading at Imageworks, 2017). The matte lobe
+// gets exactly the energy that the glossy one leaves, in both directions, so that white surfaces conserve energy.
 //
-// Kinds differ in coefficients alone (Lobes): on CPUs all branches of a shader are run anyway.
+// Kinds differ only in coefficients (Lobes): on CPUs all branches of a shader are executed anyway.
 //
 // The program defines loadGgxAlbedo(i), see ggx.glsl.
 #ifndef POINTRT_SHADERS_MATERIAL_GLSL
@@ -12,16 +12,16 @@
 
 #include "shaders/shared/scene_layout.h"
 
-// A program may say which kinds there are.
+// A program may restrict the kinds,
 #ifndef mayHaveMaterial
 #define mayHaveMaterial(kind) true
 #endif
-// And whether any of those has the glossy lobe: what a table tells of that need not be asked for else.
+// say that none has a glossy lobe, which saves table lookups,
 #ifndef mayBeRough
 #define mayBeRough true
 #endif
 
-// And whether any has Phong's highlight.
+// and that none has a Phong highlight.
 #ifndef mayHaveHighlight
 #define mayHaveHighlight true
 #endif
@@ -32,32 +32,32 @@
 
 bool isKind(int kind, int wanted) { return mayHaveMaterial(wanted) && kind == wanted; }
 
-// A material as seen from one direction wo.
+// A material evaluated for one view direction wo.
 struct Bsdf {
     vec3 albedo;
-    vec3 reflect_tint;    // weight of perfectly reflected light where it is chosen by reflect_chance
-    float reflect_chance; // shares of perfectly reflected
-    float refract_chance; // and refracted light
-    float eta;            // glass: the index on the side of wo over the one behind the surface
+    vec3 reflect_tint;    // weight of a mirror reflection chosen with reflect_chance
+    float reflect_chance; // probability of mirror reflection
+    float refract_chance; // and of refraction
+    float eta;            // glass: index of refraction on the side of wo over the one behind the surface
     bool thin;
     float alpha;          // of the glossy lobe
-    float table_row;
+    float table_row;      // its row in the GGX table
     vec3 facing;          // its Fresnel term at normal incidence
-    float grazing;        // and at grazing angles: 1, or 0 where there is no such lobe
-    vec3 glossy_albedo;   // what it gives back of light from wo
-    vec3 matte_albedo;    // and the matte lobe below it
-    vec3 coat;            // what the upper lobe leaves is dot(coat, (1 - grazing, lost, 1)) by the table
-    float coat_mean;      // its mean over all directions, weighted by cosine
-    float glossy_chance;  // of sampleBsdf
+    float grazing;        // and at grazing angles: 1, or 0 without such a lobe
+    vec3 glossy_albedo;   // directional albedo of the glossy lobe
+    vec3 matte_albedo;    // and of the matte lobe below it
+    vec3 coat;            // the glossy lobe transmits dot(coat, (1 - grazing, lost, 1)), with values of the GGX table
+    float coat_mean;      // cosine-weighted mean of that over all directions
+    float glossy_chance;  // probabilities of the lobes in sampleBsdf
     float matte_chance;
-    float mirrored;       // share of the glossy lobe that whitted takes for a mirror's
+    float mirrored;       // share of the glossy lobe that phong and whitted treat as a mirror
     vec2 phong;           // weight and exponent of the highlight
 };
 
 struct Scattering {
     vec3 direction;
-    vec3 weight;      // bsdf * |cosine| / pdf; 0 where the path ends
-    float pdf;        // over solid angle; 0: the direction was the only one, or the path ends
+    vec3 weight;      // bsdf * |cosine| / pdf; 0 ends the path
+    float pdf;        // over solid angle; 0: a delta lobe, or the path ends
     bool transmitted;
 };
 
@@ -70,15 +70,16 @@ struct SpecularPair {
 
 float coatLeaves(vec3 coat, vec2 table) { return dot(coat, vec3(1.0 - table.y, table.x, 1.0)); }
 
-// What a metal's facets pass on among themselves is coloured at each turn. facing is averaged over Schlick's term.
+// Interreflection between the microfacets of a metal, tinted at each reflection. mean: average of Schlick's Fresnel
+// term.
 vec3 metalUnderside(vec3 facing, float lost) {
     vec3 mean = (20.0 * facing + 1.0) / 21.0;
     return mean * mean * (1.0 - lost) / (1.0 - mean * lost);
 }
 
-// What a kind of material makes of the light from wo. As its function is given it, nothing is reflected.
+// Lobe coefficients of a kind of material for wo; initialized to no reflection.
 struct Lobes {
-    float reflect_chance; // as in Bsdf
+    float reflect_chance; // as in Bsdf, down to coat
     float refract_chance;
     vec3 reflect_tint;
     vec3 facing;
@@ -88,14 +89,14 @@ struct Lobes {
     vec2 phong;
 };
 
-// What it is asked for.
+// Inputs of the functions that set Lobes.
 struct Seen {
     vec3 albedo;
     float index;  // of refraction
     float eta;    // as in Bsdf
     bool thin;
-    float cosine; // between normal and view
-    float lost;   // by the glossy lobe on average (ggx.glsl)
+    float cosine; // between normal and view direction
+    float lost;   // mean energy that the glossy lobe loses (ggx.glsl)
 };
 
 void setMatte(inout Lobes lobes, Material material, Seen seen) {
@@ -124,16 +125,16 @@ void setMirror(inout Lobes lobes, Material material, Seen seen) {
     lobes.reflect_tint = seen.albedo;
 }
 
-// Glass reflects by Fresnel and lets the rest through, coloured by its albedo. Radiance grows with the square of the
-// index inside and shrinks by the same on the way out. Camera and lights being outside, both factors are left away, for
-// light that ends or starts in glass as well; photons are weighed alike (photon.comp.glsl).
+// Glass reflects by Fresnel and transmits the rest, tinted by its albedo. Radiance scales with the square of the index
+// on entering and back on leaving. With camera and lights outside the two factors cancel, so both are omitted, also for
+// paths that end or start in glass; photons are weighted consistently (photon.comp.glsl).
 void setGlass(inout Lobes lobes, Material material, Seen seen) {
     float behind, side = dielectricReflectance(seen.cosine, seen.eta, behind);
     lobes.reflect_chance = seen.thin ? paneReflectance(side) : side;
     lobes.refract_chance = 1.0 - lobes.reflect_chance;
 }
 
-// A kind without its function does not compile.
+// A kind without its function fails to compile.
 Lobes lobesOf(Material material, Seen seen) {
     Lobes lobes = Lobes(0.0, 0.0, vec3(1.0), vec3(0.0), 0.0, vec3(0.0, 0.0, 1.0), vec3(0.0), vec2(0.0, 1.0));
     int kind = materialKind(material);
@@ -144,8 +145,8 @@ Lobes lobesOf(Material material, Seen seen) {
     return lobes;
 }
 
-// material as seen in a direction whose cosine with the normal is that, back on the inner side of a closed surface.
-// albedo: material.base times the colour of the splat.
+// The BSDF of material. albedo: material.base times the colour of the splat; back: on the inner side of a closed
+// surface; cosine: between normal and view direction.
 Bsdf materialBsdf(Material material, vec3 albedo, bool back, float cosine) {
     float index = max(indexOfRefraction(material), 1.0), rough = max(roughness(material), GGX_MIN_ROUGHNESS);
     float facing = clamp(cosine, 1e-6, 1.0);
@@ -170,7 +171,7 @@ Bsdf materialBsdf(Material material, vec3 albedo, bool back, float cosine) {
     s.coat_mean = coatLeaves(s.coat, mean);
     s.glossy_albedo = s.facing * (1.0 - seen.x - seen.y) + s.grazing * seen.y;
     s.matte_albedo = lobes.below * coatLeaves(s.coat, seen);
-    // of light that is not reflected as by a mirror
+    // share of the smooth lobes
     float share = 1.0 - s.reflect_chance - s.refract_chance;
     float glossy = largest(s.glossy_albedo), matte = largest(s.matte_albedo);
     s.glossy_chance = share * glossy / max(glossy + matte, 1e-9);
@@ -180,13 +181,13 @@ Bsdf materialBsdf(Material material, vec3 albedo, bool back, float cosine) {
     return s;
 }
 
-// Whether light from other directions than the perfectly reflected and refracted ones is scattered to wo.
+// Whether there is a lobe other than mirror reflection and refraction.
 bool hasSmoothLobe(Bsdf s) { return s.glossy_chance + s.matte_chance > 0.0; }
 
-// Whether no light asked for at the point could have come this way.
+// Whether next event estimation cannot have sampled this direction.
 bool isDelta(Scattering scattering) { return scattering.pdf == 0.0; }
 
-// The two smooth lobes at a pair of directions, both times dot(n, wi), and sampleBsdf's density of wi. All 0 for
+// The two smooth lobes for a pair of directions, both times dot(n, wi), and the density of wi in sampleBsdf. All 0 for
 // directions below the surface.
 void smoothLobes(Bsdf s, vec3 n, vec3 wo, vec3 wi, out vec3 glossy, out vec3 matte, out float pdf) {
     float cosine_i = dot(n, wi);
@@ -207,7 +208,7 @@ void smoothLobes(Bsdf s, vec3 n, vec3 wo, vec3 wi, out vec3 glossy, out vec3 mat
     pdf = above ? pdf + s.matte_chance * by_cosine : 0.0;
 }
 
-// bsdf * |dot(n, wi)| without perfectly reflected and refracted light. The bsdf is the same for exchanged directions.
+// bsdf * |dot(n, wi)| of the smooth lobes. The BSDF is reciprocal.
 vec3 evaluateBsdf(Bsdf s, vec3 n, vec3 wo, vec3 wi) {
     vec3 glossy, matte;
     float pdf;
@@ -215,8 +216,8 @@ vec3 evaluateBsdf(Bsdf s, vec3 n, vec3 wo, vec3 wi) {
     return glossy + matte;
 }
 
-// The density over solid angle in which sampleBsdf chooses wi, but by perfect reflection and refraction. Where those
-// have a share, or where it answers directions below the surface, its integral is less than 1.
+// Density over solid angle of wi in sampleBsdf, delta lobes excluded. Its integral is less than 1 if there are delta
+// lobes or samples below the surface.
 float bsdfPdf(Bsdf s, vec3 n, vec3 wo, vec3 wi) {
     vec3 glossy, matte;
     float pdf;
@@ -224,7 +225,7 @@ float bsdfPdf(Bsdf s, vec3 n, vec3 wo, vec3 wi) {
     return pdf;
 }
 
-vec3 refractedWay(Bsdf s, vec3 n, vec3 wo) {
+vec3 refractedThrough(Bsdf s, vec3 n, vec3 wo) {
     float cosine = clamp(dot(n, wo), 1e-6, 1.0), behind;
     dielectricReflectance(cosine, s.eta, behind);
     return s.thin ? -wo : refractedDirection(n, wo, cosine, s.eta, behind);
@@ -232,51 +233,52 @@ vec3 refractedWay(Bsdf s, vec3 n, vec3 wo) {
 
 // Draws a direction from u in [0, 1): z chooses the lobe, xy the direction.
 Scattering sampleBsdf(Bsdf s, vec3 n, vec3 wo, vec3 u) {
-    float sharp = s.reflect_chance + s.refract_chance;
-    bool specular = u.z < sharp || !hasSmoothLobe(s);
+    float delta_chance = s.reflect_chance + s.refract_chance;
+    bool specular = u.z < delta_chance || !hasSmoothLobe(s);
     bool refracts = specular && u.z >= s.reflect_chance && s.refract_chance > 0.0;
     mat3 frame = frameAround(n);
-    vec3 smooth_wi = frame * ggxOrCosineSample(mayBeRough && u.z < sharp + s.glossy_chance, s.alpha, wo * frame, u.xy);
-    vec3 sharp_wi = refracts ? refractedWay(s, n, wo) : reflect(-wo, n);
+    bool glossy_lobe = mayBeRough && u.z < delta_chance + s.glossy_chance;
+    vec3 smooth_wi = frame * ggxOrCosineSample(glossy_lobe, s.alpha, wo * frame, u.xy);
+    vec3 delta_wi = refracts ? refractedThrough(s, n, wo) : reflect(-wo, n);
     vec3 glossy, matte;
     float pdf;
     smoothLobes(s, n, wo, smooth_wi, glossy, matte, pdf);
     vec3 smooth_weight = pdf > 0.0 ? (glossy + matte) / pdf : vec3(0.0);
-    vec3 sharp_weight = refracts ? s.albedo : s.reflect_tint;
-    return Scattering(specular ? sharp_wi : smooth_wi, specular ? sharp_weight : smooth_weight, specular ? 0.0 : pdf,
+    vec3 delta_weight = refracts ? s.albedo : s.reflect_tint;
+    return Scattering(specular ? delta_wi : smooth_wi, specular ? delta_weight : smooth_weight, specular ? 0.0 : pdf,
                       refracts);
 }
 
-// For integrators without chance. The rays for perfectly reflected and refracted light; glossy lobes are taken for a
-// mirror's to the share (1 - roughness)^2. Both weights and smoothAlbedo add up to 1 for a white surface.
+// For phong and whitted: the mirrored and the refracted ray. A share of (1 - roughness)^2 of glossy lobes is treated as
+// a mirror. The two weights and smoothAlbedo add up to 1 for a white surface.
 SpecularPair specularPair(Bsdf s, vec3 n, vec3 wo) {
     return SpecularPair(reflect(-wo, n), s.reflect_chance * s.reflect_tint + s.mirrored * s.glossy_albedo,
-                        refractedWay(s, n, wo), s.refract_chance * s.albedo);
+                        refractedThrough(s, n, wo), s.refract_chance * s.albedo);
 }
 
-// What is given back to wo of light that comes evenly from all directions, without what specularPair's rays bring.
+// Directional albedo, without the light of specularPair's rays.
 vec3 smoothAlbedo(Bsdf s) { return (1.0 - s.mirrored) * s.glossy_albedo + s.matte_albedo; }
 
-// Phong's highlight of matte surfaces, in evaluateBsdf's unit; it conserves no energy.
+// Phong highlight of matte surfaces, in the unit of evaluateBsdf. It does not conserve energy.
 float phongHighlight(Bsdf s, vec3 n, vec3 wo, vec3 wi) {
     float aligned = max(dot(reflect(-wi, n), wo), 0.0);
     return dot(n, wi) > 0.0 ? s.phong.x / kPi * pow(aligned, s.phong.y) : 0.0;
 }
 
-// evaluateBsdf and phongHighlight for integrators that follow specularPair's rays. Of a lamp that those rays can meet,
-// the glossy lobe adds only what they do not bring; a lamp without extent is seen by no ray, and adds all.
-vec3 classicBsdf(Bsdf s, vec3 n, vec3 wo, vec3 wi, bool rays_meet_lamp) {
+// evaluateBsdf and phongHighlight for integrators that follow specularPair's rays. For lights that those rays can hit,
+// the mirrored share of the glossy lobe is left to them; delta lights, which no ray hits, get the whole lobe.
+vec3 classicBsdf(Bsdf s, vec3 n, vec3 wo, vec3 wi, bool rays_hit_light) {
     vec3 glossy, matte;
     float pdf;
     smoothLobes(s, n, wo, wi, glossy, matte, pdf);
-    vec3 smooth_light = glossy * (rays_meet_lamp ? 1.0 - s.mirrored : 1.0) + matte;
+    vec3 smooth_light = glossy * (rays_hit_light ? 1.0 - s.mirrored : 1.0) + matte;
     if (mayHaveHighlight) smooth_light += phongHighlight(s, n, wo, wi);
     return smooth_light;
 }
 
-// The mirror share (gloss.w) with which whitted shows what phong shows with a highlight alone: Fresnel's for the index
-// of common dielectrics, in full from a highlight of weight a quarter up.
-float glossedMirrorShare(Material material, float cosine) {
+// The mirror share (gloss.w) by which whitted shows a highlight as a reflection: the Fresnel term of common
+// dielectrics, in full for highlights of weight 1/4 and more.
+float highlightMirrorShare(Material material, float cosine) {
     const float kCommonFacing = 0.04;
     float gloss = kCommonFacing + (1.0 - kCommonFacing) * schlickWeight(clamp(cosine, 0.0, 1.0));
     float weight = highlightWeight(material);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light from a point, the same in all directions.
+// Isotropic point light.
 #ifndef POINTRT_SHADERS_POINT_LIGHT_GLSL
 #define POINTRT_SHADERS_POINT_LIGHT_GLSL
 #include "shaders/shade/light_sample.glsl"
 
 const vec2 kMiddlePoint = vec2(0.0, 0.5);
-const bool kFoundByChancePoint = false;
+const bool kBsdfSamplesHitPoint = false;
 
 LightSample samplePoint(Light light, vec3 point, vec2 u) {
     vec3 way = light.position.xyz - point;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light from a rectangle, on both sides.
+// Two-sided rectangular area light.
 #ifndef POINTRT_SHADERS_QUAD_LIGHT_GLSL
 #define POINTRT_SHADERS_QUAD_LIGHT_GLSL
 #include "shaders/shade/light_sample.glsl"
 
 const vec2 kMiddleQuad = vec2(0.5, 0.5);
-const bool kFoundByChanceQuad = true;
+const bool kBsdfSamplesHitQuad = true;
 
-// The rectangle as seen from a point at the origin: [lo, hi] in the plane at depth.
+// The rectangle in a frame with the shaded point at the origin: [lo, hi] in the plane at depth.
 struct SeenQuad {
     vec3 x_axis;
     vec3 y_axis;
@@ -16,11 +16,11 @@ struct SeenQuad {
     vec2 hi;
     float depth;
     float area;
-    float squared_distance; // of its centre
+    float squared_distance; // to its centre
 };
 
-// Nearer than about five times their size rectangles are sampled by solid angle, further off by area: there the
-// arcs would have few digits left, and the two differ little.
+// Rectangles nearer than about five times their size are sampled by solid angle, farther ones by area: there the angles
+// would cancel, and the two methods differ little.
 const float kSolidAngleReach = 25.0;
 
 SeenQuad seeQuad(Light light, vec3 point) {
@@ -45,11 +45,11 @@ bool isNear(SeenQuad quad) {
     return quad.squared_distance < kSolidAngleReach * dot(size, size);
 }
 
-// Sine of the angle under which lengths are seen across a distance.
+// Sine of the angle that lengths subtend at a distance.
 vec2 seenSine(vec2 len, float distance) { return len * inversesqrt(len * len + distance * distance); }
 
-// Signed solid angle between x = 0 and x of the strip y.x to y.y at depth: asin(s(x) s(y.y)) - asin(s(x) s(y.x)) with
-// s(l) the sine of the angle that l is seen under, here as one arc whose sine and cosine lose no digits.
+// Signed solid angle between x = 0 and x of the strip y.x to y.y at depth: asin(s(x) s(y.y)) - asin(s(x) s(y.x)), where
+// s(l) is the sine of the angle that l subtends; computed as one angle whose sine and cosine do not cancel.
 float stripAngle(float x, vec2 y, float depth) {
     float squared = x * x + depth * depth;
     float lo = sqrt(squared + y.x * y.x), hi = sqrt(squared + y.y * y.y);
@@ -58,7 +58,7 @@ float stripAngle(float x, vec2 y, float depth) {
     return x < 0.0 ? -angle : angle;
 }
 
-// Those of the rectangle's two ends in x; their difference is its solid angle.
+// stripAngle of both ends of the rectangle in x; their difference is its solid angle.
 vec2 endAngles(SeenQuad quad) {
     vec2 y = vec2(quad.lo.y, quad.hi.y);
     return vec2(stripAngle(quad.lo.x, y, quad.depth), stripAngle(quad.hi.x, y, quad.depth));
@@ -72,8 +72,8 @@ float tangentOf(float sine) {
     return s * inversesqrt(1.0 - s * s);
 }
 
-// A point of the rectangle, even over solid angle. Urena, Fajardo and King, An Area-Preserving Parametrization for
-// Spherical Rectangles (EGSR 2013); the strip's angle is solved for x in another form, which loses fewer digits:
+// Point of the rectangle, uniform over solid angle. Urena, Fajardo and King, An Area-Preserving Parametrization for
+// Spherical Rectangles (EGSR 2013); stripAngle is solved for x in a form with less cancellation:
 // sin a = s hi and sin(a - angle) = s lo give s^2 = sin^2(angle) / (hi^2 + lo^2 - 2 hi lo cos(angle)).
 vec2 solidAnglePoint(SeenQuad quad, vec2 ends, vec2 u) {
     vec2 y = vec2(quad.lo.y, quad.hi.y), seen = seenSine(y, quad.depth);
@@ -82,7 +82,7 @@ vec2 solidAnglePoint(SeenQuad quad, vec2 ends, vec2 u) {
     float span = product > 0.0 ? seen.y - seen.x : seen.y + seen.x, arc = product > 0.0 ? sine : cosine;
     float squared = max(span * span + 4.0 * abs(product) * arc * arc, 1e-30);
     float x = clamp(quad.depth * tangentOf(2.0 * sine * cosine * inversesqrt(squared)), quad.lo.x, quad.hi.x);
-    // along y, at this x, areas on the sphere are as the sines
+    // along y, at this x, areas on the sphere are proportional to differences of sines
     float across = sqrt(x * x + quad.depth * quad.depth);
     vec2 heights = seenSine(y, across);
     return vec2(x, clamp(across * tangentOf(mix(heights.x, heights.y, u.y)), quad.lo.y, quad.hi.y));
@@ -95,7 +95,7 @@ LightSample sampleQuad(Light light, vec3 point, vec2 u) {
     vec2 at = near ? solidAnglePoint(quad, ends, u) : mix(quad.lo, quad.hi, u);
     vec3 way = at.x * quad.x_axis + at.y * quad.y_axis + quad.depth * quad.z_axis;
     float squared = max(dot(way, way), 1e-30), distance = sqrt(squared);
-    // what an even share of the area is worth in solid angle
+    // solid angle of the rectangle if it were all at this distance and angle
     float seen_area = quad.area * quad.depth / (squared * distance);
     float solid_angle = near ? max(ends.y - ends.x, 0.0) : seen_area;
     float pdf = near ? nearQuadPdf(ends) : 1.0 / max(seen_area, 1.0 / kHighestPdf);
@@ -106,7 +106,7 @@ float pdfQuad(Light light, vec3 point, vec3 direction) {
     SeenQuad quad = seeQuad(light, point);
     vec2 ends = endAngles(quad);
     float cosine = abs(dot(direction, quad.z_axis));
-    // depth / cosine is the distance
+    // the distance is depth / cosine
     float density = quad.depth * quad.depth / max(quad.area * cosine * cosine * cosine, 1e-30);
     return isNear(quad) ? nearQuadPdf(ends) : min(density, kHighestPdf);
 }

@@ -1,47 +1,47 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the integrators make of a path's hit, for programs of either form.
+// Shading of a path's hit by the integrator, for megakernel and wavefront programs.
 #ifndef POINTRT_SHADERS_SHADE_HIT_GLSL
 #define POINTRT_SHADERS_SHADE_HIT_GLSL
 #include "shaders/trace/surface_interaction.glsl"
 #include "shaders/shade/make_bsdf.glsl"
 #include "shaders/shade/sky.glsl"
-#include "shaders/shade/next_path.glsl"
+#include "shaders/shade/scattered_path.glsl"
 #include "shaders/shade/shade_classic.glsl"
 #include "shaders/shade/shade_path.glsl"
 #include "shaders/shade/shade_view.glsl"
 
-// The scene itself is what covers a pixel.
+// Whether the hit covers the pixel: the scene does, its surroundings do not.
 bool covers(SurfaceInteraction point) {
     bool backdrop = point.owner == OWNER_SHAPES && (loadShape(point.primitive).kind.z & SHAPE_BACKDROP) != 0u;
     return point.t >= 0.0 && !backdrop;
 }
 
-// The numbers of SHADINGS, and that of each integrator in one number.
+// The numbers of SHADINGS, and those of all integrators packed into one constant.
 #define SHADING_NUMBER(number, NAME, function) const uint SHADING_##NAME = number;
 SHADINGS(SHADING_NUMBER)
 #define SHADING_OF_ROW(number, Name, word, label, SHADING, traits) | SHADING_##SHADING << (INTEGRATOR_BITS * number)
 const uint kShadings = 0u INTEGRATORS(SHADING_OF_ROW);
 const uint kShading = kShadings >> (INTEGRATOR_BITS * kIntegrator) & ((1u << INTEGRATOR_BITS) - 1u);
 
-// As the integrator does that the program is built for.
+// Calls the shading function of the integrator that the program is built for.
 Shading shadeHit(PathState path, SurfaceInteraction point, Material row, Bsdf bsdf, uint pixel) {
 #define SHADE(number, NAME, function) \
     if (kShading == number) return function(path, point, row, bsdf, pixel);
     SHADINGS(SHADE)
-    return onlyLight(vec3(0.0));
+    return onlyRadiance(vec3(0.0));
 }
 
-// A path's hit, and what becomes of it.
+// A shaded hit.
 struct ShadedHit {
-    SurfaceInteraction point; // its sides settled
+    SurfaceInteraction point; // with resolved sides
     Material row;
     Bsdf bsdf;
     Shading shading;
 };
 
-// Glass is left where the surface is met from behind; where normals do not tell, every second time.
+// A hit from behind leaves glass; without oriented normals, every second hit does.
 ShadedHit shadeAt(PathState path, SurfaceInteraction point, uint index) {
-    settleSides(point, path);
+    resolveSides(point, path);
     bool back = isBack(point);
     Material row = loadMaterial(materialOf(point));
     Bsdf bsdf = makeBsdf(row, point.albedo, back, -dot(point.normal, path.direction));
@@ -49,13 +49,13 @@ ShadedHit shadeAt(PathState path, SurfaceInteraction point, uint index) {
     return ShadedHit(point, row, bsdf, shadeHit(path, point, row, bsdf, imagePixel(index)));
 }
 
-// The point that asks for light where a path has hit it.
+// The direct-lighting query of a hit.
 DirectLightQuery lightQuery(SurfaceInteraction point, vec3 view, vec3 weight, uint bounce) {
-    uint material = point.bits & (SURFACE_MATERIAL_MASK | SURFACE_REACH_MASK << SURFACE_REACH_SHIFT);
+    uint material = point.bits & (SURFACE_MATERIAL_MASK | SURFACE_SELF_REACH_MASK << SURFACE_SELF_REACH_SHIFT);
     return DirectLightQuery(point.position, point.radius, point.normal, material, point.albedo, point.owner, weight,
                             bounce, view, isBack(point) ? -1.0 : 1.0);
 }
 
-bool asksForLight(Shading shading) { return largest(shading.direct_weight) > 0.0 && params.light_count > 0u; }
+bool needsDirectLight(Shading shading) { return largest(shading.direct_weight) > 0.0 && params.light_count > 0u; }
 
 #endif

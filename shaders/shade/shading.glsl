@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an integrator answers.
+// The result of shading a hit.
 #ifndef POINTRT_SHADERS_SHADING_GLSL
 #define POINTRT_SHADERS_SHADING_GLSL
 
 struct NextRay {
     vec3 direction;
-    vec3 weight; // the path's throughput along it; 0: there is none
-    float pdf;   // of its choice over solid angle, 0 where there was no other (mirrors, glass)
+    vec3 weight; // throughput of the path along it; 0: no ray
+    float pdf;   // over solid angle; 0: a delta distribution (mirrors, glass)
 };
 
 struct Shading {
-    vec3 added;      // radiance that needs no further ray
-    vec3 direct_weight; // of the light that shadow rays may bring; 0: none is asked for
+    vec3 radiance;      // emission and background: needs no further ray
+    vec3 direct_weight; // throughput of direct light; 0: no next event estimation
     NextRay first;
     NextRay second;
 };
 
 NextRay noRay() { return NextRay(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0); }
 
-Shading onlyLight(vec3 added) { return Shading(added, vec3(0.0), noRay(), noRay()); }
+Shading onlyRadiance(vec3 radiance) { return Shading(radiance, vec3(0.0), noRay(), noRay()); }
 
-// Of light that came t through a material; a pane has no inside, and nothing has that is not glass.
+// Transmittance over a distance t inside a material; 1 for panes and for all but glass.
 vec3 transmittance(Material row, float t) {
     return isThin(row) || !mayRefract ? vec3(1.0) : exp(-row.absorption.rgb * max(t, 0.0));
 }

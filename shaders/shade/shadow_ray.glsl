@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fused form's shadow rays, as paths have stored them.
+// The megakernel's stored shadow rays.
 #ifndef POINTRT_SHADERS_SHADOW_RAY_GLSL
 #define POINTRT_SHADERS_SHADOW_RAY_GLSL
 #include "shaders/lib/bindings.glsl"

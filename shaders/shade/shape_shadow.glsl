@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shadow rays and the shapes.
+// Occlusion of light samples by shapes.
 #ifndef POINTRT_SHADERS_SHAPE_SHADOW_GLSL
 #define POINTRT_SHADERS_SHAPE_SHADOW_GLSL
 #include "shaders/shade/direct_light.glsl"
-#include "shaders/trace/shapes.glsl"
+#include "shaders/trace/shape_hit.glsl"
 
-// Whether the first shape on the way to a light hides it. A lamp is not hidden by itself: its distance from here and as
-// a shape differ by rounding.
-bool hides(ShapeHit hit, LightSample to, Light light) {
-    return hit.shape != lampOf(light) && hit.t < to.distance * kBeforeLamp;
+// Whether the first shape on the way to a light occludes it. An area light does not occlude itself: its distances as a
+// light and as a shape differ by rounding.
+bool occludes(ShapeHit hit, LightRay ray) {
+    return hit.shape != shapeOfLight(ray.light) && hit.t < ray.to.distance * kBeforeLight;
 }
 
 #endif

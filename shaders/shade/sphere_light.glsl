@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light from a ball, sampled by the cone that it fills.
+// Spherical area light, sampled by the cone that it subtends.
 #ifndef POINTRT_SHADERS_SPHERE_LIGHT_GLSL
 #define POINTRT_SHADERS_SPHERE_LIGHT_GLSL
 #include "shaders/shade/light_sample.glsl"
 
 const vec2 kMiddleSphere = vec2(0.0, 0.5);
-const bool kFoundByChanceSphere = true;
+const bool kBsdfSamplesHitSphere = true;
 
-// The cone of directions that a sphere is sampled in, as 1 minus the cosine of its half angle: from inside all
-// directions. Pharr, Jakob and Humphreys, Physically Based Rendering, 6.2.4, in a form that needs no series from afar.
+// 1 minus the cosine of the half angle of the cone that a sphere subtends; from inside, the cone of all directions.
+// Pharr, Jakob and Humphreys, Physically Based Rendering, 6.2.4, in a form without cancellation at a distance.
 float sphereCap(float squared_distance, float radius) {
     float squared_sine = radius * radius / max(squared_distance, 1e-30);
     return squared_sine < 1.0 ? squared_sine / (1.0 + sqrt(1.0 - squared_sine)) : 2.0;

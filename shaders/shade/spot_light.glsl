@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light from a point into a cone with a soft edge.
+// Spot light: a point light restricted to a cone with a soft edge.
 #ifndef POINTRT_SHADERS_SPOT_LIGHT_GLSL
 #define POINTRT_SHADERS_SPOT_LIGHT_GLSL
 #include "shaders/shade/point_light.glsl"
 
 const vec2 kMiddleSpot = vec2(0.0, 0.5);
-const bool kFoundByChanceSpot = false;
+const bool kBsdfSamplesHitSpot = false;
 
 LightSample sampleSpot(Light light, vec3 point, vec2 u) {
     LightSample to = samplePoint(light, point, u);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where programs find their buffers: the numbers of GLSL's layout() and of C++'s descriptor sets, each written once.
-// Names matter most where reflection cannot help: swapped texel buffers of the same type look alike to it. No number of
-// a set stands for two things (tests/runtime/gpu/test_shader_interface.cpp), and C++ takes no bare one.
+// Binding numbers of all buffers, shared by GLSL's layout() and C++'s descriptor sets. Names prevent what reflection
+// cannot detect: swapped texel buffers of the same type. Numbers are unique within a set
+// (tests/runtime/gpu/test_shader_interface.cpp), and the C++ type Binding rejects plain integers.
 #ifndef POINTRT_SHADERS_BINDINGS_H
 #define POINTRT_SHADERS_BINDINGS_H
 
@@ -15,10 +15,10 @@ enum class Binding : std::uint32_t {};
 #define POINTRT_BINDING(number) number
 #endif
 
-// The descriptor set of further pages of a large instance's buffers; all else is in set 0.
+// Descriptor set of the second and later pages of an instance's large buffers; everything else is in set 0.
 #define SET_PAGES 1
 
-// One instance's (runtime/device_scene/device_scan.cpp).
+// Buffers of one instance (runtime/device_scene/device_scan.cpp).
 #define BINDING_BRICK_WORDS POINTRT_BINDING(1)
 #define BINDING_LISTED POINTRT_BINDING(2)
 #define BINDING_SPLATS POINTRT_BINDING(3)
@@ -30,7 +30,7 @@ enum class Binding : std::uint32_t {};
 #define BINDING_INSTANCE POINTRT_BINDING(22)
 #define BINDING_NOISE POINTRT_BINDING(54)
 
-// The scene's (runtime/device_scene/device_scene.cpp).
+// Buffers of the scene (runtime/device_scene/device_scene.cpp).
 #define BINDING_MATERIALS POINTRT_BINDING(5)
 #define BINDING_SHAPES POINTRT_BINDING(23)
 #define BINDING_LIGHTS POINTRT_BINDING(24)
@@ -38,7 +38,8 @@ enum class Binding : std::uint32_t {};
 #define BINDING_ENVIRONMENT_TEXELS POINTRT_BINDING(29)
 #define BINDING_ENVIRONMENT_CDF POINTRT_BINDING(30)
 
-// The frame's (runtime/render/frame_buffers.cpp); _TEXELS: the same buffer, for reading at random.
+// Buffers of the frame (runtime/render/frame_buffers.cpp); _TEXELS: the same buffer as a texel buffer, for random
+// reads.
 #define BINDING_PARAMS POINTRT_BINDING(6)
 #define BINDING_CONTROL POINTRT_BINDING(7)
 #define BINDING_QUEUES POINTRT_BINDING(8)
@@ -58,15 +59,15 @@ enum class Binding : std::uint32_t {};
 #define BINDING_DEFERRED POINTRT_BINDING(27)
 #define BINDING_SHADOW_RAYS POINTRT_BINDING(55)
 #define BINDING_SHADOW_RAYS_TEXELS POINTRT_BINDING(56)
-#define BINDING_PLACES POINTRT_BINDING(57)
-#define BINDING_SIEVE POINTRT_BINDING(61)
+#define BINDING_PIXEL_LIST POINTRT_BINDING(57)
+#define BINDING_CULL_BOXES POINTRT_BINDING(61)
 
-// The photon map's (runtime/render/caustics.cpp).
+// The photon map (runtime/render/caustics.cpp).
 #define BINDING_PHOTON_TEXELS POINTRT_BINDING(31)
 #define BINDING_PHOTON_BUCKETS POINTRT_BINDING(32)
 #define BINDING_PHOTONS POINTRT_BINDING(33)
 
-// Those of rays that come in batches (runtime/cast/cast_slot.cpp).
+// Batches of rays (runtime/cast/cast_slot.cpp).
 #define BINDING_CAST_RAYS POINTRT_BINDING(58)
 #define BINDING_CAST_HITS POINTRT_BINDING(59)
 #define BINDING_CAST_STOPPED POINTRT_BINDING(60)
@@ -80,7 +81,7 @@ enum class Binding : std::uint32_t {};
 #define BINDING_BLENDING_PAGES POINTRT_BINDING(5)
 #define BINDING_SPLAT_PAGES POINTRT_BINDING(6)
 
-// The display pipeline's: from the film to colours and guides, and from colours to pixels.
+// Display pipeline: film to colours and denoiser guides, colours to pixels.
 #define BINDING_RESOLVE_FILM POINTRT_BINDING(36)
 #define BINDING_RESOLVE_FIRST_HITS POINTRT_BINDING(37)
 #define BINDING_RESOLVE_COLORS POINTRT_BINDING(38)
@@ -89,7 +90,7 @@ enum class Binding : std::uint32_t {};
 #define BINDING_TONEMAP_COLORS POINTRT_BINDING(41)
 #define BINDING_TONEMAP_PIXELS POINTRT_BINDING(42)
 
-// The denoiser's: what it is given, and what its passes hand on; _OUT: what they write.
+// Denoiser inputs and intermediate buffers; _OUT: written by a pass.
 #define BINDING_DENOISE_COLORS POINTRT_BINDING(43)
 #define BINDING_DENOISE_GUIDES POINTRT_BINDING(44)
 #define BINDING_DENOISE_ALBEDOS POINTRT_BINDING(45)

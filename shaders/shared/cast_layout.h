@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays that come in batches, and what becomes of them: one header for C++ and GLSL.
+// Batches of rays and their hits. Valid in C++ and GLSL.
 #ifndef POINTRT_SHADERS_CAST_LAYOUT_H
 #define POINTRT_SHADERS_CAST_LAYOUT_H
 
@@ -8,13 +8,13 @@
 namespace pointrt::gpu {
 #endif
 
-// Further than any hit: t_max of rays without end.
+// Beyond any hit: t_max of unbounded rays.
 #define CAST_FARTHEST 1e30f
 
-// In render space. Origins are near what can be hit, whatever the ray's own is: floats then tell it finely.
+// In render space. The origin has been moved along the ray close to the instance, to keep float precision.
 struct CastRay {
     vec3 origin;
-    float t_max;    // below 0: it meets nothing
+    float t_max;    // negative: the ray hits nothing
     vec3 direction; // unit length
     float unused;
 };
@@ -22,37 +22,37 @@ struct CastRay {
 
 struct CastHit {
     float t;     // to the disc
-    uint splat;  // NO_INDEX: nothing is hit
-    uint normal; // the splat's word that holds it (PRO_NORMAL_BITS)
+    uint splat;  // NO_INDEX: a miss
+    uint normal; // the word of the splat that holds its normal (PRO_NORMAL_BITS)
     uint unused;
 };
 
-// In place of a splat's number, and of whether a ray is stopped: the host must see to that ray.
+// In place of a splat's number or an occlusion result: the host must trace this ray.
 #define CAST_ODD 0xFFFFFFFEu
 
-// Squares of lengths that floats can reckon with: of directions, and of how far off rays begin, world units.
+// Range of squared lengths (of directions, and of distances of origins in world units) that float arithmetic handles.
 #define GIVEN_LEAST 1e-30f
 #define GIVEN_MOST 1e30f
-// Of the way to the scene as floats tell it, so much is never too much: a few times 2^-24 less.
+// Share of the float distance to the scene that never overshoots it: 1 less a few times 2^-24.
 #define GIVEN_SHORT 0.999999f
 
-// How rays as callers give them become rays in an instance's cube, and hits theirs.
+// Transform between the caller's rays and rays in an instance's cube.
 struct GivenPush {
-    double origin_x; // the cube's middle, world units
+    double origin_x; // centre of the cube, world units
     double origin_y;
     double origin_z;
-    double scale; // the cube's edge, world units
-    double t_min; // lengths of the direction
+    double scale; // edge of the cube, world units
+    double t_min; // in lengths of the direction
     double t_max;
-    float units;  // edges in a world unit
-    float radius; // of a sphere around the cube, world units
+    float units;  // cube edges per world unit
+    float radius; // of the sphere around the cube, world units
     uint rays;
-    uint first_texel; // of the first of them, which is one of two that are three texels
+    uint first_texel; // of the first ray; float rays: an even one, as two rays take three texels
 };
 
 struct CastPush {
     uint rays;
-    uint first; // row; the others follow
+    uint first; // row of the first ray; the others follow
     uint unused_0;
     uint unused_1;
 };
@@ -64,10 +64,10 @@ POINTRT_ROWS(CastHit, 1);
 POINTRT_ROWS(CastPush, 1);
 static_assert(sizeof(GivenPush) == 4 * 16 && offsetof(GivenPush, units) == 48);
 
-// A hit of a given ray, whose t is in lengths of its direction, +infinity for a miss.
+// A hit of a caller's ray. t: in lengths of its direction, +infinity for a miss.
 struct GivenHit {
     double t;
-    uint splat; // NO_INDEX: nothing is hit; CAST_ODD
+    uint splat; // NO_INDEX: a miss; or CAST_ODD
     uint normal;
 };
 static_assert(sizeof(GivenHit) == 16);

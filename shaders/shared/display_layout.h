@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the programs between the film and the window are called with: one header for C++ and GLSL.
+// Push constants of the display shaders. Valid in C++ and GLSL.
 #ifndef POINTRT_SHADERS_DISPLAY_LAYOUT_H
 #define POINTRT_SHADERS_DISPLAY_LAYOUT_H
 
@@ -14,18 +14,18 @@ struct ResolveParams {
     uint first; // pixel
     uint count;
     uint film_pixels;
-    uint shown;  // number of a part (shaders/shared/film_parts.h)
+    uint shown;  // number of the film part to show (shaders/shared/film_parts.h)
     float share; // 1 / samples
     float samples;
-    float scale;       // input units in a render unit
-    float depth_black; // render units
+    float scale;       // input units per render unit
+    float depth_black; // depth shown as black, render units
 };
 
 struct TonemapParams {
     uint first; // pixel
     uint count;
     float gain;
-    uint is_light; // 1: to be brought into the range of screens, 0: it is there
+    uint is_light; // 1: linear light, to be tone mapped; 0: already in display range
 };
 
 #ifdef __cplusplus

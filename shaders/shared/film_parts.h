@@ -1,40 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of a film, a row each: one list for the film's arrays, for files, the tracer, the window and the shader
-// that shows them. Valid in C++ and GLSL.
+// The parts (AOVs) of a film, one row each: the single list behind the film's arrays, OpenEXR channels, the renderer,
+// the window's views and the shader that shows them. Valid in C++ and GLSL.
 #ifndef POINTRT_SHADERS_FILM_PARTS_H
 #define POINTRT_SHADERS_FILM_PARTS_H
 
-// Of a first hit's words (params.h), by number.
+// The words of a first hit (params.h), by index.
 #define HIT_SPLAT 0u // or shape
-#define HIT_OWNER 1u // in its low bits; above: 1 + the tile's number in its set, 0 of what is in none
+#define HIT_OWNER 1u // low bits: the owner; above: 1 + number of the tile in its set, 0 outside sets
 #define HIT_MATERIAL 2u
 #define HIT_TILE_SHIFT 8u
 #define HIT_OWNER_MASK 0xFFu
 
 // clang-format off
 // X(array, Value, channels, group, nothing, source, view)
-//   array     Film's member (runtime/image/film.h): pixel after pixel the values of its channels
+//   array     member of Film (runtime/image/film.h): the values of its channels, pixel by pixel
 //   Value     float or std::uint32_t
-//   channels  in OpenEXR files: COLOR or VECTOR of a layer, or CHANNELS
-//   group     what films have it: FilmGroup::GROUP (runtime/image/film_parts.h)
-//   nothing   its value where nothing is hit
-//   source    struct of runtime/render/film_readout.cpp that fills it
-//   view      NOT_SHOWN, or SHOWN(number, NAME, label, how, function): one of the window's choices, counted from 0;
-//             SHOWN_NAME and ShownAs::HOW to the code (runtime/image/film_views.h), function of
+//   channels  of OpenEXR files: COLOR or VECTOR of a layer, or CHANNELS
+//   group     which films have it: FilmGroup::GROUP (runtime/image/film_parts.h)
+//   nothing   value where no surface is hit
+//   source    struct of runtime/render/film_readout.cpp that computes it
+//   view      NOT_SHOWN, or SHOWN(number, NAME, label, how, function): a view of the window, numbered from 0; the code
+//             knows it as SHOWN_NAME and ShownAs::HOW (runtime/image/film_views.h) and draws it with that function of
 //             shaders/display/resolve.comp.glsl
 //
-// rgba         linear light, background included; share covered by the scene
-// depth        along the centre ray from its start, input units
-// normal       unit, towards the eye
+// rgba         linear radiance with the background; coverage by the scene
+// depth        distance along the centre ray from its origin, input units
+// normal       unit vector, facing the eye
 // position     input coordinates
-// direct       light that reached the first hit straight from a lamp
-// indirect     light by way of other surfaces
-// caustic      light that was bundled or bent on its way to a matte surface
-// albedo       0 to 1: reflectance of the first hit
-// splat_id     number in its .pro; none on shapes
-// tile_id      number in its set of the tile whose .pro that is; none on what is in no set
-// instance_id  number in the scene; OWNER_SHAPES on shapes
-// material_id  row of the scene's table of materials
+// direct       light that reached the first hit straight from a light source
+// indirect     light that reached it by way of other surfaces
+// caustic      light focused by mirrors or glass onto a surface that scatters it
+// albedo       reflectance of the first hit, 0 to 1
+// splat_id     index in its .pro; none on shapes
+// tile_id      index of the splat's tile in its set; none outside sets
+// instance_id  index in the scene; OWNER_SHAPES on shapes
+// material_id  row of the scene's material table
 // samples      paths traced through the pixel
 // variance     of the mean luminance
 #define FILM_PARTS(X) \

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How bright a linear colour is, by Rec. 709: one definition for C++ and GLSL.
+// Luminance of a linear colour (Rec. 709). Valid in C++ and GLSL.
 #ifndef POINTRT_SHADERS_LUMINANCE_H
 #define POINTRT_SHADERS_LUMINANCE_H
 
@@ -8,7 +8,7 @@
 #ifdef __cplusplus
 namespace pointrt {
 
-/// In the precision that is asked for: luminance<double>(r, g, b).
+/// In the precision of Real: luminance<double>(r, g, b).
 template <class Real>
 constexpr Real luminance(Real red, Real green, Real blue) {
     constexpr double weights[] = {LUMINANCE_WEIGHTS};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kinds of material, a row each, and a material as the shaders read it. Valid in C++ and GLSL.
+// The kinds of material, one row each, and a material as the shaders read it. Valid in C++ and GLSL.
 #ifndef POINTRT_SHADERS_MATERIALS_H
 #define POINTRT_SHADERS_MATERIALS_H
 
@@ -14,22 +14,22 @@
 #define POINTRT_SHARED_NUMBER const int
 #endif
 
-// What sets kinds apart.
-#define MATERIAL_IS_CLEAR 1u         // light is only reflected and let through: white by default, throws caustics
-#define MATERIAL_REFRACTS 2u         // sends on two rays
-#define MATERIAL_IS_ROUGH 4u         // has GGX's lobe
-#define MATERIAL_MIRRORS_BY_SHARE 8u // sends on rays and throws caustics as far as it has a mirror share
-#define MATERIAL_SHOWS_DIRECTION 16u // shows where light comes from, which photons do not tell
+// Traits.
+#define MATERIAL_IS_CLEAR 1u         // only reflects and transmits light: white by default, casts caustics
+#define MATERIAL_REFRACTS 2u         // splits a ray into a reflected and a refracted one
+#define MATERIAL_IS_ROUGH 4u         // has a GGX lobe
+#define MATERIAL_MIRRORS_BY_SHARE 8u // reflects rays and casts caustics in proportion to its mirror share
+#define MATERIAL_SHOWS_DIRECTION 16u // its look depends on where light comes from, which photons do not record
 
 // clang-format off
 // X(number, NAME, Name, word, label, lobes, traits)
 //   number      counts from 0
 //   NAME, Name  MATERIAL_NAME here, MaterialKind::kName in C++ (runtime/scene/material_kinds.h)
-//   word        what scene files call it
-//   label       what the window calls it
-//   lobes       function of shaders/shade/material.glsl: how it scatters light
+//   word        name in scene files
+//   label       name in the window
+//   lobes       function of shaders/shade/material.glsl that sets its scattering lobes
 //   traits      MATERIAL_* above
-// The fields that a kind has: runtime/scene/material_fields.cpp.
+// The fields of each kind: runtime/scene/material_fields.cpp.
 #define MATERIALS(X) \
     X(0, MATTE, Matte, "matte", "Matte", setMatte, MATERIAL_MIRRORS_BY_SHARE) \
     X(1, METAL, Metal, "metal", "Metal", setMetal, MATERIAL_IS_ROUGH | MATERIAL_SHOWS_DIRECTION) \
@@ -47,15 +47,15 @@ namespace pointrt::gpu {
 #endif
 
 #define MATERIAL_USES_SPLAT_COLOR 1u
-#define MATERIAL_THIN 2u // glass: a pane, which light crosses without being bent
+#define MATERIAL_THIN 2u // glass: a pane; light passes through it undeviated
 
-// A row of the scene's table. Below are names for what its vectors hold.
+// A row of the scene's material table. The functions below name its components.
 struct Material {
     vec4 base;       // linear reflectance; w: as bits, MATERIAL_USES_SPLAT_COLOR, MATERIAL_THIN
     vec4 gloss;      // x: MATERIAL_*, y: roughness (GGX alpha is its square), z: index of refraction, w: mirror share
     vec4 phong;      // x: weight of the Phong highlight, y: its exponent
-    vec4 emission;   // radiance, on both sides; w: as bits, the light that stands for it or NO_LIGHT
-    vec4 absorption; // glass: of the light inside, per unit length
+    vec4 emission;   // radiance, on both sides; w: as bits, the light that samples it, or NO_LIGHT
+    vec4 absorption; // glass: absorption coefficient inside, per unit length
 };
 #define MATERIAL_VECTORS 5
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Photons that mirrors and glass have bundled, where they met a surface that scatters light. Valid in C++ and GLSL.
+// The photon map of caustics: photons focused by mirrors and glass, stored where they hit a surface that scatters
+// light. Valid in C++ and GLSL.
 #ifndef POINTRT_SHADERS_PHOTON_LAYOUT_H
 #define POINTRT_SHADERS_PHOTON_LAYOUT_H
 
@@ -8,34 +9,34 @@
 namespace pointrt::gpu {
 #endif
 
-// Two texels of the map; in the buffer that photons are traced into, one for each path.
+// Two texels of the map. The buffer that photons are traced into has one Photon per path.
 struct Photon {
     vec4 position; // render units; w: as bits, the surface's unit normal in three signed bytes
-    vec4 flux;     // w: in the buffer, 1 where the path has left a photon; in the map, its level
+    vec4 flux;     // w: in the buffer, 1 if the path stored a photon; in the map, its level
 };
 #define PHOTON_VECTORS 2
 
-// The map: photons, and buckets that list them. A photon's light is spread over a disc, small where photons are dense:
-// its radius is that of its level, PHOTON_LEVEL_RATIO times that of the level below. Each level has a grid of its own,
-// whose cells are as wide as its discs, and each of the cells that a disc meets, 8 at most, lists its photon: all
-// around a point are then listed by the cell that it is in. Cells share buckets by a hash; there are enough of them
-// that hardly any two cells with photons do. The buckets' words: where each bucket's list starts among them and the
-// last one ends (PHOTON_BUCKETS + 1), then the lists, numbers of photons, none twice in a bucket.
+// The map consists of photons and of buckets that list them. A photon's flux is spread over a disc that is small where
+// photons are dense: each level has a radius, PHOTON_LEVEL_RATIO times that of the level below, and a grid whose cells
+// are as wide as its discs. Each cell that a disc overlaps (8 at most) lists the photon, so the cell that holds a point
+// lists all photons whose discs reach it. A hash maps cells to buckets; buckets are so many that two cells with photons
+// rarely share one. The words of the buckets: the start of each bucket's list and the end of the last
+// (PHOTON_BUCKETS + 1 words), then the lists of photon indices, none twice in a bucket.
 #define PHOTON_BUCKETS 1048576u
 #define PHOTON_LEVELS 6
 #define PHOTON_LEVEL_RATIO 1.7f
-// A disc lights what is within its radius, and no farther from its plane than this share of it.
+// A disc lights points within its radius and within this share of the radius from its plane.
 #define PHOTON_REACH 0.5f
 
-// Teschner et al., Optimized Spatial Hashing for Collision Detection of Deformable Objects (2003); the last is for
-// levels.
+// Teschner et al., Optimized Spatial Hashing for Collision Detection of Deformable Objects (2003); the last one hashes
+// the level.
 #define PHOTON_HASH_X 73856093u
 #define PHOTON_HASH_Y 19349663u
 #define PHOTON_HASH_Z 83492791u
 #define PHOTON_HASH_LEVEL 2654435761u
 
 struct PhotonLevel {
-    vec4 low;  // corners of the box around its discs, low above high where it has none; w: cells in a render unit
+    vec4 low;  // corners of the box around its discs, low above high if it has none; w: cells per render unit
     vec4 high; // w: radius
 };
 

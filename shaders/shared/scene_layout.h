@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes and instances as the shaders read them: one header for C++ and GLSL (lights: light_layout.h, materials:
-// materials.h).
-// Lengths are in render units, the frame that all instances and shapes share (runtime/device_scene/render_space.h).
+// Shapes and instances as the shaders read them (lights: light_layout.h, materials: materials.h). Valid in C++ and
+// GLSL. Lengths are in render units, the frame shared by all instances and shapes
+// (runtime/device_scene/render_space.h).
 #ifndef POINTRT_SHADERS_SCENE_LAYOUT_H
 #define POINTRT_SHADERS_SCENE_LAYOUT_H
 
@@ -16,44 +16,44 @@ namespace pointrt::gpu {
 #define SHAPE_PLANE 0  // z = 0
 #define SHAPE_DISC 1   // z = 0, x^2 + y^2 <= 1
 #define SHAPE_QUAD 2   // z = 0, |x| <= 1, |y| <= 1
-#define SHAPE_BOX 3    // |x|, |y|, |z| <= 1, hit from outside and from inside
+#define SHAPE_BOX 3    // |x|, |y|, |z| <= 1, hit from both sides
 #define SHAPE_SPHERE 4 // x^2 + y^2 + z^2 = 1, likewise
 
 #define MAX_SHAPES 64
-// Programs for scenes of no more shapes than these know their kinds when they are built and have their rows at hand.
+// Scenes with at most this many shapes have the kinds compiled into their programs and the rows in the frame
+// parameters.
 #define HELD_SHAPES 6
-#define SHAPE_KIND_BITS 3u  // of each in that knowledge, the first lowest, above
-#define SHAPE_COUNT_BITS 4u // 1 + their number; 0: the scene has more
+#define SHAPE_KIND_BITS 3u  // per shape in that constant, the first lowest, above the count:
+#define SHAPE_COUNT_BITS 4u // 1 + number of shapes; 0: the scene has more
 
-// A surface without splats, in the unit form of its kind.
+// An analytic surface, the unit form of its kind transformed.
 struct Shape {
     vec4 row_x; // rows of local_from_render: xyz linear part, w translation
     vec4 row_y;
     vec4 row_z;
-    uvec4 kind; // x: SHAPE_*, y: material, z: bits, see below
+    uvec4 kind; // x: SHAPE_*, y: material, z: SHAPE_* bits below
 };
 #define SHAPE_VECTORS 4
-#define SHAPE_UNSEEN_BY_CAMERA 1u // lamps that light without being seen
-#define SHAPE_BACKDROP 2u         // not of the scene: first hits and coverage pass through it
+#define SHAPE_UNSEEN_BY_CAMERA 1u // area lights invisible to camera rays
+#define SHAPE_BACKDROP 2u         // surroundings: ignored by first hits and coverage
 #define SHAPE_CASTS_CAUSTICS 4u
 
 #define MAX_COLOR_RANGES 8
 
-// One .pro in the scene: how its cube lies in render space, its encoding and its materials. Tiles of a set are one
-// instance: they have its number and its materials, and each a core, in which its hits count.
+// One .pro in the scene: the transform of its cube, its encoding and its materials. All tiles of a set share the number
+// and materials of the set's instance; the hits of each are clipped to its core.
 struct InstanceParams {
     vec4 row_x; // rows of cube_from_render, a similarity: xyz linear part, w translation
     vec4 row_y;
     vec4 row_z;
-    vec4 splat;        // x: radius_max, y: radius_step, z: blend_slab, w: cube units in a render unit
-    vec4 grid_scale;   // x: entry grid cells in a cube unit, y: one position step in cells
-    uvec4 grid_origin; // xyz: lowest cell, in cells from the cube's corner; w: of a tile 1 + its number in its set,
-                       // else 0
+    vec4 splat;        // x: radius_max, y: radius_step, z: blend_slab, w: cube units per render unit
+    vec4 grid_scale;   // x: entry grid cells per cube unit, y: one position step in cells
+    uvec4 grid_origin; // xyz: lowest cell, in cells from the cube's corner; w: tiles: 1 + number in the set, else 0
     uvec4 grid_size;   // xyz: cells
-    uvec4 grid_words;  // x: in a layer, y: number of the last, z: of the last one of a brick
-    uvec4 materials;   // x: number of this instance, y: its first material, z: colour ranges, w: 1: casts caustics
-    vec4 core_low;     // of a tile, in grid units: corners of its core; w: how far rounding may put a ray beside it
-    vec4 core_high;    // w: so much of its radius counts where a ray leaves a disc (shaders/trace/offset.glsl)
+    uvec4 grid_words;  // x: words per layer, y: index of the last word, z: index of the last brick word
+    uvec4 materials; // x: number of this instance, y: first material, z: number of colour ranges, w: 1: casts caustics
+    vec4 core_low;   // tiles: corners of the core, grid units; w: margin for rounding of a ray's position
+    vec4 core_high;  // w: factor of splat radii for self-intersection distances (shaders/trace/offset.glsl)
     uvec4 color_range[MAX_COLOR_RANGES]; // x, y: lowest and highest sRGB, 8 bits each, red lowest; z: material
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// GLSL's vectors for C++, so that a struct is written once. Structs are rows of 16 bytes: a vector of four, one of
-// three with a number behind it, or four numbers. Both languages then agree on every offset without padding, which
-// POINTRT_ROWS and POINTRT_ROW assert as far as C++ can see it.
+// GLSL vector types for C++, so that shared structs are written once. Structs consist of rows of 16 bytes: a vec4, a
+// vec3 followed by a scalar, or four scalars. Both languages then agree on every offset without padding; POINTRT_ROWS
+// and POINTRT_ROW assert it on the C++ side.
 #ifndef POINTRT_SHADERS_VECTORS_H
 #define POINTRT_SHADERS_VECTORS_H
 
@@ -24,7 +24,7 @@ struct uvec4 {
 };
 } // namespace pointrt::gpu
 
-/// type has so many rows of 16 bytes, and member starts one.
+/// Assert that type has this many rows of 16 bytes, and that member starts one.
 #define POINTRT_ROWS(type, rows) static_assert(sizeof(type) == 16 * (rows) && alignof(type) == 4)
 #define POINTRT_ROW(type, member) static_assert(offsetof(type, member) % 16 == 0)
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far the rays of a tile of pixels go before anything can be near: one lane marches a beam around all of them
-// through the entry grid: a cone, or a prism with parallel projection. Tiles whose beam leaves the grid are done; the
-// others are queued for trace_primary.
+// Beam tracing: the distance that all camera rays of a tile of pixels can skip. One lane per tile marches a beam around
+// its rays through the entry grid: a cone, or a prism with parallel projection. Tiles whose beam leaves the grid are
+// done; the others are queued for intersect_camera.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_ballot : require
@@ -16,7 +16,7 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 
 float least(vec3 v) { return min(v.x, min(v.y, v.z)); }
 
-// Cells by which an empty one may be extended to all sides, itself included: the least of its skips.
+// Half the edge, in cells, of the empty cube around an empty cell, the cell included: the least of its skips.
 float freeCells(uint word) {
     uvec4 low = uvec4(word, word >> 4, word >> 8, word >> 12) & PRO_SKIP_MASK;
     uvec4 high = uvec4(word >> 16, word >> 20, word >> 24, word >> 28) & PRO_SKIP_MASK;
@@ -24,8 +24,8 @@ float freeCells(uint word) {
     return skippedCells(min(min(both.x, both.y), min(both.z, both.w)), 0u);
 }
 
-// How far a point, in grid units, is at least from all filled cells of a box, by its largest component. From outside,
-// they are no nearer than from the box's nearest point, and no nearer than the box.
+// Lower bound of the Chebyshev distance, in grid units, from a point to all filled cells of a box. From outside, they
+// are no nearer than the box, and no nearer than seen from the nearest point of the box.
 float freeAround(vec3 point, Grid grid, vec3 lowest, vec3 highest) {
     float outside = largest(max(lowest - point, point - highest));
     point = clamp(point, lowest, highest);
@@ -36,19 +36,20 @@ float freeAround(vec3 point, Grid grid, vec3 lowest, vec3 highest) {
     return max(outside, inside);
 }
 
-// Cells below which a further step is not worth its cost.
+// Shortest step worth its cost, in cells.
 const float kMinStep = 0.25;
-// Beyond, beams that creep along a surface are not worth more steps: what they have come to is safe.
+// Most steps: ends beams that creep along a surface. The distance reached so far is safe.
 const int kMaxSteps = 96;
 
-// Rays around one, in cube units: they start within width of it, and their directions differ by up to spread.
+// A bundle of rays around a centre ray, in cube units: origins within width of its origin, directions within spread of
+// its direction.
 struct Beam {
-    CameraRay middle;
+    CameraRay center;
     float width;
     float spread;
 };
 
-// Of what a start is from the eye, rounding makes less than this: a few times 2^-24.
+// Bound of the rounding error, relative to the distance from the eye: a few times 2^-24.
 const float kStartRounding = 1e-6;
 
 Beam tileBeam(vec2 corner) {
@@ -56,23 +57,23 @@ Beam tileBeam(vec2 corner) {
     CameraRay ray = rayThrough(middle);
     vec2 start = onPlane(middle, params.half_window);
     float width = distance(onPlane(corner, params.half_window), start) + kStartRounding * length(start);
-    // normalizing brings no two points beyond distance 1 further apart: directions differ by no more than on the plane
+    // normalizing never moves two points at distance 1 or more apart: directions differ by no more than on the plane
     float spread = distance(onPlane(corner, params.tan_half_fov), onPlane(middle, params.tan_half_fov));
     return Beam(CameraRay(cubePoint(ray.origin), cubeDirection(ray.direction)), width * cubeScale(), spread);
 }
 
-// The distance, in cube units, that all rays of a beam can go, or BEAM_MISSES where that leads past the grid.
+// The distance, in cube units, that all rays of a beam can skip; BEAM_MISSES if they leave the grid.
 float marchBeam(Beam beam) {
     Grid grid = loadGridFrame();
     float scale = instance.grid_scale.x;
-    vec3 start = gridPoint(beam.middle.origin), direction = beam.middle.direction, lowest, highest;
-    walkedBox(start, lowest, highest);
+    vec3 start = gridPoint(beam.center.origin), direction = beam.center.direction, lowest, highest;
+    traversedBox(start, lowest, highest);
     float width = beam.width * scale;
-    // beyond its far corner no ray can be in the grid
+    // beyond the farthest corner no ray is in the grid
     float t_far = length(max(abs(lowest - start), abs(highest - start)));
     float t = 0.0, advance = kMinStep;
     int left = kMaxSteps;
-    do { // lanes that are done take part until all are: see trace.glsl
+    do { // finished lanes take part until all are: see trace.glsl
         bool going = advance >= kMinStep && t < t_far && left > 0;
         float free = freeAround(start + direction * t, grid, lowest, highest);
         float further = (free - width - t * beam.spread) / (largest(abs(direction)) + beam.spread);
@@ -80,17 +81,17 @@ float marchBeam(Beam beam) {
         t = going ? t + max(further, 0.0) : t;
         left--;
     } while (advance >= kMinStep && t < t_far && left > 0);
-    // less what rounding may have added
+    // less the rounding error
     return t < t_far ? max(0.0, t * (1.0 - 1e-6) / scale - 2.0 * PRO_POSITION_STEP) : BEAM_MISSES;
 }
 
 void main() {
     uint tile = gl_GlobalInvocationID.x;
     bool live = tile < bandTiles();
-    // around the picture's whole tile, of whose rows a band may have a few: distances are the same in whatever bands
+    // around the picture's whole tile, of which a band may hold only some rows: distances do not depend on the bands
     float rows_above = float(params.first_row % TILE_SIDE);
     float safe = marchBeam(tileBeam(pixelCorner(tileCorner(tile)) - vec2(0.0, rows_above)));
-    if (hasStep(STEP_PLACES)) safe = 0.0; // its pixels lie anywhere
+    if (hasStep(STEP_PIXEL_LIST)) safe = 0.0; // the pixels of a list are not neighbours
     if (live) beams[tile] = safe;
 
     uvec4 ballot = subgroupBallot(live && safe < BEAM_MISSES);

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which cell holds a point: the grid of entry points stands for the octree's upper levels, a brick of 4 x 4 x 4 cells
-// for the next ones, groups of 8 for what is deeper. All in grid cells ("grid units") from the grid's lowest corner.
+// Point location: finds the cell that holds a point. The entry grid replaces the upper levels of the octree, a brick of
+// 4 x 4 x 4 cells the next ones, groups of 8 the deeper ones. Positions are in grid cells ("grid units") from the
+// lowest corner of the grid.
 #ifndef POINTRT_SHADERS_OCTREE_GLSL
 #define POINTRT_SHADERS_OCTREE_GLSL
 
 #include "shaders/trace/instance.glsl"
 
-// What every step needs of the frame, loaded once.
+// Parameters of the grid that every step needs, loaded once.
 struct Grid {
-    uint row; // words
-    uint layer;
+    uint row;   // words per row
+    uint layer; // words per layer
     uint last_word;
     uint last_brick_word;
 };
@@ -19,21 +20,21 @@ Grid loadGridFrame() {
     return Grid(instance.grid_size.x, words.x, words.y, words.z);
 }
 
-// Of a point in cube units.
+// Cube units to grid units.
 vec3 gridPoint(vec3 cube) { return cube * instance.grid_scale.x - vec3(instance.grid_origin.xyz); }
 
 // The grid's highest corner.
 vec3 gridEnd() { return vec3(instance.grid_size.xyz); }
 
-// Of what a ray is from a tile, rounding makes less than this: a few times 2^-24.
+// Bound of the rounding error, relative to the distance of a ray from a tile: a few times 2^-24.
 const float kCoreRounding = 4e-7;
 
-// What of the grid is to be walked through by rays that start here (grid units): all of it, of a tile its core, and
-// around that what rounding takes, which is another for each tile: the ray must not pass between two of them.
-void walkedBox(vec3 origin, out vec3 lowest, out vec3 highest) {
+// The part of the grid that rays from this origin (grid units) traverse: all of it, or the core of a tile with a margin
+// for rounding. Rounding differs between tiles, and a ray must not slip between two of them.
+void traversedBox(vec3 origin, out vec3 lowest, out vec3 highest) {
     lowest = vec3(0.0);
     highest = gridEnd();
-    if (kCored) {
+    if (kClipsToCore) {
         vec3 away = abs(origin);
         float margin = instance.core_low.w + kCoreRounding * max(away.x, max(away.y, away.z));
         lowest = max(instance.core_low.xyz - margin, lowest);
@@ -41,8 +42,8 @@ void walkedBox(vec3 origin, out vec3 lowest, out vec3 highest) {
     }
 }
 
-// Cells to skip from an empty one towards the octant that shift stands for. No product, no conversion: what follows a
-// load is what a step takes.
+// Cells to skip from an empty one in the direction octant of the shift. Without multiplication or conversion: the
+// latency after the load dominates a step.
 float skippedCells(uint word, uint octant_shift) {
     uint code = word >> octant_shift & PRO_SKIP_MASK;
     float cells = uintBitsToFloat((code << PRO_SKIP_SHIFT) + PRO_SKIP_BIAS);
@@ -51,16 +52,16 @@ float skippedCells(uint word, uint octant_shift) {
 
 bool isFilled(uint word) { return (word & PRO_SKIP_MASK) == 0u; }
 
-// Where a point is: in a listed cell, or in an empty one of which some more follow in each direction.
+// The cell that holds a point: a filled one, or an empty one with skips in each direction.
 struct Spot {
-    vec3 base;    // lowest corner of the cell, in its edges
+    vec3 base;    // lowest corner of the cell, in units of its edge
     float edge;   // of the cell
-    uint word;    // of the cell, or of the grid cell where all of that is empty
+    uint word;    // of the cell, or of the grid cell if that is empty as a whole
 };
 
-// Deeper than a brick: the group's word that holds the point.
+// Descends from a brick cell through groups to the cell that holds the point.
 void descend(vec3 point, inout Spot spot) {
-    // lavapipe runs a loop's body once more for lanes that have left it: what is kept must be selected
+    // lavapipe runs the loop body once more for lanes that have left it: results must be selected
     do {
         bool inner = (spot.word & (PRO_SKIP_MASK | PRO_CELL_INNER)) == PRO_CELL_INNER;
         vec3 half_base = min(max(floor(point / (0.5 * spot.edge)), 2.0 * spot.base), 2.0 * spot.base + 1.0);
@@ -73,23 +74,23 @@ void descend(vec3 point, inout Spot spot) {
     } while ((spot.word & (PRO_SKIP_MASK | PRO_CELL_INNER)) == PRO_CELL_INNER);
 }
 
-// Of the grid cell with this lowest corner; from outside, of whatever cell.
+// The word of the grid cell with this lowest corner; outside the grid, of some cell.
 uint gridWord(ivec3 base, Grid grid) {
     uvec3 at = uvec3(base);
     return loadGrid(min(at.x + at.y * grid.row + at.z * grid.layer, grid.last_word));
 }
 
-// A brick's first word from the grid word that names it.
+// Index of the first word of the brick that a grid word refers to.
 uint firstWord(uint grid_word) { return (grid_word >> PRO_GRID_BRICK_SHIFT) * PRO_BRICK_WORDS; }
 
-// Points outside the grid get an answer too, of whatever cell.
+// For points outside the grid the result is that of some cell.
 Spot spotAt(vec3 point, Grid grid) {
     ivec3 grid_base = ivec3(point), brick_base = ivec3(point * float(PRO_BRICK_SIDE));
     uint grid_word = gridWord(grid_base, grid);
     bool filled = isFilled(grid_word);
     uvec3 part = uvec3(brick_base) & (PRO_BRICK_SIDE - 1u);
     uint cell = part.x | part.y << PRO_BRICK_BITS | part.z << 2u * PRO_BRICK_BITS;
-    // an empty word names no brick: any one's word will do
+    // an empty grid word refers to no brick: any brick word will do
     uint brick_word = loadBrickWord(min(firstWord(grid_word) | cell, grid.last_brick_word));
     Spot spot = Spot(vec3(filled ? brick_base : grid_base), filled ? 1.0 / float(PRO_BRICK_SIDE) : 1.0,
                      filled ? brick_word : grid_word);
@@ -97,7 +98,7 @@ Spot spotAt(vec3 point, Grid grid) {
     return spot;
 }
 
-// The listed cell that holds a point in cube units, NO_INDEX where there is none.
+// The filled cell that holds a point in cube units; NO_INDEX if that is empty or outside.
 uint cellAt(vec3 point) {
     vec3 at = gridPoint(point);
     Spot spot = spotAt(at, loadGridFrame());

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keeps what the rays through pixel centres have hit.
+// Stores the first hits of the rays through pixel centres: depth, normal and ids (AOVs).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/trace/surface_interaction.glsl"
 #include "shaders/shared/film_parts.h"
 
-// How much of what is seen hangs on where it is seen from: 0 to 1.
+// How strongly the look of the surface depends on the view direction: 0 to 1.
 float viewDependence(Material row) {
     int kind = materialKind(row);
     if (kind == MATERIAL_MIRROR || kind == MATERIAL_GLASS) return 1.0;

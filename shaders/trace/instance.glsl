@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// What programs know of an instance when they are built, and the ways from render space to its cube and back. The map is
+// Traits of an instance as specialization constants, and transforms between render space and its cube. The transform is
 // a similarity, so discs stay discs.
 #ifndef POINTRT_SHADERS_INSTANCE_GLSL
 #define POINTRT_SHADERS_INSTANCE_GLSL
 #include "shaders/shared/spec_constants.h"
 
-// Whether any cell is cut further than a brick does. Even scans have none, and no ray has to ask.
+// Whether any cell is subdivided below the bricks. If not, traversal skips the descent.
 layout(constant_id = SPEC_UNEVEN) const bool kUneven = false;
-// Whether normals point outwards: then the two sides of a thin sheet are told apart.
+// Whether normals are oriented outwards: then the two sides of a thin sheet are distinguished.
 layout(constant_id = SPEC_ORIENTED) const bool kOriented = false;
-// Whether it says how far its surface scatters.
+// Whether the scan stores the noise of its surface.
 layout(constant_id = SPEC_NOISY) const bool kNoisy = false;
-// Whether it is a tile of a set, whose hits count in its core alone.
-layout(constant_id = SPEC_CORED) const bool kCored = false;
+// Whether it is a tile of a set: hits are clipped to the tile's core.
+layout(constant_id = SPEC_CLIPS_TO_CORE) const bool kClipsToCore = false;
 
 vec3 cubePoint(vec3 render_point) {
     vec4 p = vec4(render_point, 1.0);
     return vec3(dot(instance.row_x, p), dot(instance.row_y, p), dot(instance.row_z, p));
 }
 
-// Of unit length where the argument is: lengths along rays are scaled apart, by cubeScale.
-vec3 cubeDirection(vec3 render_point) {
-    return vec3(dot(instance.row_x.xyz, render_point), dot(instance.row_y.xyz, render_point), dot(instance.row_z.xyz, render_point)) /
+// Preserves length: distances along rays are scaled separately, by cubeScale.
+vec3 cubeDirection(vec3 render) {
+    return vec3(dot(instance.row_x.xyz, render), dot(instance.row_y.xyz, render), dot(instance.row_z.xyz, render)) /
            instance.splat.w;
 }
 
@@ -29,7 +29,7 @@ vec3 renderDirection(vec3 cube) {
     return (cube.x * instance.row_x.xyz + cube.y * instance.row_y.xyz + cube.z * instance.row_z.xyz) / instance.splat.w;
 }
 
-// Cube units in a render unit.
+// Cube units per render unit.
 float cubeScale() { return instance.splat.w; }
 
 #endif

@@ -1,57 +1,60 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where secondary rays start.
+// Ray offsets against self-intersection: where rays that leave a surface start, and how far hits on that surface are
+// ignored.
 #ifndef POINTRT_SHADERS_OFFSET_GLSL
 #define POINTRT_SHADERS_OFFSET_GLSL
 #include "shaders/lib/features.glsl"
 
-// Neighbouring discs stand off the blended surface by curvature, by noise, and where several scans overlap by what
-// their registration left: two or three radii on dense merges. So the ray starts a little up, where rounding cannot
-// put it below, and hits on discs of the same facing are its own surface's until it is kOwnHeight radii up. At grazing
-// angles it never would be: kOwnReach radii end it, four discs' width, beyond which the same surface may be met again.
-const float kOwnHeight = 3.0;
-const float kOwnReach = 8.0;
-// Radii the origin is lifted by.
+// Neighbouring discs deviate from the blended surface by curvature, by noise, and where several scans overlap by the
+// residual of their registration: two or three radii on dense merges. So the ray origin is lifted a little, enough that
+// rounding cannot put it below the surface, and hits on discs of the same facing are self-intersections until the ray
+// is kSelfHeight radii up. At grazing angles it would never get there: kSelfReach radii along the ray, four disc
+// widths, end the self-intersection distance, beyond which the same surface may be hit again.
+const float kSelfHeight = 3.0;
+const float kSelfReach = 8.0;
+// Radii that the origin is lifted by.
 const float kLift = 0.25;
 // Shapes are exact but for rounding: 4 units in the last place of the largest coordinate.
 const float kShapeUlps = 4.0 / 8388608.0;
 
-// Where the scan says how far its surface scatters, the ray is out of it kNoisyHeight standard deviations up: of the
-// ten discs or so that it passes on the way, one in 10^5 stands that high above a point that itself is off by half of one
-// (10 * Q(5 / sqrt(1.25)) = 4e-5). Down to 10 degrees of elevation it gets there; what lies lower is lit by less than
-// a sixth.
+// If the scan stores noise, a ray has left the surface at kNoisyHeight standard deviations: of the ten discs or so that
+// it passes on the way, one in 10^5 is that high above a point that itself deviates by half a standard deviation
+// (10 * Q(5 / sqrt(1.25)) = 4e-5). It gets there at elevations of 10 degrees and more; what is lower receives less than
+// a sixth of the light.
 const float kNoisyHeight = 5.0;
 const float kNoisyReach = kNoisyHeight / 0.1736482; // sine of 10 degrees
-// Noise counts up to this many radii: what stands more than 5 radii off casts its shadow all the same.
+// Upper limit of the noise, in radii: geometry more than 5 radii away always casts its shadow.
 const float kNoiseMost = 1.0;
-// SURFACE_REACH_MASK of these lead from kOwnReach to the most there is: kNoisyReach / kNoisyHeight * kOwnHeight = 17.28.
+// SURFACE_SELF_REACH_MASK steps lead from kSelfReach to the largest reach, kNoisyReach / kNoisyHeight * kSelfHeight =
+// 17.28.
 const float kReachStep = 0.3;
 
 float roundingAt(vec3 position) {
     return kShapeUlps * max(abs(position.x), max(abs(position.y), abs(position.z)));
 }
 
-// Nearer hits are on the shape that the ray left: twice as far as its start was lifted, at 60 degrees from the normal.
-float ownShapeReach(vec3 origin) { return 4.0 * roundingAt(origin); }
+// Self-intersection distance on shapes: twice the lift of the origin, at 60 degrees from the normal.
+float shapeSelfDistance(vec3 origin) { return 4.0 * roundingAt(origin); }
 
-// The radius that stands for a noisy surface where rays leave it: kOwnHeight of it are as high as they have to go. reach:
-// how many of it own hits reach, in the bits of a SurfaceInteraction.
-float ownRadius(float radius, float noise, out uint reach) {
+// The radius to offset rays by on a noisy surface: kSelfHeight times this is as high as they have to get. reach: the
+// bits of selfReach for a SurfaceInteraction.
+float offsetRadius(float radius, float noise, out uint reach) {
     noise = min(noise, kNoiseMost * radius);
-    float own_radius = max(radius, kNoisyHeight / kOwnHeight * noise);
-    float own_reach = max(kOwnReach * radius, kNoisyReach * noise) / own_radius;
-    reach = uint((own_reach - kOwnReach) / kReachStep + 0.5) << SURFACE_REACH_SHIFT;
-    return own_radius;
+    float offset_radius = max(radius, kNoisyHeight / kSelfHeight * noise);
+    float self_reach = max(kSelfReach * radius, kNoisyReach * noise) / offset_radius;
+    reach = uint((self_reach - kSelfReach) / kReachStep + 0.5) << SURFACE_SELF_REACH_SHIFT;
+    return offset_radius;
 }
 
-// Radii that own hits reach, of a surface with these bits.
-float ownReach(uint bits) {
-    if (!kHasNoise) return kOwnReach;
-    return kOwnReach + kReachStep * float(bits >> SURFACE_REACH_SHIFT & SURFACE_REACH_MASK);
+// Longest self-intersection distance, in radii, of a surface with these bits.
+float selfReach(uint bits) {
+    if (!kHasNoise) return kSelfReach;
+    return kSelfReach + kReachStep * float(bits >> SURFACE_SELF_REACH_SHIFT & SURFACE_SELF_REACH_MASK);
 }
 
-// Where a ray starts that leaves a surface on the side that normal points to; own_t: up to where hits are its own.
-vec3 leaveSurface(vec3 position, vec3 normal, float radius, uint bits, vec3 direction, out float own_t) {
-    own_t = radius * min(kOwnHeight / max(dot(normal, direction), 1e-6), ownReach(bits));
+// Origin of a ray that leaves a surface on the side that normal points to. self_t: self-intersection distance.
+vec3 offsetRayOrigin(vec3 position, vec3 normal, float radius, uint bits, vec3 direction, out float self_t) {
+    self_t = radius * min(kSelfHeight / max(dot(normal, direction), 1e-6), selfReach(bits));
     return position + normal * (radius > 0.0 ? kLift * radius : roundingAt(position));
 }
 

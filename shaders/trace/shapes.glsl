@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays and the surfaces without splats. No kind has a branch of its own: on lavapipe a branch costs as much as both
-// sides, and shapes of several kinds in a row would keep a GPU's lanes waiting for each other.
+// Intersection of rays with shapes, the analytic surfaces. Without a branch per kind: on lavapipe a branch costs as
+// much as both sides, and on GPUs lanes at shapes of different kinds would wait for each other.
 //
-// nearestShape wants loadShape(i) from the program, a macro that gives the Shape with number i and may be asked for 0
-// where the scene has none. Without it only the functions over one shape are there. With kHoldsShapes, a constant, it is
-// not asked where that is true but heldShape(i), which knows the kind, for the first kHeldShapes, which are all.
+// The program defines loadShape(i), a macro that returns the Shape with number i; nearestShape may pass 0 even if the
+// scene has no shapes. Without loadShape only the functions of a single shape are defined. If the program also defines
+// kHoldsShapes, and that constant is true, heldShape(i) is used instead, with kinds known at compile time, for all
+// kHeldShapes shapes.
 #ifndef POINTRT_SHADERS_SHAPES_GLSL
 #define POINTRT_SHADERS_SHAPES_GLSL
 
 #extension GL_EXT_control_flow_attributes : require
 #include "shaders/shared/scene_layout.h"
 
-// A program may say which kinds there are.
+// A program may restrict the kinds.
 #ifndef mayHaveShape
 #define mayHaveShape(kind) true
 #endif
@@ -22,17 +23,17 @@ const uint kHeldShapes = 0u;
 #define heldShape(i) loadShape(i)
 #endif
 
-// The distance where nothing is hit.
+// The distance of a miss.
 const float kNoShapeHit = 1e30;
 
 struct ShapeHit {
-    float t;    // along the ray; kNoShapeHit: none
-    uint shape; // its number; where none is hit, count
+    float t;    // along the ray; kNoShapeHit: a miss
+    uint shape; // its number; for a miss, count
 };
 
 struct LocalRay {
     vec3 origin;
-    vec3 direction; // as long as the shape is small, so that t is the ray's own
+    vec3 direction; // not normalized, so that t is that of the original ray
 };
 
 vec3 localVector(Shape shape, vec3 v) {
@@ -43,7 +44,7 @@ vec3 localPoint(Shape shape, vec3 p) {
     return localVector(shape, p) + vec3(shape.row_x.w, shape.row_y.w, shape.row_z.w);
 }
 
-// Where the ray meets z = 0 within the kind's edge.
+// Distance to z = 0 within the outline of the kind.
 float hitFlat(uint kind, LocalRay ray) {
     float t = -ray.origin.z / ray.direction.z;
     vec2 at = ray.origin.xy + ray.direction.xy * t;
@@ -52,9 +53,9 @@ float hitFlat(uint kind, LocalRay ray) {
     return inside && ray.direction.z != 0.0 ? t : kNoShapeHit;
 }
 
-// Where the ray enters and leaves the box; both kNoShapeHit where it passes by.
+// Distances at which the ray enters and leaves the box; both kNoShapeHit for a miss.
 vec2 hitBox(LocalRay ray) {
-    // a component of 0 would make products that are no numbers
+    // a component of 0 would give NaN products
     vec3 direction = mix(ray.direction, vec3(1e-20), lessThan(abs(ray.direction), vec3(1e-20)));
     vec3 inverse = 1.0 / direction;
     vec3 middle = -ray.origin * inverse, half_way = abs(inverse);
@@ -63,14 +64,14 @@ vec2 hitBox(LocalRay ray) {
     return near <= far ? vec2(near, far) : vec2(kNoShapeHit);
 }
 
-// Likewise for the sphere, measured from where the ray is nearest to its centre: the difference of squares that the
-// quadratic formula takes loses all digits of spheres from afar (Haines et al., Ray Tracing Gems, chapter 7). The
-// nearer root from a start on the sphere is 0 but for rounding of a radius's last bit.
+// Likewise for the sphere, measured from the point of the ray nearest to its centre: the difference of squares in the
+// quadratic formula cancels for distant spheres (Haines et al., Ray Tracing Gems, chapter 7). The nearer root from an
+// origin on the sphere is 0 up to rounding in the last bit of the radius.
 vec2 hitSphere(LocalRay ray) {
     float inverse = 1.0 / dot(ray.direction, ray.direction);
     float middle = -dot(ray.origin, ray.direction) * inverse;
     vec3 nearest = ray.origin + middle * ray.direction;
-    // once more from there: the first middle has the rounding of the whole way
+    // refined from there: the first estimate has the rounding error of the whole distance
     float rest = -dot(nearest, ray.direction) * inverse;
     nearest += rest * ray.direction;
     float height = 1.0 - dot(nearest, nearest);
@@ -78,8 +79,8 @@ vec2 hitSphere(LocalRay ray) {
     return height >= 0.0 ? middle + rest + half_chord * vec2(-1.0, 1.0) : vec2(kNoShapeHit);
 }
 
-// Distance to shape along the ray, in lengths of direction: the nearest hit that is not nearer than t_min, from outside
-// or inside; kNoShapeHit where there is none.
+// Distance to shape along the ray, in lengths of direction: the nearest hit at t_min or beyond, from either side;
+// kNoShapeHit for a miss.
 float hitShape(Shape shape, vec3 origin, vec3 direction, float t_min) {
     LocalRay ray = LocalRay(localPoint(shape, origin), localVector(shape, direction));
     uint kind = shape.kind.x;
@@ -90,8 +91,8 @@ float hitShape(Shape shape, vec3 origin, vec3 direction, float t_min) {
     return nearest >= t_min && nearest < kNoShapeHit ? nearest : kNoShapeHit;
 }
 
-// Unit normal at a point of shape, on the side that a ray with this direction comes from; back: that is the inside of a
-// box or sphere, or the side of a plane, disc or quad that its z axis points away from.
+// Unit normal at a point of shape, facing a ray with this direction. back: the ray hits the inside of a box or sphere,
+// or the side of a plane, disc or quad that its z axis points away from.
 vec3 shapeNormal(Shape shape, vec3 point, vec3 direction, out bool back) {
     vec3 local = localPoint(shape, point);
     vec3 size = abs(local);
@@ -99,7 +100,7 @@ vec3 shapeNormal(Shape shape, vec3 point, vec3 direction, out bool back) {
                                               : (size.y >= size.z ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0));
     uint kind = shape.kind.x;
     vec3 n = kind == SHAPE_SPHERE ? local : (kind == SHAPE_BOX ? sign(local) * face : vec3(0.0, 0.0, 1.0));
-    // normals go by the transposed rows
+    // normals transform by the transposed rows
     vec3 normal = normalize(shape.row_x.xyz * n.x + shape.row_y.xyz * n.y + shape.row_z.xyz * n.z);
     back = dot(normal, direction) > 0.0;
     return back ? -normal : normal;
@@ -107,7 +108,7 @@ vec3 shapeNormal(Shape shape, vec3 point, vec3 direction, out bool back) {
 
 #ifdef loadShape
 
-// Takes part where it counts.
+// Updates hit with a shape if that is nearer and counts.
 void nearer(inout ShapeHit hit, bool counts, uint number, Shape shape, vec3 origin, vec3 direction, float t_min) {
     float t = hitShape(shape, origin, direction, t_min);
     bool nearer = counts && t < hit.t;
@@ -115,8 +116,7 @@ void nearer(inout ShapeHit hit, bool counts, uint number, Shape shape, vec3 orig
     hit.shape = nearer ? number : hit.shape;
 }
 
-// The first of count shapes that the ray meets at t_min or beyond, without those that have one of the skipped SHAPE_*
-// bits.
+// The nearest of count shapes at t_min or beyond, except those with one of the skipped SHAPE_* bits.
 ShapeHit nearestShapeWithout(uint skipped, uint count, vec3 origin, vec3 direction, float t_min) {
     ShapeHit hit = ShapeHit(kNoShapeHit, count);
     if (kHoldsShapes) {
@@ -126,7 +126,7 @@ ShapeHit nearestShapeWithout(uint skipped, uint count, vec3 origin, vec3 directi
         }
     } else {
         uint i = 0u;
-        do { // lanes that are done take part until all are: see trace.glsl
+        do { // finished lanes take part until all are: see trace.glsl
             bool going = i < count;
             Shape shape = loadShape(going ? i : 0u);
             nearer(hit, going && (shape.kind.z & skipped) == 0u, i, shape, origin, direction, t_min);
@@ -136,7 +136,7 @@ ShapeHit nearestShapeWithout(uint skipped, uint count, vec3 origin, vec3 directi
     return hit;
 }
 
-// Of two rays, each with its own t_min, by one load of each shape.
+// The nearest shapes of two rays, each with its own t_min, loading each shape once.
 void nearestShapes(uint count, vec3 origin_a, vec3 direction_a, float t_min_a, vec3 origin_b, vec3 direction_b,
                    float t_min_b, out ShapeHit hit_a, out ShapeHit hit_b) {
     hit_a = ShapeHit(kNoShapeHit, count);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decoding of splats, after pro_layout.h.
+// Decoding of splats (pro_layout.h).
 #ifndef POINTRT_SHADERS_SPLAT_GLSL
 #define POINTRT_SHADERS_SPLAT_GLSL
 
-// Two vectors, one in each component.
+// Two vectors: .x of each component is the first, .y the second.
 struct VectorPair {
     vec2 x, y, z;
 };
@@ -12,10 +12,10 @@ vec3 firstOf(VectorPair pair) { return vec3(pair.x.x, pair.y.x, pair.z.x); }
 vec2 dots(VectorPair a, VectorPair b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 vec2 dots(VectorPair a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-// By way of signed numbers, which processors convert by one instruction.
+// Converted as signed integers: CPUs have one instruction for that.
 vec2 floatsOf(uvec2 codes) { return vec2(ivec2(codes)); }
 
-// Of two splats.
+// Positions of two splats.
 VectorPair positionCodes(uvec4 a, uvec4 b) {
     uvec2 low = uvec2(a.x, b.x), high = uvec2(a.y, b.y);
     return VectorPair(floatsOf(low & PRO_POSITION_MASK),
@@ -23,7 +23,7 @@ VectorPair positionCodes(uvec4 a, uvec4 b) {
                       floatsOf(high >> PRO_Y_HIGH_BITS & PRO_POSITION_MASK));
 }
 
-// Normals of two splats, of any length.
+// Normals of two splats, not normalized.
 VectorPair normalCodes(uvec4 a, uvec4 b) {
     const float middle = 0.5 * PRO_NORMAL_STEPS;
     uvec2 words = uvec2(a.z, b.z);
@@ -36,10 +36,10 @@ VectorPair normalCodes(uvec4 a, uvec4 b) {
 
 vec3 splatPosition(uvec4 words) { return (firstOf(positionCodes(words, words)) + 0.5) * PRO_POSITION_STEP; }
 
-// A normal of any length: enough for plane intersection, where length cancels.
+// A normal, not normalized: sufficient for plane intersection, where the length cancels.
 vec3 splatDirection(uvec4 words) { return firstOf(normalCodes(words, words)); }
 
-// coding: instance.splat, loaded before any loop: lavapipe takes its time for each load from a storage buffer.
+// coding: instance.splat, to be loaded before loops: loads from storage buffers are slow on lavapipe.
 float splatRadius(uvec4 words, vec4 coding) {
     return coding.x * exp2(-float(words.w >> PRO_RADIUS_SHIFT) * coding.y);
 }
@@ -48,9 +48,10 @@ vec3 splatColor(uvec4 words) { return unpackUnorm4x8(words.w & PRO_COLOR_MASK).r
 
 uint splatMaterial(uvec4 words) { return words.z >> PRO_MATERIAL_SHIFT; }
 
-// Distance to the disc of a traced hit, which are the TraceHit's words as stored and its splat's. What is stored is
-// rounded with the cell disc (pointrt/pro_index_layout.h), by less than a hundredth of a radius unless the ray grazes
-// it. The exact one is measured from there, because from a distant origin too few bits would be left.
+// Distance to the disc of a traced hit, given as the stored words of the TraceHit and the words of its splat. The
+// stored t is that of the quantized cell disc (pointrt/pro_index_layout.h), off by less than a hundredth of a radius
+// unless the ray grazes the disc. The exact distance is computed from that point: from a distant origin too few bits
+// would be left.
 float exactDistance(uvec4 hit, uvec4 words, vec3 origin, vec3 direction) {
     float t = uintBitsToFloat(hit.x), radius = splatRadius(words, instance.splat);
     vec3 normal = splatDirection(words);

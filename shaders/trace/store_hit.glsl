@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Between the rays of paths and the hits that are kept of them.
+// Closest hits of paths so far.
 #ifndef POINTRT_SHADERS_STORE_HIT_GLSL
 #define POINTRT_SHADERS_STORE_HIT_GLSL
 
-// How far a path's ray may go, in cube units: to what was hit before.
-float reachOf(uint path) { return uintBitsToFloat(loadHit(path).x) * cubeScale(); }
+// t_max of the ray of a path, in cube units: the closest hit so far.
+float maxDistance(uint path) { return uintBitsToFloat(loadHit(path).x) * cubeScale(); }
 
-// t is stored in render units. What was hit before, and nearer, stays. Other hits are listed for surface.
+// Stores a hit nearer than the one so far, with t in render units, and appends the path to the hit list for surface.
 void storeHit(bool live, uint path, TraceHit hit) {
     bool hits = live && hit.disc != NO_INDEX;
     if (hits)

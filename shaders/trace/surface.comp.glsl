@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What rays have hit of one instance: the blended surface, its colour and its material, in render space.
+// Surface interactions of the hits on one instance: the blended surface, its colour and its material, in render space.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/path.glsl"
@@ -9,13 +9,13 @@
 #include "shaders/lib/color.glsl"
 
 bool between(vec3 v, uint low, uint high) {
-    // colours are stored in 256 steps, blends of them are not: half a step is granted
+    // stored colours have 256 steps, blended ones are continuous: half a step of tolerance
     const float kHalfStep = 0.5 / 255.0;
     return all(greaterThanEqual(v, unpackUnorm4x8(low).rgb - kHalfStep)) &&
            all(lessThanEqual(v, unpackUnorm4x8(high).rgb + kHalfStep));
 }
 
-// The scene's number of a surface's material.
+// Row of the material of a surface in the scene's table.
 uint materialOf(BlendedSurface surface) {
     uint material = instance.materials.y + surface.material;
     uint ranges = ofLane(instance.materials.z);
@@ -33,7 +33,7 @@ void main() {
     PathState path = pathOf(index);
     uvec4 hit = loadHit(index);
     hit.x = floatBitsToUint(uintBitsToFloat(hit.x) * cubeScale());
-    BlendedSurface surface = surfaceAt(cubePoint(path.origin), cubeDirection(path.direction), path.own_t * cubeScale(), hit,
+    BlendedSurface surface = surfaceAt(cubePoint(path.origin), cubeDirection(path.direction), path.self_t * cubeScale(), hit,
                                        isSeen(path.bits));
     float t = surface.t / cubeScale();
     uint material = materialOf(surface);
@@ -43,7 +43,7 @@ void main() {
     uint casts = instance.materials.w != 0u ? SURFACE_CASTS : 0u;
     uint reach = 0u;
     float radius = surface.radius * instance.core_high.w;
-    if (kNoisy) radius = ownRadius(radius, surface.noise, reach);
+    if (kNoisy) radius = offsetRadius(radius, surface.noise, reach);
     surfaces[index] = SurfaceInteraction(path.origin + t * path.direction, radius / cubeScale(),
                                          renderDirection(surface.normal), material | sides | casts | reach, albedo, t,
                                          hit.w, surface.splat, instance.grid_origin.w, 0u);

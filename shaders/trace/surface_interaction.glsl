@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a path has met, whoever owns it.
+// The surface interaction at the hit of a path, on a shape or on splats.
 #ifndef POINTRT_SHADERS_SURFACE_INTERACTION_GLSL
 #define POINTRT_SHADERS_SURFACE_INTERACTION_GLSL
 #include "shaders/lib/path.glsl"
@@ -8,8 +8,9 @@
 uint materialOf(SurfaceInteraction point) { return point.bits & SURFACE_MATERIAL_MASK; }
 bool isBack(SurfaceInteraction point) { return (point.bits & SURFACE_BACK) != 0u; }
 
-// Where normals do not tell inside from outside, paths take turns: glass is left every second time.
-void settleSides(inout SurfaceInteraction point, PathState path) {
+// Decides whether the hit is on the back. Without oriented normals crossings alternate: every second one leaves the
+// glass.
+void resolveSides(inout SurfaceInteraction point, PathState path) {
     bool back = (point.bits & SURFACE_SIDED) != 0u ? isBack(point) : (path.bits & PATH_INSIDE) != 0u;
     point.bits = point.bits & ~SURFACE_BACK | (back ? SURFACE_BACK : 0u);
 }
@@ -30,7 +31,7 @@ SurfaceInteraction shapeInteraction(PathState path, uvec4 hit) {
                               0u, 0u);
 }
 
-// What surface.comp.glsl has kept.
+// The interaction that surface.comp.glsl has stored.
 SurfaceInteraction splatInteraction(uint index) {
     uvec4 position = loadSurfaceTexel(index, 0), normal = loadSurfaceTexel(index, 1),
           albedo = loadSurfaceTexel(index, 2), ids = loadSurfaceTexel(index, 3);

@@ -47,7 +47,7 @@ case_can_be_chosen() {
     pointrt-info out/one.pro --json >info.json
     [ "$(jsonValue info.json attributes.0.name)" = intensity ] || fail "not what was asked for"
     [ -z "$(jsonValue info.json attributes.1.name)" ] || fail "more than was asked for"
-    expectError 1 "--attributes: no scan has 'intensty', did you mean 'intensity'.; there are classification, intensity" \
+    expectError 1 "--attributes: no scan has 'intensty', did you mean 'intensity'.; available: classification, intensity" \
         pointrt-bake -q scan.ply -o out/two.pro --attributes intensty
     expectDone pointrt-bake -q scan.ply -o out/none.pro --attributes none
     pointrt-info out/none.pro --json >info.json
@@ -82,7 +82,7 @@ case_bounds_thin_and_every() {
     expectError 2 "in z the minimum 3 is above" pointrt-bake scan.ply -o out/d.pro --bounds 1,2,3,4,5,2
     expectError 2 "" pointrt-bake scan.ply -o out/d.pro --every 0
     expectError 2 "" pointrt-bake scan.ply -o out/d.pro --thin 0
-    expectError 1 "scan.ply: none of its 2000 points is asked for" pointrt-bake -q scan.ply -o out/d.pro --bounds 8,8,8,9,9,9
+    expectError 1 "scan.ply: none of its 2000 points passes the filters" pointrt-bake -q scan.ply -o out/d.pro --bounds 8,8,8,9,9,9
 }
 
 case_transform_moves_and_turns() {
@@ -125,7 +125,7 @@ case_a_folder_of_tiles() {
     [ "$(jsonValue tiles.json files.1.points)" = 1000 ] || fail "not what was read of each"
     grep -q 'tiles/b.xyz: .*1000 points' stderr || fail "no line for each file"
     mkdir none
-    expectError 1 "none: the folder holds no scan" pointrt-bake none -o out/none.pro
+    expectError 1 "none: the folder has no scan" pointrt-bake none -o out/none.pro
 }
 
 runCase "$@"

@@ -159,8 +159,8 @@ case_named_pipe() {
 }
 
 case_devices_are_not_read() {
-    expectError 1 '/dev/zero: is no regular file' pointrt-bake -q /dev/zero -o out/scene.pro
-    expectError 1 'standard input: is no regular file' bash -c 'pointrt-bake -q - -o out/scene.pro </dev/zero'
+    expectError 1 '/dev/zero: is not a regular file' pointrt-bake -q /dev/zero -o out/scene.pro
+    expectError 1 'standard input: is not a regular file' bash -c 'pointrt-bake -q - -o out/scene.pro </dev/zero'
 }
 
 case_conf_stays_in_its_folder() {
@@ -171,7 +171,7 @@ case_conf_stays_in_its_folder() {
     ! grep -q horse stderr || fail "what a file holds is in the message"
     mkfifo set/pipe
     echo "bmesh pipe 0 0 0 0 0 0 1" >set/set.conf
-    expectError 1 'pipe: is no regular file' timeout 10 pointrt-bake -q set/set.conf -o out/scene.pro
+    expectError 1 'pipe: is not a regular file' timeout 10 pointrt-bake -q set/set.conf -o out/scene.pro
 }
 
 case_content_is_told_before_the_suffix() {

@@ -44,7 +44,7 @@ case_an_interrupt_leaves_a_list_of_what_is_there() {
     kill -TERM "$viewer"
     wait "$viewer" || status=$?
     [ "$status" = 143 ] || fail "exit status $status where 143 was expected"
-    grep -Eq 'interrupted, [0-9]+ of 10000 pictures are written$' stderr || fail "stderr is $(cat stderr)"
+    grep -Eq 'interrupted after [0-9]+ of 10000 pictures$' stderr || fail "stderr is $(cat stderr)"
     [ "$(find out/set/rgb -type f | wc -l)" = "$(grep -c file_path out/set/transforms.json)" ] || fail "other files"
 }
 

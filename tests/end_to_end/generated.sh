@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Manual pages and completions: every option of --help is in them, and no other, and shells offer what they say.
+# --help fits 80 columns. Manual pages and completions have the options of --help and no others, and shells offer them.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 
@@ -24,7 +24,17 @@ forEachCommand() {
     done
 }
 
-# manual COMMAND WORD...: its page as a terminal shows it. A page that groff warns of fails.
+case_help_fits_80_columns() {
+    local command words
+    for command in "${commands[@]}"; do
+        read -ra words <<<"$command"
+        "${words[@]}" --help >help.txt
+        [ -s help.txt ] || fail "$command --help prints nothing"
+        ! grep -nE '.{81}' help.txt || fail "$command --help: lines of more than 80 columns"
+    done
+}
+
+# manual COMMAND WORD...: its page as a terminal shows it. Fails if groff warns of it.
 manual() {
     "$@" --generate man >page.1
     groff -man -Tutf8 -ww -P-cbou page.1 >page.txt 2>warnings || fail "groff: $(cat warnings)"

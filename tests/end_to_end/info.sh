@@ -119,7 +119,7 @@ case_broken_set_files_are_one_line() {
     expectError 1 "$line" pointrt-info broken.proset --export lost.ply
     expectError 1 "$line" pointrt-view broken.proset -o lost.png
     breakSet truncate -s 1G set.json
-    expectError 1 "broken.proset/set.json: has 1073741824 bytes, more than any set" pointrt-info broken.proset
+    expectError 1 "broken.proset/set.json: has 1073741824 bytes, more than the limit for sets" pointrt-info broken.proset
     breakSet sh -c 'head -c 5000000 /dev/zero | tr "\\0" "[" >set.json'
     expectError 1 "broken.proset/set.json: " pointrt-view broken.proset -o lost.png
     breakSet rm set.json

@@ -102,14 +102,14 @@ case_a_finished_set_stays() {
 
 case_other_options_and_inputs_are_refused() {
     bakeHills out/site.proset --step plan
-    expectError 2 "site.proset.work: was begun with 1000 of --tile-splats, not 2000; --force begins anew" \
+    expectError 2 "site.proset.work: was started with 1000 of --tile-splats, not 2000; --force starts again" \
         pointrt-bake -q a.xyz b.xyz -o out/site.proset --tile-splats 2000
-    expectError 1 "site.proset.work: was begun with 2 input files, not 1" \
+    expectError 1 "site.proset.work: was started with 2 input files, not 1" \
         pointrt-bake -q a.xyz -o out/site.proset --tile-splats 1000
     expectError 1 "the step split has not been done" \
         pointrt-bake -q a.xyz b.xyz -o out/site.proset --tile-splats 1000 --step block:0
     bakeHills out/site.proset --step split
-    expectError 1 "site.proset.work: was begun with a.xyz where b.xyz is now; --force begins anew" \
+    expectError 1 "site.proset.work: was started with a.xyz, not b.xyz; --force starts again" \
         pointrt-bake -q b.xyz a.xyz -o out/site.proset --tile-splats 1000
     expectError 2 "there is no block 99" \
         pointrt-bake -q a.xyz b.xyz -o out/site.proset --tile-splats 1000 --step block:99
@@ -117,7 +117,7 @@ case_other_options_and_inputs_are_refused() {
     rm -r out/site.proset.work
     bakeHills out/site.proset --step plan
     echo "1 2 3" >>a.xyz
-    expectError 1 "a.xyz has been written since" \
+    expectError 1 "a.xyz has changed since" \
         pointrt-bake -q a.xyz b.xyz -o out/site.proset --tile-splats 1000
     bakeHills out/site.proset --force
     expectDone pointrt-info out/site.proset --verify
@@ -144,7 +144,7 @@ case_detail_is_how_much_may_be_left_out() {
     [ "$tiles" = 1 ] || fail "$tiles tiles where the root is enough"
     view 0 --memory 2M # half of which is theirs
     [ "$tiles" -lt "$all" ] || fail "$tiles tiles in a mebibyte"
-    [ "$(grep -c "coarser than --detail 0 asks for: $tiles tiles fit in 1 MiB, and it wants $all " stderr)" = 1 ] ||
+    [ "$(grep -c "coarser than --detail 0: $tiles tiles fit in 1 MiB, full detail needs $all " stderr)" = 1 ] ||
         fail "it does not say once what memory left out"
 }
 
@@ -194,7 +194,7 @@ SH
     run "${namespace[@]}" bash on_small_disk.sh
     [ "$status" != 77 ] && [ "$status" != 1 ] || skip "no file system can be mounted here"
     [ "$status" = 4 ] || fail "exit status $status where 4 was expected"
-    grep -q "a.proset: needs about .*; the disk has" stderr || fail "the disk is not told of"
+    grep -q "a.proset: needs up to .*, but the disk has" stderr || fail "the disk is not told of"
 }
 
 # The same bytes by other roads, on which a worker dies.

@@ -56,7 +56,7 @@ case_wrong_patterns() {
     expectError 2 "out/%4d.png: " pointrt-view half.pro --turntable 3 -o out/%4d.png
     expectError 2 "out/%04d.png: .*--turntable" pointrt-view half.pro -o out/%04d.png
     expectError 2 "--turntable: " pointrt-view half.pro --turntable 0 -o out/%d.png
-    expectError 2 "--turntable: goes with -o" pointrt-view half.pro --turntable 3
+    expectError 2 "--turntable: needs -o" pointrt-view half.pro --turntable 3
     expectError 2 "--turntable and --resume" pointrt-view half.pro --turntable 3 --resume -o out/%d.exr
     expectError 2 "--turntable and --bench" pointrt-view half.pro --turntable 3 --bench 1 -o out/%d.png
     expectError 4 "none/0.png: the folder does not exist" pointrt-view half.pro --turntable 3 -o none/%d.png
@@ -74,7 +74,7 @@ case_an_interrupt_leaves_whole_pictures() {
     kill -TERM "$viewer"
     wait "$viewer" || status=$?
     [ "$status" = 143 ] || fail "exit status $status where 143 was expected"
-    grep -Eq 'interrupted, [0-9]+ of 10000 pictures are written$' stderr || fail "stderr is $(cat stderr)"
+    grep -Eq 'interrupted after [0-9]+ of 10000 pictures$' stderr || fail "stderr is $(cat stderr)"
     [ "$(find out -type f | wc -l)" = "$(grep -Eo '[0-9]+ of' stderr | grep -Eo '[0-9]+')" ] || fail "other files"
     for picture in out/*; do
         [ "$(tail -c 8 "$picture" | head -c 4)" = IEND ] || fail "$picture is cut off"

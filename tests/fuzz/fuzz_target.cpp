@@ -24,7 +24,7 @@ std::vector<Target>& targets() {
     std::abort();
 }
 
-/// Messages go to terminals.
+/// Messages go to terminals, so they must not have control characters.
 bool isOneLine(std::string_view message) {
     return std::none_of(message.begin(), message.end(),
                         [](unsigned char letter) { return letter < ' ' || letter == 127; });
@@ -50,7 +50,7 @@ void expectReadOrRefused(const std::string& name, const std::function<void()>& r
         read();
     } catch (const Error& error) {
         const std::string message = error.what();
-        if (message.find("this build has no ") != std::string::npos) return; // LAZ and E57 where there was no Rust
+        if (message.find("this build has no ") != std::string::npos) return; // LAZ and E57 in builds without Rust
         if (error.code != ExitCode::kBadInput) end("not refused as bad input", message);
         if (!isOneLine(message)) end("more than a line", message);
         if (!message.starts_with(name)) end("does not say which file", message);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a fuzz target is: a function that reads hostile bytes. libFuzzer calls it a million times, the ordinary tests
-// once for each file of corpus/ and findings/.
+// A fuzz target is a function that reads hostile bytes. libFuzzer calls it millions of times, the ordinary tests once
+// for each file in corpus/ and findings/.
 #pragma once
 
 #include <cstdint>
@@ -18,24 +18,24 @@ struct Target {
     void (*run)(Input input);
 };
 
-/// Called once for each target of a program, before main.
+/// Registers a target before main.
 struct Registered {
     Registered(const char* name, void (*run)(Input input));
 };
 
-/// The target of that name; null where this program has none.
+/// The target of this name, or null.
 const Target* findTarget(std::string_view name);
-/// The only one of a program that libFuzzer runs.
+/// The single target of a libFuzzer program.
 const Target& onlyTarget();
 
-/// Calls read. What readers of hostile files may do is return, or throw Error with the code of bad input and one line
-/// that begins with the name of what is read. Anything else ends the process, which is a finding.
-/// @param name "": messages begin as they like
+/// Calls read, which may return, or throw Error with kBadInput and a one-line message that starts with the name of the
+/// input. Aborts otherwise, which is a finding.
+/// @param name "": messages may start with anything
 void expectReadOrRefused(const std::string& name, const std::function<void()>& read);
 
 inline std::string_view textOf(Input input) { return {reinterpret_cast<const char*>(input.data()), input.size()}; }
 
-/// Bytes as a file that lies in memory, for readers that take a path.
+/// Bytes as a file in memory, for readers that take a path.
 class MemoryFile {
 public:
     explicit MemoryFile(Input bytes);
@@ -50,8 +50,7 @@ private:
     std::string path_;
 };
 
-/// An input of two files: the first one's bytes, its length in two bytes ahead of them (the first the lower), then the
-/// second's.
+/// An input of two files: the length of the first in two bytes (little-endian), its bytes, then the second's.
 struct TwoFiles {
     Input first, second;
 };
@@ -59,7 +58,7 @@ TwoFiles splitInTwo(Input input);
 
 } // namespace pointrt::fuzz
 
-/// POINTRT_FUZZ_TARGET(name) { reads input; }. The second macro is there for a name that is a macro itself.
+/// POINTRT_FUZZ_TARGET(name) { reads input; }. The second macro expands a name that is a macro itself.
 #define POINTRT_FUZZ_TARGET(name) POINTRT_FUZZ_TARGET_NAMED(name)
 #define POINTRT_FUZZ_TARGET_NAMED(name)                                                                                \
     static void run_##name(pointrt::fuzz::Input input);                                                                \

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// libFuzzer's way into a program with one target.
+// Entry point of libFuzzer in a program with one target.
 #include <cstddef>
 #include <cstdint>
 

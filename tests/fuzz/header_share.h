@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many mutants of .pro files get past the header, where most of the checks begin.
+// Counts mutants of .pro files that pass the header, after which most checks come.
 #pragma once
 
 #include <atomic>
@@ -11,7 +11,7 @@
 
 namespace pointrt::fuzz {
 
-/// Findings 1001 to 1999 are those of the header, 2001 that of the table's shape (format/SPEC.md).
+/// Findings 1001 to 1999 concern the header, 2001 the shape of the table (format/SPEC.md).
 inline bool passedHeader(pro_result result, std::uint32_t finding) { return result == PRO_OK || finding > 2001; }
 
 struct HeaderShare {
@@ -23,7 +23,7 @@ inline HeaderShare& headerShare() {
     return share;
 }
 
-/// Counts a file that was opened; the first call has the share printed when the process ends.
+/// Counts an attempt to open a file; prints the share when the process exits.
 inline void countMutant(pro_result result, std::uint32_t finding) {
     [[maybe_unused]] static const int printed_at_exit = std::atexit([] {
         const HeaderShare& share = headerShare();

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0
- * Preloaded into tests: small files that they take away are copied to the folder KEEP_FILES first, for corpora. */
+ * Preloaded into tests: copies small files to the folder KEEP_FILES before the tests remove them, for corpora. */
 #define _GNU_SOURCE
 #include <fcntl.h>
 #include <stdatomic.h>

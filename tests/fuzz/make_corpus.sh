@@ -1,34 +1,34 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Makes corpus/ anew of what the tests write, and of what is listed here: for each target the smallest files, of which
-# its program for libFuzzer, where there is one, keeps those that reach what no other does.
-#   make_corpus.sh TESTS_BIN [FUZZERS_BIN]      such as build/dev/bin build/fuzz/bin
+# Rebuilds corpus/ from files that the tests write and from those listed here: the smallest files for each target, of
+# which its libFuzzer program, if built, keeps those that add coverage.
+#   make_corpus.sh TESTS_BIN [FUZZERS_BIN]      for example build/dev/bin build/fuzz/bin
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 tests=$(cd "$1" && pwd)
 fuzzers=${2:+$(cd "$2" && pwd)}
-largest=8000 # bytes of a file; what is larger is fuzzed too slowly
-most=24      # files of a target that no program has chosen
+largest=8000 # bytes; larger files fuzz too slowly
+most=24      # files of a target without a libFuzzer program
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/kept" "$work/seeds"
 cc -shared -fPIC -O1 -o "$work/keep_files.so" "$here/keep_files.c"
 
-# keepFiles TEST [ARGUMENT...]: what it writes, to kept/; it may fail for want of a device.
+# keepFiles TEST [ARGUMENT...]: collects the files that it writes in kept/; it may fail without a device.
 keepFiles() {
     (cd "$work" && KEEP_FILES=$work/kept LD_PRELOAD=$work/keep_files.so "$tests/$1" "${@:2}" >"$work/log" 2>&1) ||
         echo "make_corpus.sh: $1 has failed" >&2
 }
 
-# seed TARGET NAME: standard input as a seed.
+# seed TARGET NAME: adds standard input as a seed.
 seed() {
     mkdir -p "$work/seeds/$1"
     cat >"$work/seeds/$1/$2"
 }
 
-# seedsOf TARGET PATTERN...: of kept/ those whose names match.
+# seedsOf TARGET PATTERN...: adds files of kept/ whose names match.
 seedsOf() {
     local target=$1 pattern file
     shift
@@ -39,7 +39,7 @@ seedsOf() {
     done
 }
 
-# twoFiles FIRST SECOND: as fuzz_target.h has them.
+# twoFiles FIRST SECOND: combines two files as in fuzz_target.h.
 twoFiles() {
     local size
     size=$(stat -c %s "$1")
@@ -54,7 +54,7 @@ keepFiles test_points
 keepFiles test_set
 keepFiles test_camera_lists
 keepFiles test_lidar
-keepFiles test_sets --gtest_filter='*ToldInALine*'
+keepFiles test_sets --gtest_filter='*InOneLine*'
 keepFiles test_rays_command
 keepFiles test_runtime_host --gtest_filter='*Image*:*Film*:*Record*:*Env*'
 
@@ -64,12 +64,12 @@ seedsOf points '*.ply' '*.las' '*.laz'
 seedsOf scan_xyz '*.xyz' '*.pts' '*.asc' '*.csv'
 seedsOf scan_draco '*.drc'
 seedsOf scan '*.gz' '*.stl' '*.zip' '*.gltf'
-for target in "$work"/seeds/scan_*; do # one or two of each kind
+for target in "$work"/seeds/scan_*; do # two of each format
     for file in $(find "$target" -type f -size "-$((largest))c" | sort | head -2); do seed scan "$(basename "$file")" <"$file"; done
 done
 seedsOf tile_set '*set.json'
 for file in "$work"/kept/*plan.json; do
-    # no sample beside it: the hash of nothing
+    # without sides.bin: the hash of an empty file
     sed 's/"sides":{[^}]*}/"sides":{"count":0,"xxh3":3244421341483603138}/' "$file" | seed plan "$(basename "$file")"
 done
 seedsOf picture '*.hdr' '*a.exr' '*sky.exr'

@@ -27,14 +27,14 @@ void store(Bytes& bytes, std::size_t at, T value) {
 }
 
 struct Part {
-    Bytes record;  ///< of the table, PRO_SECTION_BYTES
-    Bytes content; ///< what it names
+    Bytes record;  ///< in the table, PRO_SECTION_BYTES
+    Bytes content; ///< of the section
 
     std::uint32_t kind() const { return load<std::uint32_t>(record, PRO_SEC_OFF_KIND); }
     std::size_t stride() const { return load<std::uint32_t>(record, PRO_SEC_OFF_STRIDE); }
 };
 
-/// A file taken apart.
+/// The parts of a file.
 struct Parts {
     Bytes header; ///< PRO_HEADER_BYTES
     std::vector<Part> sections;
@@ -44,7 +44,7 @@ bool isPro(const Bytes& file) {
     return file.size() >= PRO_HEADER_BYTES && load<std::uint32_t>(file, PRO_OFF_MAGIC) == PRO_MAGIC_WORD0;
 }
 
-/// Sections that do not lie in the file are empty.
+/// Splits a file. Sections outside the file become empty.
 Parts takeApart(const Bytes& file) {
     Parts parts;
     parts.header.assign(file.begin(), file.begin() + PRO_HEADER_BYTES);
@@ -66,7 +66,7 @@ void fixHeaderChecksum(Bytes& file) {
           std::uint64_t{XXH3_64bits(file.data() + PRO_OFF_SECTION_COUNT, PRO_HEADER_BYTES - PRO_OFF_SECTION_COUNT)});
 }
 
-/// With a table, a size and checksums that are right.
+/// Assembles a file with a valid table, size and checksums.
 Bytes putTogether(const Parts& parts) {
     Bytes file = parts.header;
     for (std::size_t i = 0; i < parts.sections.size(); ++i) {
@@ -93,7 +93,8 @@ public:
     std::size_t below(std::size_t count) { return count > 0 ? random_() % count : 0; }
     bool oneIn(std::size_t count) { return below(count) == 0; }
 
-    /// Of the section's own size: words that become extremes, neighbours or others of its words, or any bytes.
+    /// Changes a section without resizing it: words become extremes, adjacent values or other words; or any bytes
+    /// change.
     void changeContent(Part& part) {
         Bytes& content = part.content;
         for (std::size_t changes = 1 + below(3); changes > 0 && content.size() >= 4; --changes) {
@@ -110,7 +111,7 @@ public:
         constexpr std::size_t kMore = 4; // a few are as good as many
         const std::size_t stride = std::max<std::size_t>(part.stride(), 1), count = part.content.size() / stride;
         const std::size_t resized = oneIn(2) ? count + 1 + below(kMore) : count - std::min(count, 1 + below(kMore));
-        const auto resizeTo = [&](Part& each, std::size_t bytes) { // a mutant's strides are any
+        const auto resizeTo = [&](Part& each, std::size_t bytes) { // a mutant may have any stride
             if (bytes <= most) each.content.resize(bytes);
         };
         resizeTo(part, resized * stride);
@@ -135,7 +136,7 @@ public:
         changeWord(parts.header, word(), word());
     }
 
-    /// Of the table of a file whose checksums are right, and stay so.
+    /// Changes the table of a file and keeps its checksum valid.
     void changeRecord(Bytes& file, std::size_t sections) {
         const std::size_t record = PRO_TABLE_OFFSET + below(sections) * PRO_SECTION_BYTES;
         changeWord(file, record + 4 * below(PRO_SECTION_BYTES / 4), record + 4 * below(PRO_SECTION_BYTES / 4));
@@ -169,7 +170,7 @@ private:
     }
 
     void changeWindow(Bytes& bytes) {
-        constexpr std::size_t kWindow = 64; // a handful of any section's elements
+        constexpr std::size_t kWindow = 64; // a few elements of any section
         if (bytes.empty()) return;
         const std::size_t first = below(bytes.size()), size = std::min(kWindow, bytes.size() - first);
         change_(bytes.data() + first, size, size);

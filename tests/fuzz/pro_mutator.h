@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Changes .pro files where it hurts, and repairs what would have them refused at once: sizes, the section table, the
-// checksums.
+// Mutates .pro files, and repairs sizes, the section table and checksums, without which they would be refused at once.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +10,12 @@
 
 namespace pointrt::fuzz {
 
-/// Changes bytes in place: of the first `size` of a block that has room for `most`, returns how many there are then.
+/// Changes the first `size` bytes of a block with room for `most` in place, and returns the new size.
 using ChangeBytes = std::function<std::size_t(std::uint8_t* data, std::size_t size, std::size_t most)>;
 
-/// A mutant of a .pro file: a section, the header's fields or the table changed, and most often the rest repaired.
-/// What is no .pro file at all is changed as any bytes are.
-/// @param most bytes that it may have
+/// A mutant of a .pro file: changes a section, header fields or the table, and usually repairs the rest. Files that are
+/// not .pro are changed as plain bytes.
+/// @param most largest size in bytes
 std::vector<std::uint8_t> mutatePro(std::vector<std::uint8_t> file, std::size_t most, std::mt19937& random,
                                     const ChangeBytes& change);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The mutator as libFuzzer asks for one.
+// The custom mutator of libFuzzer.
 #include <algorithm>
 
 #include "tests/fuzz/pro_mutator.h"

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of folders all files, in an order that is the same everywhere.
+/// The file, or all files of a folder, sorted.
 std::vector<fs::path> filesOf(const char* path) {
     if (!fs::is_directory(path)) return {path};
     std::vector<fs::path> files;
@@ -25,14 +25,14 @@ std::vector<fs::path> filesOf(const char* path) {
     return files;
 }
 
-/// In a block of the exact size, so that AddressSanitizer sees one byte over.
+/// Runs the target on a block of the exact size, so that AddressSanitizer detects a read one byte beyond.
 void replay(const pointrt::fuzz::Target& target, const fs::path& path) {
     std::ifstream stream(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
     if (!stream) throw std::runtime_error("cannot read " + path.string());
     const std::unique_ptr<std::uint8_t[]> bytes(new std::uint8_t[text.size()]);
     std::copy(text.begin(), text.end(), bytes.get());
-    std::fprintf(stderr, "%s\n", path.c_str()); // the last one is the one that ends the process
+    std::fprintf(stderr, "%s\n", path.c_str()); // if the process aborts, the last line names the file
     target.run({bytes.get(), text.size()});
 }
 
@@ -51,5 +51,5 @@ int main(int count, char** words) {
             ++files;
         }
     std::printf("%s: %zu files\n", target->name, files);
-    return files > 0 ? 0 : 1; // a folder that is no longer there must not pass
+    return files > 0 ? 0 : 1; // a missing folder must not pass
 }

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Fuzzes for some time: each target in turn, two at once, for its share of it, and on after a finding.
-#   run.sh SECONDS [TARGET...]      all targets where none is named; build first: cmake --preset fuzz && cmake --build --preset fuzz
-# FUZZ_BIN is where their programs are (build/fuzz/bin), FUZZ_WORK where corpora grow and findings are put
-# (build/fuzz/run). Prints for each target: executions, edges covered of all, inputs of its corpus, findings. Exits with 1
-# where there is a finding.
+# Fuzzes each target for its share of the time, two targets at once, and continues after findings.
+#   run.sh SECONDS [TARGET...]      all targets by default; build first: cmake --preset fuzz && cmake --build --preset fuzz
+# FUZZ_BIN is the folder of the programs (default: build/fuzz/bin), FUZZ_WORK that of growing corpora and findings
+# (default: build/fuzz/run). Prints for each target: executions, edges covered of all, size of its corpus, findings. Exits
+# with 1 if there is a finding.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
@@ -21,12 +21,12 @@ done
 share=$((seconds * at_once / ${#targets[@]}))
 [ "$share" -gt 0 ] || share=1
 
-# What the drivers of tests let pass, and no more than the readers' own limits need.
+# As in the tests; allocations beyond the readers' own limits may return null.
 export ASAN_OPTIONS=allocator_may_return_null=1:detect_leaks=1:symbolize=1
 export UBSAN_OPTIONS=print_stacktrace=1
 
-# fuzz TARGET: a finding ends the program, which begins again for the rest of the share, but finds no more than this often
-# (a fault that the first inputs meet would end it at once for ever).
+# fuzz TARGET: a finding ends the program, which is restarted for the rest of its time, up to this number of findings (a
+# fault in the first inputs would end it at once every time).
 most_findings=10
 fuzz() {
     local name=$1 options=() folders=() dictionary=$here/dictionaries/$1.dict until=$((SECONDS + share)) left
@@ -45,7 +45,7 @@ fuzz() {
     done
 }
 
-# report TARGET: a row of the table.
+# report TARGET: prints a row of the table.
 report() {
     awk -v name="$1" -v findings="$(find "$work/$1/findings" -type f | wc -l)" '
         /INFO: Loaded .* inline 8-bit counters/ { match($0, /\([0-9]+ inline/); all = substr($0, RSTART + 1, RLENGTH - 8) }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mutants of .pro files are worth their time: they get past the header.
+// Enough mutants of .pro files pass the header.
 #include <gtest/gtest.h>
 
 #include "tests/format/file_bytes.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors of the library pointrt::trace as those of its rooms.
+// Converts errors of the library pointrt::trace.
 #pragma once
 
 #include "format/base/error.h"
@@ -7,7 +7,7 @@
 
 namespace pointrt::fuzz {
 
-/// Calls read; TraceError becomes Error of the same code.
+/// Calls read and rethrows TraceError as Error with the same code.
 template <typename Read>
 void asError(const Read& read) {
     try {

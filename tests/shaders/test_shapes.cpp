@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes of the shaders against the same in doubles, found by other means.
+// Shape intersection in the shaders against independent methods in double.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ std::vector<Answer> ask(const std::vector<gpu::Shape>& shapes, const std::vector
 
 Vec3 vecOf(const gpu::vec4& v) { return {v.x, v.y, v.z}; }
 
-/// The query in the doubles that its floats are; direction need not have unit length.
+/// The query with its floats converted to doubles; direction need not be a unit vector.
 Query query(Vec3 origin, Vec3 direction, std::uint32_t shape = 0, double t_min = kMin) {
     const auto packed = [](Vec3 v, double w) {
         return gpu::vec4{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z),
@@ -57,18 +57,17 @@ struct Random {
     }
 };
 
-/// In general position, about half a unit large; round shapes stay round.
+/// In general position, about half a unit in size; round shapes stay round.
 ShapeDescription someShape(Random& random, ShapeKind kind) {
     const Vec3 u = random.direction(), v = normalize(cross(u, random.direction())), w = cross(u, v);
     const double size = 0.2 + 0.5 * std::abs(random.next());
     ShapeDescription shape{kind, random.inCube(), size * u, size * v, size * w, 0, true};
-    if (kind == ShapeKind::kBox || kind == ShapeKind::kQuad) shape.v = 0.3 * v + 0.2 * u; // slanted as well
+    if (kind == ShapeKind::kBox || kind == ShapeKind::kQuad) shape.v = 0.3 * v + 0.2 * u; // sheared too
     if (kind != ShapeKind::kBox && kind != ShapeKind::kSphere) shape.w = w;
     return shape;
 }
 
-/// What the ray meets, in doubles: t, outward unit normal, and how far from an edge or silhouette it passed, over the
-/// shape's size.
+/// The hit in double: t, outward unit normal, and distance from an edge or silhouette relative to the shape's size.
 struct Expected {
     double t = kNoHit;
     Vec3 normal;
@@ -128,8 +127,8 @@ Expected expectedHit(const ShapeDescription& s, const Query& ray) {
     return flat;
 }
 
-/// Hits compared over all queries but those near an edge; tolerance is in units, and of the way where that is longer.
-/// Returns how many of them hit.
+/// Compares hits of all queries except those near an edge. tolerance: absolute, or relative if t exceeds 1. Returns the
+/// number of hits.
 std::size_t compare(const ShapeDescription& shape, std::span<const Query> queries, std::span<const Answer> answers,
                     double tolerance) {
     std::size_t hits = 0, wrong = 0;
@@ -143,7 +142,7 @@ std::size_t compare(const ShapeDescription& shape, std::span<const Query> querie
         if ((expected.t < kNoHit) != (t < kNoHit)) wrong++;
         if (expected.t >= kNoHit || t >= kNoHit) continue;
         hits++;
-        // at grazing angles rounding across the ray is many times itself along it
+        // at grazing angles an error across the ray is amplified along it
         const double slope = std::max(std::abs(dot(normalize(direction), expected.normal)), 1e-6);
         const double way = length(direction) * expected.t;
         worst_t = std::max(worst_t, std::abs(t - expected.t) * length(direction) * slope / std::max(way, 1.0));
@@ -163,7 +162,7 @@ std::size_t compare(const ShapeDescription& shape, std::span<const Query> querie
 
 class Shapes : public testing::TestWithParam<ShapeKind> {};
 
-TEST_P(Shapes, AreHitWhereDoublesHitThem) {
+TEST_P(Shapes, AreHitAsInDouble) {
     constexpr std::size_t kShapes = 20, kRays = 5000;
     Random random{std::mt19937_64(7), {}};
     std::vector<ShapeDescription> descriptions;
@@ -173,7 +172,7 @@ TEST_P(Shapes, AreHitWhereDoublesHitThem) {
         descriptions.push_back(someShape(random, GetParam()));
         shapes.push_back(packShape({}, descriptions.back()));
         while (queries.size() < (s + 1) * kRays) {
-            // half of them aimed at the shape, some from its inside, lengths other than 1
+            // half of them aimed at the shape, some from inside, directions not normalized
             const Vec3 center = descriptions.back().center;
             const Vec3 origin = (queries.size() % 4 == 0 ? 0.1 : 2.0) * random.inCube() + center;
             const Vec3 aim = center + 0.5 * random.inCube() - origin;
@@ -188,7 +187,7 @@ TEST_P(Shapes, AreHitWhereDoublesHitThem) {
     }
 }
 
-// Rays along the axes: components of 0 make infinities on the way.
+// Rays along the axes: components of 0 cause infinite intermediate values.
 TEST_P(Shapes, AreHitByRaysAlongAxes) {
     Random random{std::mt19937_64(8), {}};
     const ShapeDescription shape{
@@ -215,7 +214,7 @@ ShapeDescription sphereAt(Vec3 center, double radius) {
     return {ShapeKind::kSphere, center, {radius, 0, 0}, {0, radius, 0}, {0, 0, radius}, 0, true};
 }
 
-TEST(Spheres, ArePreciseFromAfar) {
+TEST(Spheres, ArePreciseAtADistance) {
     Random random{std::mt19937_64(9), {}};
     const ShapeDescription sphere = sphereAt({0, 0, 0}, 0.5);
     for (const double distance : {10.0, 100.0, 1000.0}) {
@@ -224,14 +223,14 @@ TEST(Spheres, ArePreciseFromAfar) {
             const Vec3 origin = distance * random.direction();
             queries.push_back(query(origin, normalize(0.45 * random.direction() - origin)));
         }
-        // a few units in the last place of the distance; the quadratic formula is off by its square
+        // a few units in the last place of the distance; the quadratic formula has an error of its square
         const double tolerance = 3e-7 * distance;
         const auto answers = ask({packShape({}, sphere)}, queries, 1);
         EXPECT_GT(compare(sphere, queries, answers, tolerance), 10'000u) << distance;
     }
 }
 
-TEST(Spheres, LetRaysOutThatStartOnThem) {
+TEST(Spheres, IgnoreTheOriginOfRaysThatLeaveThem) {
     Random random{std::mt19937_64(10), {}};
     const ShapeDescription sphere = sphereAt({0.3, 0.6, 0.2}, 0.25);
     std::vector<Query> inwards, outwards;
@@ -248,12 +247,12 @@ TEST(Spheres, LetRaysOutThatStartOnThem) {
         const Vec3 normal = (vecOf(inwards[i].origin) - sphere.center) * 4.0;
         // a chord: twice the radius times the cosine
         ASSERT_NEAR(in[i].normal.w, -0.5 * dot(normal, vecOf(inwards[i].direction)), 1e-5);
-        ASSERT_EQ(in[i].hit.x, 1u) << "met from inside";
+        ASSERT_EQ(in[i].hit.x, 1u) << "hit from inside";
     }
     for (const Answer& answer : ask({packShape({}, sphere)}, outwards, 1)) ASSERT_GE(answer.normal.w, 1e30f);
 }
 
-TEST(Boxes, AreRoomsFromInside) {
+TEST(Boxes, AreHitFromInside) {
     const ShapeDescription room{ShapeKind::kBox, {0, 1, 0}, {2, 0, 0}, {0, 1, 0}, {0, 0, 3}, 0, true};
     const auto answers = ask({packShape({}, room)},
                              {query({0, 1, 0}, {1, 0, 0}), query({0, 0.5, 0}, {0, -1, 0}), query({0, 1, 0}, {0, 0, -2}),
@@ -282,7 +281,7 @@ TEST(Flats, HaveTheirBackBehindTheZAxis) {
     }
 }
 
-TEST(NearestShape, IsTheFirstOfThem) {
+TEST(NearestShape, IsTheNearestOfAll) {
     Random random{std::mt19937_64(11), {}};
     std::vector<ShapeDescription> descriptions;
     std::vector<gpu::Shape> shapes;

@@ -5,7 +5,7 @@
 
 namespace pointrt {
 
-/// A ball of glass and one of plastic over a floor under a small lamp.
+/// A glass ball and a plastic ball on a floor under a small area light.
 inline SceneDescription ballScene() {
     SceneDescription scene;
     scene.materials.resize(2);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The camera rays that shaders/trace/trace_primary.comp.glsl traces, in the order of its lanes: first_hits gets the
-// directions and, as bits, the pixels; film gets the origins.
+// The camera rays of shaders/trace/intersect_camera.comp.glsl, in the order of its lanes: first_hits gets the
+// directions, film the origins.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/bindings.glsl"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hit that a lane of a probe looks at.
+// The hit of a lane of a probe program.
 #ifndef POINTRT_TESTS_CAST_HIT_GLSL
 #define POINTRT_TESTS_CAST_HIT_GLSL
 #include "shaders/lib/bindings.glsl"

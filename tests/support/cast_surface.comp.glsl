@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surface at traced hits, as shading sees it: first_hits gets normal and t, film.x the radius around, film.y 1 where it is a back.
+// The blended surface at traced hits: first_hits gets normal and t, film.x the radius, film.y 1 on the back.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "tests/support/cast_hit.glsl"
@@ -9,7 +9,8 @@ void main() {
     uint i;
     uvec4 hit;
     if (!isRay(i) || !castHit(i, hit)) return;
-    BlendedSurface surface = surfaceAt(paths[i].origin, paths[i].direction, paths[i].own_t, hit, isSeen(paths[i].bits));
+    PathState path = paths[i];
+    BlendedSurface surface = surfaceAt(path.origin, path.direction, path.self_t, hit, isSeen(path.bits));
     first_hits[i] = vec4(surface.normal, surface.t);
     film[i] = vec4(surface.radius, surface.back ? 1.0 : 0.0, 0.0, 0.0);
 }

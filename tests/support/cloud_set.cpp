@@ -9,7 +9,7 @@
 #include "preprocess/cloud/bounds.h"
 #include "preprocess/tiles/finish_set.h"
 #include "preprocess/tiles/merge_tile.h"
-#include "preprocess/tiles/take_splats.h"
+#include "preprocess/tiles/select_splats.h"
 
 namespace pointrt::test {
 namespace {
@@ -55,7 +55,7 @@ void writeOriginals(const CloudSet& made, const Splats& splats, const std::vecto
         const std::vector<PositionCode> codes = codesOf(made.set, tile, splats);
         std::vector<std::uint8_t> kept(codes.size());
         std::transform(codes.begin(), codes.end(), kept.begin(), [](const auto& code) { return isInCore(code); });
-        writeSplats(made.folders.splats, tile, takeSplats(splats, attributes, codes, kept, made.set.edge));
+        writeSplats(made.folders.splats, tile, selectSplats(splats, attributes, codes, kept, made.set.edge));
     }
 }
 

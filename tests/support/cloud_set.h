@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One cloud's splats in memory as a whole tile set.
+// Builds a complete tile set from the splats of one cloud in memory.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace pointrt::test {
 
 struct CloudSetOptions {
     double edge = 1;                     ///< of the original tiles, a power of two
-    std::uint64_t tile_splats = 1000000; ///< of merged tiles about so many at the most
+    std::uint64_t tile_splats = 1000000; ///< approximate maximum for merged tiles
     WorldFrame world;
     std::vector<double> sensors; ///< rows of SENS
     TileOptions tiles;
@@ -30,7 +30,7 @@ struct CloudSet {
 CloudSet writeCloudSet(const std::string& folder, const Splats& splats, const std::vector<Attribute>& attributes,
                        const CloudSetOptions& options);
 
-/// The power of two that comes nearest to so many tiles that hold splats.
+/// The power of two, as edge, whose number of tiles with splats is nearest to the given one.
 double edgeForTiles(const Splats& splats, std::size_t tiles);
 
 } // namespace pointrt::test

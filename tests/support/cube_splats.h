@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A .pro's discs as the shaders see them: decoded, in cube units, in double.
+// The discs of a .pro as the shaders decode them, in cube units and double.
 #pragma once
 
 #include <span>
@@ -23,17 +23,17 @@ struct Sphere {
     double radius = 0;
 };
 
-/// Around the middle of the discs' bounding box; holds every disc whole. splats must not be empty.
+/// Sphere around the centre of the bounding box that contains every disc. splats must not be empty.
 Sphere boundingSphere(std::span<const CubeSplat> splats);
 
-/// Where a ray meets a disc's plane.
+/// Intersection of a ray with the plane of a disc.
 struct DiscHit {
-    double t = 0;     ///< in lengths of direction; infinite where the ray runs along the plane
-    double share = 0; ///< distance from the centre over the radius: the disc is hit where this is below 1
+    double t = 0;     ///< in lengths of direction; infinite if the ray is parallel to the plane
+    double share = 0; ///< distance from the centre over the radius: a hit if below 1
     double slope = 0; ///< |cosine| between direction and normal
 };
 
-/// In double throughout.
+/// Computed in double.
 DiscHit meetPlane(const CubeSplat& splat, Vec3 origin, Vec3 direction);
 
 } // namespace pointrt::test

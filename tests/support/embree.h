@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Embree 3 and 4 by one face: what a call takes besides the rays changed between them.
+// One interface to Embree 3 and 4, whose calls differ in their arguments besides the rays.
 #pragma once
 
 #if POINTRT_EMBREE_MAJOR >= 4
@@ -18,7 +18,7 @@ constexpr RTCRayQueryFlags flagsFor(Coherence coherence) {
     return coherence == Coherence::kCoherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
 }
 
-/// What calls of one thread share.
+/// Context shared by the calls of a thread.
 struct IntersectOptions {
     RTCIntersectArguments arguments;
     explicit IntersectOptions(Coherence coherence) {
@@ -49,7 +49,7 @@ inline void occluded8(const int* valid, RTCScene scene, OccludedOptions& options
 
 #else
 
-/// What calls of one thread share.
+/// Context shared by the calls of a thread.
 struct IntersectOptions {
     RTCIntersectContext context;
     explicit IntersectOptions(Coherence coherence) {

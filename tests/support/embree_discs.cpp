@@ -16,7 +16,7 @@ namespace pointrt::test {
 namespace {
 
 constexpr std::size_t kPacket = 8;
-/// Rays handed to a core at once, a multiple of kPacket: long enough that sharing out costs nothing.
+/// Rays per task, a multiple of kPacket, large enough that scheduling costs nothing.
 constexpr std::size_t kBlockRays = 1024;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -42,7 +42,7 @@ EmbreeHit castOne(RTCScene scene, const Ray& ray) {
                  query.ray.tfar);
 }
 
-/// rays and hits: the same count, at most kPacket.
+/// rays and hits must have the same length, at most kPacket.
 void castEight(RTCScene scene, std::span<const Ray> rays, EmbreeHit* hits) {
     embree::IntersectOptions options(embree::Coherence::kNone);
     alignas(32) int valid[kPacket] = {};

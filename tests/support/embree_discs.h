@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Embree's oriented discs over the splats of a .pro: first hits by another program, with another hierarchy.
+// Splats of a .pro as oriented discs in Embree: closest hits by an independent program with its own hierarchy.
 #pragma once
 
 #include <cstdint>
@@ -15,29 +15,29 @@ namespace pointrt::test {
 
 struct EmbreeHit {
     double t = 0;                      ///< cube units along the ray
-    std::uint32_t splat = 0xFFFFFFFFu; ///< kNoSplat (ray_caster.h) where nothing is hit; t is 0 then
+    std::uint32_t splat = 0xFFFFFFFFu; ///< kNoSplat (ray_caster.h) for a miss; t is 0 then
 };
 
-/// Embree's scene flag: kRobust never loses a hit to rounding in the hierarchy, kFast is what it does by default.
+/// Scene flag of Embree: kRobust never misses a hit by rounding in the hierarchy; kFast is the default.
 enum class EmbreeFlag { kRobust, kFast };
 
 /// A built scene. Embree computes in float, on the same ray floats as the shaders.
 class EmbreeDiscs {
 public:
-    /// splats must not be empty. Throws Error kCannotRun where Embree refuses.
+    /// splats must not be empty. Throws Error kCannotRun if Embree fails.
     explicit EmbreeDiscs(std::span<const CubeSplat> splats, EmbreeFlag flag = EmbreeFlag::kRobust);
     ~EmbreeDiscs();
     EmbreeDiscs(const EmbreeDiscs&) = delete;
     EmbreeDiscs& operator=(const EmbreeDiscs&) = delete;
 
-    /// A first hit with t > 0 for each ray, in their order, on all cores; own_normal and own_t play no part.
+    /// Closest hits with t > 0, in the order of rays, on all cores. Ignores self_normal and self_t.
     std::vector<EmbreeHit> cast(std::span<const Ray> rays) const;
     /// The same, 8 rays at a time by rtcIntersect8: neighbours in rays share a packet.
     std::vector<EmbreeHit> castPackets(std::span<const Ray> rays) const;
 
-    /// The RTCScene, which lives as long as this does.
+    /// The RTCScene, valid during the lifetime of this object.
     RTCSceneTy* scene() const;
-    /// What Embree holds for the built scene, discs and hierarchy, by its memory monitor.
+    /// Bytes that Embree allocated for the scene, discs and hierarchy, by its memory monitor.
     std::int64_t bytes() const;
 
 private:

@@ -13,12 +13,12 @@ namespace pointrt::test {
 
 namespace {
 
-/// Where a ray meets a disc in double, and how far rounding may move that, cube units.
+/// Intersection of a ray with a disc in double, and the bound of its rounding error, cube units.
 struct Meeting {
     DiscHit at;
     double off_rim = 0;  ///< inwards
     double rim = 0;      ///< the rim moves by this
-    double height = 0;   ///< the plane moves by this where the ray meets it
+    double height = 0;   ///< the plane moves by this at the intersection
     double along = 0;    ///< the ray's hit by this, along the ray
     double sideways = 0; ///< and by this towards the rim or away
 
@@ -35,26 +35,26 @@ Meeting meet(const CubeSplat& splat, const NearRounding& rounding, const Ray& ra
     m.height = kFloatError + rounding.height + kNearNormal * std::max(m.at.share, 1.0) * radius;
     const double least_slope = m.at.slope - kNearNormal;
     m.along = least_slope > 0 ? m.height / least_slope : std::numeric_limits<double>::infinity();
-    // of a step along the ray, what lies in the plane, which is turned, as is the way there
+    // the component of a step along the ray in the plane, whose normal is quantized, as is the path there
     m.sideways = m.along * std::min(1.0, std::sqrt(std::max(0.0, 1 - m.at.slope * m.at.slope)) + 2 * kNearNormal);
     return m;
 }
 
-/// One tracer's claim, and what double makes of it.
+/// A tracer's hit, and its check in double.
 struct Claim {
     const CubeSplat* splat = nullptr; ///< nullptr: no hit
     Meeting meeting;
     bool ours = false;
 };
 
-/// Is the order of two claimed hits open?
+/// Whether the order of two hits is undefined within rounding.
 Verdict judgeOrder(const Meeting& a, const Meeting& b) {
     const double gap = std::abs(a.at.t - b.at.t);
     if (gap <= a.height + b.height) return Verdict::kTie;
     return gap <= a.along + b.along ? Verdict::kRounding : Verdict::kAgree;
 }
 
-/// Why one tracer has the nearer claim and the other has not.
+/// Why only one tracer reports the nearer hit.
 Verdict judgeNearer(const Claim& nearer) {
     const Meeting& m = nearer.meeting;
     if (std::abs(m.off_rim) <= m.rim) return Verdict::kRim;
@@ -67,8 +67,8 @@ Verdict judgeNearer(const Claim& nearer) {
 NearRounding nearRounding(std::span<const CubeSplat> splats, double cell_edge) {
     double radius = 0;
     for (const CubeSplat& splat : splats) radius = std::max(radius, splat.radius);
-    // near splats count from the middle of their block, a brick at most; a disc's centre is at most its radius beyond
-    // that, which is taken larger by the slack (format/index/cell_runs.cpp, bricks.cpp)
+    // near splats are relative to the centre of their block, a brick at most; the centre of a disc is at most its
+    // radius beyond that, enlarged by the slack (format/index/cell_runs.cpp, bricks.cpp)
     const double slack = std::max(1e-3 * cell_edge, 1.5 * PRO_POSITION_STEP), edge = PRO_BRICK_SIDE * cell_edge;
     const double reach = 0.5 * edge + slack + std::min(radius, kNearLargest * edge);
     return {kNearPosition * reach, kNearHeight * reach, cell_edge};
@@ -98,7 +98,7 @@ bool mayBeFirst(std::span<const CubeSplat> splats, const NearRounding& rounding,
         const Meeting m = meet(splat, rounding, ray);
         if (m.surelyHit()) surely_before = std::min(surely_before, m.at.t + m.along);
         if (!t || m.surelyMissed()) continue;
-        // distances of hits that rounding moves by more than a radius are not exact (exactDistance in
+        // hits that quantization moves by more than a radius have no exact distance (exactDistance in
         // shaders/trace/splat.glsl)
         const double exactly = kFloatError * (1 + *t) / m.at.slope;
         if (std::abs(m.at.t - *t) <= (m.along < splat.radius ? exactly : m.along))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Our first hits against Embree's, and why they differ where they do, recomputed in double.
+// Compares our closest hits with those of Embree, and explains differences by recomputing in double.
 #pragma once
 
 #include <array>
@@ -13,36 +13,36 @@
 
 namespace pointrt::test {
 
-// Rays are tested against near splats (pointrt/pro_index_layout.h), whose rounding these bound; the distance to the
-// disc that is chosen is exact again. Float errors of Embree and of that distance are much smaller: kFloatError.
+// Rays are tested against near splats (pointrt/pro_index_layout.h); these constants bound their quantization. The
+// distance to the chosen disc is exact. Float errors of Embree and of that distance are much smaller: kFloatError.
 
-/// By how much the radius may be off, in radii: its square by half a step of 2^-5, which the root halves.
+/// Bound of the error of the radius, in radii: half a step of 2^-5 of its square, halved by the root.
 constexpr double kNearRadius = 0x1p-7;
-/// By what angle the normal may be turned, in radians: the largest component is exact, at 127 codes, the other two are
+/// Bound of the angle error of the normal, in radians: the largest component is exact, at 127 codes; the other two are
 /// off by half a code each.
 constexpr double kNearNormal = std::numbers::sqrt2 / 2 / 127;
-/// How far the centre may be off, in shares of the reach that is 511 codes: a code by each axis. The smallest radius,
-/// 2^-6.5 codes, adds what smaller discs grow by; codes are up to a seventeenth too few, because they are rounded down
+/// Bound of the error of the centre, as a share of the reach of 511 codes: one code per axis. The smallest radius,
+/// 2^-6.5 codes, adds the growth of smaller discs; codes are up to a seventeenth too few, because they are rounded down
 /// to a multiple of a sixteenth of a power of two.
 constexpr double kNearPosition = (std::numbers::sqrt3 + 0.0111) / 511 * 17 / 16;
-/// The same across the disc, which rounding looks to first (CellCodec.KeepsDiscsToACode).
+/// The same along the normal of the disc, which quantization minimizes first (CellCodec.KeepsDiscsToACode).
 constexpr double kNearHeight = 0.5 / 511 * 17 / 16;
 /// Discs beyond 8 cell edges are bent to that radius: rims are off by up to this share of an edge
 /// (format/index/cell_codec.cpp).
 constexpr double kNearLargest = 8, kNearLargeRim = 3.0 / 64;
 
-/// Where a ray meets a plane is off by up to this over the slope, in cube units: four roundings (difference, product,
-/// sum, quotient) by half a last place, 2^-24, of distances between 1 and 2.
+/// Bound of the error of the intersection of a ray with a plane, times the slope, in cube units: four roundings
+/// (difference, product, sum, quotient) of half a unit in the last place, 2^-24, of distances between 1 and 2.
 constexpr double kFloatError = 0x1p-22;
-/// Hits this near, in local radii, are the same whichever splat is named: in even scenes, of cells of 1.7 radii and
-/// reaches of 4.3, rounding moves a disc by up to kNearNormal + 2 * 4.3 kNearHeight radii, 0.015, along its normal, so
-/// which of two such discs comes first means nothing.
+/// Hits this near, in local radii, count as equal whichever splat is reported: in even scenes, with cells of 1.7 radii
+/// and reaches of 4.3, quantization moves a disc by up to kNearNormal + 2 * 4.3 kNearHeight radii, 0.015, along its
+/// normal, so the order of two such discs is undefined.
 constexpr double kSameHitRadii = 0.015;
 
-/// What rounding depends on of a scene, in cube units.
+/// Parameters of a scene that quantization depends on, in cube units.
 struct NearRounding {
-    double position = 0;  ///< how far a near splat's centre may be off
-    double height = 0;    ///< across its disc
+    double position = 0;  ///< bound of the error of a near splat's centre
+    double height = 0;    ///< along the normal of its disc
     double cell_edge = 0; ///< of the largest cells
 };
 
@@ -51,11 +51,11 @@ NearRounding nearRounding(std::span<const CubeSplat> splats, double cell_edge);
 
 enum class Verdict {
     kAgree,        ///< the same splat, the same distance, or no hit in both
-    kRim,          ///< the disputed hit is no further from its disc's rim than rounding moves that
-    kTie,          ///< both hits are no further apart than rounding moves their planes
-    kRounding,     ///< rim or order again, but no nearer than that: the ray is so flat over the disc that it slides
-    kWeMiss,       ///< unexplained: a clear hit that only Embree has, or one of ours that is none
-    kEmbreeMisses, ///< unexplained: the other way round
+    kRim,          ///< the disputed hit is within the rounding error of its disc's rim
+    kTie,          ///< the distance of both hits is within the rounding error of their planes
+    kRounding,     ///< likewise, beyond those bounds: the ray grazes the disc
+    kWeMiss,       ///< unexplained: a clear hit that only Embree reports, or a false hit of ours
+    kEmbreeMisses, ///< unexplained: the reverse
 };
 constexpr std::size_t kVerdicts = 6;
 
@@ -63,26 +63,26 @@ constexpr std::size_t kVerdicts = 6;
 Verdict judge(std::span<const CubeSplat> splats, const NearRounding& rounding, const Ray& ray, const CastHit& ours,
               const EmbreeHit& embrees);
 
-/// Whether rounding lets the ray's first hit be at t, exactly that of some disc, or with nullopt be none. Every disc is
-/// looked at, in double: no hierarchy and no other tracer plays a part.
+/// Whether the closest hit may be at t, exactly that of some disc, or with nullopt a miss, within rounding errors.
+/// Tests every disc in double, without a hierarchy or another tracer.
 bool mayBeFirst(std::span<const CubeSplat> splats, const NearRounding& rounding, const Ray& ray,
                 std::optional<double> t);
 
-/// Which of the two claimed splats double hits first, kNoSplat where it hits neither.
+/// The splat of the two claims that is hit first in double, kNoSplat if neither is hit.
 std::uint32_t nearestInDouble(std::span<const CubeSplat> splats, const Ray& ray, const CastHit& ours,
                               const EmbreeHit& embrees);
 
 struct FirstHitCheck {
     std::size_t rays = 0, hits = 0; ///< hits: ours
     std::array<std::size_t, kVerdicts> counts{};
-    std::size_t double_is_ours = 0;       ///< of the rays that do not agree: those where double's answer is ours
+    std::size_t double_is_ours = 0;       ///< disagreeing rays where the result in double is ours
     std::vector<std::size_t> unexplained; ///< indices of rays
 
     std::size_t count(Verdict verdict) const { return counts[static_cast<std::size_t>(verdict)]; }
     double agreement() const { return static_cast<double>(count(Verdict::kAgree)) / static_cast<double>(rays); }
 };
 
-/// ours and embrees are the hits of rays; all of the same length, not empty.
+/// ours and embrees are the hits of rays. All must have the same length, not 0.
 FirstHitCheck checkFirstHits(std::span<const CubeSplat> splats, const NearRounding& rounding, std::span<const Ray> rays,
                              std::span<const CastHit> ours, std::span<const EmbreeHit> embrees);
 

@@ -12,7 +12,7 @@ namespace pointrt::test {
 
 namespace {
 
-/// What splats blend in beyond their discs, and a radius more, so that none is missed: in radii.
+/// Range in radii within which splats are copied: their blending range beyond the disc, and one more radius for safety.
 constexpr double kRepeatedRadii = 1 + kBlendSlab + 1;
 
 bool isNear(const TileBox& core, const Vec3f& position, double reach) {
@@ -86,7 +86,7 @@ PackedSplats packInto(pro_info frame, const Splats& splats, const std::vector<st
     return packed;
 }
 
-/// Fills in what the file has; nothing is written where no splat is the tile's own.
+/// Fills in the entry of the file. Writes no file if the tile has no splats of its own.
 bool writeTile(const std::string& folder, const TileSet& set, const Splats& splats, float radius_max, SetTile& tile) {
     const TileBox core = coreOf(set, tile);
     std::vector<std::uint32_t> chosen;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// LAS files made by hand, byte by byte as the specification has them.
+// LAS files assembled byte by byte from the specification.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ void put(std::string& bytes, std::size_t at, Number number) {
     std::memcpy(bytes.data() + at, &number, sizeof number);
 }
 
-/// A record ahead of the points, or behind them.
+/// A variable length record before the points, or after them.
 inline std::string lasRecord(const std::string& user, std::uint16_t id, const std::string& data,
                              bool extended = false) {
     std::string bytes(extended ? 60 : 54, '\0');
@@ -28,7 +28,7 @@ inline std::string lasRecord(const std::string& user, std::uint16_t id, const st
     return bytes + data;
 }
 
-/// Of the record that describes extra bytes. options: of type 0 the number of bytes; 8: scale, 16: offset
+/// An entry of the extra bytes record. options: for type 0 the number of bytes; else 8: scale, 16: offset
 inline std::string extraBytes(std::uint8_t type, const std::string& name, std::uint8_t options = 0, double scale = 0,
                               double offset = 0) {
     std::string bytes(192, '\0');
@@ -44,7 +44,7 @@ inline std::string extraBytes(std::uint8_t type, const std::string& name, std::u
 
 struct LasParts {
     std::uint8_t minor = 2, format = 0;
-    std::vector<std::string> points; ///< their records, all of a length
+    std::vector<std::string> points; ///< their records, of equal length
     std::vector<std::string> records, extended_records;
     double scale = 0.01;
     double offset[3] = {0, 0, 0};
@@ -80,7 +80,7 @@ struct LasParts {
     }
 };
 
-/// A point of any format whose bytes after x, y, z are start, start + 1 and so on.
+/// A point of any format, whose bytes after x, y, z are start, start + 1 and so on.
 inline std::string lasPoint(std::size_t bytes, std::int32_t x, std::int32_t y, std::int32_t z, std::uint8_t start) {
     std::string point(bytes, '\0');
     put(point, 0, x);

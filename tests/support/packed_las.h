@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// LAS and LAZ files in memory, as our own writer makes them.
+// LAS and LAZ files in memory, made by our writer.
 #pragma once
 
 #include "format/pointio/las_writer.h"
 
 namespace pointrt::test {
 
-/// points: their records, all of a length. change: for what stands beside them
+/// points: their records, of equal length. change: edits the other fields
 inline std::string writeLas(std::uint8_t point_format, const std::vector<std::string>& points, bool packed,
                             const std::function<void(LasDescription&)>& change = {}) {
     LasDescription description;

@@ -11,14 +11,14 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-/// The value below which the given share of values lies; 0 of none. Sorts values.
+/// Quantile of values; 0 if empty. Sorts values.
 double quantile(std::vector<double>& values, double share) {
     if (values.empty()) return 0;
     std::sort(values.begin(), values.end());
     return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
-/// Exact for small angles too, where acos(dot) has no digits left.
+/// Precise for small angles too, where acos(dot) cancels.
 double angleBetween(Vec3 a, Vec3 b) { return kDegrees * std::atan2(length(cross(a, b)), dot(a, b)); }
 
 Vec3 facing(Vec3 normal, Vec3 direction) { return dot(normal, direction) > 0 ? -1.0 * normal : normal; }

@@ -20,15 +20,15 @@
 #include "shaders/beam.spv.h"
 #include "shaders/camera_rays.spv.h"
 #include "shaders/cast_surface.spv.h"
+#include "shaders/intersect_camera.spv.h"
+#include "shaders/intersect_closest.spv.h"
 #include "shaders/resolve_hits.spv.h"
-#include "shaders/trace.spv.h"
-#include "shaders/trace_primary.spv.h"
 
 namespace pointrt::test {
 
 namespace {
 
-/// Two of rays, of light queries, of hits, of rays asked for (shaders/lib/bindings.glsl).
+/// The queues up to LIST_INSTANCE_RAYS (shaders/lib/bindings.glsl).
 constexpr std::uint64_t kQueues = 5;
 
 Vec3 vec(const gpu::vec4& v) { return {v.x, v.y, v.z}; }
@@ -43,7 +43,8 @@ struct RayCaster::State {
     State& operator=(const State&) = delete;
     ~State() {
         destroyDescriptorPool(device, pool);
-        for (Program* program : {&trace, &trace_primary, &any_hit, &beam, &camera_rays, &resolve, &surface})
+        for (Program* program :
+             {&intersect_closest, &intersect_camera, &any_hit, &beam, &camera_rays, &resolve, &surface})
             destroyProgram(device, *program);
         destroyFrameBuffers(device, buffers);
         destroyCaustics(device, no_caustics);
@@ -55,8 +56,8 @@ struct RayCaster::State {
     DeviceScene scene;
     std::uint32_t batch_rays;
     std::uint32_t loaded = 0; ///< rays on the device
-    bool any_traced = false;  ///< the last trace asked for any hits
-    Program trace, trace_primary, any_hit, beam, camera_rays, resolve, surface;
+    bool any_traced = false;  ///< the last trace was an any-hit trace
+    Program intersect_closest, intersect_camera, any_hit, beam, camera_rays, resolve, surface;
     FrameBuffers buffers;
     CausticMap no_caustics;
     VkDescriptorPool pool = VK_NULL_HANDLE;
@@ -65,7 +66,7 @@ struct RayCaster::State {
     std::vector<Ray> view_rays; ///< of the camera, in the order of its lanes
     gpu::FrameParams view_params{};
 
-    /// What no ray's program writes is as small as can be.
+    /// Buffers that no program used here writes have minimal size.
     void createBuffers() {
         const auto storage = [&](const char* what, std::uint64_t bytes, VkBufferUsageFlags more = 0) {
             return createBuffer(device, what, bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | more);
@@ -92,18 +93,18 @@ struct RayCaster::State {
             texels("light query buffer", sizeof(gpu::DirectLightQuery), VK_FORMAT_R32G32B32A32_UINT);
         buffers.light_masks = storage("light mask buffer", rays * sizeof(std::uint32_t));
         buffers.deferred = storage("deferred ray buffer", sizeof(gpu::PathState));
-        buffers.blank_sieve = storage("blank sieve", sizeof(gpu::Sieve), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-        buffers.places = texels("place buffer", sizeof(std::uint32_t), VK_FORMAT_R32_UINT);
+        buffers.no_cull_boxes = storage("blank cull boxes", sizeof(gpu::CullBoxes), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+        buffers.pixel_list = texels("pixel list", sizeof(std::uint32_t), VK_FORMAT_R32_UINT);
         no_caustics = emptyCaustics(device);
         listInOrder();
     }
 
-    /// Of a band that has room for a batch, a tile wide.
+    /// Rows of a band one tile wide with room for a batch.
     std::uint32_t bandRows() const { return (batch_rays + TILE_SIDE - 1) / TILE_SIDE; }
     std::uint64_t lanes() const { return lanesOf(TILE_SIDE, bandRows()); }
 
-    /// Every ray of a batch is asked for, as shaders/trace/trace_shapes.comp.glsl lists those that may meet an
-    /// instance. Nothing else writes there.
+    /// Puts every ray of a batch into LIST_INSTANCE_RAYS, as shaders/trace/intersect_shapes.comp.glsl does with those
+    /// that may hit an instance. Nothing else writes there.
     void listInOrder() {
         std::vector<std::uint32_t> in_order(batch_rays);
         std::iota(in_order.begin(), in_order.end(), 0u);
@@ -115,7 +116,7 @@ struct RayCaster::State {
         const SpecConstant traits[] = {{SPEC_UNEVEN, file().index.uneven},
                                        {SPEC_ORIENTED, scene.instances[0].oriented},
                                        {SPEC_NOISY, file().noisy},
-                                       {SPEC_CORED, 0},
+                                       {SPEC_CLIPS_TO_CORE, 0},
                                        {SPEC_INTEGRATOR, 0},
                                        {SPEC_FEATURES, ~0u},
                                        {SPEC_CAMERA_PASS, 0},
@@ -124,9 +125,9 @@ struct RayCaster::State {
         const auto build = [&](const char* name, std::span<const std::uint32_t> spirv) {
             return createProgram(device, name, spirv, traits);
         };
-        trace = build("trace", trace_spv);
+        intersect_closest = build("intersect_closest", intersect_closest_spv);
         any_hit = build("any_hit", any_hit_spv);
-        trace_primary = build("trace_primary", trace_primary_spv);
+        intersect_camera = build("intersect_camera", intersect_camera_spv);
         beam = build("beam", beam_spv);
         camera_rays = build("camera_rays", camera_rays_spv);
         resolve = build("resolve_hits", resolve_hits_spv);
@@ -135,10 +136,10 @@ struct RayCaster::State {
         std::vector<BufferBinding> bindings = instanceBindings(scene, scene.instances[0]);
         const std::vector<BufferBinding> frame = frameBindings(buffers);
         bindings.insert(bindings.end(), frame.begin(), frame.end());
-        bindings.push_back({BINDING_SIEVE, &buffers.blank_sieve});
+        bindings.push_back({BINDING_CULL_BOXES, &buffers.no_cull_boxes});
         const std::vector<BufferBinding> caustics = causticBindings(no_caustics);
         bindings.insert(bindings.end(), caustics.begin(), caustics.end());
-        set = createDescriptorSet(device, pool, trace, bindings);
+        set = createDescriptorSet(device, pool, intersect_closest, bindings);
     }
 
     Camera cameraOf(const CameraRequest& request) const {
@@ -159,7 +160,7 @@ struct RayCaster::State {
         uploadSceneTables(device, scene, settings);
     }
 
-    /// The scene's own parameters are the viewer's; the camera and the light matter to cameraRays alone.
+    /// Parameters as in the viewer; the camera and the light affect cameraRays only.
     gpu::FrameParams frameParams(std::uint32_t size, const Camera& camera) const {
         RenderSettings settings;
         settings.width = settings.height = size;
@@ -175,19 +176,19 @@ struct RayCaster::State {
         uploadParams(params);
     }
 
-    /// Of nothing traced so far, as shaders/trace/trace_shapes.comp.glsl leaves it where there are no shapes.
+    /// Resets hits to misses, as shaders/trace/intersect_shapes.comp.glsl does without shapes.
     void clearHits(std::size_t rays) {
         const std::vector<gpu::uvec4> none(rays,
                                            gpu::uvec4{std::bit_cast<std::uint32_t>(1e30f), NO_INDEX, NO_INDEX, 0});
         uploadBuffer(device, buffers.hits, none.data(), none.size() * sizeof none[0]);
     }
 
-    /// What the loaded rays are traced by.
+    /// Counters for a trace of the loaded rays.
     void uploadCounts() {
         gpu::Control counts{};
         counts.queued[0] = loaded;
-        counts.lists[LIST_ASKED].count = loaded;
-        counts.lists[LIST_ASKED].start = static_cast<std::uint32_t>((kQueues - 1) * lanes());
+        counts.lists[LIST_INSTANCE_RAYS].count = loaded;
+        counts.lists[LIST_INSTANCE_RAYS].start = static_cast<std::uint32_t>((kQueues - 1) * lanes());
         uploadBuffer(device, buffers.control, &counts, sizeof counts);
     }
 
@@ -196,12 +197,12 @@ struct RayCaster::State {
         std::vector<gpu::PathState> packed;
         for (const Ray& ray : rays)
             packed.push_back({gpuVector(ray.origin),
-                              static_cast<float>(ray.own_t),
+                              static_cast<float>(ray.self_t),
                               gpuVector(ray.direction),
                               0,
                               {},
                               0,
-                              gpuVector(ray.own_normal),
+                              gpuVector(ray.self_normal),
                               ray.diffused ? PATH_DIFFUSED : 0u}); // of instance 0
         uploadBuffer(device, buffers.paths, packed.data(), packed.size() * sizeof packed[0]);
         uploadRayParams();
@@ -214,9 +215,9 @@ struct RayCaster::State {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
 
-    /// Seconds from submission to the end.
+    /// Returns seconds from submission to completion.
     double run(const Program& program, std::uint32_t rays, std::uint32_t step_bits = 0) {
-        const gpu::PushParams push{0, 0, step_bits, LIST_ASKED};
+        const gpu::PushParams push{0, 0, step_bits, LIST_INSTANCE_RAYS};
         const VkCommandBuffer commands = beginCommands(device);
         const std::uint32_t groups = (rays + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE;
         recordDispatch(commands, program, set, pushBytes(push), {groups, 1, 1});
@@ -238,7 +239,7 @@ struct RayCaster::State {
         return view_rays;
     }
 
-    /// Beams, then first hits; pixels whose beam misses keep NO_INDEX, which they get before the clock starts.
+    /// Beams, then closest hits. Pixels whose beam misses keep NO_INDEX, set before the timing starts.
     double traceCamera() {
         const auto pixels = static_cast<std::uint32_t>(view_rays.size());
         uploadParams(view_params);
@@ -251,19 +252,19 @@ struct RayCaster::State {
         recordDispatch(commands, beam, set, pushBytes(push),
                        {(pixels / TILE_PIXELS + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE, 1, 1});
         recordBarrier(commands);
-        recordDispatchIndirect(commands, trace_primary, set, pushBytes(push), buffers.control,
+        recordDispatchIndirect(commands, intersect_camera, set, pushBytes(push), buffers.control,
                                offsetof(gpu::Control, tile_groups));
         recordBarrier(commands);
         return submitTimed(commands);
     }
 
-    /// Nothing stands in a ray's way until a trace finds it.
+    /// Marks all rays unoccluded.
     void clearMasks() {
         const std::vector<std::uint32_t> none(loaded);
         uploadBuffer(device, buffers.light_masks, none.data(), none.size() * sizeof none[0]);
     }
 
-    /// Of a trace for any hits, which tells no more.
+    /// Hits of an any-hit trace, which has occlusion only.
     std::vector<CastHit> readMasks() {
         std::vector<std::uint32_t> masks(loaded);
         downloadBuffer(device, buffers.light_masks, masks.data(), masks.size() * sizeof masks[0]);
@@ -349,7 +350,7 @@ double RayCaster::traceLoaded(bool any_hit) {
     state_->clearHits(state_->loaded);
     state_->uploadCounts();
     state_->any_traced = any_hit;
-    const double seconds = state_->run(any_hit ? state_->any_hit : state_->trace, state_->loaded);
+    const double seconds = state_->run(any_hit ? state_->any_hit : state_->intersect_closest, state_->loaded);
     state_->trace_seconds += seconds;
     return seconds;
 }

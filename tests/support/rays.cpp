@@ -12,11 +12,11 @@ namespace {
 constexpr double kFullTurn = 2 * std::numbers::pi;
 constexpr double kGrazingMax = 10 * std::numbers::pi / 180;
 
-/// Standard distributions differ between libraries; the engine does not.
+/// Own distributions, because those of the standard library differ between implementations; engines do not.
 class Random {
 public:
     explicit Random(std::uint64_t seed) : engine_(seed) {}
-    /// In [0, 1), 53 bits.
+    /// Uniform in [0, 1), 53 bits.
     double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
     std::size_t below(std::size_t count) { return static_cast<std::size_t>(unit() * static_cast<double>(count)); }
 
@@ -26,7 +26,7 @@ private:
 
 Vec3 roundToFloat(Vec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
 
-/// Unit vectors that with unit n make an orthogonal frame.
+/// Unit vectors that form an orthonormal frame with unit n.
 struct Tangents {
     Vec3 u, v;
 };
@@ -38,7 +38,7 @@ Tangents tangentsOf(Vec3 n) {
 
 Vec3 around(const Tangents& frame, double angle) { return std::cos(angle) * frame.u + std::sin(angle) * frame.v; }
 
-/// Uniform on the unit disc spanned by frame, by the square root of the area share.
+/// Uniform on the unit disc spanned by frame: the radius is the square root of a uniform number.
 Vec3 pointOnDisc(const Tangents& frame, Random& random) {
     const double radius = std::sqrt(random.unit());
     return radius * around(frame, kFullTurn * random.unit());
@@ -49,7 +49,7 @@ Vec3 pointOnUnitSphere(Random& random) {
     return {ring * std::cos(angle), ring * std::sin(angle), z};
 }
 
-/// The line through a point of the sphere, started where it enters, and a hundredth of a radius sooner.
+/// The line through a point inside the sphere, starting a hundredth of a radius before it enters.
 Ray startOutside(const Sphere& sphere, Vec3 through, Vec3 direction) {
     const Vec3 offset = through - sphere.center;
     const double along = dot(offset, direction);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays to compare tracers by: the same for the same seed, on any machine.
+// Random rays to compare tracers: deterministic for a seed, on any machine.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,17 @@
 
 namespace pointrt::test {
 
-/// In cube units. Generated coordinates are floats held in doubles: every tracer gets exactly the same ray.
+/// In cube units. Generated coordinates are floats stored as doubles, so that every tracer gets exactly the same ray.
 struct Ray {
     Vec3 origin;
     Vec3 direction;        ///< unit length to float precision
-    Vec3 own_normal;       ///< of the surface it left, 0 for none: see TraceRay in shaders/trace/trace.glsl
-    double own_t = 0;      ///< hits nearer than this on discs facing like own_normal are ignored
-    bool diffused = false; ///< what scattered it last gathers photons
+    Vec3 self_normal;      ///< normal of the surface it left, 0 for none: see TraceRay in shaders/trace/trace.glsl
+    double self_t = 0;     ///< self-intersection distance on discs facing like self_normal
+    bool diffused = false; ///< sets PATH_DIFFUSED
 };
 
-/// Uniform isotropic lines through bounds: every direction, and every parallel line that meets the sphere, alike.
-/// They start outside of it.
+/// Uniform isotropic lines through the bounding sphere: directions, and parallel lines that hit the sphere, are
+/// uniform. They start outside.
 std::vector<Ray> randomRays(const Sphere& bounds, std::size_t count, std::uint64_t seed);
 
 /// Lines through a uniform point of a random disc, at a uniform elevation of 0 to 10 degrees to its plane, towards

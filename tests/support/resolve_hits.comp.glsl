@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What shading makes of traced hits before it blends: first_hits gets the exact distance and, as bits, the splat.
+// Traced hits refined but not blended: first_hits gets the exact distance and, as bits, the splat.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "tests/support/cast_hit.glsl"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Splat clouds with known geometry, and their way into a .pro.
+// Splat clouds of known geometry, and baking them to a .pro.
 #pragma once
 
 #include <string>
@@ -16,10 +16,10 @@ Splats sphereSplats(std::size_t count, const Vec3f& center, float sphere_radius,
 /// side * side splats on a square around center, spanned by the half edges u and v; the normal is u x v.
 Splats squareSplats(std::size_t side, const Vec3f& center, const Vec3f& u, const Vec3f& v, float radius_factor = 1.0f);
 
-/// Random positions, normals and radii: no surface, every case of the octree.
+/// Random positions, normals and radii: no surface, but every case of the octree.
 Splats randomSplats(std::size_t count, unsigned seed, float radius_min, float radius_max);
 
-/// b's splats after a's; both coloured or none.
+/// The splats of a, then those of b; both must have colours, or neither.
 Splats joinSplats(Splats a, const Splats& b);
 void paint(Splats& splats, Rgb8 color);
 
@@ -39,11 +39,11 @@ struct Built {
 Built buildSplats(Splats splats, const BuildOptions& options);
 MaterialRow matteRow(float r, float g, float b, float reflectivity = 0);
 
-/// Builds and writes path; material names a row for each splat in input order, or is empty.
+/// Bakes and writes path. material: row of each splat in input order, or empty.
 Built writeScene(const std::string& path, Splats splats, const BuildOptions& options,
                  const std::vector<std::uint8_t>& material = {});
 
-/// A path in this test process's own folder, which goes away with it.
+/// A path in the temporary folder of this test process, which is removed at exit.
 std::string temporaryPath(const std::string& name);
 
 } // namespace pointrt::test

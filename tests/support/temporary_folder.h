@@ -12,7 +12,7 @@
 
 namespace pointrt::test {
 
-/// An empty folder that goes away.
+/// An empty folder, removed on destruction.
 class TemporaryFolder {
 public:
     TemporaryFolder() {

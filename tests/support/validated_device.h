@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device under the validation layer, any message of which fails the test.
+// A device with the Vulkan validation layer; any of its messages fails the test.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ public:
     Device device;
 };
 
-/// Tests that need one device each.
+/// Fixture of tests that need a device each.
 class DeviceFixture : public testing::Test {
 protected:
     explicit DeviceFixture(const DeviceRequest& request = {}) : validated_(request) {}

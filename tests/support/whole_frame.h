@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// A film as files have it, of a scene that a test has put on the device itself.
+// Renders the complete film of a scene that a test has uploaded itself.
 #pragma once
 
 #include "runtime/render/progressive_renderer.h"
 
 namespace pointrt::test {
 
-/// All of the settings' samples, to the end at once. scene has its tables.
+/// Renders all samples of the settings in one call. scene must have its tables.
 inline Film wholeFrame(Device& device, const DeviceScene& scene, const RenderSettings& settings, const Camera& camera) {
     const FrameTiling tiling = tilingFor(device, settings.width, settings.height);
     const TracerSize size = tracerSizeFor(tiling, settings.width);
     BandTracer tracer;
     createBandTracer(device, tracer, scene, settings, size.lanes, size.film_pixels);
-    castPhotons(device, tracer, settings);
+    tracePhotons(device, tracer, settings);
     ProgressiveRenderer renderer(device, tracer);
     FrameJob job;
     job.samples = settings.spp;

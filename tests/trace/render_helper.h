@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "runtime/image/film.h"
-#include "runtime/render/form_of_passes.h"
+#include "runtime/render/kernel_form.h"
 #include "runtime/render/frame_params.h"
 #include "runtime/scene/render_settings.h"
 #include "runtime/scene/scene_description.h"
@@ -17,7 +17,7 @@ namespace pointrt::test {
 
 struct Rendered {
     Film film;
-    PassForm form = PassForm::kQueued; ///< that its passes had
+    KernelForm form = KernelForm::kWavefront; ///< that its passes had
     RayCounts rays;
     Camera camera;
     gpu::FrameParams params{}; ///< what the shaders saw

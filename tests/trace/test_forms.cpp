@@ -75,10 +75,10 @@ double meanCaustic(const Film& film) {
 }
 
 void expectAlike(const SceneDescription& scene, const RenderSettings& settings) {
-    const Rendered queued = renderScene(scene, settings, PassForm::kQueued);
-    const Rendered fused = renderScene(scene, settings, PassForm::kFused);
-    ASSERT_EQ(queued.form, PassForm::kQueued);
-    ASSERT_EQ(fused.form, PassForm::kFused);
+    const Rendered queued = renderScene(scene, settings, KernelForm::kWavefront);
+    const Rendered fused = renderScene(scene, settings, KernelForm::kMegakernel);
+    ASSERT_EQ(queued.form, KernelForm::kWavefront);
+    ASSERT_EQ(fused.form, KernelForm::kMegakernel);
     const Apart rgba = apart(fused.film, queued.film);
     // a path that goes elsewhere moves its pixel by a quarter of what it is
     EXPECT_LE(rgba.pixels, kSize * kSize / 1000);
@@ -117,8 +117,8 @@ TEST_P(Forms, AreAlikeUnderAllLights) { expectAlike(allLights(ball.path), settin
 TEST_P(Forms, AreAlikeWithCaustics) {
     RenderSettings settings = settingsOf();
     settings.light_parts = true;
-    const Film queued = renderScene(allLights(ball.path), settings, PassForm::kQueued).film;
-    const Film fused = renderScene(allLights(ball.path), settings, PassForm::kFused).film;
+    const Film queued = renderScene(allLights(ball.path), settings, KernelForm::kWavefront).film;
+    const Film fused = renderScene(allLights(ball.path), settings, KernelForm::kMegakernel).film;
     ASSERT_GT(meanCaustic(queued), 1e-3);
     EXPECT_NEAR(meanCaustic(fused), meanCaustic(queued), 1e-4 * meanCaustic(queued));
     settings.caustics = false;
@@ -163,10 +163,10 @@ TEST_P(Forms, AreAlikeOfLongPathsAmongManyShapes) {
 
 TEST_P(Forms, FusedPicturesAreTheSameEachTime) {
     const RenderSettings settings = settingsOf();
-    const Film first = renderScene(allLights(ball.path), settings, PassForm::kFused).film;
+    const Film first = renderScene(allLights(ball.path), settings, KernelForm::kMegakernel).film;
     for (int i = 0; i < 2; ++i)
-        EXPECT_EQ(renderScene(allLights(ball.path), settings, PassForm::kFused).film.rgba, first.rgba);
-    EXPECT_EQ(renderScene(allLights(ball.path), settings, PassForm::kFused, 16).film.rgba, first.rgba) << "in steps";
+        EXPECT_EQ(renderScene(allLights(ball.path), settings, KernelForm::kMegakernel).film.rgba, first.rgba);
+    EXPECT_EQ(renderScene(allLights(ball.path), settings, KernelForm::kMegakernel, 16).film.rgba, first.rgba) << "in steps";
 }
 
 /// Frames are cut into few rows where they take long: what is seen may not depend on time.

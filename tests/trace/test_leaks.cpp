@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays that leave blended surfaces as shaders/shade/shade.comp.glsl makes them, on bodies whose surface is known:
+// Rays that leave blended surfaces as shaders/shade/shade_surface.comp.glsl makes them, on bodies whose surface is known:
 // none may hit the patch that it left (acne), none may go through a surface (leak).
 #include <gtest/gtest.h>
 
@@ -109,7 +109,7 @@ struct Leaving {
     double radius = 0;
 };
 
-/// As leaveSurface (shaders/trace/offset.glsl) and pathAfter (shaders/shade/shade.comp.glsl) have it.
+/// As offsetRayOrigin (shaders/trace/offset.glsl) and scatteredPath (shaders/shade/scattered_path.glsl) have it.
 Leaving leave(const Ray& ray, const CastHit& hit, Kind kind, Random& random) {
     const bool back = hit.back;
     Leaving leaving;
@@ -120,8 +120,8 @@ Leaving leave(const Ray& ray, const CastHit& hit, Kind kind, Random& random) {
     const Vec3 side = crosses ? -1.0 * hit.normal : hit.normal;
     leaving.inside = crosses != back;
     leaving.ray.origin = ray.origin + hit.t_blended * ray.direction + 0.25 * leaving.radius * side;
-    leaving.ray.own_normal = back ? -1.0 * hit.normal : hit.normal;
-    leaving.ray.own_t = leaving.radius * std::min(3 / std::max(dot(side, leaving.ray.direction), 1e-6), 8.0);
+    leaving.ray.self_normal = back ? -1.0 * hit.normal : hit.normal;
+    leaving.ray.self_t = leaving.radius * std::min(3 / std::max(dot(side, leaving.ray.direction), 1e-6), 8.0);
     return leaving;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tiles that take long to come: those that are there wait for the others, and nothing is loaded twice.
+// Tiles that load slowly: a cut is shown when it is complete, no tile is loaded twice, and unused tiles are evicted.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 namespace pointrt::test {
 namespace {
 
-/// A sphere in eight tiles, of which the root alone is on a device.
+/// A sphere in eight tiles; only the root is resident.
 class SetLoading : public testing::Test {
 protected:
     SetLoading() : device_(createDevice({})) {
@@ -24,7 +24,7 @@ protected:
         request_.cameras = {{{-3, 0, 0}, {0, -1, 0}, {0, 0, 1}, {1, 0, 0}, 60, 0}};
         request_.size = {64, 64};
         request_.detail = 0;
-        standTiles(device_, scene_, request_); // without memory
+        updateTiles(device_, scene_, request_); // without memory
         request_.memory = std::uint64_t{1} << 30;
     }
     ~SetLoading() override {
@@ -33,16 +33,16 @@ protected:
         std::filesystem::remove_all(folder_);
     }
 
-    /// One delivery, in no time. True where other tiles stand then.
-    bool load(bool& whole, std::size_t files) {
-        TileOrder order = orderTiles(scene_, request_);
-        chooseTiles(order);
-        order.on_all_cores = false;
-        order.seconds = 0;
-        TileDelivery tiles = loadTiles(device_, std::move(order));
+    /// Loads for no time, which is one tile, and applies it. True if the cut changed.
+    bool loadStep(bool& complete, std::size_t files) {
+        TileLoadRequest load = makeTileLoadRequest(scene_, request_);
+        chooseTiles(load);
+        load.on_all_cores = false;
+        load.time_limit_s = 0;
+        LoadedTiles tiles = loadTiles(device_, std::move(load));
         EXPECT_EQ(tiles.files.size(), files);
-        whole = tiles.whole;
-        return standTiles(device_, scene_, std::move(tiles));
+        complete = tiles.complete;
+        return applyTiles(device_, scene_, std::move(tiles));
     }
 
     std::string folder_ = temporaryPath("loading.proset");
@@ -51,40 +51,54 @@ protected:
     TileRequest request_;
 };
 
-TEST_F(SetLoading, TheRootStandsUntilAllTilesAreThere) {
-    bool whole = false;
-    for (std::size_t there = 1; there < 8; ++there) {
-        EXPECT_FALSE(load(whole, 1));
-        EXPECT_FALSE(whole);
-        EXPECT_EQ(scene_.files.size(), 1 + there) << "with no room but for what is in use: the wanted ones are";
+TEST_F(SetLoading, Root_IsShownUntilAllTilesAreLoaded) {
+    bool complete = false;
+    for (std::size_t resident = 1; resident < 8; ++resident) {
+        EXPECT_FALSE(loadStep(complete, 1));
+        EXPECT_FALSE(complete);
+        EXPECT_EQ(scene_.files.size(), 1 + resident) << "coming tiles are in use, whatever the size of the cache";
         ASSERT_EQ(scene_.instances.size(), 1u);
         EXPECT_EQ(scene_.instances[0].tile, 0u);
     }
-    EXPECT_TRUE(load(whole, 1));
-    EXPECT_TRUE(whole);
+    EXPECT_TRUE(loadStep(complete, 1));
+    EXPECT_TRUE(complete);
     EXPECT_EQ(scene_.instances.size(), 8u);
     EXPECT_EQ(scene_.files.size(), 8u);
-    EXPECT_FALSE(load(whole, 0));
+    EXPECT_FALSE(loadStep(complete, 0));
 }
 
-TEST_F(SetLoading, TilesThatAreWantedNoMoreGo) {
-    bool whole = false;
-    for (int k = 0; k < 3; ++k) load(whole, 1);
+TEST_F(SetLoading, TilesNoLongerNeeded_AreEvicted) {
+    bool complete = false;
+    for (int k = 0; k < 3; ++k) loadStep(complete, 1);
     EXPECT_EQ(scene_.files.size(), 4u);
     request_.memory = 0;
-    EXPECT_FALSE(load(whole, 0));
-    EXPECT_TRUE(whole);
+    EXPECT_FALSE(loadStep(complete, 0));
+    EXPECT_TRUE(complete);
     EXPECT_EQ(scene_.files.size(), 1u);
 }
 
-/// Of 1280x720 pixels the filter takes 216 bytes each, all else 305 MB.
-TEST_F(SetLoading, WhatElseAPictureTakesComesOffTheMemory) {
+/// Eviction must not move the files that instances name by their slots.
+TEST_F(SetLoading, Eviction_LeavesInstancesTheirFiles) {
+    scene_.tile_cache_bytes = std::uint64_t{1} << 30;
+    updateTiles(device_, scene_, request_);
+    ASSERT_EQ(scene_.instances.size(), 8u);
+    ASSERT_EQ(scene_.files.size(), 9u) << "the root stays in the cache, before all tiles";
+    scene_.tile_cache_bytes = 0;
+    bool complete = false;
+    EXPECT_FALSE(loadStep(complete, 0)) << "the same tiles: instances are not rebuilt";
+    EXPECT_EQ(scene_.files.size(), 8u) << "the root was evicted";
+    for (const Instance& instance : scene_.instances)
+        EXPECT_EQ(scene_.files.at(instance.file).path, tilePath(scene_.sets[0].opened, *instance.tile));
+}
+
+/// The filter takes 216 bytes for each of 1280x720 pixels, everything else 305 MB.
+TEST_F(SetLoading, TileMemory_ExcludesTheRestOfThePicture) {
     if (!device_.unified_memory) GTEST_SKIP() << "the device has memory of its own";
     constexpr std::uint64_t kOthers = 305'000'000 + std::uint64_t{216} * 1280 * 720, kAsked = 2'000'000'000;
     RenderSettings settings;
     settings.width = 1280, settings.height = 720;
     EXPECT_EQ(pictureTileMemory(device_, settings, kAsked), kAsked - kOthers);
-    EXPECT_EQ(pictureTileMemory(device_, settings, 2 * kOthers - 2), kOthers - 1) << "half of it at least";
+    EXPECT_EQ(pictureTileMemory(device_, settings, 2 * kOthers - 2), kOthers - 1) << "at least half of it";
     EXPECT_EQ(pictureTileMemory(device_, settings, 0), 0u);
     settings.width = settings.height = 16384;
     EXPECT_GT(pictureTileMemory(device_, settings, 2 * kAsked), kAsked) << "large pictures are filtered in parts";

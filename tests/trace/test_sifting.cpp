@@ -33,8 +33,8 @@ protected:
         writeHandCutSet(folder, {{-1.25, -1.25, -1.25}, 1.25, 2, 1, splats.radii[0]}, splats, splats);
     }
     ~Sifting() override { std::filesystem::remove_all(folder); }
-    void SetUp() override { profile.clock = createDeviceClock(device); }
-    void TearDown() override { destroyDeviceClock(device, profile.clock); }
+    void SetUp() override { profile.clock = createGpuTimer(device); }
+    void TearDown() override { destroyGpuTimer(device, profile.clock); }
 
     /// Many balls here and there, of all sizes.
     SceneDescription crowd(std::uint32_t count) const {
@@ -67,16 +67,16 @@ protected:
         request.form = form;
         const std::unique_ptr<LoadedScene> loaded = loadScene(device, device, request, {});
         BandTracer& tracer = loaded->tracer;
-        sieves = tracer.targets.sieves.size();
-        std::vector<TargetSieve> unused;
-        if (!sifts) unused.swap(tracer.targets.sieves);
+        sieves = tracer.instances.cull_groups.size();
+        std::vector<CullGroup> unused;
+        if (!sifts) unused.swap(tracer.instances.cull_groups);
         tracer.profile = &profile;
         ProgressiveRenderer renderer(device, tracer);
         FrameJob job;
         job.samples = settings.spp;
         renderer.begin({settings, loaded->camera, tilingFor(device, settings.width, settings.height)}, job);
         renderer.run();
-        if (!sifts) unused.swap(tracer.targets.sieves); // it is freed with the others
+        if (!sifts) unused.swap(tracer.instances.cull_groups); // it is freed with the others
         return renderer.takeFilm();
     }
 
@@ -95,7 +95,7 @@ protected:
 
     /// In every integrator that shows light, and both forms.
     void expectAlwaysTheSame(const SceneDescription& scene) {
-        for (const PassForm form : {PassForm::kQueued, PassForm::kFused})
+        for (const KernelForm form : {KernelForm::kWavefront, KernelForm::kMegakernel})
             for (const Integrator integrator : {Integrator::kPhong, Integrator::kWhitted, Integrator::kPath}) {
                 SCOPED_TRACE(testing::Message()
                              << "integrator " << static_cast<int>(integrator) << ", form " << static_cast<int>(form));
@@ -135,21 +135,21 @@ TEST_F(Sifting, PicturesOfTilesAmongInstancesAreTheSame) {
 TEST_F(Sifting, FewInstancesAreAskedForAll) {
     render(crowd(3), square(kSide), {}, true);
     EXPECT_EQ(sieves, 0u);
-    EXPECT_EQ(lanesOf("sift_turns").first, 0u);
+    EXPECT_EQ(lanesOf("cull_shadow").first, 0u);
 }
 
 TEST_F(Sifting, TilesAreAskedForFewRays) {
     const SceneDescription scene = turnedSet(0);
     const RenderSettings settings = square(kSide);
     render(scene, settings, {}, false);
-    const std::uint64_t all = lanesOf("shadow").first;
-    EXPECT_EQ(lanesOf("sift_turns").first, 0u);
+    const std::uint64_t all = lanesOf("intersect_shadow").first;
+    EXPECT_EQ(lanesOf("cull_shadow").first, 0u);
     clearProfile(profile);
     render(scene, settings, {}, true);
-    EXPECT_GT(lanesOf("shadow").first, 0u);
-    EXPECT_LT(lanesOf("shadow").first, all / 2);
-    EXPECT_EQ(lanesOf("place").second, lanesOf("shadow").first);
-    EXPECT_EQ(lanesOf("sift_turns").first, all / 8);
+    EXPECT_GT(lanesOf("intersect_shadow").first, 0u);
+    EXPECT_LT(lanesOf("intersect_shadow").first, all / 2);
+    EXPECT_EQ(lanesOf("compact").second, lanesOf("intersect_shadow").first);
+    EXPECT_EQ(lanesOf("cull_shadow").first, all / 8);
 }
 
 /// Balls in one place, each of which stands in the way of each shadow ray, and many lamps: more entries than there is
@@ -166,8 +166,8 @@ TEST_F(Sifting, TargetsWhoseListsDoNotFitAreAskedForAll) {
     settings.room = Room::kMatte;
     settings.lights = 8;
     const Film sifted = render(scene, settings, {}, true);
-    EXPECT_GT(lanesOf("place").second, 0u);
-    EXPECT_GT(lanesOf("shadow").first, lanesOf("place").second);
+    EXPECT_GT(lanesOf("compact").second, 0u);
+    EXPECT_GT(lanesOf("intersect_shadow").first, lanesOf("compact").second);
     EXPECT_EQ(sifted.rgba, render(scene, settings, {}, false).rgba);
 }
 

@@ -18,7 +18,7 @@ namespace nb = nanobind;
 namespace pointrt::python {
 namespace {
 
-/// t x y z qx qy qz qw of each pose.
+/// Rows of t x y z qx qy qz qw.
 using Poses = nb::ndarray<const double, nb::shape<-1, 8>, nb::c_contig, nb::device::cpu>;
 constexpr std::size_t kPoseNumbers = 8;
 
@@ -31,7 +31,8 @@ std::vector<LidarPose> posesOf(const Poses& rows) {
     return poses;
 }
 
-/// An array of NumPy's that keeps the numbers; wide: of so many in a row.
+/// A NumPy array that owns the numbers.
+/// @param wide numbers per row
 template <typename Number>
 nb::object arrayOf(std::vector<Number> numbers, std::size_t wide = 1) {
     auto kept = std::make_unique<std::vector<Number>>(std::move(numbers));
@@ -70,7 +71,7 @@ nb::dict arraysOf(LidarPoints points, bool has_tiles) {
     return arrays;
 }
 
-/// Between two blocks Python looks whether Ctrl-C was pressed.
+/// Lets Python handle Ctrl-C between blocks.
 void lookForSignals() {
     const nb::gil_scoped_acquire python;
     if (PyErr_CheckSignals() != 0) throw nb::python_error();
@@ -99,7 +100,7 @@ nb::dict simulate(const TraceScene& scene, const LidarSensorFile& file, const Po
 } // namespace
 
 void bindLidar(nb::module_& module) {
-    nb::class_<LidarSensorFile>(module, "LidarSensorFile", "What a sensor file says.")
+    nb::class_<LidarSensorFile>(module, "LidarSensorFile", "The content of a sensor file.")
         .def_prop_ro("poses", [](const LidarSensorFile& file) { return rowsOf(file.trajectory); });
     module.def("read_lidar_sensor", &readLidarSensor, nb::arg("path"));
     module.def(

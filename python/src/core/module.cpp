@@ -8,7 +8,7 @@ namespace nb = nanobind;
 
 namespace {
 
-/// What is wrong with arguments is a ValueError, all else pointrt.Error.
+/// Bad usage becomes ValueError, everything else pointrt.Error.
 void translateErrors(nb::module_& module) {
     static nb::object error = module.attr("Error");
     nb::register_exception_translator([](const std::exception_ptr& thrown, void*) {
@@ -28,9 +28,9 @@ void translateErrors(nb::module_& module) {
 } // namespace
 
 NB_MODULE(_core, module) {
-    module.doc() = "What the package pointrt is made on: see its functions.";
+    module.doc() = "The native part of the package pointrt.";
     module.attr("Error") = nb::steal(PyErr_NewExceptionWithDoc(
-        "pointrt.Error", "A scan that cannot be read, or a machine that cannot do it: one line that says why.",
+        "pointrt.Error", "A file cannot be read, or this machine cannot do it. The message is one line.",
         PyExc_RuntimeError, nullptr));
     translateErrors(module);
     pointrt::python::bindScene(module);

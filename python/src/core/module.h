@@ -8,11 +8,11 @@ namespace pointrt::python {
 
 /// Device and Scene.
 void bindScene(nanobind::module_& module);
-/// Simulated laser scanners; after bindScene.
+/// Simulated laser scanners. Call it after bindScene.
 void bindLidar(nanobind::module_& module);
 /// Renderer.
 void bindRenderer(nanobind::module_& module);
-/// Lights, and what they and observers reach.
+/// Studies: lights, occlusion and visibility.
 void bindStudies(nanobind::module_& module);
 /// ScanFile.
 void bindScanFile(nanobind::module_& module);

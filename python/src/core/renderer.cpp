@@ -18,7 +18,7 @@ namespace nb = nanobind;
 namespace pointrt::python {
 namespace {
 
-/// Numbers that Python owns from now on: [height, width], or [height, width, channels] of several.
+/// Hands numbers to Python as [height, width] or, with several channels, [height, width, channels].
 template <typename Number>
 nb::object arrayOf(std::vector<Number> numbers, const Picture& picture, std::size_t channels) {
     auto kept = std::make_unique<std::vector<Number>>(std::move(numbers));
@@ -38,7 +38,7 @@ nb::dict dictOf(Picture picture) {
     return arrays;
 }
 
-/// Ctrl-C while a picture is made; what Python threw is kept for the caller.
+/// Whether Ctrl-C was pressed; keeps the exception of Python for the caller.
 bool isInterrupted() {
     const nb::gil_scoped_acquire held;
     return PyErr_CheckSignals() != 0;
@@ -84,7 +84,7 @@ nb::list layerRows() {
 
 void bindRenderer(nb::module_& module) {
     module.def("picture_layers", &layerRows, "(name, channels in OpenEXR files) of each layer.");
-    nb::class_<PictureRenderer>(module, "Renderer", "What pointrt.Scene.render is made on.")
+    nb::class_<PictureRenderer>(module, "Renderer", "The native part of pointrt.Scene.render.")
         .def(nb::init<const TraceDevice&, const std::vector<std::string>&, const PictureSettings&>(), nb::arg("device"),
              nb::arg("paths"), nb::arg("settings"), nb::call_guard<nb::gil_scoped_release>())
         .def("render_look_at", &renderLookAt, nb::arg("eye").none(), nb::arg("target").none(), nb::arg("up").none(),

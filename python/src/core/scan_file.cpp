@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A .pro file as it is mapped: arrays of it are views of the file, which stays mapped as long as one of them lives.
+// A memory-mapped .pro file. Arrays are views of the file, which stays mapped while one of them exists.
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/string.h>
@@ -105,12 +105,12 @@ std::array<std::array<double, 3>, 2> boundsOf(const ProFile& file) {
 
 void bindScanFile(nb::module_& module) {
     nb::class_<ProFile>(module, "ScanFile",
-                        "A .pro file, mapped and checked. Arrays are views of it unless they say otherwise.")
+                        "A memory-mapped and validated .pro file. Arrays are views of it unless stated otherwise.")
         .def(nb::init<const std::string&>(), nb::arg("path"), nb::call_guard<nb::gil_scoped_release>())
         .def("__len__", [](const ProFile& file) { return file.info().splat_count; })
         .def_prop_ro("splat_words", &splatWords, "uint32 [N,4], read-only: the splats as format/SPEC.md lays them out.")
         .def_prop_ro("attributes", &attributesOf,
-                     "Name to a read-only array [N] or [N,components], as the scan had it.")
+                     "Read-only arrays [N] or [N,components] by name, with the types of the scan.")
         .def("decode", &decoded,
              "A copy of the splats as numbers: positions float64 [N,3] and radii float32 [N] in the scan's unit, "
              "normals "

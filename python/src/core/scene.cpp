@@ -28,13 +28,13 @@ using Column = std::optional<nb::ndarray<Number, nb::ndim<1>, nb::c_contig, nb::
 template <typename Number>
 using Triples = std::optional<nb::ndarray<Number, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>>;
 
-/// Numbers of an array; none where it is not asked for.
+/// The numbers of an array; empty for None.
 template <typename Array>
 auto numbersOf(const std::optional<Array>& array) {
     return array ? std::span(array->data(), array->size()) : std::span<typename Array::Scalar>();
 }
 
-/// Tells rays by their number among all that the caller has.
+/// Numbers the ray of an error among all rays of the caller.
 template <typename Work>
 void numbered(std::uint64_t first_ray, const Work& work) {
     const nb::gil_scoped_release others_go_on;
@@ -63,7 +63,7 @@ void testOcclusions(const TraceScene& scene, const Rays<Number>& rays, double t_
 
 using Numbers = nb::ndarray<const std::uint32_t, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 
-/// values: attribute.bytes of each hit
+/// @param values attribute.bytes for each hit
 void readAttribute(const TraceScene& scene, const std::string& name, const Numbers& splats, const Numbers& instances,
                    const std::optional<Numbers>& tiles,
                    const nb::ndarray<std::uint8_t, nb::ndim<1>, nb::c_contig, nb::device::cpu>& values) {
@@ -79,7 +79,7 @@ nb::list attributesOf(const TraceScene& scene) {
     return rows;
 }
 
-/// Both kinds of rays.
+/// Binds overloads for float32 and float64 rays.
 template <typename Number>
 void bindRays(nb::class_<TraceScene>& scene) {
     scene
@@ -96,10 +96,10 @@ void bindScene(nb::module_& module) {
     module.attr("NO_HIT") = kNoHit;
     module.attr("DEFAULT_MEMORY") = SceneOptions{}.memory;
     nb::class_<TraceDevice>(
-        module, "Device", "A Vulkan device: the best one, or which the selector names, as pointrt-view --device does.")
+        module, "Device", "A Vulkan device: the best one, or the one that selector names, as in pointrt-view --device.")
         .def(nb::init<const std::string&>(), nb::arg("selector") = "", nb::call_guard<nb::gil_scoped_release>())
         .def_prop_ro("name", &TraceDevice::name);
-    nb::class_<TraceScene> scene(module, "Scene", "What pointrt.Scene is made on: arrays are made by the caller.");
+    nb::class_<TraceScene> scene(module, "Scene", "The native part of pointrt.Scene; callers allocate arrays.");
     scene
         .def(
             "__init__",

@@ -55,7 +55,7 @@ nb::tuple sunLightsTuple(double latitude_deg, double longitude_deg, const Date& 
                                  {up, north, {}}));
 }
 
-/// None where there are no more.
+/// None at the end.
 std::optional<nb::dict> nextPoints(ScenePointReader& reader, std::size_t most) {
     ScenePoints points;
     {
@@ -73,7 +73,7 @@ std::optional<nb::dict> nextPoints(ScenePointReader& reader, std::size_t most) {
     return dict;
 }
 
-/// Points and rules as Python has them.
+/// Points and rules from Python.
 struct Asked {
     StudyPoints points;
     StudyRules rules;

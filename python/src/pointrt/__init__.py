@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rays against point scans, with no mesh in between.
+"""Ray tracing of point scans, without meshing.
 
 >>> import numpy as np, pointrt
->>> path = pointrt.bake(points, output="roof.pro")          # float array [N,3]; or the name of a scan
+>>> path = pointrt.bake(points, output="roof.pro")          # float array [N,3], or a scan file
 >>> scene = pointrt.Scene(path)
 >>> hits = scene.cast_rays([[500010, 4500020, 300, 0, 0, -1]])
 >>> hits["t_hit"], hits["positions"]
 >>> picture = scene.render(pointrt.Camera.look_at(eye=[500010, 4499950, 130]), 640, 480, layers=["rgba", "depth"])
 
-Coordinates are the scan's own, float64 where they are large: national grids lose nothing.
+Coordinates are the scan's own, in float64, so national grids keep their precision.
 """
 
 from ._bake import bake

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Scans to .pro files, by the program pointrt-bake: a work of its own under the GPL, which is called and not linked."""
+"""Bakes scans to .pro files with pointrt-bake, a separate GPL program that is called and not linked."""
 
 from __future__ import annotations
 
@@ -19,26 +19,26 @@ def bake(points: ArrayLike | str | os.PathLike[str], normals: ArrayLike | None =
     """Bakes points to a ``.pro`` file.
 
     Args:
-        points: float array ``[N, 3]``, or the name of a scan that pointrt-bake reads.
-        normals: float array ``[N, 3]``; zeros where there is none. Estimated where they are not given.
+        points: float array ``[N, 3]``, or the path of a scan that pointrt-bake reads.
+        normals: float array ``[N, 3]``; 0 for points without one. Estimated by default.
         colors: uint8 array ``[N, 3]``, sRGB.
-        output: the file to make: ``NAME.pro``, or ``NAME.proset`` for a tile set.
-        **options: those of ``pointrt-bake --help``, with ``_`` for ``-``: ``force=True`` is ``--force``,
+        output: path of the result: ``NAME.pro``, or ``NAME.proset`` for a tile set.
+        **options: options of ``pointrt-bake --help`` with ``_`` for ``-``: ``force=True`` is ``--force``,
             ``clean="off"`` is ``--clean off``.
 
     Returns:
-        The name of the file made.
+        The path of the result.
 
     Raises:
-        pointrt.Error: pointrt-bake is not installed, or its line of what is wrong.
+        pointrt.Error: pointrt-bake is not installed, or failed; the message is its error line.
         ValueError: arrays of another shape.
     """
     tool = os.environ.get("POINTRT_BAKE") or shutil.which("pointrt-bake")
     if tool is None:
-        raise Error("pointrt-bake is not to be found: install it, or name it in POINTRT_BAKE")
+        raise Error("pointrt-bake not found: install it, or set POINTRT_BAKE to its path")
     if isinstance(points, (str, os.PathLike)):
         if normals is not None or colors is not None:
-            raise ValueError("normals and colors go with an array of points: a scan has its own")
+            raise ValueError("normals and colors need points as an array: a scan file has its own")
         return _run(tool, points, output, options)
     with tempfile.TemporaryDirectory(prefix="pointrt-") as folder:
         scan = os.path.join(folder, "points.ply")
@@ -57,7 +57,7 @@ def _run(tool: str, scan: str | os.PathLike[str], output: str | os.PathLike[str]
     done = subprocess.run(command, stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors="replace")
     if done.returncode != 0:
         lines = done.stderr.strip().splitlines()
-        raise Error(lines[-1] if lines else f"pointrt-bake ended with {done.returncode}")
+        raise Error(lines[-1] if lines else f"pointrt-bake exited with {done.returncode}")
     return os.fspath(output)
 
 
@@ -70,7 +70,7 @@ def _rows(values: ArrayLike, name: str, count: int | None) -> np.ndarray:
 
 
 def _write_ply(path: str, points: ArrayLike, normals: ArrayLike | None, colors: ArrayLike | None) -> None:
-    """Doubles, so that national grids lose nothing."""
+    """Writes doubles, which keep the precision of national grids."""
     xyz = _rows(points, "points", None)
     columns = [("x", "<f8", xyz[:, 0]), ("y", "<f8", xyz[:, 1]), ("z", "<f8", xyz[:, 2])]
     if normals is not None:

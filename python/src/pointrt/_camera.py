@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where pictures are taken from."""
+"""Cameras for pictures."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-#: What turns a camera's axes into those of OpenCV: x to the right, y down, z where it looks.
+#: Signs that convert camera axes to OpenCV's: x right, y down, z forward.
 _OPENCV_FROM = {"opencv": (1.0, 1.0, 1.0), "opengl": (1.0, -1.0, -1.0)}
 
 
 @dataclasses.dataclass(frozen=True)
 class Camera:
-    """A camera for ``Scene.render``: made by ``look_at`` or ``from_intrinsics``."""
+    """A camera for ``Scene.render``, from ``look_at`` or ``from_intrinsics``."""
 
     _method: str
     _arguments: tuple[Any, ...]
@@ -23,16 +23,16 @@ class Camera:
     @classmethod
     def look_at(cls, eye: ArrayLike | None = None, target: ArrayLike | None = None, up: ArrayLike | None = None,
                 fov_deg: float | None = None) -> Camera:
-        """A camera as ``pointrt-view`` takes it. What is left out is framed as there.
+        """A camera with a position and a target, as in ``pointrt-view``. Omitted arguments are framed automatically.
 
         Args:
-            eye, target: float [3], where it stands and what it looks at, in the scan's coordinates. Without both, all
-                of the scene is seen from the side that shows most of it.
-            up: float [3], what is up in the picture; by default what is in the scene.
-            fov_deg: vertical field of view in degrees, 0.001 up to below 180; by default 40.
+            eye, target: float [3], position and target in the scan's coordinates. Without both, the whole scene is
+                seen from the side that shows most of it.
+            up: float [3], up in the picture (default: up in the scene).
+            fov_deg: vertical field of view in degrees, from 0.001 to below 180 (default 40).
 
         Raises:
-            ValueError: arrays of another shape.
+            ValueError: an array has another shape.
         """
         return cls("render_look_at", (_vector("eye", eye), _vector("target", target), _vector("up", up),
                                       None if fov_deg is None else float(fov_deg)))
@@ -40,17 +40,19 @@ class Camera:
     @classmethod
     def from_intrinsics(cls, fx: float, fy: float, cx: float, cy: float, world_from_camera: ArrayLike,
                         convention: str = "opencv") -> Camera:
-        """A pinhole camera with intrinsics and a pose, as calibrations, COLMAP and nerfstudio have them.
+        """A pinhole camera with intrinsics and a pose, as in camera calibrations, COLMAP and nerfstudio.
 
         Args:
             fx, fy: focal lengths in pixels, above 0.
-            cx, cy: principal point in pixels, anywhere; the top left pixel's centre is at (0.5, 0.5).
-            world_from_camera: float [4,4] or [3,4], a rotation and the camera's place in the scan's coordinates.
-            convention: axes of the camera: ``"opencv"``, x to the right, y down, z where it looks (COLMAP's are those
-                of the inverse), or ``"opengl"``, x to the right, y up, z behind it (nerfstudio, Blender).
+            cx, cy: principal point in pixels, not necessarily in the picture; the centre of the top left pixel is
+                (0.5, 0.5).
+            world_from_camera: float [4,4] or [3,4], rotation and position of the camera in the scan's coordinates.
+            convention: axes of the camera: ``"opencv"``, x right, y down, z forward (COLMAP stores the inverse pose),
+                or ``"opengl"``, x right, y up, z backward (nerfstudio, Blender).
 
         Raises:
-            ValueError: another shape or convention. What is no rotation, or no focal length, ``Scene.render`` says.
+            ValueError: an array has another shape, or the convention is unknown. ``Scene.render`` validates rotation
+                and focal lengths.
         """
         pose = np.array(world_from_camera, dtype=np.float64)
         if pose.shape == (3, 4):

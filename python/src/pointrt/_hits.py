@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What rays have hit, by the names of this package and by those of Open3D's RaycastingScene."""
+"""Hits of rays, with the names of this package and of Open3D's RaycastingScene."""
 
 from __future__ import annotations
 
 import numpy as np
 
-#: Open3D's name to ours.
+#: From Open3D's names to ours.
 ALIASES = {"geometry_ids": "instance_ids", "primitive_ids": "splat_ids", "primitive_normals": "normals"}
 
 
 class Hits(dict[str, np.ndarray]):
-    """Arrays by name, each with the rays' own shape in front.
+    """Arrays by name, whose shapes start with the shape of the rays.
 
-    ``geometry_ids``, ``primitive_ids`` and ``primitive_normals``, as Open3D calls them, are found as well.
+    Open3D's names ``geometry_ids``, ``primitive_ids`` and ``primitive_normals`` work, too.
     """
 
     def __missing__(self, name: str) -> np.ndarray:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Simulated laser scanners: their sensors and where they are, as the core takes them."""
+"""Sensors and trajectories of simulated laser scanners, converted for the core."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from numpy.typing import ArrayLike
 
 from . import _core
 
-#: Numbers of a pose as the core takes it: t, x, y, z, qx, qy, qz, qw.
+#: Numbers of a pose in the core: t, x, y, z, qx, qy, qz, qw.
 _POSE_NUMBERS = 8
 
 
 def sensor_of(sensor: str | os.PathLike[str] | Mapping[str, Any]) -> _core.LidarSensorFile:
-    """Of a sensor file, or of a dict with its keys."""
+    """A sensor from a file, or from a dict with the keys of one."""
     if not isinstance(sensor, Mapping):
         return _core.read_lidar_sensor(os.fspath(sensor))
     try:
@@ -28,7 +28,7 @@ def sensor_of(sensor: str | os.PathLike[str] | Mapping[str, Any]) -> _core.Lidar
 
 
 def poses_of(trajectory: str | os.PathLike[str] | ArrayLike) -> np.ndarray:
-    """``[N, 8]`` of a trajectory's file, or of its array."""
+    """``[N, 8]`` from a trajectory file or array."""
     if isinstance(trajectory, (str, os.PathLike)):
         return _core.read_lidar_trajectory(os.fspath(trajectory))
     rows = np.array(trajectory, dtype=np.float64)
@@ -42,7 +42,7 @@ def poses_of(trajectory: str | os.PathLike[str] | ArrayLike) -> np.ndarray:
 
 
 def pose_of(pose: ArrayLike) -> np.ndarray:
-    """``[1, 8]`` of a position, or of one with yaw, pitch and roll in degrees."""
+    """``[1, 8]`` from a position, optionally with yaw, pitch and roll in degrees."""
     numbers = np.array(pose, dtype=np.float64)
     if numbers.shape not in ((3,), (6,)):
         raise ValueError(f"a pose must be x y z or x y z yaw pitch roll, not of the shape {list(numbers.shape)}")
@@ -51,7 +51,7 @@ def pose_of(pose: ArrayLike) -> np.ndarray:
 
 
 def _toml_of(sensor: Mapping[str, Any]) -> str:
-    """The text of a sensor file: keys by themselves first, as TOML wants it."""
+    """The text of a sensor file: keys before tables, as TOML requires."""
     lines = [f"{json.dumps(key)} = {_value_of(value)}\n" for key, value in sensor.items()
              if not isinstance(value, Mapping)]
     for name, table in sensor.items():
@@ -72,4 +72,4 @@ def _value_of(value: Any) -> str:
         return json.dumps(value, ensure_ascii=False)
     if isinstance(value, (int, float)):
         return repr(value)
-    raise TypeError(f"a sensor's values are numbers, texts, true or false, and lists of them, not {type(value).__name__}")
+    raise TypeError(f"a sensor has numbers, strings, booleans or lists of these, not {type(value).__name__}")

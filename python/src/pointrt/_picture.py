@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pictures: layers by the names of this package and by those of OpenEXR files, and settings as words."""
+"""Pictures: layers with the names of this package and of OpenEXR files, and settings as text."""
 
 from __future__ import annotations
 
@@ -12,23 +12,23 @@ from . import _core
 
 
 def _exr_name(channels: Sequence[str]) -> str:
-    """What OpenEXR's users call the layer: "RGBA", "Z", "N", "direct", "id.splat"."""
+    """The layer's name in OpenEXR files: "RGBA", "Z", "N", "direct", "id.splat"."""
     if len(channels) == 1:
         return channels[0]
     return channels[0].rpartition(".")[0] or "".join(channels)
 
 
 _ROWS = _core.picture_layers()
-#: All layers that pictures can have.
+#: Layers that pictures can have.
 LAYERS: tuple[str, ...] = tuple(name for name, _ in _ROWS)
-#: OpenEXR's name to ours.
+#: From OpenEXR's names to ours.
 ALIASES = {_exr_name(channels): name for name, channels in _ROWS}
 
 
 class Picture(dict[str, np.ndarray]):
     """Arrays by layer, rows from the top: [height, width], or [height, width, channels].
 
-    What OpenEXR files of ``pointrt-view`` call them (``RGBA``, ``Z``, ``N``, ``P``, ``id.splat``) is found as well.
+    The names in OpenEXR files of ``pointrt-view`` (``RGBA``, ``Z``, ``N``, ``P``, ``id.splat``) work, too.
     """
 
     def __missing__(self, name: str) -> np.ndarray:
@@ -38,7 +38,7 @@ class Picture(dict[str, np.ndarray]):
 
 
 def setting_text(value: Any) -> str:
-    """A setting's value as the command line spells it."""
+    """The value of a setting as on the command line."""
     if isinstance(value, (bool, np.bool_)):
         return "on" if value else "off"
     if isinstance(value, (list, tuple, np.ndarray)):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Scenes and the rays through them."""
+"""Scenes: casting rays and rendering pictures."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from ._picture import ALIASES as LAYER_ALIASES
 from ._picture import Picture, setting_text
 from ._studies import Studies
 
-#: All that hits can tell, in the order of the results, with type and shape behind the rays' own.
+#: Fields of hits in the order of the results, with their type and the shape after that of the rays.
 _LAYOUT = {
     "t_hit": (np.float64, ()),
     "splat_ids": (np.uint32, ()),
@@ -31,10 +31,10 @@ _LAYOUT = {
 }
 FIELDS = tuple(_LAYOUT)
 
-#: Rays that are traced between two looks at whether Ctrl-C was pressed: about a second on two cores.
+#: Rays between two checks for Ctrl-C: about a second on two cores.
 _RAYS_AT_ONCE = 1 << 21
 
-#: By PRO_TYPE_*, which counts from 1.
+#: Indexed by PRO_TYPE_* - 1.
 _TYPES = (np.int8, np.uint8, np.int16, np.uint16, np.int32, np.uint32, np.int64, np.uint64, np.float32, np.float64)
 
 
@@ -44,20 +44,20 @@ def _default_device() -> _core.Device:
 
 
 class Scene(Studies):
-    """Scans on a device, ready for rays. May be used from several threads at once.
+    """Scans on a device. Thread-safe.
 
     Args:
         paths: a ``.pro`` file, a tile set (``.proset``) or a scene file (``.toml``), or several of them. Each file and
-            set is an instance; a scene file has its own, in their order, where it puts them, and rays are in its
-            coordinates. Its shapes are hit as well, with ``instance_ids`` 255 and no ``splat_ids``, but for backdrops
-            and those that cameras do not see; materials and lights mean nothing to rays.
-        device: a ``pointrt.Device``; by default the best one of this machine, opened once for all scenes.
-        memory: bytes that tiles of sets may take at once, by default 2 GiB. With less than all of them take, tiles come
-            and go as rays need them, and calls take turns; hits are the same.
+            set is an instance; a scene file adds its instances, and its rays are in scene coordinates. Rays hit shapes
+            of scene files with ``instance_ids`` 255 and ``splat_ids`` ``NO_HIT``, except backdrops and shapes hidden
+            from cameras. Materials and lights do not affect rays.
+        device: a ``pointrt.Device`` (default: the best one of this machine, opened once for all scenes).
+        memory: memory limit for tiles in bytes (default 2 GiB). A smaller limit reloads tiles as rays need them and
+            serializes calls; hits are the same.
 
     Raises:
-        pointrt.Error: a file cannot be read or is none of these, or there is no device; it says which and why.
-        ValueError: no paths, or a tile that takes more than ``memory``.
+        pointrt.Error: a file cannot be read or has another format, or there is no device.
+        ValueError: no paths are given, or a tile needs more than ``memory``.
     """
 
     def __init__(self, paths: str | os.PathLike[str] | Iterable[str | os.PathLike[str]],
@@ -71,17 +71,17 @@ class Scene(Studies):
         self._renderer_lock = threading.Lock()
 
     def __len__(self) -> int:
-        """Splats, of all instances."""
+        """Number of splats of all instances."""
         return self._scene.splat_count
 
     @property
     def device_bytes(self) -> int:
-        """Memory that the scene takes on the device."""
+        """Device memory of the scene, in bytes."""
         return self._scene.device_bytes
 
     @property
     def instance_count(self) -> int:
-        """Files and sets, and instances of scene files: what ``instance_ids`` number."""
+        """Number of instances: files, sets and instances of scene files."""
         return self._scene.instance_count
 
     @property
@@ -91,36 +91,37 @@ class Scene(Studies):
 
     @property
     def tile_loads(self) -> int:
-        """Tiles that were put on the device since the scene was opened, each time counted."""
+        """Number of tile uploads to the device since the scene was opened."""
         return self._scene.tile_loads
 
     @property
     def attributes(self) -> tuple[str, ...]:
-        """Names of what all files tell of each point besides position, normal and colour."""
+        """Names of the attributes that all files have for their points."""
         return tuple(name for name, *_ in self._scene.attributes())
 
     def cast_rays(self, rays: ArrayLike, *, t_min: float = 0.0, t_max: float = np.inf,
                   fields: Sequence[str] | None = None, attributes: Sequence[str] = ()) -> Hits:
-        """The first hit of each ray.
+        """Finds the first hit of each ray.
 
         Args:
             rays: ``[..., 6]`` float32 or float64, origin and direction in the scan's coordinates; directions may have
-                any length but 0. Anything with ``__dlpack__`` on the CPU will do.
-            t_min, t_max: hits from t_min on and before t_max count, in lengths of the direction.
-            fields: what is asked for, the fewer the faster; by default all, ``tile_ids`` where there is a tile set.
-            attributes: those of ``Scene.attributes`` that the results are to have, too.
+                any length but 0. Accepts any CPU array with ``__dlpack__``.
+            t_min, t_max: range of hits, t_min <= t < t_max, in lengths of the direction.
+            fields: results to compute; fewer are faster (default: all, ``tile_ids`` only with tile sets).
+            attributes: names from ``Scene.attributes`` to add to the results.
 
         Returns:
-            Arrays with the rays' shape in front: ``t_hit`` float64, in lengths of the direction, inf for a miss;
+            Arrays whose shapes start with that of the rays: ``t_hit`` float64, in lengths of the direction, inf for a
+            miss;
             ``splat_ids`` and ``instance_ids`` uint32, 4294967295 for a miss; ``normals`` float32 ``[..., 3]``, unit
             length, towards the origin, 0 for a miss; ``positions`` float64 ``[..., 3]``, NaN for a miss; ``tile_ids``
-            uint32, places in the ``tiles`` of ``set.json``, in whose file ``splat_ids`` count, 4294967295 but for hits
-            of sets. Attributes as the scan has them, 0 or NaN for a miss.
+            uint32, indices into ``tiles`` of ``set.json``, whose files ``splat_ids`` refer to, 4294967295 for hits
+            outside tile sets and misses. Attributes with the types of the scan, 0 or NaN for a miss.
 
         Raises:
-            ValueError: rays of another shape, one with a number that is not finite or without a direction (it says
-                which), limits that are none, fields and attributes that are not there.
-            TypeError: rays of another type.
+            ValueError: rays have another shape; a ray is not finite or has no direction (the message gives its index);
+                limits are invalid; a field or attribute is unknown.
+            TypeError: rays have another type.
         """
         rows, shape = _rows_of(rays)
         if fields is None:
@@ -139,7 +140,7 @@ class Scene(Studies):
         return hits
 
     def test_occlusions(self, rays: ArrayLike, *, t_min: float = 0.0, t_max: float = np.inf) -> np.ndarray:
-        """Whether anything stands in each ray's way: bool, with the rays' shape. Sooner done than a first hit.
+        """Tests whether each ray hits anything: bool, with the shape of the rays. Faster than ``cast_rays``.
 
         Arguments and errors are those of ``cast_rays``.
         """
@@ -153,30 +154,29 @@ class Scene(Studies):
                        trajectory: str | os.PathLike[str] | ArrayLike | None = None, *, pose: ArrayLike | None = None,
                        start: float | None = None, duration: float | None = None, seed: int = 0,
                        metres_per_unit: float = 0.0, attributes: Sequence[str] = ()) -> dict[str, np.ndarray]:
-        """What a laser scanner would measure, as ``pointrt-rays lidar`` does it.
+        """Simulates a laser scanner, as ``pointrt-rays lidar`` does.
 
         Args:
             sensor: a sensor file (TOML, docs/RAYS.md), or a dict with its keys; lengths in metres.
-            trajectory: where the scanner is at which time: a file, or ``[N, 8]`` with t (seconds, increasing) x y z (the
-                scan's coordinates) qx qy qz qw (x forwards, y left, z up), or ``[N, 7]`` with t x y z yaw pitch roll
-                (degrees). By default what the sensor file says.
-            pose: in its place, where the scanner stands: ``[3]`` x y z, or ``[6]`` with yaw, pitch and roll.
-            start, duration: seconds; by default the whole trajectory, or one turn, frame or swing from one place.
-            seed: of all that is random. The same arguments give the same points.
-            metres_per_unit: of the scan; 0: as it says itself, else 1.
-            attributes: those of ``Scene.attributes`` that the results are to have, too.
+            trajectory: poses over time: a file, or ``[N, 8]`` with t (seconds, increasing) x y z (scan coordinates)
+                qx qy qz qw (x forward, y left, z up), or ``[N, 7]`` with t x y z yaw pitch roll (degrees). Defaults to
+                that of the sensor file.
+            pose: pose of a fixed scanner instead: ``[3]`` x y z, or ``[6]`` with yaw, pitch and roll.
+            start, duration: seconds (default: the whole trajectory; for a fixed scanner one rotation, frame or sweep).
+            seed: random seed. Equal arguments give equal points.
+            metres_per_unit: of the scan's coordinates (default 0: the scan's own, else 1).
+            attributes: names from ``Scene.attributes`` to add to the results.
 
         Returns:
-            Arrays of the N returns, by pulse and range: ``positions`` float64 ``[N, 3]``; ``times`` float64, seconds;
-            ``ranges`` float64, in units of the scan; ``intensities`` uint16; ``powers`` float32, 1 as of a white surface
+            Arrays of the N returns, sorted by pulse and range: ``positions`` float64 ``[N, 3]``; ``times`` float64, s;
+            ``ranges`` float64, in units of the scan; ``intensities`` uint16; ``powers`` float32, 1 for a white surface
             at the reference range; ``incidences_deg`` float32; ``scan_angles_deg`` float32, of an oscillating mirror;
             ``return_numbers`` and ``numbers_of_returns`` uint8; ``rings`` uint16; ``pulses`` uint64; ``splat_ids`` and
-            ``instance_ids`` uint32, of what was hit, and ``tile_ids`` where there is a tile set, all as ``cast_rays``
-            has them.
+            ``instance_ids`` uint32 of the hit, and ``tile_ids`` with tile sets, as in ``cast_rays``.
 
         Raises:
-            pointrt.Error: a file that cannot be read, or is none: it says where and why.
-            ValueError: a dict, poses or times that are none, attributes that are not there.
+            pointrt.Error: a file cannot be read or is malformed.
+            ValueError: the dict, poses or times are invalid, or an attribute is unknown.
         """
         file = _lidar.sensor_of(sensor)
         if trajectory is not None and pose is not None:
@@ -187,7 +187,7 @@ class Scene(Studies):
         points = _core.simulate_lidar(self._scene, file, poses, start, duration, seed, metres_per_unit)
         for name, dtype, components, size in kinds:
             if name in points:
-                raise ValueError(f"the points have {name!r} already")
+                raise ValueError(f"{name!r} is already among the results")
             values = self._attribute_at(name, size, points["splat_ids"], points["instance_ids"], points.get("tile_ids"))
             points[name] = values.view(dtype).reshape((-1, components) if components > 1 else (-1,))
         return points
@@ -200,31 +200,32 @@ class Scene(Studies):
 
     def render(self, camera: Camera | None = None, width: int = 512, height: int = 512, *,
                layers: Sequence[str] = ("rgba",), **settings: Any) -> Picture:
-        """A picture, as ``pointrt-view`` renders it to an OpenEXR file, to the bit.
+        """Renders a picture, equal to the bit to the OpenEXR file of ``pointrt-view``.
 
-        The first picture, and the first with other settings, puts the scene on the device once more, with lights,
-        materials and programs; those that follow with the same settings begin at once.
+        The first picture, and the first with other settings, uploads the scene once more with lights, materials and
+        programs. Further pictures with the same settings start at once.
 
         Args:
-            camera: from ``Camera.look_at`` or ``Camera.from_intrinsics``; by default all of the scene is seen.
+            camera: from ``Camera.look_at`` or ``Camera.from_intrinsics`` (default: a view of the whole scene).
             width, height: pixels, 1 to 16384 each.
-            layers: names out of ``pointrt.LAYERS``, or OpenEXR's (``"Z"``, ``"id.splat"``).
-            settings: what ``pointrt-view --help`` lists under Image and Light, with ``_`` for ``-``: ``integrator``
-                ("phong", "whitted", "path", "normal", "depth"), ``spp``, ``seed``, ``bounces``, ``lights``, ``room``,
-                ``shadows``, ``color_by`` and others; ``up``; ``memory`` for the tiles of sets, by default the scene's; ``staged_for``, the eye
-                that lights are put up for, which is the default camera's otherwise. Sun and sky come from scene files.
+            layers: names from ``pointrt.LAYERS``, or those of OpenEXR (``"Z"``, ``"id.splat"``).
+            settings: options that ``pointrt-view --help`` lists under Image and Light, with ``_`` for ``-``:
+                ``integrator`` ("phong", "whitted", "path", "normal", "depth"), ``spp``, ``seed``, ``bounces``,
+                ``lights``, ``room``, ``shadows``, ``color_by`` and others; ``up``; ``memory``, the limit for tiles
+                (default: the scene's); ``staged_for``, the eye that default lights are placed for (default: that of
+                the default camera). Sun and sky come from scene files.
 
         Returns:
-            Arrays by layer, float32 or, of ids, uint32, rows from the top. ``rgba`` [height,width,4]: linear light, and
-            the share of the pixel that the scene covers; ``depth`` [height,width]: from the eye along the ray through
-            the pixel's centre, in the scan's unit, inf for nothing; ``normal`` and ``position`` [height,width,3];
+            Arrays by layer, float32, or uint32 for IDs, rows from the top. ``rgba`` [height,width,4]: linear light, and
+            the coverage of the pixel by the scene; ``depth`` [height,width]: distance from the eye along the ray
+            through the pixel's centre, in the scan's unit, inf for a miss; ``normal`` and ``position`` [height,width,3];
             ``direct``, ``indirect``, ``caustic``, ``albedo`` [height,width,3]; ``splat_id``, ``tile_id``,
-            ``instance_id``, ``material_id`` [height,width], 4294967295 for nothing; ``samples``, ``variance``.
+            ``instance_id``, ``material_id`` [height,width], 4294967295 for a miss; ``samples``, ``variance``.
 
         Raises:
-            ValueError: a camera, size, layer or setting that is none; it says which and why.
+            ValueError: the camera, size, a layer or a setting is invalid.
             pointrt.Error: the device or the memory is too small.
-            KeyboardInterrupt: at Ctrl-C, soon.
+            KeyboardInterrupt: soon after Ctrl-C.
         """
         view = camera or Camera.look_at()
         names = [LAYER_ALIASES.get(name, name) for name in ([layers] if isinstance(layers, str) else layers)]
@@ -236,7 +237,7 @@ class Scene(Studies):
     def _renderer_for(self, settings: dict[str, str]) -> _core.Renderer:
         with self._renderer_lock:
             if self._renderer is None or self._renderer[0] != settings:
-                self._renderer = None  # what it takes on the device is free before the next one wants as much
+                self._renderer = None  # frees its device memory before the next renderer allocates
                 self._renderer = settings, _core.Renderer(self._device, self._paths, settings)
             return self._renderer[1]
 
@@ -248,7 +249,7 @@ class Scene(Studies):
 
 
 def _side(pixels: int) -> int:
-    """A picture's width or height; what is none at all is for those who know the limits to refuse."""
+    """A picture's width or height as uint32; the core checks the limits."""
     return min(max(operator.index(pixels), 0), 2**32 - 1)
 
 
@@ -260,7 +261,7 @@ def _field(name: str) -> str:
 
 
 def _rows_of(rays: ArrayLike) -> tuple[np.ndarray, tuple[int, ...]]:
-    """Rays as contiguous rows, and the shape that their results are to have."""
+    """Rays as contiguous rows, and the shape of their results."""
     if hasattr(rays, "dtype") and not isinstance(rays, np.ndarray) and hasattr(rays, "__dlpack__"):
         array = np.from_dlpack(rays)
     elif isinstance(rays, np.ndarray):
@@ -275,6 +276,6 @@ def _rows_of(rays: ArrayLike) -> tuple[np.ndarray, tuple[int, ...]]:
 
 
 def _parts(count: int) -> Iterator[slice]:
-    """Runs of rays, one even of none; Python looks for signals between them."""
+    """Slices of the rays, at least one, between which Python handles signals."""
     for begin in range(0, max(count, 1), _RAYS_AT_ONCE):
         yield slice(begin, min(begin + _RAYS_AT_ONCE, count))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Studies of scans: how long the sun shines on points, how much of the sky they see, who sees them."""
+"""Studies of scans: hours of direct sun, sky view and visibility of points."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from numpy.typing import ArrayLike
 
 from . import _core
 
-#: Points of a block: each direction's rays off all of them are cast together.
+#: Points per block; rays of one direction from all of them are cast together.
 _POINTS_AT_ONCE = 1 << 19
-#: Rays that are cast between two looks at whether Ctrl-C was pressed: about a second on two cores.
+#: Rays between two checks for Ctrl-C: about a second on two cores.
 _RAYS_AT_ONCE = 1 << 21
 
 
 class _GivenPoints:
-    """What a study asks about: rows of positions, and of what else is known."""
+    """Points that the caller gives."""
 
     def __init__(self, positions: np.ndarray, normals: np.ndarray | None, radii: np.ndarray, shape: tuple[int, ...]):
         self._rows, self.shape = (positions, normals, radii), shape
@@ -28,14 +28,14 @@ class _GivenPoints:
         return len(self._rows[0])
 
     def blocks(self) -> Iterator[tuple[slice, tuple]]:
-        """Where in the results a block's are, and its positions, normals, radii and noise."""
+        """For each block its slice of the results, and its positions, normals, radii and noise."""
         for begin in range(0, len(self), _POINTS_AT_ONCE):
             part = slice(begin, begin + _POINTS_AT_ONCE)
             yield part, (*(None if each is None else each[part] for each in self._rows), None)
 
 
 class _OwnPoints:
-    """The scene's own, a block of them in memory at a time."""
+    """The points of the scene, one block in memory at a time."""
 
     def __init__(self, scene: Studies, count: int):
         self._scene, self.shape = scene, (count,)
@@ -52,22 +52,22 @@ class _OwnPoints:
 
 
 class Studies:
-    """The studies that a ``Scene`` offers; it has ``_scene`` and ``_paths``."""
+    """The studies of ``Scene``, which provides ``_scene`` and ``_paths``."""
 
     _scene: _core.Scene
     _paths: list[str]
-    _radius: float | None = None  # half of the scene's radii are smaller, once somebody has asked
+    _radius: float | None = None  # median of the scene, computed on first use
 
     def points(self, most: int = _POINTS_AT_ONCE) -> Iterator[dict[str, np.ndarray]]:
-        """The scene's own points in blocks of up to ``most``, in the order of the studies' results.
+        """Iterates over the points of the scene in blocks of up to ``most``, in the order of results of studies.
 
-        Instance by instance, as it stands: of a ``.pro`` all splats in its order; of a tile set those of the original
-        tiles' cores, each once, tile by tile, so that a set of any size can be gone through.
+        Instances follow each other, in scene coordinates. A ``.pro`` yields all splats in file order; a tile set the
+        splats in the cores of its original tiles, tile by tile, so sets can have any size.
 
         Yields:
             Arrays: ``positions`` float64 ``[N, 3]`` and ``radii`` float32 ``[N]`` in the scene's unit, ``normals``
-            float32 ``[N, 3]``, ``noise`` float32 ``[N]``, the standard deviation of the surface, where some have any,
-            and ``splat_ids``, ``instance_ids``, ``tile_ids`` uint32 ``[N]`` as ``cast_rays`` has them.
+            float32 ``[N, 3]``, ``noise`` float32 ``[N]``, the standard deviation from the surface, if a scan has noise,
+            and ``splat_ids``, ``instance_ids``, ``tile_ids`` uint32 ``[N]`` as in ``cast_rays``.
 
         Raises:
             ValueError: ``most`` is below 1.
@@ -83,33 +83,31 @@ class Studies:
                   every: float = 15.0, points: ArrayLike | None = None, normals: ArrayLike | None = None,
                   radii: ArrayLike | float | None = None, sides: str = "auto", utc_offset: float | None = None,
                   up: Sequence[float] | None = None, north: Sequence[float] | None = None) -> np.ndarray:
-        """Hours that the sun shines on each point, of all days together.
+        """Hours of direct sun on each point, summed over all days.
 
-        The sun's place is NOAA's (within 0.02 degrees from 1900 to 2100), with refraction. It shines while its centre is
-        above the level horizon and nothing of the scene is in the way.
+        The position of the sun follows NOAA (accurate to 0.02 degrees from 1900 to 2100), with refraction. The sun
+        shines while its centre is above the level horizon and the scene does not occlude it.
 
         Args:
-            at: latitude and longitude in degrees, north and east above 0.
-            date, to: the first and the last day (the same), ``datetime.date`` or ``"2026-06-21"``.
-            every: minutes between instants, each of which stands for the time around it.
-            points: ``[..., 3]`` in the scan's coordinates; where none are given the scene's own, in the order of
-                ``Scene.points``.
-            normals: ``[..., 3]``, any length, of the points' discs; without them points lie level and count from both
-                sides.
-            radii: of the points' discs, ``[...]`` or one number, in the scan's unit: hits on discs alike that are nearer
-                than 3 radii over the point's own are its own surface. By default the median of the scene's radii.
-            sides: ``"front"``: what comes from behind a disc does not count; ``"both"``; ``"auto"``: front where the
-                files' normals are oriented.
-            utc_offset: hours; days begin at its midnight. By default 15 degrees of longitude are one hour.
-            up, north: directions in the scan's coordinates, 3 numbers. By default what the file says of up, else +Z; and
-                true north by the file's coordinate system, else +Y (-Z where Y is up).
+            at: latitude and longitude in degrees, north and east positive.
+            date, to: first and last day (default: the same), ``datetime.date`` or ``"2026-06-21"``.
+            every: sampling interval in minutes.
+            points: ``[..., 3]`` in the scan's coordinates (default: the points of the scene, in the order of
+                ``Scene.points``).
+            normals: ``[..., 3]``, any length, of the points' discs. Points without normals are level and two-sided.
+            radii: of the points' discs, ``[...]`` or one number, in the scan's unit: hits on parallel discs within 3
+                radii above the point's disc are self-intersections (default: the median radius of the scene).
+            sides: that receive light: ``"front"``, ``"both"``, or ``"auto"``: front if the scans' normals are oriented.
+            utc_offset: hours; days begin at midnight of this offset (default: by longitude, 15 degrees an hour).
+            up, north: directions in the scan's coordinates, 3 numbers (default: up of the file, else +Z; true north by
+                the coordinate system of the file, which needs PROJ, else +Y, or -Z if Y is up).
 
         Returns:
-            float64 with the points' shape in front; ``[len(scene)]`` for the scene's own.
+            float64 with the shape of the points; ``[len(scene)]`` for those of the scene.
 
         Raises:
-            ValueError: arrays of another shape, a place, date or number that is none.
-            pointrt.Error: points that are not finite.
+            ValueError: an array has another shape, or a place, date or number is invalid.
+            pointrt.Error: a point is not finite, or PROJ is needed and not installed.
         """
         frame = _core.study_frame(self._paths[0], *_place(at), _vector(up, "up"), _vector(north, "north"))
         first = _date(date)
@@ -120,18 +118,17 @@ class Studies:
     def sky_view(self, *, directions: int = 256, points: ArrayLike | None = None, normals: ArrayLike | None = None,
                  radii: ArrayLike | float | None = None, sides: str = "auto",
                  up: Sequence[float] | None = None) -> np.ndarray:
-        """The share of an evenly bright sky's light that reaches level ground at each point: 1 in the open.
+        """The sky view factor of each point: the unoccluded share of a uniform sky's irradiance on level ground.
 
-        That is the sky view factor of urban climate; directions are weighted by the cosine from up. The sky is
-        divided into ``directions`` (1 to 65536) that are always the same. Other arguments, shapes and errors are those
-        of ``sun_hours``.
+        It is 1 in the open. The sky is sampled by ``directions`` (1 to 65536) fixed, cosine-weighted directions. Other
+        arguments, shapes and errors are those of ``sun_hours``.
         """
-        place_is_of_no_account = (0.0, 0.0)
+        any_place = (0.0, 0.0)
         if up is None:
             up = _core.scan_up(self._paths[0])
         vector = _vector(up, "up")
         aside = [0.0, 1.0, 0.0] if abs(vector[1]) < 0.9 * np.linalg.norm(vector) else [0.0, 0.0, -1.0]
-        frame = _core.study_frame(self._paths[0], *place_is_of_no_account, vector, aside)
+        frame = _core.study_frame(self._paths[0], *any_place, vector, aside)
         lights = _core.sky_lights(directions, frame[0], frame[1])
         return self._sum_lights(self._points(points, normals, radii), lights, sides, frame[0])
 
@@ -139,14 +136,14 @@ class Studies:
                      points: ArrayLike | None = None, normals: ArrayLike | None = None,
                      radii: ArrayLike | float | None = None, sides: str = "auto",
                      up: Sequence[float] | None = None) -> np.ndarray:
-        """Which points each observer sees.
+        """Tests which points each observer sees.
 
-        Lines of sight end at the observer, and nothing there is left out: one within a wall sees nothing but it.
+        Lines of sight end at the observer; one inside a wall sees nothing but the wall.
 
         Args:
             observers: ``[..., 3]`` in the scan's coordinates.
-            height: observers are that far up of where they are said to be.
-            radius: nothing farther is seen.
+            height: of observers above their positions.
+            radius: maximum viewing distance.
 
         Other arguments and errors are those of ``sun_hours``.
 
@@ -185,7 +182,7 @@ class Studies:
                 radii: ArrayLike | float | None) -> _GivenPoints | _OwnPoints:
         if points is None:
             if normals is not None or radii is not None:
-                raise ValueError("normals and radii go with points: the scene has its own")
+                raise ValueError("normals and radii need points: the scene has its own")
             return _OwnPoints(self, self._scene.splat_count)
         positions = _array(points, "points", np.float64)
         shape = positions.shape[:-1]

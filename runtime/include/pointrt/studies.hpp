@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Studies of scans: how long the sun shines on points, how much of the sky they see, who sees them.
+// Studies of scans: hours of direct sun on points, sky view factors, viewsheds.
 //
 //   const pointrt::TraceDevice device;
 //   const pointrt::TraceScene scene(device, {"roof.pro"});
@@ -9,14 +9,13 @@
 //   const pointrt::Lights sun = pointrt::sunLights({{47.4, 8.5}, {2026, 6, 21}, {2026, 6, 21}}, frame);
 //   pointrt::sumLights(scene, points.rows(), sun, {.sides = points.sides(), .up = frame.up}, hours);
 //
-// A point is a disc, or a place in the air. Its rays start on its disc, a quarter of its radius up on the side that
-// they leave it by. What they meet on the way out of the surface that it lies in is that surface, not something in the
-// way: a disc met lower than 3 radii over the point's own (or 5 standard deviations of its noise), parallel to it
-// within 60 degrees and crossed the way that its own was left. These are the rules by which pictures leave surfaces
-// (shaders/trace/offset.glsl), but for rays that hardly rise: here they are in their own surface until they are as
-// high, at less than 2 degrees as far as at 2.
+// A study point is a disc, or a position in the air. Its rays start on the disc, a quarter of its radius above it on
+// the side where they leave. Self-intersections are ignored: hits on discs less than 3 radii above the point's disc (or
+// 5 standard deviations of its noise), parallel to it within 60 degrees and crossed in the same direction. Secondary
+// rays of pictures follow the same rules (shaders/trace/offset.glsl), except for grazing rays: here the
+// self-intersection distance of rays below 2 degrees is that of rays at 2 degrees.
 //
-// All of it may be used from several threads at once, and throws TraceError or std::bad_alloc.
+// Everything is thread-safe, and throws TraceError or std::bad_alloc.
 #pragma once
 
 #include <array>
@@ -32,38 +31,38 @@
 
 namespace pointrt {
 
-/// What a study asks about: a row for each point in each array, in the scan's coordinates and unit.
+/// The points of a study, a row per point in each array, in the scan's coordinates and unit.
 struct StudyPoints {
     std::span<const double> positions;   ///< [N][3]
-    std::span<const float> normals = {}; ///< [N][3], any length; empty, or rows of 0: the point lies level
-    std::span<const float> radii = {};   ///< [N], of its disc; empty: StudyRules::radius
+    std::span<const float> normals = {}; ///< [N][3], any length; empty, or rows of 0: StudyRules::up
+    std::span<const float> radii = {};   ///< [N], of the discs; empty: StudyRules::radius
     std::span<const float> noise = {};   ///< [N], standard deviation of the surface; empty: 0
 };
 
 /// The splats of a .pro file as points, in its order.
 struct ScanPoints {
     std::vector<double> positions;
-    std::vector<float> normals, radii, noise; ///< noise empty where the scan is clean
-    bool oriented = false;                    ///< normals say which side is outside
+    std::vector<float> normals, radii, noise; ///< noise is empty if the scan has none
+    bool oriented = false;                    ///< true if normals point outward
 
     StudyPoints rows() const { return {positions, normals, radii, noise}; }
 };
 
-/// Throws TraceError "FILE: reason": kBadInput, or kCannotRun where memory lacks.
+/// Reads a .pro file. Throws TraceError "FILE: reason": kBadInput, or kCannotRun if memory is insufficient.
 ScanPoints scanPoints(const std::string& path);
 
-/// Points of a scene, with where each comes from, as castRays tells hits.
+/// Points of a scene with their ids, as castRays returns them for hits.
 struct ScenePoints : ScanPoints {
     std::vector<std::uint32_t> splat_ids, instance_ids;
-    std::vector<std::uint32_t> tile_ids; ///< kNoHit but for those of sets
+    std::vector<std::uint32_t> tile_ids; ///< kNoHit unless the instance is a set
 };
 
-/// The points of a scene as TraceScene takes it, some at a time, so that memory has to hold no more of it: instance by
-/// instance, in the world's coordinates. Of a .pro all splats in its order; of a tile set those of its original tiles'
-/// cores, each once, tile by tile. One file is open at a time. For one thread.
+/// Reads the points of a scene, given as to TraceScene, block by block in bounded memory: instance by instance, in the
+/// world's coordinates; the splats of a .pro in its order; those of a tile set tile by tile, each once, from the cores
+/// of its finest tiles. One file is open at a time. Not thread-safe.
 class ScenePointReader {
 public:
-    /// A block of this many is traced fast.
+    /// A block size that is traced efficiently.
     static constexpr std::size_t kPoints = std::size_t{1} << 19;
 
     /// Throws as TraceScene does for its paths.
@@ -72,8 +71,8 @@ public:
     ScenePointReader(ScenePointReader&&) noexcept;
     ScenePointReader& operator=(ScenePointReader&&) noexcept;
 
-    /// The next ones, up to most, in place of those in points; false where there are none any more. oriented is left
-    /// out: sidesOf tells of all. Throws kBadInput for a file that cannot be read.
+    /// Replaces points by the next ones, at most most; false at the end. Does not set oriented; use sidesOf. Throws
+    /// kBadInput for an unreadable file.
     bool next(ScenePoints& points, std::size_t most = kPoints);
 
 private:
@@ -81,55 +80,54 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Half of the radii of a scene's splats are smaller, of some ten thousand of them: for points that have none. 0 where
-/// there are none. Throws as ScenePointReader.
+/// The median radius of a scene's splats, from a sample of some ten thousand: a default for points without a radius. 0
+/// if there are no splats. Throws as ScenePointReader.
 double medianRadius(const std::vector<std::string>& paths);
 
-/// Which side of a point's disc counts.
+/// The sides of a point's disc that receive light or are visible.
 enum class Sides {
-    kFront, ///< what shines on it, or looks at it, from behind its normal does not: right where normals can be trusted
-    kBoth,  ///< either: for leaves, wires, and scans whose normals are not oriented
+    kFront, ///< only the side of the normal: for oriented normals
+    kBoth,  ///< both sides: for leaves, wires, and normals that are not oriented
 };
 
-/// kFront where the normals of all files of the scene are oriented, else kBoth. Throws as ScenePointReader.
+/// kFront if the normals of all files of the scene are oriented, else kBoth. Throws as ScenePointReader.
 Sides sidesOf(const std::vector<std::string>& paths);
 
-/// Up by a .pro file, a tile set or a scene file, of whose instances the first one counts that says where the scene
-/// does not: a unit vector, +Z where nothing says. Throws as ScenePointReader.
+/// The up direction of a .pro file, a tile set or a scene file, which takes it from its first instance with one unless
+/// it has its own. Unit vector; +Z if unknown. Throws as ScenePointReader.
 std::array<double, 3> scanUp(const std::string& path);
 
 struct StudyRules {
-    Sides sides = Sides::kFront;       ///< points without a normal count from both
-    std::array<double, 3> up{0, 0, 1}; ///< of points without a normal
-    double radius = 0;                 ///< of points without one; 0: their rays start where they are
+    Sides sides = Sides::kFront;       ///< for points with a normal; others have both
+    std::array<double, 3> up{0, 0, 1}; ///< normal of points without one
+    double radius = 0;                 ///< of points without one; 0: their rays start at the position
 };
 
 // ---- the world around a scan ----
 
 struct GeoPlace {
-    double latitude_deg = 0;  ///< -90 to 90, north above 0
-    double longitude_deg = 0; ///< -180 to 180, east above 0
+    double latitude_deg = 0;  ///< -90 to 90, north positive
+    double longitude_deg = 0; ///< -180 to 180, east positive
 };
 
-/// Where up and north are in a scan's coordinates; unit vectors, at right angles.
+/// Up and north in a scan's coordinates; perpendicular unit vectors.
 struct StudyFrame {
     std::array<double, 3> up{0, 0, 1}, north{0, 1, 0};
-    std::string note; ///< how north was found: for people, no full stop
+    std::string note; ///< how north was found, for messages, without a full stop
 };
 
-/// Of a .pro file, a tile set or a scene file. up: what is given, else as scanUp has it. north: what is given (its
-/// horizontal part counts); else by the coordinate system that the file, or the first instance with one as it stands,
-/// names, whose grid north is turned to true north by the convergence of
-/// meridians at the place (UTM and other transverse Mercators, Mercator, Lambert's and Albers' conics, polar
-/// stereographic); else what scene files take: +Y, or -Z where Y is up. Throws kBadInput for the file, kBadUsage for a
-/// place that is none or lies 30 degrees or more beside the system's central meridian, for vectors that are not finite,
-/// 0, or the same direction.
+/// The frame of a .pro file, a tile set or a scene file. up: as given, else as scanUp. north: as given (its horizontal
+/// part); else from the coordinate system of the file, or of the first instance with one, with grid north corrected to
+/// true north by the meridian convergence at place, which PROJ computes for any projected system; else the default of
+/// scene files: +Y, or -Z if Y is up. Throws kBadInput for the file, kBadUsage for an invalid place, a place more than 6
+/// degrees outside the system's area of use, and for vectors that are not finite, zero or parallel, and kCannotRun if
+/// PROJ (libproj.so.25, opened at run time) is needed and not installed.
 StudyFrame studyFrame(const std::string& path, GeoPlace place, std::optional<std::array<double, 3>> up = {},
                       std::optional<std::array<double, 3>> north = {});
 
 // ---- lights ----
 
-/// Directions that light comes from, endlessly far away, and what each counts.
+/// Directional lights at infinity, with weights.
 struct Lights {
     std::vector<double> directions; ///< [N][3], unit length, towards the light
     std::vector<double> weights;    ///< [N]
@@ -140,48 +138,47 @@ struct CalendarDate {
     unsigned month = 1, day = 1; ///< from 1
 };
 
-/// Whole days, from the first one's midnight to the last one's.
+/// A period of complete days, first and last included.
 struct SunStudy {
     GeoPlace place;
     CalendarDate first, last;
     double every_min = 15;              ///< above 0 and up to 1440
-    std::optional<double> utc_offset_h; ///< where days begin; none: utcOffsetOf(place)
+    std::optional<double> utc_offset_h; ///< time zone in which days begin; none: utcOffsetOf(place)
 };
 
-/// Hours before UTC that the sun is at a longitude, rounded: 15 degrees are one. A day of the sun's lies in one of the
-/// calendar's by it, whatever zone the law puts a place in.
+/// The solar time zone of a place, in hours ahead of UTC: longitude / 15 degrees, rounded. With it, the daylight of a
+/// day falls on one calendar date, whatever the legal time zone.
 double utcOffsetOf(GeoPlace place);
 
-/// The sun in the middle of each stretch of every_min, where its centre is above the level horizon; weights are hours.
-/// Its place is that of NOAA's Solar Calculator (Meeus, Astronomical Algorithms, chapter 25, low accuracy: within 0.02
-/// degrees from 1900 to 2100), lifted by the air's refraction at sea level (same source).
-/// Throws kBadUsage for a place, date or number that is none, days the wrong way round, and more than a million
-/// instants.
+/// The sun at the middle of each interval of every_min while its centre is above the horizon; weights are hours.
+/// Positions follow NOAA's Solar Calculator (Meeus, Astronomical Algorithms, chapter 25, low accuracy: within 0.02
+/// degrees from 1900 to 2100), with atmospheric refraction at sea level (same source). Throws kBadUsage for invalid
+/// places, dates and numbers, last before first, and more than a million instants.
 Lights sunLights(const SunStudy& study, const StudyFrame& frame);
 
-/// The sky: directions of which each stands for the same share of the light that an evenly bright sky sends onto level
-/// ground (weights sum to 1). What of it a point sees is the sky view factor of urban climate (Oke 1987): 1 in the
-/// open, cos^2 of the horizon's height in a round basin. Always the same directions: a sunflower's seeds on the disc
-/// (Vogel 1979), raised to the hemisphere (Malley). count: 1 to 65536.
+/// The sky as cosine-weighted directions: each carries the same share of the light of a uniform sky on level ground
+/// (weights sum to 1). The sum at a point is the sky view factor (Oke 1987): 1 in the open, cos^2 of the horizon's
+/// elevation in a round basin. The directions are deterministic: a sunflower pattern on the disc (Vogel 1979),
+/// projected to the hemisphere (Malley's method). count: 1 to 65536.
 Lights skyLights(std::size_t count, const StudyFrame& frame);
 
-/// Adds to each point's sum the weights of the lights that shine on it with nothing of the scene in the way.
-/// @return rays that were cast
-/// Throws kBadInput "point N: ..." for positions that are not finite, kBadUsage for arrays of sizes that do not fit.
+/// Adds to each point's sum the weights of the lights that reach it unoccluded.
+/// @return the number of rays cast
+/// Throws kBadInput "point N: ..." for positions that are not finite, kBadUsage for arrays of inconsistent sizes.
 std::uint64_t sumLights(const TraceScene& scene, const StudyPoints& points, const Lights& lights,
                         const StudyRules& rules, std::span<double> sums);
 
 // ---- sight ----
 
 struct Observer {
-    std::array<double, 3> eye{};                             ///< the scan's coordinates
-    double radius = std::numeric_limits<double>::infinity(); ///< what is farther is not seen
+    std::array<double, 3> eye{};                             ///< in the scan's coordinates
+    double radius = std::numeric_limits<double>::infinity(); ///< range of sight
 };
 
-/// Whether the observer sees each point: 1 or 0 [N]. Lines of sight end at the eye, and nothing there is left out: an
-/// eye inside of something sees that alone.
-/// @return rays that were cast
-/// Throws as sumLights; kBadUsage for an eye that is not finite or a radius that is not above 0.
+/// Tests whether the observer sees each point: 1 or 0 [N]. Surfaces around the eye are not ignored: an eye inside an
+/// object sees only that object.
+/// @return the number of rays cast
+/// Throws as sumLights, and kBadUsage for an eye that is not finite or a radius that is not above 0.
 std::uint64_t testSight(const TraceScene& scene, const StudyPoints& points, const Observer& observer,
                         const StudyRules& rules, std::span<std::uint8_t> visible);
 

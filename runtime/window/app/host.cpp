@@ -54,17 +54,17 @@ std::vector<InputEvent> Host::poll(double timeout_s) {
     }
     std::vector<InputEvent> events = pollEvents(*desktop_, timeout_s);
     for (const InputEvent& event : events)
-        if (const auto* size = std::get_if<ResizeEvent>(&event)) adopt(*size);
+        if (const auto* size = std::get_if<ResizeEvent>(&event)) applySize(*size);
     return events;
 }
 
 void Host::resize(const ResizeEvent& size) {
     // the desktop answers with an event of its own, which says what has become of it
     if (desktop_ && size.width > 0 && size.height > 0) return pointrt::setSize(*desktop_, size.width, size.height);
-    if (!desktop_) adopt(size);
+    if (!desktop_) applySize(size);
 }
 
-void Host::adopt(const ResizeEvent& size) {
+void Host::applySize(const ResizeEvent& size) {
     size_ = size;
     if (minimised()) return;
     pixels_ = pixelsOf(size_);

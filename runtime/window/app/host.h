@@ -52,7 +52,7 @@ public:
     void useClipboardForUi();
 
 private:
-    void adopt(const ResizeEvent& size);
+    void applySize(const ResizeEvent& size);
 
     std::optional<PlatformWindow> desktop_;
     Device device_;

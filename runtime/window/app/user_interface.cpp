@@ -26,7 +26,7 @@ void UserInterface::fitText() {
     setUiFont(host_.device(), host_.presenter());
 }
 
-std::vector<Command> UserInterface::hear(const InputEvent& event, double now_s) {
+std::vector<Command> UserInterface::handleEvent(const InputEvent& event, double now_s) {
     const ImGuiIO& io = ImGui::GetIO();
     controls_.ui_wants_mouse = io.WantCaptureMouse;
     controls_.ui_wants_keyboard = io.WantTextInput;

@@ -23,7 +23,7 @@ public:
     UserInterface& operator=(const UserInterface&) = delete;
 
     /// What event means that is not the panels' own.
-    std::vector<Command> hear(const InputEvent& event, double now_s);
+    std::vector<Command> handleEvent(const InputEvent& event, double now_s);
     bool isDragging() const { return controls_.drag.has_value(); }
 
     /// Lets the panels draw, and write to work what the user asks for. seconds: since the frame before.

@@ -29,7 +29,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double kIdle_s = 0.1;
 constexpr double kNotice_s = 6;
 
-HostRequest hostRequest(const Options& options, const Tape& tape) {
+HostRequest hostRequest(const Options& options, const RecordReplay& tape) {
     HostRequest request;
     request.device = options.device;
     request.verbose = options.verbose;
@@ -38,7 +38,7 @@ HostRequest hostRequest(const Options& options, const Tape& tape) {
     const PixelSize size = options.choices.size.value_or(PixelSize{request.width, request.height});
     request.width = size.width;
     request.height = size.height;
-    if (!tape.replays()) return request;
+    if (!tape.isReplaying()) return request;
     request.width = tape.window().width;
     request.height = tape.window().height;
     request.scale = tape.window().scale;
@@ -46,22 +46,22 @@ HostRequest hostRequest(const Options& options, const Tape& tape) {
 }
 
 /// True where the scene on the device is about to be another one.
-bool changesScene(const JobQueue& jobs) { return jobs.has(JobKind::kLoad) || jobs.has(JobKind::kRelight); }
+bool changesScene(const JobQueue& jobs) { return jobs.has(JobKind::kLoad) || jobs.has(JobKind::kSceneUpdate); }
 
 ViewSize viewSize(const Host& host) {
     const ResizeEvent size = host.size();
     return {std::max(1.0, double(size.width)), std::max(1.0, double(size.height))};
 }
 
-PictureSize pictureSize(const Host& host) { return {host.pixels().width, host.pixels().height}; }
+PixelSize pictureSize(const Host& host) { return {host.pixels().width, host.pixels().height}; }
 
 double aspectOf(ViewSize size) { return size.width / size.height; }
 
 /// live: null while there is nothing to tell of it.
 void fillHud(Workspace& work, Host& host, const LoadedScene* loaded, const ViewportRenderer* live) {
-    HudFigures& hud = work.hud;
+    HudStats& hud = work.hud;
     hud.device = host.device().name;
-    hud.samples_wanted = work.samples_wanted;
+    hud.target_samples = work.target_samples;
     hud.splats = loaded ? loaded->scene.splat_count : 0;
     hud.tiles = loaded && !loaded->scene.sets.empty() ? loaded->scene.instances.size() : 0;
     if (!loaded || !live) return;
@@ -86,62 +86,62 @@ std::optional<ShownPicture> shownPicture(const ImageController& image) {
 } // namespace
 
 Window::Window(const Options& options)
-    : options_(options), tape_(options.replay), host_(hostRequest(options, tape_)), ui_(host_), meter_(Clock::now()),
-      editor_(work_), jobs_([this](const std::string& text, bool error) { tell(text, error); }),
+    : options_(options), session_(options.replay), host_(hostRequest(options, session_)), ui_(host_), meter_(Clock::now()),
+      editor_(work_), jobs_([this](const std::string& text, bool error) { notify(text, error); }),
       opener_(
-          jobs_, [this](const std::string& text, bool error) { tell(text, error); },
+          jobs_, [this](const std::string& text, bool error) { notify(text, error); },
           [this](const std::string& path, bool first) { return startLoad(path, first); }) {
-    if (!options.record.empty()) tape_.recordTo(options.record, host_.size());
+    if (!options.record.empty()) session_.startRecording(options.record, host_.size());
     opener_.openNamed(options.scene);
 }
 
-void Window::tell(const std::string& text, bool error) {
-    work_.notices.push_back({text, error, tape_.now() + kNotice_s});
+void Window::notify(const std::string& text, bool error) {
+    work_.notices.push_back({text, error, session_.now() + kNotice_s});
     if (options_.verbose || error)
         std::fprintf(stderr, "pointrt-view: %s%s\n", error ? "error: " : "",
                      printable(text, std::string::npos).c_str());
 }
 
 /// What goes wrong is told, after subject.
-void Window::attempt(const std::string& subject, const std::function<void()>& body) {
+void Window::tryOrNotify(const std::string& subject, const std::function<void()>& body) {
     try {
         body();
     } catch (const Error& error) {
-        tell(subject + error.what(), true);
+        notify(subject + error.what(), true);
     }
 }
 
 /// How long to wait for input: not at all where there is work, as long as the eye does not notice where something is
 /// shown that moves by itself.
-double Window::patience() const {
+double Window::inputTimeout() const {
     const bool traces =
-        image_.live() && !jobs_.has(JobKind::kRelight) && image_.mayWork() && !image_.live()->progress().resting;
+        image_.live() && !jobs_.has(JobKind::kSceneUpdate) && image_.mayWork() && !image_.live()->progress().resting;
     // a replay does not wait for the eye, but while it loads, drawing would take time that people's loading has
-    const bool hurries = tape_.replays() && image_.live();
-    if (hurries || traces || view_.moves() || input_.any || image_.owes()) return 0;
-    return work_.job || !work_.notices.empty() || ui_.isDragging() ? kReplayedFrame_s : kIdle_s;
+    const bool hurries = session_.isReplaying() && image_.live();
+    if (hurries || traces || view_.moves() || input_.any || image_.hasPendingRequest()) return 0;
+    return work_.job || !work_.notices.empty() || ui_.isDragging() ? kReplayFrame_s : kIdle_s;
 }
 
-std::vector<InputEvent> Window::gatherInput() {
-    std::vector<InputEvent> events = std::exchange(input_.early, {});
-    if (events.empty()) events = host_.poll(patience());
-    if (!tape_.replays()) return events;
+std::vector<InputEvent> Window::collectInput() {
+    std::vector<InputEvent> events = std::exchange(input_.pending, {});
+    if (events.empty()) events = host_.poll(inputTimeout());
+    if (!session_.isReplaying()) return events;
     // a replayed window listens to its own size alone
     std::erase_if(events, [](const InputEvent& event) { return !std::holds_alternative<ResizeEvent>(event); });
-    ReplayFrame replayed = tape_.next(pictureState());
+    ReplayFrame replayed = session_.next(pictureState());
     for (InputEvent& event : replayed.events) {
         if (const auto* size = std::get_if<ResizeEvent>(&event)) host_.resize(*size);
         events.push_back(std::move(event));
     }
-    for (std::string& name : replayed.screenshots) input_.shots.push_back(std::move(name));
+    for (std::string& name : replayed.screenshots) input_.screenshots.push_back(std::move(name));
     quit_ |= replayed.quit;
     return events;
 }
 
 PictureState Window::pictureState() const {
     PictureState state;
-    state.busy = jobs_.any() || wantsTiles() || image_.wantsFilm() || editor_.waits();
-    if (!image_.live() || jobs_.has(JobKind::kRelight)) return state;
+    state.busy = jobs_.any() || needsTiles() || image_.isFilmRequested() || editor_.hasPendingEdits();
+    if (!image_.live() || jobs_.has(JobKind::kSceneUpdate)) return state;
     const ViewportProgress progress = image_.live()->progress();
     state.busy |= progress.denoising;
     state.samples = progress.samples;
@@ -151,7 +151,7 @@ PictureState Window::pictureState() const {
 
 void Window::execute(const Command& command) {
     const ViewSize size = viewSize(host_);
-    if (const auto view = viewAfter(command, work_.camera, size)) {
+    if (const auto view = cameraAfter(command, work_.camera, size)) {
         view_.stop();
         work_.camera = *view;
     }
@@ -164,91 +164,91 @@ void Window::execute(const Command& command) {
 }
 
 void Window::execute(Action action) {
-    if (const auto view = viewAsked(action, work_.camera, view_.home)) return flyTo(*view);
-    if (actOn(work_, action)) return;
+    if (const auto view = cameraForAction(action, work_.camera, view_.home)) return flyTo(*view);
+    if (applyAction(work_, action)) return;
     if (action == Action::kCopyCamera) host_.setClipboard(cameraText(work_.camera));
-    if (action == Action::kPasteCamera) attempt("", [&] { flyTo(withCameraText(work_.camera, host_.clipboard())); });
+    if (action == Action::kPasteCamera) tryOrNotify("", [&] { flyTo(withCameraText(work_.camera, host_.clipboard())); });
     if (action == Action::kPreviousFile) opener_.openNeighbour(work_.scene.path, -1);
     if (action == Action::kNextFile) opener_.openNeighbour(work_.scene.path, 1);
 }
 
-void Window::doRequests() {
-    const Requests asked = std::exchange(work_.requests, {});
-    work_.requests.look_changed = asked.look_changed; // updatePicture's
+void Window::handleRequests() {
+    const Requests requests = std::exchange(work_.requests, {});
+    work_.requests.look_changed = requests.look_changed; // updatePicture's
     const double aspect = aspectOf(viewSize(host_));
-    if (asked.up && loaded_) {
+    if (requests.up && loaded_) {
         if (changesScene(jobs_)) {
-            tell("not while a scene is being loaded or relit", true);
+            notify("not while a scene is being loaded or relit", true);
         } else {
-            editor_.setUp(*asked.up, view_.home, aspect);
+            editor_.setUp(*requests.up, view_.home, aspect);
             flyTo(view_.home);
         }
     }
-    editor_.note(asked);
+    editor_.noteRequests(requests);
     // while tiles come the scene is left as it is: they are there in a moment
-    if (loaded_ && !changesScene(jobs_) && !jobs_.has(JobKind::kTiles)) editScene(asked.dragging);
-    quit_ |= asked.quit;
-    if (asked.cancel_job) jobs_.cancel();
-    if (asked.home) flyTo(view_.home);
-    if (asked.save_view) saveView(work_);
-    if (asked.save_scene && loaded_)
-        attempt("", [&] {
+    if (loaded_ && !changesScene(jobs_) && !jobs_.has(JobKind::kTiles)) editScene(requests.dragging);
+    quit_ |= requests.quit;
+    if (requests.cancel_job) jobs_.cancel();
+    if (requests.home) flyTo(view_.home);
+    if (requests.save_view) saveView(work_);
+    if (requests.save_scene && loaded_)
+        tryOrNotify("", [&] {
             const std::string path = freeName(work_.scene.path, {".toml"}) + ".toml";
             writeSceneFile(path, sceneAsShown(work_, pictureSize(host_)));
-            tell("saved " + path + "; pointrt-view " + path + " -o picture.png renders it", false);
+            notify("saved " + path + "; pointrt-view " + path + " -o picture.png renders it", false);
         });
-    if (asked.screenshot && loaded_) image_.wantFilm();
-    if (asked.turntable_pictures && loaded_) attempt("", [&] { renderTurntable(*asked.turntable_pictures); });
+    if (requests.screenshot && loaded_) image_.requestFilm();
+    if (requests.turntable_pictures && loaded_) tryOrNotify("", [&] { renderTurntable(*requests.turntable_pictures); });
     std::vector<NamedView>& views = work_.scene.views;
-    if (asked.go_to_view && *asked.go_to_view < views.size()) {
-        const NamedView& view = views[*asked.go_to_view];
-        attempt(view.name + ": ", [&] {
+    if (requests.go_to_view && *requests.go_to_view < views.size()) {
+        const NamedView& view = views[*requests.go_to_view];
+        tryOrNotify(view.name + ": ", [&] {
             flyTo(framedView(view.camera, work_.scene_min, work_.scene_max, sceneUp(work_.scene, work_.settings),
                              aspect));
         });
     }
-    if (asked.forget_view && *asked.forget_view < views.size())
-        views.erase(views.begin() + static_cast<std::ptrdiff_t>(*asked.forget_view));
+    if (requests.delete_view && *requests.delete_view < views.size())
+        views.erase(views.begin() + static_cast<std::ptrdiff_t>(*requests.delete_view));
 }
 
 bool Window::frame() {
-    const std::vector<InputEvent> events = gatherInput();
-    const double seconds = tape_.frameSeconds(meter_.begin(Clock::now()));
+    const std::vector<InputEvent> events = collectInput();
+    const double seconds = session_.frameSeconds(meter_.begin(Clock::now()));
     input_.any = !events.empty();
     for (const InputEvent& event : events) {
-        tape_.note(event);
-        for (const Command& command : ui_.hear(event, tape_.now())) execute(command);
+        session_.recordStep(event);
+        for (const Command& command : ui_.handleEvent(event, session_.now())) execute(command);
     }
     quit_ |= std::exchange(work_.requests.quit, false);
-    tape_.endFrame();
+    session_.endFrame();
     const bool changed_scene = changesScene(jobs_);
     jobs_.poll();
     // a replay must not go on before what has ended here
-    if (changed_scene && !changesScene(jobs_)) tape_.note(WaitStep{1});
-    work_.job = jobs_.figures();
-    work_.camera = view_.advanced(work_.camera, tape_.now(), seconds);
+    if (changed_scene && !changesScene(jobs_)) session_.recordStep(WaitStep{1});
+    work_.job = jobs_.status();
+    work_.camera = view_.advanced(work_.camera, session_.now(), seconds);
     if (host_.minimised()) { // nobody sees it: go on slowly
-        input_.early = host_.poll(kIdle_s);
+        input_.pending = host_.poll(kIdle_s);
         return !quit_;
     }
-    work_.time_s = tape_.now();
+    work_.time_s = session_.now();
     std::erase_if(work_.notices, [&](const Notice& notice) { return notice.until_s < work_.time_s; });
     work_.hud.frame_ms = meter_.meanFrame_ms();
     work_.hud.tiles_loading = jobs_.has(JobKind::kTiles);
-    fillHud(work_, host_, loaded_.get(), jobs_.has(JobKind::kRelight) ? nullptr : image_.live());
+    fillHud(work_, host_, loaded_.get(), jobs_.has(JobKind::kSceneUpdate) ? nullptr : image_.live());
     ui_.draw(work_, seconds);
-    doRequests();
-    streamTiles();
+    handleRequests();
+    requestTiles();
     updatePicture();
     ui_.present();
     meter_.end(Clock::now(), shownPicture(image_));
-    for (const std::string& name : std::exchange(input_.shots, {})) ui_.savePng(name + ".png");
+    for (const std::string& name : std::exchange(input_.screenshots, {})) ui_.savePng(name + ".png");
     return !quit_ || jobs_.has(JobKind::kSave) ||
-           (image_.wantsFilm() && image_.live()); // who asked for a picture gets it
+           (image_.isFilmRequested() && image_.live()); // who asked for a picture gets it
 }
 
 void Window::run() {
-    noteInterrupts();
+    catchInterrupts();
     while (frame() && !interrupted()) continue;
     WindowReport& report = meter_.report;
     report.device = host_.device().name;

@@ -14,7 +14,7 @@
 #include "runtime/window/app/window_state.h"
 #include "runtime/window/edit/free_name.h"
 #include "runtime/window/edit/pick_details.h"
-#include "runtime/window/edit/rework.h"
+#include "runtime/window/edit/required_update.h"
 #include "runtime/window/edit/save_job.h"
 #include "runtime/window/edit/shown_scene.h"
 #include "runtime/window/edit/tile_job.h"
@@ -27,7 +27,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// As long as nothing happens, the interface is drawn this often.
-constexpr double kUndrawn_s = 0.1;
+constexpr double kRedraw_s = 0.1;
 constexpr std::size_t kPicks = 2;
 /// Of the memory for tiles what a cut takes: the rest is for those that come while it is shown.
 constexpr double kCutShare = 0.8;
@@ -50,7 +50,7 @@ ImageRequest imageRequest(const Workspace& work, PixelSize pixels) {
     ImageRequest request{{work.settings, cameraOf(work.camera), work.look, work.denoise}};
     request.view.settings.width = pixels.width;
     request.view.settings.height = pixels.height;
-    request.view.settings.spp = work.samples_wanted;
+    request.view.settings.spp = work.target_samples;
     request.look_changed = work.requests.look_changed;
     request.paused = work.paused;
     return request;
@@ -60,13 +60,13 @@ ImageRequest imageRequest(const Workspace& work, PixelSize pixels) {
 bool uploadPicture(Host& host, ImageController& image) {
     ViewportRenderer& live = *image.live();
     if (live.updates().empty()) return false;
-    const PictureSize canvas{host.pixels().width, host.pixels().height};
+    const PixelSize canvas{host.pixels().width, host.pixels().height};
     if (canvas != image.size()) { // the window has changed meanwhile: its picture comes with the next frame
         live.clearUpdates();
         return false;
     }
     const VkCommandBuffer commands = beginCommands(host.device());
-    std::optional<PictureSize> scaled;
+    std::optional<PixelSize> scaled;
     for (const PictureUpdate& update : live.updates())
         if (update.size == canvas)
             recordUploadRows(commands, host.presenter(), live.pixels(), update.first_row, update.rows);
@@ -100,8 +100,8 @@ StartedJob Window::startLoad(const std::string& path, bool first) {
 void Window::showLoaded(std::unique_ptr<LoadedScene> loaded) {
     image_.close();
     loaded_ = std::move(loaded);
-    tiles_for_.reset();
-    told_coarse_ = false;
+    complete_for_.reset();
+    warned_coarse_ = false;
     const bool says_samples = options_.choices.spp || loaded_->scene.description.render.spp;
     editor_.open(openedScene(*loaded_), says_samples ? loaded_->settings.spp : kCleanSamplesOfLight);
     showColors();
@@ -117,21 +117,21 @@ void Window::showColors() {
 
 /// Brings the scene on the device to what the panels say.
 void Window::editScene(bool dragging) {
-    editor_.restage();
-    Rework rework;
-    if (editor_.waits())
-        rework = reworkFor(loaded_->scene, loaded_->program_kinds.integrator, work_.scene, work_.settings);
-    if (nextStep(rework.kind, dragging, loaded_->lacks_photons) == EditStep::kUpload) {
-        refurnishNow(host_.device(), *loaded_, work_.scene, work_.settings, std::move(rework.rows));
-        editor_.settle();
+    editor_.updateSurroundings();
+    RequiredUpdate update;
+    if (editor_.hasPendingEdits())
+        update = requiredUpdate(loaded_->scene, loaded_->program_kinds.integrator, work_.scene, work_.settings);
+    if (nextUpdateStep(update.kind, dragging, loaded_->lacks_photons) == UpdateStep::kUpload) {
+        updateSceneTables(host_.device(), *loaded_, work_.scene, work_.settings, std::move(update.rows));
+        editor_.clearPendingEdits();
         image_.restart(ViewChange::kScene);
-        rework.kind = ReworkKind::kNothing;
+        update.kind = UpdateKind::kNothing;
     }
-    if (nextStep(rework.kind, dragging, loaded_->lacks_photons) != EditStep::kRelight) return;
-    editor_.settle();
-    jobs_.start(JobKind::kRelight, [&] {
-        return startedJob<RefurnishJob>(
-            std::make_unique<RefurnishJob>(host_.device(), *loaded_, work_.scene, work_.settings), {},
+    if (nextUpdateStep(update.kind, dragging, loaded_->lacks_photons) != UpdateStep::kSceneUpdate) return;
+    editor_.clearPendingEdits();
+    jobs_.start(JobKind::kSceneUpdate, [&] {
+        return startedJob<SceneUpdateJob>(
+            std::make_unique<SceneUpdateJob>(host_.device(), *loaded_, work_.scene, work_.settings), {},
             [this](const Job&) {
                 showColors();
                 image_.restart(ViewChange::kScene);
@@ -139,13 +139,13 @@ void Window::editScene(bool dragging) {
     });
 }
 
-bool Window::wantsTiles() const {
-    return loaded_ && !loaded_->scene.sets.empty() && tiles_for_ != TileView{cameraOf(work_.camera), host_.pixels()};
+bool Window::needsTiles() const {
+    return loaded_ && !loaded_->scene.sets.empty() && complete_for_ != TileView{cameraOf(work_.camera), host_.pixels()};
 }
 
 /// What the camera wants of sets, as soon as nobody else has the scene.
-void Window::streamTiles() {
-    if (!wantsTiles() || tape_.now() - tiles_asked_s_ < kTilesEvery_s) return;
+void Window::requestTiles() {
+    if (!needsTiles() || session_.now() - last_tile_request_s_ < kTilesEvery_s) return;
     const TileView view{cameraOf(work_.camera), host_.pixels()};
     TileRequest request;
     request.cameras = {view.camera};
@@ -156,12 +156,12 @@ void Window::streamTiles() {
     request.painted = std::any_of(instances.begin(), instances.end(),
                                   [&](const InstanceDescription& each) { return isPainted(each, loaded_->settings); });
     jobs_.start(JobKind::kTiles, [&] {
-        tiles_asked_s_ = tape_.now();
+        last_tile_request_s_ = session_.now();
         return startedJob<TileJob>(
-            std::make_unique<TileJob>(host_.device(), orderTiles(loaded_->scene, request)),
+            std::make_unique<TileJob>(host_.device(), makeTileLoadRequest(loaded_->scene, request)),
             [this, view](TileJob& job) { showTiles(job, view); },
             [this, view](const Job& job) {
-                if (job.state() == JobState::kFailed) tiles_for_ = view; // once is enough
+                if (job.state() == JobState::kFailed) complete_for_ = view; // once is enough
             });
     });
 }
@@ -169,25 +169,25 @@ void Window::streamTiles() {
 /// In place of those before.
 void Window::showTiles(TileJob& job, const TileView& view) {
     DeviceScene& scene = loaded_->scene;
-    work_.hud.tiles_wanted = job.wanted();
-    TileDelivery tiles = job.take();
-    for (const std::string& reason : tiles.lost) tell(reason + "; what a coarser tile has of it is shown", true);
-    if (job.isLast()) tiles_for_ = view;
+    work_.hud.target_tiles = job.targetTiles();
+    LoadedTiles tiles = job.take();
+    for (const std::string& reason : tiles.missing) notify(reason + "; what a coarser tile has of it is shown", true);
+    if (job.isFinalStep()) complete_for_ = view;
     const auto fits = [](const OpenedSet& set) { return set.cut.fits; };
-    if (job.isLast() && !std::all_of(tiles.sets.begin(), tiles.sets.end(), fits) && !std::exchange(told_coarse_, true))
-        tell("coarser than --detail " + plainText(loaded_->settings.detail) + " asks for: --memory gives more", false);
+    if (job.isFinalStep() && !std::all_of(tiles.sets.begin(), tiles.sets.end(), fits) && !std::exchange(warned_coarse_, true))
+        notify("coarser than --detail " + plainText(loaded_->settings.detail) + " asks for: --memory gives more", false);
     const auto before = static_cast<double>(scene.instances.size());
-    if (!standTiles(host_.device(), scene, std::move(tiles))) return;
+    if (!applyTiles(host_.device(), scene, std::move(tiles))) return;
     uploadSceneTables(host_.device(), scene, loaded_->settings);
     addPrograms(host_.device(), scene, loaded_->settings, loaded_->tracer.programs);
     rebind(host_.device(), loaded_->tracer);
     image_.restart(ViewChange::kScene);
     // each tile is asked for each ray
-    image_.expect(static_cast<double>(scene.instances.size()) / before);
+    image_.scaleCost(static_cast<double>(scene.instances.size()) / before);
 }
 
 void Window::updatePicture() {
-    if (!loaded_ || jobs_.has(JobKind::kRelight)) return image_.rest();
+    if (!loaded_ || jobs_.has(JobKind::kSceneUpdate)) return image_.skipFrame();
     if (const auto found = image_.update(imageRequest(work_, host_.pixels()))) {
         if (found->centre) {
             flyTo(centredOn(work_.camera, found->pick.position));
@@ -197,24 +197,24 @@ void Window::updatePicture() {
         }
     }
     work_.requests.look_changed = false;
-    if (image_.work()) refineUndrawn();
+    if (image_.work()) refineWithoutRedraw();
     if (uploadPicture(host_, image_) && meter_.report.first_picture_s < 0)
         meter_.report.first_picture_s = secondsSinceStart();
-    if (image_.filmIsReady() && !jobs_.has(JobKind::kSave)) attempt("", [&] { saveFilm(); });
+    if (image_.isFilmReady() && !jobs_.has(JobKind::kSave)) tryOrNotify("", [&] { saveFilm(); });
 }
 
 /// While nobody does anything the interface needs no drawing, and the picture gets all the time; input is looked for as
 /// often as ever.
-void Window::refineUndrawn() {
+void Window::refineWithoutRedraw() {
     const ViewportRenderer& live = *image_.live();
     while (!image_.moved() && !input_.any && !ui_.isDragging() && !view_.isInFlight() && !work_.job &&
            !live.mustShow()) {
         const Clock::time_point now = Clock::now();
         const double undrawn_s = std::chrono::duration<double>(now - meter_.frameBegin()).count();
-        if (undrawn_s > kUndrawn_s || live.betweenSamples()) return;
+        if (undrawn_s > kRedraw_s || live.isBetweenSamples()) return;
         meter_.refine(now);
-        input_.early = host_.poll(0);
-        if (!input_.early.empty() || !image_.work()) return;
+        input_.pending = host_.poll(0);
+        if (!input_.pending.empty() || !image_.work()) return;
     }
 }
 
@@ -225,12 +225,12 @@ void Window::saveFilm() {
     SavedFilm saved{image_.takeFilm(), samples, work_.settings.seed,
                     filmSignature(loaded_->scene, view.settings, view.camera, loaded_->tracer.programs.form)};
     const std::string name = freeName(work_.scene.path, {".png", ".exr"});
-    SaveLook look{work_.look.exposure, work_.denoise && samples < kCleanSamplesOfLight, {}};
+    SaveOptions look{work_.look.exposure, work_.denoise && samples < kCleanSamplesOfLight, {}};
     if (view.settings.legend.value_or(false)) look.legend = work_.legend;
     jobs_.start(JobKind::kSave, [&] {
         return startedJob<SaveJob>(
             std::make_unique<SaveJob>(host_.device(), name, std::move(saved), look),
-            [this](SaveJob& save) { tell(save.done(), false); },
+            [this](SaveJob& save) { notify(save.summary(), false); },
             [this](const Job& job) {
                 if (quit_) throwIfFailed(job); // nobody would see a notice
             });
@@ -238,11 +238,11 @@ void Window::saveFilm() {
 }
 
 void Window::renderTurntable(std::uint32_t pictures) {
-    const PictureSize size{host_.pixels().width, host_.pixels().height};
+    const PixelSize size{host_.pixels().width, host_.pixels().height};
     jobs_.start(JobKind::kTurntable, [&] {
         return startedJob<TurntableJob>(
             std::make_unique<TurntableJob>(sceneAsShown(work_, size), work_.turntable_path, pictures, options_.device),
-            [this](TurntableJob&) { tell("rendered " + work_.turntable_path, false); });
+            [this](TurntableJob&) { notify("rendered " + work_.turntable_path, false); });
     });
 }
 

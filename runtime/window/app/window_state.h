@@ -18,8 +18,8 @@
 #include "runtime/window/edit/scene_editor.h"
 #include "runtime/window/edit/tile_job.h"
 #include "runtime/window/edit/workspace.h"
-#include "runtime/window/input/tape.h"
-#include "runtime/window/input/view_driver.h"
+#include "runtime/window/input/record_replay.h"
+#include "runtime/window/input/view_animator.h"
 #include "runtime/window/live/frame_times.h"
 #include "runtime/window/live/image_controller.h"
 
@@ -44,49 +44,49 @@ public:
 private:
     // window.cpp
     bool frame();
-    std::vector<InputEvent> gatherInput();
-    double patience() const;
+    std::vector<InputEvent> collectInput();
+    double inputTimeout() const;
     PictureState pictureState() const;
     void execute(const Command& command);
     void execute(Action action);
-    void flyTo(const ViewCamera& view) { view_.flyTo(work_.camera, view, tape_.now()); }
-    void doRequests();
-    void attempt(const std::string& subject, const std::function<void()>& body);
-    void tell(const std::string& text, bool error);
+    void flyTo(const ViewCamera& view) { view_.flyTo(work_.camera, view, session_.now()); }
+    void handleRequests();
+    void tryOrNotify(const std::string& subject, const std::function<void()>& body);
+    void notify(const std::string& text, bool error);
 
     // window_picture.cpp
     StartedJob startLoad(const std::string& path, bool first);
     void showLoaded(std::unique_ptr<LoadedScene> loaded);
     void showColors();
     void editScene(bool dragging);
-    bool wantsTiles() const;
-    void streamTiles();
+    bool needsTiles() const;
+    void requestTiles();
     void showTiles(TileJob& job, const TileView& view);
     void updatePicture();
-    void refineUndrawn();
+    void refineWithoutRedraw();
     void saveFilm();
     void renderTurntable(std::uint32_t pictures);
 
     /// Of this frame, and of those to come.
     struct Input {
-        std::vector<InputEvent> early;  ///< seen before its frame
-        std::vector<std::string> shots; ///< files that the next frame on the screen goes to
+        std::vector<InputEvent> pending;  ///< seen before its frame
+        std::vector<std::string> screenshots; ///< files that the next frame on the screen goes to
         bool any = true;                ///< something was done in this frame
     };
 
     Options options_;
-    Tape tape_;
+    RecordReplay session_;
     Host host_;
     UserInterface ui_;
     Workspace work_;
     Input input_;
-    ViewDriver view_;
+    ViewAnimator view_;
     FrameMeter meter_;
     SceneEditor editor_;
     std::unique_ptr<LoadedScene> loaded_;
-    std::optional<TileView> tiles_for_; ///< that the tiles on the device are all there for
-    double tiles_asked_s_ = 0;          ///< when tiles were asked for last, on the window's clock
-    bool told_coarse_ = false;
+    std::optional<TileView> complete_for_; ///< that the tiles on the device are all there for
+    double last_tile_request_s_ = 0;          ///< when tiles were asked for last, on the window's clock
+    bool warned_coarse_ = false;
     ImageController image_;
     JobQueue jobs_; ///< after what they work on: they end first
     FileOpener opener_;

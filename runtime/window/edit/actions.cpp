@@ -5,11 +5,11 @@ namespace pointrt {
 namespace {
 
 void toggleMeasurement(Workspace& work) {
-    work.keeps_measurement = !work.keeps_measurement;
-    if (!work.keeps_measurement) work.picks.clear();
+    work.pin_measurement = !work.pin_measurement;
+    if (!work.pin_measurement) work.picks.clear();
 }
 
-void goBack(Workspace& work) {
+void cancelOrQuit(Workspace& work) {
     if (work.show_cheat_sheet)
         work.show_cheat_sheet = false;
     else if (work.job && work.job->can_cancel)
@@ -21,7 +21,7 @@ void goBack(Workspace& work) {
 constexpr struct {
     Action action;
     void (*act)(Workspace&);
-} kActs[] = {
+} kActionHandlers[] = {
     {Action::kSaveView, [](Workspace& w) { w.requests.save_view = true; }},
     {Action::kMeasurement, toggleMeasurement},
     {Action::kPause, [](Workspace& w) { w.paused = !w.paused; }},
@@ -29,14 +29,14 @@ constexpr struct {
     {Action::kSaveScene, [](Workspace& w) { w.requests.save_scene = true; }},
     {Action::kPanel, [](Workspace& w) { w.show_panel = !w.show_panel; }},
     {Action::kCheatSheet, [](Workspace& w) { w.show_cheat_sheet = !w.show_cheat_sheet; }},
-    {Action::kBack, goBack},
+    {Action::kBack, cancelOrQuit},
     {Action::kQuit, [](Workspace& w) { w.requests.quit = true; }},
 };
 
 } // namespace
 
-bool actOn(Workspace& work, Action action) {
-    for (const auto& each : kActs)
+bool applyAction(Workspace& work, Action action) {
+    for (const auto& each : kActionHandlers)
         if (each.action == action) {
             each.act(work);
             return true;

@@ -8,6 +8,6 @@
 namespace pointrt {
 
 /// False, with nothing done, where the action is of something else: the camera, the clipboard, other files.
-bool actOn(Workspace& work, Action action);
+bool applyAction(Workspace& work, Action action);
 
 } // namespace pointrt

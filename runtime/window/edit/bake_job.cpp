@@ -15,10 +15,10 @@ namespace {
 
 void bake(const BakePlan& plan, const std::string& baker, JobControl& control) {
     const std::string name = "pointrt-bake";
-    std::vector<std::string> arguments{baker, "--progress", "lines", "-o", asArgument(plan.output)};
-    for (const std::string& input : plan.inputs) arguments.push_back(asArgument(input));
-    const ToolEnd end =
-        attendTool(arguments, name, control, [&](const std::string& line) { return tellBakeProgress(line, control); });
+    std::vector<std::string> arguments{baker, "--progress", "lines", "-o", safeArgument(plan.output)};
+    for (const std::string& input : plan.inputs) arguments.push_back(safeArgument(input));
+    const ToolResult end =
+        runTool(arguments, name, control, [&](const std::string& line) { return parseBakeProgress(line, control); });
     if (control.cancelled()) {
         // all that one killed while it wrote can leave: format/base/atomic_file.cpp
         unlink((plan.output + ".tmp-" + std::to_string(end.id)).c_str());
@@ -50,14 +50,14 @@ std::string rateText(double points_per_second) {
 BakeJob::BakeJob(const BakePlan& plan, const std::string& baker)
     : output_(plan.output), job_(titleOf(plan), [plan, baker](JobControl& control) { bake(plan, baker, control); }) {}
 
-bool tellBakeProgress(const std::string& line, JobControl& control) {
+bool parseBakeProgress(const std::string& line, JobControl& control) {
     double share = 0, rate = 0;
     std::array<char, 32> stage{};
     int end = 0;
     const int fields = std::sscanf(line.c_str(), "progress %lf %31s %lf%n", &share, stage.data(), &rate, &end);
     if (fields != 3 || static_cast<std::size_t>(end) != line.size() || !(share >= 0 && share <= 1)) return false;
-    control.say(stage.data() + rateText(rate));
-    control.setShare(share);
+    control.setDetail(stage.data() + rateText(rate));
+    control.setProgress(share);
     return true;
 }
 

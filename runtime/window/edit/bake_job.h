@@ -13,7 +13,7 @@ namespace pointrt {
 /// (SIGTERM) and made to after three seconds; one that was writing its file by then finishes it.
 class BakeJob {
 public:
-    explicit BakeJob(const BakePlan& plan, const std::string& baker = findBaker());
+    explicit BakeJob(const BakePlan& plan, const std::string& baker = findBakeTool());
 
     Job& job() { return job_; }
     const Job& job() const { return job_; }
@@ -27,6 +27,6 @@ private:
 
 /// A line "progress SHARE STAGE RATE" of pointrt-bake --progress lines, told to control; false where it is no such
 /// line.
-bool tellBakeProgress(const std::string& line, JobControl& control);
+bool parseBakeProgress(const std::string& line, JobControl& control);
 
 } // namespace pointrt

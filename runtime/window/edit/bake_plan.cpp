@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kBaker = "pointrt-bake";
+constexpr const char* kBakeTool = "pointrt-bake";
 
 std::vector<std::string> fileNames(const std::vector<std::string>& paths) {
     std::vector<std::string> names;
@@ -27,7 +27,7 @@ std::vector<std::string> fileNames(const std::vector<std::string>& paths) {
     return names;
 }
 
-fs::file_time_type changed(const std::string& path) {
+fs::file_time_type modificationTime(const std::string& path) {
     std::error_code error;
     const fs::file_time_type time = fs::last_write_time(path, error);
     if (error) throw Error{ExitCode::kBadInput, path + ": " + error.message()};
@@ -36,9 +36,9 @@ fs::file_time_type changed(const std::string& path) {
 }
 
 /// A whole .pro of these inputs as they are now.
-bool isBakeOf(const std::vector<std::string>& inputs, fs::file_time_type newest, const std::string& path) {
+bool isUpToDate(const std::vector<std::string>& inputs, fs::file_time_type newest, const std::string& path) {
     try {
-        if (changed(path) < newest) return false;
+        if (modificationTime(path) < newest) return false;
         const ProFile file(path, PRO_OPEN_SKIP_CHECKSUMS);
         return bakeSources(file.metadata()) == fileNames(inputs);
     } catch (const Error&) {
@@ -48,7 +48,7 @@ bool isBakeOf(const std::vector<std::string>& inputs, fs::file_time_type newest,
     }
 }
 
-bool isTaken(const std::string& path) {
+bool pathExists(const std::string& path) {
     std::error_code ignored;
     return fs::exists(fs::symlink_status(path, ignored));
 }
@@ -67,37 +67,37 @@ bool isProgram(const std::string& path) {
 } // namespace
 
 BakePlan planBake(const std::vector<std::string>& inputs) {
-    fs::file_time_type newest = changed(inputs.at(0));
-    for (const std::string& input : inputs) newest = std::max(newest, changed(input));
+    fs::file_time_type newest = modificationTime(inputs.at(0));
+    for (const std::string& input : inputs) newest = std::max(newest, modificationTime(input));
     const fs::path first(inputs.front());
     const std::string stem = (first.parent_path() / first.stem()).string();
     BakePlan plan{inputs, stem + ".pro"};
-    for (int number = 1; isTaken(plan.output); ++number) {
-        plan.is_there = isBakeOf(inputs, newest, plan.output);
-        if (plan.is_there) return plan;
+    for (int number = 1; pathExists(plan.output); ++number) {
+        plan.is_up_to_date = isUpToDate(inputs, newest, plan.output);
+        if (plan.is_up_to_date) return plan;
         plan.output = stem + "." + std::to_string(number) + ".pro";
     }
     requireWritable(first.parent_path().string());
     return plan;
 }
 
-std::string findBaker(const std::string& folder, const std::string& search_path) {
-    const std::string beside = (fs::path(folder) / kBaker).string();
+std::string findBakeTool(const std::string& folder, const std::string& search_path) {
+    const std::string beside = (fs::path(folder) / kBakeTool).string();
     if (isProgram(beside)) return beside;
     for (std::size_t at = 0; at < search_path.size();) {
         const std::size_t end = std::min(search_path.find(':', at), search_path.size());
-        const std::string path = (fs::path(search_path.substr(at, end - at)) / kBaker).string();
+        const std::string path = (fs::path(search_path.substr(at, end - at)) / kBakeTool).string();
         if (end > at && isProgram(path)) return path;
         at = end + 1;
     }
-    throw Error{ExitCode::kCannotRun, std::string(kBaker) + " bakes scans, but is neither in " + folder +
+    throw Error{ExitCode::kCannotRun, std::string(kBakeTool) + " bakes scans, but is neither in " + folder +
                                           " nor in PATH (" + search_path + ")"};
 }
 
-std::string findBaker() {
+std::string findBakeTool() {
     std::error_code ignored;
     const char* path = std::getenv("PATH");
-    return findBaker(fs::read_symlink("/proc/self/exe", ignored).parent_path().string(), path ? path : "");
+    return findBakeTool(fs::read_symlink("/proc/self/exe", ignored).parent_path().string(), path ? path : "");
 }
 
 } // namespace pointrt

@@ -10,7 +10,7 @@ namespace pointrt {
 struct BakePlan {
     std::vector<std::string> inputs;
     std::string output;    ///< the .pro
-    bool is_there = false; ///< baked from these inputs as they are now: it need only be opened
+    bool is_up_to_date = false; ///< baked from these inputs as they are now: it need only be opened
 };
 
 /// Beside the first input and named after it: statue.pro for statue.ply. Nothing is ever overwritten: where that is
@@ -20,8 +20,8 @@ BakePlan planBake(const std::vector<std::string>& inputs);
 
 /// The path of pointrt-bake: in folder, else in one of search_path's (as PATH has them). Throws Error kCannotRun with
 /// where it was looked for.
-std::string findBaker(const std::string& folder, const std::string& search_path);
+std::string findBakeTool(const std::string& folder, const std::string& search_path);
 /// The same beside our own program, else in PATH.
-std::string findBaker();
+std::string findBakeTool();
 
 } // namespace pointrt

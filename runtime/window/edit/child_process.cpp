@@ -56,18 +56,18 @@ int spawn(pid_t& id, const std::vector<std::string>& arguments, int output) {
 } // namespace
 
 ChildProcess::ChildProcess(const std::vector<std::string>& arguments) {
-    std::array<int, 2> ends{};
+    std::array<int, 2> pipe_ends{};
     const auto fail = [&](int error) {
         throw Error{ExitCode::kCannotRun, arguments.front() + ": cannot be started: " + std::strerror(error)};
     };
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) fail(errno);
-    const int error = spawn(id_, arguments, ends[1]);
-    close(ends[1]);
+    if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0) fail(errno);
+    const int error = spawn(id_, arguments, pipe_ends[1]);
+    close(pipe_ends[1]);
     if (error != 0) {
-        close(ends[0]);
+        close(pipe_ends[0]);
         fail(error);
     }
-    output_ = ends[0];
+    output_ = pipe_ends[0];
     // what it leaves running may keep the pipe open after it has ended
     fcntl(output_, F_SETFL, O_NONBLOCK);
 }
@@ -81,13 +81,13 @@ ChildProcess::~ChildProcess() {
     if (output_ >= 0) close(output_);
 }
 
-std::string ChildProcess::read(std::chrono::milliseconds patience) {
+std::string ChildProcess::read(std::chrono::milliseconds timeout) {
     if (output_ < 0) {
-        std::this_thread::sleep_for(patience);
+        std::this_thread::sleep_for(timeout);
         return {};
     }
     pollfd wait{output_, POLLIN, 0};
-    if (poll(&wait, 1, static_cast<int>(patience.count())) <= 0) return {};
+    if (poll(&wait, 1, static_cast<int>(timeout.count())) <= 0) return {};
     std::array<char, 4096> bytes;
     const ssize_t count = ::read(output_, bytes.data(), bytes.size());
     if (count > 0) return {bytes.data(), static_cast<std::size_t>(count)};
@@ -108,7 +108,7 @@ void ChildProcess::signal(int number) {
     if (!waitStatus()) kill(id_, number);
 }
 
-std::string describeEnd(int wait_status) {
+std::string describeExit(int wait_status) {
     if (WIFEXITED(wait_status)) return "ended with status " + std::to_string(WEXITSTATUS(wait_status));
     const int number = WTERMSIG(wait_status);
     return "was ended by signal " + std::to_string(number) + " (" + strsignal(number) + ")";

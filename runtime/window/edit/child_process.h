@@ -23,7 +23,7 @@ public:
 
     /// What it has written, of which some is waited for up to patience; "" where there is none. It sleeps for patience
     /// where nothing more can come.
-    std::string read(std::chrono::milliseconds patience);
+    std::string read(std::chrono::milliseconds timeout);
     /// The status of waitpid once it has ended.
     std::optional<int> waitStatus();
     void signal(int number);
@@ -36,6 +36,6 @@ private:
 };
 
 /// "ended with status 3", "was ended by signal 9 (Killed)".
-std::string describeEnd(int wait_status);
+std::string describeExit(int wait_status);
 
 } // namespace pointrt

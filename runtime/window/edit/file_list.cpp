@@ -64,17 +64,17 @@ std::vector<std::string> sceneFiles(const std::string& folder) {
 }
 
 std::string neighbourFile(const std::string& path, int step) {
-    const fs::path place(path);
-    const std::vector<std::string> files = sceneFiles(place.parent_path().string());
-    const std::string own = (place.parent_path() / place.filename()).string(); // as sceneFiles writes it
-    const auto at = std::lower_bound(files.begin(), files.end(), own, naturallyLess);
-    const bool there = at != files.end() && *at == own;
+    const fs::path full_path(path);
+    const std::vector<std::string> files = sceneFiles(full_path.parent_path().string());
+    const std::string name = (full_path.parent_path() / full_path.filename()).string(); // as sceneFiles writes it
+    const auto at = std::lower_bound(files.begin(), files.end(), name, naturallyLess);
+    const bool found = at != files.end() && *at == name;
     const auto count = static_cast<std::ptrdiff_t>(files.size());
     if (count == 0) return {};
     // a file that is gone stood between two others
-    const std::ptrdiff_t from = at - files.begin() - (!there && step > 0 ? 1 : 0);
+    const std::ptrdiff_t from = at - files.begin() - (!found && step > 0 ? 1 : 0);
     const std::string& next = files[static_cast<std::size_t>(((from + step) % count + count) % count)];
-    return next == own ? std::string() : next;
+    return next == name ? std::string() : next;
 }
 
 } // namespace pointrt

@@ -19,11 +19,11 @@ bool isScene(const std::string& path) {
 
 } // namespace
 
-FileOpener::FileOpener(JobQueue& jobs, JobQueue::Tell tell, StartLoad load)
-    : jobs_(jobs), tell_(std::move(tell)), load_(std::move(load)) {}
+FileOpener::FileOpener(JobQueue& jobs, JobQueue::Notify notify, StartLoad load)
+    : jobs_(jobs), notify_(std::move(notify)), load_(std::move(load)) {}
 
 void FileOpener::open(const std::string& path) {
-    jobs_.startLater(JobKind::kLoad, [this, path] { return load_(path, std::exchange(first_, false)); });
+    jobs_.enqueue(JobKind::kLoad, [this, path] { return load_(path, std::exchange(first_, false)); });
 }
 
 void FileOpener::openNamed(const std::string& path) {
@@ -36,17 +36,17 @@ void FileOpener::drop(const std::vector<std::string>& paths) {
     try {
         if (!isScene(paths.front())) return bake(paths);
     } catch (const Error& error) {
-        return tell_(error.what(), true);
+        return notify_(error.what(), true);
     }
-    if (paths.size() > 1) tell_("opening the first of " + std::to_string(paths.size()) + " files", false);
+    if (paths.size() > 1) notify_("opening the first of " + std::to_string(paths.size()) + " files", false);
     open(paths.front());
 }
 
 void FileOpener::bake(const std::vector<std::string>& scans, const std::function<void(const Job&)>& ended) {
-    if (const auto other = jobs_.figures(JobKind::kBake))
-        return tell_("one scan after the other: " + other->what + " is under way", true);
+    if (const auto other = jobs_.status(JobKind::kBake))
+        return notify_("one scan after the other: " + other->title + " is under way", true);
     const BakePlan plan = planBake(scans);
-    if (plan.is_there) return open(plan.output);
+    if (plan.is_up_to_date) return open(plan.output);
     jobs_.start(JobKind::kBake, [&] {
         return startedJob<BakeJob>(
             std::make_unique<BakeJob>(plan), [this](BakeJob& bake) { open(bake.output()); }, ended);

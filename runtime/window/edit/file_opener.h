@@ -16,7 +16,7 @@ public:
     using StartLoad = std::function<StartedJob(const std::string& path, bool first)>;
 
     /// jobs must outlive it. tell: to whom it reports what it has not done, and why.
-    FileOpener(JobQueue& jobs, JobQueue::Tell tell, StartLoad load);
+    FileOpener(JobQueue& jobs, JobQueue::Notify notify, StartLoad load);
 
     /// Loads a scene in place of what is being loaded.
     void open(const std::string& path);
@@ -32,7 +32,7 @@ private:
     void bake(const std::vector<std::string>& scans, const std::function<void(const Job&)>& ended = {});
 
     JobQueue& jobs_;
-    JobQueue::Tell tell_;
+    JobQueue::Notify notify_;
     StartLoad load_;
     bool first_ = true;
 };

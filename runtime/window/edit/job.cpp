@@ -16,23 +16,23 @@ double seconds(std::chrono::steady_clock::duration duration) { return std::chron
 
 } // namespace
 
-void JobControl::say(const std::string& detail) {
+void JobControl::setDetail(const std::string& detail) {
     const std::lock_guard lock(mutex_);
     detail_ = detail;
 }
 
-void JobControl::setShare(double done) {
+void JobControl::setProgress(double done) {
     const std::lock_guard lock(mutex_);
-    if (!(done > share_.value_or(-1))) return;
-    share_ = std::clamp(done, 0.0, 1.0);
-    share_said_ = Clock::now();
+    if (!(done > progress_.value_or(-1))) return;
+    progress_ = std::clamp(done, 0.0, 1.0);
+    progress_time_ = Clock::now();
 }
 
-void JobControl::leaveIfCancelled() const {
+void JobControl::throwIfCancelled() const {
     if (cancelled()) throw JobCancelled{};
 }
 
-Job::Job(std::string what, Work work, bool can_cancel) : what_(std::move(what)), can_cancel_(can_cancel) {
+Job::Job(std::string title, Work work, bool can_cancel) : title_(std::move(title)), can_cancel_(can_cancel) {
     // the thread waits until stop_ is set, by which it is told to end
     const std::lock_guard lock(control_.mutex_);
     thread_ = std::jthread([this, body = std::move(work)] { run(body); });
@@ -79,17 +79,17 @@ ExitCode Job::errorCode() const {
     return control_.code_;
 }
 
-JobFigures Job::figures() const {
+JobStatus Job::status() const {
     const std::lock_guard lock(control_.mutex_);
-    JobFigures figures;
-    figures.what = what_;
-    figures.detail = control_.stop_.stop_requested() ? "cancelling" : control_.detail_;
-    figures.share = control_.share_;
-    figures.can_cancel = can_cancel_ && !control_.stop_.stop_requested();
-    if (control_.share_)
-        figures.seconds_left = secondsLeft(*control_.share_, seconds(control_.share_said_ - control_.start_),
+    JobStatus status;
+    status.title = title_;
+    status.detail = control_.stop_.stop_requested() ? "cancelling" : control_.detail_;
+    status.progress = control_.progress_;
+    status.can_cancel = can_cancel_ && !control_.stop_.stop_requested();
+    if (control_.progress_)
+        status.seconds_left = secondsLeft(*control_.progress_, seconds(control_.progress_time_ - control_.start_),
                                            seconds(JobControl::Clock::now() - control_.start_));
-    return figures;
+    return status;
 }
 
 void throwIfFailed(const Job& job) {

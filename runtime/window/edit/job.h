@@ -23,12 +23,12 @@ enum class JobState { kRunning, kDone, kFailed, kCancelled };
 class JobControl {
 public:
     /// detail: stage or count, may be empty.
-    void say(const std::string& detail);
+    void setDetail(const std::string& detail);
     /// done: 0 to 1. It never goes back: less than before changes nothing.
-    void setShare(double done);
+    void setProgress(double done);
     bool cancelled() const { return stop_.stop_requested(); }
     /// Throws JobCancelled where the user has had enough.
-    void leaveIfCancelled() const;
+    void throwIfCancelled() const;
 
 private:
     friend class Job;
@@ -36,8 +36,8 @@ private:
 
     mutable std::mutex mutex_; ///< guards all below but stop_
     std::string detail_, error_;
-    std::optional<double> share_;
-    Clock::time_point start_ = Clock::now(), share_said_;
+    std::optional<double> progress_;
+    Clock::time_point start_ = Clock::now(), progress_time_;
     ExitCode code_ = ExitCode::kDone;
     JobState state_ = JobState::kRunning;
     std::stop_token stop_;
@@ -49,7 +49,7 @@ public:
     using Work = std::function<void(JobControl&)>;
 
     /// Starts work. what: "Baking statue.ply". Work that fails throws; where it throws Error, that is its reason.
-    Job(std::string what, Work work, bool can_cancel = true);
+    Job(std::string title, Work work, bool can_cancel = true);
     /// Cancels, and waits until the work has noticed.
     ~Job() = default;
     Job(const Job&) = delete;
@@ -63,13 +63,13 @@ public:
     std::string error() const;
     /// What a program that ends with that error says.
     ExitCode errorCode() const;
-    JobFigures figures() const;
+    JobStatus status() const;
 
 private:
     void run(const Work& work);
     void end(JobState state, const std::string& error = {}, ExitCode code = ExitCode::kCannotRun);
 
-    const std::string what_;
+    const std::string title_;
     const bool can_cancel_;
     JobControl control_;
     std::jthread thread_; ///< last: the others outlive it

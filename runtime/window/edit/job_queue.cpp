@@ -13,16 +13,16 @@ JobQueue::~JobQueue() {
 
 bool JobQueue::start(JobKind kind, const JobStart& start) {
     for (std::size_t other = 0; other < kJobKinds; ++other)
-        if (kMeetings[static_cast<std::size_t>(kind)][other] != Meeting::kBeside && has(static_cast<JobKind>(other)))
+        if (kScheduling[static_cast<std::size_t>(kind)][other] != Scheduling::kConcurrent && has(static_cast<JobKind>(other)))
             return false;
     slot(kind).running = start();
     return true;
 }
 
-void JobQueue::startLater(JobKind kind, JobStart start) {
+void JobQueue::enqueue(JobKind kind, JobStart start) {
     slot(kind).waiting = std::move(start);
     for (std::size_t other = 0; other < kJobKinds; ++other)
-        if (kMeetings[static_cast<std::size_t>(kind)][other] == Meeting::kReplaces && slots_[other].running)
+        if (kScheduling[static_cast<std::size_t>(kind)][other] == Scheduling::kReplaces && slots_[other].running)
             slots_[other].running->job->cancel();
 }
 
@@ -30,13 +30,13 @@ void JobQueue::end(Slot& slot) {
     const StartedJob over = *std::exchange(slot.running, std::nullopt);
     if (over.ended) over.ended(*over.job);
     if (over.job->state() == JobState::kDone) over.done();
-    if (over.job->state() == JobState::kFailed) tell_(over.job->error(), true);
-    if (over.job->state() == JobState::kCancelled) tell_(over.job->figures().what + ": cancelled", false);
+    if (over.job->state() == JobState::kFailed) notify_(over.job->error(), true);
+    if (over.job->state() == JobState::kCancelled) notify_(over.job->status().title + ": cancelled", false);
 }
 
-bool JobQueue::mayBegin(std::size_t kind) const {
+bool JobQueue::mayStart(std::size_t kind) const {
     for (std::size_t other = 0; other < kJobKinds; ++other)
-        if (kMeetings[kind][other] != Meeting::kBeside && slots_[other].running) return false;
+        if (kScheduling[kind][other] != Scheduling::kConcurrent && slots_[other].running) return false;
     return true;
 }
 
@@ -44,7 +44,7 @@ void JobQueue::poll() {
     for (auto each = slots_.rbegin(); each != slots_.rend(); ++each) // a bake's end asks for a load
         if (each->running && each->running->job->ended()) end(*each);
     for (std::size_t kind = 0; kind < kJobKinds; ++kind)
-        if (slots_[kind].waiting && mayBegin(kind)) slots_[kind].running = std::exchange(slots_[kind].waiting, {})();
+        if (slots_[kind].waiting && mayStart(kind)) slots_[kind].running = std::exchange(slots_[kind].waiting, {})();
 }
 
 bool JobQueue::has(JobKind kind) const { return slot(kind).running || slot(kind).waiting; }
@@ -53,9 +53,9 @@ bool JobQueue::any() const {
     return std::any_of(slots_.begin(), slots_.end(), [](const Slot& each) { return each.running || each.waiting; });
 }
 
-std::optional<JobFigures> JobQueue::figures(JobKind kind) const {
+std::optional<JobStatus> JobQueue::status(JobKind kind) const {
     if (!slot(kind).running) return std::nullopt;
-    return slot(kind).running->job->figures();
+    return slot(kind).running->job->status();
 }
 
 const JobQueue::Slot* JobQueue::shown() const {
@@ -64,14 +64,14 @@ const JobQueue::Slot* JobQueue::shown() const {
     return nullptr;
 }
 
-std::optional<JobFigures> JobQueue::figures() const {
+std::optional<JobStatus> JobQueue::status() const {
     const Slot* slot = shown();
-    return slot ? std::optional(slot->running->job->figures()) : std::nullopt;
+    return slot ? std::optional(slot->running->job->status()) : std::nullopt;
 }
 
 void JobQueue::cancel() {
     const Slot* slot = shown();
-    if (slot && slot->running->job->figures().can_cancel) slot->running->job->cancel();
+    if (slot && slot->running->job->status().can_cancel) slot->running->job->cancel();
 }
 
 } // namespace pointrt

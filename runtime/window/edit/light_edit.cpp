@@ -16,7 +16,7 @@ using std::numbers::pi;
 constexpr double kMaxLight = 1e12;
 
 /// Irradiance a unit of reach squared away, by the light's number.
-double givenByOne(const EmissionField& emission, double reach) {
+double irradiancePerUnit(const EmissionField& emission, double reach) {
     switch (emission.quantity) {
     case EmissionField::Quantity::kIntensity:
         return 1;
@@ -29,7 +29,7 @@ double givenByOne(const EmissionField& emission, double reach) {
 }
 
 double brightnessOfOne(LightDescription light, double reach) {
-    return givenByOne(emissionField(light), reach) / (pi * reach * reach);
+    return irradiancePerUnit(emissionField(light), reach) / (pi * reach * reach);
 }
 
 double brightest(const Color& color) { return std::max({color[0], color[1], color[2]}); }
@@ -42,7 +42,7 @@ Color& emissionOf(LightDescription& light) { return emissionField(light).value; 
 
 const Color& emissionOf(const LightDescription& light) { return emissionOf(const_cast<LightDescription&>(light)); }
 
-Color strengthened(const Color& color, double factor) {
+Color scaledColor(const Color& color, double factor) {
     if (!std::isfinite(factor)) return color;
     Color result;
     for (std::size_t c = 0; c < color.size(); ++c)
@@ -53,13 +53,13 @@ Color strengthened(const Color& color, double factor) {
 Color tintOf(const LightDescription& light) {
     const Color& color = emissionOf(light);
     const double most = brightest(color);
-    return most > 0 && std::isfinite(most) ? strengthened(color, 1 / most) : Color{1, 1, 1};
+    return most > 0 && std::isfinite(most) ? scaledColor(color, 1 / most) : Color{1, 1, 1};
 }
 
 void setTint(LightDescription& light, Color tint) {
     const double most = brightest(emissionOf(light));
     if (!(brightest(tint) > 0)) tint = {1, 1, 1};
-    emissionOf(light) = strengthened(tint, most / brightest(tint));
+    emissionOf(light) = scaledColor(tint, most / brightest(tint));
 }
 
 double brightnessOf(const LightDescription& light, double reach) {
@@ -68,7 +68,7 @@ double brightnessOf(const LightDescription& light, double reach) {
 
 void setBrightness(LightDescription& light, double brightness, double reach) {
     const double most = brightness / brightnessOfOne(light, reach);
-    if (std::isfinite(most)) emissionOf(light) = strengthened(tintOf(light), std::min(most, kMaxLight));
+    if (std::isfinite(most)) emissionOf(light) = scaledColor(tintOf(light), std::min(most, kMaxLight));
 }
 
 Bearing bearingOf(Vec3 direction, Vec3 up) {
@@ -82,7 +82,7 @@ Bearing bearingOf(Vec3 direction, Vec3 up) {
 }
 
 Vec3 directionOf(Bearing bearing, Vec3 up) {
-    return normalize(sunDirection({bearing.height_deg, bearing.azimuth_deg}, up, defaultNorth(up)));
+    return normalize(sunDirection({bearing.elevation_deg, bearing.azimuth_deg}, up, defaultNorth(up)));
 }
 
 LightDescription newLight(std::size_t kind, const LitScene& scene) {

@@ -22,7 +22,7 @@ double brightnessOf(const LightDescription& light, double reach);
 void setBrightness(LightDescription& light, double brightness, double reach);
 
 /// The colour times factor, within what scene files take.
-Color strengthened(const Color& color, double factor);
+Color scaledColor(const Color& color, double factor);
 
 /// What change() makes of the light's size, as bright as before.
 template <Light L, typename Change>
@@ -30,13 +30,13 @@ void resize(L& light, Change&& change) {
     const double seen_before = light.emission().seen_area;
     change();
     const EmissionField emission = light.emission();
-    emission.value = strengthened(emission.value, seen_before / emission.seen_area);
+    emission.value = scaledColor(emission.value, seen_before / emission.seen_area);
 }
 
 /// A direction as a compass and a spirit level have it.
 struct Bearing {
     double azimuth_deg = 0; ///< from north (defaultNorth, sun.h) by way of east, 0 to 360; 0 straight up and down
-    double height_deg = 0;  ///< over the horizon, -90 to 90
+    double elevation_deg = 0;  ///< over the horizon, -90 to 90
 };
 /// direction: of any length; what is none counts as up. up: unit length.
 Bearing bearingOf(Vec3 direction, Vec3 up);

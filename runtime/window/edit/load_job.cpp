@@ -13,9 +13,9 @@ namespace {
 std::unique_ptr<LoadedScene> load(Device& owner, Device& worker, const Options& options, double free_share,
                                   JobControl& control) {
     const LoadStage stage = [&](const char* what, double share) {
-        control.leaveIfCancelled();
-        control.say(what);
-        control.setShare(share);
+        control.throwIfCancelled();
+        control.setDetail(what);
+        control.setProgress(share);
     };
     stage("reading", 0);
     LoadRequest request = loadRequest(options, describeScene(options));
@@ -23,7 +23,7 @@ std::unique_ptr<LoadedScene> load(Device& owner, Device& worker, const Options& 
     request.roots_alone = true;
     request.size = TracerSize{kSliceLanes, 1}; // films as large as the window come with its first picture
     std::unique_ptr<LoadedScene> loaded = loadScene(owner, worker, request, stage);
-    control.leaveIfCancelled();
+    control.throwIfCancelled();
     return loaded;
 }
 
@@ -37,10 +37,10 @@ LoadJob::LoadJob(Device& device, const Options& options, double free_share)
 
 std::unique_ptr<LoadedScene> LoadJob::take() { return job_.state() == JobState::kDone ? std::move(loaded_) : nullptr; }
 
-RefurnishJob::RefurnishJob(Device& device, LoadedScene& loaded, const SceneDescription& description,
+SceneUpdateJob::SceneUpdateJob(Device& device, LoadedScene& loaded, const SceneDescription& description,
                            const RenderSettings& settings)
     : worker_(device), job_("Relighting", [this, &loaded, description, settings](JobControl& control) {
-          refurnish(worker_.get(), loaded, description, settings, control);
+          updateScene(worker_.get(), loaded, description, settings, control);
       }) {}
 
 } // namespace pointrt

@@ -7,7 +7,7 @@
 #include "runtime/render/loaded_scene.h"
 #include "runtime/session/options.h"
 #include "runtime/window/edit/job.h"
-#include "runtime/window/edit/refurnish.h"
+#include "runtime/window/edit/scene_update.h"
 
 namespace pointrt {
 
@@ -42,9 +42,9 @@ private:
 };
 
 /// Furnishes loaded anew: see refurnish. loaded is the job's alone until it has ended.
-class RefurnishJob {
+class SceneUpdateJob {
 public:
-    RefurnishJob(Device& device, LoadedScene& loaded, const SceneDescription& description,
+    SceneUpdateJob(Device& device, LoadedScene& loaded, const SceneDescription& description,
                  const RenderSettings& settings);
 
     Job& job() { return job_; }

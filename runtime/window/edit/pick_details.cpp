@@ -60,11 +60,11 @@ void describeSplat(const DeviceScene& scene, const Pick& pick, PickedPoint& poin
     const Instance& instance = pickedInstance(scene, pick);
     const DeviceScan& file = scene.files.at(instance.file);
     const pro_splat splat = splatOf(file, pick.splat);
-    point.owner = std::filesystem::path(file.path).filename().string();
+    point.source = std::filesystem::path(file.path).filename().string();
     point.position = input;
     point.normal = unrotated(placement, pick.normal);
     point.radius = double{splat.radius} * file.info.scale;
-    point.number = numberText(scene, pick, instance.place);
+    point.value = numberText(scene, pick, instance.place);
     if (file.info.flags & PRO_FLAG_COLOR) point.color = {splat.color[0], splat.color[1], splat.color[2]};
 }
 
@@ -77,7 +77,7 @@ PickedPoint describePick(const DeviceScene& scene, const Pick& pick) {
     point.normal = pick.normal;
     point.distance = pick.distance;
     if (pick.owner == OWNER_SHAPES)
-        point.owner = "shape " + std::to_string(pick.splat + 1);
+        point.source = "shape " + std::to_string(pick.splat + 1);
     else
         describeSplat(scene, pick, point);
     return point;

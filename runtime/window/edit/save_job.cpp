@@ -15,23 +15,23 @@ namespace {
 constexpr double kExrShare = 0.7;
 
 Image8 withLegend(Image8 picture, const std::optional<Legend>& legend) {
-    if (legend) layOn(drawLegend(*legend, {picture.width, picture.height}), {picture.pixels, picture.width, 0});
+    if (legend) compositeLegend(drawLegend(*legend, {picture.width, picture.height}), {picture.pixels, picture.width, 0});
     return picture;
 }
 
-void save(Device& device, const std::string& name, SavedFilm& saved, const SaveLook& look, JobControl& control) {
-    control.say(name + ".exr");
+void save(Device& device, const std::string& name, SavedFilm& saved, const SaveOptions& look, JobControl& control) {
+    control.setDetail(name + ".exr");
     writeSavedFilm(name + ".exr", saved);
-    control.setShare(kExrShare);
-    control.say(name + ".png");
+    control.setProgress(kExrShare);
+    control.setDetail(name + ".png");
     if (look.denoise) denoisePicture(device, saved.film);
     writePng(name + ".png", withLegend(tonemapFilm(saved.film, look.exposure), look.legend));
 }
 
 } // namespace
 
-SaveJob::SaveJob(Device& device, const std::string& name, SavedFilm saved, SaveLook look)
-    : done_("saved " + name + ".png and " + name + ".exr, " + std::to_string(saved.samples) + " samples"),
+SaveJob::SaveJob(Device& device, const std::string& name, SavedFilm saved, SaveOptions look)
+    : summary_("saved " + name + ".png and " + name + ".exr, " + std::to_string(saved.samples) + " samples"),
       worker_(device), job_(
                            "Saving the picture",
                            [this, name, look, film = std::make_shared<SavedFilm>(std::move(saved))](

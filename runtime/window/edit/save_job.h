@@ -15,7 +15,7 @@
 namespace pointrt {
 
 /// How the PNG is made of the film; the EXR holds it as it is.
-struct SaveLook {
+struct SaveOptions {
     float exposure = 0; ///< stops
     bool denoise = false;
     std::optional<Legend> legend; ///< to lie on it
@@ -24,15 +24,15 @@ struct SaveLook {
 class SaveJob {
 public:
     /// Writes name.exr and name.png. To be started where no other thread uses device.
-    SaveJob(Device& device, const std::string& name, SavedFilm saved, SaveLook look);
+    SaveJob(Device& device, const std::string& name, SavedFilm saved, SaveOptions look);
 
     Job& job() { return job_; }
     const Job& job() const { return job_; }
     /// For people: what there is now.
-    const std::string& done() const { return done_; }
+    const std::string& summary() const { return summary_; }
 
 private:
-    std::string done_;
+    std::string summary_;
     JobDevice worker_;
     Job job_; ///< last: ends before the others go
 };

@@ -42,60 +42,60 @@ void SceneEditor::open(OpenedScene opened, std::uint32_t samples) {
     opened_ = std::move(opened);
     const OpenedScene& scene = *opened_;
     const Vec3 size = scene.bounds_max - scene.bounds_min, centre = 0.5 * (scene.bounds_min + scene.bounds_max);
-    work_.scene = scene.staged;
+    work_.scene = scene.resolved;
     work_.settings = scene.settings;
     work_.scene_min = scene.bounds_min;
     work_.scene_max = scene.bounds_max;
-    work_.scene_up = sceneUp(scene.staged, scene.settings);
-    work_.title = std::filesystem::path(scene.staged.path).filename().string();
+    work_.scene_up = sceneUp(scene.resolved, scene.settings);
+    work_.title = std::filesystem::path(scene.resolved.path).filename().string();
     work_.picks.clear();
     work_.camera = viewOf(scene.camera, scene.settings.camera.target.value_or(centre), scene.bounds_min,
                           scene.bounds_max, work_.scene_up);
-    if (scene.pivot && scene.aside != 0) work_.camera = puttingAside(work_.camera, scene.aside);
+    if (scene.pivot && scene.pivot_offset != 0) work_.camera = withPivotOffset(work_.camera, scene.pivot_offset);
     work_.look = {SHOWN_BEAUTY, scene.settings.exposure, 4 * length(size), scene.scale};
-    work_.samples_wanted = samples;
-    work_.denoise = wantsFilter(scene.settings, scene.staged);
-    lamps_.clear();
-    staged_room_ = scene.settings.room;
-    staged_lights_ = scene.settings.lights;
-    waits_ = false;
+    work_.target_samples = samples;
+    work_.denoise = wantsFilter(scene.settings, scene.resolved);
+    room_lights_.clear();
+    current_room_ = scene.settings.room;
+    current_light_count_ = scene.settings.lights;
+    pending_edits_ = false;
 }
 
-void SceneEditor::keepLamps() {
-    if (work_.scene.lights == opened_->staged.lights && work_.scene.sky == opened_->staged.sky) return;
-    std::erase_if(lamps_, [&](const Lamps& each) { return each.room == staged_room_; });
-    lamps_.push_back({staged_room_, work_.scene.lights, work_.scene.sky});
+void SceneEditor::storeRoomLights() {
+    if (work_.scene.lights == opened_->resolved.lights && work_.scene.sky == opened_->resolved.sky) return;
+    std::erase_if(room_lights_, [&](const RoomLights& each) { return each.room == current_room_; });
+    room_lights_.push_back({current_room_, work_.scene.lights, work_.scene.sky});
 }
 
-void SceneEditor::restage() {
-    if (work_.settings.room != staged_room_ || work_.settings.lights != staged_lights_) putUp();
+void SceneEditor::updateSurroundings() {
+    if (work_.settings.room != current_room_ || work_.settings.lights != current_light_count_) rebuildSurroundings();
 }
 
-void SceneEditor::putUp() {
+void SceneEditor::rebuildSurroundings() {
     // left to the rule, hard lamps are not filtered: it would blur what mirrors show
     const bool by_rule =
-        work_.settings.denoise == DenoiseChoice::kAuto && work_.denoise == isNoisy(work_.settings, opened_->staged);
-    keepLamps();
-    if (work_.settings.lights != staged_lights_) // another number of them: no longer those there were
-        std::erase_if(lamps_, [&](const Lamps& each) { return each.room == work_.settings.room; });
-    staged_room_ = work_.settings.room;
-    staged_lights_ = work_.settings.lights;
-    SceneDescription scene = opened_->described;
+        work_.settings.denoise == DenoiseChoice::kAuto && work_.denoise == isNoisy(work_.settings, opened_->resolved);
+    storeRoomLights();
+    if (work_.settings.lights != current_light_count_) // another number of them: no longer those there were
+        std::erase_if(room_lights_, [&](const RoomLights& each) { return each.room == work_.settings.room; });
+    current_room_ = work_.settings.room;
+    current_light_count_ = work_.settings.lights;
+    SceneDescription scene = opened_->file_scene;
     const std::size_t fewest = scene.materials.size();
     scene.materials = work_.scene.materials;
     scene.instances = work_.scene.instances;
     scene.views = work_.scene.views;
-    if (hasOwnLight()) {
+    if (hasFileLights()) {
         scene.lights = work_.scene.lights;
         scene.sky = work_.scene.sky;
     }
     Camera camera = opened_->camera;
-    camera.eye = opened_->staged_for;
+    camera.eye = opened_->resolved_for_eye;
     dropUnused(scene, fewest);
     addSurroundings(scene, work_.settings, camera, work_.scene_min, work_.scene_max, opened_->subject);
-    work_.scene = opened_->staged = std::move(scene);
-    for (const Lamps& each : lamps_)
-        if (!hasOwnLight() && each.room == work_.settings.room) {
+    work_.scene = opened_->resolved = std::move(scene);
+    for (const RoomLights& each : room_lights_)
+        if (!hasFileLights() && each.room == work_.settings.room) {
             work_.scene.lights = each.lights;
             work_.scene.sky = each.sky;
         }
@@ -108,24 +108,24 @@ void SceneEditor::setUp(Vec3 up, ViewCamera& home, double aspect) {
     request.eye = centre + length(home.eye - centre) * frontSide(up);
     request.target = centre;
     request.up = up;
-    double aside = 0;
+    double pivot_offset = 0;
     if (!opened_->sample.splats.empty()) { // framed anew, with the lens that home has
         request.eye.reset();
         request.target.reset();
         request.ortho_height.reset();
         const FramedRequest framed = frameScene(request, opened_->sample, up, {aspect, opened_->free_share}, true);
         request = framed.camera;
-        aside = framed.aside;
+        pivot_offset = framed.aside;
         opened_->subject.around_eye = framed.within;
     }
-    home = puttingAside(framedView(request, work_.scene_min, work_.scene_max, up, aspect), aside);
-    opened_->described.up = work_.scene_up = up;
-    opened_->staged_for = cameraOf(home).eye;
+    home = withPivotOffset(framedView(request, work_.scene_min, work_.scene_max, up, aspect), pivot_offset);
+    opened_->file_scene.up = work_.scene_up = up;
+    opened_->resolved_for_eye = cameraOf(home).eye;
     opened_->camera = cameraOf(home);
-    opened_->staged = work_.scene; // lamps that were changed are not kept
-    lamps_.clear();
-    putUp();
-    waits_ = true;
+    opened_->resolved = work_.scene; // lamps that were changed are not kept
+    room_lights_.clear();
+    rebuildSurroundings();
+    pending_edits_ = true;
 }
 
 } // namespace pointrt

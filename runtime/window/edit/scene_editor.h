@@ -13,16 +13,16 @@ namespace pointrt {
 
 /// A scene as it was opened.
 struct OpenedScene {
-    SceneDescription described; ///< as its file has it
-    SceneDescription staged;    ///< with its surroundings
+    SceneDescription file_scene; ///< as its file has it
+    SceneDescription resolved;    ///< with its surroundings
     RenderSettings settings;
     Camera camera;               ///< the first
-    Vec3 staged_for;             ///< the eye that its surroundings were put up for, world frame
+    Vec3 resolved_for_eye;             ///< the eye that its surroundings were put up for, world frame
     Vec3 bounds_min, bounds_max; ///< of the scan, input coordinates
     SceneSample sample;          ///< of its scans
     StudioSubject subject;
     std::optional<Vec3> pivot; ///< what the camera was framed for; none: it was not framed
-    double aside = 0;          ///< of the camera, as ViewCamera has it
+    double pivot_offset = 0;          ///< of the camera, as ViewCamera has it
     double free_share = 1;     ///< of the picture's width, from the left: no panel covers it
     double scale = 1;          ///< input units in a render unit
 };
@@ -40,36 +40,36 @@ public:
     bool isOpen() const { return opened_.has_value(); }
 
     /// Takes note of what was asked for in a frame.
-    void note(const Requests& asked) { waits_ = waits_ || asked.scene_changed || asked.settings_changed; }
+    void noteRequests(const Requests& requests) { pending_edits_ = pending_edits_ || requests.scene_changed || requests.settings_changed; }
     /// True where edits are not yet on the device.
-    bool waits() const { return waits_; }
-    void settle() { waits_ = false; }
+    bool hasPendingEdits() const { return pending_edits_; }
+    void clearPendingEdits() { pending_edits_ = false; }
 
     /// Where the settings ask for another room, or another number of its lamps, than stands there: puts it up in place
     /// of that, with the lamps that the user had in it last. A scene file's own are in every room.
-    void restage();
+    void updateSurroundings();
     /// Puts the scan on another side: what stands around it begins anew, for the view that home becomes. aspect: of
     /// the picture, width over height.
     void setUp(Vec3 up, ViewCamera& home, double aspect);
 
 private:
     /// What the user made of a room's lamps, to find it again.
-    struct Lamps {
+    struct RoomLights {
         std::optional<Room> room;
         std::vector<LightDescription> lights;
         std::optional<SkyDescription> sky;
     };
 
-    void putUp();
-    void keepLamps();
-    bool hasOwnLight() const { return !opened_->described.lights.empty() || opened_->described.sky; }
+    void rebuildSurroundings();
+    void storeRoomLights();
+    bool hasFileLights() const { return !opened_->file_scene.lights.empty() || opened_->file_scene.sky; }
 
     Workspace& work_;
     std::optional<OpenedScene> opened_; ///< staged: when its surroundings were put up last
-    std::optional<Room> staged_room_;
-    std::optional<std::uint32_t> staged_lights_;
-    std::vector<Lamps> lamps_;
-    bool waits_ = false;
+    std::optional<Room> current_room_;
+    std::optional<std::uint32_t> current_light_count_;
+    std::vector<RoomLights> room_lights_;
+    bool pending_edits_ = false;
 };
 
 } // namespace pointrt

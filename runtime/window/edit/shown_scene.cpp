@@ -21,12 +21,12 @@ std::string freeViewName(const std::vector<NamedView>& views) {
 
 } // namespace
 
-SceneDescription sceneAsShown(const Workspace& work, PictureSize size) {
+SceneDescription sceneAsShown(const Workspace& work, PixelSize size) {
     RenderSettings settings = work.settings;
     settings.width = size.width;
     settings.height = size.height;
-    settings.spp = work.samples_wanted;
-    const bool filtered = work.denoise && work.samples_wanted < kCleanSamplesOfLight;
+    settings.spp = work.target_samples;
+    const bool filtered = work.denoise && work.target_samples < kCleanSamplesOfLight;
     settings.denoise = filtered ? DenoiseChoice::kOn : DenoiseChoice::kOff;
     settings.exposure = work.look.exposure;
     settings.camera = requestOf(work.camera);

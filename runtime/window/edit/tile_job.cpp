@@ -22,13 +22,13 @@ std::size_t tilesOf(const std::vector<OpenedSet>& sets) {
 
 } // namespace
 
-bool chooseStep(TileOrder& order) {
+bool chooseNextCut(TileLoadRequest& request) {
     double share = 1;
     for (; share >= kLeastShare; share *= kStepShare) {
-        const std::uint64_t missing = chooseTiles(order, share);
+        const std::uint64_t missing = chooseTiles(request, share);
         if (missing == 0 && share < 1) {
             share /= kStepShare;
-            chooseTiles(order, share);
+            chooseTiles(request, share);
             return share >= 1;
         }
         if (missing <= kStepBytes) return share >= 1;
@@ -36,20 +36,20 @@ bool chooseStep(TileOrder& order) {
     return false;
 }
 
-TileJob::TileJob(Device& device, TileOrder order)
-    : worker_(device), kept_{device, {}},
-      job_("Loading tiles", [this, order = std::move(order)](JobControl&) { work(order); }) {}
+TileJob::TileJob(Device& device, TileLoadRequest request)
+    : worker_(device), loaded_{device, {}},
+      job_("Loading tiles", [this, request = std::move(request)](JobControl&) { work(request); }) {}
 
-void TileJob::work(TileOrder order) {
-    chooseTiles(order);
-    wanted_ = tilesOf(order.sets);
-    last_ = chooseStep(order);
-    order.on_all_cores = false; // the window has work for the others
-    order.seconds = kStep_s;
-    kept_.tiles = loadTiles(worker_.get(), std::move(order));
-    last_ &= kept_.tiles.whole;
+void TileJob::work(TileLoadRequest request) {
+    chooseTiles(request);
+    target_tiles_ = tilesOf(request.sets);
+    is_final_step_ = chooseNextCut(request);
+    request.on_all_cores = false; // the window has work for the others
+    request.time_limit_s = kStep_s;
+    loaded_.tiles = loadTiles(worker_.get(), std::move(request));
+    is_final_step_ &= loaded_.tiles.complete;
 }
 
-TileDelivery TileJob::take() { return std::exchange(kept_.tiles, {}); }
+LoadedTiles TileJob::take() { return std::exchange(loaded_.tiles, {}); }
 
 } // namespace pointrt

@@ -13,37 +13,37 @@ namespace pointrt {
 /// thread uses device, which must outlive it.
 class TileJob {
 public:
-    TileJob(Device& device, TileOrder order);
+    TileJob(Device& device, TileLoadRequest request);
     TileJob(const TileJob&) = delete;
     TileJob& operator=(const TileJob&) = delete;
 
     Job& job() { return job_; }
     /// What it has loaded, once; when it is done.
-    TileDelivery take();
+    LoadedTiles take();
     /// True where that is all that was asked for; else another step follows.
-    bool isLast() const { return last_; }
+    bool isFinalStep() const { return is_final_step_; }
     /// Tiles of all that was asked for.
-    std::size_t wanted() const { return wanted_; }
+    std::size_t targetTiles() const { return target_tiles_; }
 
 private:
     /// What nobody has taken goes from the device with it.
-    struct Kept {
+    struct OwnedTiles {
         Device& device;
-        TileDelivery tiles;
-        ~Kept() { destroyTiles(device, tiles); }
+        LoadedTiles tiles;
+        ~OwnedTiles() { destroyTiles(device, tiles); }
     };
-    void work(TileOrder order);
+    void work(TileLoadRequest request);
 
     JobDevice worker_;
-    Kept kept_; ///< the thread's until the job has ended
-    bool last_ = false;
-    std::size_t wanted_ = 0;
+    OwnedTiles loaded_; ///< the thread's until the job has ended
+    bool is_final_step_ = false;
+    std::size_t target_tiles_ = 0;
     Job job_; ///< last: ends before the others go
 };
 
 /// Chooses the cuts of the next step: the finest of a few, each with a quarter of the memory of the one before, that
 /// take no more than some 64 MiB of files, and where those are there already the next finer one. True where that is the
 /// finest.
-bool chooseStep(TileOrder& order);
+bool chooseNextCut(TileLoadRequest& request);
 
 } // namespace pointrt

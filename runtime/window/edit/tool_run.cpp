@@ -20,17 +20,17 @@ constexpr std::chrono::seconds kGrace{3};
 constexpr std::size_t kLongestLine = 4096;
 
 /// The lines that a program has written: progress is passed on, the last of the others is kept.
-class Listener {
+class OutputReader {
 public:
-    explicit Listener(const std::function<bool(const std::string&)>& tell) : tell_(tell) {}
+    explicit OutputReader(const std::function<bool(const std::string&)>& on_line) : on_line_(on_line) {}
 
-    void hear(const std::string& bytes) {
+    void append(const std::string& bytes) {
         for (const char c : bytes) {
             if (c != '\n') {
                 if (line_.size() < kLongestLine) line_ += c;
                 continue;
             }
-            if (!line_.empty() && !tell_(line_)) last_ = line_;
+            if (!line_.empty() && !on_line_(line_)) last_ = line_;
             line_.clear();
         }
     }
@@ -42,49 +42,49 @@ public:
     }
 
 private:
-    const std::function<bool(const std::string&)>& tell_;
+    const std::function<bool(const std::string&)>& on_line_;
     std::string line_, last_;
 };
 
 /// Until it has ended. Asks it to when the control says so.
-int attend(ChildProcess& child, Listener& listener, const JobControl& control) {
-    std::optional<Clock::time_point> asked;
+int waitForExit(ChildProcess& child, OutputReader& reader, const JobControl& control) {
+    std::optional<Clock::time_point> terminated_at;
     std::optional<int> status;
     while (!(status = child.waitStatus())) {
-        listener.hear(child.read(kPoll));
+        reader.append(child.read(kPoll));
         if (!control.cancelled()) continue;
-        if (!asked) {
+        if (!terminated_at) {
             child.signal(SIGTERM);
-            asked = Clock::now();
-        } else if (Clock::now() - *asked > kGrace) {
+            terminated_at = Clock::now();
+        } else if (Clock::now() - *terminated_at > kGrace) {
             child.signal(SIGKILL);
         }
     }
-    for (std::string rest; !(rest = child.read({})).empty();) listener.hear(rest);
+    for (std::string rest; !(rest = child.read({})).empty();) reader.append(rest);
     return *status;
 }
 
 } // namespace
 
-ToolEnd attendTool(const std::vector<std::string>& arguments, const std::string& name, const JobControl& control,
-                   const std::function<bool(const std::string& line)>& tell) {
-    Listener listener(tell);
+ToolResult runTool(const std::vector<std::string>& arguments, const std::string& name, const JobControl& control,
+                   const std::function<bool(const std::string& line)>& on_line) {
+    OutputReader reader(on_line);
     ChildProcess child(arguments);
-    const int status = attend(child, listener, control);
-    return {status, child.id(), listener.lastLine(name)};
+    const int status = waitForExit(child, reader, control);
+    return {status, child.id(), reader.lastLine(name)};
 }
 
-std::string describeFailure(const ToolEnd& end, const std::string& name) {
+std::string describeFailure(const ToolResult& end, const std::string& name) {
     const bool said_why = WIFEXITED(end.wait_status) && !end.last_line.empty();
-    return said_why ? end.last_line : name + " " + describeEnd(end.wait_status);
+    return said_why ? end.last_line : name + " " + describeExit(end.wait_status);
 }
 
-ExitCode exitCodeOf(const ToolEnd& end) {
+ExitCode exitCodeOf(const ToolResult& end) {
     const int status = WIFEXITED(end.wait_status) ? WEXITSTATUS(end.wait_status) : 0;
     const bool ours = status > 0 && status <= static_cast<int>(ExitCode::kCannotWrite);
     return ours ? static_cast<ExitCode>(status) : ExitCode::kCannotRun;
 }
 
-std::string asArgument(const std::string& path) { return path.starts_with('/') ? path : "./" + path; }
+std::string safeArgument(const std::string& path) { return path.starts_with('/') ? path : "./" + path; }
 
 } // namespace pointrt

@@ -19,20 +19,20 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A scene file for as long as this lives.
-class SceneOnLoan {
+class TemporarySceneFile {
 public:
-    explicit SceneOnLoan(const SceneDescription& scene) {
+    explicit TemporarySceneFile(const SceneDescription& scene) {
         std::string folder = (fs::temp_directory_path() / "pointrt-XXXXXX").string();
         if (!mkdtemp(folder.data())) throw Error{ExitCode::kCannotWrite, folder + ": cannot make a folder"};
         folder_ = folder;
         writeSceneFile(path(), scene);
     }
-    ~SceneOnLoan() {
+    ~TemporarySceneFile() {
         std::error_code ignored;
         fs::remove_all(folder_, ignored);
     }
-    SceneOnLoan(const SceneOnLoan&) = delete;
-    SceneOnLoan& operator=(const SceneOnLoan&) = delete;
+    TemporarySceneFile(const TemporarySceneFile&) = delete;
+    TemporarySceneFile& operator=(const TemporarySceneFile&) = delete;
     std::string path() const { return (folder_ / "turntable.toml").string(); }
 
 private:
@@ -40,18 +40,18 @@ private:
 };
 
 /// "progress SHARE DETAIL" of pointrt-view --progress lines.
-bool tellProgress(const std::string& line, JobControl& control) {
+bool parseProgress(const std::string& line, JobControl& control) {
     double share = 0;
     int detail = 0;
     if (std::sscanf(line.c_str(), "progress %lf %n", &share, &detail) != 1 || detail == 0) return false;
-    control.setShare(share);
-    control.say(line.substr(static_cast<std::size_t>(detail)));
+    control.setProgress(share);
+    control.setDetail(line.substr(static_cast<std::size_t>(detail)));
     return true;
 }
 
 void render(const SceneDescription& scene, const std::string& pattern, std::uint32_t pictures,
             const std::string& device, JobControl& control) {
-    const SceneOnLoan file(scene);
+    const TemporarySceneFile file(scene);
     std::vector<std::string> arguments{fs::read_symlink("/proc/self/exe").string(),
                                        file.path(),
                                        "--turntable",
@@ -59,10 +59,10 @@ void render(const SceneDescription& scene, const std::string& pattern, std::uint
                                        "--progress",
                                        "lines",
                                        "-o",
-                                       asArgument(pattern)};
+                                       safeArgument(pattern)};
     if (!device.empty()) arguments.insert(arguments.end(), {"--device", device});
-    const ToolEnd end = attendTool(arguments, "pointrt-view", control,
-                                   [&](const std::string& line) { return tellProgress(line, control); });
+    const ToolResult end = runTool(arguments, "pointrt-view", control,
+                                   [&](const std::string& line) { return parseProgress(line, control); });
     if (control.cancelled()) throw JobCancelled{};
     if (end.wait_status != 0) throw Error{ExitCode::kCannotRun, describeFailure(end, "pointrt-view")};
 }

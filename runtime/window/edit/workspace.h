@@ -20,33 +20,33 @@ namespace pointrt {
 /// What was under the cursor. Positions and lengths in the scan's own coordinates.
 struct PickedPoint {
     std::uint32_t splat = 0;
-    std::string owner; ///< the file or shape that it is of
+    std::string source; ///< the file or shape that it is of
     Vec3 position, normal;
     double distance = 0;                              ///< from the eye
     double radius = 0;                                ///< of the splat; 0 on shapes
     std::optional<std::array<std::uint8_t, 3>> color; ///< sRGB, where the file has colours
-    std::string number;                               ///< that it is coloured by, in words; empty: by none
+    std::string value;                               ///< that it is coloured by, in words; empty: by none
 };
 
 /// What the window says of itself.
-struct HudFigures {
+struct HudStats {
     std::string device;
     std::uint64_t splats = 0, device_bytes = 0;
-    std::uint32_t samples = 0, samples_wanted = 0;
+    std::uint32_t samples = 0, target_samples = 0;
     double sample_share = 0;                             ///< of the sample under way
     bool resting = false;                                ///< the picture has all its samples
     std::uint32_t picture_width = 0, picture_height = 0; ///< what is traced now, pixels
     double frame_ms = 0;                                 ///< a recent mean
     double mrays_per_second = 0;
-    std::size_t tiles = 0, tiles_wanted = 0; ///< of sets: on the device, and for the camera as it is
+    std::size_t tiles = 0, target_tiles = 0; ///< of sets: on the device, and for the camera as it is
     bool tiles_loading = false;
 };
 
 /// Work that takes long: loading, baking, rendering to a file.
-struct JobFigures {
-    std::string what;                   ///< "Baking statue.ply"
+struct JobStatus {
+    std::string title;                   ///< "Baking statue.ply"
     std::string detail;                 ///< stage or count; may be empty
-    std::optional<double> share;        ///< done, 0 to 1; empty: unknown
+    std::optional<double> progress;        ///< done, 0 to 1; empty: unknown
     std::optional<double> seconds_left; ///< empty: unknown
     bool can_cancel = true;
 };
@@ -67,14 +67,14 @@ struct Requests {
     std::optional<Vec3> up;        ///< the scan stands on another side: an axis
     bool save_scene = false, screenshot = false, save_view = false, home = false, quit = false;
     bool cancel_job = false;
-    std::optional<std::size_t> go_to_view, forget_view; ///< of scene.views
+    std::optional<std::size_t> go_to_view, delete_view; ///< of scene.views
     std::optional<std::uint32_t> turntable_pictures;    ///< render so many to turntable_path
 };
 
 struct Workspace {
     SceneDescription scene; ///< with all that stands around the scan, as it is lit now
     RenderSettings settings;
-    std::uint32_t samples_wanted = 256;
+    std::uint32_t target_samples = 256;
     Look look;
     bool denoise = true;
     ViewCamera camera;
@@ -82,12 +82,12 @@ struct Workspace {
     Vec3 scene_min, scene_max; ///< bounds of the scan, input coordinates
     bool paused = false;
     bool show_panel = true, show_cheat_sheet = false, show_hud = true;
-    bool keeps_measurement = false;
+    bool pin_measurement = false;
     std::vector<PickedPoint> picks;       ///< the last two, oldest first
     std::vector<std::string> color_words; ///< for settings.color_by
     std::optional<Legend> legend;         ///< of the colours on the device
-    HudFigures hud;
-    std::optional<JobFigures> job;
+    HudStats hud;
+    std::optional<JobStatus> job;
     std::vector<Notice> notices;
     std::string turntable_path = "turntable/%04d.png";
     std::string view_name; ///< for the next saved view; empty: it gets a number

@@ -3,7 +3,7 @@
 
 namespace pointrt {
 
-std::optional<ViewCamera> viewAfter(const Command& command, const ViewCamera& camera, ViewSize size) {
+std::optional<ViewCamera> cameraAfter(const Command& command, const ViewCamera& camera, ViewSize size) {
     if (const auto* c = std::get_if<OrbitCommand>(&command)) return orbited(camera, size, c->dx, c->dy);
     if (const auto* c = std::get_if<LookCommand>(&command)) return looked(camera, size, c->dx, c->dy);
     if (const auto* c = std::get_if<PanCommand>(&command)) return panned(camera, size, c->dx, c->dy);
@@ -11,7 +11,7 @@ std::optional<ViewCamera> viewAfter(const Command& command, const ViewCamera& ca
     return std::nullopt;
 }
 
-std::optional<ViewCamera> viewAsked(Action action, const ViewCamera& camera, const ViewCamera& home) {
+std::optional<ViewCamera> cameraForAction(Action action, const ViewCamera& camera, const ViewCamera& home) {
     switch (action) {
     case Action::kHome:
         return home;

@@ -11,7 +11,7 @@
 #include "format/base/printable.h"
 #include "runtime/scene/camera.h"
 #include "runtime/util/parse.h"
-#include "runtime/window/input/turntable_turn.h"
+#include "runtime/window/input/turntable_rotation.h"
 
 namespace pointrt {
 namespace {
@@ -20,7 +20,7 @@ constexpr std::size_t kMaxText = 4096; // ten numbers of at most 24 characters, 
 
 using Words = std::map<std::string, std::string>;
 
-[[noreturn]] void refuse(const std::string& reason) { throw Error{ExitCode::kBadInput, "camera text: " + reason}; }
+[[noreturn]] void fail(const std::string& reason) { throw Error{ExitCode::kBadInput, "camera text: " + reason}; }
 
 std::string plain(double value) {
     char text[32];
@@ -52,19 +52,19 @@ std::vector<std::string> wordsOf(const std::string& text) {
 std::string shown(const std::string& word) { return "\"" + printable(word, 40) + "\""; }
 
 Words optionsOf(const std::string& text) {
-    if (text.size() > kMaxText) refuse("too long");
+    if (text.size() > kMaxText) fail("too long");
     Words options;
     const std::vector<std::string> words = wordsOf(text);
     for (std::size_t i = 0; i < words.size(); i += 2) {
         const std::string& name = words[i];
         if (name != "--eye" && name != "--target" && name != "--up" && name != "--fov" && name != "--ortho")
-            refuse(shown(name) + " is none of --eye, --target, --up, --fov, --ortho");
-        if (i + 1 == words.size()) refuse(name + " has no value");
-        if (!options.emplace(name, words[i + 1]).second) refuse(name + " is given twice");
+            fail(shown(name) + " is not one of --eye, --target, --up, --fov, --ortho");
+        if (i + 1 == words.size()) fail(name + " has no value");
+        if (!options.emplace(name, words[i + 1]).second) fail(name + " is given twice");
     }
     for (const char* needed : {"--eye", "--target"})
-        if (!options.contains(needed)) refuse(std::string(needed) + " is missing");
-    if (options.contains("--fov") && options.contains("--ortho")) refuse("--fov and --ortho exclude each other");
+        if (!options.contains(needed)) fail(std::string(needed) + " is missing");
+    if (options.contains("--fov") && options.contains("--ortho")) fail("--fov and --ortho exclude each other");
     return options;
 }
 
@@ -76,7 +76,7 @@ Value valueOf(const Words& options, const char* name, Value fallback, Parse pars
     try {
         return parse(found->second);
     } catch (const std::invalid_argument&) {
-        refuse(std::string(name) + ": " + shown(found->second) + " is not its value");
+        fail(std::string(name) + ": " + shown(found->second) + " is not its value");
     }
 }
 
@@ -94,7 +94,7 @@ CameraRequest requestedBy(const Words& options, const ViewCamera& view) {
 }
 
 /// True where up is no axis: the view goes along that of view, and up only tells how the picture is turned.
-bool turnsThePicture(const ViewCamera& view, const CameraRequest& request) {
+bool rollsOnly(const ViewCamera& view, const CameraRequest& request) {
     ViewCamera there = view;
     there.eye = *request.eye;
     there.pivot = *request.target;
@@ -119,14 +119,14 @@ ViewCamera withCameraText(const ViewCamera& view, const std::string& text) {
         ViewCamera after = view;
         after.eye = *request.eye;
         after.pivot = *request.target;
-        const bool picture_only = turnsThePicture(view, request);
+        const bool picture_only = rollsOnly(view, request);
         if (!picture_only) after.up = *request.up;
         after.heading = picture_only ? *request.up : camera.up;
         after.fov_deg = request.fov_deg;
         after.ortho_height = camera.ortho_height;
         return after;
     } catch (const Error& error) {
-        refuse(error.what());
+        fail(error.what());
     }
 }
 

@@ -11,11 +11,11 @@ using Commands = std::vector<Command>;
 
 bool isHeld(const ControlState& state, Key key) { return state.held.test(static_cast<std::size_t>(key)); }
 
-struct FlyWay {
+struct FlyKey {
     Action action;
     Vec3 way;
 };
-constexpr FlyWay kFlyWays[] = {{Action::kFlyForward, {0, 0, 1}}, {Action::kFlyBack, {0, 0, -1}},
+constexpr FlyKey kFlyKeys[] = {{Action::kFlyForward, {0, 0, 1}}, {Action::kFlyBack, {0, 0, -1}},
                                {Action::kFlyRight, {1, 0, 0}},   {Action::kFlyLeft, {-1, 0, 0}},
                                {Action::kFlyUp, {0, 1, 0}},      {Action::kFlyDown, {0, -1, 0}}};
 
@@ -25,7 +25,7 @@ Vec3 heldDirection(const ControlState& state) {
     if (state.ui_wants_keyboard || isHeld(state, Key::kControl)) return direction;
     for (const Control& control : kControls) {
         if (control.gesture != Gesture::kHeldKey || !isHeld(state, control.key)) continue;
-        for (const FlyWay& each : kFlyWays)
+        for (const FlyKey& each : kFlyKeys)
             if (each.action == control.action) direction = direction + each.way;
     }
     return direction;
@@ -49,7 +49,7 @@ void dragTo(ControlState& state, Commands& commands) {
     Drag& drag = *state.drag;
     const double dx = state.x - drag.x, dy = state.y - drag.y;
     drag.moving = drag.moving || std::hypot(dx, dy) > kDragThreshold;
-    if (!drag.moving || drag.of_ui || drag.button == MouseButton::kMiddle || (dx == 0 && dy == 0)) return;
+    if (!drag.moving || drag.on_ui || drag.button == MouseButton::kMiddle || (dx == 0 && dy == 0)) return;
     drag.x = state.x;
     drag.y = state.y;
     state.last_click.reset();
@@ -76,8 +76,8 @@ void press(ControlState& state, MouseButton button, double time_s, Commands& com
     if (state.drag && state.drag->button != button) return;
     Drag drag{button, state.x, state.y};
     drag.with_shift = isHeld(state, Key::kShift);
-    drag.of_ui = state.ui_wants_mouse;
-    const bool clicks = button == MouseButton::kLeft && !drag.of_ui && !drag.with_shift;
+    drag.on_ui = state.ui_wants_mouse;
+    const bool clicks = button == MouseButton::kLeft && !drag.on_ui && !drag.with_shift;
     drag.second_click = clicks && endsDoubleClick(state, time_s);
     if (drag.second_click) commands.emplace_back(CentreCommand{state.x, state.y});
     state.last_click.reset();
@@ -89,7 +89,7 @@ void release(ControlState& state, MouseButton button, Commands& commands) {
     if (!state.drag || state.drag->button != button) return;
     const Drag drag = *state.drag;
     state.drag.reset();
-    const bool clicked = button == MouseButton::kLeft && !drag.moving && !drag.of_ui && !drag.with_shift;
+    const bool clicked = button == MouseButton::kLeft && !drag.moving && !drag.on_ui && !drag.with_shift;
     if (clicked && !drag.second_click) commands.emplace_back(PickCommand{drag.x, drag.y});
 }
 

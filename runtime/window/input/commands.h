@@ -55,7 +55,7 @@ struct Drag {
     double x = 0, y = 0; ///< of the press, then of the last move that counted
     bool with_shift = false;
     bool moving = false;       ///< past the threshold
-    bool of_ui = false;        ///< began on the panel: none of ours
+    bool on_ui = false;        ///< began on the panel: none of ours
     bool second_click = false; ///< has centred already
 };
 

@@ -18,7 +18,7 @@ namespace {
 using Words = std::vector<RecordingWord>;
 using Steps = std::vector<RecordedStep>;
 
-[[noreturn]] void refuse(const std::string& reason) { throw std::invalid_argument(reason); }
+[[noreturn]] void fail(const std::string& reason) { throw std::invalid_argument(reason); }
 
 /// Of a bearable length, on one line.
 std::string shown(const std::string& word) { return "\"" + printable(word, 40) + "\""; }
@@ -32,16 +32,16 @@ struct Arguments {
     bool isDone() const { return next == words.size(); }
 
     const RecordingWord& take(bool in_quotes) {
-        if (isDone() || words[next].in_quotes != in_quotes) refuse("is not as in: " + usage);
+        if (isDone() || words[next].in_quotes != in_quotes) fail("is not as in: " + usage);
         return words[next++];
     }
     std::string word() { return take(false).text; }
     std::string string() { return take(true).text; }
     void requireWord(const char* expected) {
-        if (word() != expected) refuse("is not as in: " + usage);
+        if (word() != expected) fail("is not as in: " + usage);
     }
     void requireDone() const {
-        if (!isDone()) refuse("is not as in: " + usage);
+        if (!isDone()) fail("is not as in: " + usage);
     }
 };
 
@@ -49,7 +49,7 @@ double takeReal(Arguments& arguments, double low, double high) { return parseRea
 
 bool takeDown(Arguments& arguments) {
     const std::string word = arguments.word();
-    if (word != "down" && word != "up") refuse(shown(word) + " is neither down nor up");
+    if (word != "down" && word != "up") fail(shown(word) + " is neither down nor up");
     return word == "down";
 }
 
@@ -69,7 +69,7 @@ KeyEvent takeKey(Arguments& arguments) {
     const bool down = takeDown(arguments);
     const std::string name = arguments.word();
     const std::optional<Key> key = keyNamed(name);
-    if (!key) refuse("no key is called " + shown(name));
+    if (!key) fail("no key is called " + shown(name));
     return {*key, down};
 }
 
@@ -77,7 +77,7 @@ ButtonEvent takeButton(Arguments& arguments) {
     const bool down = takeDown(arguments);
     const std::string name = arguments.word();
     const std::optional<MouseButton> button = buttonNamed(name);
-    if (!button) refuse("no button is called " + shown(name));
+    if (!button) fail("no button is called " + shown(name));
     return {*button, down};
 }
 
@@ -85,8 +85,8 @@ DropEvent takeDrop(Arguments& arguments) {
     DropEvent drop;
     do {
         drop.paths.push_back(arguments.string());
-        if (drop.paths.back().size() > kMaxPathBytes) refuse("a path is too long");
-        if (drop.paths.size() > kMaxDropped) refuse("too many paths");
+        if (drop.paths.back().size() > kMaxPathBytes) fail("a path is too long");
+        if (drop.paths.size() > kMaxDropped) fail("too many paths");
     } while (!arguments.isDone());
     return drop;
 }
@@ -96,7 +96,7 @@ ScreenshotStep takeScreenshot(Arguments& arguments) {
     const bool plain = name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-") ==
                        std::string::npos;
     if (!plain || name[0] == '.' || name.size() > kMaxNameBytes)
-        refuse(shown(name) + " is no name of letters, digits, . _ - for a picture");
+        fail(shown(name) + " is no name of letters, digits, . _ - for a picture");
     return {name};
 }
 
@@ -111,7 +111,7 @@ void takeText(Arguments& arguments, Steps& steps) {
     std::string_view rest = typed;
     while (!rest.empty()) {
         const std::optional<std::uint32_t> code_point = takeCodePoint(rest);
-        if (!code_point) refuse("the text is not UTF-8");
+        if (!code_point) fail("the text is not UTF-8");
         add(steps, TextEvent{*code_point});
     }
 }
@@ -152,18 +152,18 @@ const Kind& kindNamed(const std::string& name) {
         if (name == kind.name) return kind;
         known += (known.empty() ? "" : ", ") + std::string(kind.name);
     }
-    refuse(shown(name) + " is none of " + known);
+    fail(shown(name) + " is not one of " + known);
 }
 
 ResizeEvent headerOf(const Words& words) {
     Arguments arguments{words, 0, "pointrt-recording 1 window WxH scale S"};
-    if (arguments.word() != "pointrt-recording") refuse("no recording: it begins with pointrt-recording");
+    if (arguments.word() != "pointrt-recording") fail("no recording: it begins with pointrt-recording");
     const std::string version = arguments.word();
-    if (version != "1") refuse("version " + shown(version) + ", this program reads 1");
+    if (version != "1") fail("version " + shown(version) + ", this program reads 1");
     arguments.requireWord("window");
     const ResizeEvent window = takeSize(arguments);
     arguments.requireDone();
-    if (window.width == 0) refuse("the window has no size");
+    if (window.width == 0) fail("the window has no size");
     return window;
 }
 
@@ -171,7 +171,7 @@ void addEvents(const Words& words, Recording& recording) {
     Arguments arguments{words, 0, "FRAME KIND ..."};
     const std::uint32_t frame = parseCount(arguments.word(), 0, kMaxRecordedFrame);
     if (!recording.events.empty() && frame < recording.events.back().frame)
-        refuse("frame " + std::to_string(frame) + " comes after " + std::to_string(recording.events.back().frame));
+        fail("frame " + std::to_string(frame) + " comes after " + std::to_string(recording.events.back().frame));
     const std::string name = arguments.word();
     const Kind& kind = kindNamed(name);
     arguments.usage = kind.usage;
@@ -179,7 +179,7 @@ void addEvents(const Words& words, Recording& recording) {
     kind.take(arguments, steps);
     arguments.requireDone();
     if (recording.events.size() + steps.size() > kMaxRecordedEvents)
-        refuse("more than " + std::to_string(kMaxRecordedEvents) + " events");
+        fail("more than " + std::to_string(kMaxRecordedEvents) + " events");
     for (RecordedStep& step : steps) recording.events.push_back({frame, std::move(step)});
 }
 

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "runtime/scene/camera.h"
-#include "runtime/window/input/turntable_turn.h"
+#include "runtime/window/input/turntable_rotation.h"
 
 namespace pointrt {
 namespace {
@@ -56,23 +56,23 @@ ViewCamera withinReach(const ViewCamera& before, const ViewCamera& after) {
 
 /// Orthographic rays begin at the eye: from here, none begins within the scene, however it is turned, and no farther
 /// away: walls of a room stand there.
-ViewCamera standingOutside(ViewCamera view) {
+ViewCamera withEyeOutside(ViewCamera view) {
     const double least = length(view.pivot - view.scene_centre) + view.scene_radius;
     const bool stands_right = std::abs(distanceToPivot(view) - least) <= kStandingShare * least;
     if (view.ortho_height > 0 && !stands_right) view.eye = view.pivot - axesOf(view).forward * least;
     return view;
 }
 
-ViewCamera moved(const ViewCamera& view, Vec3 by) {
+ViewCamera translated(const ViewCamera& view, Vec3 by) {
     ViewCamera after = view;
     after.eye = view.eye + by;
     after.pivot = view.pivot + by;
-    return withinReach(view, standingOutside(after));
+    return withinReach(view, withEyeOutside(after));
 }
 
 /// attitude as the cursor turns it by these angles.
-Attitude steered(const Attitude& attitude, Vec3 axis, double right_angle, double up_angle) {
-    return {turned(attitude.right, axis, -right_angle),
+Attitude rotatedBy(const Attitude& attitude, Vec3 axis, double right_angle, double up_angle) {
+    return {rotated(attitude.right, axis, -right_angle),
             std::clamp(attitude.elevation + up_angle, -kSteepest, kSteepest)};
 }
 
@@ -84,17 +84,17 @@ Vec3 frontOf(Vec3 axis) {
 }
 
 /// Where the eye truly stands, and looks.
-ViewCamera trueView(ViewCamera view) {
-    if (view.aside == 0) return view; // to the bit
-    const Vec3 right = axesOf(view).right * (view.aside * heightAtPivot(view));
+ViewCamera unoffsetView(ViewCamera view) {
+    if (view.pivot_offset == 0) return view; // to the bit
+    const Vec3 right = axesOf(view).right * (view.pivot_offset * heightAtPivot(view));
     view.eye = view.eye + right;
     view.pivot = view.pivot + right;
-    view.aside = 0;
+    view.pivot_offset = 0;
     return view;
 }
 
-ViewCamera turnedTo(const ViewCamera& view, const Attitude& attitude) {
-    return withinReach(view, standingOutside(placed(view, view.pivot, distanceToPivot(view), attitude)));
+ViewCamera withAttitude(const ViewCamera& view, const Attitude& attitude) {
+    return withinReach(view, withEyeOutside(placed(view, view.pivot, distanceToPivot(view), attitude)));
 }
 
 } // namespace
@@ -125,17 +125,17 @@ ViewCamera framedView(const CameraRequest& request, Vec3 bounds_min, Vec3 bounds
     return viewOf(frameCamera(complete, bounds_min, bounds_max, aspect), target, bounds_min, bounds_max, *complete.up);
 }
 
-ViewCamera puttingAside(const ViewCamera& view, double aside) {
-    ViewCamera after = trueView(view);
-    const Vec3 left = axesOf(after).right * (-aside * heightAtPivot(after));
+ViewCamera withPivotOffset(const ViewCamera& view, double pivot_offset) {
+    ViewCamera after = unoffsetView(view);
+    const Vec3 left = axesOf(after).right * (-pivot_offset * heightAtPivot(after));
     after.eye = after.eye + left;
     after.pivot = after.pivot + left;
-    after.aside = aside;
+    after.pivot_offset = pivot_offset;
     return after;
 }
 
 Camera cameraOf(const ViewCamera& shown) {
-    const ViewCamera view = trueView(shown);
+    const ViewCamera view = unoffsetView(shown);
     const ViewAxes axes = axesOf(view);
     Camera camera;
     camera.eye = view.eye;
@@ -148,7 +148,7 @@ Camera cameraOf(const ViewCamera& shown) {
 }
 
 CameraRequest requestOf(const ViewCamera& shown) {
-    const ViewCamera view = trueView(shown);
+    const ViewCamera view = unoffsetView(shown);
     CameraRequest request;
     request.eye = view.eye;
     request.target = view.pivot;
@@ -174,12 +174,12 @@ double heightAtPivot(const ViewCamera& view) {
 Vec3 pointAtPivotDepth(const ViewCamera& view, ViewSize size, double x, double y) {
     const ViewAxes axes = axesOf(view);
     const double unit = heightAtPivot(view) / size.height;
-    return view.pivot + axes.right * ((x - size.width / 2 + view.aside * size.height) * unit) +
+    return view.pivot + axes.right * ((x - size.width / 2 + view.pivot_offset * size.height) * unit) +
            axes.up * ((size.height / 2 - y) * unit);
 }
 
 std::optional<ViewPoint> projected(const ViewCamera& shown, ViewSize size, Vec3 point) {
-    const ViewCamera view = trueView(shown);
+    const ViewCamera view = unoffsetView(shown);
     const ViewAxes axes = axesOf(view);
     const Vec3 to = point - view.eye;
     const double depth = dot(to, axes.forward);
@@ -191,13 +191,13 @@ std::optional<ViewPoint> projected(const ViewCamera& shown, ViewSize size, Vec3 
 
 ViewCamera orbited(const ViewCamera& view, ViewSize size, double dx, double dy) {
     const double angle = std::numbers::pi / size.height;
-    return turnedTo(view, steered(attitudeOf(view), normalize(view.up), dx * angle, -dy * angle));
+    return withAttitude(view, rotatedBy(attitudeOf(view), normalize(view.up), dx * angle, -dy * angle));
 }
 
 ViewCamera panned(const ViewCamera& view, ViewSize size, double dx, double dy) {
     const ViewAxes axes = axesOf(view);
     const double unit = heightAtPivot(view) / size.height;
-    return moved(view, axes.right * (-dx * unit) + axes.up * (dy * unit));
+    return translated(view, axes.right * (-dx * unit) + axes.up * (dy * unit));
 }
 
 ViewCamera zoomed(const ViewCamera& view, ViewSize size, double steps, double x, double y) {
@@ -212,7 +212,7 @@ ViewCamera zoomed(const ViewCamera& view, ViewSize size, double steps, double x,
     after.pivot = fixed + (view.pivot - fixed) * scale;
     after.eye = view.ortho_height > 0 ? view.eye + (after.pivot - view.pivot) : fixed + (view.eye - fixed) * scale;
     after.ortho_height = view.ortho_height * scale;
-    return withinReach(view, standingOutside(after));
+    return withinReach(view, withEyeOutside(after));
 }
 
 ViewCamera flown(const ViewCamera& view, Vec3 direction, double seconds) {
@@ -221,14 +221,14 @@ ViewCamera flown(const ViewCamera& view, Vec3 direction, double seconds) {
         std::min(kRadiiPerSecond * view.scene_radius, kPivotsPerSecond * distanceToPivot(view)) * seconds;
     const Vec3 level = axes.right * (direction.x * step) + normalize(view.up) * (direction.y * step);
     if (view.ortho_height > 0)
-        return zoomed(moved(view, level), {}, kFlyStepsPerSecond * direction.z * seconds, 0.5, 0.5);
-    return moved(view, level + axes.forward * (direction.z * step));
+        return zoomed(translated(view, level), {}, kFlyStepsPerSecond * direction.z * seconds, 0.5, 0.5);
+    return translated(view, level + axes.forward * (direction.z * step));
 }
 
 ViewCamera looked(const ViewCamera& view, ViewSize size, double dx, double dy) {
     if (view.ortho_height > 0) return orbited(view, size, dx, dy);
     const double angle = std::numbers::pi / 2 / size.height, distance = distanceToPivot(view);
-    const Attitude attitude = steered(attitudeOf(view), normalize(view.up), dx * angle, -dy * angle);
+    const Attitude attitude = rotatedBy(attitudeOf(view), normalize(view.up), dx * angle, -dy * angle);
     const Vec3 forward = forwardOf(attitude, normalize(view.up));
     ViewCamera after = placed(view, view.eye + forward * distance, distance, attitude);
     after.eye = view.eye;
@@ -242,26 +242,26 @@ ViewCamera centredOn(const ViewCamera& view, Vec3 point) {
     ViewCamera after = view;
     after.pivot = point;
     after.eye = point - forward * (at_depth ? depth : distanceToPivot(view));
-    return withinReach(view, standingOutside(after));
+    return withinReach(view, withEyeOutside(after));
 }
 
 ViewCamera standardView(const ViewCamera& view, StandardView which) {
     const Vec3 axis = normalize(view.up), front = frontOf(axis), right = cross(front, axis);
     switch (which) {
     case StandardView::kFront:
-        return turnedTo(view, {right, 0});
+        return withAttitude(view, {right, 0});
     case StandardView::kBack:
-        return turnedTo(view, {right * -1, 0});
+        return withAttitude(view, {right * -1, 0});
     case StandardView::kRight:
-        return turnedTo(view, {front, 0});
+        return withAttitude(view, {front, 0});
     case StandardView::kLeft:
-        return turnedTo(view, {front * -1, 0});
+        return withAttitude(view, {front * -1, 0});
     case StandardView::kTop:
-        return turnedTo(view, {right, -90 * kRadian});
+        return withAttitude(view, {right, -90 * kRadian});
     case StandardView::kBottom:
-        return turnedTo(view, {right, 90 * kRadian});
+        return withAttitude(view, {right, 90 * kRadian});
     case StandardView::kIso: // as far up as to both sides
-        return turnedTo(view, {normalize(right + front), -std::atan(std::sqrt(0.5))});
+        return withAttitude(view, {normalize(right + front), -std::atan(std::sqrt(0.5))});
     case StandardView::kSensor:
         break;
     }
@@ -270,14 +270,14 @@ ViewCamera standardView(const ViewCamera& view, StandardView which) {
 
 ViewCamera oppositeView(const ViewCamera& view) {
     const Attitude attitude = attitudeOf(view);
-    return turnedTo(view, {attitude.right * -1, -attitude.elevation});
+    return withAttitude(view, {attitude.right * -1, -attitude.elevation});
 }
 
 ViewCamera orthoToggled(const ViewCamera& view) {
     ViewCamera after = view;
     after.ortho_height = view.ortho_height > 0 ? 0 : heightAtPivot(view);
     if (view.ortho_height > 0) after.eye = view.pivot - axesOf(view).forward * perspectiveDistance(view);
-    return withinReach(view, standingOutside(after));
+    return withinReach(view, withEyeOutside(after));
 }
 
 ViewCamera withFov(const ViewCamera& view, double fov_deg, bool keep_size) {

@@ -23,7 +23,7 @@ struct ViewCamera {
     double ortho_height = 0;  ///< what the picture shows in height; 0: perspective
     /// The picture's middle is so many of its heights right of the pivot, which stands in the part that no panel
     /// covers: the true eye and what it looks at are right of eye and pivot.
-    double aside = 0;
+    double pivot_offset = 0;
     Vec3 scene_centre;       ///< of the sphere around the scene
     double scene_radius = 1; ///< above 0
 };
@@ -83,7 +83,7 @@ ViewCamera looked(const ViewCamera& view, ViewSize size, double dx, double dy);
 ViewCamera centredOn(const ViewCamera& view, Vec3 point);
 
 /// view with its pivot so far left of the picture's middle, and nothing moved in the scene.
-ViewCamera puttingAside(const ViewCamera& view, double aside);
+ViewCamera withPivotOffset(const ViewCamera& view, double pivot_offset);
 
 /// The pivot from a side; but for kSensor, which is where the view is already. Front is +Z where the axis is not along
 /// Z, and -Y where it is.

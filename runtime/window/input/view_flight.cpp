@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/window/input/turntable_turn.h"
+#include "runtime/window/input/turntable_rotation.h"
 
 namespace pointrt {
 namespace {
@@ -16,7 +16,7 @@ double mixedSize(double from, double to, double share) { return from * std::pow(
 
 Attitude mixedAttitude(const Attitude& from, const Attitude& to, Vec3 axis, double share) {
     const double angle = std::atan2(dot(cross(from.right, to.right), axis), dot(from.right, to.right));
-    return {turned(from.right, axis, angle * share), mixed(from.elevation, to.elevation, share)};
+    return {rotated(from.right, axis, angle * share), mixed(from.elevation, to.elevation, share)};
 }
 
 /// from with to's axis and projection.
@@ -31,16 +31,16 @@ double eased(double share) { return share * share * (3 - 2 * share); }
 
 } // namespace
 
-bool hasLanded(const ViewFlight& flight, double time_s) { return !(time_s < flight.start_s + kFlight_s); }
+bool isFinished(const ViewFlight& flight, double time_s) { return !(time_s < flight.start_s + kFlight_s); }
 
 ViewCamera viewAt(const ViewFlight& flight, double time_s) {
-    if (hasLanded(flight, time_s)) return flight.to;
+    if (isFinished(flight, time_s)) return flight.to;
     const double share = eased(std::clamp((time_s - flight.start_s) / kFlight_s, 0.0, 1.0));
     const ViewCamera from = departure(flight);
     const ViewCamera& to = flight.to;
     ViewCamera view = to;
     view.fov_deg = mixed(from.fov_deg, to.fov_deg, share);
-    view.aside = mixed(from.aside, to.aside, share);
+    view.pivot_offset = mixed(from.pivot_offset, to.pivot_offset, share);
     if (to.ortho_height > 0) view.ortho_height = mixedSize(from.ortho_height, to.ortho_height, share);
     return placed(view, from.pivot + (to.pivot - from.pivot) * share,
                   mixedSize(distanceToPivot(from), distanceToPivot(to), share),

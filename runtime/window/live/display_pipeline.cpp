@@ -72,8 +72,8 @@ void destroyDisplayPipeline(Device& device, DisplayPipeline& pipeline) {
         destroyBuffer(device, *buffer);
 }
 
-void prepareDenoiser(Device& device, DisplayPipeline& d, PictureSize size) {
-    if (d.denoiser && PictureSize{d.denoiser->width, d.denoiser->height} == size) return;
+void prepareDenoiser(Device& device, DisplayPipeline& d, PixelSize size) {
+    if (d.denoiser && PixelSize{d.denoiser->width, d.denoiser->height} == size) return;
     dropDenoiser(device, d);
     d.denoiser = createDenoiser(device, size.width, size.height, {&d.color, &d.surface, &d.albedo, true});
     d.denoised_pool = createDescriptorPool(device, 1);

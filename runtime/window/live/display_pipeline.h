@@ -8,7 +8,7 @@
 #include "runtime/image/film_views.h"
 #include "runtime/render/denoiser.h"
 #include "runtime/render/frame_buffers.h"
-#include "runtime/window/live/pace.h"
+#include "runtime/window/live/trace_speed.h"
 #include "shaders/shared/display_layout.h"
 
 namespace pointrt {
@@ -41,7 +41,7 @@ struct DisplayPipeline {
 DisplayPipeline createDisplayPipeline(Device& device, const FrameBuffers& frame, std::uint64_t film_pixels);
 void destroyDisplayPipeline(Device& device, DisplayPipeline& pipeline);
 /// For pictures of this size; replaces the one there is, where it has another size.
-void prepareDenoiser(Device& device, DisplayPipeline& pipeline, PictureSize size);
+void prepareDenoiser(Device& device, DisplayPipeline& pipeline, PixelSize size);
 std::uint64_t deviceBytes(const DisplayPipeline& pipeline);
 
 /// Pixels first to first + count of a film.

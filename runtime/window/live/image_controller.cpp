@@ -12,7 +12,7 @@ constexpr double kMovingBudget_s = 0.015;
 /// Nobody waits for a picture that gets finer, but the next input must not wait long for it either.
 constexpr double kRestingBudget_s = 0.018;
 
-PictureSize sizeOf(const Viewport& view) { return {view.settings.width, view.settings.height}; }
+PixelSize sizeOf(const Viewport& view) { return {view.settings.width, view.settings.height}; }
 
 std::uint32_t pixelAt(double share, std::uint32_t pixels) {
     return static_cast<std::uint32_t>(std::clamp(share * pixels, 0.0, pixels - 1.0));
@@ -42,14 +42,14 @@ std::optional<PickResult> ImageController::update(const ImageRequest& request) {
     if (!live_) live_.emplace(*device_, *tracer_, kMovingBudget_s);
     moved_ = false;
     paused_ = request.paused;
-    const ImageChange change = changeOf(shown_, request, restart_.has_value());
+    const ImageChange change = changeOf(shown_, request, pending_restart_.has_value());
     if (change == ImageChange::kStartOver) {
         moved_ = shown_.has_value();
-        const ViewChange scene = restart_.value_or(ViewChange::kCamera);
+        const ViewChange scene = pending_restart_.value_or(ViewChange::kCamera);
         shown_ = request.view;
         shown_->settings.first_hits = true;
         live_->setView(*shown_, true, scene);
-        restart_.reset();
+        pending_restart_.reset();
     } else if (change == ImageChange::kLook) {
         live_->setLook(request.view.look, request.view.denoise);
     }
@@ -59,22 +59,22 @@ std::optional<PickResult> ImageController::update(const ImageRequest& request) {
 
 /// Between slices: a pick borrows the tracer's buffers.
 std::optional<PickResult> ImageController::findPick() {
-    if (!pick_ || !live_->betweenSlices()) return std::nullopt;
+    if (!pick_ || !live_->isBetweenSlices()) return std::nullopt;
     const PickRequest request = *std::exchange(pick_, std::nullopt);
-    const PictureSize full = sizeOf(live_->view());
+    const PixelSize full = sizeOf(live_->view());
     const std::optional<Pick> pick = live_->pick(pixelAt(request.x, full.width), pixelAt(request.y, full.height));
     return pick ? std::optional(PickResult{*pick, request.centre}) : std::nullopt;
 }
 
-bool ImageController::mayWork() const { return !paused_ || moved_ || owes() || live_->progress().samples == 0; }
+bool ImageController::mayWork() const { return !paused_ || moved_ || hasPendingRequest() || live_->progress().samples == 0; }
 
 bool ImageController::work() { return mayWork() && live_->work(moved_ ? kMovingBudget_s : kRestingBudget_s); }
 
 Film ImageController::takeFilm() {
-    film_wanted_ = false;
+    film_requested_ = false;
     return live_->readFilm();
 }
 
-PictureSize ImageController::size() const { return shown_ ? sizeOf(*shown_) : PictureSize{0, 0}; }
+PixelSize ImageController::size() const { return shown_ ? sizeOf(*shown_) : PixelSize{0, 0}; }
 
 } // namespace pointrt

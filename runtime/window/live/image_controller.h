@@ -43,17 +43,17 @@ public:
 
     /// The scene has changed, and the tracer with it. change: as for ViewportRenderer::setView.
     void restart(ViewChange change) {
-        if (restart_ != ViewChange::kAll) restart_ = change;
+        if (pending_restart_ != ViewChange::kAll) pending_restart_ = change;
     }
     /// ViewportRenderer::expect.
-    void expect(double times) {
-        if (live_) live_->expect(times);
+    void scaleCost(double times) {
+        if (live_) live_->scaleCost(times);
     }
     /// Makes the picture one of request; its look counts as taken note of. After open, and while nobody else uses the
     /// tracer. Then finds what was picked, where that can be done by now.
     std::optional<PickResult> update(const ImageRequest& request);
     /// In place of update, while the tracer is somebody else's.
-    void rest() { moved_ = false; }
+    void skipFrame() { moved_ = false; }
     /// True where the last update was of something that moves.
     bool moved() const { return moved_; }
     /// Works for a frame's time. False where there was nothing to do, or pause lets it rest: paused, only what the user
@@ -62,20 +62,20 @@ public:
     bool mayWork() const;
 
     void pick(const PickRequest& request) { pick_ = request; }
-    void wantFilm() { film_wanted_ = true; }
-    bool wantsFilm() const { return film_wanted_; }
+    void requestFilm() { film_requested_ = true; }
+    bool isFilmRequested() const { return film_requested_; }
     /// True where takeFilm has one to give: every pixel has the same number of samples.
-    bool filmIsReady() const { return film_wanted_ && live_->betweenSamples(); }
+    bool isFilmReady() const { return film_requested_ && live_->isBetweenSamples(); }
     /// The film that was wanted, and is no longer.
     Film takeFilm();
     /// Something that was asked for is still to come.
-    bool owes() const { return film_wanted_ || pick_; }
+    bool hasPendingRequest() const { return film_requested_ || pick_; }
 
     /// None before the first update.
     ViewportRenderer* live() { return live_ ? &*live_ : nullptr; }
     const ViewportRenderer* live() const { return live_ ? &*live_ : nullptr; }
     /// The picture's, on the screen.
-    PictureSize size() const;
+    PixelSize size() const;
 
 private:
     std::optional<PickResult> findPick();
@@ -85,8 +85,8 @@ private:
     std::optional<ViewportRenderer> live_;
     std::optional<Viewport> shown_;
     std::optional<PickRequest> pick_;
-    std::optional<ViewChange> restart_;
-    bool film_wanted_ = false, paused_ = false, moved_ = false;
+    std::optional<ViewChange> pending_restart_;
+    bool film_requested_ = false, paused_ = false, moved_ = false;
 };
 
 } // namespace pointrt

@@ -23,122 +23,122 @@ constexpr double kMin_s = 0.002;
 /// Of the time left, a slice is planned to take this share, so that a wrong guess is no late frame.
 constexpr double kPlanned = 0.8;
 /// What enlarging a coarse picture takes, which a carried one does not want.
-constexpr double kEnlarging_s = 0.002;
+constexpr double kUpscale_s = 0.002;
 /// Where more of a carried picture is new than that, tracing does not keep up: a coarse one tells more, unless that has
 /// less than a pixel for each of the film's tiles. Then carried points do, which add up frame by frame.
-constexpr double kTooNew = 0.35;
+constexpr double kMaxNewShare = 0.35;
 /// From so many samples on nothing of the carried picture is mixed with them: clean ones are shown as they are.
-constexpr std::uint32_t kUnmixedSamples = kCleanSamples;
+constexpr std::uint32_t kCleanBlendSamples = kCleanSamples;
 /// Of the picture, what the film's samples make up until then: the first ones are noisy, and the carried picture is
 /// not, but they are right.
-constexpr float kShareOfSample = 0.4f;
+constexpr float kBlendPerSample = 0.4f;
 
 double since(std::chrono::steady_clock::time_point start) {
     return Seconds(std::chrono::steady_clock::now() - start).count();
 }
 
 /// The largest size of this shape whose film can be bound.
-PictureSize withinFilm(PictureSize size, std::uint64_t most_pixels) {
+PixelSize withinFilm(PixelSize size, std::uint64_t most_pixels) {
     double divisor = 1;
-    PictureSize fitting = size;
+    PixelSize fitting = size;
     while (std::uint64_t{fitting.width} * fitting.height > most_pixels) fitting = reduced(size, divisor *= 1.1);
     return fitting;
 }
 
 } // namespace
 
-ViewportRenderer::ViewportRenderer(Device& device, BandTracer& tracer, double moving_budget_s)
-    : device_(device), tracer_(tracer), renderer_(device, tracer), moving_budget_s_(moving_budget_s) {}
+ViewportRenderer::ViewportRenderer(Device& device, BandTracer& tracer, double preview_budget_s)
+    : device_(device), tracer_(tracer), renderer_(device, tracer), preview_budget_s_(preview_budget_s) {}
 
 ViewportRenderer::~ViewportRenderer() { destroyDisplayPipeline(device_, display_); }
 
 void ViewportRenderer::fitFilm() {
-    const PictureSize wanted{view_.settings.width, view_.settings.height};
-    const std::uint64_t most = device_.limits.maxStorageBufferRange / (FILM_LAYERS * sizeof(gpu::vec4)) - kListedPixels;
-    const PictureSize before = full_;
-    full_ = withinFilm(wanted, most);
+    const PixelSize requested{view_.settings.width, view_.settings.height};
+    const std::uint64_t most = device_.limits.maxStorageBufferRange / (FILM_LAYERS * sizeof(gpu::vec4)) - kMaxListedPixels;
+    const PixelSize before = full_;
+    full_ = withinFilm(requested, most);
     view_.settings.width = full_.width;
     view_.settings.height = full_.height;
     const std::uint64_t pixels = std::uint64_t{full_.width} * full_.height;
     if (full_ != before) {
-        moving_picture_.reset();
-        shows_whole_ = false;
+        reprojector_.reset();
+        shows_full_frame_ = false;
     }
     if (pixels <= film_pixels_) return;
-    moving_picture_.reset();
+    reprojector_.reset();
     destroyDisplayPipeline(device_, display_);
     display_ = {};
     film_pixels_ = 0;
-    resizeFilm(device_, tracer_, pixels + kListedPixels);
+    resizeFilm(device_, tracer_, pixels + kMaxListedPixels);
     display_ = createDisplayPipeline(device_, tracer_.buffers, pixels);
     film_pixels_ = pixels;
 }
 
 void ViewportRenderer::setView(const Viewport& view, bool moving, ViewChange change) {
-    if (view.look != view_.look) shows_whole_ = false;
+    if (view.look != view_.look) shows_full_frame_ = false;
     last_camera_ = view_.camera;
     view_ = view;
     fitFilm();
-    if (change == ViewChange::kAll) moving_picture_.reset();
-    if (change == ViewChange::kScene && moving_picture_) moving_picture_->noteSceneChange();
+    if (change == ViewChange::kAll) reprojector_.reset();
+    if (change == ViewChange::kScene && reprojector_) reprojector_->invalidateLighting();
     restart(moving);
 }
 
 void ViewportRenderer::restart(bool moving) {
     updates_.clear();
     moved_ = Clock::now();
-    moving_size_ = moving_pace_.movingSize(moving_budget_s_, full_, moving_size_);
-    carried_view_ = false;
-    if (moving && carries()) {
-        if (stage_ != Stage::kCarried) moving_picture_->takePixels();
-        return begin(Stage::kCarried);
+    preview_size_ = preview_speed_.previewSize(preview_budget_s_, full_, preview_size_);
+    reprojection_current_ = false;
+    if (moving && canReproject()) {
+        if (stage_ != Stage::kReprojection) reprojector_->readBackColors();
+        return begin(Stage::kReprojection);
     }
-    if (moving && mayCarry() && wouldBeTiny()) {
-        makeMovingPicture();
-        moving_picture_->forget();
-        return begin(Stage::kCarried);
+    if (moving && shouldReproject() && previewIsTiny()) {
+        createReprojector();
+        reprojector_->clear();
+        return begin(Stage::kReprojection);
     }
-    begin(moving ? Stage::kMoving : Stage::kFine);
+    begin(moving ? Stage::kInteractive : Stage::kRefine);
 }
 
 /// Of a coarse picture that fits in a frame's time.
-bool ViewportRenderer::wouldBeTiny() const {
-    return TILE_PIXELS * std::uint64_t{moving_size_.width} * moving_size_.height <
+bool ViewportRenderer::previewIsTiny() const {
+    return TILE_PIXELS * std::uint64_t{preview_size_.width} * preview_size_.height <
            std::uint64_t{full_.width} * full_.height;
 }
 
 /// Light that takes too long to be traced whole in a frame is carried along.
-bool ViewportRenderer::mayCarry() const {
-    return view_.look.shown == SHOWN_BEAUTY && showsLight(view_.settings.integrator) &&
-           moving_pace_.movingSize(moving_budget_s_, full_, moving_size_) != full_;
+bool ViewportRenderer::shouldReproject() const {
+    return view_.look.shown == SHOWN_BEAUTY && usesLights(view_.settings.integrator) &&
+           preview_speed_.previewSize(preview_budget_s_, full_, preview_size_) != full_;
 }
 
 /// Where the last picture is known, and on the screen.
-bool ViewportRenderer::carries() const {
-    return mayCarry() && shows_whole_ && moving_picture_ && moving_picture_->isKnownFor(last_camera_);
+bool ViewportRenderer::canReproject() const {
+    return shouldReproject() && shows_full_frame_ && reprojector_ && reprojector_->isValidFor(last_camera_);
 }
 
-MovingView ViewportRenderer::movingView() const {
+ReprojectionView ViewportRenderer::reprojectionView() const {
     return {view_.settings, view_.camera, view_.look.exposure, view_.focus_x, view_.focus_y};
 }
 
 /// The frame's picture, and then finer ones of the same view until it rests.
-bool ViewportRenderer::workCarried(double seconds) {
-    if (carried_view_ && since(moved_) >= kRest_s) {
-        begin(Stage::kFine);
+bool ViewportRenderer::workReprojection(double seconds) {
+    if (reprojection_current_ && since(moved_) >= kRest_s) {
+        begin(Stage::kRefine);
         return work(seconds);
     }
-    const MovingFrame frame = moving_picture_->advance(movingView(), seconds + kEnlarging_s);
-    carried_pixels_ = frame.traced;
-    carried_view_ = true;
-    carried_most_ = frame.holes < kTooNew * full_.width * full_.height;
-    shows_whole_ = carried_most_ || wouldBeTiny();
+    const ReprojectedFrame frame = reprojector_->renderFrame(reprojectionView(), seconds + kUpscale_s);
+    reprojected_pixels_ = frame.traced;
+    reprojection_current_ = true;
+    mostly_reused_ = frame.disocclusions < kMaxNewShare * full_.width * full_.height;
+    shows_full_frame_ = mostly_reused_ || previewIsTiny();
     updates_.push_back({full_, 0, full_.height});
     return true;
 }
 
 void ViewportRenderer::setLook(const Look& look, bool denoise) {
-    if (look != view_.look) carried_view_ = shows_whole_ = false; // those colours are another look's
+    if (look != view_.look) reprojection_current_ = shows_full_frame_ = false; // those colours are another look's
     view_.look = look;
     view_.denoise = denoise;
     if (full_.width == 0) return;
@@ -150,7 +150,7 @@ void ViewportRenderer::setLook(const Look& look, bool denoise) {
     else
         showFilm();
     denoise_due_ = filtered && stage_ != Stage::kDenoising && denoised_samples_ != samples;
-    if (stage_ == Stage::kResting && denoisesNow()) begin(Stage::kDenoising);
+    if (stage_ == Stage::kIdle && denoisesNow()) begin(Stage::kDenoising);
 }
 
 void ViewportRenderer::setSamples(std::uint32_t spp) {
@@ -158,8 +158,8 @@ void ViewportRenderer::setSamples(std::uint32_t spp) {
     if (before == spp) return;
     // a single sample is one through the pixel's centre
     if (before == 1 || spp == 1) return restart(false);
-    if (isWhole()) renderer_.setSamples(spp);
-    if (stage_ == Stage::kResting && renderer_.samples() < spp) stage_ = Stage::kFine;
+    if (isFullSize()) renderer_.setSamples(spp);
+    if (stage_ == Stage::kIdle && renderer_.samples() < spp) stage_ = Stage::kRefine;
 }
 
 /// All rows that have samples, but those under way.
@@ -178,9 +178,9 @@ void ViewportRenderer::begin(Stage stage) {
         denoise_step_ = 0;
         return;
     }
-    if (stage == Stage::kResting || stage == Stage::kSurvey || full_.width == 0) return;
-    if (stage == Stage::kMoving || stage == Stage::kCoarse) shows_whole_ = false;
-    size_ = stage == Stage::kMoving ? moving_size_ : stage == Stage::kCoarse ? reduced(full_, kCoarseDivisor) : full_;
+    if (stage == Stage::kIdle || stage == Stage::kFillCache || full_.width == 0) return;
+    if (stage == Stage::kInteractive || stage == Stage::kCoarse) shows_full_frame_ = false;
+    size_ = stage == Stage::kInteractive ? preview_size_ : stage == Stage::kCoarse ? reduced(full_, kCoarseDivisor) : full_;
     denoise_due_ = false;
     denoised_samples_ = 0;
     beginFilm();
@@ -188,23 +188,23 @@ void ViewportRenderer::begin(Stage stage) {
 
 /// All of it is one band, in the window's film on the device. Quick pictures are of one sample.
 void ViewportRenderer::beginFilm() {
-    const bool quick = stage_ == Stage::kMoving || stage_ == Stage::kCoarse;
+    const bool quick = stage_ == Stage::kInteractive || stage_ == Stage::kCoarse;
     RenderPlan plan{view_.settings, view_.camera, {size_.height, size_.height}, quick};
     plan.settings.width = size_.width;
     plan.settings.height = size_.height;
     plan.settings.first_hits = needsHits();
     FrameJob job;
-    job.samples = stage_ == Stage::kFine ? view_.settings.spp : 1;
+    job.samples = stage_ == Stage::kRefine ? view_.settings.spp : 1;
     renderer_.begin(plan, job);
 }
 
 /// Where to go from a stage that is done.
 void ViewportRenderer::next() {
-    if (stage_ == Stage::kMoving) return; // until it rests: work()
-    if (stage_ == Stage::kCoarse) return begin(Stage::kFine);
-    if (stage_ == Stage::kFine && surveyIsDue()) return begin(Stage::kSurvey);
-    if (stage_ == Stage::kFine && denoisesNow()) return begin(Stage::kDenoising);
-    stage_ = renderer_.samples() < view_.settings.spp ? Stage::kFine : Stage::kResting;
+    if (stage_ == Stage::kInteractive) return; // until it rests: work()
+    if (stage_ == Stage::kCoarse) return begin(Stage::kRefine);
+    if (stage_ == Stage::kRefine && needsCacheFill()) return begin(Stage::kFillCache);
+    if (stage_ == Stage::kRefine && denoisesNow()) return begin(Stage::kDenoising);
+    stage_ = renderer_.samples() < view_.settings.spp ? Stage::kRefine : Stage::kIdle;
 }
 
 /// At sample counts that are powers of two: in between the picture hardly changes.
@@ -217,18 +217,18 @@ bool ViewportRenderer::denoisesNow() const {
 bool ViewportRenderer::showsDenoised() const { return view_.denoise && view_.look.shown == SHOWN_BEAUTY; }
 
 bool ViewportRenderer::work(double seconds) {
-    if (full_.width == 0 || film_pixels_ == 0 || stage_ == Stage::kResting) return false;
-    if (stage_ == Stage::kCarried) return workCarried(seconds);
+    if (full_.width == 0 || film_pixels_ == 0 || stage_ == Stage::kIdle) return false;
+    if (stage_ == Stage::kReprojection) return workReprojection(seconds);
     const Clock::time_point start = Clock::now();
-    if (stage_ == Stage::kMoving && renderer_.samples() > 0) {
+    if (stage_ == Stage::kInteractive && renderer_.samples() > 0) {
         if (since(moved_) < kRest_s) return false;
-        begin(size_.width < reduced(full_, kCoarseDivisor).width ? Stage::kCoarse : Stage::kFine);
+        begin(size_.width < reduced(full_, kCoarseDivisor).width ? Stage::kCoarse : Stage::kRefine);
     }
     double left = seconds;
-    while (stage_ != Stage::kResting && (left > kMin_s || stage_ == Stage::kMoving)) {
+    while (stage_ != Stage::kIdle && (left > kMin_s || stage_ == Stage::kInteractive)) {
         if (mustShow()) return true;
-        advance(left);
-        if (stage_ == Stage::kMoving && renderer_.samples() > 0) return true;
+        traceSlice(left);
+        if (stage_ == Stage::kInteractive && renderer_.samples() > 0) return true;
         left = seconds - since(start);
     }
     return true;
@@ -236,9 +236,9 @@ bool ViewportRenderer::work(double seconds) {
 
 bool ViewportRenderer::mustShow() const { return !updates_.empty() && updates_.back().size != size_; }
 
-void ViewportRenderer::advance(double seconds_left) {
-    if (stage_ == Stage::kDenoising) return denoiseOn();
-    if (stage_ == Stage::kSurvey) return survey();
+void ViewportRenderer::traceSlice(double seconds_left) {
+    if (stage_ == Stage::kDenoising) return continueDenoising();
+    if (stage_ == Stage::kFillCache) return fillCache();
     if (!renderer_.strip()) {
         slice_seconds_ = 0;
         if (!renderer_.preparePhotons()) return;
@@ -247,40 +247,40 @@ void ViewportRenderer::advance(double seconds_left) {
     const Clock::time_point start = Clock::now();
     const Strip strip = *renderer_.strip();
     // what does not fit in one go is handed over bounce by bounce
-    const bool fits = pace().secondsFor(std::uint64_t{size_.width} * strip.sample.rows) <= seconds_left;
+    const bool fits = speed().secondsFor(std::uint64_t{size_.width} * strip.sample.rows) <= seconds_left;
     const std::uint32_t bounces = std::max(view_.settings.bounces, 1u);
-    const bool done = renderer_.traceStrip(fits || stage_ == Stage::kMoving ? bounces : strip.sample.pass == 0 ? 0 : 1);
+    const bool done = renderer_.traceStrip(fits || stage_ == Stage::kInteractive ? bounces : strip.sample.pass == 0 ? 0 : 1);
     slice_seconds_ += since(start);
     if (done) finishSlice(strip);
 }
 
 /// As soon as there is a picture: what moves then is carried along.
-bool ViewportRenderer::surveyIsDue() {
-    if (!mayCarry() || renderer_.samples() == 0) return false;
-    makeMovingPicture();
-    return !moving_picture_->isSurveyed();
+bool ViewportRenderer::needsCacheFill() {
+    if (!shouldReproject() || renderer_.samples() == 0) return false;
+    createReprojector();
+    return !reprojector_->isFilled();
 }
 
-void ViewportRenderer::makeMovingPicture() {
-    if (!moving_picture_)
-        moving_picture_.emplace(device_, tracer_, display_.pixels, PixelSize{full_.width, full_.height});
+void ViewportRenderer::createReprojector() {
+    if (!reprojector_)
+        reprojector_.emplace(device_, tracer_, display_.pixels, PixelSize{full_.width, full_.height});
 }
 
-void ViewportRenderer::survey() {
-    if (!moving_picture_->survey(movingView())) return;
-    stage_ = Stage::kFine;
+void ViewportRenderer::fillCache() {
+    if (!reprojector_->fillCache(reprojectionView())) return;
+    stage_ = Stage::kRefine;
     next();
 }
 
 std::uint32_t ViewportRenderer::sliceRows(double seconds_left) const {
     std::uint32_t rows = size_.height;
-    if (stage_ != Stage::kMoving) rows = std::min(rows, pace().rowsFor(kPlanned * seconds_left, size_.width));
+    if (stage_ != Stage::kInteractive) rows = std::min(rows, speed().rowsFor(kPlanned * seconds_left, size_.width));
     return std::min(rows, std::max(kSliceLanes / (size_.width + TILE_SIDE) / TILE_SIDE, 1u) * TILE_SIDE);
 }
 
 void ViewportRenderer::finishSlice(const Strip& strip) {
     const std::uint32_t rows = strip.sample.rows, sample = strip.sample.number;
-    if (!strip.sample.first_hits) pace().learn(std::uint64_t{size_.width} * rows, slice_seconds_);
+    if (!strip.sample.first_hits) speed().addMeasurement(std::uint64_t{size_.width} * rows, slice_seconds_);
     traced_seconds_ += slice_seconds_;
     const RayCounts rays = renderer_.takeRays();
     rays_ += rays.primary + rays.shadow + rays.secondary;
@@ -298,7 +298,7 @@ void ViewportRenderer::finishSample() {
 /// only where they are looked at.
 bool ViewportRenderer::needsHits() const {
     const bool looked_at = needsFirstHits(view_.look);
-    return looked_at || (stage_ == Stage::kFine && (view_.denoise || view_.settings.first_hits));
+    return looked_at || (stage_ == Stage::kRefine && (view_.denoise || view_.settings.first_hits));
 }
 
 FilmRange ViewportRenderer::rangeOf(std::uint32_t first_row, std::uint32_t rows, std::uint32_t samples) const {
@@ -312,19 +312,19 @@ void ViewportRenderer::showRows(std::uint32_t first_row, std::uint32_t rows, std
     recordTonemap(commands, display_, range, view_.look, false);
     submitAndWait(device_, commands);
     const float share = shareShown(samples);
-    if (share < 1) moving_picture_->blendOver(range.first, range.count, share);
-    shows_whole_ = shows_whole_ || (isWhole() && view_.look.shown == SHOWN_BEAUTY && first_row + rows == size_.height);
+    if (share < 1) reprojector_->blendWithReprojection(range.first, range.count, share);
+    shows_full_frame_ = shows_full_frame_ || (isFullSize() && view_.look.shown == SHOWN_BEAUTY && first_row + rows == size_.height);
     updates_.push_back({size_, first_row, rows});
 }
 
 /// Of rows of so many samples, where the rest is the carried picture: from one to the other nothing jumps.
 float ViewportRenderer::shareShown(std::uint32_t samples) const {
-    const bool mixes = stage_ == Stage::kFine && carried_view_ && carried_most_ &&
-                       samples < std::min(kUnmixedSamples, view_.settings.spp);
-    return mixes ? 1 - std::pow(1 - kShareOfSample, static_cast<float>(samples)) : 1;
+    const bool mixes = stage_ == Stage::kRefine && reprojection_current_ && mostly_reused_ &&
+                       samples < std::min(kCleanBlendSamples, view_.settings.spp);
+    return mixes ? 1 - std::pow(1 - kBlendPerSample, static_cast<float>(samples)) : 1;
 }
 
-void ViewportRenderer::denoiseOn() {
+void ViewportRenderer::continueDenoising() {
     const VkCommandBuffer commands = beginCommands(device_);
     const FilmRange all = rangeOf(0, full_.height, renderer_.samples());
     Look light = view_.look;
@@ -335,7 +335,7 @@ void ViewportRenderer::denoiseOn() {
     if (denoise_step_ < kDenoiseSteps) return;
     denoised_samples_ = renderer_.samples();
     denoise_due_ = false;
-    stage_ = renderer_.samples() < view_.settings.spp ? Stage::kFine : Stage::kResting;
+    stage_ = renderer_.samples() < view_.settings.spp ? Stage::kRefine : Stage::kIdle;
     if (view_.denoise && view_.look.shown == SHOWN_BEAUTY) return showDenoised();
     showFilm();
 }
@@ -344,29 +344,29 @@ void ViewportRenderer::showDenoised() {
     const VkCommandBuffer commands = beginCommands(device_);
     recordTonemap(commands, display_, rangeOf(0, full_.height, renderer_.samples()), view_.look, true);
     submitAndWait(device_, commands);
-    shows_whole_ = true;
+    shows_full_frame_ = true;
     updates_.push_back({full_, 0, full_.height});
 }
 
 ViewportProgress ViewportRenderer::progress() const {
     ViewportProgress progress;
     progress.size = size_;
-    progress.traced = stage_ == Stage::kCarried ? carried_pixels_ : 0;
-    progress.samples = isWhole() ? renderer_.samples() : 0;
+    progress.traced = stage_ == Stage::kReprojection ? reprojected_pixels_ : 0;
+    progress.samples = isFullSize() ? renderer_.samples() : 0;
     progress.share = size_.height > 0 ? static_cast<double>(renderer_.rowsDone()) / size_.height : 0;
-    progress.resting = stage_ == Stage::kResting;
+    progress.resting = stage_ == Stage::kIdle;
     progress.denoising = stage_ == Stage::kDenoising;
     progress.mrays_per_second = traced_seconds_ > 0 ? 1e-6 * static_cast<double>(rays_) / traced_seconds_ : 0;
     return progress;
 }
 
 /// Quick pictures are of another light, whatever their size.
-bool ViewportRenderer::isWhole() const {
-    return size_ == full_ && stage_ != Stage::kMoving && stage_ != Stage::kCarried && stage_ != Stage::kCoarse;
+bool ViewportRenderer::isFullSize() const {
+    return size_ == full_ && stage_ != Stage::kInteractive && stage_ != Stage::kReprojection && stage_ != Stage::kCoarse;
 }
 
-bool ViewportRenderer::betweenSamples() const {
-    return renderer_.samples() > 0 && isWhole() && renderer_.rowsDone() == 0 && !renderer_.strip();
+bool ViewportRenderer::isBetweenSamples() const {
+    return renderer_.samples() > 0 && isFullSize() && renderer_.rowsDone() == 0 && !renderer_.strip();
 }
 
 std::optional<Pick> ViewportRenderer::pick(std::uint32_t x, std::uint32_t y) {
@@ -378,7 +378,7 @@ Film ViewportRenderer::readFilm() { return renderer_.takeFilm(); }
 
 std::uint64_t ViewportRenderer::deviceBytes() const {
     return pointrt::deviceBytes(tracer_) + pointrt::deviceBytes(display_) +
-           (moving_picture_ ? moving_picture_->bytes() : 0);
+           (reprojector_ ? reprojector_->bytes() : 0);
 }
 
 } // namespace pointrt

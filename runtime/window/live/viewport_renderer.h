@@ -12,8 +12,8 @@
 #include "runtime/render/pick.h"
 #include "runtime/render/progressive_renderer.h"
 #include "runtime/window/live/display_pipeline.h"
-#include "runtime/window/live/moving_picture.h"
-#include "runtime/window/live/pace.h"
+#include "runtime/window/live/reprojection_renderer.h"
+#include "runtime/window/live/trace_speed.h"
 
 namespace pointrt {
 
@@ -31,12 +31,12 @@ enum class ViewChange : std::uint8_t { kCamera, kScene, kAll };
 
 /// Rows of DisplayPipeline::pixels that are new.
 struct PictureUpdate {
-    PictureSize size; ///< of the picture they are rows of; smaller than the window's while things move
+    PixelSize size; ///< of the picture they are rows of; smaller than the window's while things move
     std::uint32_t first_row = 0, rows = 0;
 };
 
 struct ViewportProgress {
-    PictureSize size;          ///< that is traced now
+    PixelSize size;          ///< that is traced now
     std::uint32_t samples = 0; ///< of every pixel of the whole picture
     double share = 0;          ///< of the next sample
     bool resting = false;      ///< nothing is left to do
@@ -52,7 +52,7 @@ class ViewportRenderer {
 public:
     /// tracer, whose scene is furnished and which takes kSliceLanes, must outlive it. A picture of something that moves
     /// is made as fine as that budget allows.
-    ViewportRenderer(Device& device, BandTracer& tracer, double moving_budget_s);
+    ViewportRenderer(Device& device, BandTracer& tracer, double preview_budget_s);
     ~ViewportRenderer();
     ViewportRenderer(const ViewportRenderer&) = delete;
     ViewportRenderer& operator=(const ViewportRenderer&) = delete;
@@ -65,9 +65,9 @@ public:
     /// Starts over: the scene has changed, and the tracer with it.
     void restart(bool moving);
     /// A pixel of the scene is to take so many times as long, now that that is another one.
-    void expect(double times) {
-        moving_pace_.expect(times);
-        fine_pace_.expect(times);
+    void scaleCost(double times) {
+        preview_speed_.scaleCost(times);
+        refine_speed_.scaleCost(times);
     }
     /// How many samples it goes on to.
     void setSamples(std::uint32_t spp);
@@ -84,64 +84,64 @@ public:
     ViewportProgress progress() const;
     /// The splat under a pixel of the whole picture, none where there is none. Between slices only: see canPick.
     std::optional<Pick> pick(std::uint32_t x, std::uint32_t y);
-    bool betweenSlices() const { return !renderer_.strip().has_value(); }
+    bool isBetweenSlices() const { return !renderer_.strip().has_value(); }
     /// True where every pixel of the whole picture has the same number of samples, at least one.
-    bool betweenSamples() const;
-    /// The whole picture as headless runs have it, with first hits where they were asked for; betweenSamples.
+    bool isBetweenSamples() const;
+    /// The whole picture as headless runs have it, with first hits where they were asked for; isBetweenSamples.
     Film readFilm();
     std::uint64_t deviceBytes() const;
     const Viewport& view() const { return view_; }
 
 private:
-    enum class Stage { kMoving, kCarried, kCoarse, kFine, kSurvey, kDenoising, kResting };
+    enum class Stage { kInteractive, kReprojection, kCoarse, kRefine, kFillCache, kDenoising, kIdle };
     using Clock = std::chrono::steady_clock;
 
     void fitFilm();
-    bool workCarried(double seconds);
-    void survey();
-    bool surveyIsDue();
-    void makeMovingPicture();
-    bool mayCarry() const;
-    bool wouldBeTiny() const;
-    bool carries() const;
-    MovingView movingView() const;
+    bool workReprojection(double seconds);
+    void fillCache();
+    bool needsCacheFill();
+    void createReprojector();
+    bool shouldReproject() const;
+    bool previewIsTiny() const;
+    bool canReproject() const;
+    ReprojectionView reprojectionView() const;
     float shareShown(std::uint32_t samples) const;
     void begin(Stage stage);
     void beginFilm();
     void next();
-    void advance(double seconds_left);
+    void traceSlice(double seconds_left);
     std::uint32_t sliceRows(double seconds_left) const;
     void finishSlice(const Strip& strip);
     void finishSample();
-    void denoiseOn();
-    bool isWhole() const;
+    void continueDenoising();
+    bool isFullSize() const;
     bool showsDenoised() const;
     void showFilm();
     void showRows(std::uint32_t first_row, std::uint32_t rows, std::uint32_t samples);
     void showDenoised();
     bool needsHits() const;
     bool denoisesNow() const;
-    Pace& pace() { return stage_ == Stage::kFine ? fine_pace_ : moving_pace_; }
-    const Pace& pace() const { return stage_ == Stage::kFine ? fine_pace_ : moving_pace_; }
+    TraceSpeed& speed() { return stage_ == Stage::kRefine ? refine_speed_ : preview_speed_; }
+    const TraceSpeed& speed() const { return stage_ == Stage::kRefine ? refine_speed_ : preview_speed_; }
     FilmRange rangeOf(std::uint32_t first_row, std::uint32_t rows, std::uint32_t samples) const;
 
     Device& device_;
     BandTracer& tracer_;
     ProgressiveRenderer renderer_;
-    double moving_budget_s_;
+    double preview_budget_s_;
     DisplayPipeline display_;
     Viewport view_;
-    std::optional<MovingPicture> moving_picture_; ///< once one was asked for, of full_
-    std::uint32_t carried_pixels_ = 0;            ///< traced of the last one
-    bool carried_view_ = false;                   ///< it is of this view, and look
-    bool carried_most_ = false;                   ///< little of it is new
-    bool shows_whole_ = false; ///< what is on the screen is the light of last_camera_, in the picture's size
+    std::optional<ReprojectionRenderer> reprojector_; ///< once one was asked for, of full_
+    std::uint32_t reprojected_pixels_ = 0;            ///< traced of the last one
+    bool reprojection_current_ = false;                   ///< it is of this view, and look
+    bool mostly_reused_ = false;                   ///< little of it is new
+    bool shows_full_frame_ = false; ///< what is on the screen is the light of last_camera_, in the picture's size
     Camera last_camera_;
     std::uint64_t film_pixels_ = 0;
-    Stage stage_ = Stage::kResting;
+    Stage stage_ = Stage::kIdle;
     Clock::time_point moved_{};
-    PictureSize full_, size_, moving_size_;
-    Pace moving_pace_, fine_pace_;
+    PixelSize full_, size_, preview_size_;
+    TraceSpeed preview_speed_, refine_speed_;
     std::uint32_t denoised_samples_ = 0; ///< of the denoiser's result, 0: none of this view
     bool denoise_due_ = false;           ///< after the next sample, whatever its number
     std::uint32_t denoise_step_ = 0;

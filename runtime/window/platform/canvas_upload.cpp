@@ -2,7 +2,7 @@
 #include <stdexcept>
 
 #include "runtime/gpu/program.h"
-#include "runtime/window/platform/enlarge.h"
+#include "runtime/window/platform/upscale.h"
 #include "runtime/window/platform/frame_commands.h"
 #include "runtime/window/platform/presenter.h"
 
@@ -19,13 +19,13 @@ void enlargeOnHost(Device& device, Presenter& presenter, VkCommandBuffer command
                    PixelGrid size) {
     const VkExtent2D canvas = presenter.canvas.extent;
     const std::uint64_t bytes = std::uint64_t(canvas.width) * canvas.height * 4;
-    if (presenter.enlarged.bytes != bytes) {
-        destroyBuffer(device, presenter.enlarged);
-        presenter.enlarged = createBuffer(device, "enlarged picture", bytes, 0, MemoryHome::kHost);
+    if (presenter.host_upscaled.bytes != bytes) {
+        destroyBuffer(device, presenter.host_upscaled);
+        presenter.host_upscaled = createBuffer(device, "enlarged picture", bytes, 0, MemoryHome::kHost);
     }
-    enlarge(static_cast<const std::uint32_t*>(pixels.mapped), size,
-            static_cast<std::uint32_t*>(presenter.enlarged.mapped), {canvas.width, canvas.height});
-    recordUploadRows(commands, presenter, presenter.enlarged, 0, canvas.height);
+    upscale(static_cast<const std::uint32_t*>(pixels.mapped), size,
+            static_cast<std::uint32_t*>(presenter.host_upscaled.mapped), {canvas.width, canvas.height});
+    recordUploadRows(commands, presenter, presenter.host_upscaled, 0, canvas.height);
 }
 
 } // namespace
@@ -38,9 +38,9 @@ void recordUploadRows(VkCommandBuffer commands, const Presenter& presenter, cons
     recordBarrier(commands);
     const VkOffset2D start{0, static_cast<std::int32_t>(first_row)};
     const VkBufferImageCopy region = rectangleCopy(start, extent.width, start, {extent.width, rows});
-    recordImageBarrier(commands, presenter.canvas.handle, kCopiedFrom, kCopiedTo);
-    vkCmdCopyBufferToImage(commands, pixels.handle, presenter.canvas.handle, kCopiedTo.layout, 1, &region);
-    recordImageBarrier(commands, presenter.canvas.handle, kCopiedTo, kCopiedFrom);
+    recordImageBarrier(commands, presenter.canvas.handle, kTransferSrc, kTransferDst);
+    vkCmdCopyBufferToImage(commands, pixels.handle, presenter.canvas.handle, kTransferDst.layout, 1, &region);
+    recordImageBarrier(commands, presenter.canvas.handle, kTransferDst, kTransferSrc);
 }
 
 void recordUploadScaled(VkCommandBuffer commands, const Presenter& presenter, const Buffer& pixels, std::uint32_t width,
@@ -53,12 +53,12 @@ void recordUploadScaled(VkCommandBuffer commands, const Presenter& presenter, co
         rectangleCopy({}, width, {}, {width, height}), rectangleCopy({w - 1, 0}, width, {w, 0}, {1, height}),
         rectangleCopy({0, h - 1}, width, {0, h}, {width, 1}), rectangleCopy({w - 1, h - 1}, width, {w, h}, {1, 1})};
     recordBarrier(commands);
-    recordImageBarrier(commands, presenter.coarse.handle, discarded(kCopiedFrom), kCopiedTo);
-    vkCmdCopyBufferToImage(commands, pixels.handle, presenter.coarse.handle, kCopiedTo.layout, 4, regions);
-    recordImageBarrier(commands, presenter.coarse.handle, kCopiedTo, kCopiedFrom);
-    recordImageBarrier(commands, presenter.canvas.handle, discarded(kCopiedFrom), kCopiedTo);
-    recordStretch(commands, presenter.coarse, {width, height}, presenter.canvas.handle, canvas);
-    recordImageBarrier(commands, presenter.canvas.handle, kCopiedTo, kCopiedFrom);
+    recordImageBarrier(commands, presenter.low_res.handle, discarded(kTransferSrc), kTransferDst);
+    vkCmdCopyBufferToImage(commands, pixels.handle, presenter.low_res.handle, kTransferDst.layout, 4, regions);
+    recordImageBarrier(commands, presenter.low_res.handle, kTransferDst, kTransferSrc);
+    recordImageBarrier(commands, presenter.canvas.handle, discarded(kTransferSrc), kTransferDst);
+    recordBlit(commands, presenter.low_res, {width, height}, presenter.canvas.handle, canvas);
+    recordImageBarrier(commands, presenter.canvas.handle, kTransferDst, kTransferSrc);
 }
 
 void uploadScaled(Device& device, Presenter& presenter, const Buffer& pixels, std::uint32_t width,

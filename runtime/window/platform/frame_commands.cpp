@@ -32,34 +32,34 @@ Image8 rgbOf(const Buffer& pixels, VkFormat format, VkExtent2D extent) {
 } // namespace
 
 FrameTarget frameTarget(const Image& frame, VkFramebuffer framebuffer) {
-    return {frame.handle, frame.format, framebuffer, frame.extent, kCopiedFrom};
+    return {frame.handle, frame.format, framebuffer, frame.extent, kTransferSrc};
 }
 
 void recordBlack(VkCommandBuffer commands, const Image& image) {
     const VkClearColorValue black{{0, 0, 0, 1}};
     const VkImageSubresourceRange all{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-    vkCmdClearColorImage(commands, image.handle, kCopiedTo.layout, &black, 1, &all);
+    vkCmdClearColorImage(commands, image.handle, kTransferDst.layout, &black, 1, &all);
 }
 
-void recordStretch(VkCommandBuffer commands, const Image& from, VkExtent2D part, VkImage to, VkExtent2D to_extent) {
+void recordBlit(VkCommandBuffer commands, const Image& from, VkExtent2D part, VkImage to, VkExtent2D to_extent) {
     VkImageBlit region{};
     region.srcSubresource = region.dstSubresource = kColorLayer;
     region.srcOffsets[1] = cornerOf(part);
     region.dstOffsets[1] = cornerOf(to_extent);
-    vkCmdBlitImage(commands, from.handle, kCopiedFrom.layout, to, kCopiedTo.layout, 1, &region, VK_FILTER_LINEAR);
+    vkCmdBlitImage(commands, from.handle, kTransferSrc.layout, to, kTransferDst.layout, 1, &region, VK_FILTER_LINEAR);
 }
 
 void recordCanvas(VkCommandBuffer commands, const Image& canvas, const FrameTarget& target) {
     recordBarrier(commands);
     // the target's last use: as a frame (drawn on, read) or as the semaphore's wait tells, which ends at the copies
-    const ImageUse last{kDrawnOn.stages | kCopiedTo.stages, kDrawnOn.access | kCopiedTo.access, kDrawnOn.layout};
-    recordImageBarrier(commands, target.image, discarded(last), kCopiedTo);
+    const ImageUse last{kColorAttachment.stages | kTransferDst.stages, kColorAttachment.access | kTransferDst.access, kColorAttachment.layout};
+    recordImageBarrier(commands, target.image, discarded(last), kTransferDst);
     if (target.format != canvas.format || !sameSize(target.extent, canvas.extent))
-        return recordStretch(commands, canvas, canvas.extent, target.image, target.extent);
+        return recordBlit(commands, canvas, canvas.extent, target.image, target.extent);
     VkImageCopy region{};
     region.srcSubresource = region.dstSubresource = kColorLayer;
     region.extent = {canvas.extent.width, canvas.extent.height, 1};
-    vkCmdCopyImage(commands, canvas.handle, kCopiedFrom.layout, target.image, kCopiedTo.layout, 1, &region);
+    vkCmdCopyImage(commands, canvas.handle, kTransferSrc.layout, target.image, kTransferDst.layout, 1, &region);
 }
 
 VkBufferImageCopy rectangleCopy(VkOffset2D from, std::uint32_t pitch, VkOffset2D to, VkExtent2D size) {
@@ -80,7 +80,7 @@ Image8 readImage(Device& device, VkCommandBuffer commands, const Image& image) {
         createBuffer(device, "screenshot", std::uint64_t(extent.width) * extent.height * 4, 0, MemoryHome::kHost);
     recordBarrier(commands);
     const VkBufferImageCopy region = rectangleCopy({}, extent.width, {}, extent);
-    vkCmdCopyImageToBuffer(commands, image.handle, kCopiedFrom.layout, pixels.handle, 1, &region);
+    vkCmdCopyImageToBuffer(commands, image.handle, kTransferSrc.layout, pixels.handle, 1, &region);
     submitAndWait(device, commands);
     Image8 read = rgbOf(pixels, image.format, extent);
     destroyBuffer(device, pixels);

@@ -21,21 +21,21 @@ struct FrameTarget {
 /// The frame of no window, to be read back.
 FrameTarget frameTarget(const Image& frame, VkFramebuffer framebuffer);
 
-/// Fills an image in use as kCopiedTo with opaque black.
+/// Fills an image in use as kTransferDst with opaque black.
 void recordBlack(VkCommandBuffer commands, const Image& image);
 
-/// Stretches the upper left part of an image in use as kCopiedFrom over all of another in use as kCopiedTo, with
+/// Stretches the upper left part of an image in use as kTransferSrc over all of another in use as kTransferDst, with
 /// bilinear interpolation between pixel centres.
-void recordStretch(VkCommandBuffer commands, const Image& from, VkExtent2D part, VkImage to, VkExtent2D to_extent);
+void recordBlit(VkCommandBuffer commands, const Image& from, VkExtent2D part, VkImage to, VkExtent2D to_extent);
 
-/// The canvas, in use as kCopiedFrom, on all of target, whatever that held; in use as kCopiedTo afterwards.
+/// The canvas, in use as kTransferSrc, on all of target, whatever that held; in use as kTransferDst afterwards.
 void recordCanvas(VkCommandBuffer commands, const Image& canvas, const FrameTarget& target);
 
 /// The copy of a size of pixels between the one at from of a buffer, with pitch of them in a row, and the one at to of
 /// an image.
 VkBufferImageCopy rectangleCopy(VkOffset2D from, std::uint32_t pitch, VkOffset2D to, VkExtent2D size);
 
-/// Adds a copy of image (8-bit BGRA or RGBA, in use as kCopiedFrom) to commands, submits them, waits and returns it as
+/// Adds a copy of image (8-bit BGRA or RGBA, in use as kTransferSrc) to commands, submits them, waits and returns it as
 /// RGB.
 Image8 readImage(Device& device, VkCommandBuffer commands, const Image& image);
 

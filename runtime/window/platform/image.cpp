@@ -60,6 +60,7 @@ Image createImage(Device& device, const char* what, VkFormat format, VkExtent2D 
     image.extent = extent;
     const OnError undo([&] { destroyImage(device, image); });
     createHandle(device, image, usage, action.c_str());
+    nameObject(device, VK_OBJECT_TYPE_IMAGE, image.handle, what);
     allocateMemory(device, image, action.c_str());
     // an image that is only copied takes no view
     if (usage & ~kTransfer) image.view = createView(device, image.handle, format, swizzle);

@@ -20,8 +20,8 @@ void destroyCanvas(Device& device, Presenter& presenter) {
     if (presenter.framebuffer) vkDestroyFramebuffer(device.handle, presenter.framebuffer, nullptr);
     presenter.framebuffer = VK_NULL_HANDLE;
     destroyImage(device, presenter.frame);
-    destroyImage(device, presenter.coarse);
-    destroyBuffer(device, presenter.enlarged);
+    destroyImage(device, presenter.low_res);
+    destroyBuffer(device, presenter.host_upscaled);
     destroyImage(device, presenter.canvas);
 }
 
@@ -44,16 +44,16 @@ void createFrameObjects(Device& device, Presenter& presenter) {
 void createCanvas(Device& device, Presenter& presenter, VkExtent2D extent, const Image* old) {
     presenter.canvas = createImage(device, "canvas", kCanvasFormat, extent, 0);
     // a border of one pixel, for interpolation at the edge
-    presenter.coarse = createImage(device, "coarse picture", kCanvasFormat, {extent.width + 1, extent.height + 1}, 0);
+    presenter.low_res = createImage(device, "coarse picture", kCanvasFormat, {extent.width + 1, extent.height + 1}, 0);
     presenter.frame = createImage(device, "frame", frameFormat(presenter), extent, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
     presenter.framebuffer = createUiFramebuffer(device, presenter.ui, presenter.frame.view, extent);
     const VkCommandBuffer commands = beginCommands(device);
-    recordImageBarrier(commands, presenter.canvas.handle, discarded(kCopiedTo), kCopiedTo);
+    recordImageBarrier(commands, presenter.canvas.handle, discarded(kTransferDst), kTransferDst);
     if (old)
-        recordStretch(commands, *old, old->extent, presenter.canvas.handle, extent);
+        recordBlit(commands, *old, old->extent, presenter.canvas.handle, extent);
     else
         recordBlack(commands, presenter.canvas);
-    recordImageBarrier(commands, presenter.canvas.handle, kCopiedTo, kCopiedFrom);
+    recordImageBarrier(commands, presenter.canvas.handle, kTransferDst, kTransferSrc);
     submitAndWait(device, commands);
 }
 
@@ -74,11 +74,11 @@ void beginFrame(Presenter& presenter) {
 void recordFrame(Device& device, Presenter& presenter, VkCommandBuffer commands, const FrameTarget& target,
                  const ImDrawData* ui) {
     recordCanvas(commands, presenter.canvas, target);
-    ImageUse last = kCopiedTo;
+    ImageUse last = kTransferDst;
     if (ui) {
-        recordImageBarrier(commands, target.image, kCopiedTo, kDrawnOn);
+        recordImageBarrier(commands, target.image, kTransferDst, kColorAttachment);
         recordUi(device, presenter.ui, commands, target.framebuffer, target.extent, *ui);
-        last = kDrawnOn;
+        last = kColorAttachment;
     }
     recordImageBarrier(commands, target.image, last, target.end);
 }
@@ -96,7 +96,7 @@ void submitFrame(Device& device, Presenter& presenter, const std::uint32_t* imag
         submit.pWaitDstStageMask = &first_use;
         submit.pSignalSemaphores = &presenter.swapchain.drawn[*image];
     }
-    const auto turn = lockQueue(device);
+    const auto lock = lockQueue(device);
     check(vkQueueSubmit(device.queue, 1, &submit, presenter.done), "submit a frame");
     presenter.in_flight = true;
 }
@@ -143,7 +143,7 @@ Presenter createPresenter(Device& device, VkSurfaceKHR surface, std::uint32_t wi
 
 void destroyPresenter(Device& device, Presenter& presenter) {
     {
-        const auto turn = lockQueue(device);
+        const auto lock = lockQueue(device);
         vkQueueWaitIdle(device.queue);
     }
     destroyFramebuffers(device, presenter);
@@ -181,7 +181,7 @@ bool present(Device& device, Presenter& presenter, const ImDrawData* ui) {
     if (!image) return false;
     beginFrame(presenter);
     const FrameTarget target{presenter.swapchain.images[*image], presenter.swapchain.format,
-                             presenter.framebuffers[*image], presenter.swapchain.extent, kPresented};
+                             presenter.framebuffers[*image], presenter.swapchain.extent, kPresentSrc};
     recordFrame(device, presenter, presenter.commands, target, ui);
     submitFrame(device, presenter, &*image);
     if (!presentImage(device, presenter.swapchain, *image)) presenter.outdated = true;

@@ -151,7 +151,7 @@ void destroySwapchain(Device& device, Swapchain& swapchain) {
 void rebuildSwapchain(Device& device, Swapchain& swapchain, VkExtent2D wanted) {
     {
         // No fence tells when the screen is done with a semaphore; an idle queue does.
-        const auto turn = lockQueue(device);
+        const auto lock = lockQueue(device);
         check(vkQueueWaitIdle(device.queue), "wait for the device");
     }
     destroyImages(device, swapchain);
@@ -186,7 +186,7 @@ bool presentImage(Device& device, const Swapchain& swapchain, std::uint32_t imag
     info.swapchainCount = 1;
     info.pSwapchains = &swapchain.handle;
     info.pImageIndices = &image;
-    const auto turn = lockQueue(device);
+    const auto lock = lockQueue(device);
     const VkResult result = vkQueuePresentKHR(device.queue, &info);
     if (result == VK_SUBOPTIMAL_KHR || result == VK_ERROR_OUT_OF_DATE_KHR) return false;
     checkWindow(result, "show a picture in the window");

@@ -23,8 +23,8 @@ VkRenderPass createPass(Device& device, VkFormat format) {
     color.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
     color.stencilLoadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
     color.stencilStoreOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
-    color.initialLayout = color.finalLayout = kDrawnOn.layout;
-    const VkAttachmentReference reference{0, kDrawnOn.layout};
+    color.initialLayout = color.finalLayout = kColorAttachment.layout;
+    const VkAttachmentReference reference{0, kColorAttachment.layout};
     VkSubpassDescription subpass{};
     subpass.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
     subpass.colorAttachmentCount = 1;

@@ -92,12 +92,12 @@ void uploadCoverage(Device& device, UiRenderer& ui, const void* coverage) {
     Buffer staging = createBuffer(device, "font buffer", bytes, 0, MemoryHome::kHost);
     std::memcpy(staging.mapped, coverage, bytes);
     const VkCommandBuffer commands = beginCommands(device);
-    recordImageBarrier(commands, ui.font.handle, discarded(kCopiedTo), kCopiedTo);
+    recordImageBarrier(commands, ui.font.handle, discarded(kTransferDst), kTransferDst);
     VkBufferImageCopy region{};
     region.imageSubresource = kColorLayer;
     region.imageExtent = {extent.width, extent.height, 1};
-    vkCmdCopyBufferToImage(commands, staging.handle, ui.font.handle, kCopiedTo.layout, 1, &region);
-    recordImageBarrier(commands, ui.font.handle, kCopiedTo, kSampled);
+    vkCmdCopyBufferToImage(commands, staging.handle, ui.font.handle, kTransferDst.layout, 1, &region);
+    recordImageBarrier(commands, ui.font.handle, kTransferDst, kSampled);
     submitAndWait(device, commands);
     destroyBuffer(device, staging);
 }

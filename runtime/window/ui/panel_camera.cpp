@@ -13,30 +13,30 @@ namespace pointrt {
 namespace {
 
 void drawStandardViews(Workspace& w) {
-    if (shareButton("Front", 4, false, "1")) w.camera = standardView(w.camera, StandardView::kFront);
+    if (columnButton("Front", 4, false, "1")) w.camera = standardView(w.camera, StandardView::kFront);
     ImGui::SameLine();
-    if (shareButton("Right", 4, false, "3")) w.camera = standardView(w.camera, StandardView::kRight);
+    if (columnButton("Right", 4, false, "3")) w.camera = standardView(w.camera, StandardView::kRight);
     ImGui::SameLine();
-    if (shareButton("Top", 4, false, "7")) w.camera = standardView(w.camera, StandardView::kTop);
+    if (columnButton("Top", 4, false, "7")) w.camera = standardView(w.camera, StandardView::kTop);
     ImGui::SameLine();
-    if (shareButton("Behind", 4, false, "9: from the opposite side")) w.camera = oppositeView(w.camera);
-    if (shareButton("Left", 4, false)) w.camera = standardView(w.camera, StandardView::kLeft);
+    if (columnButton("Behind", 4, false, "9: from the opposite side")) w.camera = oppositeView(w.camera);
+    if (columnButton("Left", 4, false)) w.camera = standardView(w.camera, StandardView::kLeft);
     ImGui::SameLine();
-    if (shareButton("Back", 4, false)) w.camera = standardView(w.camera, StandardView::kBack);
+    if (columnButton("Back", 4, false)) w.camera = standardView(w.camera, StandardView::kBack);
     ImGui::SameLine();
-    if (shareButton("Below", 4, false)) w.camera = standardView(w.camera, StandardView::kBottom);
+    if (columnButton("Below", 4, false)) w.camera = standardView(w.camera, StandardView::kBottom);
     ImGui::SameLine();
-    if (shareButton("Iso", 4, false, "from the right, the front and above"))
+    if (columnButton("Iso", 4, false, "from the right, the front and above"))
         w.camera = standardView(w.camera, StandardView::kIso);
 }
 
 void drawLens(Workspace& w) {
     bool ortho = w.camera.ortho_height > 0;
-    if (switchRow("Orthographic", ortho, "5: no perspective, lengths can be compared"))
+    if (checkboxRow("Orthographic", ortho, "5: no perspective, lengths can be compared"))
         w.camera = orthoToggled(w.camera);
     if (ortho) return;
     double fov_deg = w.camera.fov_deg;
-    if (slideRow("Field of view", fov_deg, {1, 170}, "%.1f\xC2\xB0",
+    if (sliderRow("Field of view", fov_deg, {1, 170}, "%.1f\xC2\xB0",
                  "from top to bottom; what the view turns about keeps its size"))
         w.camera = withFov(w.camera, fov_deg, true);
     if (ImGui::IsItemActive()) w.requests.dragging = true;
@@ -51,9 +51,9 @@ void drawCamera(Workspace& w) {
     valueRow("Eye", pointText(w.camera.eye, size).c_str());
     valueRow("Looks at", pointText(w.camera.pivot, size).c_str());
     valueRow("From", (lengthText(distanceToPivot(w.camera), size) + " away").c_str());
-    if (shareButton("Home", 2, false, "Home: the view at the start")) w.requests.home = true;
+    if (columnButton("Home", 2, false, "Home: the view at the start")) w.requests.home = true;
     ImGui::SameLine();
-    if (shareButton("Copy as text", 2, false, "Ctrl + C: as options of pointrt-view"))
+    if (columnButton("Copy as text", 2, false, "Ctrl + C: as options of pointrt-view"))
         ImGui::SetClipboardText(cameraText(w.camera).c_str());
 }
 

@@ -12,7 +12,7 @@
 namespace pointrt {
 namespace {
 
-bool noteColors(Workspace& w, bool changed) { return noteEdit(w.requests, Edit::kSettings, changed); }
+bool noteColors(Workspace& w, bool changed) { return reportEdit(w.requests, Edit::kSettings, changed); }
 
 constexpr auto kMapLabels = [] {
     std::array<const char*, 1 + kColorMapNames.size()> labels{"as fits"};
@@ -23,12 +23,12 @@ constexpr auto kMapLabels = [] {
 /// Off, in the window, and in pictures that are saved as well.
 constexpr std::array kLegendLabels = {"off", "in the window", "in PNGs too"};
 
-void drawWord(Workspace& w) {
+void drawAttributeChoice(Workspace& w) {
     std::vector<const char*> words;
     for (const std::string& word : w.color_words) words.push_back(word.c_str());
     const auto known = std::find(w.color_words.begin(), w.color_words.end(), w.settings.color_by);
     int chosen = known == w.color_words.end() ? -1 : static_cast<int>(known - w.color_words.begin());
-    if (!noteColors(w, chooseRow("Colour by", chosen, words, "rgb: their own colours"))) return;
+    if (!noteColors(w, comboRow("Colour by", chosen, words, "rgb: their own colours"))) return;
     w.settings.color_by = w.color_words[static_cast<std::size_t>(chosen)];
     w.settings.color_map.reset(); // what was said of other numbers
     w.settings.color_range.reset();
@@ -36,7 +36,7 @@ void drawWord(Workspace& w) {
 
 void drawMap(Workspace& w) {
     int chosen = w.settings.color_map ? 1 + static_cast<int>(*w.settings.color_map) : 0;
-    if (!noteColors(w, chooseRow("Map", chosen, kMapLabels, "classes and scans are for whole numbers"))) return;
+    if (!noteColors(w, comboRow("Map", chosen, kMapLabels, "classes and scans are for whole numbers"))) return;
     w.settings.color_map.reset();
     if (chosen > 0) w.settings.color_map = kColorMapNames[static_cast<std::size_t>(chosen) - 1].value;
 }
@@ -54,7 +54,7 @@ void drawRange(Workspace& w) {
         w, dragRow("To", range.high, {-kLargest, kLargest}, step, "%.6g", "the number that gets its last colour"));
     if (changed && range.low < range.high) w.settings.color_range = range;
     ImGui::BeginDisabled(!w.settings.color_range);
-    if (shareButton("Range of the numbers", 1, false, "without the lowest and the highest percent")) {
+    if (columnButton("Range of the numbers", 1, false, "without the lowest and the highest percent")) {
         w.settings.color_range.reset();
         w.requests.settings_changed = true;
     }
@@ -63,7 +63,7 @@ void drawRange(Workspace& w) {
 
 void drawLegendChoice(Workspace& w) {
     int chosen = w.settings.legend ? (*w.settings.legend ? 2 : 0) : 1;
-    if (!noteEdit(w.requests, Edit::kLook, chooseRow("Legend", chosen, kLegendLabels, "what the colours mean"))) return;
+    if (!reportEdit(w.requests, Edit::kLook, comboRow("Legend", chosen, kLegendLabels, "what the colours mean"))) return;
     w.settings.legend.reset();
     if (chosen != 1) w.settings.legend = chosen == 2;
 }
@@ -71,7 +71,7 @@ void drawLegendChoice(Workspace& w) {
 } // namespace
 
 void drawColors(Workspace& w) {
-    drawWord(w);
+    drawAttributeChoice(w);
     if (w.settings.color_by == kOwnColors || w.settings.color_by == "normal") return;
     drawMap(w);
     if (w.legend && !w.legend->bar.empty()) drawRange(w);

@@ -11,7 +11,7 @@ namespace {
 ImGuiStorage& storage() { return ImGui::FindWindowByName("Debug##Default")->StateStorage; }
 
 /// The edits that were under way at the end of the last frame.
-int& underWay() { return keptInt("edits under way", 0); }
+int& activeEdits() { return storedInt("edits under way", 0); }
 
 bool& flagOf(Requests& requests, Edit edit) {
     if (edit == Edit::kScene) return requests.scene_changed;
@@ -20,26 +20,26 @@ bool& flagOf(Requests& requests, Edit edit) {
 
 } // namespace
 
-bool noteEdit(Requests& requests, Edit edit, bool changed) {
+bool reportEdit(Requests& requests, Edit edit, bool changed) {
     const int bit = static_cast<int>(edit);
     const bool held = ImGui::IsItemActive();
     if (changed) flagOf(requests, edit) = true;
-    if (held && (changed || (underWay() & bit) != 0)) {
+    if (held && (changed || (activeEdits() & bit) != 0)) {
         requests.dragging = true;
-        underWay() |= bit;
+        activeEdits() |= bit;
     }
     return changed;
 }
 
 void endEdits(Requests& requests) {
-    if (requests.dragging || underWay() == 0) return;
+    if (requests.dragging || activeEdits() == 0) return;
     for (const Edit edit : {Edit::kScene, Edit::kSettings, Edit::kLook})
-        if ((underWay() & static_cast<int>(edit)) != 0) flagOf(requests, edit) = true;
-    underWay() = 0;
+        if ((activeEdits() & static_cast<int>(edit)) != 0) flagOf(requests, edit) = true;
+    activeEdits() = 0;
 }
 
-int& keptInt(const char* name, int fallback) { return *storage().GetIntRef(ImHashStr(name), fallback); }
+int& storedInt(const char* name, int fallback) { return *storage().GetIntRef(ImHashStr(name), fallback); }
 
-float& keptFloat(const char* name, float fallback) { return *storage().GetFloatRef(ImHashStr(name), fallback); }
+float& storedFloat(const char* name, float fallback) { return *storage().GetFloatRef(ImHashStr(name), fallback); }
 
 } // namespace pointrt

@@ -12,7 +12,7 @@ namespace pointrt {
 enum class Edit : std::uint8_t { kScene = 1, kSettings = 2, kLook = 4 };
 
 /// Right after a widget, or a group of them: asks for what its edit takes. Returns changed.
-bool noteEdit(Requests& requests, Edit edit, bool changed);
+bool reportEdit(Requests& requests, Edit edit, bool changed);
 
 /// Once a frame, outside of all windows, after all widgets: an edit that was under way and has ended is asked for once
 /// more, no longer as dragging.
@@ -20,7 +20,7 @@ void endEdits(Requests& requests);
 
 /// Numbers that belong to the panel alone (what is selected, the sun's date) live with ImGui under a name, and begin as
 /// fallback. The reference is good until the next call; calls go outside of other ids.
-int& keptInt(const char* name, int fallback);
-float& keptFloat(const char* name, float fallback);
+int& storedInt(const char* name, int fallback);
+float& storedFloat(const char* name, float fallback);
 
 } // namespace pointrt

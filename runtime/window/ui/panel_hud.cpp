@@ -18,31 +18,31 @@ namespace {
 constexpr float kMargin = 10, kWidth = 236, kPickWidth = 300, kBarHeight = 3;
 
 /// The part of the wanted samples that is there, 0 to 1.
-float sampleShare(const HudFigures& hud) {
-    if (hud.samples_wanted == 0) return 0;
+float sampleShare(const HudStats& hud) {
+    if (hud.target_samples == 0) return 0;
     const double done = hud.samples + (std::isfinite(hud.sample_share) ? hud.sample_share : 0);
-    return static_cast<float>(std::clamp(done / hud.samples_wanted, 0.0, 1.0));
+    return static_cast<float>(std::clamp(done / hud.target_samples, 0.0, 1.0));
 }
 
 void drawSamples(const Workspace& w) {
     const char* state = w.paused ? "paused" : w.hud.resting ? "done" : "";
-    ImGui::Text("%s of %s samples  %s", countText(w.hud.samples).c_str(), countText(w.hud.samples_wanted).c_str(),
+    ImGui::Text("%s of %s samples  %s", countText(w.hud.samples).c_str(), countText(w.hud.target_samples).c_str(),
                 state);
     ImGui::ProgressBar(sampleShare(w.hud), ImVec2(-1, kBarHeight * uiScale()), "");
 }
 
 /// Names of devices are long, and end in what matters least.
-void drawDevice(const HudFigures& hud) {
+void drawDevice(const HudStats& hud) {
     constexpr int most = 34;
     ImGui::TextDisabled("%.*s%s", most, hud.device.c_str(), hud.device.size() > most ? "..." : "");
 }
 
-void drawFigures(const Workspace& w) {
-    const HudFigures& hud = w.hud;
+void drawStats(const Workspace& w) {
+    const HudStats& hud = w.hud;
     drawDevice(hud);
     if (hud.splats > 0) ImGui::Text("%s splats", countText(hud.splats).c_str());
     if (hud.tiles > 0)
-        ImGui::Text("%s of %s tiles%s", countText(hud.tiles).c_str(), countText(hud.tiles_wanted).c_str(),
+        ImGui::Text("%s of %s tiles%s", countText(hud.tiles).c_str(), countText(hud.target_tiles).c_str(),
                     hud.tiles_loading ? ", loading" : "");
     ImGui::Text("%u x %u pixels", hud.picture_width, hud.picture_height);
     drawSamples(w);
@@ -62,7 +62,7 @@ float drawBox(const char* name, float top, float width, const std::function<void
 void drawHud(const Workspace& w, FreeArea area) {
     const float margin = kMargin * uiScale(), width = area.width / uiScale() - kMargin;
     if (width < kWidth) return;
-    const float bottom = drawBox("Figures", margin, kWidth, [&] { drawFigures(w); });
+    const float bottom = drawBox("Figures", margin, kWidth, [&] { drawStats(w); });
     if (!w.picks.empty() && width >= kPickWidth) drawBox("Pick", bottom + margin, kPickWidth, [&] { drawLastPick(w); });
 }
 

@@ -19,7 +19,7 @@ namespace {
 constexpr float kWidth = 440, kMargin = 12, kBarHeight = 6, kCancelWidth = 64;
 
 /// A window whose lower edge is at bottom; returns its upper edge, known from its last frame.
-float standOn(const char* name, FreeArea area, float bottom, ImGuiWindowFlags flags,
+float boxAbove(const char* name, FreeArea area, float bottom, ImGuiWindowFlags flags,
               const std::function<void()>& content) {
     const float width = std::min(kWidth * uiScale(), area.width);
     const BoxPlace place{ImVec2(area.width / 2, bottom), ImVec2(0.5f, 1)};
@@ -45,28 +45,28 @@ void drawMovingBar(double time_s) {
     ImGui::Dummy(size);
 }
 
-void drawShare(const JobFigures& job, double time_s) {
-    if (!job.share || !std::isfinite(*job.share)) return drawMovingBar(time_s);
-    const auto share = static_cast<float>(std::clamp(*job.share, 0.0, 1.0));
+void drawShare(const JobStatus& job, double time_s) {
+    if (!job.progress || !std::isfinite(*job.progress)) return drawMovingBar(time_s);
+    const auto share = static_cast<float>(std::clamp(*job.progress, 0.0, 1.0));
     ImGui::ProgressBar(share, ImVec2(-1, kBarHeight * uiScale()), "");
 }
 
-std::string stateOf(const JobFigures& job) {
+std::string stateOf(const JobStatus& job) {
     std::string text = job.detail;
     const auto add = [&](const std::string& part) { text += std::string(text.empty() ? "" : "   ") + part; };
-    if (job.share && std::isfinite(*job.share))
-        add(std::to_string(static_cast<int>(100 * std::clamp(*job.share, 0.0, 1.0))) + " %");
+    if (job.progress && std::isfinite(*job.progress))
+        add(std::to_string(static_cast<int>(100 * std::clamp(*job.progress, 0.0, 1.0))) + " %");
     if (job.seconds_left) add(durationText(*job.seconds_left) + " left");
     return text;
 }
 
 void drawJob(Workspace& w) {
-    const JobFigures& job = *w.job;
+    const JobStatus& job = *w.job;
     const float cancel = kCancelWidth * uiScale();
     const float right = ImGui::GetWindowContentRegionMax().x - cancel;
     ImGui::AlignTextToFramePadding();
     ImGui::PushClipRect(ImGui::GetWindowPos(), ImVec2(ImGui::GetWindowPos().x + right, 1e6f), true);
-    ImGui::TextUnformatted(job.what.c_str());
+    ImGui::TextUnformatted(job.title.c_str());
     ImGui::PopClipRect();
     if (job.can_cancel) {
         ImGui::SameLine(right);
@@ -74,7 +74,7 @@ void drawJob(Workspace& w) {
     }
     drawShare(job, w.time_s);
     const std::string state = stateOf(job);
-    if (!state.empty()) noteText(state.c_str());
+    if (!state.empty()) dimText(state.c_str());
 }
 
 /// 1, and towards 0 in the last of its time.
@@ -98,14 +98,14 @@ void drawNotice(const Notice& notice, float opacity) {
 void drawJobAndNotices(Workspace& w, FreeArea area) {
     const float margin = kMargin * uiScale();
     float bottom = area.height - margin;
-    if (w.job) bottom = standOn("Job", area, bottom, 0, [&] { drawJob(w); }) - margin / 2;
+    if (w.job) bottom = boxAbove("Job", area, bottom, 0, [&] { drawJob(w); }) - margin / 2;
     int number = 0;
     for (auto notice = w.notices.rbegin(); notice != w.notices.rend() && bottom > 0; ++notice) {
         const float opacity = opacityOf(*notice, w.time_s);
         if (!(opacity > 0)) continue;
         const std::string name = std::string("Notice ") + std::to_string(number++);
         ImGui::SetNextWindowBgAlpha(0.85f * opacity);
-        bottom = standOn(name.c_str(), area, bottom, ImGuiWindowFlags_NoInputs, [&] { drawNotice(*notice, opacity); }) -
+        bottom = boxAbove(name.c_str(), area, bottom, ImGuiWindowFlags_NoInputs, [&] { drawNotice(*notice, opacity); }) -
                  margin / 2;
     }
 }

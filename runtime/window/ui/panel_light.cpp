@@ -37,7 +37,7 @@ LitScene litScene(const Workspace& w) {
 }
 
 int& selectedLight(const Workspace& w) {
-    int& selected = keptInt("selected light", 0);
+    int& selected = storedInt("selected light", 0);
     selected = std::clamp(selected, 0, std::max(0, static_cast<int>(w.scene.lights.size()) - 1));
     return selected;
 }
@@ -59,7 +59,7 @@ void drawSwatch(const LightDescription& light) {
 
 void drawList(Workspace& w) {
     const int count = static_cast<int>(w.scene.lights.size());
-    if (count == 0) return noteText("No lights: only the sky shines.");
+    if (count == 0) return dimText("No lights: only the sky shines.");
     const float row = ImGui::GetTextLineHeightWithSpacing();
     const float height = row * static_cast<float>(std::min(count, kMaxRows)) + 2 * ImGui::GetStyle().WindowPadding.y -
                          ImGui::GetStyle().ItemSpacing.y;
@@ -101,16 +101,16 @@ void drawButtons(Workspace& w) {
     const bool any = !w.scene.lights.empty();
     const auto selected = static_cast<std::size_t>(selectedLight(w));
     const bool surface = any && hasSurface(w.scene.lights[selected].index());
-    if (shareButton("Add", 3)) ImGui::OpenPopup("add light");
+    if (columnButton("Add", 3)) ImGui::OpenPopup("add light");
     drawAddMenu(w);
     ImGui::SameLine();
     ImGui::BeginDisabled(!any || !isRoomFor(w.scene, surface));
-    if (shareButton("Copy", 3, false, "another light like the chosen one"))
+    if (columnButton("Copy", 3, false, "another light like the chosen one"))
         addLight(w, LightDescription(w.scene.lights[selected]));
     ImGui::EndDisabled();
     ImGui::SameLine();
     ImGui::BeginDisabled(!any);
-    if (shareButton("Delete", 3)) {
+    if (columnButton("Delete", 3)) {
         w.scene.lights.erase(w.scene.lights.begin() + static_cast<std::ptrdiff_t>(selected));
         w.requests.scene_changed = true;
     }

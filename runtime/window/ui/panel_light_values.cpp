@@ -14,10 +14,10 @@
 namespace pointrt {
 namespace {
 
-bool noteScene(Workspace& w, bool changed) { return noteEdit(w.requests, Edit::kScene, changed); }
+bool noteScene(Workspace& w, bool changed) { return reportEdit(w.requests, Edit::kScene, changed); }
 
 /// Lengths of lamps, from a thousandth of the scene to ten scenes.
-SlideRange sizesIn(const Workspace& w) { return {1e-3 * sceneSize(w), 10 * sceneSize(w), true}; }
+SliderRange sizesIn(const Workspace& w) { return {1e-3 * sceneSize(w), 10 * sceneSize(w), true}; }
 
 constexpr const char* kSize = "%.4g";
 constexpr const char* kDegrees = "%.1f\xC2\xB0";
@@ -27,16 +27,16 @@ bool bearingRows(Workspace& w, Vec3& direction, const char* tip) {
     const Vec3 up = sceneUpright(w);
     Bearing bearing = bearingOf(direction, up);
     constexpr double steepest = 89.9;
-    bool changed = noteScene(w, slideRow("Azimuth", bearing.azimuth_deg, {0, 360}, kDegrees, tip));
-    changed |= noteScene(w, slideRow("Height", bearing.height_deg, {-steepest, steepest}, kDegrees,
+    bool changed = noteScene(w, sliderRow("Azimuth", bearing.azimuth_deg, {0, 360}, kDegrees, tip));
+    changed |= noteScene(w, sliderRow("Height", bearing.elevation_deg, {-steepest, steepest}, kDegrees,
                                      "over the horizon; below 0 from underneath"));
     if (changed)
-        direction = directionOf({bearing.azimuth_deg, std::clamp(bearing.height_deg, -steepest, steepest)}, up);
+        direction = directionOf({bearing.azimuth_deg, std::clamp(bearing.elevation_deg, -steepest, steepest)}, up);
     return changed;
 }
 
 bool aimButton(Workspace& w, const char* name, const char* tip, int share) {
-    return noteScene(w, shareButton(name, share, false, tip));
+    return noteScene(w, columnButton(name, share, false, tip));
 }
 
 Vec3 towardsPivot(const Workspace& w, Vec3 from, Vec3 otherwise) {
@@ -55,14 +55,14 @@ struct FieldRows {
     Vec3* sunward = nullptr;
 
     void operator()(const PositionField& field) const {
-        noteScene(w, moveRow("Position", field.value, sceneSize(w), "in the scan's own coordinates"));
+        noteScene(w, pointRow("Position", field.value, sceneSize(w), "in the scan's own coordinates"));
         const char* tip = field.turns ? "to where the camera is, looking the same way" : "to where the camera is";
-        if (aimButton(w, "Bring it here", tip, Turns<L> ? 2 : 1)) {
+        if (aimButton(w, "Bring it here", tip, Aimable<L> ? 2 : 1)) {
             field.value = w.camera.eye;
-            if constexpr (Turns<L>)
+            if constexpr (Aimable<L>)
                 if (field.turns) light.face(axesOf(w.camera).forward, sceneUpright(w));
         }
-        if constexpr (Turns<L>) {
+        if constexpr (Aimable<L>) {
             ImGui::SameLine();
             if (aimButton(w, "Aim", "at the middle of the picture", 2))
                 light.face(towardsPivot(w, field.value, light.facing()), sceneUpright(w));
@@ -70,7 +70,7 @@ struct FieldRows {
     }
 
     void operator()(const AimField& field) const {
-        static_assert(Turns<L>, "a light that points somewhere has facing() and face()");
+        static_assert(Aimable<L>, "a light that points somewhere has facing() and face()");
         bearingRows(w, field.value, field.flat ? kFaceTip : "where it points, from north by way of east");
     }
 
@@ -83,21 +83,21 @@ struct FieldRows {
         const double outer_deg =
             std::max(0.0, std::min(field.outer_deg, ConeField::kWidest)); // 0 where it is no number
         const double undimmed = std::clamp(field.inner_deg / field.outer_deg, 0.0, 1.0);
-        if (noteScene(w, slideRow("Cone", field.outer_deg, {ConeField::kNarrowest, ConeField::kWidest}, kDegrees,
+        if (noteScene(w, sliderRow("Cone", field.outer_deg, {ConeField::kNarrowest, ConeField::kWidest}, kDegrees,
                                   "half of its opening angle")))
             field.inner_deg = undimmed * field.outer_deg;
-        noteScene(w, slideRow("Full inside", field.inner_deg, {0, outer_deg}, kDegrees,
+        noteScene(w, sliderRow("Full inside", field.inner_deg, {0, outer_deg}, kDegrees,
                               "undimmed up to this angle; the rest of the cone is its soft edge"));
     }
 
     void operator()(const AngularRadiusField& field) const {
-        noteScene(w, slideRow("Softness", field.degrees, {0, AngularRadiusField::kWidest}, kDegrees,
+        noteScene(w, sliderRow("Softness", field.degrees, {0, AngularRadiusField::kWidest}, kDegrees,
                               "angular radius: 0.27\xC2\xB0 is the real sun, more makes shadows softer"));
     }
 
     void operator()(const RadiusField& field) const {
         double radius = field.value;
-        if (noteScene(w, slideRow("Radius", radius, sizesIn(w), kSize, kSizeTip)))
+        if (noteScene(w, sliderRow("Radius", radius, sizesIn(w), kSize, kSizeTip)))
             resize(light, [&] { field.value = radius; });
     }
 
@@ -106,8 +106,8 @@ struct FieldRows {
         if (bearingRows(w, normal, kFaceTip)) light.face(normal, sceneUpright(w));
         const double old_width = length(field.u), old_height = length(field.v);
         double width = 2 * old_width, height = 2 * old_height;
-        bool sized = noteScene(w, slideRow("Width", width, sizesIn(w), kSize, kSizeTip));
-        sized |= noteScene(w, slideRow("Length", height, sizesIn(w), kSize, kSizeTip));
+        bool sized = noteScene(w, sliderRow("Width", width, sizesIn(w), kSize, kSizeTip));
+        sized |= noteScene(w, sliderRow("Length", height, sizesIn(w), kSize, kSizeTip));
         if (sized)
             resize(light, [&] {
                 field.u = field.u * (0.5 * width / old_width);
@@ -116,7 +116,7 @@ struct FieldRows {
     }
 
     void operator()(const VisibleField& field) const {
-        noteScene(w, switchRow("Visible", field.value, "whether the lamp itself is in the picture"));
+        noteScene(w, checkboxRow("Visible", field.value, "whether the lamp itself is in the picture"));
     }
 
     void operator()(const EmissionField&) const {} // above all rows, for every light alike
@@ -135,7 +135,7 @@ void drawLightValues(Workspace& w, LightDescription& light) {
     Color tint = tintOf(light);
     if (noteScene(w, colorRow("Colour", tint))) setTint(light, tint);
     double brightness = brightnessOf(light, sceneSize(w));
-    if (noteScene(w, slideRow("Brightness", brightness, {1e-3, 1e3, true}, "%.3f",
+    if (noteScene(w, sliderRow("Brightness", brightness, {1e-3, 1e3, true}, "%.3f",
                               "1: a white surface that faces it, one scene's diagonal away, shows white")))
         setBrightness(light, brightness, sceneSize(w));
     std::visit([&](auto& kind) { drawFields(w, kind); }, light);

@@ -23,7 +23,7 @@ constexpr auto kScanKinds = [] {
 }();
 constexpr std::span<const char* const> kKinds = std::span(kScanKinds).subspan(1);
 
-bool noteScene(Workspace& w, bool changed) { return noteEdit(w.requests, Edit::kScene, changed); }
+bool noteScene(Workspace& w, bool changed) { return reportEdit(w.requests, Edit::kScene, changed); }
 
 std::string fileName(const InstanceDescription& instance) {
     return std::filesystem::path(instance.path).filename().string();
@@ -33,7 +33,7 @@ std::string fileName(const InstanceDescription& instance) {
 InstanceRange chosenInstances(const SceneDescription& scene) {
     const auto count = scene.instances.size();
     if (count == 1) return {0, 1};
-    int& chosen = keptInt("scan of materials", 0);
+    int& chosen = storedInt("scan of materials", 0);
     chosen = std::clamp(chosen, 0, static_cast<int>(count));
     const std::string name = chosen == 0 ? "All" : fileName(scene.instances[static_cast<std::size_t>(chosen) - 1]);
     pushRow("Scan", "");
@@ -61,7 +61,7 @@ void drawScan(Workspace& w) {
     const InstanceRange range = chosenInstances(w.scene);
     auto material = sharedMaterial(w.scene, range);
     int kind = material ? 1 + static_cast<int>(w.scene.materials[*material].kind) : 0;
-    if (noteScene(w, chooseRow("The scan is", kind, kScanKinds, "what all of it is made of, whatever the file says"))) {
+    if (noteScene(w, comboRow("The scan is", kind, kScanKinds, "what all of it is made of, whatever the file says"))) {
         const auto wanted = kind == 0 ? std::nullopt : std::optional(static_cast<MaterialKind>(kind - 1));
         setScanMaterial(w.scene, range, wanted);
         material = sharedMaterial(w.scene, range);
@@ -76,7 +76,7 @@ void drawShapeMaterial(Workspace& w, std::uint32_t number) {
     ImGui::PushID(static_cast<int>(number));
     if (ImGui::TreeNode("material", "%s", title.c_str())) {
         int kind = static_cast<int>(material.kind);
-        if (noteScene(w, chooseRow("Kind", kind, kKinds))) material.kind = static_cast<MaterialKind>(kind);
+        if (noteScene(w, comboRow("Kind", kind, kKinds))) material.kind = static_cast<MaterialKind>(kind);
         drawMaterialValues(w, material);
         ImGui::TreePop();
     }
@@ -86,7 +86,7 @@ void drawShapeMaterial(Workspace& w, std::uint32_t number) {
 } // namespace
 
 void drawMaterials(Workspace& w) {
-    if (w.scene.instances.empty() && w.scene.shapes.empty()) noteText("Nothing is open.");
+    if (w.scene.instances.empty() && w.scene.shapes.empty()) dimText("Nothing is open.");
     if (!w.scene.instances.empty()) drawScan(w);
     for (std::uint32_t m = 0; m < w.scene.materials.size(); ++m)
         if (usedByShapes(w.scene, m)) drawShapeMaterial(w, m);

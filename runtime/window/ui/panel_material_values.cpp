@@ -11,7 +11,7 @@
 namespace pointrt {
 namespace {
 
-bool noteScene(Workspace& w, bool changed) { return noteEdit(w.requests, Edit::kScene, changed); }
+bool noteScene(Workspace& w, bool changed) { return reportEdit(w.requests, Edit::kScene, changed); }
 
 /// What is left of white light after a tenth of the scene, which says more than a number per length.
 void tintRow(Workspace& w, const MaterialField& field, Color& absorption) {
@@ -29,10 +29,10 @@ void fieldRow(Workspace& w, const MaterialField& field, MaterialDescription& mat
     if (field.unless && material.*field.unless) return;
     if (field.shown_with && !(material.*field.shown_with > 0)) return;
     if (const auto* number = std::get_if<float MaterialDescription::*>(&field.member))
-        noteScene(w, slideRow(field.label, material.**number, {field.low, field.high, field.logarithmic}, field.format,
+        noteScene(w, sliderRow(field.label, material.**number, {field.low, field.high, field.logarithmic}, field.format,
                               field.tip));
     if (const auto* flag = std::get_if<bool MaterialDescription::*>(&field.member))
-        noteScene(w, switchRow(field.label, material.**flag, field.tip));
+        noteScene(w, checkboxRow(field.label, material.**flag, field.tip));
     if (const auto* color = std::get_if<Color MaterialDescription::*>(&field.member))
         tintRow(w, field, material.**color);
 }
@@ -41,7 +41,7 @@ void fieldRow(Workspace& w, const MaterialField& field, MaterialDescription& mat
 
 void drawMaterialValues(Workspace& w, MaterialDescription& material) {
     noteScene(w, colorRow("Colour", material.color, "what it reflects; of glass, what it lets through"));
-    noteScene(w, switchRow("Own colours", material.splat_color, "multiplied by the colours of the scan"));
+    noteScene(w, checkboxRow("Own colours", material.splat_color, "multiplied by the colours of the scan"));
     for (const MaterialField* field : fieldsOf(material.kind)) fieldRow(w, *field, material);
 }
 

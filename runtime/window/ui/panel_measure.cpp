@@ -19,10 +19,10 @@ std::string normalText(Vec3 normal) {
     return pointText(normal, unit_with_three_decimals);
 }
 
-std::string ownerOf(const PickedPoint& pick) {
-    const std::string owner = std::filesystem::path(pick.owner).filename().string();
+std::string sourceText(const PickedPoint& pick) {
+    const std::string source = std::filesystem::path(pick.source).filename().string();
     const bool of_file = pick.radius > 0;
-    return of_file ? owner + ", splat " + std::to_string(pick.splat) : owner;
+    return of_file ? source + ", splat " + std::to_string(pick.splat) : source;
 }
 
 std::string colorText(const PickedPoint& pick) {
@@ -45,22 +45,22 @@ void colorRowOf(const PickedPoint& pick) {
 
 void drawPick(const Workspace& w, const PickedPoint& pick) {
     const double size = sceneSize(w);
-    valueRow("Of", ownerOf(pick).c_str());
+    valueRow("Of", sourceText(pick).c_str());
     valueRow("Position", pointText(pick.position, size).c_str());
     valueRow("Normal", normalText(pick.normal).c_str());
     colorRowOf(pick);
-    if (!pick.number.empty()) valueRow("Coloured by", pick.number.c_str());
+    if (!pick.value.empty()) valueRow("Coloured by", pick.value.c_str());
     if (pick.radius > 0) valueRow("Radius", lengthText(pick.radius, size).c_str());
     valueRow("Distance", (lengthText(pick.distance, size) + " from the eye").c_str());
 }
 
 std::string pickLine(const PickedPoint& pick, double size) {
-    return ownerOf(pick) + "\tposition " + pointText(pick.position, size) + "\tnormal " + normalText(pick.normal) +
-           "\tcolour " + colorText(pick) + (pick.number.empty() ? "" : "\t" + pick.number) + "\n";
+    return sourceText(pick) + "\tposition " + pointText(pick.position, size) + "\tnormal " + normalText(pick.normal) +
+           "\tcolour " + colorText(pick) + (pick.value.empty() ? "" : "\t" + pick.value) + "\n";
 }
 
 /// Between the last two, of which both must be there.
-std::string apartText(const Workspace& w) {
+std::string distanceText(const Workspace& w) {
     const double apart = length(w.picks.back().position - w.picks[w.picks.size() - 2].position);
     return lengthText(apart, sceneSize(w));
 }
@@ -70,7 +70,7 @@ std::string measureText(const Workspace& w) {
     std::string text;
     for (const PickedPoint& pick : w.picks) text += pickLine(pick, sceneSize(w));
     if (w.picks.size() < 2) return text;
-    return text + "apart " + apartText(w) + "\n";
+    return text + "apart " + distanceText(w) + "\n";
 }
 
 } // namespace
@@ -78,11 +78,11 @@ std::string measureText(const Workspace& w) {
 void drawLastPick(const Workspace& w) {
     drawPick(w, w.picks.back());
     if (w.picks.size() < 2) return;
-    valueRow("Apart", apartText(w).c_str());
+    valueRow("Apart", distanceText(w).c_str());
 }
 
 void drawMeasure(Workspace& w) {
-    if (w.picks.empty()) return noteText("Click a point of the picture.");
+    if (w.picks.empty()) return dimText("Click a point of the picture.");
     const PickedPoint& last = w.picks.back();
     ImGui::TextDisabled("Last pick");
     drawPick(w, last);
@@ -91,10 +91,10 @@ void drawMeasure(Workspace& w) {
         ImGui::TextDisabled("The one before");
         drawPick(w, before);
         ImGui::Separator();
-        valueRow("Apart", apartText(w).c_str());
-        switchRow("Keep it", w.keeps_measurement, "M: the line stays while you look on");
+        valueRow("Apart", distanceText(w).c_str());
+        checkboxRow("Keep it", w.pin_measurement, "M: the line stays while you look on");
     }
-    if (shareButton("Copy as text", 1)) ImGui::SetClipboardText(measureText(w).c_str());
+    if (columnButton("Copy as text", 1)) ImGui::SetClipboardText(measureText(w).c_str());
 }
 
 } // namespace pointrt

@@ -19,22 +19,22 @@ static_assert(kMaxPictures <= kMaxTurntable);
 } // namespace
 
 void drawOutput(Workspace& w) {
-    if (shareButton("Save scene", 1, false, "Ctrl + S: a file that pointrt-view renders to the same picture"))
+    if (columnButton("Save scene", 1, false, "Ctrl + S: a file that pointrt-view renders to the same picture"))
         w.requests.save_scene = true;
     ImGui::TextDisabled("Turntable");
-    auto pictures = static_cast<std::uint32_t>(std::max(1, keptInt("turntable pictures", kPictures)));
-    if (slideRow("Pictures", pictures, {1, kMaxPictures, true}, "for one turn about the upright axis"))
-        keptInt("turntable pictures", kPictures) = static_cast<int>(pictures);
+    auto pictures = static_cast<std::uint32_t>(std::max(1, storedInt("turntable pictures", kPictures)));
+    if (sliderRow("Pictures", pictures, {1, kMaxPictures, true}, "for one turn about the upright axis"))
+        storedInt("turntable pictures", kPictures) = static_cast<int>(pictures);
     textRow("Files", w.turntable_path, "turntable/%04d.png", "%04d stands for the picture's number");
     ImGui::BeginDisabled(w.job.has_value() || w.turntable_path.empty());
-    if (shareButton("Render turntable", 1)) w.requests.turntable_pictures = pictures;
+    if (columnButton("Render turntable", 1)) w.requests.turntable_pictures = pictures;
     ImGui::EndDisabled();
 }
 
 void drawAbout(Workspace& w) {
-    switchRow("Figures", w.show_hud, "device, samples and speed, in the upper left corner");
-    if (shareButton("All controls", 1, w.show_cheat_sheet, "H")) w.show_cheat_sheet = !w.show_cheat_sheet;
-    if (!w.hud.device.empty()) noteText(w.hud.device.c_str());
+    checkboxRow("Figures", w.show_hud, "device, samples and speed, in the upper left corner");
+    if (columnButton("All controls", 1, w.show_cheat_sheet, "H")) w.show_cheat_sheet = !w.show_cheat_sheet;
+    if (!w.hud.device.empty()) dimText(w.hud.device.c_str());
 }
 
 } // namespace pointrt

@@ -14,13 +14,13 @@ double sceneSize(const Workspace& w);
 Vec3 sceneUpright(const Workspace& w);
 
 /// What a slider may take of a setting (render_setting_table.h).
-constexpr SlideRange slideRange(CountRange range, bool logarithmic = false) {
+constexpr SliderRange sliderRange(CountRange range, bool logarithmic = false) {
     return {static_cast<double>(range.low), static_cast<double>(range.high), logarithmic};
 }
 
 /// Sections of the panel, each within its header.
 void drawLights(Workspace& w);
-void drawSky(Workspace& w);
+void sampleSky(Workspace& w);
 void drawMaterials(Workspace& w);
 void drawRoom(Workspace& w);
 void drawRender(Workspace& w);

@@ -18,23 +18,23 @@ constexpr auto kShown = [] {
 }();
 
 /// Of the exposures that there are, those that a slider is fine enough for.
-constexpr SlideRange kExposures{-8, 8};
+constexpr SliderRange kExposures{-8, 8};
 static_assert(rowOf<&RenderSettings::exposure>().limits.low <= kExposures.low &&
               kExposures.high <= rowOf<&RenderSettings::exposure>().limits.high);
 
 } // namespace
 
 void drawPicture(Workspace& w) {
-    const auto note = [&](bool changed) { return noteEdit(w.requests, Edit::kLook, changed); };
-    note(slideRow("Exposure", w.look.exposure, kExposures, "%+.2f stops", "one stop more is twice as bright"));
-    note(switchRow("Denoise", w.denoise, "smooths what the samples so far leave noisy"));
+    const auto note = [&](bool changed) { return reportEdit(w.requests, Edit::kLook, changed); };
+    note(sliderRow("Exposure", w.look.exposure, kExposures, "%+.2f stops", "one stop more is twice as bright"));
+    note(checkboxRow("Denoise", w.denoise, "smooths what the samples so far leave noisy"));
     int shown = static_cast<int>(w.look.shown);
-    if (note(chooseRow("Show", shown, kShown, "the picture, or one of the parts it is made of")))
+    if (note(comboRow("Show", shown, kShown, "the picture, or one of the parts it is made of")))
         w.look.shown = static_cast<std::uint32_t>(shown);
     if (w.look.shown == SHOWN_DEPTH)
-        note(slideRow("Black at", w.look.depth_black, {1e-2 * sceneSize(w), 1e2 * sceneSize(w), true}, "%.4g",
+        note(sliderRow("Black at", w.look.depth_black, {1e-2 * sceneSize(w), 1e2 * sceneSize(w), true}, "%.4g",
                       "distance from the eye, scene units"));
-    if (shareButton("Save picture", 1, false, "F12: PNG and EXR")) w.requests.screenshot = true;
+    if (columnButton("Save picture", 1, false, "F12: PNG and EXR")) w.requests.screenshot = true;
 }
 
 } // namespace pointrt

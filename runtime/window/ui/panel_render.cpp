@@ -22,23 +22,23 @@ constexpr auto kLabels = [] {
 
 void drawRender(Workspace& w) {
     RenderSettings& settings = w.settings;
-    const auto note = [&](bool changed) { return noteEdit(w.requests, Edit::kSettings, changed); };
+    const auto note = [&](bool changed) { return reportEdit(w.requests, Edit::kSettings, changed); };
     int integrator = static_cast<int>(settings.integrator);
-    if (note(chooseRow("Light", integrator, kLabels,
+    if (note(comboRow("Light", integrator, kLabels,
                        "direct light: quick; with mirrors: reflections and glass as well; full light: also what "
                        "surfaces throw on each other")))
         settings.integrator = static_cast<Integrator>(integrator);
-    ImGui::BeginDisabled(!hasTrait(settings.integrator, INTEGRATOR_OFFERS_BOUNCES));
-    note(slideRow("Bounces", settings.bounces, slideRange(rowOf<&RenderSettings::bounces>().limits, true),
+    ImGui::BeginDisabled(!hasTrait(settings.integrator, INTEGRATOR_HAS_BOUNCES));
+    note(sliderRow("Bounces", settings.bounces, sliderRange(rowOf<&RenderSettings::bounces>().limits, true),
                   "turns that light may take on its way"));
-    note(switchRow("Caustics", settings.caustics, "light bundled by glass and mirrors"));
+    note(checkboxRow("Caustics", settings.caustics, "light bundled by glass and mirrors"));
     ImGui::EndDisabled();
-    note(switchRow("Shadows", settings.shadows));
-    note(switchRow("Blend", settings.blend, "points melt into a smooth surface; off: each is a flat disc"));
-    noteEdit(w.requests, Edit::kLook,
-             slideRow("Samples", w.samples_wanted, slideRange(rowOf<&RenderSettings::spp>().limits, true),
+    note(checkboxRow("Shadows", settings.shadows));
+    note(checkboxRow("Blend", settings.blend, "points melt into a smooth surface; off: each is a flat disc"));
+    reportEdit(w.requests, Edit::kLook,
+             sliderRow("Samples", w.target_samples, sliderRange(rowOf<&RenderSettings::spp>().limits, true),
                       "a pixel, until the picture is done"));
-    noteEdit(w.requests, Edit::kLook, switchRow("Pause", w.paused, "Space"));
+    reportEdit(w.requests, Edit::kLook, checkboxRow("Pause", w.paused, "Space"));
 }
 
 } // namespace pointrt

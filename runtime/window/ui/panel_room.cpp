@@ -12,14 +12,14 @@
 namespace pointrt {
 namespace {
 
-void wish(Workspace& w, std::optional<Room> room) {
+void setRoom(Workspace& w, std::optional<Room> room) {
     w.settings.room = room;
     if (!room) w.settings.lights.reset();
     w.requests.settings_changed = true;
 }
 
 void roomButton(Workspace& w, const char* name, std::optional<Room> room, const char* tip) {
-    if (shareButton(name, 4, w.settings.room == room, tip)) wish(w, room);
+    if (columnButton(name, 4, w.settings.room == room, tip)) setRoom(w, room);
 }
 
 /// Scanners mostly call up Z, modellers Y.
@@ -34,7 +34,7 @@ void drawUp(Workspace& w) {
         if (!first) ImGui::SameLine();
         first = false;
         const bool stands = length(w.scene_up - side.axis) < 1e-6;
-        if (shareButton(side.name, static_cast<int>(std::size(sides)), stands, "the side that the scan stands on"))
+        if (columnButton(side.name, static_cast<int>(std::size(sides)), stands, "the side that the scan stands on"))
             w.requests.up = side.axis;
     }
 }
@@ -52,8 +52,8 @@ void drawRoom(Workspace& w) {
     roomButton(w, "None", Room::kNone, "lamps only");
     if (!w.settings.room) return;
     std::uint32_t lamps = w.settings.lights.value_or(kRingLights);
-    if (noteEdit(w.requests, Edit::kSettings,
-                 slideRow("Lamps", lamps, slideRange(rowOf<&RenderSettings::lights>().limits),
+    if (reportEdit(w.requests, Edit::kSettings,
+                 sliderRow("Lamps", lamps, sliderRange(rowOf<&RenderSettings::lights>().limits),
                           "on a ring above the scan, the first over your left shoulder")))
         w.settings.lights = lamps;
 }

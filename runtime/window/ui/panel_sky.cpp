@@ -12,7 +12,7 @@
 namespace pointrt {
 namespace {
 
-constexpr SlideRange kStrengths{1e-3, 1e3, true};
+constexpr SliderRange kStrengths{1e-3, 1e3, true};
 
 /// Colours of light may be above 1, which stays in the brightest of them.
 bool lightRow(const char* name, Color& color, const char* tip) {
@@ -25,20 +25,20 @@ bool lightRow(const char* name, Color& color, const char* tip) {
 
 } // namespace
 
-void drawSky(Workspace& w) {
+void sampleSky(Workspace& w) {
     SkyDescription sky = w.scene.sky.value_or(SkyDescription{});
     bool changed = false;
-    const auto note = [&](bool edited) { changed |= noteEdit(w.requests, Edit::kScene, edited); };
+    const auto note = [&](bool edited) { changed |= reportEdit(w.requests, Edit::kScene, edited); };
     if (sky.image.empty()) {
         note(lightRow("Above", sky.zenith, "the colour straight up"));
         note(lightRow("Horizon", sky.horizon, "the colour at eye level"));
         note(lightRow("Below", sky.ground, "the colour straight down"));
     } else {
         valueRow("Picture", std::filesystem::path(sky.image).filename().string().c_str());
-        note(slideRow("Turned", sky.rotation_deg, {-360, 360}, "%.1f\xC2\xB0", "about the upright axis"));
+        note(sliderRow("Turned", sky.rotation_deg, {-360, 360}, "%.1f\xC2\xB0", "about the upright axis"));
     }
-    note(slideRow("Strength", sky.strength, kStrengths, "%.3f", "multiplies all of the sky"));
-    note(slideRow("Ambient", sky.ambient, {0, 1}, "%.2f",
+    note(sliderRow("Strength", sky.strength, kStrengths, "%.3f", "multiplies all of the sky"));
+    note(sliderRow("Ambient", sky.ambient, {0, 1}, "%.2f",
                   "share of the sky's light in shadows; for direct light and mirrors, full light works it out"));
     if (changed) w.scene.sky = sky;
 }

@@ -19,17 +19,17 @@ struct SunDate {
     int day_of_year, year;
 };
 
-SunDate keptDate() {
-    return {keptFloat("sun latitude", 51.48f), keptFloat("sun longitude", 0), keptFloat("sun hour", 15),
-            keptInt("sun day", 172), keptInt("sun year", 2025)};
+SunDate storedDate() {
+    return {storedFloat("sun latitude", 51.48f), storedFloat("sun longitude", 0), storedFloat("sun hour", 15),
+            storedInt("sun day", 172), storedInt("sun year", 2025)};
 }
 
-void keep(const SunDate& date) {
-    keptFloat("sun latitude", 0) = date.latitude_deg;
-    keptFloat("sun longitude", 0) = date.longitude_deg;
-    keptFloat("sun hour", 0) = date.hour;
-    keptInt("sun day", 0) = date.day_of_year;
-    keptInt("sun year", 0) = date.year;
+void storeDate(const SunDate& date) {
+    storedFloat("sun latitude", 0) = date.latitude_deg;
+    storedFloat("sun longitude", 0) = date.longitude_deg;
+    storedFloat("sun hour", 0) = date.hour;
+    storedInt("sun day", 0) = date.day_of_year;
+    storedInt("sun year", 0) = date.year;
 }
 
 std::chrono::sys_days dayOf(const SunDate& date) {
@@ -59,17 +59,17 @@ bool dateRows(Requests& requests, SunDate& date) {
     dayText(date, day);
     std::snprintf(hour, sizeof hour, "%02d:%02d UTC", static_cast<int>(date.hour),
                   static_cast<int>(60 * (date.hour - static_cast<float>(static_cast<int>(date.hour)))));
-    const auto note = [&](bool changed) { return noteEdit(requests, Edit::kScene, changed); };
-    bool changed = note(slideRow("Latitude", date.latitude_deg, {-90, 90}, "%.2f\xC2\xB0", "north is above 0"));
-    changed |= note(slideRow("Longitude", date.longitude_deg, {-180, 180}, "%.2f\xC2\xB0", "east is above 0"));
+    const auto note = [&](bool changed) { return reportEdit(requests, Edit::kScene, changed); };
+    bool changed = note(sliderRow("Latitude", date.latitude_deg, {-90, 90}, "%.2f\xC2\xB0", "north is above 0"));
+    changed |= note(sliderRow("Longitude", date.longitude_deg, {-180, 180}, "%.2f\xC2\xB0", "east is above 0"));
     auto year = static_cast<std::uint32_t>(date.year), day_of_year = static_cast<std::uint32_t>(date.day_of_year);
-    changed |= note(slideRow("Year", year, {1900, 2100}));
+    changed |= note(sliderRow("Year", year, {1900, 2100}));
     pushRow("Day", "of the year");
     constexpr std::uint32_t first = 1, last = 365;
     changed |= note(ImGui::SliderScalar("##value", ImGuiDataType_U32, &day_of_year, &first, &last, day,
                                         ImGuiSliderFlags_AlwaysClamp));
     popRow();
-    changed |= note(slideRow("Hour", date.hour, {0, 24}, hour, "universal time: your clock's less its time zone"));
+    changed |= note(sliderRow("Hour", date.hour, {0, 24}, hour, "universal time: your clock's less its time zone"));
     date.year = static_cast<int>(year);
     date.day_of_year = static_cast<int>(day_of_year);
     return changed;
@@ -79,17 +79,17 @@ bool dateRows(Requests& requests, SunDate& date) {
 
 void drawSunByDate(Workspace& w, Vec3& towards) {
     if (!ImGui::TreeNode("By place and date")) return;
-    SunDate date = keptDate();
+    SunDate date = storedDate();
     bool changed = dateRows(w.requests, date);
-    changed |= noteEdit(w.requests, Edit::kScene, ImGui::Button("Put the sun there", ImVec2(-1, 0)));
-    keep(date);
+    changed |= reportEdit(w.requests, Edit::kScene, ImGui::Button("Put the sun there", ImVec2(-1, 0)));
+    storeDate(date);
     const SunPosition position = positionAt(date);
     const Vec3 up = sceneUpright(w);
     if (changed && position.elevation_deg > 0) towards = normalize(sunDirection(position, up, defaultNorth(up)));
     if (position.elevation_deg > 0)
         ImGui::TextDisabled("%.1f\xC2\xB0 high, azimuth %.1f\xC2\xB0", position.elevation_deg, position.azimuth_deg);
     else
-        noteText("It is night: the sun stays where it was.");
+        dimText("It is night: the sun stays where it was.");
     ImGui::TreePop();
 }
 

@@ -30,9 +30,9 @@ void drawView(Workspace& w, std::size_t number) {
     ImGui::SetNextItemWidth(std::max(1.0f, ImGui::GetContentRegionAvail().x - kForgetWidth * scale - gap));
     std::string name = w.scene.views[number].name;
     if (ImGui::InputText("##name", &name) && isFreeName(w.scene, name)) w.scene.views[number].name = name;
-    tipHere("click to give it another name");
+    tooltip("click to give it another name");
     ImGui::SameLine(0, gap);
-    if (ImGui::Button("Forget", ImVec2(kForgetWidth * scale, 0))) w.requests.forget_view = number;
+    if (ImGui::Button("Forget", ImVec2(kForgetWidth * scale, 0))) w.requests.delete_view = number;
     ImGui::PopID();
 }
 
@@ -45,7 +45,7 @@ void drawViews(Workspace& w) {
     ImGui::InputTextWithHint("##new", "name of a new view", &w.view_name);
     ImGui::SameLine(0, gap);
     if (ImGui::Button("Save", ImVec2(width, 0))) w.requests.save_view = true;
-    tipHere("V: what you see now; it is kept in the scene file");
+    tooltip("V: what you see now; it is kept in the scene file");
 }
 
 } // namespace pointrt

@@ -19,31 +19,31 @@ constexpr float kNameWidth = 92;
 
 /// Shows widget (which may be given what is no number) and takes its answer where it is one within range.
 template <typename T, typename Widget>
-bool edited(T& value, SlideRange range, const Widget& widget) {
+bool edited(T& value, SliderRange range, const Widget& widget) {
     T shown = std::isfinite(value) ? value : static_cast<T>(range.low);
     if (!widget(shown) || !std::isfinite(shown)) return false;
     value = std::clamp(shown, static_cast<T>(range.low), static_cast<T>(range.high));
     return true;
 }
 
-int flagsOf(SlideRange range) {
+int flagsOf(SliderRange range) {
     return ImGuiSliderFlags_AlwaysClamp | (range.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
 }
 
 template <typename T>
-bool slide(const char* name, T& value, ImGuiDataType type, SlideRange range, const char* format, const char* tip) {
+bool slide(const char* name, T& value, ImGuiDataType type, SliderRange range, const char* format, const char* tip) {
     pushRow(name, tip);
     const T low = static_cast<T>(range.low), high = static_cast<T>(range.high);
     const bool changed = edited(value, range, [&](T& shown) {
         return ImGui::SliderScalar("##value", type, &shown, &low, &high, format, flagsOf(range));
     });
-    tipHere(tip);
+    tooltip(tip);
     popRow();
     return changed;
 }
 
 /// The most that scene files take.
-constexpr SlideRange kCoordinates{-1e12, 1e12};
+constexpr SliderRange kCoordinates{-1e12, 1e12};
 
 bool dragOf(const char* id, double& value, double step, const char* format) {
     return edited(value, kCoordinates, [&](double& shown) {
@@ -61,7 +61,7 @@ float decoded(float value) { return value <= 0.04045f ? value / 12.92f : std::po
 
 } // namespace
 
-void tipHere(const char* tip) {
+void tooltip(const char* tip) {
     if (*tip == '\0' || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive()) return;
     constexpr float patience_s = 0.5f; // tips cover the rows below: not for who passes by
     const ImGuiContext& context = *ImGui::GetCurrentContext();
@@ -78,41 +78,41 @@ void pushRow(const char* name, const char* tip) {
     const float left = ImGui::GetCursorPosX();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(name);
-    tipHere(tip);
+    tooltip(tip);
     ImGui::SameLine(left + kNameWidth * uiScale());
     ImGui::SetNextItemWidth(-1);
 }
 
 void popRow() { ImGui::PopID(); }
 
-bool slideRow(const char* name, float& value, SlideRange range, const char* format, const char* tip) {
+bool sliderRow(const char* name, float& value, SliderRange range, const char* format, const char* tip) {
     return slide(name, value, ImGuiDataType_Float, range, format, tip);
 }
 
-bool slideRow(const char* name, double& value, SlideRange range, const char* format, const char* tip) {
+bool sliderRow(const char* name, double& value, SliderRange range, const char* format, const char* tip) {
     return slide(name, value, ImGuiDataType_Double, range, format, tip);
 }
 
-bool slideRow(const char* name, std::uint32_t& value, SlideRange range, const char* tip) {
+bool sliderRow(const char* name, std::uint32_t& value, SliderRange range, const char* tip) {
     return slide(name, value, ImGuiDataType_U32, range, "%u", tip);
 }
 
-bool dragRow(const char* name, double& value, SlideRange range, double step, const char* format, const char* tip) {
+bool dragRow(const char* name, double& value, SliderRange range, double step, const char* format, const char* tip) {
     pushRow(name, tip);
     const bool changed = edited(value, range, [&](double& shown) {
         return ImGui::DragScalar("##value", ImGuiDataType_Double, &shown, static_cast<float>(step), &range.low,
                                  &range.high, format, flagsOf(range) | ImGuiSliderFlags_NoRoundToFormat);
     });
-    tipHere(tip);
+    tooltip(tip);
     popRow();
     return changed;
 }
 
-bool moveRow(const char* name, Vec3& point, double size, const char* tip) {
+bool pointRow(const char* name, Vec3& point, double size, const char* tip) {
     constexpr double steps_in_scene = 500; // about as many window units as a scene takes on the screen
     ImGui::PushID(name);
     ImGui::TextUnformatted(name);
-    tipHere(tip);
+    tooltip(tip);
     const std::string format = std::string("%.") + std::to_string(decimalsFor(size)) + "f";
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
@@ -122,7 +122,7 @@ bool moveRow(const char* name, Vec3& point, double size, const char* tip) {
         if (value != &point.x) ImGui::SameLine(0, gap);
         ImGui::SetNextItemWidth(std::max(1.0f, width));
         changed |= dragOf(id, *value, size / steps_in_scene, format.c_str());
-        tipHere("drag, or double click to type");
+        tooltip("drag, or double click to type");
     }
     ImGui::EndGroup();
     ImGui::PopID();
@@ -140,15 +140,15 @@ bool colorRow(const char* name, Color& color, const char* tip) {
     return changed;
 }
 
-bool switchRow(const char* name, bool& value, const char* tip) {
+bool checkboxRow(const char* name, bool& value, const char* tip) {
     pushRow(name, tip);
     const bool changed = ImGui::Checkbox("##value", &value);
-    tipHere(tip);
+    tooltip(tip);
     popRow();
     return changed;
 }
 
-bool chooseRow(const char* name, int& chosen, std::span<const char* const> names, const char* tip) {
+bool comboRow(const char* name, int& chosen, std::span<const char* const> names, const char* tip) {
     pushRow(name, tip);
     const int count = static_cast<int>(names.size());
     bool changed = false;
@@ -160,7 +160,7 @@ bool chooseRow(const char* name, int& chosen, std::span<const char* const> names
         }
         ImGui::EndCombo();
     }
-    tipHere(tip);
+    tooltip(tip);
     popRow();
     return changed;
 }
@@ -168,7 +168,7 @@ bool chooseRow(const char* name, int& chosen, std::span<const char* const> names
 bool textRow(const char* name, std::string& text, const char* hint, const char* tip) {
     pushRow(name, tip);
     const bool changed = ImGui::InputTextWithHint("##value", hint, &text);
-    tipHere(tip);
+    tooltip(tip);
     popRow();
     return changed;
 }
@@ -179,17 +179,17 @@ void valueRow(const char* name, const char* value) {
     popRow();
 }
 
-bool shareButton(const char* name, int share, bool chosen, const char* tip) {
+bool columnButton(const char* name, int share, bool chosen, const char* tip) {
     const float gaps = static_cast<float>(share - 1) * ImGui::GetStyle().ItemSpacing.x;
     const float width = (ImGui::GetWindowContentRegionMax().x - ImGui::GetCursorStartPos().x - gaps);
     if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
     const bool pressed = ImGui::Button(name, ImVec2(std::max(1.0f, width / static_cast<float>(share)), 0));
     if (chosen) ImGui::PopStyleColor();
-    tipHere(tip);
+    tooltip(tip);
     return pressed;
 }
 
-void noteText(const char* text) {
+void dimText(const char* text) {
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     ImGui::TextWrapped("%s", text);
     ImGui::PopStyleColor();

@@ -11,14 +11,14 @@ namespace pointrt::quality {
 
 namespace {
 
-/// Steeper between two pixels than this is a jump in depth: a surface seen 79 degrees from the front.
+/// Slope between two pixels that counts as a depth jump: a surface at 79 degrees to the view.
 constexpr float kSteepest = 5;
 
 std::size_t at(int row, int column) {
     return static_cast<std::size_t>(row) * kViewSize + static_cast<std::size_t>(column);
 }
 
-/// Calls visit with the four next pixels that are in the picture.
+/// Calls visit with the (up to) four adjacent pixels.
 template <typename Visit>
 void forNext(int row, int column, Visit&& visit) {
     if (row > 0) visit(at(row - 1, column));
@@ -27,7 +27,7 @@ void forNext(int row, int column, Visit&& visit) {
     if (column + 1 < kViewSize) visit(at(row, column + 1));
 }
 
-/// Pixels without mesh, or from which it jumps to the next one.
+/// Pixels without mesh, or beside a depth jump.
 std::vector<std::uint8_t> flagContours(const View& view) {
     std::vector<std::uint8_t> contour(view.size());
     for (int row = 0; row < kViewSize; ++row)

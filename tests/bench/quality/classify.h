@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pixels into right and wrong.
+// Classifies pixels as right or wrong.
 #pragma once
 
 #include "tests/bench/quality/statistics.h"
@@ -8,22 +8,21 @@
 namespace pointrt::quality {
 
 enum class PixelClass : std::uint8_t {
-    kEmpty,   ///< neither the mesh nor a splat
-    kMatch,   ///< both
+    kEmpty,   ///< neither mesh nor splat
+    kMatch,   ///< both mesh and splat
     kExcess,  ///< splats beyond the mesh's silhouette
     kMissing, ///< no splat at the mesh's silhouette
-    kHole,    ///< inside: no splat, or one more than a median radius behind the mesh
+    kHole,    ///< inside: no splat, or more than a median radius behind the mesh
     kBridge   ///< splats more than a median radius off the mesh
 };
 
-/// Counts over views. A pixel is inside when, up to kInsidePixels around it, the mesh is hit and goes on without a
-/// jump.
+/// Counts over views. A pixel is inside if the mesh is hit and has no depth jump within kInsidePixels of it.
 struct ViewErrors {
     std::size_t mesh_pixels = 0, splat_pixels = 0, inside_pixels = 0;
-    std::size_t silhouette_pixels = 0; ///< mesh pixels next to one without: the length of the silhouette
+    std::size_t silhouette_pixels = 0; ///< mesh pixels next to one without mesh: the length of the silhouette
     std::size_t excess = 0, missing = 0, holes = 0, bridges = 0;
-    std::vector<float> inside_depth;     ///< |splats - mesh| along the ray, inside and not a hole, in median radii
-    std::vector<float> surface_distance; ///< of places hit on splats to the mesh, in median radii
+    std::vector<float> inside_depth;     ///< |splats - mesh| along the ray, inside except holes, in median radii
+    std::vector<float> surface_distance; ///< from hits on splats to the mesh, in median radii
 };
 
 constexpr int kInsidePixels = 4;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// compare_truth SCENE.pro MESH: how far splats baked from samples of a mesh are from the mesh.
+// compare_truth SCENE.pro MESH: compares splats baked from samples of a mesh with the mesh.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 

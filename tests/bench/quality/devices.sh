@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Simulated devices look at meshes and made scenes (devices/devices.h, devices/cases.cpp); what the bake makes of their
-# scans is held against what they looked at. Half of the subjects are held out: not to be looked at while tuning.
+# Bakes scans of meshes and synthetic scenes by simulated devices (devices/devices.h, devices/cases.cpp), and compares the
+# results with what was scanned. Half of the subjects are held out: do not look at them while tuning.
 #   tests/bench/quality/devices.sh BIN_DIR DATA_DIR OUT.json [--only DEVICE] [--tuning] [--scans FOLDER]
 #   --only DEVICE   triangulation, depth_camera, terrestrial, airborne, spinning or photogrammetry
-#   --tuning        without what is held out
-#   --scans FOLDER  keeps scans, scenes and pictures there, and takes the scans that are there already
-# Figures are means of two cameras: outline IoU; mean normals of what was seen, and of its walls alone, in degrees; shares
-# off in depth, without a surface, nearer than the truth by 3 spacings and floating that far from any surface; FLIP of the
-# lit pictures (NAME.lit.png, NAME.truth.png); share of sight lines that pass the trees' crowns, and the truth's.
-# BAKE_OPTIONS in the environment are handed to pointrt-bake; FLIP_ENVIRONMENT: flip.sh.
+#   --tuning        without the subjects held out
+#   --scans FOLDER  keeps scans, scenes and pictures there, and reuses scans
+# Figures are means of two cameras: silhouette IoU; mean normal error of the part scanned, and of its walls, in degrees;
+# shares off in depth, without a surface, 3 spacings nearer than the truth, and floating that far from any surface; FLIP of
+# lit pictures (NAME.lit.png, NAME.truth.png); share of sightlines that pass through tree crowns, and the true share.
+# The environment variable BAKE_OPTIONS is passed to pointrt-bake; FLIP_ENVIRONMENT: see flip.sh.
 set -euo pipefail
 [ $# -ge 3 ] || {
     sed -n '3,13s/^# //p' "$0" >&2

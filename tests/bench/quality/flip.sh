@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# How different pictures look to an eye: NVIDIA's FLIP of each TEST against REFERENCE, as a JSON array.
+# Perceptual difference of pictures: NVIDIA's FLIP of each TEST against REFERENCE, as a JSON array.
 #   tests/bench/quality/flip.sh REFERENCE.png TEST.png...
-# FLIP names flip-evaluator's command where it is installed; else it comes from PyPI, into the Python environment that
-# FLIP_ENVIRONMENT names (kept for the next call), or into a throw-away one.
+# The environment variable FLIP names flip-evaluator's command. Without it, installs that from PyPI into the Python
+# environment named by FLIP_ENVIRONMENT (kept for the next call), or into a temporary one.
 set -euo pipefail
 [ $# -ge 2 ] || {
     sed -n '3,6s/^# //p' "$0" >&2

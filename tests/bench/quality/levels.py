@@ -1,18 +1,18 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What is lost where coarser tiles stand for a set, level by level, against all of it at its finest.
+"""Compares the coarser levels of a tile set with its finest tiles.
 
     levels.py BIN_DIR SITE.proset FOLDER [--view front|top|...] [--shadows]
 
-From each level's distance: so far away, in parallel projection, that what its merged tiles leave out is just a pixel. FLIP
-(flip.sh beside this; FLIP names its command) of pictures in the studio, and of the pixels that show the set at its finest
-the share whose outline differs: hit in one and not in the other.
+Each level is rendered in parallel projection at the scale where the error of its merged tiles is one pixel. Prints FLIP
+(flip.sh in this folder; FLIP names its command) of pictures in the studio, and the share of pixels with a different
+silhouette: hit in one picture and not in the other, over the pixels hit with the finest tiles.
 
---shadows: from above instead, from one place for all levels, under one sun at 45 degrees in the east: of the pixels that
-show ground in both, the share in shadow. Ground is what lies no higher than a 400th of the picture over the lowest
-within a fortieth of it.
+--shadows: renders all levels from one place above instead, with the sun at 45 degrees in the east, and prints the share of
+ground in shadow over the pixels that show ground in both. Ground is at most 1/400 of the picture's width higher than the
+lowest point within 1/40 of it.
 
-Pictures stay in FOLDER; a table goes to standard output. Needs numpy, OpenEXR and Pillow.
+Keeps pictures in FOLDER and prints a table. Needs numpy, OpenEXR and Pillow.
 """
 import argparse
 import json
@@ -28,12 +28,12 @@ sys.path.insert(0, str(HERE.parent / "light"))
 import pictures  # noqa: E402
 
 SHADOW_PIXELS = 1024
-FINE_ENOUGH = 1.001  # rounding makes none finer
-SOFT = 0.5  # of the sun's light, from which on a pixel counts as lit
+FINE_ENOUGH = 1.001  # so that rounding does not select a finer level
+SOFT = 0.5  # share of the sun's light from which a pixel counts as lit
 
 
 def left_out(tiles):
-    """Per level from 1 on: of its merged tiles the most that one leaves out, input units."""
+    """Largest error of the merged tiles of each level from 1 on, in input units."""
     most = {}
     for tile in tiles:
         if tile["error"] > 0:
@@ -114,7 +114,7 @@ file = "{os.path.relpath(options.set, options.folder)}"
 
 
 def lowest_around(heights, reach):
-    """The least within a square of 2 reach + 1 pixels."""
+    """The minimum within squares of 2 reach + 1 pixels."""
     for axis in (0, 1):
         padded = np.pad(heights, [(reach, reach) if a == axis else (0, 0) for a in (0, 1)], constant_values=np.inf)
         windows = np.lib.stride_tricks.sliding_window_view(padded, 2 * reach + 1, axis=axis)
@@ -123,7 +123,7 @@ def lowest_around(heights, reach):
 
 
 def sunlit(viewer, scenes, name, detail):
-    """Heights, and the share of the sun's light that arrives."""
+    """Heights, and the share of the sun's light that reaches them."""
     light = []
     for scene, word in zip(scenes, ("shadowed", "open")):
         path = viewer.render(scene, viewer.options.folder / f"{name}.{word}.exr", "--detail", detail)

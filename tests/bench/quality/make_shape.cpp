@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// make_shape sphere|torus|plate|cube OUT.ply: the mesh of a known surface, and what its facets get wrong.
+// make_shape sphere|torus|plate|cube OUT.ply: writes the mesh of an analytic surface and prints its facets' errors.
 #include <cstdio>
 
 #include "format/base/run_tool.h"

@@ -12,11 +12,11 @@ namespace pointrt::quality {
 
 namespace {
 
-/// Faces that tie within this share of a median radius are all the splat's own: on an edge, or on two sheets that
-/// touch. Rounding to the .pro's grid is far less.
+/// Faces nearest within this share of a median radius tie: at an edge, or on two sheets that touch. Rounding to the
+/// .pro's grid is far less.
 constexpr float kTie = 0.01f;
 
-/// One splat against its faces.
+/// Errors of one splat.
 struct Comparison {
     double face_degrees = 90, smooth_degrees = 90;
     bool flipped = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Splats against the faces they lie on.
+// Compares splats with the faces they are on.
 #pragma once
 
 #include "tests/bench/quality/statistics.h"
@@ -7,20 +7,20 @@
 
 namespace pointrt::quality {
 
-/// Angles in degrees without sign; lengths in median radii.
+/// Angles in degrees, unsigned; lengths in median radii.
 struct SplatErrors {
-    Summary face_normal;      ///< against the nearest face; of the faces that tie, the best one counts
-    Summary smooth_normal;    ///< against the vertex normals interpolated there
+    Summary face_normal;      ///< to the nearest face; the best of several that tie
+    Summary smooth_normal;    ///< to the interpolated vertex normals
     double wrong_share = 0;   ///< of splats more than kWrongDegrees off their face
-    double flipped_share = 0; ///< of splats that face away from the outside of every face that ties
-    Summary center_distance;  ///< of centres to the mesh
+    double flipped_share = 0; ///< of splats that face inwards from every face that ties
+    Summary center_distance;  ///< of centres from the mesh
     Summary radius;
 };
 
-/// An error that shows: shading is off by a seventh even where light falls straight.
+/// A visible error: shading is off by a seventh even at normal incidence.
 constexpr double kWrongDegrees = 30;
 
-/// @param truth over mesh
+/// @param truth a tracer over mesh
 SplatErrors compareSplats(const Mesh& mesh, const Tracing& truth, const Discs& discs);
 
 } // namespace pointrt::quality

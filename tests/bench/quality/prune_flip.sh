@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# What pruning changes in pictures: SCAN baked with --prune off and on, both rendered alike, and their FLIP.
-# Below a mean of 0.001 no eye sees it.
+# Effect of pruning on pictures: bakes SCAN with --prune off and on, renders both alike, and prints their FLIP.
+# Means below 0.001 are invisible.
 #   tests/bench/quality/prune_flip.sh BIN_DIR SCAN OUT.json
-# BAKE_OPTIONS in the environment are handed to both bakes, FLIP to flip.sh.
+# The environment variable BAKE_OPTIONS is passed to both bakes, FLIP to flip.sh.
 set -euo pipefail
 [ $# = 3 ] || {
     sed -n '3,6s/^# //p' "$0" >&2
@@ -20,8 +20,8 @@ for prune in off on; do
     "$bin/pointrt-bake" -q "$scan" --prune "$prune" "${bake_options[@]}" -o "$folder/$prune.pro"
 done
 
-# A close-up: the camera stands half of the longest edge's half off the front, where the default view stands five times
-# as far, and looks down on it from the side.
+# A close-up from above and to the side: the camera is a quarter of the longest edge in front of the object, a fifth of the
+# default view's distance.
 read -r target eye < <("$bin/pointrt-info" --json "$folder/off.pro" | python3 -c '
 import json, sys
 info = json.load(sys.stdin)

@@ -1,19 +1,19 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Bakes raw range scans of the Dragon and the Bunny and holds what three cameras see of them against the meshes that
-# were made of the same scans by others.
+# Bakes raw range scans of the Dragon and the Bunny and compares views of three cameras with those of the meshes that
+# others made from the same scans.
 #   tests/bench/quality/raw.sh BIN_DIR DATA_DIR OUT [--quick] [--only dragon|bunny] [--kept] [--poisson] [--peer M]
-# Prints a table: outline IoU, normals (degrees, mean and 99th percentile), share off in depth, holes a million, false
-# surface, what of it floats; left of all pixels, right of those whose truth lies within 1 mm of a raw point. Then FLIP
-# of the default studio's picture against that of a million points sampled from the mesh.
+# Prints a table: silhouette IoU, normal errors (degrees, mean and 99th percentile), share off in depth, holes per million,
+# false surface, floating surface; on the left for all pixels, on the right for those whose truth is within 1 mm of a raw
+# point. Then FLIP of the default studio's picture against that of a million points sampled from the mesh.
 #   --quick  one camera, 512 pixels a side, no FLIP
-#   --kept   does not bake what OUT has baked already
-#   --poisson  beside it what people do instead: screened Poisson of the same points with the bake's normals, traced as a
-#            mesh, and its seconds (raw/poisson.py; PYTHON names one that has open3d)
-#   --peer M beside it what smooth_peers (a target of its own) makes of the same points: bilateral, mls, jet or wlop; may be
-#            given repeatedly
-# The folder OUT keeps scenes, pictures and figures (NAME.json); the pictures of the meshes are made once.
-# BAKE_OPTIONS in the environment are handed to pointrt-bake; FLIP_ENVIRONMENT: flip.sh (default OUT/flip).
+#   --kept   keeps the scenes in OUT that are already baked
+#   --poisson  also measures screened Poisson reconstruction of the same points with the bake's normals, traced as a mesh,
+#            and its seconds (raw/poisson.py; PYTHON names an interpreter that has open3d)
+#   --peer M also measures smooth_peers (a target of its own) on the same points: bilateral, mls, jet or wlop; may be
+#            repeated
+# OUT keeps scenes, pictures and figures (NAME.json); pictures of the meshes are rendered once.
+# The environment variable BAKE_OPTIONS is passed to pointrt-bake; FLIP_ENVIRONMENT: see flip.sh (default OUT/flip).
 set -euo pipefail
 [ $# -ge 3 ] || {
     sed -n '3,18s/^# //p' "$0" >&2
@@ -58,7 +58,7 @@ flip() {
         awk -F '[:,]' '{ sum += $4 } END { printf "%-24s    FLIP %.4f\n", "", sum / NR }'
 }
 
-# asIs NAME SCAN: points and normals as they are, so that nothing of our cleaning helps others
+# asIs NAME SCAN: points and normals without cleaning, so that it does not help the other methods
 asIs() {
     local clean=()
     if "$bin/pointrt-bake" --help | grep -q -- --clean; then clean=(--clean off); fi
@@ -74,7 +74,7 @@ poisson() {
         --figures "$out/$name.poisson.json"
 }
 
-# peer METHOD NAME MESH OPTIONS...: within 2 mm, where the study of our own projection had its flat optimum
+# peer METHOD NAME MESH OPTIONS...: within 2 mm, the optimum of our own projection
 peer() {
     local name=$2.$1 clean=() pictures=() seconds eye
     seconds=$("$bin/smooth_peers" "$1" 0.002 "$out/$2.as_is.ply" "$out/$name.ply")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors as JSON, and JSON as a table.
+// Errors as JSON and as a table.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,10 +9,10 @@
 
 namespace pointrt::quality {
 
-/// Names end in their unit; "radii" are median radii of the splats.
+/// Keys end in the unit; "radii" are median radii of the splats.
 nlohmann::ordered_json reportOf(const Discs& discs, const SplatErrors& splats, const ViewErrors& views);
 
-/// A line for each figure, names left.
+/// One line per figure, names on the left.
 std::string tableOf(const nlohmann::ordered_json& report);
 
 } // namespace pointrt::quality

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Bakes points sampled from known surfaces, their normals thrown away, and compares the splats with the surfaces:
-# four shapes of 200,000 samples, four scanned meshes of a million. Figures go to OUT.json, an object a surface.
+# Bakes points sampled from known surfaces, without their normals, and compares the splats with the surfaces:
+# four shapes of 200,000 samples, four scanned meshes of a million. Writes figures to OUT.json, one object per surface.
 #   tests/bench/quality/run.sh BIN_DIR DATA_DIR OUT.json
-# DATA_DIR holds stanford_models/ and stanford_bunny_recon/; meshes that are not there are left out, and said so.
-# BAKE_OPTIONS in the environment are handed to pointrt-bake.
+# DATA_DIR holds stanford_models/ and stanford_bunny_recon/; missing meshes are skipped with a message.
+# The environment variable BAKE_OPTIONS is passed to pointrt-bake.
 set -euo pipefail
 [ $# = 3 ] || {
     sed -n '3,7s/^# //p' "$0" >&2

@@ -16,7 +16,7 @@ UnitFrame frameOf(const Cloud& cloud) {
     return {cloud.origin + box.center(), box.diagonal().norm() / 2};
 }
 
-/// Six times the volume inside, negative when the faces point inwards; near enough where a mesh has holes.
+/// Six times the enclosed volume, negative if faces point inwards; approximate if the mesh has holes.
 double signedVolume(const Mesh& mesh) {
     double sum = 0;
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) sum += mesh.corner(i, 0).dot(mesh.faceNormal(i));

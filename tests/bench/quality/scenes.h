@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Truth and what was made of it, in one frame: the truth's bounding sphere has radius 1 about the origin.
+// Truth and splats in one frame, where the truth's bounding sphere has radius 1 around the origin.
 #pragma once
 
 #include <string>
@@ -19,11 +19,11 @@ struct UnitFrame {
 struct Mesh {
     UnitFrame frame;
     std::vector<Vec3f> positions;
-    std::vector<Vec3f> normals; ///< of vertices: the file's own, or the mean of their faces'
+    std::vector<Vec3f> normals; ///< [vertices], from the file, or the mean of their faces'
     std::vector<std::array<std::uint32_t, 3>> triangles;
 
     Vec3d corner(std::uint32_t triangle, int i) const { return positions[triangles[triangle][i]].cast<double>(); }
-    /// Outwards, of twice the triangle's area; zero where that is.
+    /// Outward, of twice the triangle's area as length.
     Vec3d faceNormal(std::uint32_t triangle) const {
         return (corner(triangle, 1) - corner(triangle, 0)).cross(corner(triangle, 2) - corner(triangle, 0));
     }
@@ -34,12 +34,12 @@ struct Discs {
     std::vector<Vec3f> centers;
     std::vector<Vec3f> normals; ///< unit length
     std::vector<float> radii;
-    float median_radius = 0; ///< the unit of errors: samples are spread evenly, so that it is the same everywhere
+    float median_radius = 0; ///< the unit of errors; the same everywhere, as samples are spread evenly
     bool oriented = false;
 };
 
-/// Reads a mesh as pointrt-bake does. Faces and normals that point inwards on the whole are turned.
-/// Throws Error (kBadInput) when it has no faces.
+/// Reads a mesh as pointrt-bake does. Flips faces and normals if they point inwards overall.
+/// Throws Error (kBadInput) if it has no faces.
 Mesh loadMesh(const std::string& path);
 
 /// @param frame of the mesh to compare with

@@ -21,7 +21,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 constexpr double kTubeRadius = 0.3;
 
-/// The surface nearest to a place: how far it is, and its normal there.
+/// The surface nearest to a place: its distance, and its normal there.
 struct OnSurface {
     double distance;
     Vec3d normal;
@@ -34,7 +34,7 @@ std::uint32_t addVertex(Cloud& mesh, const Vec3d& position, const Vec3d& normal)
     return static_cast<std::uint32_t>(mesh.positions.size() - 1);
 }
 
-/// A grid of columns x rows cells, two triangles each. vertex(i, j) gives the number of a grid point.
+/// A grid of columns x rows cells, two triangles each. vertex(i, j): index of a grid point.
 template <typename VertexAt>
 void addCells(Cloud& mesh, std::uint32_t columns, std::uint32_t rows, VertexAt&& vertex) {
     for (std::uint32_t i = 0; i < columns; ++i)
@@ -56,7 +56,7 @@ Cloud icosahedron() {
                 corner[(axis + 1) % 3] = phi;
                 addVertex(mesh, corner.normalized(), corner.normalized());
             }
-    // Three corners make a face when each is next to the others, at a cosine of 1 / sqrt(5) = 0.447.
+    // Three corners make a face if all are adjacent: a cosine of 1 / sqrt(5) = 0.447.
     const auto adjacent = [&](std::uint32_t a, std::uint32_t b) {
         return std::abs(mesh.positions[a].dot(mesh.positions[b]) - 0.447f) < 0.01f;
     };
@@ -70,7 +70,7 @@ Cloud icosahedron() {
     return mesh;
 }
 
-/// Every triangle to four, new corners on the unit sphere.
+/// Splits every triangle into four, with new corners on the unit sphere.
 void subdivide(Cloud& mesh) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
     const auto middle = [&](std::uint32_t a, std::uint32_t b) {
@@ -119,9 +119,9 @@ OnSurface onTorus(const Vec3d& place) {
     return {std::abs(from_ring.norm() - kTubeRadius), from_ring.normalized()};
 }
 
-/// A face of a box, out along axis on the side of sign, in square cells of a hundredth of the longest edge.
+/// The face of a box on the side sign of axis, in square cells of a hundredth of the longest edge.
 void addBoxFace(Cloud& mesh, const Vec3d& edges, int axis, double sign) {
-    constexpr double kCells = 100; // flat: only so that samples are spread as over other meshes, by many faces
+    constexpr double kCells = 100; // many, so that samples are spread as over other meshes
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     const auto cells = [&](int along) {
         return static_cast<std::uint32_t>(std::max(1.0, std::round(kCells * edges[along] / edges.maxCoeff())));
@@ -145,7 +145,7 @@ Cloud box(const Vec3d& edges) {
     return mesh;
 }
 
-/// Looks at the middles of facets and of their edges.
+/// Measured at the centres of facets and of their edges.
 FacetErrors measureFacets(const Cloud& mesh, const Surface& surface) {
     const Vec3d places[] = {Vec3d::Constant(1.0 / 3), {0, 0.5, 0.5}, {0.5, 0, 0.5}, {0.5, 0.5, 0}};
     FacetErrors errors;

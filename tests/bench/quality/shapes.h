@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangle meshes of shapes whose surface is known by formula.
+// Triangle meshes of analytic shapes.
 #pragma once
 
 #include <string>
@@ -8,15 +8,15 @@
 
 namespace pointrt::quality {
 
-/// What the facets of a shape get wrong. Lengths in the shape's unit, angles in degrees.
+/// Errors of a shape's facets. Lengths in the shape's unit, angles in degrees.
 struct FacetErrors {
-    double distance = 0;      ///< of the facets to the surface, largest
-    double face_normal = 0;   ///< of the facets' own normals, largest
-    double smooth_normal = 0; ///< of the vertex normals interpolated over the facets, largest
+    double distance = 0;      ///< largest, of the facets from the surface
+    double face_normal = 0;   ///< largest, of the facets' normals
+    double smooth_normal = 0; ///< largest, of interpolated vertex normals
 };
 
 struct Shape {
-    Cloud mesh; ///< outward facets; a vertex has the surface's exact normal, and is doubled where faces meet in an edge
+    Cloud mesh; ///< outward facets; vertices have the surface's exact normals, and are duplicated along edges
     FacetErrors errors;
 };
 
@@ -25,7 +25,7 @@ struct Shape {
 ///   torus   ring radius 1, tube radius 0.3, axis z
 ///   plate   1 x 1 x 0.01, closed
 ///   cube    edge 1
-/// All about the origin. Throws Error (kBadUsage) when it is none of them.
+/// All centred at the origin. Throws Error (kBadUsage) for any other name.
 Shape makeShape(const std::string& name);
 
 /// Writes a binary PLY with normals. Throws Error (kCannotWrite) "PATH: reason".

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A set of errors in four numbers.
+// Summary of a set of errors.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@ namespace pointrt::quality {
 
 struct Summary {
     std::size_t count = 0;
-    double mean = 0, median = 0, p99 = 0, max = 0; ///< 0 where count is 0
+    double mean = 0, median = 0, p99 = 0, max = 0; ///< 0 if count is 0
 };
 
-/// Quantiles are values that occur: of n sorted ones the number floor(share (n - 1)), from 0.
+/// Quantiles are values of the set: of n sorted ones, that at index floor(share (n - 1)).
 Summary summarize(std::vector<float> values);
 
 } // namespace pointrt::quality

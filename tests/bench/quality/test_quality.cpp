@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The measures against errors that were put there.
+// Checks the measures against known errors.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// By the divergence theorem: of closed meshes with outward faces only.
+/// By the divergence theorem, for closed meshes with outward faces.
 double volumeOf(const Cloud& mesh) {
     double sum = 0;
     for (const auto& [a, b, c] : mesh.triangles)
@@ -27,7 +27,7 @@ double volumeOf(const Cloud& mesh) {
     return sum / 6;
 }
 
-/// A mesh and splats, through files and into one frame.
+/// A mesh and splats, read from files and put into one frame.
 struct Pair {
     Mesh mesh;
     Discs discs;
@@ -59,7 +59,7 @@ ViewErrors errorsAlong(const Pair& pair, const Vec3f& direction) {
 
 SplatErrors splatErrors(const Pair& pair) { return compareSplats(pair.mesh, Tracing(pair.mesh), pair.discs); }
 
-/// Pixels that an area in input units covers.
+/// Number of pixels covered by an area in input units.
 double pixelsOf(const Pair& pair, double area) { return area / std::pow(kPixel * pair.mesh.frame.radius, 2); }
 
 } // namespace
@@ -171,7 +171,7 @@ TEST(Quality, MeasuresTheOutline) {
     const double beyond = (std::sqrt(0.75) / 2 + pi / 6 - 0.5) / kSide;
     const double pixel = kPixel * pair.mesh.frame.radius;
     const double mean = static_cast<double>(errors.excess) / static_cast<double>(errors.silhouette_pixels);
-    EXPECT_NEAR(mean, beyond / pixel, 1); // either edge falls anywhere in a pixel
+    EXPECT_NEAR(mean, beyond / pixel, 1); // edges are anywhere within a pixel
 }
 
 } // namespace pointrt::quality

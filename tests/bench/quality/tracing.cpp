@@ -38,7 +38,7 @@ NearFace nearestOn(const Mesh& mesh, std::uint32_t triangle, const Vec3f& place)
     return {triangle, (nearest - place).norm(), weights};
 }
 
-/// Runs visit(triangle, query) for the triangles that may be within the query's radius, which visit may shrink; it
+/// Calls visit(triangle, query) for the triangles that may be within the query's radius. visit may shrink that, and
 /// returns whether it did.
 template <typename Visit>
 void queryFaces(RTCScene scene, const Vec3f& place, float radius, Visit visit) {
@@ -88,7 +88,7 @@ void Tracing::commit(RTCGeometry geometry) {
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene_, geometry);
     rtcReleaseGeometry(geometry);
-    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST); // no ray slips through between two triangles
+    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST); // no ray passes between two triangles
     rtcCommitScene(scene_);
     if (rtcGetDeviceError(device_) != RTC_ERROR_NONE) throw Error(ExitCode::kCannotRun, "Embree cannot hold the scene");
 }

@@ -16,14 +16,14 @@ struct RayHit {
     Vec3f normal;                ///< of the primitive, any length and side
 };
 
-/// A place on a mesh.
+/// A point on a mesh.
 struct NearFace {
     std::uint32_t triangle = 0;
     float distance = 0;
     Vec3f weights; ///< barycentric
 };
 
-/// Keeps its own copy of the geometry but for the mesh, which must stay while it lives. Any number of threads may ask.
+/// Copies the geometry, except for the mesh, which must outlive it. Any number of threads may call it.
 class Tracing {
 public:
     explicit Tracing(const Mesh& mesh);
@@ -34,9 +34,9 @@ public:
 
     std::optional<RayHit> firstHit(const Vec3f& origin, const Vec3f& direction) const;
 
-    /// Distance to the nearest triangle of a mesh, or limit where all are further away.
+    /// Distance to the nearest triangle of a mesh, or limit if all are further away.
     float distanceWithin(const Vec3f& place, float limit) const;
-    /// The triangles of a mesh at most tie further away than the nearest.
+    /// The triangles of a mesh at most tie further away than the nearest one.
     void nearestFaces(const Vec3f& place, float tie, std::vector<NearFace>& faces) const;
 
 private:

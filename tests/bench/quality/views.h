@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What parallel rays see of the truth and of the splats.
+// Parallel views of the truth and of the splats.
 #pragma once
 
 #include <string>
@@ -8,17 +8,17 @@
 
 namespace pointrt::quality {
 
-/// Pixels a row and a column: at least 1.
+/// Pixels per row and column, at least 1.
 constexpr int kViewSize = 1024;
-/// Half the edge of the picture, around the truth's bounding sphere of radius 1: discs may stick out of that.
+/// Half the edge of the picture. More than the truth's bounding sphere of radius 1, as discs may stick out of it.
 constexpr float kViewHalf = 1.05f;
 constexpr float kPixel = 2 * kViewHalf / kViewSize;
 
-/// One pixel, seen along a ray through its centre. Infinite where nothing is hit.
+/// One pixel, for a ray through its centre. Infinite if nothing is hit.
 struct PixelHits {
     float mesh_t, splat_t;
-    float mesh_cos;       ///< between the ray and the face's normal, without sign
-    float splat_distance; ///< of the place hit on the splat to the mesh
+    float mesh_cos;       ///< between the ray and the face's normal, unsigned
+    float splat_distance; ///< of the hit on the splat from the mesh
 };
 
 /// [kViewSize][kViewSize], rows along the view's second axis.

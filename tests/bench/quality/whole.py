@@ -1,22 +1,22 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A scan as one file and as sets of more and more tiles: are their surfaces the same?
+"""Compares the surface of a scan baked to one file with tile sets of more and more tiles.
 
     whole.py BIN_DIR FOLDER SCAN... [--tiles 1,4,16,64] [--set] [--up X,Y,Z] [--from X,Y,Z] [-- options for pointrt-bake]
 
-Bakes the scans to one file and, with other --tile-splats, to sets of about so many original tiles. A set of one tile has
-the positions of another lattice and no seams: what it differs by is not the seams'. With --set it stands for the file:
-range grids have rims in files alone. A row of the table has
+Bakes the scans to one file and, by choosing --tile-splats, to sets of about these numbers of original tiles. A set of one
+tile has another lattice but no seams: its differences are not due to seams. With --set, it is the reference instead of
+the file, as only files use the silhouettes of range grids. A row of the table has
 
-- of the file's splats those without one in the set within some steps of the coarser lattice, and of the others those
-  whose normal or radius is another one's;
-- of a million lines at random through the sphere around all, whose first hits (pointrt-rays cast) are those that are apart by
-  more than a part of the median radius, along the ray; where one hits and the other does not they are by any;
-- FLIP (flip.sh beside this; FLIP names its command) from one camera in rooms of mirrors and of matte walls, at
-  `--detail 0`; and holes, pixels of three parallel projections where the set is not there or lies behind all that the file
-  shows in the nine pixels around, by more than 4 radii.
+- the share of the file's splats without one in the set within a few steps of the coarser lattice, and of the others, the
+  shares with a different normal or radius;
+- for a million random lines through the bounding sphere, the shares of first hits (pointrt-rays cast) that differ along the
+  ray by more than a fraction of the median radius; a hit and a miss differ by infinity;
+- FLIP (flip.sh in this folder; FLIP names its command) from one camera in rooms of mirrors and of matte walls, at
+  `--detail 0`; and holes: pixels of three parallel projections where the set has no surface, or one more than 4 radii
+  behind the file's in all nine pixels around.
 
-Files that are there already, of an earlier run, are not made again. Needs numpy, scipy, OpenEXR and Pillow.
+Keeps files from earlier runs. Needs numpy, scipy, OpenEXR and Pillow.
 """
 import argparse
 import json
@@ -34,9 +34,9 @@ import pictures  # noqa: E402
 
 RAYS = 1_000_000
 APART = (0.01, 0.1, 1.0)  # median radii
-STEPS = 4  # of the coarser lattice: a position is rounded in both
+STEPS = 4  # of the coarser lattice: positions are rounded in both
 POSITION_STEPS = 1 << 21
-TURNED = np.cos(np.radians(0.2))  # normals have 12 bits an axis: 0.07 degrees
+TURNED = np.cos(np.radians(0.2))  # normals have 12 bits per axis: 0.07 degrees
 HOLE_RADII = 4
 ROOM_PIXELS, HOLE_PIXELS = 512, 1024
 VIEWS = {"x": (1, 0, 0), "y": (0, 1, 0), "iso": (1, 1, 1)}
@@ -59,7 +59,7 @@ def bake(options, output, *words):
 
 
 def planned_tiles(options, splats):
-    """How many original tiles a set would have."""
+    """The number of original tiles that a set would have."""
     work = options.folder / "plan.proset.work"
     run(options.bin / "pointrt-bake", "-q", *options.scans, "-o", work.with_suffix(""), *options.bake, "--tile-splats",
         splats, "--step", "plan")
@@ -69,7 +69,7 @@ def planned_tiles(options, splats):
 
 
 def tile_splats_for(options, tiles, points):
-    """The --tile-splats whose tiles come nearest to so many."""
+    """The --tile-splats that gives nearest to this number of tiles."""
     low, high = 1000, max(2000, 2 * points)  # many tiles and one
     middle, best = min(high, max(low, points // tiles)), (high, 1)
     while tiles > 1 and high > 1.1 * low:
@@ -93,7 +93,7 @@ def bake_set(options, tiles, points):
 # --- splats
 
 class Splats:
-    """Of a .pro file: positions [N,3] in input units, normals [N,3], radii [N]; step: of its positions."""
+    """Splats of a .pro file: positions [N,3] in input units, normals [N,3], radii [N]; step of the positions."""
 
     def __init__(self, path):
         head = np.memmap(path, np.uint8, mode="r")
@@ -161,7 +161,7 @@ def compare_splats(whole, parts):
 # --- rays
 
 def random_lines(middle, radius, count):
-    """[count,6]: through a point of the sphere's disc across their direction, which is any, from a diameter before it."""
+    """[count,6] rays in random directions through random points of the sphere's disc, from a diameter in front of it."""
     random = np.random.default_rng(1)
     directions = random.normal(size=(count, 3))
     directions /= np.linalg.norm(directions, axis=1, keepdims=True)
@@ -179,7 +179,7 @@ def cast(options, scene, rays):
 
 
 def apart(whole, other):
-    """How far hits are from each other along their rays: 0 where both miss, infinity where one does."""
+    """Distance between hits along their rays: 0 if both miss, infinity if one does."""
     both = np.isfinite(whole) & np.isfinite(other)
     distances = np.where(np.isfinite(whole) == np.isfinite(other), 0.0, np.inf)
     distances[both] = np.abs(whole[both] - other[both])
@@ -192,7 +192,7 @@ def camera_words(bounds, direction, up, ortho):
     low, high = bounds
     middle, size = (low + high) / 2, np.linalg.norm(high - low)
     direction = direction / np.linalg.norm(direction)
-    away = size if ortho else 1.1 * size  # of 40 degrees
+    away = size if ortho else 1.1 * size  # for 40 degrees
     as_text = lambda v: ",".join(f"{x:.17g}" for x in v)  # noqa: E731
     words = ["--eye", as_text(middle + away * direction), "--target", as_text(middle), "--up", as_text(up)]
     return words + (["--ortho", f"{size:.17g}"] if ortho else [])
@@ -224,7 +224,7 @@ def depths(options, scene, view, bounds):
 
 
 def holes(whole, other, reach):
-    """Pixels of other [H,W] that lie deeper by reach than all of whole around them, where it has no holes itself."""
+    """Pixels of other [H,W] deeper by reach than all pixels of whole around them, where that has no holes."""
     deepest = np.lib.stride_tricks.sliding_window_view(np.pad(whole, 1, constant_values=np.inf), (3, 3)).max(axis=(2, 3))
     closed = np.isfinite(deepest)
     return np.count_nonzero(closed & ~(other <= deepest + reach))

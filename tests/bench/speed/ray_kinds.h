@@ -14,8 +14,8 @@ constexpr RayKind kRayKinds[] = {RayKind::kPrimary, RayKind::kShadow, RayKind::k
 const char* nameOf(RayKind kind);
 
 /// Secondary rays start this many local radii above the blended surface: the height up to which the product takes discs
-/// of the same facing for the surface itself (kOwnHeight in shaders/trace/offset.glsl). Here the origin says so, with
-/// own_t of 0, because Embree knows no own surface.
+/// of the same facing for the surface itself (kSelfHeight in shaders/trace/offset.glsl). Here the origin says so, with
+/// self_t of 0, because Embree knows no own surface.
 constexpr double kLiftRadii = 3;
 
 /// What kPrimary rays go on as where they hit, in their order; hits are the primary rays' own, as by RayCaster::cast.

@@ -49,7 +49,7 @@ TEST(RayKinds, MirrorRaysAreReflectedAboveTheSurface) {
     ASSERT_EQ(rays.size(), 1u); // the other one hits nothing
     expectNear(rays[0].origin, kStart);
     expectNear(rays[0].direction, normalize({1, 0, 1}));
-    EXPECT_EQ(rays[0].own_t, 0);
+    EXPECT_EQ(rays[0].self_t, 0);
 }
 
 TEST(RayKinds, ShadowRaysGoToALightThatTheSurfaceFaces) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is made of a command line's options: characters that mean something to troff and to shells stay what they are.
+// Manual pages and completions generated from a command line: characters special to troff and shells are escaped.
 #include <gtest/gtest.h>
 
 #include "format/base/error.h"
@@ -13,28 +13,28 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 struct Tool {
     std::string file, word;
     bool flag = false;
-    CommandLine app{"Tries things.\nAnd more.", "pointrt-try"};
+    CommandLine app{"Try things.\nAnd more.", "pointrt-try"};
 
     Tool() {
         app.option_defaults()->group("First");
-        app.add_option("INPUT", file, "What is tried")->required()->type_name("");
+        app.add_option("INPUT", file, "The input")->required()->type_name("");
         completes(app, "INPUT", ".pro .toml");
         app.add_option("-o,--output", file, "It's [new]: \\ and 'quoted'")->type_name("FILE")->required();
         app.option_defaults()->group("Second");
         app.add_option("--mode", word, ".dots and 'more' (default none)")->type_name("fast|best|LEVEL");
         app.add_option("--step", word, "One of them")->type_name("STEP");
         completes(app, "--step", "plan block:");
-        app.add_flag("-q,--quiet", flag, "Says nothing");
+        app.add_flag("-q,--quiet", flag, "Print nothing");
         addCommonOptions(app, "1.2.3", "INPUT is wrong", "  pointrt-try a.pro -o b\n  .hidden 'x'\n",
-                         "A note.\n.Last.");
+                         "A note.\n.Last.\n\nParagraph.");
     }
 };
 
-TEST(CommandText, HasWhatHelpHas) {
+TEST(CommandText, DescribesTheOptions) {
     const Tool tool;
     const CommandText text = describe(tool.app);
     EXPECT_EQ(text.name, "pointrt-try");
-    EXPECT_EQ(text.purpose, "tries things");
+    EXPECT_EQ(text.purpose, "try things");
     EXPECT_EQ(text.version, "1.2.3");
     EXPECT_EQ(text.input.value.placeholder, "INPUT");
     EXPECT_EQ(text.input.value.suffixes, (std::vector<std::string>{".pro", ".toml"}));
@@ -50,19 +50,21 @@ TEST(CommandText, HasWhatHelpHas) {
     EXPECT_FALSE(text.options[3].takesValue());
 }
 
-TEST(ManualPage, KeepsWhatTroffWouldTake) {
+TEST(ManualPage, EscapesTroffRequestsAndSpecialCharacters) {
     const Tool tool;
     const std::string page = manualPage(describe(tool.app));
-    EXPECT_TRUE(contains(page, "\\-o\\fR, \\fB\\-\\-output\\fR \\fIFILE\\fR\nRequired. It\\(aqs [new]: \\e and"));
+    EXPECT_TRUE(contains(
+        page, "\\-o\\fR, \\fB\\-\\-output\\fR \\fIFILE\\fR\nIt\\(aqs [new]: \\e and \\(aqquoted\\(aq (required).\n"));
     EXPECT_TRUE(contains(page, "\n\\&.dots and \\(aqmore\\(aq (default none).\n"));
     EXPECT_TRUE(contains(page, "\n  .hidden \\(aqx\\(aq\n.fi\n"));
     EXPECT_TRUE(contains(page, "\n\\&.Last.\n"));
     EXPECT_TRUE(contains(page, "\\fBfast\\fR|\\fBbest\\fR|\\fILEVEL\\fR"));
     EXPECT_TRUE(contains(page, ".SS Second\n"));
     EXPECT_TRUE(contains(page, "Bad input: INPUT is wrong.\n"));
+    EXPECT_TRUE(contains(page, "\n.PP\nParagraph.\n"));
 }
 
-TEST(Completions, QuoteWhatShellsWouldTake) {
+TEST(Completions, QuoteSpecialCharactersOfShells) {
     const Tool tool;
     const CommandText text = describe(tool.app);
     EXPECT_TRUE(contains(zshCompletion(text), "'(-o --output)'{-o,--output=}'[It'\\''s \\[new\\]]:FILE:_files'"));
@@ -73,7 +75,7 @@ TEST(Completions, QuoteWhatShellsWouldTake) {
     EXPECT_TRUE(contains(bashCompletion(text), "'*.[pP][rR][oO]' '*.[tT][oO][mM][lL]'"));
 }
 
-TEST(Generate, PrintsWhatIsAskedForAndRefusesTheRest) {
+TEST(Generate, PrintsKnownKindsAndRefusesOthers) {
     Tool tool;
     const char* const words[] = {"pointrt-try", "--generate", "fish"};
     testing::internal::CaptureStdout();
@@ -86,7 +88,7 @@ TEST(Generate, PrintsWhatIsAskedForAndRefusesTheRest) {
     EXPECT_TRUE(contains(generatedText(describe(part), "man"), ".TH POINTRT\\-TRY\\-PART 1"));
 }
 
-TEST(Completes, NamesAnOptionThatIsThere) {
+TEST(Completes, ThrowsForAnUnknownOption) {
     Tool tool;
     EXPECT_THROW(completes(tool.app, "--outptu", ".png"), CLI::OptionNotFound);
 }

@@ -289,15 +289,15 @@ TEST(Las, HeadersThatLieAreRefused) {
         put(bytes, at, number);
         return reasonOf(bytes);
     };
-    EXPECT_EQ(with(25, std::uint8_t{5}), "is LAS 1.5; versions 1.0 to 1.4 are read");
-    EXPECT_EQ(with(24, std::uint8_t{2}), "is LAS 2.2; versions 1.0 to 1.4 are read");
-    EXPECT_EQ(with(104, std::uint8_t{11}), "has points of format 11; 0 to 10 are read");
+    EXPECT_EQ(with(25, std::uint8_t{5}), "is LAS 1.5; versions 1.0 to 1.4 are supported");
+    EXPECT_EQ(with(24, std::uint8_t{2}), "is LAS 2.2; versions 1.0 to 1.4 are supported");
+    EXPECT_EQ(with(104, std::uint8_t{11}), "has point format 11; 0 to 10 are supported");
     EXPECT_EQ(with(105, std::uint16_t{19}), "has 19 bytes a point; format 0 has 20");
     EXPECT_EQ(with(107, std::uint32_t{2}), "promises 2 points, but has the bytes of 1");
     EXPECT_EQ(with(107, ~std::uint32_t{0}), "promises 4294967295 points, but has the bytes of 1");
-    EXPECT_EQ(with(96, std::uint32_t{1000}), "has points from byte 1000 on, but 247 bytes");
-    EXPECT_EQ(with(139, 0.0), "has coordinates without a scale: it is 0 or no number in the header");
-    EXPECT_EQ(with(163, double{NAN}), "has coordinates without a scale: it is 0 or no number in the header");
+    EXPECT_EQ(with(96, std::uint32_t{1000}), "points start at byte 1000, but the file has 247 bytes");
+    EXPECT_EQ(with(139, 0.0), "the coordinate scale in the header is 0 or not finite");
+    EXPECT_EQ(with(163, double{NAN}), "the coordinate scale in the header is 0 or not finite");
     EXPECT_EQ(with(94, std::uint16_t{226}), "has a header of 226 bytes; LAS has 227");
 }
 

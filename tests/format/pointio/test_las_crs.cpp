@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "format/crs/projected_crs.h"
 #include "tests/support/las_file.h"
 
 namespace pointrt {
@@ -48,7 +49,19 @@ TEST(LasCrs, GeoTiffKeys) {
     EXPECT_EQ(crs.metres_per_unit, 0);
     EXPECT_EQ(ofKeys({{1024, 0, 1, 3}, {2048, 0, 1, 4978}}).kind, Kind::kGeocentric);
     EXPECT_EQ(ofKeys({}).kind, Kind::kUnknown);
-    EXPECT_EQ(ofKeys({{3077, 34736, 1, 65535}, {3072, 0, 1, 2994}}).metres_per_unit, 0); // no such double
+    constexpr std::uint16_t kBeyondTheDoubles = 65535;
+    EXPECT_EQ(ofKeys({{3076, 0, 1, 32767}, {3077, 34736, 1, kBeyondTheDoubles}, {3072, 0, 1, 2994}}).metres_per_unit,
+              0);
+}
+
+TEST(LasCrs, KeysWithoutAUnitTakeThatOfTheSystem) {
+    EXPECT_EQ(ofKeys({{3072, 0, 1, 25832}}).metres_per_unit, 1); // common systems are known without PROJ
+    if (!isProjInstalled())
+        GTEST_SKIP()
+            << "SKIPPED: PROJ is not installed (Debian, Ubuntu: libproj25): units of EPSG codes are not checked";
+    EXPECT_EQ(ofKeys({{3072, 0, 1, 2056}}).metres_per_unit, 1);
+    EXPECT_NEAR(ofKeys({{3072, 0, 1, 2225}}).metres_per_unit, kUsFoot, 1e-12);
+    EXPECT_EQ(ofKeys({{3072, 0, 1, 60000}}).metres_per_unit, 0);
 }
 
 TEST(LasCrs, Wkt) {

@@ -154,17 +154,17 @@ TEST_F(LazTest, WhatIsPackedInAnotherWayIsTold) {
     const std::string good = writeLas(0, wanderingPoints(20, 100), true);
     std::string bytes = good;
     bytes[bytes.find("laszip encoded")] = 'L';
-    EXPECT_EQ(reasonOf(bytes), "is packed, but lacks the record that says how ('laszip encoded')");
+    EXPECT_EQ(reasonOf(bytes), "is compressed, but lacks the record 'laszip encoded'");
     const std::size_t record = good.find("laszip encoded") - 2 + 54;
     bytes = good;
     put(bytes, record, std::uint16_t{9});
-    EXPECT_EQ(reasonOf(bytes), "is packed in a way that is not known (9)");
+    EXPECT_EQ(reasonOf(bytes), "has an unknown compressor (9)");
     bytes = good;
     put(bytes, record + 36, std::uint16_t{300}); // bytes of its item
-    EXPECT_EQ(reasonOf(bytes).find("packed points: "), std::string::npos) << "the item knows its size";
+    EXPECT_EQ(reasonOf(bytes).find("compressed points: "), std::string::npos) << "the item knows its size";
     bytes = good;
     put(bytes, record + 34, std::uint16_t{7}); // a time in place of a point
-    EXPECT_EQ(reasonOf(bytes), "packed points: has points of 8 bytes, not 20");
+    EXPECT_EQ(reasonOf(bytes), "compressed points: has points of 8 bytes, not 20");
 }
 
 /// Layers that promise gigabytes take none of the memory.
@@ -175,7 +175,7 @@ TEST_F(LazTest, LayersThatPromiseGigabytes) {
     for (std::size_t layer = 0; layer < 9; ++layer) {
         std::string broken = bytes;
         put(broken, sizes + 4 * layer, std::uint32_t{0xF0000000});
-        EXPECT_EQ(reasonOf(broken), "packed points: is cut short");
+        EXPECT_EQ(reasonOf(broken), "compressed points: is cut short");
     }
 }
 

@@ -123,27 +123,28 @@ TEST_F(PointReaders, PlyAsText) {
     EXPECT_EQ(ply.column<std::uint16_t>("intensity"), (std::vector<std::uint16_t>{65535, 7}));
 }
 
-TEST_F(PointReaders, WhatIsWrongWithPlyIsOneLine) {
+TEST_F(PointReaders, MalformedPlyIsOneLine) {
     const std::string start = "ply\nformat ascii 1.0\n", xyz = "property float x\nproperty float y\nproperty float z\n";
-    const std::string advice = ": make a .pro of it with pointrt-bake, which is taken as well";
+    const std::string advice = "; bake it to a .pro with pointrt-bake, which is accepted, too";
     EXPECT_EQ(refusal("a.ply", start + "element vertex 1\n" + xyz), "a.ply: ends within the header");
     EXPECT_EQ(refusal("a.ply", start + "element vertex 1\nproperty float x\nend_header\n1\n"),
-              "a.ply: has no vertices with y");
-    EXPECT_EQ(refusal("a.ply", start + "end_header\n1\n"), "a.ply: has no vertices with x");
+              "a.ply: its vertices lack y");
+    EXPECT_EQ(refusal("a.ply", start + "end_header\n1\n"), "a.ply: its vertices lack x");
     EXPECT_EQ(refusal("a.ply", "ply\nelement vertex 1\n" + xyz + "end_header\n1 2 3\n"),
-              "a.ply: has no line that says its format");
-    EXPECT_EQ(refusal("a.ply", "ply\nformat new 1.0\n"), "a.ply:2: is no format of PLY");
-    EXPECT_EQ(refusal("a.ply", start + "element vertex many\n"), "a.ply:3: is no element with a count");
-    EXPECT_EQ(refusal("a.ply", start + "element camera 1\n"), "a.ply:3: has elements ahead of its vertices" + advice);
+              "a.ply: the header lacks its format line");
+    EXPECT_EQ(refusal("a.ply", "ply\nformat new 1.0\n"), "a.ply:2: unknown PLY format");
+    EXPECT_EQ(refusal("a.ply", start + "element vertex many\n"), "a.ply:3: not an element with a count");
+    EXPECT_EQ(refusal("a.ply", start + "element camera 1\n"), "a.ply:3: has elements before its vertices" + advice);
     EXPECT_EQ(refusal("a.ply", start + "element vertex 1\nproperty list uchar int all\n"),
               "a.ply:4: its vertices have lists" + advice);
     EXPECT_EQ(refusal("a.ply", start + "element vertex 1\nproperty quad x\n"),
-              "a.ply:4: is no property with a type of PLY");
-    EXPECT_EQ(refusal("a.ply", start + "element vertex 1\n" + xyz + "property int x\n"), "a.ply:7: there are two of x");
+              "a.ply:4: not a property with a PLY type");
+    EXPECT_EQ(refusal("a.ply", start + "element vertex 1\n" + xyz + "property int x\n"),
+              "a.ply:7: duplicate property x");
     EXPECT_EQ(refusal("a.ply", start + "element vertex 2\n" + xyz + "end_header\n1 2 3\n4 5 six\n"),
-              "a.ply:9: \"six\" is no float");
+              "a.ply:9: \"six\" is not a number of type float");
     EXPECT_EQ(refusal("a.ply", start + "element vertex 1\n" + xyz + "property uchar c\nend_header\n1 2 3 256\n"),
-              "a.ply:9: \"256\" is no uint8");
+              "a.ply:9: \"256\" is not a number of type uint8");
     EXPECT_EQ(refusal("a.ply", start + "element vertex 2\n" + xyz + "end_header\n1.25 2.25 3.25\n"),
               "a.ply: ends before the last of its vertices");
     EXPECT_EQ(refusal("a.ply", start + "element vertex 999999999999\n" + xyz + "end_header\n1 2 3\n"),

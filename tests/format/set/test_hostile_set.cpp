@@ -78,7 +78,7 @@ TEST_F(HostileSet, UnknownMembersArePassedOver) {
 
 TEST_F(HostileSet, OtherVersionsAndFormatsAreRefused) {
     EXPECT_EQ(faultOfChange([](Json& json) { json["version"] = 2; }),
-              "version 2, but only 1 can be read: this program is too old, or the file is damaged");
+              "version 2, but only 1 is supported: this program is too old, or the file is damaged");
     EXPECT_EQ(faultOfChange([](Json& json) { json["version"] = 1.5; }), "version is not a whole number");
     EXPECT_EQ(faultOfChange([](Json& json) { json["format"] = "3tz"; }), "format is not \"pointrt tile set\"");
     // a later version may have tiles that this one cannot read
@@ -111,23 +111,23 @@ const std::vector<Fault> kFaults = {
     {"input_points: are more than 2^53", [](TileSet& set) { set.input_points = 1ull << 60; }},
     {"sensors[1]: is neither there and finite nor all zeros", [](TileSet& set) { set.sensors[1][0] = 1; }},
     {"sensors[0]: is neither there and finite nor all zeros", [](TileSet& set) { set.sensors[0][3] = 2; }},
-    {"settings: are no JSON object", [](TileSet& set) { set.settings = "[1]"; }},
-    {"settings: are no JSON object", [](TileSet& set) { set.settings = "{"; }},
-    {"levels[1]: radius_max is no float from 2^-60 to 0.125", [](TileSet& set) { set.levels[1].radius_max = 0.2; }},
-    {"levels[1]: radius_max is no float from 2^-60 to 0.125", [](TileSet& set) { set.levels[1].radius_max = 0.1; }},
-    {"levels[0]: radius_max is no float from 2^-60 to 0.125", [](TileSet& set) { set.levels[0].radius_max = 0; }},
-    {"levels[2]: radius_step is no float from 0 to 1", [](TileSet& set) { set.levels[2].radius_step = 1.5; }},
+    {"settings: must be a JSON object", [](TileSet& set) { set.settings = "[1]"; }},
+    {"settings: must be a JSON object", [](TileSet& set) { set.settings = "{"; }},
+    {"levels[1]: radius_max must be a float from 2^-60 to 0.125", [](TileSet& set) { set.levels[1].radius_max = 0.2; }},
+    {"levels[1]: radius_max must be a float from 2^-60 to 0.125", [](TileSet& set) { set.levels[1].radius_max = 0.1; }},
+    {"levels[0]: radius_max must be a float from 2^-60 to 0.125", [](TileSet& set) { set.levels[0].radius_max = 0; }},
+    {"levels[2]: radius_step must be a float from 0 to 1", [](TileSet& set) { set.levels[2].radius_step = 1.5; }},
     {"attributes[0]: its name is empty, too long or has control characters",
      [](TileSet& set) { set.attributes[0].name = std::string(32, 'a'); }},
     {"attributes[0]: its name is empty, too long or has control characters",
      [](TileSet& set) { set.attributes[0].name = "a\nb"; }},
-    {"attributes[1]: is of no type that there is", [](TileSet& set) { set.attributes[1].type = 11; }},
+    {"attributes[1]: has an unknown type", [](TileSet& set) { set.attributes[1].type = 11; }},
     {"attributes[1]: components are not 1 to 4", [](TileSet& set) { set.attributes[1].components = 5; }},
     {"attributes[1]: low and high are not finite or out of order", [](TileSet& set) { set.attributes[1].high = -2; }},
     {"attributes: gps_time is there twice", [](TileSet& set) { set.attributes[0].name = "gps_time"; }},
     {"attributes: are more than 32", [](TileSet& set) { set.attributes.resize(33, set.attributes[0]); }},
     {"tiles: are none, or more than 2^20", [](TileSet& set) { set.tiles.clear(); }},
-    {"tiles[3] 3-0-1-0: level is none of levels", [](TileSet& set) { set.tiles[3].level = 3; }},
+    {"tiles[3] 3-0-1-0: level does not exist", [](TileSet& set) { set.tiles[3].level = 3; }},
     {"tiles[3] 1-0-1-0: splats are none, or more than stored", [](TileSet& set) { set.tiles[3].splats = 0; }},
     {"tiles[3] 1-0-1-0: splats are none, or more than stored", [](TileSet& set) { set.tiles[3].splats = 61; }},
     {"tiles[3] 1-0-1-0: stored are more than 2^32 - 1", [](TileSet& set) { set.tiles[3].stored = 1ull << 32; }},
@@ -195,7 +195,7 @@ TEST_F(HostileSet, WhatIsReadIsCheckedAsWell) {
     EXPECT_EQ(faultOfChange([](Json& json) { json["tiles"][4]["error"] = 0.25; }),
               "tiles[4] 1-1-1-0: has an error as merged splats have, but no children");
     EXPECT_EQ(faultOfChange([](Json& json) { json["attributes"][0]["type"] = "uint17"; }),
-              "attributes[0]: is of no type that there is");
+              "attributes[0]: has an unknown type");
 }
 
 TEST_F(HostileSet, NumbersThatAreNoneAreRefused) {
@@ -231,7 +231,7 @@ TEST_F(HostileSet, WholeNumbersThatDoNotFitAreRefused) {
         std::string text = Json::parse(goldenText()).dump();
         const std::string from = "\"cell\":[0,0,0],\"file\":\"tiles/1-";
         text.replace(text.find(from), from.size(), "\"cell\":[0,0," + std::string(value) + "],\"file\":\"tiles/1-");
-        EXPECT_EQ(faultOf(text), std::string(value) == "1e400" ? "has a number beyond all bounds" : cell) << value;
+        EXPECT_EQ(faultOf(text), std::string(value) == "1e400" ? "has a number out of range" : cell) << value;
     }
     EXPECT_EQ(faultOfChange([](Json& json) { json["tiles"][1]["splats"] = -1; }),
               "tiles[1]: splats is not a whole number from 0 to 18446744073709551615");
@@ -242,7 +242,7 @@ TEST_F(HostileSet, FilesLeadNowhereElse) {
          {"tiles/../x.pro", "../x.pro", "/etc/x.pro", "tiles//x.pro", "tiles/a/x.pro", "tiles/.pro", "tiles/.x.pro",
           "tiles/x.las", "x.pro", "", "tiles/x.pro/", "tiles/x y.pro", "tiles/x\ny.pro", "tiles/\xc3\xa4.pro"}) {
         EXPECT_EQ(faultOfChange([&](Json& json) { json["tiles"][2]["file"] = file; }),
-                  "tiles[2] 1-1-0-0: file is no plain name in tiles/ that ends in .pro");
+                  "tiles[2] 1-1-0-0: file must be a plain name in tiles/ that ends in .pro");
     }
     EXPECT_NE(faultOfChange([](Json& json) { json["tiles"][2]["file"] = std::string("tiles/a\0b.pro", 13); }), "");
     const std::string longest = "tiles/" + std::string(251, 'a') + ".pro";
@@ -322,7 +322,7 @@ TEST_F(HostileSize, AGigabyteIsNotRead) {
         readTileSet(folder.path);
         ADD_FAILURE();
     } catch (const Error& error) {
-        EXPECT_EQ(error.what(), path + ": has 1099511627776 bytes, more than any set");
+        EXPECT_EQ(error.what(), path + ": has 1099511627776 bytes, more than the limit for sets");
     }
 }
 

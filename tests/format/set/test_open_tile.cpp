@@ -57,9 +57,9 @@ TEST_F(OpenTile, RefusesFilesCutShortOrGrown) {
     EXPECT_EQ(fault(), path + ": is not the tile that set.json names (" + std::to_string(tile.bytes - 1) +
                            " bytes, not " + whole + ")");
     fs::resize_file(path, 100);
-    EXPECT_EQ(fault(), path + ": has 100 bytes, fewer than a .pro file's header");
+    EXPECT_EQ(fault(), path + ": has 100 bytes, fewer than the header of a .pro file");
     fs::resize_file(path, 0);
-    EXPECT_EQ(fault(), path + ": has 0 bytes, fewer than a .pro file's header");
+    EXPECT_EQ(fault(), path + ": has 0 bytes, fewer than the header of a .pro file");
 }
 
 TEST_F(OpenTile, RefusesWhatIsNoFile) {
@@ -81,10 +81,10 @@ TEST_F(OpenTile, RefusesATileThatStandsElsewhere) {
     EXPECT_EQ(fault(), is_not + "its cube is not around its core)");
     tile.cell[0] = 1;
     set.levels[0].radius_max = 0.03125;
-    EXPECT_EQ(fault(), is_not + "its radius_max is not its level's)");
+    EXPECT_EQ(fault(), is_not + "its radius_max differs from its level's)");
     set.levels[0].radius_max = 0.0625;
     set.levels[0].radius_step = 0.5;
-    EXPECT_EQ(fault(), is_not + "its radius_step is not its level's)");
+    EXPECT_EQ(fault(), is_not + "its radius_step differs from its level's)");
     tile.level = 1;
     EXPECT_EQ(fault(), is_not + "its cube is not two cores wide)");
 }

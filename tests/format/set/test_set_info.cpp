@@ -89,7 +89,7 @@ TEST_F(SetInfo, VerifyLooksAtEveryTile) {
     const auto json = nlohmann::json::parse(run("--verify --json").out);
     EXPECT_EQ(json["findings"].size(), 2u);
     EXPECT_EQ(json["findings"][1]["tile"], "tiles/0-1-1-0.pro");
-    EXPECT_NE(run("").out.find("; 2 not there or not as set.json names them"), std::string::npos);
+    EXPECT_NE(run("").out.find("; 2 missing or different from set.json"), std::string::npos);
 }
 
 TEST_F(SetInfo, ExportHasEveryOriginalSplatOnce) {
@@ -135,7 +135,7 @@ TEST_F(SetInfo, ABrokenSetIsOneLine) {
         EXPECT_EQ(result.code, 1);
         EXPECT_EQ(result.out, "");
         EXPECT_EQ(result.err, "pointrt-info: error: " + name +
-                                  "/set.json: version 7, but only 1 can be read: this program is too old, or the file "
+                                  "/set.json: version 7, but only 1 is supported: this program is too old, or the file "
                                   "is damaged\n");
     }
 }

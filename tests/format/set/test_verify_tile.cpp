@@ -34,16 +34,18 @@ TEST_F(VerifyTile, FindsRepeatsThatAreNotTheNeighboursSplats) {
     for (test::LatticeSplat& each : fine)
         if (each.code[0] < test::kCoreSteps && each.code[1] > test::kCoreSteps) each.splat.color[1] ^= 1;
     test::writeTile(set, tile, fine, folder.path);
-    EXPECT_EQ(findings(), "tiles/0-1-1-0.pro 0 16 of its splats are in tiles/0-0-1-0.pro's core but not its own\n"
-                          "tiles/0-1-1-0.pro 0 lacks 8 splats of tiles/0-0-1-0.pro that cross its core\n");
+    EXPECT_EQ(findings(),
+              "tiles/0-1-1-0.pro 0 16 of its splats lie in the core of tiles/0-0-1-0.pro but are not its splats\n"
+              "tiles/0-1-1-0.pro 0 lacks 8 splats of tiles/0-0-1-0.pro that cross its core\n");
 }
 
 TEST_F(VerifyTile, FindsRepeatsThatStandBeside) {
     for (test::LatticeSplat& each : fine)
         if (each.code[0] < test::kCoreSteps && each.code[1] > test::kCoreSteps) ++each.code[2];
     test::writeTile(set, tile, fine, folder.path);
-    EXPECT_EQ(findings(), "tiles/0-1-1-0.pro 0 16 of its splats are in tiles/0-0-1-0.pro's core but not its own\n"
-                          "tiles/0-1-1-0.pro 0 lacks 8 splats of tiles/0-0-1-0.pro that cross its core\n");
+    EXPECT_EQ(findings(),
+              "tiles/0-1-1-0.pro 0 16 of its splats lie in the core of tiles/0-0-1-0.pro but are not its splats\n"
+              "tiles/0-1-1-0.pro 0 lacks 8 splats of tiles/0-0-1-0.pro that cross its core\n");
 }
 
 TEST_F(VerifyTile, FindsMissingRepeats) {
@@ -57,7 +59,7 @@ TEST_F(VerifyTile, FindsSplatsWhereNoTileIs) {
     fine.push_back(fine.back());
     fine.back().code[2] = test::kCoreSteps + 10;
     test::writeTile(set, tile, fine, folder.path);
-    EXPECT_EQ(findings(), "tiles/0-1-1-0.pro 0 1 of its splats are where no tile is\n");
+    EXPECT_EQ(findings(), "tiles/0-1-1-0.pro 0 1 of its splats are in cells without a tile\n");
 }
 
 /// Where original splats of a coarser level stand, repeats of them are coded anew.
@@ -78,7 +80,7 @@ TEST_F(VerifyTile, TakesSplatsFromWhereACoarserTileStands) {
     test::writeTile(set, set.tiles[6], fine, folder.path);
     EXPECT_EQ(findings(), "");
     set.tiles[2].error = 0.25; // not original any more, by what set.json says
-    EXPECT_EQ(findings(), "tiles/0-1-1-0.pro 0 1 of its splats are where no tile is\n");
+    EXPECT_EQ(findings(), "tiles/0-1-1-0.pro 0 1 of its splats are in cells without a tile\n");
 }
 
 /// An original tile shows original splats of its neighbours, so nothing of a merged one beside it.
@@ -105,8 +107,8 @@ TEST_F(VerifyTile, CountsWhatTheCoreHolds) {
 
 TEST_F(VerifyTile, FindsSplatsBeyondTheBounds) {
     set.bounds_max[0] = 1007.7; // the last column is at 1007.75
-    EXPECT_EQ(findings(), "tiles/0-1-0-0.pro 0 its splats go beyond set.json's bounds\n"
-                          "tiles/0-1-1-0.pro 0 its splats go beyond set.json's bounds\n");
+    EXPECT_EQ(findings(), "tiles/0-1-0-0.pro 0 its splats exceed the bounds in set.json\n"
+                          "tiles/0-1-1-0.pro 0 its splats exceed the bounds in set.json\n");
 }
 
 TEST_F(VerifyTile, TellsWhatIsDamagedWithItsNumber) {

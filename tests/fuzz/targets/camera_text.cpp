@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cameras as text, which Ctrl+V takes from the clipboard. What was taken must be taken again from the text of it.
+// Cameras as text, which Ctrl+V pastes. The text written of a camera must parse to the same camera.
 #include <optional>
 
 #include "runtime/window/input/camera_text.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Films that --resume goes on with.
+// Films that --resume continues.
 #include "runtime/render/film_file.h"
 #include "runtime/render/film_resume.h"
 #include "tests/fuzz/fuzz_target.h"

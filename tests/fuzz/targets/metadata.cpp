@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The metadata of .pro files, as pointrt-info prints them.
+// The metadata of .pro files, as printed by pointrt-info.
 #include "format/pointio/metadata.h"
 #include "tests/fuzz/fuzz_target.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of light: Radiance and OpenEXR.
+// HDR pictures: Radiance and OpenEXR.
 #include "runtime/image/image_read.h"
 #include "tests/fuzz/fuzz_target.h"
 

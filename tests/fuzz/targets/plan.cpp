@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// plan.json of tile sets that are baked in steps.
+// plan.json of tile sets baked in steps.
 #include "preprocess/tiles/plan.h"
 #include "tests/fuzz/fuzz_target.h"
 #include "tests/support/temporary_folder.h"

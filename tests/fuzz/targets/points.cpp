@@ -9,7 +9,7 @@ using namespace pointrt;
 
 namespace {
 
-/// Columns must be as long as the outline says.
+/// Columns must have the length given in the outline.
 void readBlocks(const std::string& path, std::size_t most) {
     const std::unique_ptr<PointReader> reader = openPointReader(path);
     if (!reader) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// .pro files: opened in each way there is, everything in them followed as a tracer would, and verified.
+// .pro files: opened in every way, traversed as by a tracer, and verified.
 #include <cstdio>
 #include <cstdlib>
 
@@ -11,9 +11,9 @@ using namespace pointrt;
 
 namespace {
 
-constexpr float kLargestRadius = 4; // cube units, as SPEC has it of radius_max
+constexpr float kLargestRadius = 4; // cube units, the limit of radius_max in SPEC
 
-/// Decodes all splats as well, which touchEverything does not.
+/// Decodes all splats, which touchEverything does not.
 double sumOfSplats(const test::Bytes& bytes) {
     pro_file* file = nullptr;
     if (pro_open_memory(bytes.data(), bytes.size(), PRO_OPEN_SKIP_CHECKSUMS, &file, nullptr) != PRO_OK) return 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays, and points with normals or without, in NumPy arrays and text.
+// Rays, and points with or without normals, in NumPy arrays and text.
 #include "runtime/rays/ray_source.h"
 #include "tests/fuzz/fuzz_target.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings of what users do to a window, read and played.
+// Recordings of user input in a window, read and replayed.
 #include <cstdlib>
 
 #include "runtime/window/input/recording.h"
@@ -10,11 +10,11 @@ using namespace pointrt;
 
 namespace {
 
-/// What was read must be read the same from what is written of it.
+/// A recording written and read again must be the same.
 void expectSameOnceWritten(const Recording& recording) {
     std::string text = recordingHeader(recording.window);
     for (const RecordedEvent& event : recording.events) text += recordingLine(event);
-    const Recording again = parseRecording(text, "again"); // a name that no refusal may have
+    const Recording again = parseRecording(text, "again"); // this name must not occur in an error
     if (again.events.size() != recording.events.size()) std::abort();
 }
 
@@ -24,7 +24,7 @@ POINTRT_FUZZ_TARGET(recording) {
     fuzz::expectReadOrRefused("recording", [&] {
         const Recording recording = parseRecording(fuzz::textOf(input), "recording");
         expectSameOnceWritten(recording);
-        constexpr int kFrames = 200; // of recordings that go on for days
+        constexpr int kFrames = 200; // recordings may last for days
         Replay replay(recording);
         for (int i = 0; i < kFrames && !replay.next({1, false, false}).quit; ++i) continue;
     });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scans of any format, as a bake reads them: unpacked, told by their content, read, faces sampled.
+// Scans of any format, as a bake reads them: unpacked, format detected, read, faces sampled.
 #include <tbb/global_control.h>
 
 #include "preprocess/input/read.h"
@@ -14,6 +14,6 @@ POINTRT_FUZZ_TARGET(scan) {
     options.scales_degrees = true;
     bool has_faces = false;
     fuzz::expectReadOrRefused(file.path(), [&] { has_faces = !readInputs({file.path()}, options).triangles.empty(); });
-    options.sample_count = 100; // what is chosen where none is said takes a hundred times as long
+    options.sample_count = 100; // the default number takes a hundred times as long
     if (has_faces) fuzz::expectReadOrRefused(file.path(), [&] { readInputs({file.path()}, options); });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One reader of scans. The build says which: POINTRT_FUZZ_READER is its name in formats.h, POINTRT_FUZZ_NAME the
-// target's.
+// One reader of scans, chosen by the build: POINTRT_FUZZ_READER is its name in formats.h, POINTRT_FUZZ_NAME that of the
+// target.
 #include <tbb/global_control.h>
 
 #include "preprocess/input/formats.h"
@@ -11,7 +11,7 @@ using namespace pointrt;
 
 namespace {
 
-/// Where files that an input names are looked for: one is there, others are not.
+/// The folder of files that an input may name. It holds a single file, a.xyz.
 const std::string& folderOfScans() {
     static const test::TemporaryFolder folder;
     static const std::string path = folder.path.string();
@@ -19,10 +19,16 @@ const std::string& folderOfScans() {
     return path;
 }
 
-void readAll(const Source& source, Batches* batches) {
+void readAtOnce(const InputFile& source) {
     Cloud cloud;
     Sink sink(cloud);
-    sink.batches = batches;
+    readers::POINTRT_FUZZ_READER.read(source, sink);
+}
+
+void readInBatches(const InputFile& source) {
+    constexpr std::size_t kPoints = 2; // so few that a batch ends within small files
+    Cloud cloud;
+    Sink sink(cloud, {}, {kPoints, [](const PointBatch&) {}});
     readers::POINTRT_FUZZ_READER.read(source, sink);
 }
 
@@ -30,17 +36,13 @@ void readAll(const Source& source, Batches* batches) {
 
 POINTRT_FUZZ_TARGET(POINTRT_FUZZ_NAME) {
     static const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-    if (input.empty()) return; // which openSource refuses
-    Source source;
+    if (input.empty()) return; // openInputFile refuses it
+    InputFile source;
     source.name = folderOfScans() + "/input";
     source.bytes = fuzz::textOf(input);
-    fuzz::expectReadOrRefused(folderOfScans(), [&] { readAll(source, nullptr); });
+    fuzz::expectReadOrRefused(folderOfScans(), [&] { readAtOnce(source); });
     fuzz::expectReadOrRefused(folderOfScans(), [&] {
         const auto batched = readers::POINTRT_FUZZ_READER.readsInBatches;
-        if (!batched || !batched(source)) return;
-        Batches batches;
-        batches.points = 2; // as few as have a batch end within small files
-        batches.take = [](const PointBatch&) {};
-        readAll(source, &batches);
+        if (batched && batched(source)) readInBatches(source);
     });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scene files. What is read, is written; that must be read to the same scene again.
+// Scene files. A scene written and read again must be the same.
 #include <cstdio>
 #include <cstdlib>
 
@@ -13,7 +13,7 @@ using namespace pointrt;
 
 namespace {
 
-/// Where files that a scene names are looked for.
+/// The folder of files that a scene names.
 const std::string& folderOfScenes() {
     static const test::TemporaryFolder folder;
     static const std::string path = folder.path.string();

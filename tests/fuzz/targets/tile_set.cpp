@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// set.json of tile sets, and what is asked of a set that was read.
+// set.json of tile sets, and queries of a set that was read.
 #include <cstdlib>
 
 #include "format/set/tile_set.h"
@@ -10,7 +10,7 @@ using namespace pointrt;
 POINTRT_FUZZ_TARGET(tile_set) {
     fuzz::expectReadOrRefused("set.json", [&] {
         const TileSet set = parseTileSet(fuzz::textOf(input), "set.json");
-        if (!findTileSetFault(set).empty()) std::abort(); // which must not have been taken
+        if (!findTileSetFault(set).empty()) std::abort(); // parsing must have refused it
         childrenOf(set);
         for (const SetTile& tile : set.tiles) {
             cubeOf(set, tile);

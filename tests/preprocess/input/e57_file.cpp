@@ -13,7 +13,7 @@ constexpr std::size_t kPage = 1024, kPayload = 1020;
 
 std::uint64_t physical(std::uint64_t logical) { return logical / kPayload * kPage + logical % kPayload; }
 
-/// CRC-32C, a bit at a time.
+/// CRC-32C, bit by bit.
 std::uint32_t checksum(std::string_view bytes) {
     std::uint32_t sum = ~0u;
     for (const char byte : bytes) {
@@ -23,7 +23,7 @@ std::uint32_t checksum(std::string_view bytes) {
     return ~sum;
 }
 
-/// The lowest bits first.
+/// Packs the lowest bits first.
 std::string packed(const E57TestColumn& column) {
     std::string bytes((column.values.size() * static_cast<std::size_t>(column.bits) + 7) / 8, '\0');
     std::size_t at = 0;
@@ -33,7 +33,7 @@ std::string packed(const E57TestColumn& column) {
     return bytes;
 }
 
-/// A header of 4 bytes, then the rest, filled up to a multiple of 4.
+/// A header of 4 bytes, then the rest, padded to a multiple of 4.
 std::string packet(std::uint8_t kind, std::string rest) {
     rest.resize((rest.size() + 3) / 4 * 4);
     return bytesOf(kind) + '\0' + bytesOf(static_cast<std::uint16_t>(rest.size() + 3)) + rest;
@@ -66,7 +66,7 @@ std::string prototypeOf(const E57TestScan& scan) {
     return xml + "</prototype>";
 }
 
-/// Appends the scan's section, and returns what the XML says of the scan.
+/// Appends the scan's section, and returns its XML element.
 std::string addScan(std::string& logical, const E57TestScan& scan) {
     const std::size_t start = logical.size();
     const std::string packets = packetsOf(scan);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small E57 files for tests, right or wrong in any place.
+// Writes small E57 files for tests, valid or invalid in any field.
 #pragma once
 
 #include <cstdint>
@@ -18,26 +18,26 @@ struct E57TestColumn {
 
 E57TestColumn e57Doubles(const std::string& tag, const std::vector<double>& values);
 E57TestColumn e57Floats(const std::string& tag, const std::vector<float>& values);
-/// Of the bits that least and most need.
+/// Attributes of an integer column with the bits that least and most need.
 E57TestColumn e57Whole(const std::string& tag, std::int64_t least, std::int64_t most,
                        const std::vector<std::int64_t>& values);
-/// As that, of values offset + scale * number.
+/// The same for scaled integers: offset + scale * number.
 E57TestColumn e57Scaled(const std::string& tag, std::int64_t least, std::int64_t most, double scale, double offset,
                         const std::vector<std::int64_t>& values);
 
 struct E57TestScan {
     std::vector<E57TestColumn> columns;
-    std::string xml = "";         ///< beside its points: name, pose, limits
-    std::string points = "";      ///< promised; as many as the first column has where ""
-    std::size_t packets = 1;      ///< that each column's bytes are cut into
-    bool other_packets = false;   ///< an index packet and one to be ignored between them
-    std::string file_offset = ""; ///< of its section; where that is where ""
+    std::string xml = "";         ///< further elements: name, pose, limits
+    std::string points = "";      ///< declared count; "": the length of the first column
+    std::size_t packets = 1;      ///< number of packets per column
+    bool other_packets = false;   ///< insert an index packet and an ignored packet
+    std::string file_offset = ""; ///< declared offset of its section; "": the true one
 };
 
-/// The logical bytes of a file: without checksums.
+/// The logical bytes of a file, without checksums.
 std::string e57Logical(const std::vector<E57TestScan>& scans, const std::string& root_xml = "");
 
-/// Logical bytes in pages of 1024, each with its CRC-32C; what is missing of the last is filled with zeros.
+/// Splits logical bytes into pages of 1024 with CRC-32C; pads the last with zeros.
 std::string e57Pages(std::string logical);
 
 std::string e57File(const std::vector<E57TestScan>& scans, const std::string& root_xml = "");

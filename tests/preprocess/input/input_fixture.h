@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small files for the readers, written where the test runs.
+// Small files for the readers, written by the tests.
 #pragma once
 
 #include <cstring>
@@ -16,7 +16,7 @@
 
 namespace pointrt {
 
-/// A folder of its own for each test, gone with it.
+/// A temporary folder for each test.
 class InputTest : public testing::Test {
 protected:
     std::string write(const std::string& name, const std::string& bytes) const { return temporary.write(name, bytes); }
@@ -24,7 +24,7 @@ protected:
     static Cloud read(const std::string& path, const ReadOptions& options = {}) { return readInputs({path}, options); }
     Cloud readText(const std::string& name, const std::string& bytes) const { return read(write(name, bytes)); }
 
-    /// The message that reading ends with; a test failure and "" when it succeeds.
+    /// The error message of reading; a test failure and "" if it succeeds.
     static std::string reasonOf(const std::string& path, const ReadOptions& options = {}) {
         try {
             readInputs({path}, options);
@@ -41,7 +41,7 @@ protected:
         return reasonOf(write(name, bytes));
     }
 
-    /// Reads every prefix of a file: each is read or refused, and never anything else.
+    /// Reads every prefix of a file: each must be read or refused.
     void readPrefixes(const std::string& name, const std::string& bytes) const {
         for (std::size_t size = 0; size <= bytes.size(); ++size) {
             const std::string path = write(name, bytes.substr(0, size));
@@ -59,7 +59,7 @@ protected:
     static inline ExitCode last_code = ExitCode::kDone;
 };
 
-/// The attribute of that name; a test failure and an empty one where there is none.
+/// The attribute of this name; a test failure and an empty one if there is none.
 inline Attribute attributeOf(const Cloud& cloud, const std::string& name) {
     for (const Attribute& attribute : cloud.attributes)
         if (attribute.name == name) return attribute;
@@ -67,7 +67,7 @@ inline Attribute attributeOf(const Cloud& cloud, const std::string& name) {
     return {};
 }
 
-/// All of its numbers, components one after the other.
+/// All of its numbers, component by component.
 inline std::vector<double> numbersOf(const Cloud& cloud, const std::string& name) {
     const Attribute attribute = attributeOf(cloud, name);
     std::vector<double> numbers;

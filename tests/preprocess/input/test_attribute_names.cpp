@@ -6,7 +6,7 @@
 namespace pointrt {
 namespace {
 
-TEST(AttributeNames, OneThingHasOneName) {
+TEST(AttributeNames, SpellingsMapToOneName) {
     for (const char* written : {"intensity", "Intensity", "INTENSITY", "scalar_Intensity", "Scalar_intensity"})
         EXPECT_EQ(attributeName(written), "intensity") << written;
     for (const char* written : {"GpsTime", "gps_time", "scalar_GpsTime", "gps time", "Gps_Time"})
@@ -23,11 +23,11 @@ TEST(AttributeNames, OthersStay) {
     EXPECT_EQ(attributeName("a name of more than thirty-one letters"), "a name of more than thirty-one ");
     EXPECT_EQ(attributeName("thirty letters, then an umlaut\u00fc"), "thirty letters, then an umlaut"); // 32 bytes
     EXPECT_EQ(attributeName("a\xff\x1b[b"), "a??[b");
-    EXPECT_EQ(attributeName("\xed\xa0\x80"), "???"); // half a pair
+    EXPECT_EQ(attributeName("\xed\xa0\x80"), "???"); // a surrogate
     EXPECT_EQ(attributeName(""), "");
 }
 
-TEST(AttributeNames, NoTwoAreAlike) {
+TEST(AttributeNames, NamesAreUnique) {
     AttributeNames names;
     EXPECT_EQ(names.take("Intensity"), "intensity");
     EXPECT_EQ(names.take("scalar_Intensity"), "scalar_Intensity");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Attributes on their way from several files into one cloud, and points that are not asked for.
+// Attributes of several files merged into one cloud, and filtered points.
 #include <cmath>
 
 #include "input_fixture.h"
@@ -15,24 +15,24 @@ double valueOf(const Attribute& attribute, std::size_t point, std::size_t compon
     return loadScalar(attribute.values.data() + place * scalarSize(attribute.type), attribute.type, false);
 }
 
-/// Reads made-up files: points 0, 1, 2 ... on the x axis.
+/// Reads synthetic files: points 0, 1, 2 ... on the x axis.
 struct ColumnsTest : testing::Test {
     Cloud cloud;
     Sink sink{cloud};
-    Source source{"a.las", "x", nullptr};
+    InputFile input{"a.las", "x", nullptr};
 
     template <typename Value>
-    void addFile(const std::string& name, Scalar type, const std::vector<Value>& values, bool loose = false) {
+    void addFile(const std::string& name, Scalar type, const std::vector<Value>& values, bool untyped = false) {
         ScanTraits traits;
-        traits.columns = {{name, type, 1, loose}};
-        beginScan(sink, source, traits);
-        for (const Value value : values) addVertex(sink, position(), bytesOf(value).data());
-        finishScan(sink, source);
+        traits.columns = {{name, type, 1, untyped}};
+        sink.beginScan(input, traits);
+        for (const Value value : values) sink.addVertex(position(), bytesOf(value).data());
+        sink.finishScan(input);
     }
     void addBareFile(std::size_t points) {
-        beginScan(sink, source, {});
-        for (std::size_t i = 0; i < points; ++i) addVertex(sink, position());
-        finishScan(sink, source);
+        sink.beginScan(input, {});
+        for (std::size_t i = 0; i < points; ++i) sink.addVertex(position());
+        sink.finishScan(input);
     }
     Row position() {
         Row row{};
@@ -89,14 +89,14 @@ TEST_F(ColumnsTest, NarrowFileAfterAWideOne) {
     EXPECT_EQ(valueOf(only(), 1), -7);
 }
 
-TEST_F(ColumnsTest, LooseTypesShrinkWithoutLoss) {
+TEST_F(ColumnsTest, UntypedAttributesShrinkWithoutLoss) {
     addFile<double>("whole", Scalar::kF64, {0, 300}, true);
     narrowAttributes(cloud, sink.columns);
     EXPECT_EQ(cloud.attributes[0].type, Scalar::kU16);
     EXPECT_EQ(valueOf(cloud.attributes[0], 1), 300);
 }
 
-TEST_F(ColumnsTest, LooseRealsKeepEveryBit) {
+TEST_F(ColumnsTest, UntypedRealsKeepEveryBit) {
     addFile<double>("half", Scalar::kF64, {0.5, -2}, true);
     addFile<double>("time", Scalar::kF64, {0.1}, true);
     narrowAttributes(cloud, sink.columns);
@@ -105,15 +105,15 @@ TEST_F(ColumnsTest, LooseRealsKeepEveryBit) {
     EXPECT_EQ(valueOf(cloud.attributes[1], 2), 0.1);
 }
 
-TEST_F(ColumnsTest, LooseWholeNumbersThatAreLargeStayWhole) {
-    constexpr std::int64_t kOdd = (std::int64_t{1} << 53) + 1; // a double has no such
+TEST_F(ColumnsTest, LargeUntypedIntegersStayIntegers) {
+    constexpr std::int64_t kOdd = (std::int64_t{1} << 53) + 1; // not representable as a double
     addFile<std::int64_t>("id", Scalar::kI64, {kOdd, std::int64_t{1} << 40}, true);
     narrowAttributes(cloud, sink.columns);
     EXPECT_EQ(only().type, Scalar::kI64);
     EXPECT_EQ(loadWhole(only().values.data(), Scalar::kI64), static_cast<std::uint64_t>(kOdd));
 }
 
-TEST_F(ColumnsTest, WhatAFileTypedStaysSo) {
+TEST_F(ColumnsTest, DeclaredTypesStay) {
     addFile<double>("time", Scalar::kF64, {1}, true);
     addFile<double>("time", Scalar::kF64, {2}, false);
     narrowAttributes(cloud, sink.columns);
@@ -125,23 +125,23 @@ TEST_F(ColumnsTest, MinorOnesTakeNoMemoryUntilThereIsMoreThanZero) {
     traits.faces = false;
     traits.columns = {{"withheld", Scalar::kU8}, {"overlap", Scalar::kU8}};
     for (ColumnTraits& column : traits.columns) column.minor = true;
-    beginScan(sink, source, traits);
+    sink.beginScan(input, traits);
     const std::vector<Vec3d> positions{Vec3d(1, 0, 0), Vec3d(2, 0, 0)};
     const char zeros[] = {0, 0}, one[] = {0, 1};
     const char* const nothing[] = {zeros, zeros};
     const char* const something[] = {one, zeros};
-    addVertices(sink, positions, nothing);
+    sink.addVertices(positions, nothing);
     EXPECT_TRUE(cloud.attributes[0].values.empty());
-    addVertices(sink, positions, something);
-    addVertices(sink, positions, nothing);
-    finishScan(sink, source);
+    sink.addVertices(positions, something);
+    sink.addVertices(positions, nothing);
+    sink.finishScan(input);
     EXPECT_TRUE(cloud.attributes[1].values.empty());
     dropMinorAttributes(cloud, sink.columns);
     EXPECT_EQ(only().name, "withheld");
     EXPECT_EQ(only().values, (std::vector<char>{0, 0, 0, 1, 0, 0}));
 }
 
-TEST_F(ColumnsTest, OnlyThoseAskedFor) {
+TEST_F(ColumnsTest, OnlySelectedOnes) {
     sink.attributes = {false, {"b"}};
     addFile<std::uint8_t>("a", Scalar::kU8, {1});
     addFile<std::uint8_t>("b", Scalar::kU8, {2});
@@ -154,11 +154,11 @@ TEST_F(ColumnsTest, WideColorsComeFromTheirAttribute) {
     traits.colors = true;
     traits.color_scale = ColorScale::k16Bit;
     traits.columns = {{"intensity", Scalar::kU8}, {kRgb16, Scalar::kU16, 3}};
-    beginScan(sink, source, traits);
-    addVertex(
-        sink, position(),
+    sink.beginScan(input, traits);
+    sink.addVertex(
+        position(),
         ("\x09" + bytesOf<std::uint16_t>(65535) + bytesOf<std::uint16_t>(256) + bytesOf<std::uint16_t>(255)).data());
-    finishScan(sink, source);
+    sink.finishScan(input);
     EXPECT_EQ(cloud.colors[0], (Rgb8{255, 1, 0}));
     ASSERT_EQ(cloud.attributes.size(), 2u);
     EXPECT_EQ(valueOf(cloud.attributes[1], 0, 2), 255);
@@ -170,10 +170,10 @@ TEST_F(ColumnsTest, BytesInWideColorsStayBytes) {
     traits.colors = true;
     traits.color_scale = ColorScale::k16Bit;
     traits.columns = {{kRgb16, Scalar::kU16, 3}};
-    beginScan(sink, source, traits);
-    addVertex(sink, position(),
-              (bytesOf<std::uint16_t>(254) + bytesOf<std::uint16_t>(1) + bytesOf<std::uint16_t>(0)).data());
-    finishScan(sink, source);
+    sink.beginScan(input, traits);
+    sink.addVertex(position(),
+                   (bytesOf<std::uint16_t>(254) + bytesOf<std::uint16_t>(1) + bytesOf<std::uint16_t>(0)).data());
+    sink.finishScan(input);
     EXPECT_EQ(cloud.colors[0], (Rgb8{254, 1, 0}));
     EXPECT_TRUE(cloud.attributes.empty());
 }
@@ -196,7 +196,7 @@ struct FilterTest : InputTest {
 TEST_F(FilterTest, Bounds) {
     ReadOptions options;
     options.filter.bounds = Eigen::AlignedBox3d(Vec3d(0.375, -1, 0), Vec3d(0.75, 1, 1));
-    EXPECT_EQ(count(options), 4u) << "faces belong to it";
+    EXPECT_EQ(count(options), 4u) << "bounds are closed";
     options.filter.bounds = Eigen::AlignedBox3d(Vec3d(0.375, -1, 0), Vec3d(0.75, 1, 0));
     EXPECT_EQ(count(options), 2u);
 }
@@ -204,7 +204,7 @@ TEST_F(FilterTest, Bounds) {
 TEST_F(FilterTest, NothingLeftIsAnError) {
     ReadOptions options;
     options.filter.bounds = Eigen::AlignedBox3d(Vec3d(7, 7, 7), Vec3d(8, 8, 8));
-    EXPECT_HAS(reasonOf(line(), options), "line.xyz: none of its 12 points is asked for");
+    EXPECT_HAS(reasonOf(line(), options), "line.xyz: none of its 12 points passes the filters");
     EXPECT_EQ(last_code, ExitCode::kBadInput);
 }
 
@@ -223,7 +223,7 @@ TEST_F(FilterTest, ThinKeepsTheFirstOfEachCell) {
     options.filter.thin_spacing = 0.45; // cells in x from 0, 0.45, 0.9, 1.35, in z 0 and 2
     const Cloud cloud = read(line(), options);
     EXPECT_EQ(cloud.positions.size(), 7u);
-    EXPECT_EQ(cloud.positions[2].x(), 0.5f) << "after 0 and, above, 0.125";
+    EXPECT_EQ(cloud.positions[2].x(), 0.5f) << "after 0 and, in the upper layer, 0.125";
     options.filter.thin_spacing = 10;
     EXPECT_EQ(count(options), 1u);
 }
@@ -231,7 +231,7 @@ TEST_F(FilterTest, ThinKeepsTheFirstOfEachCell) {
 TEST_F(FilterTest, ClassesNeedSome) {
     ReadOptions options;
     options.filter.keep_classes.assign(256, true);
-    EXPECT_HAS(reasonOf(line(), options), "line.xyz: has no classes to choose from");
+    EXPECT_HAS(reasonOf(line(), options), "line.xyz: has no classes to select from");
 }
 
 TEST_F(FilterTest, TransformMovesAllButItsNormalsStayNormal) {
@@ -243,9 +243,9 @@ TEST_F(FilterTest, TransformMovesAllButItsNormalsStayNormal) {
     const Cloud cloud = read(path, options);
     EXPECT_EQ(world(cloud, 1), Vec3d(18, 25, 37));
     ASSERT_EQ(cloud.normals.size(), 2u);
-    EXPECT_NEAR(cloud.normals[0].normalized().y(), 0.6, 1e-6) << "turned by the inverse transpose";
+    EXPECT_NEAR(cloud.normals[0].normalized().y(), 0.6, 1e-6) << "transformed by the inverse transpose";
     options.filter.bounds = Eigen::AlignedBox3d(Vec3d(18, 25, 37), Vec3d(18, 25, 37));
-    EXPECT_EQ(read(path, options).positions.size(), 1u) << "bounds are those of where points go";
+    EXPECT_EQ(read(path, options).positions.size(), 1u) << "bounds apply after the transform";
 }
 
 TEST_F(FilterTest, ScansAreNumbered) {
@@ -259,7 +259,7 @@ TEST_F(FilterTest, ScansAreNumbered) {
     EXPECT_TRUE(read(path).attributes.empty());
 }
 
-TEST_F(InputTest, CellSetTellsCellsApart) {
+TEST_F(InputTest, CellSetDistinguishesCells) {
     CellSet cells;
     constexpr std::int64_t kFar = std::int64_t{1} << 41;
     int there = 0;

@@ -8,7 +8,7 @@ namespace {
 
 using ConfTest = InputTest;
 
-/// A turn by 90 degrees about +Z; inverted it takes +X to -Y.
+/// A rotation by 90 degrees about +Z; its inverse takes +X to -Y.
 const std::string kQuarterTurn = "0 0 0.70710678118654752 0.70710678118654752";
 
 TEST_F(ConfTest, PosesInvertTheQuaternionThenTranslate) {
@@ -19,7 +19,7 @@ TEST_F(ConfTest, PosesInvertTheQuaternionThenTranslate) {
     EXPECT_LT((world(cloud, 1) - Vec3d(10, 18, 30)).norm(), 1e-6);
 }
 
-TEST_F(ConfTest, NormalsTurnAlong) {
+TEST_F(ConfTest, NormalsRotateWithTheScan) {
     write("a.xyz", "1 0 0 1 0 0\n2 0 0 0 -1 0\n");
     const Cloud cloud = readText("s.conf", "bmesh a.xyz 10 20 30 " + kQuarterTurn + "\n");
     EXPECT_LT((cloud.normals[0] - Vec3f(0, -1, 0)).norm(), 1e-6);
@@ -28,7 +28,7 @@ TEST_F(ConfTest, NormalsTurnAlong) {
 
 TEST_F(ConfTest, EachScanHasItsSensorAlongItsOwnZ) {
     write("a.xyz", "0 0 0\n0 2 0\n");
-    // Half a turn about +X: +Z of the scan is -Z of the world.
+    // Half a rotation about +X: +Z of the scan is -Z of the world.
     const Cloud cloud = readText("s.conf", "bmesh a.xyz 0 0 0 0 0 0 1\nbmesh a.xyz 5 0 0 1 0 0 0\n");
     ASSERT_EQ(cloud.sensors.size(), 2u);
     EXPECT_EQ(cloud.sensor_of_point, (std::vector<std::uint32_t>{0, 0, 1, 1}));
@@ -50,9 +50,9 @@ TEST_F(ConfTest, BadFilesSayWhyAndWhere) {
     const std::string missing = reasonOfText("s.conf", "bmesh a.xyz 0 0 0 0 0 0 1\nbmesh gone.ply 0 0 0 0 0 0 1\n");
     EXPECT_HAS(missing, "s.conf:2: ");
     EXPECT_HAS(missing, "gone.ply: no such file");
-    EXPECT_HAS(reasonOfText("s.conf", "bmesh bad.xyz 0 0 0 0 0 0 1\n"), "bad.xyz:2: column 2 is no number");
-    EXPECT_HAS(reasonOfText("s.conf", "bmesh a.xyz 0 0 0 0 0 0\n"), "s.conf:1: bmesh takes a file name and 7 numbers");
-    EXPECT_HAS(reasonOfText("s.conf", "bmesh a.xyz 0 0 0 0 0 0 0\n"), "s.conf:1: the quaternion is no rotation");
+    EXPECT_HAS(reasonOfText("s.conf", "bmesh bad.xyz 0 0 0 0 0 0 1\n"), "bad.xyz:2: column 2 is not a number");
+    EXPECT_HAS(reasonOfText("s.conf", "bmesh a.xyz 0 0 0 0 0 0\n"), "s.conf:1: bmesh needs a file name and 7 numbers");
+    EXPECT_HAS(reasonOfText("s.conf", "bmesh a.xyz 0 0 0 0 0 0 0\n"), "s.conf:1: the quaternion is not a rotation");
     EXPECT_HAS(reasonOfText("s.conf", "bmesh s.conf 0 0 0 0 0 0 1\n"), "cannot be a scan of another");
     EXPECT_HAS(reasonOfText("s.conf", "camera 0 0 0 0 0 0 1\n"), "has no bmesh line");
 }
@@ -82,7 +82,7 @@ TEST_F(ConfTest, ScansLieInTheFolderOfTheConf) {
     EXPECT_EQ(last_code, ExitCode::kBadInput);
 }
 
-TEST_F(ConfTest, AFileCannotBeNamedWithoutEnd) {
+TEST_F(ConfTest, AFileCanBeNamedAFewTimesOnly) {
     write("a.xyz", "1 0 0\n");
     std::filesystem::create_hard_link(folder / "a.xyz", folder / "b.xyz");
     std::filesystem::create_symlink("a.xyz", folder / "c.xyz");
@@ -93,9 +93,9 @@ TEST_F(ConfTest, AFileCannotBeNamedWithoutEnd) {
                "s.conf:9: './a.xyz': is named more than 8 times");
 }
 
-TEST_F(ConfTest, PipesAndDevicesAreNotWaitedFor) {
+TEST_F(ConfTest, PipesAndDevicesAreRefused) {
     ASSERT_EQ(::mkfifo((folder / "pipe.xyz").c_str(), 0600), 0);
-    EXPECT_HAS(reasonOfText("s.conf", "bmesh pipe.xyz 0 0 0 0 0 0 1\n"), "pipe.xyz: is no regular file");
+    EXPECT_HAS(reasonOfText("s.conf", "bmesh pipe.xyz 0 0 0 0 0 0 1\n"), "pipe.xyz: is not a regular file");
     EXPECT_HAS(reasonOfText("s.conf", "bmesh - 0 0 0 0 0 0 1\n"), "s.conf:1: ");
     EXPECT_HAS(reasonOfText("s.conf", "bmesh . 0 0 0 0 0 0 1\n"), "is a directory");
 }

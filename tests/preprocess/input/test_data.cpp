@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Real scans, where there are some: POINTRT_DATA names a folder with truth.json.
+// Real scans, if POINTRT_DATA names a folder with truth.json.
 #include "tests/preprocess/input/input_fixture.h"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ void expectExtents(const Cloud& cloud, const std::string& text) {
             least = std::min(least, world(cloud, i)[axis]);
             most = std::max(most, world(cloud, i)[axis]);
         }
-        // truth.json has six digits; float positions about seven of the size of the cloud.
+        // truth.json has six digits; float positions have about seven relative to the size of the cloud.
         const Extent& wanted = extents[axis];
         const double size = std::max({std::abs(wanted.least), std::abs(wanted.most), wanted.most - wanted.least});
         EXPECT_NEAR(least, wanted.least, 6e-6 * size);
@@ -79,15 +79,15 @@ void expectTruth(const std::string& name, const nlohmann::json& facts) {
     EXPECT_EQ(cloud.points_read, wantedPoints(facts["points"]));
     EXPECT_EQ(cloud.points_read,
               cloud.positions.size() + cloud.points_non_finite + cloud.points_unused + cloud.points_filtered);
-    const bool black = facts.value("note", "").find("rgb max 0") != std::string::npos; // which is no colour
+    const bool black = facts.value("note", "").find("rgb max 0") != std::string::npos; // not counted as colours
     EXPECT_EQ(!cloud.colors.empty(), facts["col"].get<bool>() && !black);
     EXPECT_EQ(!cloud.triangles.empty(), facts["faces"].get<int>() > 0);
     if (cloud.points_unused + cloud.points_filtered == 0)
-        expectExtents(cloud, facts["ext"]); // which others take of all vertices
+        expectExtents(cloud, facts["ext"]); // other readers measure all vertices
 }
 
-TEST(DataTest, ScansAreAsOthersReadThem) {
-    if (dataFolder().empty()) GTEST_SKIP() << "POINTRT_DATA is not set: no real scan is read";
+TEST(DataTest, ScansMatchOtherReaders) {
+    if (dataFolder().empty()) GTEST_SKIP() << "POINTRT_DATA is not set: no real scans to read";
     int read = 0;
     const nlohmann::json all_facts = truth();
     for (const auto& [name, facts] : all_facts.items()) {
@@ -100,7 +100,7 @@ TEST(DataTest, ScansAreAsOthersReadThem) {
 }
 
 TEST(DataTest, FilesWithoutPointsAreRefused) {
-    if (dataFolder().empty()) GTEST_SKIP() << "POINTRT_DATA is not set: no real scan is read";
+    if (dataFolder().empty()) GTEST_SKIP() << "POINTRT_DATA is not set: no real scans to read";
     for (const char* name :
          {"draco/git-lfs-pointer.drc", "pcd_odd/missingheader.pcd", "ply_odd/alzobaer_point_cloud.ply",
           "ply_odd/assimp_empty.ply", "ply_odd/draco_inf_nan.obj", "ply_odd/pdal_no_vertex.obj",
@@ -121,7 +121,7 @@ TEST(DataTest, FilesWithoutPointsAreRefused) {
 }
 
 TEST(DataTest, E57FilesWithoutGoodPointsAreRefused) {
-    if (dataFolder().empty()) GTEST_SKIP() << "POINTRT_DATA is not set: no real scan is read";
+    if (dataFolder().empty()) GTEST_SKIP() << "POINTRT_DATA is not set: no real scans to read";
     if (!hasE57()) GTEST_SKIP() << "this build has no Rust: E57 is not tested";
     for (const char* name : {"cryinc_corrupt_crc", "cryinc_empty", "cryinc_empty_pc", "libe57_InvalidCVHeader",
                              "libe57_PinholeImageWithDistortionParameters", "libe57_ZeroPoints", "libe57_empty"}) {
@@ -136,7 +136,7 @@ TEST(DataTest, E57FilesWithoutGoodPointsAreRefused) {
     }
 }
 
-/// What a file of text or splats holds, as counted in it by hand.
+/// Contents of a text or splat file, counted by hand.
 struct Held {
     const char* name;
     std::size_t points, left_out;
@@ -145,7 +145,7 @@ struct Held {
 };
 
 TEST(DataTest, TextAndSplats) {
-    if (dataFolder().empty()) GTEST_SKIP() << "POINTRT_DATA is not set: no real scan is read";
+    if (dataFolder().empty()) GTEST_SKIP() << "POINTRT_DATA is not set: no real scans to read";
     const Names grid = {"intensity", "row", "column"};
     for (const Held& held :
          {Held{"text_formats/pdal_1.2-with-color.ptx", 1065, 0, true, grid},
@@ -181,23 +181,23 @@ TEST(DataTest, TextAndSplats) {
 }
 
 TEST(DataTest, ThreeWaysToPackTheSameSplats) {
-    if (dataFolder().empty()) GTEST_SKIP() << "POINTRT_DATA is not set: no real scan is read";
+    if (dataFolder().empty()) GTEST_SKIP() << "POINTRT_DATA is not set: no real scans to read";
     const Cloud plain = readInputs({(dataFolder() / "splats/minimal.splat").string()}, {});
     for (const char* name : {"splats/minimal-raw.spz", "splats/minimal-v2.spz", "splats/minimal-v4.spz"}) {
         SCOPED_TRACE(name);
         const Cloud packed = readInputs({(dataFolder() / name).string()}, {});
         ASSERT_EQ(packed.positions.size(), plain.positions.size());
         for (std::size_t i = 0; i < plain.positions.size(); ++i) {
-            const double z = name == std::string("splats/minimal-v4.spz") ? -1 : 1; // another program wrote that one
+            const double z = name == std::string("splats/minimal-v4.spz") ? -1 : 1; // written by another program
             EXPECT_LT((world(packed, i) - world(plain, i).cwiseProduct(Vec3d(1, 1, z))).norm(), 2e-3);
             EXPECT_NEAR(packed.radii[i], plain.radii[i],
-                        0.05 * static_cast<double>(plain.radii[i])); // 16ths of a logarithm
+                        0.05 * static_cast<double>(plain.radii[i])); // coded in steps of 1/16 of a logarithm
         }
     }
 }
 
 TEST(DataTest, PosedScansFaceTheirSensors) {
-    if (dataFolder().empty()) GTEST_SKIP() << "POINTRT_DATA is not set: no real scan is read";
+    if (dataFolder().empty()) GTEST_SKIP() << "POINTRT_DATA is not set: no real scans to read";
     const Cloud merged = readInputs({(dataFolder() / "stanford_dragon_raw/merged.ply").string()}, {});
     const Cloud posed = readInputs({(dataFolder() / "stanford_dragon_raw/dragonStandRight.conf").string()}, {});
     ASSERT_EQ(posed.sensors.size(), 15u);

@@ -8,11 +8,11 @@
 namespace pointrt {
 namespace {
 
-/// Half a step of 24 bits from 1 to 2 degrees off the cloud's origin, in metres.
+/// Rounding error in metres of a float 1 to 2 degrees off the cloud's origin: half a step of 24 bits.
 constexpr double kRounding = 0x1p-24 * 111320;
 
 struct DegreesTest : InputTest {
-    /// Thousandths of degrees and of metres, after the offset.
+    /// In thousandths of degrees and metres, relative to the offset.
     std::string file(const std::string& name, const std::vector<std::array<int, 3>>& points,
                      const std::string& system = "GEOGCS[\"WGS 84\"]", double north = 45, double east = 7) const {
         test::LasParts parts;
@@ -30,8 +30,8 @@ struct DegreesTest : InputTest {
     }
 };
 
-TEST_F(DegreesTest, OfTheEllipsoidAreAsLongAsTablesSay) {
-    // by latitude, of longitude and latitude, in metres: tables of WGS 84
+TEST_F(DegreesTest, LengthsMatchTablesOfTheEllipsoid) {
+    // latitude, then metres per degree of longitude and latitude: tables of WGS 84
     const double known[][3] = {{0, 111319.49, 110574.28},
                                {45, 78846.84, 111131.78},
                                {-45, 78846.84, 111131.78},
@@ -60,29 +60,29 @@ TEST_F(DegreesTest, BecomeMetresAroundTheMiddle) {
                "metres around 7.0010000, 45.0000000, where a degree is 78846.835 and 111131.777 m");
 }
 
-TEST_F(DegreesTest, OfSeveralFilesHaveOneMiddle) {
+TEST_F(DegreesTest, SeveralFilesHaveOneMiddle) {
     const Cloud cloud = readInputs({file("a.las", {{0, 0, 0}}), file("b.las", {{4, 0, 0}})}, scaling());
     EXPECT_LT((world(cloud, 1) - world(cloud, 0) - Vec3d(4 * 78.84684, 0, 0)).norm(), kRounding);
 }
 
-TEST_F(DegreesTest, StayWhereTheyHaveTo) {
+TEST_F(DegreesTest, StayIfTheyMust) {
     const std::string path = file("a.las", {{0, 0, 0}, {2, 1, 12000}});
     const auto stays = [](const Cloud& cloud, const std::string& note) {
         EXPECT_LT((world(cloud, 1) - Vec3d(7.002, 45.001, 12)).norm(), 1e-5);
         ASSERT_EQ(cloud.notes.size(), 1u);
         EXPECT_HAS(cloud.notes[0].text, note);
     };
-    stays(read(path), "is in degrees: x and y are not as long as z");
+    stays(read(path), "is in degrees: x and y have another unit than z");
     ReadOptions placed = scaling();
     placed.transform = Eigen::Affine3d::Identity();
-    stays(read(path, placed), "is in degrees: x and y are not as long as z");
+    stays(read(path, placed), "is in degrees: x and y have another unit than z");
     const std::string points = write("b.xyz", "1 2 3\n4 5 6\n");
     stays(readInputs({path, points}, scaling()), "only some of which are in degrees");
-    // coordinates of another system than the file says
+    // coordinates that contradict the declared system
     const Cloud wrong = read(file("c.las", {{0, 0, 0}, {1, 0, 0}}, "GEOGCS[]", 5000000, 400000), scaling());
     EXPECT_EQ(world(wrong, 0), Vec3d(400000, 5000000, 0));
     ASSERT_EQ(wrong.notes.size(), 1u);
-    EXPECT_HAS(wrong.notes[0].text, "has no such coordinates");
+    EXPECT_HAS(wrong.notes[0].text, "its coordinates are not degrees");
     const Cloud metres = read(file("d.las", {{0, 0, 0}, {1, 0, 0}}, "PROJCS[UNIT[\"metre\",1]]"), scaling());
     EXPECT_LT((world(metres, 1) - Vec3d(7.001, 45, 0)).norm(), 1e-5);
     EXPECT_TRUE(metres.notes.empty());

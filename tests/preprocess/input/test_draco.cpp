@@ -32,7 +32,7 @@ std::string encodedPoints(int method) {
     return {buffer.data(), buffer.size()};
 }
 
-/// bits: of each coordinate, as differences from the one before; 0: floats as they are
+/// bits: of each coordinate, delta-coded; 0: unquantised floats
 std::string encodedMesh(int method, int bits = 0) {
     draco::TriangleSoupMeshBuilder builder;
     builder.Start(2);
@@ -109,17 +109,17 @@ TEST_F(DracoTest, EveryPrefixIsRefusedCleanly) {
     readPrefixes("c.drc", encodedMesh(draco::MESH_EDGEBREAKER_ENCODING));
 }
 
-TEST_F(DracoTest, PredictionMethodsThatThereAreNotAreRefused) {
+TEST_F(DracoTest, UnknownPredictionMethodsAreRefused) {
     for (const int encoding : {draco::MESH_SEQUENTIAL_ENCODING, draco::MESH_EDGEBREAKER_ENCODING}) {
         const std::string mesh = encodedMesh(encoding, 8);
-        // The decoder of quantized numbers, the method, what wraps around
+        // The decoder of quantised numbers, the prediction method, the wrap transform
         const std::size_t method = mesh.find(std::string("\2\0\1", 3)) + 1;
         ASSERT_NE(method, 0u);
         EXPECT_EQ(readText("a.drc", mesh).positions.size(), 4u);
         for (const char none : {'\x07', '\x64', '\x80', '\xfd'}) {
             std::string broken = mesh;
             broken[method] = none;
-            EXPECT_NE(reasonOfText("b.drc", broken).find("the Draco data is broken"), std::string::npos);
+            EXPECT_NE(reasonOfText("b.drc", broken).find("the Draco data is invalid"), std::string::npos);
         }
     }
 }
@@ -138,7 +138,7 @@ TEST_F(DracoTest, TreesOfPoints) {
     draco::EncoderBuffer buffer;
     ASSERT_TRUE(encoder.EncodePointCloudToBuffer(*builder.Finalize(false), &buffer).ok());
     const std::string bytes(buffer.data(), buffer.size());
-    EXPECT_EQ(bytes[8], '\1') << "no tree";
+    EXPECT_EQ(bytes[8], '\1') << "not a tree";
     EXPECT_EQ(readText("a.drc", bytes).positions.size(), 20u);
     readPrefixes("b.drc", bytes);
 }
@@ -150,17 +150,17 @@ TEST_F(DracoTest, OldTreesHaveAsManyPointsAsTheirHeader) {
     for (const int points : {0, 0x73000000, 65535}) {
         const std::string reason =
             reasonOfText("a.drc", header + position + method_and_level + bytesOf(points) + "\4\1");
-        EXPECT_HAS(reason, "the Draco data is broken or cut short");
-        EXPECT_EQ(reason.find("impossible sizes"), std::string::npos) << "memory was asked for: " << reason;
+        EXPECT_HAS(reason, "the Draco data is invalid or truncated");
+        EXPECT_EQ(reason.find("impossible sizes"), std::string::npos) << "memory was requested: " << reason;
     }
 }
 
-TEST_F(DracoTest, PromisesAreCheckedBeforeMemoryIsTaken) {
-    // After the header of 11 bytes a point cloud has its number of points.
+TEST_F(DracoTest, CountsAreCheckedBeforeAllocation) {
+    // The number of points follows the header of 11 bytes.
     std::string points = encodedPoints(draco::POINT_CLOUD_SEQUENTIAL_ENCODING);
     points.replace(11, 4, bytesOf(0x7fffffff));
     EXPECT_HAS(reasonOfText("a.drc", points), "promises 2147483647 points");
-    EXPECT_HAS(reasonOfText("b.drc", "DRACO"), "broken or cut short");
+    EXPECT_HAS(reasonOfText("b.drc", "DRACO"), "invalid or truncated");
     EXPECT_HAS(reasonOfText("c.drc", "DRACO garbage that is none at all, and more of it"), "c.drc: the ");
 }
 

@@ -29,7 +29,7 @@ protected:
     }
 };
 
-/// Columns of three coordinates, and others.
+/// Columns: three coordinates, and others.
 std::vector<E57TestColumn> at(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& z,
                               const std::vector<E57TestColumn>& others = {}) {
     std::vector<E57TestColumn> columns{e57Doubles("cartesianX", x), e57Doubles("cartesianY", y),
@@ -38,7 +38,7 @@ std::vector<E57TestColumn> at(const std::vector<double>& x, const std::vector<do
     return columns;
 }
 
-/// Two points and what else they have.
+/// Two points with further columns.
 std::vector<E57TestColumn> two(const std::vector<E57TestColumn>& others = {}) {
     return at({1, 4}, {2, 5}, {3, 6}, others);
 }
@@ -51,7 +51,7 @@ std::string poseXml(std::array<double, 4> rotation, const Vec3d& translation) {
     return xml + "</translation></pose>";
 }
 
-/// A quarter of a turn about z: x becomes y.
+/// A quarter rotation about z: x becomes y.
 const std::array<double, 4> kQuarter = {std::numbers::sqrt2 / 2, 0, 0, std::numbers::sqrt2 / 2};
 
 const Attribute* find(const Cloud& cloud, const std::string& name) {
@@ -136,7 +136,7 @@ TEST_F(E57Test, WholeNumbersOfAnyWidthSurvivePackets) {
     }
 }
 
-TEST_F(E57Test, ScansStandWhereTheirPosesSay) {
+TEST_F(E57Test, ScansAreTransformedByTheirPoses) {
     const std::string first = e57Text("name", "hall") + poseXml({1, 0, 0, 0}, {10, 0, 0});
     const std::string second = e57Text("name", "stairs") + poseXml(kQuarter, {0, 0, 5});
     const Cloud cloud = readScans({{two(), first}, {at({1}, {0}, {0}), second}});
@@ -151,11 +151,11 @@ TEST_F(E57Test, ScansStandWhereTheirPosesSay) {
     EXPECT_EQ(cloud.world.metres_per_unit, 1);
 }
 
-TEST_F(E57Test, APoseThatSaysNothingIsNoScanner) {
+TEST_F(E57Test, AnIdentityPoseIsNotAScannerPosition) {
     EXPECT_FALSE(readScans({{two()}}).scans[0].sensor);
     const std::string nothing = poseXml({1, 0, 0, 0}, {0, 0, 0});
     EXPECT_FALSE(readScans({{two(), nothing}}).scans[0].sensor);
-    // a grid of rows and columns is a scanner's own
+    // a grid of rows and columns is in the scanner's frame
     const std::vector<E57TestColumn> grid{e57Whole("rowIndex", 0, 9, {1, 2}),
                                           e57Whole("columnIndex", 0, 900, {3, 300})};
     const Cloud gridded = readScans({{two(grid), nothing}});
@@ -164,7 +164,7 @@ TEST_F(E57Test, APoseThatSaysNothingIsNoScanner) {
     EXPECT_EQ(valuesOf(gridded, "column"), (std::vector<double>{3, 300}));
 }
 
-TEST_F(E57Test, SphericalCoordinatesAreTurnedAround) {
+TEST_F(E57Test, SphericalCoordinatesAreConverted) {
     const double pi = std::numbers::pi;
     const E57TestScan scan{{e57Doubles("sphericalRange", {2, 2, 3}), e57Doubles("sphericalAzimuth", {0, pi / 2, 1}),
                             e57Doubles("sphericalElevation", {0, 0, pi / 2})},
@@ -174,7 +174,7 @@ TEST_F(E57Test, SphericalCoordinatesAreTurnedAround) {
     EXPECT_EQ(cloud.scans[0].sensor, Vec3d(100, 0, 0));
 }
 
-TEST_F(E57Test, InvalidPointsAreLeftOutAndCounted) {
+TEST_F(E57Test, InvalidPointsAreDroppedAndCounted) {
     const E57TestColumn state = e57Whole("cartesianInvalidState", 0, 2, {0, 1, 2, 0});
     const Cloud cartesian = readScans({{at({1, 2, 3, 4, 5}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0},
                                            {e57Whole("cartesianInvalidState", 0, 2, {0, 1, 2, 0, 2})})}});
@@ -182,14 +182,15 @@ TEST_F(E57Test, InvalidPointsAreLeftOutAndCounted) {
     EXPECT_EQ(cartesian.points_read, 5u);
     EXPECT_EQ(cartesian.points_non_finite, 3u);
     ASSERT_EQ(cartesian.notes.size(), 1u);
-    EXPECT_HAS(cartesian.notes[0].text, "3 of its 5 points are marked invalid, 1 of them as directions alone");
-    // where both kinds are there, the other one serves
+    EXPECT_HAS(cartesian.notes[0].text,
+               "3 of its 5 points are marked invalid and left out, 1 of them have a valid direction");
+    // if both kinds are present, the valid one is used
     const Cloud both = readScans({{at(
         {1, 2, 3, 4}, {0, 0, 0, 0}, {0, 0, 0, 0},
         {state, e57Doubles("sphericalRange", {9, 8, 7, 6}), e57Doubles("sphericalAzimuth", {0, 0, 0, 0}),
          e57Doubles("sphericalElevation", {0, 0, 0, 0}), e57Whole("sphericalInvalidState", 0, 2, {0, 0, 1, 2})})}});
     expectWorld(both, {{1, 0, 0}, {8, 0, 0}, {4, 0, 0}});
-    EXPECT_HAS(both.notes.at(0).text, "1 of its 4 points are marked invalid, 1 of them");
+    EXPECT_HAS(both.notes.at(0).text, "1 of its 4 points are marked invalid and left out, 1 of them");
     const E57TestColumn none = e57Whole("cartesianInvalidState", 0, 2, {2, 2});
     EXPECT_HAS(reasonOfScans({{two({none})}}), "all of its 2 points are marked invalid");
 }
@@ -205,7 +206,7 @@ TEST_F(E57Test, ColoursAreScaledByTheirLimits) {
         EXPECT_EQ(valuesOf(wide, "rgb16"), (std::vector<double>{half, half, half, 65535, 65535, 65535})) << most;
         EXPECT_EQ(wide.colors, (std::vector{Rgb8{127, 127, 127}, white})) << most;
     }
-    // a dark scan stays dark, and limits of the column's type serve as well
+    // a dark scan stays dark; the limits of the column's type are used as well
     EXPECT_EQ(readScans({{two(colors(4095, {0, 40}))}}).colors, (std::vector{black, Rgb8{2, 2, 2}}));
     const std::vector<E57TestColumn> real{e57Floats("colorRed", {0, 1}), e57Floats("colorGreen", {0.5, 1}),
                                           e57Floats("colorBlue", {2, -1})};
@@ -214,11 +215,11 @@ TEST_F(E57Test, ColoursAreScaledByTheirLimits) {
     EXPECT_HAS(reals.notes.at(0).text, "2 of its colour values are beyond the limits");
 }
 
-TEST_F(E57Test, RealColoursWithoutLimitsAreJudgedByTheirValues) {
+TEST_F(E57Test, RealColoursWithoutLimitsAreScaledByTheirValues) {
     const std::vector<E57TestColumn> shares{e57Floats("colorRed", {0, 1}), e57Floats("colorGreen", {0, 1}),
                                             e57Floats("colorBlue", {0, 0.5})};
     EXPECT_EQ(readScans({{two(shares)}}).colors[1], (Rgb8{255, 255, 128}));
-    EXPECT_EQ(readScans({{two(shares), limitsXml(0)}}).colors[1], (Rgb8{255, 255, 128})); // limits that limit nothing
+    EXPECT_EQ(readScans({{two(shares), limitsXml(0)}}).colors[1], (Rgb8{255, 255, 128})); // empty limits are ignored
 }
 
 TEST_F(E57Test, PointsWithoutColourAreGrey) {
@@ -254,17 +255,17 @@ TEST_F(E57Test, AttributesKeepTheirValuesAndTypes) {
     EXPECT_HAS(cloud.notes.at(0).text, "1 of its intensities or times are marked invalid");
 }
 
-TEST_F(E57Test, ReturnsStartWithOneWhereTheFileSaysSoOrNot) {
+TEST_F(E57Test, ReturnsStartWithOneInEveryFile) {
     const auto read_returns = [&](std::int64_t first, std::int64_t second) {
         return valuesOf(
             readScans({{two({e57Whole("returnIndex", 0, 9, {first, second}), e57Whole("returnCount", 0, 9, {1, 3})})}}),
             "return_number");
     };
     EXPECT_EQ(read_returns(0, 2), (std::vector<double>{1, 3}));
-    EXPECT_EQ(read_returns(1, 2), (std::vector<double>{1, 2})); // 1 of 1, as LAS has it
+    EXPECT_EQ(read_returns(1, 2), (std::vector<double>{1, 2})); // 1 of 1, as in LAS
 }
 
-TEST_F(E57Test, NormalsOfTheExtensionAreTurnedWithTheScan) {
+TEST_F(E57Test, NormalsOfTheExtensionRotateWithTheScan) {
     const std::vector<E57TestColumn> normals{e57Floats("nor:normalX", {1, 0}), e57Floats("nor:normalY", {0, 1}),
                                              e57Floats("nor:normalZ", {0, 0})};
     const Cloud cloud = readScans({{two(normals), poseXml(kQuarter, {0, 0, 0})}});
@@ -274,12 +275,12 @@ TEST_F(E57Test, NormalsOfTheExtensionAreTurnedWithTheScan) {
     EXPECT_TRUE(cloud.attributes.empty());
 }
 
-TEST_F(E57Test, CoordinateSystemsAreToldWhereTheyAreOnes) {
+TEST_F(E57Test, OnlyCoordinateSystemsAreKept) {
     const std::string wkt = "PROJCS[&quot;here&quot;]";
     EXPECT_EQ(readScans({{two()}}, e57Text("coordinateMetadata", "\n " + wkt + " ")).world.crs, "PROJCS[\"here\"]");
     const Cloud other = readScans({{two()}}, e57Text("coordinateMetadata", "somewhere"));
     EXPECT_EQ(other.world.crs, "");
-    EXPECT_HAS(other.notes.at(0).text, "its coordinate system is not understood: 'somewhere'");
+    EXPECT_HAS(other.notes.at(0).text, "its coordinate system is not recognised: 'somewhere'");
 }
 
 TEST_F(E57Test, ScansMayBeEmptyUnlessAllAre) {
@@ -298,14 +299,15 @@ TEST_F(E57Test, ProgressIsOfAllScans) {
     EXPECT_EQ(shares, (std::vector<double>{0, 0.5, 1}));
 }
 
-TEST_F(E57Test, MessagesSayWhichScan) {
+TEST_F(E57Test, MessagesNameTheScan) {
     const E57TestColumn other = e57Doubles("las:height", {1, 2});
     EXPECT_HAS(reasonOfScans({{two()}, {{other}}}), "a.e57:scan 2: has no coordinates");
     EXPECT_HAS(reasonOfScans({{{other}, e57Text("name", "top")}}), "a.e57:'top': has no coordinates");
     EXPECT_HAS(reasonOfScans({{two({other, other})}}), "has two columns 'las:height'");
-    EXPECT_HAS(reasonOfScans({{two(), poseXml({0, 0, 0, 0}, {0, 0, 0})}}), "its pose is no rotation and translation");
+    EXPECT_HAS(reasonOfScans({{two(), poseXml({0, 0, 0, 0}, {0, 0, 0})}}),
+               "its pose is not a rotation and translation");
     E57TestColumn beyond = e57Whole("las:height", 0, 5, {1, 5});
-    beyond.values[1] = 7; // it has the bits
+    beyond.values[1] = 7; // fits in the bits, not in the limits
     EXPECT_HAS(reasonOfScans({{two({beyond})}}), "a value of las:height is beyond the largest that it may have");
 }
 
@@ -319,7 +321,7 @@ TEST_F(E57Test, WrongChecksumsAreRefused) {
     }
 }
 
-TEST_F(E57Test, PromisesThatNoByteKeepsAreRefused) {
+TEST_F(E57Test, CountsBeyondTheDataAreRefused) {
     for (const char* points : {"3", "1000000", "4000000000", "18446744073709551615"}) {
         E57TestScan scan{two()};
         scan.points = points;
@@ -327,13 +329,13 @@ TEST_F(E57Test, PromisesThatNoByteKeepsAreRefused) {
         EXPECT_TRUE(reason.find("cut short: 2 of 3") != reason.npos || reason.find("promises") != reason.npos)
             << reason;
     }
-    // columns of one value only take no bits
+    // constant columns take no bits
     E57TestScan nothing{
         {e57Whole("cartesianX", 1, 1, {1}), e57Whole("cartesianY", 2, 2, {2}), e57Whole("cartesianZ", 3, 3, {3})}};
     expectWorld(readScans({nothing}), {{1, 2, 3}});
     nothing.points = "4000000000";
     EXPECT_HAS(reasonOfScans({nothing}), "promises 4000000000 points");
-    // scans that share their bytes
+    // scans that share bytes
     const std::vector<double> many(100);
     std::vector<E57TestScan> scans{{at(many, many, many)}};
     for (int i = 0; i < 100; ++i) {
@@ -344,7 +346,7 @@ TEST_F(E57Test, PromisesThatNoByteKeepsAreRefused) {
     EXPECT_HAS(reasonOfScans(scans), "promises 10100 points");
 }
 
-TEST_F(E57Test, XmlThatIsNotMeantToBeReadTakesNoTime) {
+TEST_F(E57Test, MaliciousXmlTakesNoTime) {
     std::string deep, tag = "<a", spaces;
     for (int i = 0; i < 300'000; ++i) {
         deep += "<a>";
@@ -360,7 +362,7 @@ TEST_F(E57Test, XmlThatIsNotMeantToBeReadTakesNoTime) {
         readScans({{two()}}, "<!-- <" + text + "--><a><![CDATA[<" + text + "]]>" + text + "</a>").positions.size(), 2u);
 }
 
-/// A file with something of everything, each page of it whole.
+/// A valid file that uses every feature.
 std::string rich() {
     const E57TestColumn state = e57Whole("cartesianInvalidState", 0, 2, {0, 1});
     const E57TestScan first{two({state, e57Whole("intensity", 0, 4000, {7, 4000}), e57Floats("colorRed", {0, 1}),
@@ -369,13 +371,13 @@ std::string rich() {
     return e57Logical({first, {at({1}, {2}, {3})}});
 }
 
-/// Read, or refused in one line.
+/// Reads the file, or expects a one-line refusal.
 void readOrRefuse(const std::string& bytes) {
-    const Source source{"a.e57", bytes, {}};
+    const InputFile input{"a.e57", bytes, {}};
     Cloud cloud;
     Sink sink(cloud);
     try {
-        readers::kE57.read(source, sink);
+        readers::kE57.read(input, sink);
     } catch (const Error& error) {
         ASSERT_EQ(error.code, ExitCode::kBadInput) << error.what();
         ASSERT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
@@ -392,7 +394,7 @@ TEST_F(E57Test, EveryPrefixIsReadOrRefused) {
     EXPECT_EQ(readText("a.e57", bytes).positions.size(), 2u);
 }
 
-TEST_F(E57Test, HeaderFieldsMayBeAnything) {
+TEST_F(E57Test, HeaderFieldsWithAnyValue) {
     const std::string logical = rich();
     const std::size_t section = 48;
     for (const std::size_t field : {std::size_t{8}, std::size_t{16}, std::size_t{24}, std::size_t{32}, std::size_t{40},
@@ -405,7 +407,7 @@ TEST_F(E57Test, HeaderFieldsMayBeAnything) {
         }
 }
 
-TEST_F(E57Test, EachByteMayBeAnything) {
+TEST_F(E57Test, BytesWithAnyValue) {
     const std::string logical = rich();
     for (std::size_t i = 8; i < logical.size(); ++i)
         for (const char byte : {'\0', '\1', '\xff', '9', '<', '"', ' '}) {

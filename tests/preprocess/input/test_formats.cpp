@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The list of formats, the folder that holds their readers and the README's table say the same.
+// The list of formats, the readers and the table of docs/FORMATS.md agree.
 #include "preprocess/input/formats.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kTree = POINTRT_SOURCE_DIR;
-const fs::path kFormats = kTree / "preprocess/input";
 
 std::string textOf(const fs::path& path) {
     std::ifstream file(path);
@@ -27,13 +26,13 @@ std::string textOf(const fs::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// The words of capitals before the second bar of each row of the table of inputs.
-std::vector<std::string> suffixesOfReadme() {
-    std::istringstream rest(textOf(kTree / "README.md"));
+/// The capitalised words before the second bar in each row of the table of inputs.
+std::vector<std::string> suffixesInDocs() {
+    std::istringstream rest(textOf(kTree / "docs/FORMATS.md"));
     std::string line;
     while (std::getline(rest, line) && !line.starts_with("| in |")) {
     }
-    std::getline(rest, line); // of dashes
+    std::getline(rest, line); // the line of dashes
     std::vector<std::string> suffixes;
     while (std::getline(rest, line) && line.starts_with("|")) {
         std::istringstream words(line.substr(1, line.find('|', 1) - 1));
@@ -46,26 +45,15 @@ std::vector<std::string> suffixesOfReadme() {
     return suffixes;
 }
 
-TEST(Formats, TheReadmeListsTheSuffixesOfAll) {
-    const std::vector<std::string> listed = suffixesOfReadme();
+TEST(Formats, FormatsDocListsEverySuffix) {
+    const std::vector<std::string> listed = suffixesInDocs();
     std::set<std::string> known;
     for (const InputFormat& format : inputFormats())
         forSuffixes(format, [&](std::string_view suffix) {
-            EXPECT_TRUE(known.emplace(suffix).second) << suffix << " stands for two formats";
+            EXPECT_TRUE(known.emplace(suffix).second) << suffix << " belongs to two formats";
         });
     EXPECT_EQ(std::set(listed.begin(), listed.end()), known);
     EXPECT_EQ(listed.size(), known.size());
-}
-
-TEST(Formats, EachFileOfTheFoldersIsCompiled) {
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kFormats)) {
-        if (entry.path().extension() != ".cpp") continue;
-        const std::string build = textOf(entry.path().parent_path() / "CMakeLists.txt");
-        const std::string name = entry.path().filename().string();
-        const std::size_t at = build.find("    " + name);
-        ASSERT_NE(at, std::string::npos) << entry.path();
-        EXPECT_NE(std::string("\n)").find(build[at + 4 + name.size()]), std::string::npos) << entry.path();
-    }
 }
 
 TEST(Formats, NamesDifferAndEachIsComplete) {
@@ -75,7 +63,7 @@ TEST(Formats, NamesDifferAndEachIsComplete) {
         EXPECT_TRUE(names.insert(format.name).second) << format.name;
         EXPECT_FALSE(format.title.empty()) << format.name;
         EXPECT_NE(format.reader.read, nullptr) << format.name;
-        // what tells a format by its content: nothing but columns of numbers have no mark
+        // only columns of numbers have no signature
         EXPECT_EQ(!format.reader.isStart && !format.reader.isLine, format.content == Content::kColumns) << format.name;
         columns += format.content == Content::kColumns;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which vertex is the sample of which cell, in each format that says it.
+// Range grids in each format that has them.
 #include <cmath>
 #include <numbers>
 
@@ -35,7 +35,7 @@ void expectGrid(const Cloud& cloud, std::uint32_t rows, std::uint32_t columns, c
 TEST_F(GridTest, PlyRangeGridRowByRow) {
     const Cloud cloud = readText("a.ply", kThree);
     expectGrid(cloud, 2, 3, {0, kNone, kNone, kNone, 1, kNone});
-    // it looks along its own -z
+    // the scanner looks along -z of its frame
     ASSERT_TRUE(cloud.scans[0].sensor.has_value());
     EXPECT_NEAR(cloud.scans[0].sensor->x(), 1, 1e-6);
     EXPECT_GT(cloud.scans[0].sensor->z(), 20);
@@ -52,7 +52,7 @@ TEST_F(GridTest, PlyThroughConf) {
     EXPECT_EQ(cloud.sensors.size(), 2u);
 }
 
-TEST_F(GridTest, PlyGridsThatAreNoneAreLeftOutWithANote) {
+TEST_F(GridTest, InvalidPlyGridsAreDroppedWithANote) {
     const auto without = [&](const std::string& bytes, const std::string& note) {
         const Cloud cloud = readText("a.ply", bytes);
         EXPECT_TRUE(cloud.grids.empty()) << note;
@@ -63,7 +63,7 @@ TEST_F(GridTest, PlyGridsThatAreNoneAreLeftOutWithANote) {
     without(ply(two, 2, "1 0\n1 2\n0\n0\n", 2, 2), "1 of its points lie outside its grid");
     without(ply(two, 2, "1 0\n1 -1\n0\n0\n", 2, 2), "1 of its points lie outside its grid");
     without(ply(two, 2, "1 0\n1 1e300\n0\n0\n", 2, 2), "1 of its points lie outside its grid");
-    without(ply(two, 2, "2 0 1\n0\n0\n0\n", 2, 2), "1 of its points lie in cells of its grid that others have");
+    without(ply(two, 2, "2 0 1\n0\n0\n0\n", 2, 2), "1 of its points lie in occupied cells of its grid");
     without(ply(two, 2, "1 0\n1 0\n1 1\n0\n", 2, 2), "some of its points lie in two cells of its grid");
 }
 
@@ -96,7 +96,7 @@ TEST_F(GridTest, FilteredSamplesAreStillSamples) {
     options.filter.bounds = Eigen::AlignedBox3d(Vec3d(-1, -1, -1), Vec3d(1.5, 9, 9));
     expectGrid(readInputs({path}, options), 2, 3, {0, kNone, kOut, 1, 2, kOut});
     options.filter = {};
-    options.filter.every = 3; // 2 of 5 stay: that says nothing of what lies beside what
+    options.filter.every = 3; // keeps 2 of 5, too few for a grid
     EXPECT_TRUE(readInputs({path}, options).grids.empty());
 }
 
@@ -108,7 +108,7 @@ TEST_F(GridTest, PtxColumnByColumn) {
     EXPECT_FALSE(cloud.grids[0].wraps);
 }
 
-/// Columns evenly over an angle, seen from the origin.
+/// Columns at equal angles around the origin.
 std::string turned(int columns, double angle) {
     std::string bytes = fmt::format("{}\n3\n{}", columns, kPtxHeader);
     for (int column = 0; column < columns; ++column)
@@ -145,7 +145,7 @@ protected:
 
 TEST_F(E57GridTest, RowsAndColumns) {
     expectGrid(readIndices({5, 5, 6, 6}, {6, 5, 5, 6}, 5, 6), 2, 2, {1, 0, 2, 3});
-    // limits that say nothing: those of the points count
+    // without limits in the file, those of the points count
     constexpr std::int64_t kWide = std::int64_t{1} << 31;
     expectGrid(readIndices({5, 5, 6, 6}, {6, 5, 5, 7}, 0, kWide), 2, 3, {1, 0, kNone, 2, kNone, 3});
     expectGrid(readIndices({-5, -5, -4, -4}, {6, 5, 5, 6}, std::numeric_limits<std::int64_t>::min(),
@@ -153,7 +153,7 @@ TEST_F(E57GridTest, RowsAndColumns) {
                2, 2, {1, 0, 2, 3});
 }
 
-TEST_F(E57GridTest, GridsOfNothingAreNone) {
+TEST_F(E57GridTest, DegenerateGridsAreDropped) {
     constexpr std::int64_t kWide = std::int64_t{1} << 31;
     EXPECT_TRUE(readIndices({0, 1, 1, kWide}, {0, 0, 1, kWide}, 0, kWide).grids.empty());
     EXPECT_TRUE(readIndices({0, 1, 1, std::numeric_limits<std::int64_t>::max()}, {0, 0, 1, 1},
@@ -162,7 +162,7 @@ TEST_F(E57GridTest, GridsOfNothingAreNone) {
     EXPECT_TRUE(readIndices({7, 7, 7, 7}, {0, 1, 2, 3}, 0, kWide).grids.empty());
     const Cloud clash = readIndices({0, 0, 1, 1}, {0, 0, 1, 1}, 0, 1);
     EXPECT_TRUE(clash.grids.empty());
-    EXPECT_HAS(notesOf(clash), "2 of its points lie in cells of its grid that others have");
+    EXPECT_HAS(notesOf(clash), "2 of its points lie in occupied cells of its grid");
 }
 
 TEST_F(E57GridTest, FurtherEchoesStayOutOfTheGrid) {
@@ -179,7 +179,7 @@ TEST_F(GridTest, SamplingMeshesMovesGridsAlong) {
     EXPECT_EQ(world(cloud, 1), Vec3d(2, 0, 1));
 }
 
-TEST_F(GridTest, VerticesThatNoFaceUsesAreLeftOut) {
+TEST_F(GridTest, UnusedVerticesAreDropped) {
     std::string mesh = ply("9 9 9\n0 0 0\n1 0 0\n0 1 0\n", 4, "1 0\n1 1\n1 2\n1 3\n", 2, 2);
     mesh.replace(mesh.find("end_header\n"), 11, "element face 1\nproperty list uchar int vertex_indices\nend_header\n");
     expectGrid(readText("a.ply", mesh + "3 1 2 3\n"), 2, 2, {kOut, 0, 1, 2});

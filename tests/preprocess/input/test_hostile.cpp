@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Damaged files: each byte of a small good file changed to telling values, read or refused, never anything else.
+// Damaged files: each byte of a small valid file changed to critical values must be read or refused.
 #include "tests/preprocess/input/input_fixture.h"
 
 namespace pointrt {

@@ -85,12 +85,12 @@ TEST_F(LasTest, AttributesAreThoseOfTheRecords) {
     EXPECT_EQ(valuesOf<std::uint16_t>(cloud, "rgb16")[3 + 2], 513);
     ASSERT_EQ(cloud.colors.size(), 5u);
     EXPECT_EQ(cloud.colors[0], (Rgb8{255, 255, 255}));
-    EXPECT_EQ(cloud.colors[1], (Rgb8{0, 1, 2})); // the upper bytes, as one is above 255
+    EXPECT_EQ(cloud.colors[1], (Rgb8{0, 1, 2})); // the upper bytes, since one value exceeds 255
     for (const char* minor : {"synthetic", "key_point", "withheld", "edge_of_flight_line", "user_data"})
         EXPECT_EQ(find(cloud, minor), nullptr) << minor;
     ReadOptions options;
     options.attributes = {false, {"withheld"}};
-    EXPECT_NE(find(readParts(parts, options), "withheld"), nullptr) << "asked for by name";
+    EXPECT_NE(find(readParts(parts, options), "withheld"), nullptr) << "selected by name";
     parts.points[4][15] = '\x80';
     EXPECT_EQ(valuesOf<std::uint8_t>(readParts(parts), "withheld"), (std::vector<std::uint8_t>{0, 0, 0, 0, 1}));
 }
@@ -140,7 +140,7 @@ TEST_F(LasTest, LazIsReadAsLas) {
     }
 }
 
-TEST_F(LasTest, WithoutRustLazSaysWhatToInstall) {
+TEST_F(LasTest, WithoutRustTheErrorNamesWhatToInstall) {
     if (hasLaz()) GTEST_SKIP() << "this build has LAZ";
     LasParts parts;
     parts.packed = true;
@@ -191,7 +191,7 @@ struct CopcFile {
         const int cells[3] = {0, 0, 2}; // x of the node: 0 to 400, 0 to 200, 200 to 300
         for (std::size_t level = 0; level < 2; ++level)
             addEntry(int(level), cells[level], places[level], sizes[level], 10);
-        addEntry(2, 2, bytes.size() + 32, 32, -1); // a page of its own
+        addEntry(2, 2, bytes.size() + 32, 32, -1); // a separate page
         addEntry(2, 2, places[2], sizes[2], 10);
         put(bytes, info_at + 40, std::uint64_t{hierarchy_at});
         put(bytes, info_at + 48, std::uint64_t{96});
@@ -227,7 +227,7 @@ TEST_F(CopcTest, LevelsAndBoundsChooseNodes) {
     EXPECT_EQ(read(write("a.laz", copc.bytes), options).positions.size(), 10u);
 }
 
-TEST_F(LasTest, WhereThereAreNoLevelsThatIsSaid) {
+TEST_F(LasTest, MissingLevelsAreNoted) {
     LasParts parts;
     parts.points = linePoints(0, 3);
     ReadOptions options;
@@ -236,12 +236,12 @@ TEST_F(LasTest, WhereThereAreNoLevelsThatIsSaid) {
         const Cloud cloud = read(path, options);
         EXPECT_EQ(cloud.positions.size(), 3u);
         ASSERT_EQ(cloud.notes.size(), 1u) << path;
-        EXPECT_HAS(cloud.notes[0].text, "has no levels of detail: it is read whole");
+        EXPECT_HAS(cloud.notes[0].text, "has no levels of detail: all of it is read");
         EXPECT_TRUE(read(path).notes.empty());
     }
 }
 
-TEST_F(CopcTest, HierarchiesThatLeadAstrayAreRefused) {
+TEST_F(CopcTest, InvalidHierarchiesAreRefused) {
     const CopcFile copc;
     ReadOptions options;
     options.level = 5;
@@ -251,20 +251,20 @@ TEST_F(CopcTest, HierarchiesThatLeadAstrayAreRefused) {
         return reasonOf(write("a.laz", bytes), options);
     };
     const std::size_t entry = copc.hierarchy_at;
-    EXPECT_HAS(with(copc.info_at + 40, ~std::uint64_t{0}), "leads out of the file");
-    EXPECT_HAS(with(copc.info_at + 48, ~std::uint64_t{0}), "leads out of the file");
-    EXPECT_HAS(with(entry + 16, std::uint64_t{1} << 40), "leads out of the file");
-    EXPECT_HAS(with(entry + 24, -1), "leads out of the file");
-    EXPECT_HAS(with(entry, 31), "leads out of the file");
+    EXPECT_HAS(with(copc.info_at + 40, ~std::uint64_t{0}), "points outside the file");
+    EXPECT_HAS(with(copc.info_at + 48, ~std::uint64_t{0}), "points outside the file");
+    EXPECT_HAS(with(entry + 16, std::uint64_t{1} << 40), "points outside the file");
+    EXPECT_HAS(with(entry + 24, -1), "points outside the file");
+    EXPECT_HAS(with(entry, 31), "points outside the file");
     EXPECT_HAS(with(entry + 28, 1000), "has 1020 points, the file 30");
     EXPECT_HAS(with(copc.info_at + 24, 0.0), "has no size");
     std::string circle = copc.bytes;
     put(circle, entry + 64 + 16, std::uint64_t{copc.hierarchy_at});
     put(circle, entry + 64 + 24, 96);
-    EXPECT_HAS(reasonOf(write("a.laz", circle), options), "leads in circles");
+    EXPECT_HAS(reasonOf(write("a.laz", circle), options), "is cyclic");
     std::string twice = copc.bytes;
     twice.replace(entry + 32 + 16, 8, twice.substr(entry + 16, 8));
-    EXPECT_HAS(reasonOf(write("a.laz", twice), options), "has points twice");
+    EXPECT_HAS(reasonOf(write("a.laz", twice), options), "chunks overlap");
 }
 
 TEST_F(CopcTest, EveryPrefixIsReadOrRefused) {
@@ -283,8 +283,8 @@ TEST_F(CopcTest, EveryPrefixIsReadOrRefused) {
     }
 }
 
-/// A header of any version with each field at 0, 1 and its most: read or refused, and never much memory.
-TEST_F(LasTest, EachFieldOfTheHeaderAtItsEnds) {
+/// Sets each field of headers of every version to 0, 1 and its maximum: read or refused, with little memory.
+TEST_F(LasTest, HeaderFieldsAtTheirLimits) {
     struct Field {
         std::size_t at, size;
     };

@@ -31,14 +31,14 @@ TEST_F(ObjTest, PartlyColoredIsGreyElsewhere) {
 
 TEST_F(ObjTest, BadFilesSayWhy) {
     EXPECT_HAS(reasonOfText("a.obj", "# nothing here\n"), "holds no points");
-    EXPECT_HAS(reasonOfText("a.obj", "v 1 2\n"), "a.obj:1: 3 numbers are needed");
-    EXPECT_HAS(reasonOfText("a.obj", "v 1 2 z\n"), "a.obj:1: 'z' is no number");
+    EXPECT_HAS(reasonOfText("a.obj", "v 1 2\n"), "a.obj:1: expected 3 numbers");
+    EXPECT_HAS(reasonOfText("a.obj", "v 1 2 z\n"), "a.obj:1: 'z' is not a number");
     EXPECT_HAS(reasonOfText("a.obj", "v 0 0 0\nf 1 1 2\n"),
-               "a.obj:2: vertex index 2 is out of range, there are 1 so far");
+               "a.obj:2: vertex index 2 is out of range (1 defined so far)");
     EXPECT_HAS(reasonOfText("a.obj", "v 0 0 0\nf 1 1 -2\n"), "a.obj:2: vertex index -2 is out of range");
     EXPECT_HAS(reasonOfText("a.obj", "v 0 0 0\nf 0 1 1\n"), "a.obj:2: vertex index 0 is out of range");
     EXPECT_HAS(reasonOfText("a.obj", "v 0 0 0\nf 1//5 1 1\n"), "a.obj:2: normal index 5 is out of range");
-    EXPECT_HAS(reasonOfText("a.obj", "v 0 0 0\nf a b c\n"), "a.obj:2: 'a' is no index");
+    EXPECT_HAS(reasonOfText("a.obj", "v 0 0 0\nf a b c\n"), "a.obj:2: 'a' is not an index");
     EXPECT_HAS(reasonOfText("a.obj", "v nan nan nan\n"), "none of its 1 points is finite");
 }
 
@@ -60,14 +60,15 @@ TEST_F(OffTest, Kinds) {
 }
 
 TEST_F(OffTest, BadFilesSayWhy) {
-    EXPECT_HAS(reasonOfText("a.off", "OFF BINARY\n"), "binary OFF is not read");
+    EXPECT_HAS(reasonOfText("a.off", "OFF BINARY\n"), "binary OFF is not supported");
     EXPECT_HAS(reasonOfText("a.off", "4OFF\n1 0 0\n"),
                "a.off:1: this build reads OFF, COFF, NOFF and CNOFF, not '4OFF'");
     EXPECT_HAS(reasonOfText("a.off", "OFF\n4000000000 0 0\n0 0 0\n"), "promises 4000000000 vertices");
-    EXPECT_HAS(reasonOfText("a.off", "OFF\n2 0 0\n0.5 0.5 0.5\n"), "cut short: 1 of 2 vertices are there");
-    EXPECT_HAS(reasonOfText("a.off", "OFF\n1 1 0\n0 0 0\n3 0 0 1\n"), "a.off:4: '1' is no index of one of 1 vertices");
-    EXPECT_HAS(reasonOfText("a.off", "OFF\n1 1 0\n0 0 0\n4000000000 0\n"), "a.off:4: '' is no index");
-    EXPECT_HAS(reasonOfText("a.off", "OFF\n1 0 0\n0 0\n"), "a.off:3: has 2 numbers, 3 are needed");
+    EXPECT_HAS(reasonOfText("a.off", "OFF\n2 0 0\n0.5 0.5 0.5\n"), "truncated: found 1 of 2 vertices");
+    EXPECT_HAS(reasonOfText("a.off", "OFF\n1 1 0\n0 0 0\n3 0 0 1\n"),
+               "a.off:4: vertex index 1 is out of range (the file has 1 vertices)");
+    EXPECT_HAS(reasonOfText("a.off", "OFF\n1 1 0\n0 0 0\n4000000000 0\n"), "a.off:4: '' is not a vertex index");
+    EXPECT_HAS(reasonOfText("a.off", "OFF\n1 0 0\n0 0\n"), "a.off:3: has 2 numbers, but 3 are needed");
 }
 
 TEST_F(OffTest, EveryPrefixIsReadOrRefused) {

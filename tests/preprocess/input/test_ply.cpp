@@ -69,7 +69,7 @@ void expectVertices(const Cloud& cloud) {
     EXPECT_EQ(attributeNames(cloud), Names{"label"});
     EXPECT_EQ(attributeOf(cloud, "label").type, Scalar::kU32);
     EXPECT_EQ(numbersOf(cloud, "label"), (Numbers{7, 8, 9}));
-    EXPECT_HAS(notesOf(cloud), "properties that are lists, or whose name is another's, are not read: 'tags'");
+    EXPECT_HAS(notesOf(cloud), "lists and properties with a duplicate name are not read: 'tags'");
 }
 
 TEST_F(PlyTest, AllEncodingsGiveTheSameCloud) {
@@ -149,7 +149,7 @@ TEST_F(PlyTest, PropertiesAreAttributesByTheNamesThatToolsWrite) {
     EXPECT_EQ(numbersOf(cloud, "gps_time"), Numbers{413665.23368423499});
     EXPECT_EQ(numbersOf(cloud, "Intensity"), Numbers{9});
     EXPECT_TRUE(cloud.radii.empty()); // without normals
-    EXPECT_HAS(notesOf(cloud), "whose name is another's, are not read: 'Intensity'");
+    EXPECT_HAS(notesOf(cloud), "properties with a duplicate name are not read: 'Intensity'");
 }
 
 TEST_F(PlyTest, BigIntegersKeepAllBits) {
@@ -169,13 +169,13 @@ TEST_F(PlyTest, BigIntegersKeepAllBits) {
     EXPECT_EQ(std::string(text.attributes[0].values.data(), 8), bytesOf(std::uint64_t{18364758544493064721u}));
 }
 
-TEST_F(PlyTest, NumbersThatTheirTypesDoNotHoldAreTold) {
+TEST_F(PlyTest, NumbersOutsideTheirTypesAreNoted) {
     const Cloud cloud =
         readText("a.ply", ascii("property uchar a\nproperty char b\nproperty int c\n", "1 2 3 300 -300 2.75\n"));
     EXPECT_EQ(numbersOf(cloud, "a"), Numbers{255});
     EXPECT_EQ(numbersOf(cloud, "b"), Numbers{-128});
     EXPECT_EQ(numbersOf(cloud, "c"), Numbers{3});
-    EXPECT_HAS(notesOf(cloud), "has numbers that their types do not hold");
+    EXPECT_HAS(notesOf(cloud), "has numbers outside their declared types");
     EXPECT_EQ(notesOf(readText("b.ply", ascii("property uchar a\n", "1 2 3 +7\n"))), "");
 }
 
@@ -203,13 +203,13 @@ TEST_F(PlyTest, DiscsHaveRadii) {
     EXPECT_EQ(cloud.radii, (std::vector<float>{0.5f, 0, 0}));
     EXPECT_TRUE(cloud.attributes.empty());
     EXPECT_TRUE(cloud.normal_sides);
-    // a mesh's are not those of discs
+    // radii in a mesh are not those of discs
     const std::string mesh = discs + "element face 1\nproperty list uchar int vertex_indices\n";
     EXPECT_TRUE(
         readText("m.ply", ascii(mesh, "0 0 0 0 0 1 5\n1 0 0 0 0 1 5\n0 1 0 0 0 1 5\n3 0 1 2\n", 3)).radii.empty());
 }
 
-TEST_F(PlyTest, TextureCoordinatesOfMeshesAreNone) {
+TEST_F(PlyTest, TextureCoordinatesOfMeshesAreSkipped) {
     const std::string uv = "property float s\nproperty float t\n";
     const std::string mesh = uv + "element face 1\nproperty list uchar int vertex_indices\n";
     const Cloud cloud = readText("m.ply", ascii(mesh, "0 0 0 1 2\n1 0 0 1 2\n0 1 0 1 2\n3 0 1 2\n", 3));
@@ -235,7 +235,7 @@ TEST_F(PlyTest, FacesBeforeVertices) {
     EXPECT_EQ(readText("f.ply", text).triangles.size(), 1u);
 }
 
-TEST_F(PlyTest, NonFinitePointsTakeTheirFacesAlong) {
+TEST_F(PlyTest, NonFinitePointsRemoveTheirFaces) {
     const std::string faces = "element face 2\nproperty list uchar int vertex_indices\n";
     const std::string body = "0 0 0\nnan 0 0\n1 0 0\n0 1 0\n1e39 0 0\n3 0 1 2\n3 0 2 3\n";
     const Cloud cloud = readText("n.ply", ascii(faces, body, 5));
@@ -256,26 +256,26 @@ TEST_F(PlyTest, BadFilesSayWhy) {
                "a.ply:3: element 'vertex' has no valid count");
     EXPECT_HAS(reasonOfText("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n"),
                "no x, y and z");
-    EXPECT_HAS(reasonOfText("a.ply", ascii("", "1 2 three\n")), "a.ply:8: 'three' is no number");
+    EXPECT_HAS(reasonOfText("a.ply", ascii("", "1 2 three\n")), "a.ply:8: 'three' is not a number");
     EXPECT_HAS(reasonOfText("a.ply", ascii("", "", 0)), "holds no points");
     EXPECT_HAS(reasonOfText("a.ply", ascii("", "nan 1 1\n")), "none of its 1 points is finite");
-    EXPECT_HAS(reasonOfText("a.ply", ascii("", "1 1 1\n2 2 2\n3 3 3 \n", 4)), "only 19 bytes are left");
-    EXPECT_HAS(reasonOfText("a.ply", ascii("", "1.5 1.5 1.5\n2 2 2\n", 3)), "cut short: 2 of 3 vertices are there");
+    EXPECT_HAS(reasonOfText("a.ply", ascii("", "1 1 1\n2 2 2\n3 3 3 \n", 4)), "but only 19 bytes follow");
+    EXPECT_HAS(reasonOfText("a.ply", ascii("", "1.5 1.5 1.5\n2 2 2\n", 3)), "truncated: found 2 of 3 vertices");
     const std::string face = "element face 1\nproperty list uchar int vertex_indices\n";
     EXPECT_HAS(reasonOfText("a.ply", ascii(face, "1 1 1\n3 0 0 1\n")), "face 0: vertex index 1 is out of range");
     EXPECT_HAS(reasonOfText("a.ply", ascii(face, "1 1 1\n3 0 0 -1\n")), "face 0: vertex index -1 is out of range");
     EXPECT_HAS(reasonOfText("a.ply", ascii(face, "1 1 1\n-3 0 0 0\n")), "impossible list length -3");
 }
 
-TEST_F(PlyTest, CutBinarySaysHowMuchIsThere) {
+TEST_F(PlyTest, TruncatedBinaryFilesReportTheCount) {
     std::string text =
         "ply\nformat binary_big_endian 1.0\nelement vertex 10\nproperty float x\nproperty float y\nproperty float z\n"
         "end_header\n";
     text += std::string(7 * 12 + 5, '\0');
-    EXPECT_HAS(reasonOfText("a.ply", text), "cut short: 7 of 10 vertices are there");
+    EXPECT_HAS(reasonOfText("a.ply", text), "truncated: found 7 of 10 vertices");
 }
 
-TEST_F(PlyTest, PromisesAreCheckedBeforeMemoryIsTaken) {
+TEST_F(PlyTest, CountsAreCheckedBeforeAllocation) {
     for (const char* format : {"ascii", "binary_little_endian"}) {
         for (const char* count : {"4000000000", "18446744073709551615"}) {
             const std::string text =

@@ -6,7 +6,7 @@ namespace {
 
 using PtxTest = InputTest;
 
-/// A quarter turn about +z, which takes +x to +y, and a move; in rows, as they are written.
+/// A quarter rotation about +z, which takes +x to +y, and a translation; as rows, as in the file.
 const std::string kTurned = "0 1 0 0\n-1 0 0 0\n0 0 1 0\n10 20 30 1\n";
 const std::string kStill = "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n";
 
@@ -26,7 +26,7 @@ TEST_F(PtxTest, RowsTimesMatrix) {
     EXPECT_EQ(cloud.world.metres_per_unit, 1);
 }
 
-TEST_F(PtxTest, CellsStandColumnByColumnAndMayBeEmpty) {
+TEST_F(PtxTest, CellsAreInColumnOrderAndMayBeEmpty) {
     const Cloud cloud =
         readText("a.ptx", header(2, 3, kStill, "0 0 0") + "0 0 0 0.5\n1 0 0 1 10 20 30\n2 0 0 1 40 50 60\n"
                                                           "0 0 0 0.5 0 0 0\n3 0 0 1 70 80 90\n0 0 0 0.5\n");
@@ -45,7 +45,7 @@ TEST_F(PtxTest, ScansHaveTheirOwnSensorsAndNumbers) {
     ASSERT_EQ(cloud.scans.size(), 2u);
     EXPECT_TRUE(cloud.scans[0].name.ends_with("a.ptx: scan 1")) << cloud.scans[0].name;
     EXPECT_EQ(numbersOf(cloud, "scan"), (Numbers{0, 0, 1, 1}));
-    // The first stood at the origin of its frame; the points of the second are in the world, and so is its position.
+    // The first scanner was at the origin of its frame; points and position of the second are registered.
     EXPECT_LT((*cloud.scans[0].sensor - Vec3d(10, 20, 30)).norm(), 1e-9);
     EXPECT_LT((*cloud.scans[1].sensor - Vec3d(5, 6, 7)).norm(), 1e-9);
     EXPECT_EQ(cloud.sensor_of_point, (std::vector<std::uint32_t>{0, 0, 1, 1}));
@@ -54,17 +54,17 @@ TEST_F(PtxTest, ScansHaveTheirOwnSensorsAndNumbers) {
     EXPECT_EQ(readText("b.ptx", header(1, 1, kTurned) + "1 2 3\n").scans[0].name, (folder / "b.ptx").string());
 }
 
-TEST_F(PtxTest, AHeaderThatSaysNothingHasNoScannerFarAway) {
+TEST_F(PtxTest, ADefaultHeaderHasNoDistantScanner) {
     const Cloud cloud =
         readText("a.ptx", header(1, 2, kStill, "0 0 0") + "637012.2 849028.3 431.6\n636896.3 849087.7 446.3\n");
     EXPECT_FALSE(cloud.scans[0].sensor.has_value());
     EXPECT_TRUE(cloud.sensors.empty());
-    // beside what it saw it is one, and so is one that was told
+    // close to its points it is valid, and so is an explicit position
     EXPECT_TRUE(readText("b.ptx", header(1, 2, kStill, "0 0 0") + "1 0 0\n2 0 0\n").scans[0].sensor.has_value());
     EXPECT_TRUE(readText("c.ptx", header(1, 2, kTurned) + "90 0 0\n90 1 0\n").scans[0].sensor.has_value());
 }
 
-TEST_F(PtxTest, ContentTellsIt) {
+TEST_F(PtxTest, IsDetectedByContent) {
     const std::string scan = header(1, 1, kTurned) + "1 2 3 0.5\n";
     for (const char* name : {"a.pts", "a.txt", "noname"})
         EXPECT_LT((world(readText(name, scan), 0) - Vec3d(8, 21, 33)).norm(), 1e-6);
@@ -75,20 +75,20 @@ TEST_F(PtxTest, BadFilesSayWhy) {
     EXPECT_HAS(reasonOfText("a.ptx", header(1, 2, kTurned) + "1 2 3 0.5\n"),
                "a.ptx:1: the header promises 1 columns of 2 points");
     EXPECT_HAS(reasonOfText("a.ptx", header(1, 2, kTurned) + "1.5 2.5 3.5 0.5\n"),
-               "cut short: 1 of 2 points of a scan are there");
-    EXPECT_HAS(reasonOfText("a.ptx", header(1, 1, kTurned) + "1 2 x 0.5\n"), "a.ptx:11: 'x' is no number");
+               "truncated: found 1 of 2 points of a scan");
+    EXPECT_HAS(reasonOfText("a.ptx", header(1, 1, kTurned) + "1 2 x 0.5\n"), "a.ptx:11: 'x' is not a number");
     EXPECT_HAS(reasonOfText("a.ptx", header(1, 1, kTurned) + "1 2 3 4 5\n"), "a point has 3, 4, 6 or 7 numbers, not 5");
     EXPECT_HAS(reasonOfText("a.ptx", header(2, 1, kTurned) + "1 2 3 4\n1 2 3\n"),
-               "a.ptx:12: has 3 numbers, 4 are needed");
+               "a.ptx:12: has 3 numbers, but 4 are needed");
     EXPECT_HAS(reasonOfText("a.ptx", header(1, 1, kTurned) + "0 0 0 0.5\n"), "holds no points");
     EXPECT_HAS(reasonOfText("a.ptx", header(0, 0, kTurned)), "holds no points");
     EXPECT_HAS(reasonOfText("a.ptx", header(1, 1, "0 0 0 0\n0 0 0 0\n0 0 0 0\n0 0 0 1\n") + "1 2 3\n"),
-               "a.ptx:7: the transform is no rotation and translation");
+               "a.ptx:7: the transform is not a rotation and translation");
     EXPECT_HAS(reasonOfText("a.ptx", header(1, 1, "1 0 0 9\n0 1 0 9\n0 0 1 9\n0 0 0 1\n") + "1 2 3\n"),
                "the transform is no");
-    EXPECT_HAS(reasonOfText("a.ptx", "x\n"), "a.ptx:1: is no number of columns: 'x'");
-    EXPECT_HAS(reasonOfText("a.ptx", "1\n1\n1 2\n"), "a.ptx:3: 3 numbers are needed for the position of the scanner");
-    EXPECT_HAS(reasonOfText("a.ptx", "1\n"), "cut short in the header");
+    EXPECT_HAS(reasonOfText("a.ptx", "x\n"), "a.ptx:1: expected the number of columns, not 'x'");
+    EXPECT_HAS(reasonOfText("a.ptx", "1\n1\n1 2\n"), "a.ptx:3: expected 3 numbers for the position of the scanner");
+    EXPECT_HAS(reasonOfText("a.ptx", "1\n"), "truncated in the header");
     for (const char* counts :
          {"1\n18446744073709551615", "18446744073709551615\n18446744073709551615", "4000000000\n1"})
         EXPECT_HAS(reasonOfText("a.ptx", counts + header(1, 1, kTurned).substr(3) + "1 2 3\n"), "the header promises");

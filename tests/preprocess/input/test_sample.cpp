@@ -23,7 +23,7 @@ TEST_F(SampleTest, ASpreadCubeKeepsItsSidesAndEdges) {
         int axis = 0;
         EXPECT_NEAR(p.cwiseAbs().maxCoeff(&axis), 1, 1e-6);
         ++on_side[axis][p[axis] > 0];
-        // Corner normals of a cube lie 55 degrees from its sides: too far to be used.
+        // Corner normals of a cube deviate 55 degrees from its sides: too much to be used.
         EXPECT_NEAR(cloud.normals[i][axis], p[axis] > 0 ? 1 : -1, 1e-6);
     }
     for (const auto& axis : on_side)
@@ -40,7 +40,7 @@ TEST_F(SampleTest, TheSameSeedGivesTheSamePoints) {
 }
 
 TEST_F(SampleTest, PointsSpreadMoreEvenlyThanWhiteNoise) {
-    // A square of two triangles; in each of 20 x 20 cells 10 points are due. White noise has a variance of 10.
+    // A square of two triangles; each of 20 x 20 cells should have 10 points. White noise has a variance of 10.
     const std::string square = "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
     const Cloud cloud = read(write("s.off", square), {.format = "", .sample_count = 4000, .seed = 3});
     std::vector<int> cells(400);
@@ -83,7 +83,7 @@ std::string countedNotesOf(const Cloud& cloud) {
 const std::string kCubeAndMore = "OFF\n10 6 0\n0 0 0\n" + kCube.substr(10, kCube.find("4 0") - 10) + "0.5 0 0\n" +
                                  "4 1 2 4 3\n4 5 7 8 6\n4 1 5 6 2\n4 3 4 8 7\n4 1 3 7 5\n4 2 6 8 4\n";
 
-TEST_F(SampleTest, VerticesThatNoFaceUsesAreLeftOut) {
+TEST_F(SampleTest, UnusedVerticesAreDropped) {
     const Cloud plain = read(write("c.off", kCube)), cloud = read(write("d.off", kCubeAndMore));
     EXPECT_EQ(cloud.points_read, 10u);
     EXPECT_EQ(cloud.points_unused, 2u);
@@ -98,7 +98,7 @@ TEST_F(SampleTest, VerticesThatNoFaceUsesAreLeftOut) {
     EXPECT_EQ(sampled.points_unused, 2u);
 }
 
-TEST_F(SampleTest, PointsOfOtherFilesAndOfBrokenFacesStay) {
+TEST_F(SampleTest, PointsOfOtherFilesAndOfRemovedFacesStay) {
     const std::string points = write("a.xyz", "7 7 7\n8 8 8\n"), mesh = write("d.off", kCubeAndMore);
     const Cloud cloud = readInputs({points, mesh, points}, {});
     ASSERT_EQ(cloud.positions.size(), 12u);
@@ -106,9 +106,9 @@ TEST_F(SampleTest, PointsOfOtherFilesAndOfBrokenFacesStay) {
     EXPECT_EQ(world(cloud, 10), Vec3d(7, 7, 7));
     const Cloud broken = readText("b.obj", "v 0 0 0\nv 1 0 0\nv nan 1 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 1 2 4\n");
     EXPECT_EQ(broken.positions.size(), 3u);
-    const Cloud bereft = readText("b.obj", "v 0 0 0\nv 1 0 0\nv nan 1 0\nv 5 5 5\nv 0 1 0\nf 1 4 3\nf 1 2 5\n");
-    EXPECT_EQ(bereft.positions.size(), 4u);
-    EXPECT_EQ(bereft.points_unused, 0u);
+    const Cloud removed = readText("b.obj", "v 0 0 0\nv 1 0 0\nv nan 1 0\nv 5 5 5\nv 0 1 0\nf 1 4 3\nf 1 2 5\n");
+    EXPECT_EQ(removed.positions.size(), 4u);
+    EXPECT_EQ(removed.points_unused, 0u);
 }
 
 TEST_F(SampleTest, ACloudWithSomeFacesKeepsItsPoints) {
@@ -117,7 +117,7 @@ TEST_F(SampleTest, ACloudWithSomeFacesKeepsItsPoints) {
     const Cloud cloud = readText("a.obj", text + "f 1 2 8\n");
     EXPECT_EQ(cloud.positions.size(), 40u);
     EXPECT_EQ(cloud.points_unused, 0u);
-    EXPECT_HAS(countedNotesOf(cloud), "a.obj +0: its faces use 3 of 40 points only; the others stay");
+    EXPECT_HAS(countedNotesOf(cloud), "a.obj +0: its faces use only 3 of 40 points; the others stay");
 }
 
 const ReadOptions kWhereCoarse{.format = "", .sample_count = std::nullopt};
@@ -135,7 +135,7 @@ std::string sheetOf(int cells, double raised = 0) {
     return text;
 }
 
-TEST_F(SampleTest, CoarseMeshesAreSampledUnlessThatIsUnwanted) {
+TEST_F(SampleTest, CoarseMeshesAreSampledByDefault) {
     const std::string cube = write("c.off", kCube), again = write("d.off", kCube);
     std::vector<FileReport> files;
     const Cloud cloud = readInputs({cube, again}, kWhereCoarse, {}, &files);
@@ -146,7 +146,8 @@ TEST_F(SampleTest, CoarseMeshesAreSampledUnlessThatIsUnwanted) {
     EXPECT_EQ(files[0].sampled + files[1].sampled, 1'000'000u);
     EXPECT_NEAR(double(files[0].sampled), 500'000, 1000);
     const std::string notes = countedNotesOf(cloud);
-    EXPECT_HAS(notes, "c.off +1: its 8 vertices are too few for its faces: points are spread over these; --sample N");
+    EXPECT_HAS(notes,
+               "c.off +1: its 8 vertices are too few for its faces: points are sampled over the faces; --sample N");
     EXPECT_EQ(notes.find('\n'), notes.size() - 1);
     EXPECT_EQ(read(cube, kWhereCoarse).positions.size(), 793'800u);
     const Cloud vertices = read(cube, {.format = "", .sample_count = 0});
@@ -161,14 +162,14 @@ TEST_F(SampleTest, MeshesAreCoarseByTheirEdgesOrBySlopes) {
     // edges of sqrt(2) / n, a diagonal of sqrt(2): at 20 cells a side they are a twentieth
     EXPECT_EQ(points(sheetOf(19)), 198'450u); // 630 * 630 / 2
     EXPECT_EQ(points(sheetOf(21)), 22u * 22);
-    // Pleats of 40 cells: faces at 45 degrees, edges of sqrt(3), discs level along the folds. They stand
+    // Pleats of 40 cells: faces at 45 degrees, edges of sqrt(3), discs level along the folds. They are
     // 0.8 sqrt(3) sin 45 = 0.98 off, of a diagonal of 56.6: 7 pixels of the 420. Flatter ones do not.
     EXPECT_EQ(points(sheetOf(40, 1)), 280'563u); // 630 * 630 * 1600 * sqrt(2) / 3201
     EXPECT_EQ(points(sheetOf(40, 0.1)), 41u * 41);
 }
 
 TEST_F(SampleTest, VerticesOfEachFaceCountAsOneDisc) {
-    // Pleats with their own vertices for each face, whose normals are all right: but one disc is left at each place.
+    // Pleats with separate vertices for each face, all with correct normals: only one disc remains at each position.
     const auto pleats = [](double raised) {
         std::string text;
         for (int i = 0; i < 40; ++i)
@@ -183,13 +184,13 @@ TEST_F(SampleTest, VerticesOfEachFaceCountAsOneDisc) {
     EXPECT_EQ(read(write("p.obj", pleats(0)), kWhereCoarse).positions.size(), 6400u);
 }
 
-TEST_F(SampleTest, WhatIsNotSampledByItselfIsSaid) {
+TEST_F(SampleTest, MeshesThatAreNotSampledAreNoted) {
     const Cloud loose = read(write("d.off", kCubeAndMore), kWhereCoarse);
     EXPECT_EQ(loose.positions.size(), 793'800u);
     EXPECT_EQ(loose.points_unused, 2u);
     std::string flat = kCube;
     flat.replace(4, 5, "8 7 0").append("3 0 1 0\n");
-    EXPECT_HAS(countedNotesOf(read(write("f.off", flat), kWhereCoarse)), "spread over these, but 1 without area;");
+    EXPECT_HAS(countedNotesOf(read(write("f.off", flat), kWhereCoarse)), "sampled over the faces, but 1 without area;");
     const Cloud no_area = read(write("n.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), kWhereCoarse);
     EXPECT_EQ(no_area.positions.size(), 3u);
     std::string cloud;

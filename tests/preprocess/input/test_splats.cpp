@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gaussian splats in all the files that they come in, each written here byte by byte.
+// Gaussian splats in all formats, each written here byte by byte.
 #include "tests/preprocess/input/input_fixture.h"
 
 #include <array>
@@ -14,7 +14,7 @@ using SplatsTest = InputTest;
 /// Radius of a disc in standard deviations.
 constexpr float kDeviations = 2.2f;
 
-/// A Gaussian as the tests think of it; files hold it in their own ways.
+/// A Gaussian, to be encoded in each format.
 struct Blob {
     std::array<float, 3> centre = {1.5f, -2, 0.25f};
     std::array<float, 3> log_deviations = {-2, -3, -5};
@@ -22,7 +22,7 @@ struct Blob {
     float opacity = 0.8f;
 };
 
-/// A quarter turn about +x, which takes +z to -y.
+/// A quarter rotation about +x, which takes +z to -y.
 const std::array<float, 4> kTurned = {std::sqrt(0.5f), std::sqrt(0.5f), 0, 0};
 
 float logit(float share) { return std::log(share / (1 - share)); }
@@ -52,7 +52,7 @@ std::string splatRow(const Blob& blob) {
     return row;
 }
 
-/// What all of them make of the first Blob.
+/// The expected result for the default Blob.
 void expectDisc(const Cloud& cloud, const Vec3f& axis) {
     ASSERT_GE(cloud.positions.size(), 1u);
     EXPECT_LT((world(cloud, 0) - Vec3d(1.5, -2, 0.25)).norm(), 1e-6);
@@ -70,41 +70,42 @@ TEST_F(SplatsTest, AsTrained) {
     expectDisc(cloud, Vec3f::UnitZ());
     EXPECT_GT(std::abs(cloud.normals[1].y()), 0.9999f);
     EXPECT_EQ(cloud.world.up, Vec3d(0, -1, 0));
-    EXPECT_EQ(notesOf(cloud), (folder / "a.ply").string() +
-                                  ": Gaussian splats are read as opaque round discs of 2.2 deviations: lost are how "
-                                  "transparent and how long they are\n");
+    EXPECT_EQ(notesOf(cloud),
+              (folder / "a.ply").string() +
+                  ": Gaussian splats are read as opaque round discs of radius 2.2 standard deviations, without "
+                  "transparency and elongation\n");
 }
 
 TEST_F(SplatsTest, AsTrainedInTwoDimensions) {
     expectDisc(readText("a.ply", plyHeader(1, true) + plyRow({}, true)), Vec3f::UnitZ());
 }
 
-TEST_F(SplatsTest, ColoursByDirectionAreLostAndTold) {
+TEST_F(SplatsTest, ViewDependentColourIsNoted) {
     const std::string bytes = plyRow({});
     const std::string text =
         plyHeader(1, false, "property float f_rest_0\n") + bytes.substr(0, 36) + bytesOf(1.f) + bytes.substr(36);
-    EXPECT_HAS(notesOf(readText("a.ply", text)), "and how their colours change with the direction");
+    EXPECT_HAS(notesOf(readText("a.ply", text)), "elongation and view-dependent colour");
 }
 
-TEST_F(SplatsTest, FaintOnesAreLeftOut) {
+TEST_F(SplatsTest, FaintOnesAreDropped) {
     const Cloud cloud =
         readText("a.ply", plyHeader(3) + plyRow({.opacity = 0.19f}) + plyRow({}) + plyRow({.opacity = 0.21f}));
     expectDisc(cloud, Vec3f::UnitZ());
     EXPECT_EQ(cloud.points_read, 3u);
     EXPECT_EQ(cloud.points_filtered, 1u);
     EXPECT_EQ(cloud.positions.size(), 2u);
-    EXPECT_HAS(notesOf(cloud), "left out are 1 of 3 with an opacity below 0.2");
+    EXPECT_HAS(notesOf(cloud), "left out: 1 of 3 with an opacity below 0.2");
     EXPECT_HAS(reasonOfText("b.ply", plyHeader(1) + plyRow({.opacity = 0.1f})),
                "none of its 1 Gaussian splats has an opacity of 0.2");
 }
 
-TEST_F(SplatsTest, SkiesAreLeftOut) {
+TEST_F(SplatsTest, SkiesAreDropped) {
     std::string rows = plyRow({.log_deviations = {3, 3, -3}});
     for (int i = 0; i < 200; ++i) rows += plyRow({.centre = {0.05f * static_cast<float>(i), 0, 0}});
     const Cloud cloud = readText("a.ply", plyHeader(201) + rows);
     EXPECT_EQ(cloud.positions.size(), 200u);
     EXPECT_EQ(cloud.points_filtered, 1u);
-    EXPECT_HAS(notesOf(cloud), "; left out are 1 as large as a sky");
+    EXPECT_HAS(notesOf(cloud), "; left out: 1 as large as the sky");
 }
 
 TEST_F(SplatsTest, RoundOnesHaveNoNormal) {
@@ -114,7 +115,7 @@ TEST_F(SplatsTest, RoundOnesHaveNoNormal) {
     EXPECT_NEAR(cloud.radii[0], kDeviations * std::exp(-3.0f), 1e-6);
 }
 
-TEST_F(SplatsTest, BrokenOnesHarmNobody) {
+TEST_F(SplatsTest, InvalidOnesAreDropped) {
     const Cloud cloud = readText("a.ply", plyHeader(3) + plyRow({.centre = {NAN, 0, 0}}) +
                                               plyRow({.log_deviations = {NAN, 900, -900}, .rotation = {0, 0, 0, 0}}) +
                                               plyRow({.centre = {5, 5, 5}}));
@@ -150,7 +151,7 @@ std::string packedPly(std::uint32_t count, bool color_range, std::uint32_t rotat
     return text;
 }
 
-/// Parts of 10 bits have no zero; the nearest is half a step from it.
+/// 10-bit components cannot represent zero; the nearest value is half a step away.
 constexpr std::uint32_t kNearlyStill = 512u << 20 | 512u << 10 | 512u;
 
 TEST_F(SplatsTest, PackedBySuperSplat) {
@@ -160,20 +161,20 @@ TEST_F(SplatsTest, PackedBySuperSplat) {
         EXPECT_LT((world(cloud, 256) - Vec3d(101.5, -2, 0.25)).norm(), 1e-4);
         EXPECT_EQ(cloud.world.up, Vec3d(0, -1, 0));
     }
-    // w is sqrt(1/2) as the largest part, x is what 1023 stands for
+    // w, the largest component, is sqrt(1/2); x is the value of code 1023
     const Cloud turned = readText("b.ply", packedPly(1, false, 1023u << 20 | 512u << 10 | 512u));
     EXPECT_GT(std::abs(turned.normals[0].y()), 0.999f);
 }
 
-TEST_F(SplatsTest, PackedOnesThatMakeNoSense) {
+TEST_F(SplatsTest, InvalidPackedOnesAreRefused) {
     const std::string good = packedPly(1, false, kNearlyStill);
     const auto with = [&](const std::string& from, const std::string& to) {
         std::string text = good;
         return text.replace(text.find(from), from.size(), to);
     };
     EXPECT_HAS(reasonOfText("a.ply", with("element chunk 1", "element chunk 0")),
-               "has 0 chunks of packed splats, 1 are needed");
-    EXPECT_HAS(reasonOfText("a.ply", with("element chunk 1", "element chunk 4000000000")), "cut short: ");
+               "has 0 chunks of packed splats, but needs 1");
+    EXPECT_HAS(reasonOfText("a.ply", with("element chunk 1", "element chunk 4000000000")), "truncated: ");
     EXPECT_HAS(reasonOfText("a.ply", with("element chunk", "element bunch")),
                "has no chunks ahead of its 1 packed splats");
     EXPECT_HAS(reasonOfText("a.ply", with("uint packed_scale", "int packed_scale")),
@@ -183,7 +184,7 @@ TEST_F(SplatsTest, PackedOnesThatMakeNoSense) {
                    "ply\nformat ascii 1.0\nelement chunk 4000000000\nelement vertex 1\nproperty uint packed_position\n"
                    "property uint packed_rotation\nproperty uint packed_scale\nproperty uint packed_color\nend_header\n"
                    "1 2 3 4\n"),
-               "has no chunks ahead of its 1 packed splats"); // chunks of nothing are none
+               "has no chunks ahead of its 1 packed splats"); // empty chunks do not count
 }
 
 TEST_F(SplatsTest, OfThirtyTwoBytes) {
@@ -193,9 +194,9 @@ TEST_F(SplatsTest, OfThirtyTwoBytes) {
     EXPECT_GT(std::abs(cloud.normals[1].y()), 0.999f);
     EXPECT_EQ(cloud.positions.size(), 2u);
     EXPECT_EQ(cloud.world.up, Vec3d(0, -1, 0));
-    EXPECT_HAS(reasonOfText("b.splat", splatRow({}) + "x"), "33 bytes are no multiple of 32");
+    EXPECT_HAS(reasonOfText("b.splat", splatRow({}) + "x"), "33 bytes is not a multiple of 32");
     EXPECT_HAS(reasonOfText("c.splat", std::string(64, '\0')),
-               "is no .splat file: most of its records are no Gaussians");
+               "is not a .splat file: most of its records are not Gaussians");
     std::string many;
     for (int i = 0; i < 64; ++i) many += splatRow({});
     EXPECT_EQ(readText("noname", many).positions.size(), 64u);
@@ -211,7 +212,7 @@ std::string spzHeader(const Spz& spz) {
            '\0' + static_cast<char>(spz.version == 4 ? spz.streams : 0);
 }
 
-/// One splat, its rotation in the version's way.
+/// One splat, with its rotation in the encoding of the version.
 std::vector<std::string> spzArrays(std::uint32_t version, bool turned = false) {
     std::string position;
     if (version == 1)
@@ -258,25 +259,25 @@ TEST_F(SplatsTest, SpzOfAllVersions) {
     EXPECT_GT(std::abs(readText("d.spz", spz4(spzArrays(4, true))).normals[0].y()), 0.999f);
 }
 
-TEST_F(SplatsTest, SpzWithHarmonicsSaysWhatIsLost) {
+TEST_F(SplatsTest, SpzWithHarmonicsNotesTheLoss) {
     EXPECT_HAS(notesOf(readText("a.spz", spzHeader({3, 1, 1}) + joined(spzArrays(3)) + std::string(9, '\1'))),
-               "and how their colours change with the direction");
+               "elongation and view-dependent colour");
 }
 
-TEST_F(SplatsTest, SpzThatIsBroken) {
+TEST_F(SplatsTest, InvalidSpzIsRefused) {
     const std::string body = joined(spzArrays(3));
-    EXPECT_HAS(reasonOfText("a.spz", "NGSP\3"), "the SPZ header is cut short");
+    EXPECT_HAS(reasonOfText("a.spz", "NGSP\3"), "the SPZ header is truncated");
     EXPECT_HAS(reasonOfText("a.spz", gzipped(std::string(64, 'x'))), "does not start with 'NGSP'");
     EXPECT_HAS(reasonOfText("a.spz", spzHeader({0}) + body), "is of version 0; this build reads versions 1 to 4");
     EXPECT_HAS(reasonOfText("a.spz", spzHeader({0xffffffff}) + body), "is of version 4294967295");
     EXPECT_HAS(reasonOfText("a.spz", spzHeader({3, 0}) + body), "holds no points");
-    EXPECT_HAS(reasonOfText("a.spz", spzHeader({3, 2}) + body), "cut short: the header promises 2 Gaussian splats");
+    EXPECT_HAS(reasonOfText("a.spz", spzHeader({3, 2}) + body), "truncated: the header promises 2 Gaussian splats");
     EXPECT_HAS(reasonOfText("a.spz", gzipped(spzHeader({3, 0xffffffff}) + body)),
                "promises 4294967295 Gaussian splats");
     EXPECT_HAS(reasonOfText("a.spz", spz4(spzArrays(4), {4, 0xffffffff})), "promises 4294967295 Gaussian splats");
     EXPECT_HAS(reasonOfText("a.spz", spzHeader({3, 1, 0, 255}) + body), "cannot have 255 of them behind the point");
     EXPECT_HAS(reasonOfText("a.spz", spz4(spzArrays(4), {4, 2})), "stream 0 has 9 bytes, 2 Gaussian splats have 18");
-    EXPECT_HAS(reasonOfText("a.spz", spz4(spzArrays(4), {4, 1, 0, 12, 4})), "has 4 streams, 5 are needed");
+    EXPECT_HAS(reasonOfText("a.spz", spz4(spzArrays(4), {4, 1, 0, 12, 4})), "has 4 streams, but 5 are needed");
     EXPECT_HAS(reasonOfText("a.spz", spz4(spzArrays(4), {4, 1, 0, 12, 255})),
                "the table of streams lies outside the file");
     for (const std::uint32_t table : {0u, 31u, 0xffffffffu}) {
@@ -284,21 +285,21 @@ TEST_F(SplatsTest, SpzThatIsBroken) {
         EXPECT_HAS(reasonOfText("a.spz", text.replace(16, 4, bytesOf(table))),
                    "the table of streams lies outside the file");
     }
-    // a stream that unpacks to more than it says
+    // a stream that expands to more than its declared size
     std::vector<std::string> arrays = spzArrays(4);
     std::string text = spz4(arrays);
     arrays[0] += std::string(1 << 20, '\0');
     const std::string bomb = zstdPacked(arrays[0]);
     text.replace(32, 8, bytesOf<std::uint64_t>(bomb.size()));
     text.replace(32 + 5 * 16, zstdPacked(spzArrays(4)[0]).size(), bomb);
-    EXPECT_HAS(reasonOfText("a.spz", text), "the zstd data is broken");
+    EXPECT_HAS(reasonOfText("a.spz", text), "the zstd data is invalid");
 }
 
-TEST_F(SplatsTest, MislabelledOnesAreToldByTheirBytes) {
+TEST_F(SplatsTest, MislabelledOnesAreDetectedByContent) {
     EXPECT_EQ(readText("a.ply", spzHeader({3}) + joined(spzArrays(3))).positions.size(), 1u);
     EXPECT_EQ(readText("a.spz", plyHeader(1) + plyRow({})).positions.size(), 1u);
     EXPECT_EQ(readText("a.splat", plyHeader(1) + plyRow({})).positions.size(), 1u);
-    EXPECT_HAS(reasonOfText("b.splat", "1 2 3\n4 5 6\n"), "12 bytes are no multiple of 32");
+    EXPECT_HAS(reasonOfText("b.splat", "1 2 3\n4 5 6\n"), "12 bytes is not a multiple of 32");
 }
 
 TEST_F(SplatsTest, EveryPrefixIsReadOrRefused) {

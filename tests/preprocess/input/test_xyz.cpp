@@ -45,7 +45,7 @@ struct Meaning {
     Vec3f normal;
 };
 
-TEST_F(XyzTest, ColumnsWithoutHeaderAreToldByValue) {
+TEST_F(XyzTest, ColumnsWithoutHeaderAreGuessedFromValues) {
     const Rgb8 rgb = {10, 20, 30};
     const Vec3f up(0, 0, 1);
     const Meaning meanings[] = {
@@ -94,11 +94,11 @@ TEST_F(XyzTest, ColumnsWithoutHeaderAreToldByValue) {
     }
 }
 
-TEST_F(XyzTest, GuessesThatMayBeWrongAreTold) {
+TEST_F(XyzTest, DoubtfulGuessesAreNoted) {
     const auto notes = [&](const char* text) { return notesOf(readText("a.xyz", text)); };
-    EXPECT_HAS(notes("1 2 3 99 10 20 30\n1 2 3 5 1 1 2\n"), "a.xyz: has no header: columns 5 to 7 are taken as red");
-    EXPECT_HAS(notes("1 2 3 10 20 30 99 0 0 1\n1 2 3 1 1 2 5 0 1 0\n"), "columns 4 to 6 are taken as red");
-    EXPECT_HAS(notes("1 2 3 0.1 0.2 0.3 0.4\n1 2 3 0 0 0 0.5\n"), "columns 5 to 7 are taken as red");
+    EXPECT_HAS(notes("1 2 3 99 10 20 30\n1 2 3 5 1 1 2\n"), "a.xyz: has no header: columns 5 to 7 are read as red");
+    EXPECT_HAS(notes("1 2 3 10 20 30 99 0 0 1\n1 2 3 1 1 2 5 0 1 0\n"), "columns 4 to 6 are read as red");
+    EXPECT_HAS(notes("1 2 3 0.1 0.2 0.3 0.4\n1 2 3 0 0 0 0.5\n"), "columns 5 to 7 are read as red");
     EXPECT_HAS(notes("1 2 3 200.5 99.25 30.5\n1 2 3 1.5 1.5 1.5\n"), "3 columns after x, y, z that look like neither");
     EXPECT_HAS(notes("1 2 3 4 5 6 7 8\n1 2 3 4 5 6 7 9\n"), "5 columns after x, y, z that look like neither");
     EXPECT_HAS(notes("1 2 3 0 0 1 9.5 8.5 7.5\n1 2 3 0 1 0 1 1 1\n"), "3 columns after x, y, z and normals");
@@ -172,16 +172,15 @@ TEST_F(XyzTest, IntensitiesOfLists) {
     EXPECT_EQ(readText("a.pts", "1\n1 2 3 4\n").world.up, Vec3d(0, 0, 1));
 }
 
-TEST_F(XyzTest, WhatIsNoNumberInAttributesIsTold) {
+TEST_F(XyzTest, MissingAttributeValuesAreNoted) {
     const Cloud cloud = readText("a.csv", "x,y,z,height,tree\n1,2,3,4,oak\n1,2,4,,oak\n1,2,5\n1,2,6,tall,elm\n");
     EXPECT_EQ(attributeNames(cloud), Names{"height"});
     const Numbers height = numbersOf(cloud, "height");
     ASSERT_EQ(height.size(), 4u);
     EXPECT_EQ(height[0], 4);
     EXPECT_TRUE(std::isnan(height[1]) && std::isnan(height[2]) && std::isnan(height[3]));
-    EXPECT_HAS(notesOf(cloud),
-               "a.csv: columns that hold words, or whose name is none or another's, are not read: 'tree'");
-    EXPECT_HAS(notesOf(cloud), "a.csv: 3 values of its attributes are missing or no numbers");
+    EXPECT_HAS(notesOf(cloud), "a.csv: columns of words and columns without a unique name are not read: 'tree'");
+    EXPECT_HAS(notesOf(cloud), "a.csv: 3 attribute values are missing or not numbers");
     EXPECT_HAS(notesOf(readText("b.csv", "x,y,z\n1,2,3,4\n")), "columns from 4 on have no name and are not read");
 }
 
@@ -211,13 +210,13 @@ TEST_F(XyzTest, AFirstPointWithoutDataDoesNotRoundTheOthers) {
             EXPECT_LT((world(cloud, at) - Vec3d(500000.001, 4500000.002, 170.003)).cwiseAbs().maxCoeff(), 1e-5) << text;
             EXPECT_EQ(cloud.origin[2], 170);
         }
-    // Any other stays the origin, and two points cannot tell.
+    // Otherwise the first point stays the origin; two points cannot decide.
     EXPECT_EQ(readText("b.xyz", "900 0 0\n1 2 3\n2 3 4\n3 2 1\n").origin, Vec3d(900, 0, 0));
     EXPECT_EQ(readText("c.xyz", "0 0 0\n1e9 0 0\n").origin, Vec3d(0, 0, 0));
     EXPECT_EQ(readText("d.xyz", "9e6 5 5\n0 0 0\n0 0 0\n0 0 0\n9e6 6 5\n9e6 5 6\n9e6 6 6\n").origin, Vec3d(9e6, 5, 5));
 }
 
-TEST_F(XyzTest, OriginIsWholeAndKeepsSmallCoordinates) {
+TEST_F(XyzTest, OriginIsIntegerAndKeepsSmallCoordinates) {
     EXPECT_EQ(readText("a.xyz", "-0.5 0.25 -7.75\n").origin, Vec3d(0, 0, -7));
     EXPECT_FALSE(std::signbit(readText("a.xyz", "-0.5 0.25 -7.75\n").origin[0]));
     const Cloud cloud = readText("b.xyz", "0.1234567 0.2 0.3\n");
@@ -233,14 +232,14 @@ TEST_F(XyzTest, NonFiniteValues) {
 }
 
 TEST_F(XyzTest, BadFilesSayWhy) {
-    EXPECT_HAS(reasonOfText("a.txt", "Dear reader,\nthis is prose.\n"), "a.txt:1: is neither a point nor a header");
-    EXPECT_HAS(reasonOfText("a.xyz", "1 2 3\n4 5\n"), "a.xyz:2: has 2 columns, 3 are needed");
-    EXPECT_HAS(reasonOfText("a.xyz", "1 2 3\n4 five 6\n"), "a.xyz:2: column 2 is no number: 'five'");
+    EXPECT_HAS(reasonOfText("a.txt", "Dear reader,\nthis is prose.\n"), "a.txt:1: neither a point nor a header");
+    EXPECT_HAS(reasonOfText("a.xyz", "1 2 3\n4 5\n"), "a.xyz:2: has 2 columns, but 3 are needed");
+    EXPECT_HAS(reasonOfText("a.xyz", "1 2 3\n4 five 6\n"), "a.xyz:2: column 2 is not a number: 'five'");
     EXPECT_HAS(reasonOfText("a.csv", "1,5;2,5;3,5\n"), "a.csv:1: is neither");
-    EXPECT_HAS(reasonOfText("a.csv", "x,y,z\n1,,3\n"), "a.csv:2: column 2 is no number: ''");
-    EXPECT_HAS(reasonOfText("a.pts", "3\n1 2 3\n4 5 6\n"), "cut short: 2 of 3 points are there");
+    EXPECT_HAS(reasonOfText("a.csv", "x,y,z\n1,,3\n"), "a.csv:2: column 2 is not a number: ''");
+    EXPECT_HAS(reasonOfText("a.pts", "3\n1 2 3\n4 5 6\n"), "truncated: found 2 of 3 points");
     EXPECT_HAS(reasonOfText("a.xyz", "# nothing\n"), "holds no points");
-    EXPECT_HAS(reasonOfText("a.xyz", "2\n1\n0 0 0\n1 0 0\n"), "a.xyz:2: is a second count before the first point");
+    EXPECT_HAS(reasonOfText("a.xyz", "2\n1\n0 0 0\n1 0 0\n"), "a.xyz:2: a second count before the first point");
 }
 
 TEST_F(XyzTest, EveryPrefixIsReadOrRefused) {

@@ -13,7 +13,7 @@
 
 namespace pointrt::test {
 
-/// A cloud's positions with the outward unit normal of each.
+/// Positions with outward unit normals.
 struct Shape {
     std::vector<Vec3f> positions;
     std::vector<Vec3f> normals;
@@ -38,7 +38,7 @@ using Random = std::mt19937_64;
 /// Uniform in [0, 1), the same on every machine.
 inline double uniform(Random& random) { return double(random() >> 11) * 0x1p-53; }
 
-/// Standard normal, by Box and Muller: the same on every machine, which the standard library's is not.
+/// Standard normal, by Box-Muller: the same on every machine, unlike the standard library's.
 inline double gaussian(Random& random) {
     const double radius = std::sqrt(-2 * std::log(1 - uniform(random)));
     return radius * std::cos(2 * std::numbers::pi * uniform(random));
@@ -75,7 +75,7 @@ inline Shape fibonacciSphere(std::size_t count) {
     return shape;
 }
 
-/// Ring radius 1, tube radius 0.4, evenly spread over the area.
+/// Ring radius 1, tube radius 0.4, uniform over the area.
 inline Shape randomTorus(std::size_t count) {
     Random random(2);
     Shape shape;
@@ -96,7 +96,7 @@ inline Shape gridPlane(int steps, double z = 0, const Vec3d& normal = Vec3d::Uni
     return shape;
 }
 
-/// The same, each point anywhere in its square.
+/// The same, each point at a random place in its square.
 inline Shape jitteredPlane(int steps, double z, const Vec3d& normal, std::uint64_t seed) {
     Random random(seed);
     Shape shape;
@@ -108,7 +108,7 @@ inline Shape jitteredPlane(int steps, double z, const Vec3d& normal, std::uint64
     return shape;
 }
 
-/// Two sheets back to back, a distance of so many spacings apart, nothing at their rims.
+/// Two sheets back to back, so many spacings apart, open at their borders.
 inline Shape thinPlate(int steps, double spacings) {
     Shape shape = jitteredPlane(steps, 0, -Vec3d::UnitZ(), 5);
     shape.append(jitteredPlane(steps, spacings / steps, Vec3d::UnitZ(), 6));
@@ -134,7 +134,7 @@ inline Shape randomPlane(std::size_t count) {
     return shape;
 }
 
-/// Random points none of which are nearer than distance: Poisson-disc sampling by throwing darts.
+/// Random points at least distance apart: Poisson-disc sampling by dart throwing.
 inline Shape poissonPlane(double distance) {
     Random random(4);
     Shape shape;
@@ -158,7 +158,7 @@ inline Shape poissonPlane(double distance) {
     return shape;
 }
 
-/// Surface of [0, 1]^3, a steps x steps grid on each face, half a step from the edges.
+/// The surface of [0, 1]^3: a steps x steps grid on each face, half a step from the edges.
 inline Shape gridCube(int steps) {
     Shape shape;
     for (int face = 0; face < 6; ++face)
@@ -181,7 +181,7 @@ inline double degreesBetween(const Vec3f& a, const Vec3f& b) {
     return std::atan2(sine, cosine) * 180 / std::numbers::pi;
 }
 
-/// Angle errors in degrees against the shape's normals, sorted. Sides count unless two_sided.
+/// Angles in degrees to the shape's normals, sorted; two_sided ignores sides.
 inline std::vector<double> normalErrors(const Splats& splats, const Shape& shape, bool two_sided = false) {
     std::vector<double> errors;
     for (std::size_t i = 0; i < splats.positions.size(); ++i) {

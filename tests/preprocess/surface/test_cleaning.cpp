@@ -21,7 +21,7 @@ Cleaned cleaned(Cloud cloud, double strength = 1) {
     return result;
 }
 
-/// Root of the mean of squares.
+/// Root mean square.
 template <typename Distance>
 double rms(const Splats& splats, const Distance& distance) {
     double sum = 0;
@@ -44,7 +44,7 @@ Shape noisySphere(double spacings) {
     return shape;
 }
 
-TEST(Noise, IsWhatWasAdded) {
+TEST(Noise, IsMeasuredAsAdded) {
     for (const double spacings : {0.1, 0.3, 0.5}) {
         const Cleaned result = cleaned(noisySphere(spacings).cloud());
         ASSERT_EQ(result.report.noise.size(), 1u);
@@ -52,7 +52,7 @@ TEST(Noise, IsWhatWasAdded) {
     }
 }
 
-TEST(Noise, OfEachScan) {
+TEST(Noise, IsMeasuredPerScan) {
     Shape shape = noisySphere(0.3);
     const std::size_t first = shape.positions.size();
     shape.append(randomSphere(40'000, Vec3d(3, 0, 0)));
@@ -79,7 +79,7 @@ TEST(Cleaning, CleanInputStaysBitForBit) {
     }
 }
 
-/// A patch of 400 points with a noise of 0.3 spacings: too few to tell noise from shape, unless it was told before.
+/// 400 points with a noise of 0.3 spacings: too few to tell noise from shape, unless the noise was decided before.
 TEST(Cleaning, FewPointsOfANoisyScanAreCleaned) {
     Shape patch = randomPlane(400);
     addNoise(patch, 0.3 / 20);
@@ -91,7 +91,7 @@ TEST(Cleaning, FewPointsOfANoisyScanAreCleaned) {
     };
     const double before = heights();
     EXPECT_NEAR(before, 0.3 / 20, 0.1 / 20);
-    decided.traits.noise = {0.3f};
+    decided.statistics.noise = {0.3f};
     EXPECT_LT(heights(), 0.5 * before);
 }
 
@@ -102,8 +102,8 @@ TEST(Cleaning, OffMovesNothing) {
         ASSERT_EQ(result.splats.positions[i], shape.positions[result.splats.input_index[i]]);
 }
 
-TEST(Cleaning, PointsWithARadiusOfTheirOwnStay) {
-    // beside a sphere with a noise of 0.2 spacings one of Gaussians, twice as many, that lie 0.5 off theirs
+TEST(Cleaning, PointsWithGivenRadiiStay) {
+    // beside a sphere with a noise of 0.2 spacings, one of twice as many Gaussians with a noise of 0.5
     Shape shape = noisySphere(0.2);
     const std::size_t first = shape.positions.size();
     Shape gaussians = randomSphere(80'000, Vec3d(3, 0, 0));
@@ -137,7 +137,7 @@ TEST(Cleaning, CloudsOfGaussiansStayBitForBit) {
     EXPECT_EQ(with.splats.radii, without.splats.radii);
 }
 
-TEST(Cleaning, NormalsStayWhereThatIsAskedFor) {
+TEST(Cleaning, KeepsNormalsWithKeep) {
     const Shape shape = noisySphere(0.3);
     Cloud cloud = shape.cloud();
     cloud.normals = shape.normals;
@@ -150,7 +150,7 @@ TEST(Cleaning, NormalsStayWhereThatIsAskedFor) {
         ASSERT_LT((splats.normals[i] - shape.normals[splats.input_index[i]]).norm(), 1e-5f);
 }
 
-TEST(Cleaning, NoisySphereComesBack) {
+TEST(Cleaning, RestoresANoisySphere) {
     const Shape shape = noisySphere(0.3);
     const Cleaned before = cleaned(shape.cloud(), 0), after = cleaned(shape.cloud());
     const auto height = [](const Vec3f& p) { return double(p.norm()) - 1; };
@@ -177,7 +177,7 @@ TEST(Cleaning, SheetsThreeSpacingsApartKeepTheirDistance) {
     EXPECT_NEAR(sum[1] / count[1] - sum[0] / count[0], 3.0 / kSteps, 0.05 * 3 / kSteps);
 }
 
-/// Distance to the surface of [0, 1]^3.
+/// Distance from the surface of [0, 1]^3.
 double offCube(const Vec3f& p) {
     const Vec3d q = p.cast<double>(), outside = (q - Vec3d::Constant(0.5)).cwiseAbs() - Vec3d::Constant(0.5);
     return outside.maxCoeff() < 0 ? -outside.maxCoeff() : outside.cwiseMax(0).norm();
@@ -198,7 +198,7 @@ TEST(Cleaning, EdgesOfANoisyCubeStayWithinHalfARadius) {
     EXPECT_LT(off[off.size() * 99 / 100], 0.5 * radius);
 }
 
-TEST(Cleaning, ThreadsChangeNothing) {
+TEST(Cleaning, DoesNotDependOnThreads) {
     const Shape shape = noisySphere(0.3);
     Splats one;
     {

@@ -13,7 +13,7 @@ using surface::SharedSets;
 TEST(SharedSets, ThreadsJoinToTheLowestPoint) {
     constexpr std::uint32_t kCount = 100'000, kSets = 7;
     SharedSets sets(kCount);
-    // Points with the same remainder, joined from both ends at once, each edge twice.
+    // joins points with the same remainder from both ends at once, each edge twice
     tbb::parallel_for(std::uint32_t(0), kCount - kSets, [&](std::uint32_t i) {
         sets.join(i, i + kSets);
         sets.join(kCount - 1 - i, kCount - 1 - i - kSets);
@@ -21,7 +21,7 @@ TEST(SharedSets, ThreadsJoinToTheLowestPoint) {
     for (std::uint32_t i = 0; i < kCount; ++i) ASSERT_EQ(sets.find(i), i % kSets);
 }
 
-TEST(ParitySets, FlatOnesTellTheSame) {
+TEST(ParitySets, FlattenKeepsRootsAndParities) {
     constexpr std::uint32_t kCount = 1000;
     ParitySets sets(kCount);
     for (std::uint32_t i = 0; i + 2 < kCount; ++i) EXPECT_TRUE(sets.join(i, i + 2, i % 3 == 0));

@@ -44,27 +44,27 @@ TEST(Degenerate, AllOnLine) {
     bent.push_back(Vec3f(0, 0, 0));
     EXPECT_EQ(reasonFor(cloudOf(bent)), "no error");
     line.push_back(Vec3f(1e9f, 1e9f, 0));
-    EXPECT_EQ(reasonFor(cloudOf(line)), "all 1001 points lie on one line") << "and a stray far away";
+    EXPECT_EQ(reasonFor(cloudOf(line)), "all 1001 points lie on one line") << "with a distant outlier";
 }
 
-TEST(Degenerate, StraysFarAwayMakeNoLine) {
+TEST(Degenerate, DistantOutliersDoNotMakeALine) {
     const std::vector<Vec3f> sphere = randomSphere(1000).positions;
     for (const float distance : {1e4f, 1e6f, 1e9f, 1e20f}) {
-        std::vector<Vec3f> strewn = sphere;
-        strewn.insert(strewn.begin(), Vec3f(distance, 0, 0));
-        EXPECT_EQ(reasonFor(cloudOf(strewn)), "no error") << distance;
+        std::vector<Vec3f> with_outlier = sphere;
+        with_outlier.insert(with_outlier.begin(), Vec3f(distance, 0, 0));
+        EXPECT_EQ(reasonFor(cloudOf(with_outlier)), "no error") << distance;
     }
 }
 
-TEST(Degenerate, StraysBeyondFloatAreLeftOut) {
+TEST(Degenerate, OutliersBeyondFloatAreDropped) {
     const std::vector<Vec3f> sphere = randomSphere(1000).positions;
     SurfaceReport alone_report;
     const Splats alone = estimateSplats(cloudOf(sphere), {}, alone_report);
     for (const float distance : {1e19f, 1e25f, 1e30f, 3e38f}) {
-        std::vector<Vec3f> strewn = sphere;
-        strewn.insert(strewn.begin() + 500, Vec3f(distance, -distance, 0));
+        std::vector<Vec3f> with_outlier = sphere;
+        with_outlier.insert(with_outlier.begin() + 500, Vec3f(distance, -distance, 0));
         SurfaceReport report;
-        const Splats splats = estimateSplats(cloudOf(strewn), {}, report);
+        const Splats splats = estimateSplats(cloudOf(with_outlier), {}, report);
         EXPECT_EQ(report.outliers_removed, 1u) << distance;
         EXPECT_EQ(report.duplicates_removed, 0u) << distance;
         ASSERT_EQ(splats.positions.size(), 1000u) << distance;
@@ -84,8 +84,8 @@ TEST(Degenerate, MissingNormalsAndSensors) {
     SurfaceOptions keep, sensor;
     keep.normals = NormalSource::kKeep;
     sensor.orient = OrientMode::kSensor;
-    EXPECT_EQ(reasonFor(cloud, keep), "2 of 100 points have no normal to keep: let them be estimated");
-    EXPECT_EQ(reasonFor(cloud, sensor), "the sensor of 100 of 100 points is not known");
+    EXPECT_EQ(reasonFor(cloud, keep), "2 of 100 points have no normal to keep; --normals auto estimates them");
+    EXPECT_EQ(reasonFor(cloud, sensor), "100 of 100 points have no sensor position");
 }
 
 TEST(Degenerate, OptionsOutOfRange) {

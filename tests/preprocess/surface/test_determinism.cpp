@@ -10,7 +10,7 @@
 namespace pointrt::test {
 namespace {
 
-/// Half a noisy sphere with strays, normals on some points and a sensor for others: every stage has work.
+/// A noisy sphere with an outlier, normals on some points and a sensor for others: every stage has work.
 Cloud mixedCloud(std::size_t count) {
     Shape shape = randomSphere(count);
     Random random(9);
@@ -42,7 +42,7 @@ TEST(Determinism, OneAndTwoThreadsAgree) {
     expectSame(estimateWithThreads(cloud, 1), estimateWithThreads(cloud, 2));
 }
 
-TEST(Determinism, LargeCloudsToo) { // another way of orientation
+TEST(Determinism, LargeCloudsToo) { // which are oriented by another algorithm
     const Cloud cloud = mixedCloud(120'000);
     expectSame(estimateWithThreads(cloud, 1), estimateWithThreads(cloud, 2));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points between scan lines.
+// Points inserted between scan lines.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 namespace pointrt::test {
 namespace {
 
-constexpr int kLines = 20, kAlong = 160; // on [0, 1]^2: eight times as close along as across
+constexpr int kLines = 20, kAlong = 160; // on [0, 1]^2: eight times as dense along as across
 
-/// Lines along x, from one to the next at this height.
+/// Lines along x, at these heights.
 Shape sweptPlane(const std::vector<double>& heights) {
     Shape shape;
     for (std::size_t line = 0; line < heights.size(); ++line)
@@ -22,7 +22,7 @@ Shape sweptPlane(const std::vector<double>& heights) {
 
 Splats filledSplats(const Cloud& cloud, SurfaceReport& report) { return estimateSplats(Cloud(cloud), {}, report); }
 
-bool isFilling(const Splats& splats, std::size_t i) { return splats.input_index[i] >= splats.input_count; }
+bool isFilled(const Splats& splats, std::size_t i) { return splats.input_index[i] >= splats.input_count; }
 
 TEST(Fill, ScanLinesOfAPlaneAreClosedByFineDiscs) {
     const Shape shape = sweptPlane(std::vector<double>(kLines, 0.0));
@@ -32,16 +32,16 @@ TEST(Fill, ScanLinesOfAPlaneAreClosedByFineDiscs) {
     const Splats splats = filledSplats(cloud, report);
     EXPECT_EQ(splats.positions.size(), cloud.positions.size() + report.filled);
     EXPECT_EQ(splats.filled_from.size(), report.filled);
-    EXPECT_EQ(report.filled, 19u * 4 * kAlong) << "eight steps to a gap ask for seven rows, four a point are the most";
+    EXPECT_EQ(report.filled, 19u * 4 * kAlong) << "gaps of eight steps need seven rows, the limit is four per point";
     for (std::size_t i = 0; i < splats.positions.size(); ++i) {
         const Vec3f& p = splats.positions[i];
         EXPECT_LT(splats.radii[i], 2.5f / kAlong) << p.transpose();
-        if (!isFilling(splats, i)) continue;
+        if (!isFilled(splats, i)) continue;
         EXPECT_NEAR(p.z(), 0, 1e-4f);
         EXPECT_GT(std::abs(splats.normals[i].z()), 0.999f);
         EXPECT_NEAR(float(splats.colors[i][0]), 255 * p.y(), 2.5f) << "colours are blended";
         const Vec3f& from = cloud.positions[splats.filled_from[splats.input_index[i] - splats.input_count]];
-        EXPECT_LT(std::abs(from.y() - p.y()), 0.5f / kLines) << "attributes are those of the nearer line";
+        EXPECT_LT(std::abs(from.y() - p.y()), 0.5f / kLines) << "attributes come from the nearer line";
         EXPECT_NEAR(from.x(), p.x(), 0.5f / kAlong);
     }
     Random random(7);
@@ -54,8 +54,8 @@ TEST(Fill, ScanLinesOfAPlaneAreClosedByFineDiscs) {
     }
 }
 
-/// A step of two fifths of the gap between lines, which nothing but the normals tells from a slope.
-TEST(Fill, NothingSpansAStep) {
+/// A step of two fifths of the gap between lines, which only the normals distinguish from a slope.
+TEST(Fill, DoesNotSpanAStep) {
     std::vector<double> heights(kLines, 0.0);
     std::fill(heights.begin() + kLines / 2, heights.end(), 0.02);
     const Shape shape = sweptPlane(heights);
@@ -82,14 +82,14 @@ TEST(Fill, FollowsTheCurvatureOfACylinder) {
     const Splats splats = filledSplats(cloud, report);
     EXPECT_EQ(report.filled, 24u * 150 * 4);
     for (std::size_t i = 0; i < splats.positions.size(); ++i) {
-        if (!isFilling(splats, i)) continue;
+        if (!isFilled(splats, i)) continue;
         const Vec3f out(splats.positions[i].x(), splats.positions[i].y(), 0);
-        EXPECT_NEAR(out.norm(), 1, 5e-4f); // the chord is 0.0086 off
+        EXPECT_NEAR(out.norm(), 1, 5e-4f); // a chord would be 0.0086 off
         EXPECT_GT(splats.normals[i].dot(out.normalized()), 0.9995f);
     }
 }
 
-TEST(Fill, EvenSamplingIsLeftAlone) {
+TEST(Fill, LeavesEvenSampling) {
     for (const Shape& shape : {gridPlane(50), randomPlane(4000), gridCube(30), randomSphere(4000)}) {
         SurfaceReport report;
         const Splats splats = filledSplats(shape.cloud(), report);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Made scenes whose up is known, as they are and tilted.
+// Synthetic scenes whose up is known, upright and tilted.
 #include "preprocess/surface/find_up.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// A surface that is put together of rectangles, some splats to each unit of area, with noise of a hundredth of a unit.
+/// A surface of rectangles with density splats per unit of area and a noise of 0.01 units.
 class Scene {
 public:
     explicit Scene(double density = 40) : density_(density) {}
@@ -26,7 +26,7 @@ public:
         for (std::size_t i = 0; i < count; ++i)
             addSplat(corner + share() * u + share() * v + 0.01 * (share() - 0.5) * normal, normal);
     }
-    /// All six sides, or without what stands on the ground.
+    /// All sides of a box; the one on the ground is optional.
     void addBox(Vec3d low, Vec3d size, bool bottom = false) {
         const Vec3d x = size.x() * Vec3d::UnitX(), y = size.y() * Vec3d::UnitY(), z = size.z() * Vec3d::UnitZ();
         addRectangle(low + z, x, y);
@@ -56,7 +56,7 @@ Splats turned(Splats splats, const Eigen::Matrix3d& rotation) {
     return splats;
 }
 
-/// z goes up.
+/// z is up.
 Splats room() {
     Scene scene;
     scene.addBox(Vec3d::Zero(), {6, 5, 2.5}, true);
@@ -83,7 +83,7 @@ Splats ball() {
     return scene.splats;
 }
 
-/// A ball cut off below, at height -0.6.
+/// A ball cut off at height -0.6.
 Splats ballOnABase(bool closed) {
     Splats whole = ball();
     Scene scene;
@@ -116,7 +116,7 @@ TEST(FindUp, RoomsStandOnTheirFloor) {
     EXPECT_EQ(found.up, Vec3d::UnitZ()) << found.up.transpose();
     EXPECT_EQ(found.reason, "floor and ceiling");
     EXPECT_EQ(findUp(turned(room(), kYUp), {}).up, Vec3d::UnitY());
-    EXPECT_EQ(findUp(turned(room(), kYUp.transpose()), {}).up, -Vec3d::UnitY()) << "as cameras have it";
+    EXPECT_EQ(findUp(turned(room(), kYUp.transpose()), {}).up, -Vec3d::UnitY()) << "as in camera frames";
 }
 
 TEST(FindUp, TiltedScenesStandOnTheirGround) {
@@ -127,20 +127,18 @@ TEST(FindUp, TiltedScenesStandOnTheirGround) {
     }
 }
 
-TEST(FindUp, AnAxisIsTakenWhereItIsNear) {
-    EXPECT_EQ(findUp(turned(groundWithBoxes(), kHardlyTilted), {}).up, Vec3d::UnitZ());
-}
+TEST(FindUp, SnapsToANearbyAxis) { EXPECT_EQ(findUp(turned(groundWithBoxes(), kHardlyTilted), {}).up, Vec3d::UnitZ()); }
 
-TEST(FindUp, GroundLiesBelowWhatStandsOnIt) {
+TEST(FindUp, GroundIsBelowTheObjectsOnIt) {
     const FoundUp found = findUp(groundWithBoxes(), {});
     EXPECT_EQ(found.up, Vec3d::UnitZ());
-    EXPECT_EQ(found.reason, "its ground");
+    EXPECT_EQ(found.reason, "ground");
     EXPECT_EQ(findUp(turned(groundWithBoxes(), kYUp), {}).up, Vec3d::UnitY());
     const Eigen::Matrix3d upside_down(Eigen::AngleAxisd(180 * kDegree, Vec3d::UnitX()));
     EXPECT_EQ(findUp(turned(groundWithBoxes(), upside_down), {}).up, -Vec3d::UnitZ());
 }
 
-TEST(FindUp, WhatLooksTheSameFromAllSidesTellsNothing) {
+TEST(FindUp, SymmetricObjectsHaveNoUp) {
     EXPECT_TRUE(findUp(ball(), {}).up.isZero());
     Scene cube, brick;
     cube.addBox({-1, -1, -1}, {2, 2, 2}, true);
@@ -155,7 +153,7 @@ TEST(FindUp, StatuesStandOnTheirBase) {
     for (const bool closed : {true, false}) {
         const FoundUp found = findUp(turned(ballOnABase(closed), kYUp), {});
         EXPECT_EQ(found.up, Vec3d::UnitY()) << closed;
-        EXPECT_EQ(found.reason, "what it stands on");
+        EXPECT_EQ(found.reason, "stable base");
         EXPECT_EQ(findUp(ballOnABase(closed), {}).up, Vec3d::UnitZ());
     }
 }
@@ -164,20 +162,20 @@ TEST(FindUp, CamerasLookAlongTheirOwnAxis) {
     Scene wall(2000);
     wall.addRectangle({-1, -0.7, 3}, {2, 0, 0.5}, {0, 1.4, 0});
     EXPECT_EQ(findUp(wall.splats, scansFrom({Vec3d::Zero()})).up, -Vec3d::UnitY());
-    EXPECT_EQ(findUp(wall.splats, {}).reason, "") << "nobody says where the camera stood";
-    EXPECT_EQ(findUp(wall.splats, scansFrom({Vec3d(2, 0, 0)})).reason, "") << "in another frame";
+    EXPECT_EQ(findUp(wall.splats, {}).reason, "") << "no camera position";
+    EXPECT_EQ(findUp(wall.splats, scansFrom({Vec3d(2, 0, 0)})).reason, "") << "another frame";
     const Eigen::Matrix3d behind(Eigen::AngleAxisd(180 * kDegree, Vec3d::UnitX()));
     EXPECT_EQ(findUp(turned(wall.splats, behind), scansFrom({Vec3d::Zero()})).up, Vec3d::UnitY());
 }
 
-TEST(FindUp, TurntablesTurnAboutIt) {
+TEST(FindUp, TurntablesRotateAboutUp) {
     std::vector<Vec3d> around, row;
     for (int i = 0; i < 6; ++i) {
         around.emplace_back(10 * std::cos(i * 60 * kDegree), 1, 10 * std::sin(i * 60 * kDegree));
         row.emplace_back(i, 2, 0.1 * (i % 2));
     }
     EXPECT_EQ(findUp(ball(), scansFrom(around)).up, Vec3d::UnitY());
-    EXPECT_TRUE(findUp(ball(), scansFrom(row)).up.isZero()) << "in a row they lie in many planes";
+    EXPECT_TRUE(findUp(ball(), scansFrom(row)).up.isZero()) << "a row is in many planes";
 }
 
 TEST(FindUp, MapsHaveZUp) {

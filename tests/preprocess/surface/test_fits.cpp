@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "preprocess/surface/neighborhood.h"
 #include "preprocess/surface/quadric.h"
-#include "preprocess/surface/surroundings.h"
 #include "tests/preprocess/surface/shapes.h"
 
 namespace pointrt::test {
@@ -10,9 +10,9 @@ namespace {
 
 using namespace surface;
 
-/// Neighbours with a reach of 1, rounded up to whole lanes.
-Surroundings surroundings(const Shape& shape) {
-    Surroundings around;
+/// A neighbourhood with a support radius of 1, padded to full lanes.
+Neighborhood neighborhood(const Shape& shape) {
+    Neighborhood around;
     around.count = shape.positions.size();
     const std::size_t room = around.laneGroups() * kLaneCount;
     for (auto* values : {&around.x, &around.y, &around.z, &around.nx, &around.ny, &around.nz, &around.weight})
@@ -26,7 +26,7 @@ Surroundings surroundings(const Shape& shape) {
     return around;
 }
 
-/// 25 places on [-0.5, 0.5]^2.
+/// 25 points on [-0.5, 0.5]^2.
 template <typename Height>
 Shape patch(const Height& height) {
     Shape shape;
@@ -35,14 +35,14 @@ Shape patch(const Height& height) {
     return shape;
 }
 
-/// Where a point has more neighbours than are looked at: the places of those that are.
-std::vector<float> placesAround(const Points& points, std::size_t point) {
-    std::vector<float> reaches(points.size(), 0), places;
-    reaches[point] = 0.4f;
+/// The x coordinates of the neighbours gathered around a point that has too many.
+std::vector<float> placesAround(const PointSet& points, std::size_t point) {
+    std::vector<float> radii(points.size(), 0), places;
+    radii[point] = 0.4f;
     const NearestSearch search(points.positions);
-    Gatherer gatherer(points, points.positions, search, reaches);
-    for (std::size_t block = 0; block < Gatherer::blockCount(points.size()); ++block)
-        gatherer.forBlock(block, [&](std::size_t, const Surroundings& around) {
+    NeighborhoodGatherer gatherer(points, points.positions, search, radii);
+    for (std::size_t block = 0; block < NeighborhoodGatherer::blockCount(points.size()); ++block)
+        gatherer.forBlock(block, [&](std::size_t, const Neighborhood& around) {
             for (const std::uint32_t i : around.indices) places.push_back(points.positions[i].x());
             places.resize(around.count);
         });
@@ -50,9 +50,9 @@ std::vector<float> placesAround(const Points& points, std::size_t point) {
     return places;
 }
 
-TEST(Gatherer, KeepsTheSameOfManyInAnyCloud) {
+TEST(NeighborhoodGatherer, SelectsTheSameNeighborsInAnyCloud) {
     Random random(3);
-    Points points;
+    PointSet points;
     for (int i = 0; i < 2000; ++i) {
         points.positions.emplace_back(float(uniform(random)), float(uniform(random)), 0.01f * float(uniform(random)));
         points.normals.push_back(Vec3f::UnitZ());
@@ -61,7 +61,7 @@ TEST(Gatherer, KeepsTheSameOfManyInAnyCloud) {
     const std::vector<float> alone = placesAround(points, 0);
     EXPECT_LE(alone.size(), 192u);
     EXPECT_GT(alone.size(), 96u);
-    std::reverse(points.positions.begin(), points.positions.end()); // and much beside
+    std::reverse(points.positions.begin(), points.positions.end()); // and other points besides
     for (int i = 0; i < 3000; ++i) {
         points.positions.emplace_back(float(uniform(random)) - 1.5f, float(uniform(random)), 0);
         points.normals.push_back(Vec3f::UnitZ());
@@ -76,31 +76,31 @@ TEST(Sphere, OfPointsOnASphere) {
         const Vec3d out = (p.cast<double>() - center).normalized();
         shape.add(center + 2.5 * out, out);
     }
-    const AlgebraicSphere sphere = fitSphere(surroundings(shape), AlgebraicSphere::plane(Vec3f::UnitZ()), 10);
+    const AlgebraicSphere sphere = fitSphere(neighborhood(shape), AlgebraicSphere::plane(Vec3f::UnitZ()), 10);
     const Vec3d nearest = center + 2.5 * (-center).normalized();
     EXPECT_LT((projectOrigin(sphere).cast<double>() - nearest).norm(), 1e-4);
     EXPECT_LT(degreesBetween(normalAtOrigin(sphere), (-center).cast<float>()), 0.01);
-    EXPECT_NEAR(supportOf(surroundings(shape), sphere, 0.1f), 1, 1e-3);
+    EXPECT_NEAR(supportOf(neighborhood(shape), sphere, 0.1f), 1, 1e-3);
 }
 
 TEST(Sphere, OfAPlaneIsFlat) {
     const Shape shape = patch([](double, double) { return 0.25; });
-    const AlgebraicSphere sphere = fitSphere(surroundings(shape), AlgebraicSphere::plane(Vec3f::UnitZ()), 10);
+    const AlgebraicSphere sphere = fitSphere(neighborhood(shape), AlgebraicSphere::plane(Vec3f::UnitZ()), 10);
     EXPECT_LT((projectOrigin(sphere) - Vec3f(0, 0, 0.25f)).norm(), 1e-5f);
 }
 
-TEST(Sphere, WhatIsOffHasLittleSay) {
+TEST(Sphere, OutliersHardlyCount) {
     Shape shape = patch([](double, double) { return 0; });
     for (int i = 0; i < 8; ++i) shape.add(Vec3d(i / 16.0, 0, 1), Vec3d::UnitZ()); // another layer, a third as many
-    const AlgebraicSphere sphere = fitSphere(surroundings(shape), AlgebraicSphere::plane(Vec3f::UnitZ()), 0.1f);
+    const AlgebraicSphere sphere = fitSphere(neighborhood(shape), AlgebraicSphere::plane(Vec3f::UnitZ()), 0.1f);
     EXPECT_LT(projectOrigin(sphere).norm(), 0.01f);
-    EXPECT_NEAR(supportOf(surroundings(shape), sphere, 0.1f), 25.0 / 33, 0.01);
+    EXPECT_NEAR(supportOf(neighborhood(shape), sphere, 0.1f), 25.0 / 33, 0.01);
 }
 
 TEST(Quadric, FindsItsOwnTerms) {
     const Shape shape = patch([](double x, double y) { return 0.1 + 0.3 * x - 0.2 * y + 0.4 * x * x - 0.1 * x * y; });
     const TangentFrame frame(Vec3f::UnitZ());
-    const auto fit = fitQuadric(surroundings(shape), frame, AlgebraicSphere::plane(Vec3f::UnitZ()), 100);
+    const auto fit = fitQuadric(neighborhood(shape), frame, AlgebraicSphere::plane(Vec3f::UnitZ()), 100);
     ASSERT_TRUE(fit);
     EXPECT_LT(degreesBetween(normalOf(fit->terms, frame), Vec3f(-0.3f, 0.2f, 1)), 0.01);
     EXPECT_NEAR(fit->terms[0], 0.1, 1e-4);
@@ -111,7 +111,7 @@ TEST(Quadric, NeedsMoreThanALine) {
     Shape shape;
     for (int i = 0; i < 20; ++i) shape.add(Vec3d(i / 20.0, 0, 0), Vec3d::UnitZ());
     const TangentFrame frame(Vec3f::UnitZ());
-    EXPECT_FALSE(fitQuadric(surroundings(shape), frame, AlgebraicSphere::plane(Vec3f::UnitZ()), 100));
+    EXPECT_FALSE(fitQuadric(neighborhood(shape), frame, AlgebraicSphere::plane(Vec3f::UnitZ()), 100));
 }
 
 } // namespace

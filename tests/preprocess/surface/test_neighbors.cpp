@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "preprocess/surface/lines.h"
-#include "preprocess/surface/neighbors.h"
+#include "preprocess/surface/line_neighborhoods.h"
+#include "preprocess/surface/point_graph.h"
 #include "tests/preprocess/surface/shapes.h"
 
 namespace pointrt::test {
@@ -16,7 +16,7 @@ using namespace surface;
 const StageProgress kSilent;
 
 TEST(Neighbors, AreTheNearestByBruteForce) {
-    const Points points = takePoints(randomTorus(700).cloud());
+    const PointSet points = takePoints(randomTorus(700).cloud());
     const NearestSearch search(points.positions);
     const NeighborLists lists = findNeighbors(points, search, 16, {kSilent, "test"});
     for (std::uint32_t i = 0; i < points.size(); ++i) {
@@ -32,7 +32,7 @@ TEST(Neighbors, AreTheNearestByBruteForce) {
 }
 
 TEST(Neighbors, TiesGoToTheLowerIndex) {
-    const Points points = takePoints(gridPlane(20).cloud());
+    const PointSet points = takePoints(gridPlane(20).cloud());
     const NearestSearch search(points.positions);
     std::vector<std::uint32_t> indices(3);
     std::vector<float> squared(3);
@@ -45,9 +45,9 @@ TEST(Neighbors, TiesGoToTheLowerIndex) {
     }
 }
 
-/// Lists are found for many points at once: they must be those of single searches, ties included.
+/// Block searches must find the same lists as single searches, ties included.
 void expectListsOfSingleSearches(const Shape& shape, std::size_t k) {
-    const Points points = takePoints(shape.cloud());
+    const PointSet points = takePoints(shape.cloud());
     const NearestSearch search(points.positions);
     const NeighborLists lists = findNeighbors(points, search, k, {kSilent, "test"});
     std::vector<std::uint32_t> indices(k + 1);
@@ -67,7 +67,7 @@ TEST(Neighbors, ListsAreThoseOfSingleSearches) {
     expectListsOfSingleSearches(randomTorus(2000), 255);
 }
 
-TEST(Neighbors, ListsBesideGapsToo) { // blocks of points span the gaps
+TEST(Neighbors, ListsBesideGapsToo) { // blocks span the gaps
     Shape shape = randomSphere(3000);
     for (std::size_t i = 0; i < shape.positions.size(); ++i)
         shape.positions[i] = i % 3 == 0 ? Vec3f(shape.positions[i] * 1e-4f) : Vec3f(shape.positions[i] * 50);
@@ -75,8 +75,8 @@ TEST(Neighbors, ListsBesideGapsToo) { // blocks of points span the gaps
     expectListsOfSingleSearches(shape, 16);
 }
 
-TEST(Neighbors, WithinARadiusAllOrMoreThanFit) {
-    const Points points = takePoints(gridPlane(20).cloud());
+TEST(Neighbors, WithinFindsAllOrReportsThatTheyDoNotFit) {
+    const PointSet points = takePoints(gridPlane(20).cloud());
     const NearestSearch search(points.positions);
     const Vec3f query = points.positions[150];
     std::vector<std::uint32_t> expected;
@@ -93,7 +93,7 @@ TEST(Neighbors, WithinARadiusAllOrMoreThanFit) {
 }
 
 TEST(Neighbors, SmallCloudsListAllOthers) {
-    const Points points = takePoints(randomSphere(5).cloud());
+    const PointSet points = takePoints(randomSphere(5).cloud());
     const NearestSearch search(points.positions);
     const NeighborLists lists = findNeighbors(points, search, 16, {kSilent, "test"});
     EXPECT_EQ(lists.k, 4u);
@@ -103,19 +103,17 @@ TEST(Neighbors, SmallCloudsListAllOthers) {
     }
 }
 
-TEST(Neighbors, WithoutSomePointsAreAsIfTheyHadNeverBeen) {
-    Points points = takePoints(randomTorus(3000).cloud());
-    NearestSearch search(points.positions);
-    NeighborLists lists = findNeighbors(points, search, 16, {kSilent, "test"});
-    std::vector<std::uint8_t> keep(points.size(), 1);
+TEST(PointGraph, ListsAfterDroppingPointsEqualThoseFoundAnew) {
+    PointGraph graph;
+    graph.points = takePoints(randomTorus(3000).cloud());
+    graph.connect(16, {kSilent, "test"});
+    std::vector<std::uint8_t> keep(graph.points.size(), 1);
     for (std::size_t i = 0; i < keep.size(); i += 37) keep[i] = 0;
-    keepPoints(points, keep);
-    search = NearestSearch(points.positions);
-    keepNeighbors(lists, keep, points, search);
-    const NeighborLists fresh = findNeighbors(points, search, 16, {kSilent, "test"});
-    EXPECT_EQ(lists.indices, fresh.indices);
-    EXPECT_EQ(lists.spacings, fresh.spacings);
-    EXPECT_EQ(lists.thinned, fresh.thinned);
+    graph.keep(keep);
+    const NeighborLists fresh = findNeighbors(graph.points, *graph.search, 16, {kSilent, "test"});
+    EXPECT_EQ(graph.lists.indices, fresh.indices);
+    EXPECT_EQ(graph.lists.spacings, fresh.spacings);
+    EXPECT_EQ(graph.lists.thinned, fresh.thinned);
 }
 
 /// Scan lines 20 times as far apart as their points.
@@ -127,10 +125,10 @@ Shape scanLines() {
 }
 
 TEST(Lines, ListsReachTheNextLine) {
-    const Points points = takePoints(scanLines().cloud());
+    const PointSet points = takePoints(scanLines().cloud());
     const NearestSearch search(points.positions);
     NeighborLists lists = findNeighbors(points, search, 16, {kSilent, "test"});
-    spreadLines(lists, points, search, {kSilent, "test"});
+    widenLineNeighborhoods(lists, points, search, {kSilent, "test"});
     for (std::uint32_t i = 0; i < points.size(); ++i) {
         const auto others = lists.of(i);
         EXPECT_TRUE(std::any_of(others.begin(), others.end(),
@@ -143,7 +141,7 @@ TEST(Lines, ListsReachTheNextLine) {
     }
 }
 
-TEST(Lines, NormalsStandOnThePlaneOfTheLines) {
+TEST(Lines, NormalsArePerpendicularToThePlaneOfTheLines) {
     const Shape shape = scanLines();
     EXPECT_LT(normalErrors(estimate(shape.cloud()), shape, true).back(), 0.1);
 }

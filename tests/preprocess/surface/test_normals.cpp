@@ -15,7 +15,7 @@ double meanOf(const std::vector<double>& values) {
 
 double p99Of(const std::vector<double>& sorted) { return sorted[sorted.size() * 99 / 100]; }
 
-// The bounds are twice what was measured, in degrees.
+// Bounds are twice the measured values, in degrees.
 
 TEST(Normals, FibonacciSphere) {
     const Shape shape = fibonacciSphere(20'000);
@@ -38,7 +38,7 @@ TEST(Normals, RandomTorus) {
     EXPECT_LT(p99Of(errors), 6);
 }
 
-/// Noise of a quarter of the spacing to either side, as where range scans overlap.
+/// Noise of a quarter of the spacing to either side, as in overlapping range scans.
 TEST(Normals, NoiseIsAveragedOverWiderNeighborhoods) {
     Shape shape = randomSphere(50'000);
     Random random(5);
@@ -56,7 +56,7 @@ TEST(Normals, CubeEdgesStaySharp) {
         float from_edge = 1;
         for (int axis = 0; axis < 3; ++axis)
             if (truth[axis] == 0) from_edge = std::min({from_edge, p[axis], 1 - p[axis]});
-        // Three rows from the edge, no neighbour is on the other face.
+        // three rows from the edge, no neighbour is on the other face
         if (from_edge > 3.0f / 40) {
             EXPECT_LT(degreesBetween(splats.normals[i], truth), 1) << p.transpose();
         }
@@ -81,14 +81,14 @@ TEST(Normals, GivenOnesAreKeptAndOthersEstimated) {
     SurfaceOptions options;
     options.normals = NormalSource::kEstimate;
     const auto errors = normalErrors(estimate(std::move(cloud), options), shape);
-    EXPECT_LT(errors.back(), 15) << "kEstimate ignores what is given";
+    EXPECT_LT(errors.back(), 15) << "kEstimate ignores given normals";
 }
 
 TEST(Normals, KeepKeepsAll) {
     const Shape shape = randomSphere(5000);
     Cloud cloud = shape.cloud();
     cloud.normals = shape.normals;
-    for (Vec3f& normal : cloud.normals) normal = -normal; // inwards is how they are given
+    for (Vec3f& normal : cloud.normals) normal = -normal; // given inwards
     SurfaceOptions options;
     options.normals = NormalSource::kKeep;
     SurfaceReport report;

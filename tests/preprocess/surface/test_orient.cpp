@@ -13,7 +13,7 @@ std::size_t wrongSides(const Splats& splats, const Shape& shape) {
     return wrong;
 }
 
-/// The lower half of a sphere, whose outside faces down; towards its rim it is too steep for up to tell.
+/// The lower half of a sphere, whose outside faces down; too steep near the border to face up or down.
 Shape bowl() {
     Shape shape;
     const Shape sphere = randomSphere(20'000);
@@ -45,16 +45,16 @@ TEST(Orient, DisconnectedSpheresEachOutwards) {
 
 TEST(Orient, ThinPlateOfTwoSheets) {
     Shape shape = gridPlane(60, 0, -Vec3d::UnitZ());
-    shape.append(gridPlane(60, 0.1, Vec3d::UnitZ())); // six spacings apart, open at the rim
+    shape.append(gridPlane(60, 0.1, Vec3d::UnitZ())); // six spacings apart, open at the border
     Cloud cloud = shape.cloud();
     cloud.sensors = {Vec3f(0.5f, 0.5f, 5), Vec3f(0.5f, 0.5f, -5)};
     for (const Vec3f& p : cloud.positions) cloud.sensor_of_point.push_back(p.z() > 0.05f ? 0 : 1);
     EXPECT_EQ(wrongSides(estimate(std::move(cloud)), shape), 0u);
 }
 
-/// Points of one sheet are on the other's lists: their normals are alike, and yet one of them is on the wrong side.
+/// Points of one sheet are in neighbour lists of the other: edges join similar normals on opposite sides.
 TEST(Orient, PlateThreeSpacingsThick) {
-    for (const int steps : {100, 250}) // below and above what CGAL orients
+    for (const int steps : {100, 250}) // below and above the limit of CGAL's algorithm
         for (const double noise : {0.0, 0.2}) {
             Shape shape = thinPlate(steps, 3);
             addNoise(shape, noise / steps);
@@ -89,29 +89,29 @@ TEST(Orient, TowardsTheSensor) {
     }
     SurfaceOptions options;
     options.orient = OrientMode::kMst;
-    EXPECT_EQ(wrongSides(estimate(cloud, options), shape), 0u) << "kMst does not ask the sensor";
+    EXPECT_EQ(wrongSides(estimate(cloud, options), shape), 0u) << "kMst ignores the sensor";
 }
 
-TEST(Orient, UpwardsWhereThatIsAskedFor) {
+TEST(Orient, UpwardsWithUp) {
     const Shape shape = bowl();
     SurfaceOptions options;
     options.orient = OrientMode::kUp;
     Cloud cloud = shape.cloud();
-    EXPECT_EQ(wrongSides(estimate(cloud, options), shape), cloud.positions.size()) << "+Z is up where nobody says";
+    EXPECT_EQ(wrongSides(estimate(cloud, options), shape), cloud.positions.size()) << "+Z is the default up";
     cloud.world.up = -Vec3d::UnitZ();
     EXPECT_EQ(wrongSides(estimate(cloud, options), shape), 0u);
 }
 
-TEST(Orient, WhatWasSeenFromAboveFacesUp) {
+TEST(Orient, AirborneScansFaceUp) {
     const Shape shape = bowl();
     Cloud cloud = shape.cloud();
     cloud.world.up = Vec3d::UnitZ();
-    EXPECT_EQ(wrongSides(estimate(cloud), shape), 0u) << "a bowl like any other";
+    EXPECT_EQ(wrongSides(estimate(cloud), shape), 0u) << "not airborne";
     cloud.world.from_above = true;
     EXPECT_EQ(wrongSides(estimate(cloud), shape), cloud.positions.size());
     cloud.sensors = {Vec3f(0, 0, -100)};
     cloud.sensor_of_point.assign(cloud.positions.size(), 0);
-    EXPECT_EQ(wrongSides(estimate(cloud), shape), 0u) << "a sensor knows better";
+    EXPECT_EQ(wrongSides(estimate(cloud), shape), 0u) << "a sensor takes precedence";
 }
 
 TEST(Orient, PointsWithoutSensorFollowThoseWithOne) {
@@ -138,7 +138,7 @@ TEST(Orient, GivenAxesAreTurnedOutwards) {
     cloud.normal_sides = false;
     const Splats splats = estimate(std::move(cloud));
     EXPECT_EQ(wrongSides(splats, shape), 0u);
-    for (const double error : normalErrors(splats, shape)) ASSERT_LT(error, 0.01); // their direction stays
+    for (const double error : normalErrors(splats, shape)) ASSERT_LT(error, 0.01); // only the side changes
 }
 
 TEST(Orient, GivenNormalsKeepTheirSideAgainstTheSensor) {
@@ -150,7 +150,7 @@ TEST(Orient, GivenNormalsKeepTheirSideAgainstTheSensor) {
     EXPECT_EQ(wrongSides(estimate(cloud), shape), 0u);
 }
 
-TEST(Orient, NoneLeavesNormalsAndSaysSo) {
+TEST(Orient, NoneLeavesNormalsAndReportsIt) {
     const Shape shape = randomSphere(2000);
     SurfaceOptions options;
     options.orient = OrientMode::kNone;
@@ -166,7 +166,7 @@ TEST(Orient, BothTreesAgree) {
     using namespace surface;
     const Shape shape = randomTorus(20'000);
     const StageProgress silent;
-    Points by_cgal = takePoints(shape.cloud());
+    PointSet by_cgal = takePoints(shape.cloud());
     const NearestSearch search(by_cgal.positions);
     const NeighborLists lists = findNeighbors(by_cgal, search, 16, {silent, "test"});
     Random random(6);
@@ -174,7 +174,7 @@ TEST(Orient, BothTreesAgree) {
         by_cgal.normals.push_back(uniform(random) < 0.5 ? shape.normals[index] : Vec3f(-shape.normals[index]));
     std::vector<std::uint8_t> sources(by_cgal.size(), 0);
     sources[0] = 1;
-    Points by_kruskal = by_cgal;
+    PointSet by_kruskal = by_cgal;
     orientByCgal(by_cgal, lists, sources);
     orientByKruskal(by_kruskal, lists, edgeKinds(by_kruskal, lists), sources);
     EXPECT_EQ(by_cgal.normals, by_kruskal.normals);

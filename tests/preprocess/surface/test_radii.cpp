@@ -8,7 +8,7 @@
 namespace pointrt::test {
 namespace {
 
-/// What the discs amount to over a place: the summed blending weight (1 - d^2 / r^2)^2.
+/// Sum of the blending weights (1 - d^2 / r^2)^2 of all discs at a place.
 double weightAt(const Splats& splats, const Vec3f& place) {
     double sum = 0;
     for (std::size_t i = 0; i < splats.positions.size(); ++i) {
@@ -18,7 +18,7 @@ double weightAt(const Splats& splats, const Vec3f& place) {
     return sum;
 }
 
-/// The least weight over random places of a square, margin inside [0, 1]^2.
+/// The least weight at random places of [0, 1]^2, at least margin from its border.
 double leastWeight(const Splats& splats, double margin) {
     Random random(11);
     double least = 1e9;
@@ -36,14 +36,16 @@ float medianRadius(Splats splats) {
 }
 
 /// Whether a point of a steps x steps grid on [0, 1]^2, moved by less than half a step, is in the outermost row.
-bool onRim(const Vec3f& p, int steps) { return std::min({p.x(), p.y(), 1 - p.x(), 1 - p.y()}) < 0.75f / float(steps); }
+bool onBorder(const Vec3f& p, int steps) {
+    return std::min({p.x(), p.y(), 1 - p.x(), 1 - p.y()}) < 0.75f / float(steps);
+}
 
-/// Discs overlap by 1.4, along the rim by 1.2.
+/// Discs overlap by 1.4, along the border by 1.2.
 void expectSquareCells(const Splats& splats, int steps) {
     const double closing = std::numbers::sqrt2 / 2 / steps;
     for (std::size_t i = 0; i < splats.radii.size(); ++i) {
         const Vec3f& p = splats.positions[i];
-        EXPECT_NEAR(splats.radii[i], (onRim(p, steps) ? 1.2 : 1.4) * closing, 1e-2 * closing) << p.transpose();
+        EXPECT_NEAR(splats.radii[i], (onBorder(p, steps) ? 1.2 : 1.4) * closing, 1e-2 * closing) << p.transpose();
     }
 }
 
@@ -59,7 +61,7 @@ TEST(Radii, GivenOnesStay) {
 
 TEST(Radii, GridIsClosedByTheSmallestDiscs) {
     const Splats splats = estimate(gridPlane(50).cloud());
-    EXPECT_GT(leastWeight(splats, 0), 0.1) << "to the very rim, half a spacing outside the last points";
+    EXPECT_GT(leastWeight(splats, 0), 0.1) << "up to the border, half a spacing outside the last points";
     EXPECT_GT(leastWeight(splats, 0.03), 0.9);
     expectSquareCells(splats, 50);
 }
@@ -82,15 +84,13 @@ TEST(Radii, BorderIsNotBloated) {
     const float typical = medianRadius(splats);
     for (std::size_t i = 0; i < splats.radii.size(); ++i) {
         const Vec3f& p = splats.positions[i];
-        const float from_rim = std::min({p.x(), p.y(), 1 - p.x(), 1 - p.y()});
-        EXPECT_LT(splats.radii[i] - from_rim, 3.5f * typical) << "sticks out";
+        const float from_border = std::min({p.x(), p.y(), 1 - p.x(), 1 - p.y()});
+        EXPECT_LT(splats.radii[i] - from_border, 3.5f * typical) << "sticks out";
         EXPECT_LT(splats.radii[i], 4 * typical);
     }
 }
 
-/// Dense to the left of 0.5, a hundred times sparser to the right.
-/// By how much discs hang over the border of a square of random points, in spacings: mean and most over the discs that
-/// do.
+/// Mean and maximum overhang of discs over the border of a square of random points, in spacings.
 TEST(Radii, DiscsEndAtTheBorder) {
     constexpr std::size_t kCount = 20'000;
     const Splats splats = estimate(randomPlane(kCount).cloud());
@@ -105,11 +105,11 @@ TEST(Radii, DiscsEndAtTheBorder) {
         most = std::max(most, over);
     }
     const double spacing = 1 / std::sqrt(double(kCount));
-    EXPECT_LT(sum / double(hanging), 0.8 * spacing); // measured: 0.70; 0.95 where corners beyond the border count
+    EXPECT_LT(sum / double(hanging), 0.8 * spacing); // measured: 0.70; 0.95 if corners beyond the border count
     EXPECT_LT(most, 3 * spacing);                    // 2.7; 3.4
 }
 
-/// A round hole a spacing and a half across each way from its middle is a gap of the sampling, and closed.
+/// A round hole with a radius of 1.5 spacings is a gap of the sampling, and closed.
 TEST(Radii, GapsAreClosed) {
     constexpr std::size_t kCount = 10'000;
     const Vec3f middle(0.5f, 0.5f, 0);
@@ -123,6 +123,7 @@ TEST(Radii, GapsAreClosed) {
                 << i << " " << k;
 }
 
+/// Dense to the left of 0.5, a hundred times sparser to the right.
 TEST(Radii, DensityJumpIsClosed) {
     Shape shape;
     for (const auto& [steps, from, to] : {std::tuple{200, 0.0, 0.5}, {20, 0.5, 1.0}})
@@ -150,10 +151,10 @@ TEST(Radii, SparseGroupsStaySmall) {
     EXPECT_LT(*std::max_element(splats.radii.begin(), splats.radii.end()), 3 * spacing);
 }
 
-TEST(Radii, LonePointsStaySmall) {
+TEST(Radii, IsolatedPointsStaySmall) {
     Shape shape = gridPlane(30);
     shape.add(Vec3d(0.5, 0.5, 10), Vec3d::UnitZ());
-    const Splats splats = estimate(shape.cloud()); // too few points for outliers to be removed
+    const Splats splats = estimate(shape.cloud()); // too few points to remove outliers
     EXPECT_LT(*std::max_element(splats.radii.begin(), splats.radii.end()), 0.7);
 }
 
@@ -177,15 +178,15 @@ TEST(Radii, DiscsReachTheEdgesOfACube) {
     for (int i = 0; i < 500; ++i) EXPECT_GT(weightAt(splats, Vec3f(float(i) / 500, 0, 0)), 0.1);
 }
 
-/// Radii of a cube's splats in units of what closes its square cells, the row along the edges and all others apart.
-void expectOverlaps(const Cloud& cloud, double rim, double elsewhere) {
+/// Checks the radii of a cube's splats, over those that just close its square cells, beside edges and elsewhere.
+void expectOverlaps(const Cloud& cloud, double beside_edge, double elsewhere) {
     constexpr int kSteps = 30;
     const Splats splats = estimate(cloud);
     for (std::size_t i = 0; i < splats.radii.size(); ++i) {
         const Vec3f p = splats.positions[i], inwards = p.cwiseMin(Vec3f::Ones() - p);
         const auto near_edge = (inwards.array() < 0.75f / kSteps).count(); // 1: on a face, half a step from no edge
         const double overlap = double(splats.radii[i]) * kSteps * std::numbers::sqrt2;
-        EXPECT_NEAR(overlap, near_edge > 1 ? rim : elsewhere, 1e-3) << p.transpose();
+        EXPECT_NEAR(overlap, near_edge > 1 ? beside_edge : elsewhere, 1e-3) << p.transpose();
     }
 }
 
@@ -198,7 +199,7 @@ TEST(Radii, DiscsHangLessOverRidgesThanIntoValleys) {
     expectOverlaps(cloud, 1.4, 1.4);
 }
 
-TEST(Radii, NoiseIsNoRidge) {
+TEST(Radii, NoiseIsNotARidge) {
     Shape shape = gridPlane(100);
     Random random(5);
     for (Vec3f& p : shape.positions) p.z() = float(0.5 / 100 * (2 * uniform(random) - 1)); // half a spacing each way
@@ -207,19 +208,19 @@ TEST(Radii, NoiseIsNoRidge) {
     const Splats splats = estimate(shape.cloud(), options);
     for (std::size_t i = 0; i < splats.radii.size(); ++i) {
         const Vec3f& p = splats.positions[i];
-        if (onRim(p, 100)) continue;
+        if (onBorder(p, 100)) continue;
         ASSERT_GT(splats.radii[i], 1.35 / 100 * std::numbers::sqrt2 / 2) << p.transpose();
     }
 }
 
-/// The same grid, smoothed: its cells are those of the plane, and its discs overlap by 1.2.
+/// A smoothed grid has the cells of the plane, and discs that overlap by 1.2.
 TEST(Radii, SmoothedPointsOverlapLess) {
     Shape shape = gridPlane(100);
     addNoise(shape, 0.1 / 100);
     const Splats splats = estimate(shape.cloud());
     for (std::size_t i = 0; i < splats.radii.size(); ++i) {
         const Vec3f& p = splats.positions[i];
-        if (onRim(p, 100) || splats.noise[i] == 0) continue; // a place that happens to be clean
+        if (onBorder(p, 100) || splats.noise[i] == 0) continue; // clean by chance
         ASSERT_NEAR(splats.radii[i], 1.2 / 100 * std::numbers::sqrt2 / 2, 0.02 / 100) << p.transpose();
     }
 }

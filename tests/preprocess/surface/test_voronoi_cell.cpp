@@ -20,38 +20,38 @@ TEST(VoronoiCell, SquareNeighborsGiveTheUnitCell) {
     for (const Vector2f& place : {Vector2f(1, 0), Vector2f(0, 1), Vector2f(-1, 0), Vector2f(0, -1)})
         EXPECT_TRUE(cell.clip(place, 0));
     EXPECT_EQ(cell.corners().size(), 4u);
-    EXPECT_NEAR(cell.closedReach(10, allCount), std::numbers::sqrt2 / 2, 1e-6);
-    EXPECT_NEAR(cell.reach(), std::numbers::sqrt2 / 2, 1e-6);
-    EXPECT_EQ(cell.closedReach(0.7f, allCount), 0) << "all corners are beyond";
-    EXPECT_EQ(cell.closedReach(10, [](const Eigen::Vector2f& place) { return place.x() > 1; }), 0);
+    EXPECT_NEAR(cell.closedRadius(10, allCount), std::numbers::sqrt2 / 2, 1e-6);
+    EXPECT_NEAR(cell.radius(), std::numbers::sqrt2 / 2, 1e-6);
+    EXPECT_EQ(cell.closedRadius(0.7f, allCount), 0) << "all corners are further away";
+    EXPECT_EQ(cell.closedRadius(10, [](const Eigen::Vector2f& place) { return place.x() > 1; }), 0);
     EXPECT_FALSE(cell.clip(Vector2f(2, 2), 0)) << "too far to cut";
 }
 
 TEST(VoronoiCell, OpenSidesDoNotCount) {
     VoronoiCell cell;
     cell.reset(10);
-    EXPECT_EQ(cell.closedReach(10, allCount), 0);
+    EXPECT_EQ(cell.closedRadius(10, allCount), 0);
     cell.clip(Vector2f(1, 0), 0);
     cell.clip(Vector2f(-1, 0), 0);
-    EXPECT_EQ(cell.closedReach(10, allCount), 0) << "a strip has no corner";
+    EXPECT_EQ(cell.closedRadius(10, allCount), 0) << "a strip has no corner";
     cell.clip(Vector2f(0, 1), 0);
-    EXPECT_NEAR(cell.closedReach(10, allCount), std::numbers::sqrt2 / 2, 1e-6);
-    EXPECT_GT(cell.reach(), 10);
+    EXPECT_NEAR(cell.closedRadius(10, allCount), std::numbers::sqrt2 / 2, 1e-6);
+    EXPECT_GT(cell.radius(), 10);
     EXPECT_TRUE(cell.isOpen());
     cell.clip(Vector2f(0, -1), 0);
     EXPECT_FALSE(cell.isOpen());
 }
 
-TEST(VoronoiCell, SameCutTwiceLeavesNoSliver) {
+TEST(VoronoiCell, RepeatedCutsLeaveNoSliver) {
     VoronoiCell cell;
     cell.reset(3);
     const Vector2f place(0.12345f, 0.6789f);
     EXPECT_TRUE(cell.clip(place, 0));
     EXPECT_FALSE(cell.clip(place * 0.9999999f, 0));
-    EXPECT_EQ(cell.closedReach(10, allCount), 0);
+    EXPECT_EQ(cell.closedRadius(10, allCount), 0);
 }
 
-TEST(VoronoiCell, NeighborsRoundAnEdgeCutAtTheEdge) {
+TEST(VoronoiCell, NeighborsAroundAnEdgeCutAtTheEdge) {
     VoronoiCell cell;
     cell.reset(10);
     cell.clip(Vector2f(1, 0), -1); // the edge is at 1, the neighbour 1 below it
@@ -60,7 +60,7 @@ TEST(VoronoiCell, NeighborsRoundAnEdgeCutAtTheEdge) {
     EXPECT_NEAR(right, 1, 1e-6);
 }
 
-TEST(VoronoiCell, NeighborsRightAboveCutNothing) {
+TEST(VoronoiCell, NeighborsDirectlyAboveCutNothing) {
     VoronoiCell cell;
     cell.reset(1);
     EXPECT_FALSE(cell.clip(Vector2f(0, 0), 0.1f));

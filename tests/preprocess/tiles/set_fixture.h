@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small inputs of known points for the steps of a set.
+// Small inputs of known points for the steps of baking a set.
 #pragma once
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@
 
 namespace pointrt {
 
-/// What an error says, on one line; "" and a failure where there is none.
+/// The error message, which must be one line; "" and a test failure without an error.
 template <typename Work>
 std::string reasonOf(const Work& work, ExitCode code) {
     try {
@@ -30,7 +30,7 @@ std::string reasonOf(const Work& work, ExitCode code) {
         EXPECT_EQ(error.code, code) << reason;
         return reason;
     }
-    ADD_FAILURE() << "nothing was refused";
+    ADD_FAILURE() << "no error was thrown";
     return "";
 }
 
@@ -41,7 +41,7 @@ inline std::string bytesOf(const std::string& path) {
 
 class SetTest : public testing::Test {
 protected:
-    /// A hill of points on [0, size) x [0, size), moved by an offset; each has its own intensity.
+    /// A hill of points on [0, size) x [0, size), moved by an offset; each has a unique intensity.
     std::string writeHill(const std::string& name, std::size_t points, double offset = 0, double size = 100) const {
         std::string text = "x,y,z,intensity\n";
         for (std::size_t i = 0; i < points; ++i) {
@@ -61,7 +61,7 @@ protected:
         return request;
     }
 
-    /// Plan and buckets, in a folder of their own.
+    /// Plan and buckets, in a separate folder.
     SetPlan splitInto(const std::string& name, SetRequest request, int threads = 0) const {
         std::optional<tbb::global_control> control;
         if (threads > 0) control.emplace(tbb::global_control::max_allowed_parallelism, threads);

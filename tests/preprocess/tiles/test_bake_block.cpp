@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Splats of tiles against those of the whole cloud.
+// Splats of tiles compared with those of the whole cloud.
 #include "preprocess/tiles/bake_block.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ struct PlainSplats {
     std::vector<float> radii;
 };
 
-/// The own splats of all tiles.
+/// All tiles' own splats.
 PlainSplats splatsOf(const SetPlan& plan) {
     PlainSplats all;
     for (const PlanTile& tile : plan.tiles) {
@@ -46,7 +46,7 @@ SetPlan bakeAll(SetPlan plan) {
     return plan;
 }
 
-/// Splats of tiles whose normal or radius is not what the whole cloud as one file gives them.
+/// Counts splats of tiles whose normal or radius differs from that of the whole cloud as one file.
 std::size_t countOtherThanWhole(const SetRequest& request, const SetPlan& plan) {
     const PlainSplats tiles = splatsOf(plan);
     SurfaceReport report;
@@ -67,15 +67,15 @@ std::size_t countOtherThanWhole(const SetRequest& request, const SetPlan& plan) 
     return differ;
 }
 
-/// Seams cannot be seen: what a tile makes of its points is what the whole cloud makes of them.
+/// No visible seams: tiles estimate the same splats as the whole cloud.
 TEST_F(SetTest, TilesHaveTheSplatsOfTheWhole) {
     const SetRequest request = requestOf({writeHill("a.csv", 30000)}, 3000);
     const SetPlan plan = bakeAll(splitInto("A.proset", request));
     ASSERT_GE(plan.tiles.size(), 8u);
     EXPECT_LE(countOtherThanWhole(request, plan), 3u); // one in 10,000
 }
-/// Points that lie a hundred times as dense in one corner as elsewhere, and few a tile: halos must be wider than tiles.
-TEST_F(SetTest, TilesOfFewPointsSeeAsFarAsTheyNeed) {
+/// One corner a hundred times as dense as elsewhere, and few points per tile: halos must be wider than tiles.
+TEST_F(SetTest, TilesOfFewPointsGetWiderHalos) {
     std::string text = "x,y,z\n";
     for (std::uint64_t i = 0; i < 24120; ++i) {
         const double size = i < 4120 ? 100 : 22;
@@ -87,20 +87,19 @@ TEST_F(SetTest, TilesOfFewPointsSeeAsFarAsTheyNeed) {
     const SetPlan plan = splitInto("A.proset", request);
     EXPECT_EQ(bakeBlocks(plan, {0, plan.blocks()}, 2).lacking, 0u);
     EXPECT_EQ(countOtherThanWhole(request, plan), 0u);
-    // what the 95% reach within lies where points are sparse, which a few places would hardly see
-    const surface::Points points = surface::takePoints(readInputs(request.inputs, {}));
+    // the 95% quantile lies where points are sparse, which a few places would hardly sample
+    const surface::PointSet points = surface::takePoints(readInputs(request.inputs, {}));
     const surface::NearestSearch search(points.positions);
     const auto k = static_cast<std::size_t>(request.bake.surface.neighbors);
     const surface::NeighborLists lists = findNeighbors(points, search, k, {StageProgress{}, ""});
     std::vector<float> reaches;
-    for (std::size_t i = 0; i < points.size(); ++i) reaches.push_back(lists.reach(points, i));
+    for (std::size_t i = 0; i < points.size(); ++i) reaches.push_back(lists.radius(points, i));
     const double whole = std::ldexp(surface::commonReach(reaches), points.scale_exponent);
-    EXPECT_NEAR(readPlan(plan.work).traits.common_reach.value_or(0), whole, 0.002 * whole);
+    EXPECT_NEAR(readPlan(plan.work).statistics.common_reach.value_or(0), whole, 0.002 * whole);
 }
 
-/// A plane of 40,000 points, and at two places more of what clouds are handled otherwise for where they have much of
-/// it: a crown, 0.7% of all, and scan lines, 1.2%. Of their tiles that is far more than the hundredth and the fiftieth
-/// that decide.
+/// A plane of 40,000 points with a tree crown, 0.7% of all points, and scan lines, 1.2%. In their tiles both exceed the
+/// thresholds of 1% and 2% above which a cloud is treated differently, in the whole cloud they do not.
 std::string planeWithCrownAndLines() {
     std::string text = "x,y,z\n";
     const auto add = [&](double x, double y, double z) { text += fmt::format("{:.4f},{:.4f},{:.4f}\n", x, y, z); };
@@ -118,10 +117,10 @@ TEST_F(SetTest, WhatAWholeCloudDecidesItsTilesDoNot) {
     request.bake.surface.clean = 0;
     request.bake.surface.orient = OrientMode::kUp;
     SetPlan plan = readPlan(splitInto("A.proset", request).work);
-    EXPECT_EQ(plan.traits.scattered, std::optional<bool>(false));
-    EXPECT_EQ(plan.traits.fill_rows, std::optional<std::uint32_t>(0));
-    ASSERT_TRUE(plan.traits.common_reach);
-    EXPECT_NEAR(*plan.traits.common_reach, 1.3, 0.3) << "16 of 4 points a square: 1.13 in the mean";
+    EXPECT_EQ(plan.statistics.scattered, std::optional<bool>(false));
+    EXPECT_EQ(plan.statistics.fill_rows, std::optional<std::uint32_t>(0));
+    ASSERT_TRUE(plan.statistics.common_reach);
+    EXPECT_NEAR(*plan.statistics.common_reach, 1.3, 0.3) << "16 of 4 points a square: 1.13 in the mean";
     plan.bake = request.bake;
     EXPECT_EQ(countOtherThanWhole(request, bakeAll(plan)), 0u);
 }
@@ -135,7 +134,7 @@ TEST_F(SetTest, BlocksInAnyOrderAndTwiceGiveTheSameBytes) {
     other.first_tile_of_block = {0, 1, tiles / 2, tiles};
     bakeBlocks(one, {0, 1}, 1);
     for (const std::uint32_t block : {2u, 0u, 1u, 2u}) bakeBlocks(other, {block, block + 1}, 4);
-    EXPECT_EQ(bakeBlocks(other, {1, 2}, 4).points, 0u) << "what is done is not done again";
+    EXPECT_EQ(bakeBlocks(other, {1, 2}, 4).points, 0u) << "finished work is not repeated";
     for (const PlanTile& tile : one.tiles) {
         const std::string bytes = bytesOf(splatFileOf(splatsFolder(one), keyOf(tile)));
         EXPECT_FALSE(bytes.empty());
@@ -143,7 +142,7 @@ TEST_F(SetTest, BlocksInAnyOrderAndTwiceGiveTheSameBytes) {
     }
 }
 
-TEST_F(SetTest, ADamagedSplatFileIsMadeAnew) {
+TEST_F(SetTest, ADamagedSplatFileIsRewritten) {
     SetPlan plan = bakeAll(splitInto("A.proset", requestOf({writeHill("a.csv", 5000)})));
     const std::string path = splatFileOf(splatsFolder(plan), keyOf(plan.tiles.front()));
     const std::string whole = bytesOf(path);
@@ -152,7 +151,7 @@ TEST_F(SetTest, ADamagedSplatFileIsMadeAnew) {
     EXPECT_EQ(bytesOf(path), whole);
 }
 
-/// Where points lie dense there are tiles of finer levels beside those of coarser ones.
+/// Dense areas have tiles of finer levels beside those of coarser ones.
 TEST_F(SetTest, TheWholeSetIsValidAndHoldsEverySplatOnce) {
     const std::vector<std::string> inputs{writeHill("a.csv", 9000), writeHill("b.csv", 20000, 30, 20)};
     SetPlan plan = bakeAll(splitInto("A.proset", requestOf(inputs)));
@@ -179,7 +178,7 @@ TEST_F(SetTest, TheWholeSetIsValidAndHoldsEverySplatOnce) {
         for (const TileFinding& finding : verifyTile(set, plan.output, i)) ADD_FAILURE() << finding.text;
 }
 
-/// Files of a folder and all below it, by their names in it.
+/// Files of a folder and its subfolders, by relative path.
 std::map<std::string, std::string> filesBelow(const std::string& at) {
     std::map<std::string, std::string> files;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(at))
@@ -193,7 +192,7 @@ std::uint64_t bytesBelow(const std::string& at) {
     return bytes;
 }
 
-TEST_F(SetTest, SplatsGoAsTheirTilesComeAndTheTilesAreTheSame) {
+TEST_F(SetTest, DroppingSplatFilesDoesNotChangeTiles) {
     const SetRequest request = requestOf({writeHill("a.csv", 12000), writeHill("b.csv", 12000, 30, 20)});
     SetPlan keeping = bakeAll(splitInto("A.proset", request)), dropping = bakeAll(splitInto("B.proset", request));
     dropping.bake.drop_work = true;
@@ -205,18 +204,18 @@ TEST_F(SetTest, SplatsGoAsTheirTilesComeAndTheTilesAreTheSame) {
     EXPECT_EQ(bytesBelow(splatsFolder(keeping)), before);
 
     ASSERT_GE(dropping.blocks(), 2u);
-    makeBlockTiles(dropping, {0, 1}, "{}", 2); // and killed
+    makeBlockTiles(dropping, {0, 1}, "{}", 2); // then killed
     const std::uint64_t between = bytesBelow(splats);
     EXPECT_LT(between, before);
     makeSet(dropping, "{}", 2);
-    EXPECT_LT(bytesBelow(splats), between / 4) << "heads are left";
+    EXPECT_LT(bytesBelow(splats), between / 4) << "only summaries are left";
     EXPECT_EQ(filesBelow(dropping.output), filesBelow(keeping.output));
     makeSet(dropping, "{}", 2);
-    EXPECT_EQ(filesBelow(dropping.output), filesBelow(keeping.output)) << "of tiles that are there, nothing is read";
+    EXPECT_EQ(filesBelow(dropping.output), filesBelow(keeping.output)) << "existing tiles need no splats";
 }
 
-/// A flat field with noise of half a spacing: cleaning moves points, some of them across borders of tiles.
-TEST_F(SetTest, WhatCleaningMovesToANeighborIsThere) {
+/// A flat field with noise of half a spacing: cleaning moves some points across borders of tiles.
+TEST_F(SetTest, SplatsMovedToANeighborAreKept) {
     std::string text = "x,y,z\n";
     for (std::uint64_t i = 0; i < 35000; ++i) { // from 20000 on in a corner, where tiles are finer
         const double size = i < 20000 ? 100 : 40;
@@ -269,11 +268,11 @@ TEST(Halo, WideEnoughWhereNeighborsAreNearerThanTheRim) {
 
 TEST(Halo, TooNarrowWhereTheyAreNot) {
     HaloScene scene;
-    scene.addPlane(1);               // 2.2 away, the rim 3 and more: their own neighbours lie behind it
+    scene.addPlane(1);               // 2.2 away, the rim 3 and more: their own neighbours lie beyond it
     EXPECT_GE(scene.lacking(), 36u); // the 10 by 10 but those 5 from all rims, and as far
 }
 
-TEST(Halo, WhereNothingLiesBehindTheRimNothingLacks) {
+TEST(Halo, NoPointsBeyondTheRimNothingLacks) {
     HaloScene scene;
     scene.addPlane(1);
     constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -284,7 +283,7 @@ TEST(Halo, WhereNothingLiesBehindTheRimNothingLacks) {
     EXPECT_EQ(lacking, 20u); // of x = 0 and 1 the rim is 3 and 4 away, their neighbours 2.2; of x = 2 it is 5
 }
 
-TEST(Halo, AStrayAsksForNothing) {
+TEST(Halo, AStrayNeedsNoHalo) {
     HaloScene scene;
     scene.addPlane(0.5f);
     scene.add(1, 1, 9.5f);

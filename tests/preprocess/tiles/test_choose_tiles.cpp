@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counting, and where space is cut.
+// Counting points, and dividing space into tiles.
 #include "preprocess/tiles/choose_tiles.h"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ TEST(CountGrid, CountsEveryPointInItsCellHoweverOftenCellsGrew) {
     EXPECT_EQ(counted, expected);
 }
 
-/// A plain of 64 x 64 cells of 10 points each.
+/// A plane of 64 x 64 cells of 10 points each.
 std::vector<CountedCell> plain() {
     std::vector<CountedCell> cells;
     for (std::int64_t x = 0; x < 64; ++x)
@@ -52,7 +52,7 @@ std::vector<CountedCell> plain() {
     return cells;
 }
 
-TEST(ChooseTiles, APlainIsCutIntoEqualSquares) {
+TEST(ChooseTiles, APlaneIsSplitIntoEqualSquares) {
     SetPlan plan;
     TileChoice choice;
     choice.points_per_tile = 2560; // a sixteenth of them
@@ -70,7 +70,7 @@ TEST(ChooseTiles, APlainIsCutIntoEqualSquares) {
     EXPECT_EQ(plan.first_tile_of_block, (std::vector<std::uint32_t>{0, 4, 8, 12, 16}));
 }
 
-/// A plain of 64 x 64 points, four cells apart: each has one to itself.
+/// A plane of 64 x 64 points, four cells apart: each in a separate cell.
 TEST(ChooseTiles, PointsFartherApartThanCellsAreWideHaveTheirOwnSpacing) {
     std::vector<CountedCell> cells;
     for (std::int64_t x = 0; x < 64; ++x)
@@ -83,7 +83,7 @@ TEST(ChooseTiles, PointsFartherApartThanCellsAreWideHaveTheirOwnSpacing) {
     for (const PlanTile& tile : plan.tiles) EXPECT_NEAR(tile.spacing, 4 * 0.5, 1e-12);
 }
 
-TEST(ChooseTiles, DensePlacesAreCutFurther) {
+TEST(ChooseTiles, DenseAreasAreSplitFurther) {
     std::vector<CountedCell> cells = plain();
     for (CountedCell& each : cells)
         if (each.cell[0] < 6 && each.cell[1] < 1016) each.points = 40; // the lowest of the 16 squares
@@ -116,7 +116,7 @@ TEST(ChooseTiles, AFewStraysFarAwayMakeNoTiles) {
               40'963u);
 }
 
-TEST(ChooseTiles, AsManyPointsAsMemoryHasNoRoomForAreRefused) {
+TEST(ChooseTiles, TooManyPointsForTheMemoryAreRefused) {
     SetPlan plan;
     TileChoice choice;
     choice.points_per_tile = choice.most_points = 50;
@@ -150,7 +150,7 @@ TEST(TileFinder, CoresAreHalfOpenToTheLastBit) {
         EXPECT_NE(finder.find(core.min() - Vec3d(1e-9, 0, 0)), i);
     }
     EXPECT_EQ(finder.find({1e300, 0, 0}), TileFinder::kNone);
-    // what a subtraction of the origin would round onto the next core
+    // subtracting the origin would round it into the next core
     EXPECT_EQ(finder.find({-1e-300, 501, 3}), finder.find({-1, 501, 3}));
 }
 

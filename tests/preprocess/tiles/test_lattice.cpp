@@ -38,7 +38,7 @@ TEST(Lattice, PositionsAreTheMiddlesOfTheirSteps) {
     EXPECT_EQ(codeOf(set, tile, position), (PositionCode{0, -1, kCoreSteps}));
 }
 
-TEST(Lattice, NeighborsNameTheSamePlace) {
+TEST(Lattice, NeighborsCodeTheSamePosition) {
     const TileSet set = utmLattice();
     std::mt19937 random(1);
     std::uniform_int_distribution<std::int32_t> steps(0, kCoreSteps - 1);

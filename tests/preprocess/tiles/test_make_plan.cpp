@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the first reading decides.
+// Decisions of the first pass.
 #include "preprocess/tiles/make_plan.h"
 
 #include <algorithm>
@@ -25,12 +25,12 @@ TEST_F(SetTest, ThePlanHasEveryPointOnce) {
     EXPECT_EQ(plan.schema.scan_bytes, 1u);
     ASSERT_EQ(plan.schema.attributes.size(), 2u);
     EXPECT_EQ(plan.schema.attributes[0].name, "intensity");
-    EXPECT_EQ(plan.schema.attributes[0].type, Scalar::kU16); // whole numbers below 60,000, as text
+    EXPECT_EQ(plan.schema.attributes[0].type, Scalar::kU16); // integers below 60,000, as text
     EXPECT_EQ(plan.schema.attributes[1].name, kScanNumber);
     EXPECT_TRUE(plan.schema.scan_attribute);
     EXPECT_EQ(plan.up_from, "data");
     EXPECT_EQ(plan.world.up, Vec3d::UnitZ());
-    // text tells no sides: the sample does, and its ground faces up
+    // text has no normals: the sample is oriented, and its ground faces up
     ASSERT_GT(plan.sides.normals.size(), 4000u);
     const auto& normals = plan.sides.normals;
     const auto up = std::count_if(normals.begin(), normals.end(), [](const Vec3f& normal) { return normal.z() > 0; });
@@ -54,7 +54,7 @@ TEST_F(SetTest, APlanIsReadAsItWasWritten) {
     }
 }
 
-TEST_F(SetTest, OtherOptionsAndInputsAreToldInALine) {
+TEST_F(SetTest, OtherOptionsAndInputsAreRefusedInOneLine) {
     const std::string input = writeHill("a.csv", 3000);
     SetRequest request = requestOf({input});
     const SetPlan plan = makePlan(request);
@@ -63,28 +63,28 @@ TEST_F(SetTest, OtherOptionsAndInputsAreToldInALine) {
     requireUnwritten(plan, request.inputs);
     request.settings = R"({"tile-splats":2000})";
     EXPECT_NE(reasonOf([&] { requireSameRequest(plan, request); }, ExitCode::kBadUsage)
-                  .find("was begun with 1000 of --tile-splats, not 2000"),
+                  .find("was started with 1000 of --tile-splats, not 2000"),
               std::string::npos);
     reasonOf([&] { requireSameInputs(plan, {input, input}); }, ExitCode::kBadInput);
     reasonOf([&] { requireSameInputs(plan, {folder.file("b.csv")}); }, ExitCode::kBadInput);
     writeHill("a.csv", 3001);
-    EXPECT_NE(reasonOf([&] { requireUnwritten(plan, {input}); }, ExitCode::kBadInput).find("has been written since"),
+    EXPECT_NE(reasonOf([&] { requireUnwritten(plan, {input}); }, ExitCode::kBadInput).find("has changed since"),
               std::string::npos);
     reasonOf([&] { makePlan(requestOf({folder.file("missing.csv")})); }, ExitCode::kBadInput);
     reasonOf([&] { makePlan(requestOf({"-"})); }, ExitCode::kBadUsage);
 }
 
-TEST_F(SetTest, ADiskWithoutRoomIsTold) {
+TEST_F(SetTest, AFullDiskIsReported) {
     SetPlan plan = makePlan(requestOf({writeHill("a.csv", 3000)}));
     requireSpace(plan);
     const SpaceNeeded before = spaceNeeded(plan);
-    plan.points *= 1'000'000'000'000; // 3000 million million: no disk has that
+    plan.points *= 1'000'000'000'000; // 3000 million million: more than any disk has
     EXPECT_NEAR(double(spaceNeeded(plan).temporary) / double(before.temporary), 1e12, 1);
     EXPECT_NE(reasonOf([&] { requireSpace(plan); }, ExitCode::kCannotWrite).find("the disk has"), std::string::npos);
 }
 
-/// As ten million points of `make_lidar` took it on disk: 62 bytes a point at most without an index and 109 with one,
-/// 42 and 99 in the end.
+/// Measured with ten million points of `make_lidar`: at most 62 bytes of disk per point without an index and 109 with
+/// one; 42 and 99 in the end.
 TEST(SpaceNeeded, IsALittleMoreThanLidarTook) {
     SetPlan plan;
     plan.points = 10'000'000;
@@ -103,18 +103,18 @@ TEST(SpaceNeeded, IsALittleMoreThanLidarTook) {
     plan.bake.index = false;
     expectWithin(spaceNeeded(plan).peak, 62);
     expectWithin(spaceNeeded(plan).final, 42);
-    plan.bake.drop_work = false; // nothing goes
+    plan.bake.drop_work = false; // nothing is dropped
     expectWithin(spaceNeeded(plan).peak, 62 + 0.4 * 35 + 42);
 }
 
-TEST_F(SetTest, TilesThatMemoryHasNoRoomForAreSmallerAndItIsSaid) {
+TEST_F(SetTest, TilesAreLimitedByMemoryWithANote) {
     SetRequest request = requestOf({writeHill("a.csv", 540'000)}, 1'000'000);
     request.bake.max_memory = std::uint64_t{512} << 20;
     const SetPlan plan = makePlan(request);
     EXPECT_GT(plan.tiles.size(), 1u);
     ASSERT_EQ(plan.notes.size(), 1u);
     EXPECT_EQ(plan.notes[0].file, "--tile-splats");
-    EXPECT_EQ(plan.notes[0].text, "1000000 points are more than --max-memory has room for in a tile: 536870 at most");
+    EXPECT_EQ(plan.notes[0].text, "1000000 points do not fit in a tile with this --max-memory, at most 536870");
     request.inputs = {writeHill("few.csv", 1000)};
     EXPECT_TRUE(makePlan(request).notes.empty()) << "one tile has room for all";
 }

@@ -15,14 +15,14 @@ std::vector<std::uint32_t> allOf(const MergeDiscs& discs) {
     return members;
 }
 
-TEST(MergeDisc, CoversWhatLiesSideBySide) {
+TEST(MergeDisc, CoversDiscsSideBySide) {
     const Vec3f up(0, 0, 1);
     const MergeDiscs discs{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {up, up, up, up}, {1, 1, 1, 1}};
     const MergedDisc merged = mergeDiscs(discs, allOf(discs), true);
     EXPECT_TRUE(merged.position.isApprox(Vec3f(0.5f, 0.5f, 0)));
     EXPECT_TRUE(merged.normal.isApprox(up));
     EXPECT_FLOAT_EQ(merged.radius, std::sqrt(0.5f) + 1 / 1.2f);
-    EXPECT_NEAR(merged.error, 1 - 1 / 1.2f, 1e-6); // of their rims, where they reach farthest
+    EXPECT_NEAR(merged.error, 1 - 1 / 1.2f, 1e-6); // at the farthest points of their rims
 }
 
 TEST(MergeDisc, MeansAreByArea) {
@@ -33,12 +33,12 @@ TEST(MergeDisc, MeansAreByArea) {
     EXPECT_TRUE(merged.normal.isApprox((4 * up + aside).normalized()));
 }
 
-TEST(MergeDisc, KeepsTheAreaOfWhatIsScatteredFarApart) {
+TEST(MergeDisc, KeepsTheAreaOfScatteredDiscs) {
     const Vec3f up(0, 0, 1);
     const MergeDiscs discs{{{0, 0, 0}, {300, 0, 200}, {0, 300, -200}}, {up, up, up}, {1, 2, 2}};
     const MergedDisc merged = mergeDiscs(discs, allOf(discs), true);
     EXPECT_NEAR(merged.radius, 3, 1e-3);
-    EXPECT_GT(merged.error, 200); // how far the upper one lies off the plane
+    EXPECT_GT(merged.error, 200); // distance of the upper one from the plane
 }
 
 /// Discs at random in a cube of edge 1, facing within 60 degrees of a normal.
@@ -63,7 +63,7 @@ bool meets(const Vec3f& origin, const Vec3f& direction, const Vec3f& center, con
     return (origin + t * direction - center).squaredNorm() < radius * radius;
 }
 
-TEST(MergeDisc, RaysMeetWhatIsScatteredAsOftenAsBefore) {
+TEST(MergeDisc, RaysHitScatteredDiscsAsOftenAsBefore) {
     std::mt19937 random(1);
     std::uniform_real_distribution<float> uniform(-2, 2);
     std::normal_distribution<float> normal;
@@ -83,7 +83,8 @@ TEST(MergeDisc, RaysMeetWhatIsScatteredAsOftenAsBefore) {
                 now += meets(origin, direction, merged.position, merged.normal, merged.radius);
             }
         }
-        EXPECT_NEAR(now, before, 0.1 * before) << count << " of radius " << radius; // the sum of areas: 7 to 20% more
+        EXPECT_NEAR(now, before, 0.1 * before)
+            << count << " of radius " << radius; // with the sum of areas: 7 to 20% more
     }
 }
 
@@ -122,7 +123,7 @@ TEST(MergeDisc, SticksAreSplit) {
     EXPECT_EQ(sizes, (std::vector<std::uint32_t>{4}));
 }
 
-/// Normals of no side: the mean of a normal and its opposite is either.
+/// Unoriented normals: the mean of a normal and its opposite is either of them.
 TEST(MergeDisc, AxesDoNotCancel) {
     const Vec3f up(0, 0, 1);
     const MergeDiscs discs{{{0, 0, 0}, {1, 0, 0}}, {up, -up}, {1, 1}};

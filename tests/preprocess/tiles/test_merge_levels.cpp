@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Levels of surfaces and of foliage: what was closed stays closed, and no shadow fades or swells.
+// Levels of surfaces and foliage: closed surfaces stay closed, and shadows keep their density.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 #include "preprocess/tiles/merge_disc.h"
 #include "preprocess/tiles/merge_tile.h"
-#include "preprocess/tiles/take_splats.h"
+#include "preprocess/tiles/select_splats.h"
 #include "tests/support/splat_scenes.h"
 
 namespace pointrt::test {
@@ -43,7 +43,7 @@ Level finest(const Splats& splats, const std::vector<Attribute>& attributes = {}
         const std::vector<PositionCode> codes = codesOf(set, key, splats);
         std::vector<std::uint8_t> kept(codes.size());
         std::transform(codes.begin(), codes.end(), kept.begin(), [](const auto& code) { return isInCore(code); });
-        TileSplats taken = takeSplats(splats, attributes, codes, kept, set.edge);
+        TileSplats taken = selectSplats(splats, attributes, codes, kept, set.edge);
         if (!taken.positions.empty()) level.tiles.emplace_back(key, std::move(taken));
     }
     return level;
@@ -89,7 +89,7 @@ bool meets(const Ray& ray, const MergeDiscs& discs) {
     return false;
 }
 
-double shareThatMeets(const std::vector<Ray>& rays, const MergeDiscs& discs) {
+double shareOfHits(const std::vector<Ray>& rays, const MergeDiscs& discs) {
     std::size_t met = 0;
     for (const Ray& ray : rays) met += meets(ray, discs);
     return static_cast<double>(met) / static_cast<double>(rays.size());
@@ -100,7 +100,7 @@ Vec3f randomDirection(std::mt19937& random) {
     return Vec3f(normal(random), normal(random), normal(random)).normalized();
 }
 
-/// Rays through points of a disc that turns to them.
+/// Parallel rays through points of a disc that faces them.
 std::vector<Ray> raysThrough(const Vec3f& center, float radius, std::size_t count) {
     std::mt19937 random(11);
     std::uniform_real_distribution<float> share(0, 1);
@@ -113,7 +113,7 @@ std::vector<Ray> raysThrough(const Vec3f& center, float radius, std::size_t coun
     return rays;
 }
 
-/// A plane turned against the lattice, sampled at random: between its discs there is no hole on any level.
+/// A plane at an angle to the lattice, sampled at random: its discs leave no hole on any level.
 TEST(MergeLevels, APlaneStaysCovered) {
     const Vec3f center(0.5f, 0.5f, 0.5f), u(0.3f, 0.1f, 0.05f), v(-0.12f, 0.28f, 0.1f);
     std::mt19937 random(5);
@@ -129,27 +129,27 @@ TEST(MergeLevels, APlaneStaysCovered) {
         rays.push_back({through - 2 * direction, direction});
     }
     Level level = finest(plane);
-    ASSERT_EQ(shareThatMeets(rays, discsOf(level)), 1);
+    ASSERT_EQ(shareOfHits(rays, discsOf(level)), 1);
     std::size_t finer = level.count();
     for (std::uint32_t k = 1; k <= kTop; ++k) {
         level = mergeLevel(level);
-        EXPECT_EQ(shareThatMeets(rays, discsOf(level)), 1) << "level " << k;
+        EXPECT_EQ(shareOfHits(rays, discsOf(level)), 1) << "level " << k;
         EXPECT_NEAR(static_cast<double>(level.count()) / static_cast<double>(finer), 0.25, 0.06) << "level " << k;
         finer = level.count();
     }
 }
 
-TEST(MergeLevels, ASphereKeepsItsSizeAndItsErrorTellsHowFarItIs) {
+TEST(MergeLevels, ASphereKeepsItsSizeAndErrorBoundsTheDistance) {
     const Vec3f center(0.47f, 0.52f, 0.5f);
     constexpr float kRadius = 0.35f;
     Level level = finest(sphereSplats(20000, center, kRadius, 1.0f));
     const std::vector<Ray> rays = raysThrough(center, 1.3f * kRadius, 4000);
-    const double before = shareThatMeets(rays, discsOf(level));
+    const double before = shareOfHits(rays, discsOf(level));
     EXPECT_NEAR(before, 1 / (1.3 * 1.3), 0.02);
     for (std::uint32_t k = 1; k <= kTop; ++k) {
         level = mergeLevel(level);
         const MergeDiscs discs = discsOf(level);
-        EXPECT_NEAR(shareThatMeets(rays, discs) / before, 1, 0.02 * std::exp2(k - 1)) << "level " << k;
+        EXPECT_NEAR(shareOfHits(rays, discs) / before, 1, 0.02 * std::exp2(k - 1)) << "level " << k;
         double off = 0, error = 0, spacing = 0;
         for (const Vec3f& each : discs.positions)
             off = std::max(off, std::abs(double((each - center).norm()) - kRadius));
@@ -159,12 +159,12 @@ TEST(MergeLevels, ASphereKeepsItsSizeAndItsErrorTellsHowFarItIs) {
             EXPECT_GE(splats.error, splats.spacing / 4);
         }
         EXPECT_LT(off, error) << "level " << k;
-        EXPECT_LT(error, 2 * spacing) << "level " << k; // no more than that, or viewers refine for nothing
+        EXPECT_LT(error, 2 * spacing) << "level " << k; // a larger error would make viewers refine needlessly
     }
 }
 
-/// Leaves of a tree, turned every way, in a ball: so much light comes through on every level.
-TEST(MergeLevels, FoliageNeitherFadesNorSwells) {
+/// Leaves of a tree at random orientations in a ball: every level transmits the same light.
+TEST(MergeLevels, FoliageKeepsItsTransmittance) {
     std::mt19937 random(17);
     std::uniform_real_distribution<float> both(-1, 1), size(0.7f, 1.3f);
     Splats leaves;
@@ -181,16 +181,16 @@ TEST(MergeLevels, FoliageNeitherFadesNorSwells) {
     leaves.input_count = 16000;
     const std::vector<Ray> rays = raysThrough(center, 0.8f * kRadius, 6000);
     Level level = finest(leaves);
-    const double before = 1 - shareThatMeets(rays, discsOf(level));
+    const double before = 1 - shareOfHits(rays, discsOf(level));
     EXPECT_GT(before, 0.05);
     EXPECT_LT(before, 0.6);
     for (std::uint32_t k = 1; k <= 2; ++k) {
         level = mergeLevel(level);
-        EXPECT_NEAR(1 - shareThatMeets(rays, discsOf(level)), before, 0.04) << "level " << k;
+        EXPECT_NEAR(1 - shareOfHits(rays, discsOf(level)), before, 0.04) << "level " << k;
     }
 }
 
-/// Two sheets back to back, nearer than the cells are wide: both are there on every level.
+/// Two sheets back to back, closer than the width of cells: both remain on every level.
 TEST(MergeLevels, SidesOfAPlateStayApart) {
     const Splats front = squareSplats(80, {0.5f, 0.5f, 0.5f}, {0.4f, 0, 0}, {0, 0.4f, 0});
     const Splats back = squareSplats(80, {0.5f, 0.5f, 0.499f}, {0, 0.4f, 0}, {0.4f, 0, 0});
@@ -208,7 +208,7 @@ TEST(MergeLevels, SidesOfAPlateStayApart) {
     }
 }
 
-TEST(MergeLevels, TheRootHasNoMoreThanAskedFor) {
+TEST(MergeLevels, TheRootRespectsTheLimit) {
     const Level level = finest(sphereSplats(20000, {0.5f, 0.5f, 0.5f}, 0.35f));
     std::vector<MergeChild> children;
     for (const auto& [key, splats] : level.tiles)

@@ -41,7 +41,7 @@ TEST(MergeValues, NumbersAreMeansByArea) {
     EXPECT_FLOAT_EQ(pair[1], 2);
 }
 
-TEST(MergeValues, ClassesAndNumbersOfThingsAreThoseOfTheLargestArea) {
+TEST(MergeValues, CategoricalValuesAreThoseOfTheLargestArea) {
     EXPECT_EQ(merged<std::uint8_t>(attribute<std::uint8_t>("classification", Scalar::kU8, {2, 2, 6})).front(), 6);
     EXPECT_EQ(merged<std::uint8_t>(attribute<std::uint8_t>("classification", Scalar::kU8, {6, 2, 9})).front(), 9);
     EXPECT_EQ(merged<std::uint16_t>(attribute<std::uint16_t>("point_source_id", Scalar::kU16, {500, 9, 500})).front(),
@@ -50,7 +50,7 @@ TEST(MergeValues, ClassesAndNumbersOfThingsAreThoseOfTheLargestArea) {
               1ull << 63);
 }
 
-TEST(MergeValues, WhatIsNoNumberDoesNotCount) {
+TEST(MergeValues, NaNIsIgnored) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     EXPECT_FLOAT_EQ(merged<float>(attribute<float>("heat", Scalar::kF32, {nan, 3, 6})).front(), 5);
     EXPECT_TRUE(std::isnan(merged<float>(attribute<float>("heat", Scalar::kF32, {nan, nan, nan})).front()));

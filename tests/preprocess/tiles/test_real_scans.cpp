@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Real scans, where there are some (POINTRT_DATA): what a set's only bucket holds is what a bake of one file reads.
+// Real scans (POINTRT_DATA): the only bucket of a set holds the points that a bake of one file reads.
 #include <algorithm>
 #include <cstdlib>
 #include <set>
@@ -13,13 +13,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the second differs from the first, or "".
+/// The first difference, or "".
 std::string differenceOf(const Cloud& whole, const Cloud& bucket) {
     if (whole.positions.size() != bucket.positions.size()) return "points";
     for (std::size_t i = 0; i < whole.positions.size(); ++i) {
         const Vec3d a = whole.origin + whole.positions[i].cast<double>();
         const Vec3d b = bucket.origin + bucket.positions[i].cast<double>();
-        // both are floats, of places up to so far from their origins
+        // both are floats, at up to this distance from their origins
         const double reach = double(whole.positions[i].cwiseAbs().maxCoeff() + bucket.positions[i].maxCoeff());
         if (!((a - b).cwiseAbs().maxCoeff() <= 0x1p-23 * reach)) return fmt::format("position {}", i);
     }
@@ -51,7 +51,7 @@ bool isRead(const std::string& name) {
            suffix == ".pts" || suffix == ".csv" || suffix == ".obj" || suffix == ".splat";
 }
 
-/// Of each folder the eight smallest files that are read.
+/// The eight smallest readable files of each folder.
 std::vector<std::string> someScans(const std::string& folder) {
     std::map<std::string, std::set<std::pair<std::uintmax_t, std::string>>> by_folder;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
@@ -66,19 +66,19 @@ std::vector<std::string> someScans(const std::string& folder) {
     return scans;
 }
 
-TEST_F(SetTest, RealScansComeThroughPlanAndSplitAsTheyAre) {
+TEST_F(SetTest, RealScansPassPlanAndSplitUnchanged) {
     const char* const data = std::getenv("POINTRT_DATA");
-    if (!data) GTEST_SKIP() << "POINTRT_DATA names no folder of real scans";
+    if (!data) GTEST_SKIP() << "POINTRT_DATA does not name a folder of real scans";
     std::size_t read = 0;
     for (const std::string& path : someScans(data)) {
         Cloud whole;
         SetRequest request = requestOf({path}, 100'000'000);
-        request.bake.surface.remove_outliers = false; // strays make a tile, too
-        request.up = Vec3d::UnitZ();                  // which is not what is looked at here
+        request.bake.surface.remove_outliers = false; // strays get a tile as well
+        request.up = Vec3d::UnitZ();                  // not tested here
         try {
             whole = readInputs({path}, request.read);
         } catch (const Error&) {
-            continue; // some are wrong on purpose
+            continue; // some are invalid on purpose
         }
         if (whole.positions.size() < 3 || whole.positions.size() > 500'000) continue;
         request.bake.surface.orient = OrientMode::kNone;

@@ -111,7 +111,7 @@ TEST(SplatFile, RefusesAnyDamage) {
     EXPECT_THROW(open(good + std::string(8, '\0')), Error);
 }
 
-TEST(SplatFile, RefusesAnotherTiles) {
+TEST(SplatFile, RefusesTheFileOfAnotherTile) {
     const std::string folder = folderWithFile();
     const TileKey other{2, {5, 0, 8}};
     std::filesystem::copy_file(splatFileOf(folder, kTile), splatFileOf(folder, other),

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points in their buckets.
+// Points sorted into buckets.
 #include "preprocess/tiles/split.h"
 
 #include <algorithm>
 #include <cstring>
 
-#include "preprocess/tiles/measure_reach.h"
+#include "preprocess/tiles/measure_neighbor_distance.h"
 #include "set_fixture.h"
 
 namespace pointrt {
@@ -19,7 +19,7 @@ void addRows(const Cloud& cloud, Rows& rows) {
         const Vec3d position = cloud.origin + cloud.positions[i].cast<double>();
         std::uint16_t intensity = 0;
         std::memcpy(&intensity, cloud.attributes[0].values.data() + 2 * i, 2);
-        // text has four digits, and floats of a tile hold more
+        // text has four digits, fewer than floats within a tile
         rows.push_back({std::round(position.x() * 1e4), std::round(position.y() * 1e4), std::round(position.z() * 1e4),
                         double(intensity)});
     }
@@ -49,7 +49,7 @@ TEST_F(SetTest, EveryPointIsInTheBucketOfItsCore) {
     EXPECT_EQ(rows, expected);
 }
 
-TEST_F(SetTest, HalosHaveWhatLiesInTheBox) {
+TEST_F(SetTest, HalosHoldThePointsOfTheBox) {
     const SetPlan plan = splitInto("A.proset", requestOf({writeHill("a.csv", 6000)}));
     std::vector<Vec3d> all;
     for (std::uint32_t tile = 0; tile < plan.tiles.size(); ++tile) {
@@ -80,7 +80,7 @@ TEST_F(SetTest, ThreadsDoNotMatter) {
 
 struct Killed {};
 
-TEST_F(SetTest, AKilledSplitGoesOnToTheSameBytes) {
+TEST_F(SetTest, AKilledSplitResumesToTheSameBytes) {
     std::vector<std::string> inputs;
     for (int i = 0; i < 5; ++i) inputs.push_back(writeHill(fmt::format("{}.csv", i), 2000, 20 * i));
     const SetRequest request = requestOf(inputs);
@@ -92,7 +92,7 @@ TEST_F(SetTest, AKilledSplitGoesOnToTheSameBytes) {
     SplitOptions options;
     options.points_between_marks = 2000;
     std::size_t first_file = 0;
-    for (int kill = 1; kill <= 4; ++kill) { // once in each file but the first
+    for (int kill = 1; kill <= 4; ++kill) { // once in each file except the first
         first_file = 100;
         EXPECT_THROW(splitPoints(
                          plan, other,
@@ -102,7 +102,7 @@ TEST_F(SetTest, AKilledSplitGoesOnToTheSameBytes) {
                          },
                          options),
                      Killed);
-        EXPECT_EQ(first_file, std::size_t(kill - 1)) << "it goes on where it was";
+        EXPECT_EQ(first_file, std::size_t(kill - 1)) << "it resumes where it was";
         EXPECT_FALSE(isSplit(plan));
     }
     splitPoints(plan, other, {}, options);
@@ -110,11 +110,11 @@ TEST_F(SetTest, AKilledSplitGoesOnToTheSameBytes) {
     EXPECT_EQ(bucketsOf(plan), undisturbed);
 }
 
-TEST_F(SetTest, WhatAnInterruptedEndLeavesIsTakenUp) {
+TEST_F(SetTest, AnInterruptedFinishIsResumed) {
     const SetRequest request = requestOf({writeHill("a.csv", 4000)});
     SetPlan plan = splitInto("A.proset", request);
     const auto whole = bucketsOf(plan);
-    // as if killed while buckets got their names: one has it, one has its trailer, the mark of the end is not there
+    // as if killed while buckets were renamed: one is renamed, one has its trailer, the final mark is missing
     std::vector<std::uint64_t> bytes;
     for (const PlanTile& tile : plan.tiles) bytes.push_back(std::filesystem::file_size(bucketFile(plan, tile)) - 32);
     std::string list;
@@ -124,11 +124,11 @@ TEST_F(SetTest, WhatAnInterruptedEndLeavesIsTakenUp) {
     std::filesystem::remove(splitMark(plan));
     const std::string second = bucketFile(plan, plan.tiles[1]);
     std::filesystem::rename(second, second + ".part");
-    splitPoints(plan, request, [](const ReadStatus&) { FAIL() << "nothing is to be read"; });
+    splitPoints(plan, request, [](const ReadStatus&) { FAIL() << "nothing needs to be read"; });
     EXPECT_EQ(bucketsOf(plan), whole);
 }
 
-TEST_F(SetTest, DamagedBucketsAreToldInALine) {
+TEST_F(SetTest, DamagedBucketsAreReportedInOneLine) {
     const SetPlan plan = splitInto("A.proset", requestOf({writeHill("a.csv", 3000)}));
     const std::string path = bucketFile(plan, plan.tiles[0]), whole = bytesOf(path);
     const auto reason = [&] { return reasonOf([&] { readBucket(plan, 0); }, ExitCode::kBadInput); };
@@ -137,14 +137,14 @@ TEST_F(SetTest, DamagedBucketsAreToldInALine) {
     std::ofstream(path, std::ios::binary) << bytes;
     EXPECT_NE(reason().find("is damaged"), std::string::npos);
     std::ofstream(path, std::ios::binary) << whole.substr(0, whole.size() - 1);
-    EXPECT_NE(reason().find("is not the bucket of"), std::string::npos);
+    EXPECT_NE(reason().find("does not match the plan"), std::string::npos);
     std::ofstream(path, std::ios::binary) << whole.substr(0, 5);
-    EXPECT_NE(reason().find("cut short"), std::string::npos);
+    EXPECT_NE(reason().find("truncated"), std::string::npos);
     std::filesystem::remove(path);
     EXPECT_NE(reason().find(path), std::string::npos);
 }
 
-/// Points of a plane a unit apart, off it by up to `off` to both sides, evenly spread.
+/// Points of a plane one unit apart, with uniform noise of up to `off` on both sides.
 std::string noisyPlane(double corner, double off) {
     std::string text;
     for (std::uint64_t i = 0; i < 10'000; ++i)
@@ -158,33 +158,34 @@ TEST_F(SetTest, NoiseIsMeasuredOfEachScan) {
     const SetRequest request = requestOf(
         {folder.write("clean.xyz", noisyPlane(0, 0.001)), folder.write("noisy.xyz", noisyPlane(100, 0.5))}, 20'000);
     const SetPlan plan = readPlan(splitInto("A.proset", request).work);
-    ASSERT_EQ(plan.traits.noise.size(), 2u);
-    EXPECT_LT(plan.traits.noise[0], 0.01);
-    EXPECT_NEAR(plan.traits.noise[1], 0.5 / std::sqrt(3.0), 0.1); // the deviation of an even spread
+    ASSERT_EQ(plan.statistics.noise.size(), 2u);
+    EXPECT_LT(plan.statistics.noise[0], 0.01);
+    EXPECT_NEAR(plan.statistics.noise[1], 0.5 / std::sqrt(3.0),
+                0.1); // the standard deviation of a uniform distribution
     SetRequest unclean = request;
     unclean.bake.surface.clean = 0;
-    EXPECT_TRUE(readPlan(splitInto("B.proset", unclean).work).traits.noise.empty());
+    EXPECT_TRUE(readPlan(splitInto("B.proset", unclean).work).statistics.noise.empty());
 }
 
-/// Of sets so large that not every tile is asked, however few their tiles are.
-TEST_F(SetTest, HowFarPointsReachIsToldByATileAtLeast) {
+/// Sets with so many points that not every tile is sampled.
+TEST_F(SetTest, NeighborDistanceSamplesAtLeastOneTile) {
     SetPlan plan = splitInto("A.proset", requestOf({writeHill("a.csv", 4000)}));
-    const std::optional<float> all = measureReach(plan);
+    const std::optional<float> all = measureNeighborDistance(plan);
     ASSERT_TRUE(all);
-    plan.points = 3'200'000'000; // every hundredth
+    plan.points = 3'200'000'000; // every hundredth tile
     ASSERT_LT(plan.tiles.size(), 50u);
-    const std::optional<float> some = measureReach(plan);
+    const std::optional<float> some = measureNeighborDistance(plan);
     ASSERT_TRUE(some);
     EXPECT_NEAR(*some, *all, 0.2f * *all);
 }
 
-TEST_F(SetTest, InputsThatChangeBetweenReadingsAreToldInALine) {
+TEST_F(SetTest, InputsThatChangeBetweenPassesAreReportedInOneLine) {
     const SetRequest request = requestOf({writeHill("a.csv", 3000)});
     SetPlan plan = makePlan(request);
     std::filesystem::create_directories(plan.work);
     writeHill("a.csv", 2999);
     const std::string reason = reasonOf([&] { splitPoints(plan, request); }, ExitCode::kBadInput);
-    EXPECT_NE(reason.find("had other points when the plan was made"), std::string::npos);
+    EXPECT_NE(reason.find("have changed since the plan was made"), std::string::npos);
 }
 
 } // namespace

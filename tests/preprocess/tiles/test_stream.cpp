@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Batches hold what a reading of everything at once does.
+// Batches hold the same points as reading everything at once.
 #include "preprocess/input/stream.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace pointrt {
 namespace {
 
-/// All batches of a second reading, one after the other.
+/// Concatenates all batches of a second pass.
 struct Collected {
     std::vector<Vec3d> positions;
     std::vector<Rgb8> colors;
@@ -32,7 +32,7 @@ struct Collected {
     }
 };
 
-/// Colours of 16 bits whose largest values come late, an attribute that only one file has.
+/// 16-bit colours whose largest values come late, and an attribute that only one file has.
 std::vector<std::string> colouredFiles(const test::TemporaryFolder& folder) {
     std::string first = "x,y,z,red,green,blue,reading\n", second = "x,y,z,red,green,blue\n";
     for (int i = 0; i < 1000; ++i) {
@@ -42,7 +42,7 @@ std::vector<std::string> colouredFiles(const test::TemporaryFolder& folder) {
     return {folder.write("first.csv", first), folder.write("second.csv", second)};
 }
 
-TEST_F(SetTest, BatchesAreAReadingOfAllAtOnce) {
+TEST_F(SetTest, BatchesEqualReadingAtOnce) {
     const std::vector<std::string> files = colouredFiles(folder);
     StreamOptions options;
     options.batch_points = 64;
@@ -52,7 +52,7 @@ TEST_F(SetTest, BatchesAreAReadingOfAllAtOnce) {
     EXPECT_EQ(largest, 64u);
     EXPECT_EQ(found.scan_points, (std::vector<std::uint64_t>{1000, 1000}));
     EXPECT_EQ(found.largest_color, (std::vector<float>{40'000, 255}));
-    options.known = &found;
+    options.first_pass = &found;
     Collected batches;
     readInBatches(files, options, [&](const PointBatch& batch) { batches.add(batch); });
 
@@ -63,16 +63,16 @@ TEST_F(SetTest, BatchesAreAReadingOfAllAtOnce) {
     EXPECT_EQ(batches.colors, whole.colors);
     EXPECT_EQ(batches.scans.front(), 0u);
     EXPECT_EQ(batches.scans.back(), 1u);
-    ASSERT_EQ(found.cloud.attributes.size(), 1u); // the number of the scan is for others to add
+    ASSERT_EQ(found.cloud.attributes.size(), 1u); // the scan number is added elsewhere
     ASSERT_EQ(whole.attributes.front().name, "reading");
 }
 
-TEST_F(SetTest, AReadingGoesOnAfterAnyFile) {
+TEST_F(SetTest, AReadingResumesAfterAnyFile) {
     const std::vector<std::string> files = colouredFiles(folder);
     StreamOptions options;
-    options.read.filter.every = 3; // which counts on from file to file
+    options.read.filter.every = 3; // counts across files
     const StreamFindings found = readInBatches(files, options, [](const PointBatch&) {});
-    options.known = &found;
+    options.first_pass = &found;
     Collected all, rest;
     std::vector<StreamPlace> places;
     options.file_done = [&](const StreamPlace& place) { places.push_back(place); };
@@ -86,7 +86,7 @@ TEST_F(SetTest, AReadingGoesOnAfterAnyFile) {
     EXPECT_EQ(rest.scans.front(), 1u);
 }
 
-TEST_F(SetTest, AMeshIsReadByItselfWhereItIsSmall) {
+TEST_F(SetTest, SmallMeshesAreReadAtOnce) {
     const std::string ball = folder.write("quad.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
                                                       "property float y\nproperty float z\nelement face 2\n"
                                                       "property list uchar int vertex_indices\nend_header\n"
@@ -107,7 +107,7 @@ TEST_F(SetTest, AMeshIsReadByItselfWhereItIsSmall) {
     options.largest_whole_file = 10;
     const std::string reason =
         reasonOf([&] { readInBatches({ball}, options, [](const PointBatch&) {}); }, ExitCode::kBadInput);
-    EXPECT_NE(reason.find("quad.ply: is read as a whole"), std::string::npos) << reason;
+    EXPECT_NE(reason.find("quad.ply: must be read at once"), std::string::npos) << reason;
 }
 
 } // namespace

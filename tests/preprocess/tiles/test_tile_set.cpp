@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole sets of surfaces that are known: what stands in which tile, to the bit.
+// Complete sets of known surfaces: the exact contents of each tile.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@
 namespace pointrt::test {
 namespace {
 
-/// Input coordinates, to the bit, and the words behind the position.
+/// Input coordinates, exact, and the words after the position.
 struct StoredSplat {
     std::array<double, 3> position;
     std::uint32_t normal_word, color_word;
@@ -94,7 +94,7 @@ CloudSet makeScene(double edge, const std::string& name) {
     return writeCloudSet(folder, splats, {numbers}, options);
 }
 
-TEST(TileSetMaking, ReadsBackAndItsTilesAreWhole) {
+TEST(TileSetMaking, ReadsBackWithCompleteTiles) {
     const CloudSet made = makeScene(1, "whole.proset");
     const TileSet read = readTileSet(made.folders.set);
     ASSERT_EQ(read.tiles.size(), made.set.tiles.size());
@@ -110,7 +110,7 @@ TEST(TileSetMaking, ReadsBackAndItsTilesAreWhole) {
     EXPECT_EQ(read.attributes[0].high, 80.0 * 80 + 4000 - 1);
 }
 
-/// The rule of the set: bits are equal, so that a surface does not change where tiles meet.
+/// Repeated splats are bit-identical, so that a surface does not change between tiles.
 TEST(TileSetMaking, EveryRepeatIsANeighborsOwnToTheBit) {
     const std::vector<StoredTile> tiles = loadAll(makeScene(0.5, "repeats.proset"));
     for (std::uint32_t level = 0; level < 3; ++level) {
@@ -148,7 +148,7 @@ TEST(TileSetMaking, CoresHoldEverySplatOnce) {
         if (!tile.row.isOriginal()) continue;
         for (const StoredSplat& splat : tile.own) {
             const auto found = places.find(placeOf({splat.position[0], splat.position[1], splat.position[2]}));
-            ASSERT_NE(found, places.end()) << "not there, or there twice";
+            ASSERT_NE(found, places.end()) << "missing, or present twice";
             const std::size_t i = found->second;
             EXPECT_GE(splat.radius, 0.99999 * splats.radii[i]); // codes are rounded up
             EXPECT_LE(splat.radius, 1.02 * splats.radii[i]);
@@ -170,7 +170,7 @@ TileBox grown(TileBox box, double by) {
     return box;
 }
 
-/// A random place within a radius of a splat's slab.
+/// A random position within one radius of a splat's slab.
 std::array<double, 3> placeNear(const StoredSplat& splat, std::mt19937& random) {
     std::uniform_real_distribution<double> both(-1, 1);
     const Vec3d normal = normalOf(splat.normal_word).cast<double>();
@@ -184,8 +184,8 @@ std::array<double, 3> placeNear(const StoredSplat& splat, std::mt19937& random) 
     return {splat.position[0] + way.x(), splat.position[1] + way.y(), splat.position[2] + way.z()};
 }
 
-/// Whatever comes to within a radius of its own of a core, somewhere, is in that core's tile.
-TEST(TileSetMaking, NothingThatReachesACoreIsMissing) {
+/// A splat whose slab comes within one radius of a core is in that core's tile.
+TEST(TileSetMaking, EverySplatNearACoreIsInItsTile) {
     const CloudSet made = makeScene(0.5, "reach.proset");
     const std::vector<StoredTile> tiles = loadAll(made);
     std::mt19937 random(7);
@@ -208,8 +208,8 @@ TEST(TileSetMaking, NothingThatReachesACoreIsMissing) {
     EXPECT_GT(needed, 1000u);
 }
 
-/// Tiles of two levels side by side: the finer one holds the coarser one's splats on its own lattice.
-TEST(TileSetMaking, OtherLevelsSplatsAreCodedAnew) {
+/// Adjacent tiles of two levels: the finer one codes the coarser one's splats on its own lattice.
+TEST(TileSetMaking, SplatsOfOtherLevelsAreRecoded) {
     const TileKey coarse{1, {0, 0, 0}}, fine{0, {2, 0, 0}};
     TileSplats left, right;
     for (std::int32_t k = 0; k < 50; ++k) {

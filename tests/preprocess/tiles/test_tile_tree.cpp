@@ -26,13 +26,13 @@ TEST(TileTree, ParentsUpToOneRoot) {
     EXPECT_TRUE(tree.childrenOf({1, {0, 0, 0}}).empty());
 }
 
-TEST(TileTree, OriginalNeighborsAreThoseThatStandThere) {
+TEST(TileTree, OriginalNeighborsAreExistingTiles) {
     const TileTree tree(mixedOriginals());
-    // the fine tiles at its corner and, of its upper and right neighbours, all
+    // the fine tiles at its corner, and its upper and right neighbours
     const std::vector<TileKey> around_corner = tree.neighborsOf({1, {0, 0, 0}});
     EXPECT_EQ(around_corner, (std::vector<TileKey>{{1, {1, 0, 0}}, {1, {0, 1, 0}}, {0, {2, 2, 0}}}));
-    EXPECT_EQ(tree.neighborsOf({0, {2, 2, 0}}).size(), 6u); // three coarse ones and its three brothers
-    EXPECT_EQ(tree.neighborsOf({0, {3, 3, 0}}).size(), 3u); // no coarse one is beside it
+    EXPECT_EQ(tree.neighborsOf({0, {2, 2, 0}}).size(), 6u); // three coarse ones and its three siblings
+    EXPECT_EQ(tree.neighborsOf({0, {3, 3, 0}}).size(), 3u); // no coarse neighbour
 }
 
 TEST(TileTree, MergedNeighborsAreThoseOfTheirLevel) {
@@ -41,7 +41,7 @@ TEST(TileTree, MergedNeighborsAreThoseOfTheirLevel) {
     EXPECT_TRUE(tree.neighborsOf(tree.root()).empty());
 }
 
-TEST(TileTree, FindsWhoHoldsAPosition) {
+TEST(TileTree, FindsTheTileOfAPosition) {
     const TileTree tree(mixedOriginals());
     const TileKey tile{1, {1, 0, 0}};
     EXPECT_EQ(tree.originalAt(tile, {5, 5, 5}), tile);
@@ -58,7 +58,7 @@ TEST(TileTree, OneTileIsItsOwnRoot) {
     EXPECT_TRUE(tree.isOriginal(tree.root()));
 }
 
-TEST(TileTree, CellsBelowZeroNeverMeetTheOthers) {
+TEST(TileTree, NegativeCellsHaveNoCommonAncestorWithOthers) {
     const std::vector<TileKey> both_sides{{0, {-1, 0, 0}}, {0, {0, 0, 0}}};
     EXPECT_THROW(TileTree{both_sides}, Error);
 }

@@ -38,7 +38,7 @@ TileTree twoTiles(const std::string& folder, const std::vector<float>& radii) {
     return TileTree({left, right});
 }
 
-TEST_F(SetTest, TheWidestRadiusIsThatOfAllTilesToTheBit) {
+TEST_F(SetTest, TheWidestRadiusIsExact) {
     const std::string splats = folder.file("widest.splats");
     std::mt19937 random(5);
     std::normal_distribution<float> octaves(0, 2);
@@ -47,17 +47,17 @@ TEST_F(SetTest, TheWidestRadiusIsThatOfAllTilesToTheBit) {
     const TileTree tree = twoTiles(splats, radii);
     const float widest = findWidestRadius(tree, splats);
     EXPECT_EQ(widest, surface::radiusLimit(radii));
-    // and once more where they have been limited
+    // and once more with limited radii
     for (float& radius : radii) radius = std::min(radius, widest);
     EXPECT_EQ(findWidestRadius(twoTiles(splats, radii), splats), widest);
 }
 
-TEST_F(SetTest, FewSplatsTellNoWidestRadius) {
+TEST_F(SetTest, FewSplatsHaveNoWidestRadius) {
     const std::string splats = folder.file("few.splats");
     EXPECT_TRUE(std::isinf(findWidestRadius(twoTiles(splats, std::vector<float>(9999, 1.0f)), splats)));
 }
 
-/// A hill of 30,000 points, and 25 that lie ten times as far apart beside it.
+/// A hill of 30,000 points, and beside it 25 points ten times as far apart.
 TEST_F(SetTest, DiscsOfASetAreAsWideAsThoseOfItsFile) {
     const std::string hill = writeHill("hill.csv", 30000);
     std::string sparse = "x,y,z,intensity\n";
@@ -69,8 +69,8 @@ TEST_F(SetTest, DiscsOfASetAreAsWideAsThoseOfItsFile) {
     const Splats whole = estimateSplats(readInputs(request.inputs, {}), request.bake.surface, report);
     const float of_file = *std::max_element(whole.radii.begin(), whole.radii.end());
     const float of_set = widestRadius(plan, treeOf(plan));
-    EXPECT_NEAR(of_set, of_file, 0.02 * of_file); // one splat more or less, and radii that far apart are the next ones
-    EXPECT_EQ(widestRadius(plan, treeOf(plan)), of_set); // as it was taken down
+    EXPECT_NEAR(of_set, of_file, 0.02 * of_file);        // one splat more or less moves the limit to the next radius
+    EXPECT_EQ(widestRadius(plan, treeOf(plan)), of_set); // as stored
 }
 
 } // namespace

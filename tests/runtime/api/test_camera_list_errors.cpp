@@ -45,39 +45,38 @@ const std::string kLens = R"("w": 64, "h": 48, "fl_x": 50)";
 
 TEST_F(CameraListErrors, OfFiles) {
     expectRefused("nothing.json", ": No such file or directory");
-    expectRefused("", "has neither transforms.json nor COLMAP's");
+    expectRefused("", "has neither transforms.json nor a COLMAP model");
     folder.write("list.csv", "1");
-    expectRefused("list.csv", "cameras are in a transforms.json, or in COLMAP's");
+    expectRefused("list.csv", "not a list of cameras; use transforms.json or COLMAP's");
     folder.write("images.txt", kColmapImages);
-    expectRefused("", "cameras.txt: No such file or directory; COLMAP's models have both");
+    expectRefused("", "cameras.txt: No such file or directory; a COLMAP model needs both files");
 }
 
 TEST_F(CameraListErrors, OfColmapsText) {
     const std::string good = "1 PINHOLE 640 480 500 510 320 240\n", image = "1 " + kColmapPose + " 1 a.png\n\n";
-    expectColmap("1 LENS 640 480 1\n", image, "cameras.txt:1: LENS is no camera model");
+    expectColmap("1 LENS 640 480 1\n", image, "cameras.txt:1: LENS is not a COLMAP camera model");
     expectColmap("# x\n1 PINHOLE 640 480 500 510 320\n", image, "cameras.txt:2: parameter of the model is missing");
     expectColmap("1 PINHOLE 640 wide 500 510 320 240\n", image, "cameras.txt:1: wide is no HEIGHT");
-    expectColmap(good + good, image, "cameras.txt:2: camera 1 is there twice");
-    expectColmap(good, "1 " + kColmapPose + " 2 a.png\n\n", "images.txt:1: there is no camera 2");
+    expectColmap(good + good, image, "cameras.txt:2: camera 1 is defined twice");
+    expectColmap(good, "1 " + kColmapPose + " 2 a.png\n\n", "images.txt:1: camera 2 is not in the file of cameras");
     expectColmap(good, "1 " + kColmapPose + " 1\n\n", "images.txt:1: NAME is missing");
-    expectColmap(good, image + "2 0 0 0 0 1 2 3 1 b.png\n\n", "images.txt:3: its quaternion has no length");
+    expectColmap(good, image + "2 0 0 0 0 1 2 3 1 b.png\n\n", "images.txt:3: its quaternion is zero");
     expectColmap(good, "1 x 0 0 0 1 2 3 1 b.png\n\n", "images.txt:1: x is no part of the quaternion");
-    expectColmap(good, "# nothing\n", "images.txt: has no cameras with pictures");
+    expectColmap(good, "# nothing\n", "images.txt: contains no cameras");
     expectColmap("1 OPENCV_FISHEYE 640 480 500 510 320 240 0 0 0 0\n", image,
-                 "images.txt:1: its camera is of the model OPENCV_FISHEYE, which is no pinhole's");
-    expectColmap("1 EQUIRECTANGULAR 640 480 640 480\n", image, "EQUIRECTANGULAR, which is no pinhole's");
+                 "images.txt:1: its camera model is OPENCV_FISHEYE, not a pinhole");
+    expectColmap("1 EQUIRECTANGULAR 640 480 640 480\n", image, "EQUIRECTANGULAR, not a pinhole");
     expectColmap("1 DIVISION 640 480 500 510 320 240 0.1\n", image, "distortion (DIVISION 0.1)");
     expectColmap("1 PINHOLE 640 480 0 510 320 240\n", image, "images.txt:1: the camera of a.png: its focal lengths");
-    expectColmap("1 PINHOLE 64000 480 500 510 320 240\n", image, "images.txt:1: a picture of 64000 x 480 pixels");
+    expectColmap("1 PINHOLE 64000 480 500 510 320 240\n", image, "images.txt:1: picture size 64000 x 480; each side");
     expectColmap("1 PINHOLE 640 480 500 510 nan 240\n", image, "its principal point is not finite");
 }
 
-TEST_F(CameraListErrors, DistortionIsNotDroppedInSilence) {
+TEST_F(CameraListErrors, DistortionIsRefusedUnlessDropped) {
     const std::string image = "1 " + kColmapPose + " 1 a.png\n\n", lens = "1 SIMPLE_RADIAL 640 480 500 320 240 0.01\n";
-    expectColmap(
-        lens, image,
-        "images.txt:1: the lens has distortion (SIMPLE_RADIAL 0.01), and pictures here have none; --distortion "
-        "drop");
+    expectColmap(lens, image,
+                 "images.txt:1: the lens has distortion (SIMPLE_RADIAL 0.01), which cannot be rendered; --distortion "
+                 "drop");
     EXPECT_EQ(readCameraList(folder.file("images.txt"), {{}, true}).at(0).lens, (PinholeLens{500, 500, 320, 240}));
     expectJson(framed(kLens, ", \"k1\": -0.1, \"p2\": 0.002"), "frame 0: the lens has distortion (k1 -0.1, p2 0.002)");
     EXPECT_EQ(readCameraList(folder.file("transforms.json"), {{}, true}).size(), 1u);
@@ -87,23 +86,24 @@ TEST_F(CameraListErrors, DistortionIsNotDroppedInSilence) {
 
 TEST_F(CameraListErrors, OfTransforms) {
     expectJson("{\"frames\": [", "byte ");
-    expectJson("[]", "has no list \"frames\"");
-    expectJson("{\"frames\": 1}", "has no list \"frames\"");
-    expectJson("{\"frames\": []}", "has no cameras with pictures");
-    expectJson("{\"frames\": [7]}", "frame 0: it is no object");
+    expectJson("[]", "the list \"frames\" is missing");
+    expectJson("{\"frames\": 1}", "the list \"frames\" is missing");
+    expectJson("{\"frames\": []}", "contains no cameras");
+    expectJson("{\"frames\": [7]}", "frame 0: it is not an object");
     expectJson("{\"frames\": [{}]}", "frame 0: file_path is missing");
     expectJson("{\"w\": 4, \"h\": 4, \"fl_x\": 4, \"frames\": [{\"file_path\": \"a\"}]}",
                "frame 0: transform_matrix is missing");
-    expectJson(framed("\"w\": 64, \"h\": 48"), "frame 0: there is neither fl_x nor camera_angle_x");
-    expectJson(framed("\"fl_x\": 50"), "frame 0: there is no w and h; --size WxH");
-    expectJson(framed("\"w\": 64, \"h\": 48.5, \"fl_x\": 50"), "frame 0: h is no number of pixels");
+    expectJson(framed("\"w\": 64, \"h\": 48"), "frame 0: fl_x or camera_angle_x is missing");
+    expectJson(framed("\"fl_x\": 50"), "frame 0: w and h are missing; set the picture size with --size WxH");
+    expectJson(framed("\"w\": 64, \"h\": 48.5, \"fl_x\": 50"), "frame 0: h is not an integer");
     expectJson(framed(kLens + ", \"cx\": \"middle\""), "frame 0: cx is not a number");
-    expectJson(framed(kLens + ", \"camera_model\": \"OPENCV_FISHEYE\""), "camera_model OPENCV_FISHEYE is no pinhole's");
-    expectJson(framed(kLens + ", \"is_fisheye\": true"), "is_fisheye says");
-    expectJson(framed(kLens + ", \"ftheta_p0\": 0.1"), "ftheta_p0 says");
+    expectJson(framed(kLens + ", \"camera_model\": \"OPENCV_FISHEYE\""),
+               "camera_model OPENCV_FISHEYE is not a pinhole");
+    expectJson(framed(kLens + ", \"is_fisheye\": true"), "is_fisheye: not a pinhole");
+    expectJson(framed(kLens + ", \"ftheta_p0\": 0.1"), "ftheta_p0: not a pinhole");
     expectJson(framed(kLens + ", \"applied_scale\": 0.5"), "applied_scale 0.5 is not 1");
     expectJson(framed(kLens + ", \"applied_transform\": [[2, 0, 0, 0], [0, 2, 0, 0], [0, 0, 2, 0]]"),
-               "applied_transform is more than a rotation");
+               "applied_transform is not a rotation");
     const auto matrix = [](const std::string& rows) {
         return "{" + kLens + ", \"frames\": [{\"file_path\": \"a\", \"transform_matrix\": " + rows + "}]}";
     };
@@ -111,7 +111,7 @@ TEST_F(CameraListErrors, OfTransforms) {
     expectJson(matrix("[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, \"1\", 0]]"), "transform_matrix is not 3 or 4 rows");
     expectJson(matrix("[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 2]]"), "last row of transform_matrix");
     expectJson(matrix("[[2, 0, 0, 0], [0, 2, 0, 0], [0, 0, 2, 0]]"), "frame 0: the camera of a: its axes are not");
-    expectJson(matrix("[[-1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]"), "mirror image");
+    expectJson(matrix("[[-1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]"), "its axes are mirrored");
 }
 
 TEST_F(CameraListErrors, EveryPrefixOfBinaryOnes) {
@@ -122,7 +122,7 @@ TEST_F(CameraListErrors, EveryPrefixOfBinaryOnes) {
         expectRefused("images.bin", "cameras.bin: byte ");
     }
     folder.write("cameras.bin", cameras + "x");
-    expectRefused("images.bin", "cameras.bin: byte 64: there is more than it says");
+    expectRefused("images.bin", "cameras.bin: byte 64: extra bytes at the end");
     folder.write("cameras.bin", cameras);
     for (std::size_t size = 0; size < images.size(); ++size) {
         folder.write("images.bin", images.substr(0, size));

@@ -147,17 +147,17 @@ TEST_F(CameraSets, WhatIsRefused) {
     folder.write("bent.json", R"({"fl_x": 50, "w": 40, "h": 30, "k1": 0.1, "frames": [{"file_path": "a",
         "transform_matrix": [[1, 0, 0, 500064], [0, 1, 0, 4500064], [0, 0, 1, 200], [0, 0, 0, 1]]}]})");
     expectRefused(1, "none.json: No such file", "--cameras none.json -o set");
-    expectRefused(1, "far.json: frame 0: the camera of a stands more than 10000", "--cameras far.json -o set");
+    expectRefused(1, "far.json: frame 0: the camera of a is more than 10000", "--cameras far.json -o set");
     expectRefused(1, "bent.json: frame 0: the lens has distortion (k1 0.1)", "--cameras bent.json -o set");
-    expectRefused(2, "--cameras: goes with -o FOLDER", "--cameras list.json");
+    expectRefused(2, "--cameras: needs -o FOLDER", "--cameras list.json");
     expectRefused(2, "--cameras and --eye exclude", "--cameras list.json -o set --eye 1,2,3");
     expectRefused(2, "--cameras and --turntable exclude", "--cameras list.json -o set --turntable 3");
-    expectRefused(2, "\"deph\" is none of rgb, albedo", "--cameras list.json -o set --layers rgb,deph");
+    expectRefused(2, "\"deph\" is not one of rgb, albedo", "--cameras list.json -o set --layers rgb,deph");
     expectRefused(2, "--size: ", "--cameras list.json -o set --size 40x31");
-    expectRefused(2, "go with --cameras", "-o a.png --layers rgb");
+    expectRefused(2, "need --cameras", "-o a.png --layers rgb");
     expectRefused(4, "list.json/set", "--cameras list.json -o list.json/set");
     EXPECT_EQ(run("--cameras bent.json -o set --distortion drop --spp 1 --layers depth"), 0) << text(".err");
-    EXPECT_NE(text(".err").find("the lenses of 1 of 1 cameras are distorted"), std::string::npos);
+    EXPECT_NE(text(".err").find("the lenses of 1 of 1 cameras have distortion"), std::string::npos);
     EXPECT_EQ(run("--cameras set -o set"), 2);
     EXPECT_NE(text(".err").find("would overwrite the list of cameras"), std::string::npos);
 }

@@ -50,13 +50,13 @@ TEST_F(PictureErrors, OfSettings) {
     const auto with = [&](const char* name, const char* text) {
         return [this, name, text] { renderer({{name, text}}); };
     };
-    expectError(Kind::kBadUsage, "integrator: \"radiosity\" is none of phong", with("integrator", "radiosity"));
+    expectError(Kind::kBadUsage, "integrator: \"radiosity\" is not one of phong", with("integrator", "radiosity"));
     expectError(Kind::kBadUsage, "spp: ", with("spp", "0"));
     expectError(Kind::kBadUsage, "staged_for: ", with("staged_for", "1,2"));
     expectError(Kind::kBadUsage, "up: ", with("up", "sideways"));
-    expectError(Kind::kBadUsage, "size: is no setting of pictures; there are ", with("size", "4x4"));
-    expectError(Kind::kBadUsage, "exposure: is no setting", with("exposure", "1"));
-    expectError(Kind::kBadUsage, "output: is no setting", with("output", "a.png"));
+    expectError(Kind::kBadUsage, "size: unknown setting; known settings are ", with("size", "4x4"));
+    expectError(Kind::kBadUsage, "exposure: unknown setting", with("exposure", "1"));
+    expectError(Kind::kBadUsage, "output: unknown setting", with("output", "a.png"));
 }
 
 TEST_F(PictureErrors, OfPictures) {
@@ -64,16 +64,16 @@ TEST_F(PictureErrors, OfPictures) {
     const LookAt whole;
     expectError(Kind::kBadUsage, "0 x 5", [&] { one.render(whole, 0, 5, {"rgba"}); });
     expectError(Kind::kBadUsage, "5 x 16385", [&] { one.render(whole, 5, 16385, {"rgba"}); });
-    expectError(Kind::kBadUsage, "no layer \"Depth\"; they have rgba, depth",
+    expectError(Kind::kBadUsage, "unknown layer \"Depth\"; known layers are rgba, depth",
                 [&] { one.render(whole, 5, 5, {"Depth"}); });
     expectError(Kind::kBadUsage, "no layer \"depth\"", [&] { one.render(whole, 5, 5, {"rgba"}).layer("depth"); });
     const std::array<double, 3> here{500064, 4500064, 200};
     expectError(Kind::kBadUsage, "eye and target", [&] { one.render(LookAt{here, here}, 5, 5, {"rgba"}); });
     expectError(Kind::kBadUsage, "fov: ", [&] { one.render(LookAt{.fov_deg = 180}, 5, 5, {"rgba"}); });
     PinholeCamera camera{5, 5, 2, 2};
-    expectError(Kind::kBadUsage, "camera: it stands more than", [&] { one.render(camera, 5, 5, {"rgba"}); });
+    expectError(Kind::kBadUsage, "camera: it is more than", [&] { one.render(camera, 5, 5, {"rgba"}); });
     camera.world_from_camera[0] = -1;
-    expectError(Kind::kBadUsage, "camera: its axes are a mirror image's", [&] { one.render(camera, 5, 5, {"rgba"}); });
+    expectError(Kind::kBadUsage, "camera: its axes are mirrored", [&] { one.render(camera, 5, 5, {"rgba"}); });
     camera.world_from_camera[15] = 2;
     expectError(Kind::kBadUsage, "last row", [&] { one.render(camera, 5, 5, {"rgba"}); });
 }
@@ -81,7 +81,7 @@ TEST_F(PictureErrors, OfPictures) {
 TEST_F(PictureErrors, GivenUpItGoesOn) {
     PictureRenderer one = renderer({{"spp", "1000"}});
     int asked = 0;
-    expectError(Kind::kCannotRun, "given up",
+    expectError(Kind::kCannotRun, "rendering was cancelled",
                 [&] { one.render(LookAt{}, 64, 64, {"rgba"}, [&] { return ++asked > 3; }); });
     EXPECT_LT(asked, 100);
     const Picture picture = one.render(LookAt{}, 4, 4, {"samples"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A window that closes while tiles are loaded.
+// A window that closes while tiles are loading.
 #include "runtime/window/edit/tile_job.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace pointrt::test {
 namespace {
 
-/// A sphere in eight tiles, of which the root alone is on a device.
+/// A sphere in eight tiles; only the root is resident.
 class TileJobTest : public DeviceFixture {
 protected:
     TileJobTest() {
@@ -27,7 +27,7 @@ protected:
         request_.cameras = {{{-3, 0, 0}, {0, -1, 0}, {0, 0, 1}, {1, 0, 0}, 60, 0}};
         request_.size = {64, 64};
         request_.detail = 0;
-        standTiles(device, scene_, request_); // without memory
+        updateTiles(device, scene_, request_); // without memory
         request_.memory = std::uint64_t{1} << 30;
     }
     ~TileJobTest() override { destroyDeviceScene(device, scene_); }
@@ -37,16 +37,16 @@ protected:
     TileRequest request_;
 };
 
-TEST_F(TileJobTest, WhatComesOfItAfterItWasDroppedLeavesTheDevice) {
-    { TileJob job(device, orderTiles(scene_, request_)); } // goes on with its step
-    // the validation layer tells of what is left behind
+TEST_F(TileJobTest, DroppedJob_DestroysItsTiles) {
+    { TileJob job(device, makeTileLoadRequest(scene_, request_)); } // still loading
+    // the validation layer reports leaks
 }
 
-TEST_F(TileJobTest, WhatNobodyTookLeavesTheDevice) {
-    TileJob job(device, orderTiles(scene_, request_));
+TEST_F(TileJobTest, UntakenTiles_AreDestroyed) {
+    TileJob job(device, makeTileLoadRequest(scene_, request_));
     while (!job.job().ended()) std::this_thread::yield();
     EXPECT_EQ(job.job().state(), JobState::kDone);
-    EXPECT_GT(job.wanted(), 1u);
+    EXPECT_GT(job.targetTiles(), 1u);
 }
 
 } // namespace

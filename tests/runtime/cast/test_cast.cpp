@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The library's casts, against what can be reckoned without it.
+// The library's ray casts against independent calculations.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Hits of some rays, all of their arrays.
+/// Hits of rays, with all arrays.
 struct Hits {
     explicit Hits(std::size_t count)
         : t_hit(count), positions(3 * count), splat_ids(count), instance_ids(count), normals(3 * count) {}
@@ -41,7 +41,7 @@ void addRay(std::vector<double>& rays, Vec3 origin, Vec3 direction) {
     rays.insert(rays.end(), {origin.x, origin.y, origin.z, direction.x, direction.y, direction.z});
 }
 
-/// Each test's messages of the validation layer fail it.
+/// Fails on messages of the validation layer.
 class Cast : public testing::Test {
 protected:
     void TearDown() override { EXPECT_EQ(validationMessages(), messages_); }
@@ -72,12 +72,12 @@ std::vector<double> slantedRays(std::size_t count, const GridPlace& place, doubl
     return rays;
 }
 
-TEST_F(Cast, APlaneAtGridCoordinatesIsWhereItIs) {
+TEST_F(Cast, GridCoordinates_PlaneIsExact) {
     const GridPlace place;
     const std::vector<pro_splat> splats = planeSplats(40, 0.5f);
     const double radius = place.edge * splats[0].radius;
     const TraceScene scene(device, {scan("plane.pro", splats, place)});
-    const double height = place.origin[2] + place.edge * (0.5 + 0.5 * 0x1p-21); // as positions are stored
+    const double height = place.origin[2] + place.edge * (0.5 + 0.5 * 0x1p-21); // by the quantisation of positions
     const std::vector<double> rays = slantedRays(5000, place, height);
     const Hits hits = cast(scene, rays);
     for (std::size_t i = 0; i < hits.t_hit.size(); ++i) {
@@ -92,7 +92,7 @@ TEST_F(Cast, APlaneAtGridCoordinatesIsWhereItIs) {
     }
 }
 
-/// In doubles, of the splats as they are stored.
+/// In doubles, from the quantised splats.
 struct Disc {
     Vec3 center, normal;
     double radius = 0;
@@ -116,7 +116,7 @@ double meet(const Disc& disc, Vec3 origin, Vec3 direction) {
     return dot(disc.normal, disc.center - origin) / dot(disc.normal, direction);
 }
 
-TEST_F(Cast, ASphereAtGridCoordinatesIsItsDiscsAndNearlyItself) {
+TEST_F(Cast, GridCoordinates_SphereIsItsDiscs) {
     const GridPlace place;
     const float radius = 0.4f;
     const std::string path = scan("sphere.pro", sphereSplats(6000, radius), place);
@@ -139,9 +139,8 @@ TEST_F(Cast, ASphereAtGridCoordinatesIsItsDiscsAndNearlyItself) {
         ASSERT_LT(hits.splat_ids[i], discs.size()) << i;
         const Disc& disc = discs[hits.splat_ids[i]];
         ASSERT_NEAR(3 * hits.t_hit[i], 3 * meet(disc, origin, direction), 1e-3 * disc.radius) << i;
-        ASSERT_LT(length(hits.position(i) - disc.center), 1.02 * disc.radius) << i; // cell discs are rounded
-        // a disc lies outside of its sphere by its sagitta at most, and a ray that comes in at 30 degrees meets it
-        // sooner
+        ASSERT_LT(length(hits.position(i) - disc.center), 1.02 * disc.radius) << i; // the discs of cells are quantised
+        // a disc is outside the sphere by at most its sagitta, and a ray at 30 degrees hits it even earlier
         const double sagitta = disc.radius * disc.radius / (2 * sphere);
         const double true_t = (700.0 - sphere * std::sqrt(0.75)) / 3;
         ASSERT_NEAR(3 * hits.t_hit[i], 3 * true_t, 1.5 * sagitta / std::sqrt(0.75)) << i;
@@ -149,7 +148,7 @@ TEST_F(Cast, ASphereAtGridCoordinatesIsItsDiscsAndNearlyItself) {
     }
 }
 
-TEST_F(Cast, NormalsTurnToWhereTheRayComesFrom) {
+TEST_F(Cast, Normals_FaceTheRay) {
     const TraceScene scene(device, {scan("plane.pro", planeSplats(10, 0.5f))});
     std::vector<double> rays;
     addRay(rays, {500064, 4500064, 90}, {0, 0, 2});
@@ -158,7 +157,7 @@ TEST_F(Cast, NormalsTurnToWhereTheRayComesFrom) {
     EXPECT_LT(hits.normal(0).z, -0.999);
 }
 
-TEST_F(Cast, WhatMissesSaysSoInEachArray) {
+TEST_F(Cast, Misses_AreMarkedInEachArray) {
     const TraceScene scene(device, {scan("plane.pro", planeSplats(10, 0.5f))});
     std::vector<double> rays;
     addRay(rays, {500064, 4500064, 300}, {0, 0, 1});  // away
@@ -176,12 +175,12 @@ TEST_F(Cast, WhatMissesSaysSoInEachArray) {
     }
 }
 
-TEST_F(Cast, LimitsLeaveOutWhatIsBeforeAndBehind) {
+TEST_F(Cast, Limits_ExcludeHitsOutside) {
     std::vector<pro_splat> floors = planeSplats(12, 0.25f);
     for (const pro_splat& upper : planeSplats(12, 0.75f)) floors.push_back(upper);
     const TraceScene scene(device, {scan("floors.pro", floors)});
     std::vector<double> rays;
-    addRay(rays, {500064, 4500064, 356}, {0, 0, -2}); // 256 over the ground: floors at t 80 and 112
+    addRay(rays, {500064, 4500064, 356}, {0, 0, -2}); // from 256 above the ground: hits at t 80 and 112
     const double upper = 80, lower = 112;
     EXPECT_NEAR(cast(scene, rays).t_hit[0], upper, 1e-3);
     EXPECT_EQ(cast(scene, rays, {0, 79.9}).t_hit[0], kInfinity);
@@ -212,7 +211,7 @@ std::vector<double> anyRays(std::size_t count, const GridPlace& place, unsigned 
     return rays;
 }
 
-TEST_F(Cast, OcclusionsAreThereWhereHitsAre) {
+TEST_F(Cast, Occlusions_MatchHits) {
     const TraceScene scene(device, {scan("sphere.pro", sphereSplats(500, 0.3f))});
     const std::vector<double> rays = anyRays(20000, {}, 3);
     const Hits hits = cast(scene, rays);
@@ -227,12 +226,12 @@ TEST_F(Cast, OcclusionsAreThereWhereHitsAre) {
     EXPECT_LT(blocked, 18000u);
 }
 
-TEST_F(Cast, RaysFromAcrossTheSkyAreAsExact) {
+TEST_F(Cast, DistantOrigins_LoseNoPrecision) {
     const GridPlace place;
     const std::vector<pro_splat> splats = planeSplats(40, 0.5f);
     const TraceScene scene(device, {scan("plane.pro", splats, place)});
     const double height = place.origin[2] + place.edge * (0.5 + 0.5 * 0x1p-21);
-    for (const double distance : {1e3, 1e5, 1e7, 1e9}) { // powers of two keep what a double loses at the origin apart
+    for (const double distance : {1e3, 1e5, 1e7, 1e9}) { // the precision of the origin decreases
         const double away = std::exp2(std::floor(std::log2(distance)));
         std::vector<double> rays;
         addRay(rays, {place.origin[0] + 64 + away, place.origin[1] + 64, height + away}, {-1, 0, -1});
@@ -245,11 +244,11 @@ TEST_F(Cast, RaysFromAcrossTheSkyAreAsExact) {
     }
 }
 
-TEST_F(Cast, OddRaysAmongOthersLeaveTheseAsTheyAre) {
+TEST_F(Cast, RescaledRays_DoNotAffectOthers) {
     const TraceScene scene(device, {scan("sphere.pro", sphereSplats(500, 0.3f))});
     std::vector<double> rays = anyRays(3000, {}, 6);
     const Hits expected = cast(scene, rays);
-    for (const std::size_t odd : {7u, 1500u, 2999u}) // too short and too long for floats, the second one's length too
+    for (const std::size_t odd : {7u, 1500u, 2999u}) // too short and too long for floats, the second also in its square
         for (std::size_t k = 3; k < 6; ++k) rays[6 * odd + k] *= odd == 7 ? 1e-180 : 1e180;
     const Hits hits = cast(scene, rays);
     EXPECT_EQ(hits.splat_ids, expected.splat_ids);
@@ -265,7 +264,7 @@ TEST_F(Cast, OddRaysAmongOthersLeaveTheseAsTheyAre) {
         ASSERT_EQ(occluded[i] != 0, std::isfinite(expected.t_hit[i])) << i;
 }
 
-TEST_F(Cast, FloatsAreTheSameRaysAsDoubles) {
+TEST_F(Cast, FloatRays_MatchDoubles) {
     const GridPlace near_zero{{0, 0, 0}, 2};
     const TraceScene scene(device, {scan("sphere.pro", sphereSplats(500, 0.3f), near_zero)});
     std::vector<float> floats;
@@ -278,13 +277,13 @@ TEST_F(Cast, FloatsAreTheSameRaysAsDoubles) {
     EXPECT_EQ(hits.normals, expected.normals);
 }
 
-TEST_F(Cast, SeveralScansStandBesideEachOther) {
+TEST_F(Cast, SeveralScans_NearestIsHit) {
     const GridPlace left, right{{500200, 4500000, 100}, 32};
     const TraceScene scene(device, {scan("left.pro", planeSplats(20, 0.5f), left),
                                     scan("right.pro", planeSplats(20, 0.5f), right),
                                     scan("over.pro", planeSplats(20, 0.75f), left)});
     std::vector<double> rays;
-    addRay(rays, {500064, 4500064, 300}, {0, 0, -1}); // over lies above left
+    addRay(rays, {500064, 4500064, 300}, {0, 0, -1}); // over is above left
     addRay(rays, {500064, 4500064, 90}, {0, 0, 1});   // from below, left comes first
     addRay(rays, {500216, 4500016, 300}, {0, 0, -1});
     addRay(rays, {500180, 4500016, 300}, {0, 0, -1}); // between
@@ -299,11 +298,11 @@ TEST_F(Cast, SeveralScansStandBesideEachOther) {
     EXPECT_EQ(occluded, (std::vector<std::uint8_t>{1, 1, 1, 0}));
 }
 
-TEST_F(Cast, ManyRaysFromManyThreadsAreTheSameHits) {
+TEST_F(Cast, Threads_GetTheSameHits) {
     const TraceScene scene(device, {scan("sphere.pro", sphereSplats(500, 0.3f))});
     const std::vector<double> some = anyRays(1000, {}, 5);
     const Hits expected = cast(scene, some);
-    constexpr std::size_t kTurns = 300; // more than a chunk, and no multiple of one
+    constexpr std::size_t kTurns = 300; // more than a chunk, and not a multiple
     std::vector<double> rays;
     for (std::size_t turn = 0; turn < kTurns; ++turn) rays.insert(rays.end(), some.begin(), some.end());
     std::vector<std::jthread> threads;
@@ -320,7 +319,7 @@ TEST_F(Cast, ManyRaysFromManyThreadsAreTheSameHits) {
     EXPECT_EQ(wrong, std::vector<std::size_t>(8, 0));
 }
 
-TEST_F(Cast, ScenesComeAndGoFromSeveralThreads) {
+TEST_F(Cast, Scenes_CanBeOpenedFromSeveralThreads) {
     const std::string path = scan("plane.pro", planeSplats(10, 0.5f));
     const auto work = [&] {
         for (int turn = 0; turn < 20; ++turn) {
@@ -334,7 +333,7 @@ TEST_F(Cast, ScenesComeAndGoFromSeveralThreads) {
     work();
 }
 
-TEST_F(Cast, ASceneOutlivesItsDeviceObject) {
+TEST_F(Cast, Scene_OutlivesItsDeviceObject) {
     TraceDevice mine;
     const TraceScene scene(mine, {scan("plane.pro", planeSplats(10, 0.5f))});
     mine = TraceDevice();
@@ -343,7 +342,7 @@ TEST_F(Cast, ASceneOutlivesItsDeviceObject) {
     EXPECT_NEAR(cast(scene, rays).t_hit[0], 136, 1e-3);
 }
 
-TEST_F(Cast, NoRaysAreNoWork) {
+TEST_F(Cast, NoRays_AreAccepted) {
     const TraceScene scene(device, {scan("plane.pro", planeSplats(4, 0.5f))});
     EXPECT_TRUE(cast(scene, {}).t_hit.empty());
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the library refuses, and in which words.
+// Errors of the library and their messages.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -39,7 +39,7 @@ std::string reasonOf(Kind code, Act act) {
     return "nothing was thrown";
 }
 
-TEST_F(CastErrors, RaysThatAreNoneAreToldByTheirNumber) {
+TEST_F(CastErrors, InvalidRays_AreNamedByNumber) {
     const TraceScene scene(device, {plane()});
     const struct {
         std::size_t number;
@@ -68,7 +68,7 @@ TEST_F(CastErrors, RaysThatAreNoneAreToldByTheirNumber) {
     }
 }
 
-TEST_F(CastErrors, TheSmallestAndLargestDirectionsAreRays) {
+TEST_F(CastErrors, ExtremeDirections_AreValid) {
     const TraceScene scene(device, {plane()});
     std::vector<double> rays, t(2);
     for (const double size : {1e-200, 1e200}) rays.insert(rays.end(), {500064, 4500064, 300, 0, 0, -size});
@@ -77,7 +77,7 @@ TEST_F(CastErrors, TheSmallestAndLargestDirectionsAreRays) {
     EXPECT_NEAR(t[1] * 1e200, 136, 1e-3);
 }
 
-TEST_F(CastErrors, ArraysAndLimitsMustFit) {
+TEST_F(CastErrors, ArraysAndLimits_AreChecked) {
     const TraceScene scene(device, {plane()});
     const std::vector<double> rays(12, 1.0);
     const std::span<const double> two(rays);
@@ -85,20 +85,20 @@ TEST_F(CastErrors, ArraysAndLimitsMustFit) {
     const auto refused = [&](const RayLimits& limits, const HitArrays& arrays) {
         return reasonOf(Kind::kBadUsage, [&] { scene.castRays(two, limits, arrays); });
     };
-    EXPECT_EQ(refused({}, {.t_hit = one}), "t_hit has 1 numbers, and 2 are needed");
-    EXPECT_EQ(refused({}, {.positions = one}), "positions has 1 numbers, and 6 are needed");
-    const std::string limits = "t_min must be 0 or more and finite, and t_max no less";
+    EXPECT_EQ(refused({}, {.t_hit = one}), "t_hit: expected 2 numbers, got 1");
+    EXPECT_EQ(refused({}, {.positions = one}), "positions: expected 6 numbers, got 1");
+    const std::string limits = "t_min must be finite and at least 0, and t_max at least t_min";
     for (const RayLimits& wrong :
          {RayLimits{-1, 1}, RayLimits{2, 1}, RayLimits{kNaN, 1}, RayLimits{0, kNaN}, RayLimits{kInfinity, kInfinity}})
         EXPECT_EQ(refused(wrong, {}), limits);
     std::vector<std::uint8_t> three(3);
     EXPECT_EQ(reasonOf(Kind::kBadUsage, [&] { scene.testOcclusions(two, {}, three); }),
-              "occluded must have a number for each ray");
+              "occluded must have one value per ray");
     EXPECT_EQ(reasonOf(Kind::kBadUsage, [&] { RayRows{two.subspan(1)}; }),
-              "rays have six numbers each, and 11 are no multiple of that");
+              "rays have six numbers each, but the array has 11");
 }
 
-TEST_F(CastErrors, ScenesThatAreNoneAreToldByTheirName) {
+TEST_F(CastErrors, InvalidScenes_AreNamed) {
     const auto refused = [&](const std::vector<std::string>& paths, Kind code = Kind::kBadInput) {
         return reasonOf(code, [&] { TraceScene(device, paths); });
     };
@@ -113,7 +113,7 @@ TEST_F(CastErrors, ScenesThatAreNoneAreToldByTheirName) {
     EXPECT_TRUE(refused({folder.file("short.pro")}).starts_with(folder.file("short.pro") + ": "));
 }
 
-TEST_F(CastErrors, ADeviceThatIsNotThereIsToldWithThoseThatAre) {
+TEST_F(CastErrors, UnknownDevice_ListsDevices) {
     const std::string reason = reasonOf(Kind::kCannotRun, [] { TraceDevice("no such device"); });
     EXPECT_NE(reason.find(device.name()), std::string::npos) << reason;
 }

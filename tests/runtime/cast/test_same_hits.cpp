@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The library's hits are the renderer's: the same rays through the programs that trace pictures.
+// Ray casts give the hits of the renderer, for the same rays.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace pointrt::test {
 namespace {
 
-/// A sphere in a cloud of discs that lie anyhow.
+/// A sphere in a cloud of random discs.
 std::vector<pro_splat> crowd() {
     std::vector<pro_splat> splats = sphereSplats(1500, 0.2f);
     std::mt19937 random(6);
@@ -31,7 +31,7 @@ std::vector<pro_splat> crowd() {
     return splats;
 }
 
-TEST(SameHits, AsThePicturesOwn) {
+TEST(SameHits, MatchTheRenderer) {
     const TemporaryFolder folder;
     const std::string path = folder.file("crowd.pro");
     writeScan(path, crowd(), {{0, 0, 0}, 1});
@@ -51,11 +51,11 @@ TEST(SameHits, AsThePicturesOwn) {
         hits += expected[i].hit();
         others += splats[i] != expected[i].splat;
         if (expected[i].hit() && splats[i] == expected[i].splat) {
-            ASSERT_NEAR(t[i], expected[i].t_flat, 1e-5) << i; // grazing ones turn rounding into length
+            ASSERT_NEAR(t[i], expected[i].t_flat, 1e-5) << i; // at grazing angles rounding changes the length
         }
     }
     EXPECT_GT(hits, rays.size() / 4);
-    EXPECT_LE(others, 10u); // rims, where the last bit of a ray decides: it starts elsewhere along itself
+    EXPECT_LE(others, 10u); // rims, where the last bit decides: the rays start at other points
 }
 
 } // namespace

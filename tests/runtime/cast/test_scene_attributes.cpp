@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene tells of the splats that were hit, to the bit of its file.
+// Attributes of the splats that were hit, equal to those of the file.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 using Kind = TraceError::Kind;
 
-const std::string kTiny = POINTRT_GOLDEN_DIR "/tiny_v1_2.pro"; // tests/format/tiny_attributes.h says what is in it
+const std::string kTiny = POINTRT_GOLDEN_DIR "/tiny_v1_2.pro"; // see tests/format/tiny_attributes.h
 
 template <typename Number>
 std::vector<Number> read(const TraceScene& scene, const std::string& name, const std::vector<std::uint32_t>& splats,
@@ -37,7 +37,7 @@ std::string refusalOf(const TraceScene& scene, const std::string& name, std::siz
     return "nothing was thrown";
 }
 
-TEST(SceneAttributes, AreThoseOfTheFile) {
+TEST(SceneAttributes, Match_TheFile) {
     const TraceDevice device;
     const TraceScene scene(device, {kTiny});
     const std::vector<SceneAttribute> all = scene.attributes();
@@ -50,7 +50,7 @@ TEST(SceneAttributes, AreThoseOfTheFile) {
     EXPECT_EQ(all[3].bytes, 6u);
 }
 
-TEST(SceneAttributes, AreReadAtHitsAndNowhereElse) {
+TEST(SceneAttributes, AreRead_AtHitsOnly) {
     const TraceDevice device;
     const TraceScene scene(device, {kTiny, kTiny});
     const std::vector<std::uint32_t> splats{3, kNoHit, 1, 0}, instances{0, kNoHit, 1, 1};
@@ -61,11 +61,11 @@ TEST(SceneAttributes, AreReadAtHitsAndNowhereElse) {
     const std::vector<double> times = read<double>(scene, "gps_time", splats, instances);
     EXPECT_EQ(times[0], -4.5);
     EXPECT_TRUE(std::isnan(times[1])); // a miss
-    EXPECT_TRUE(std::isnan(times[2])); // as the file has it
+    EXPECT_TRUE(std::isnan(times[2])); // NaN in the file
     EXPECT_EQ(times[3], 1e9 + 0.25);
 }
 
-TEST(SceneAttributes, OfAHitAreItsOwn) {
+TEST(SceneAttributes, OfAHit_AreThoseOfItsSplat) {
     const TraceDevice device;
     const TraceScene scene(device, {kTiny});
     const std::vector<double> ray{10.5, 20.75, 31, 0, 0, -1}; // onto splat 0
@@ -77,7 +77,7 @@ TEST(SceneAttributes, OfAHitAreItsOwn) {
     EXPECT_EQ(read<std::uint8_t>(scene, "classification", splat, instance), std::vector<std::uint8_t>{2});
 }
 
-TEST(SceneAttributes, ColorsAreReadAtHitsAndWhiteWhereThereAreNone) {
+TEST(SceneAttributes, Colors_AreWhiteInScansWithout) {
     const TemporaryFolder folder;
     writeScan(folder.file("plane.pro"), planeSplats(4, 0.5f), {});
     const TraceDevice device;
@@ -89,7 +89,7 @@ TEST(SceneAttributes, ColorsAreReadAtHitsAndWhiteWhereThereAreNone) {
     EXPECT_THROW(scene.readColors(splats, instances, std::span(colors).first(9)), TraceError);
 }
 
-TEST(SceneAttributes, TheirReachAndTheUnitAreTheFiles) {
+TEST(SceneAttributes, RangeAndUnit_AreThoseOfTheFile) {
     const TemporaryFolder folder;
     writeScan(folder.file("plane.pro"), planeSplats(4, 0.5f), {});
     const TraceDevice device;
@@ -97,19 +97,20 @@ TEST(SceneAttributes, TheirReachAndTheUnitAreTheFiles) {
     EXPECT_EQ(scene.metresPerUnit(), 0.3048);
     EXPECT_EQ(scene.attributes()[0].low, 0);
     EXPECT_EQ(scene.attributes()[0].high, 65535);
-    EXPECT_EQ(TraceScene(device, {kTiny, folder.file("plane.pro")}).metresPerUnit(), 0); // which does not say
+    EXPECT_EQ(TraceScene(device, {kTiny, folder.file("plane.pro")}).metresPerUnit(), 0); // plane.pro has no unit
 }
 
-TEST(SceneAttributes, ThatNotAllFilesHaveAreNotTheScenes) {
+TEST(SceneAttributes, OnlySharedOnes_AreTheScenes) {
     const TemporaryFolder folder;
     writeScan(folder.file("plane.pro"), planeSplats(4, 0.5f), {});
     const TraceDevice device;
     const TraceScene both(device, {kTiny, folder.file("plane.pro")});
     EXPECT_TRUE(both.attributes().empty());
-    EXPECT_EQ(refusalOf(both, "intensity", 2), "no attribute intensity; there is none in all of the scene");
+    EXPECT_EQ(refusalOf(both, "intensity", 2), "no attribute intensity; the instances have none in common");
     const TraceScene tiny(device, {kTiny});
-    EXPECT_TRUE(refusalOf(tiny, "height", 2).starts_with("no attribute height; there is intensity, classification, "));
-    EXPECT_EQ(refusalOf(tiny, "intensity", 1), "intensity: the arrays do not have the same number of rows");
+    EXPECT_TRUE(
+        refusalOf(tiny, "height", 2).starts_with("no attribute height; available: intensity, classification, "));
+    EXPECT_EQ(refusalOf(tiny, "intensity", 1), "intensity: the arrays differ in their numbers of rows");
 }
 
 } // namespace

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays through scene files: against the scans alone, with rays that were moved by hand, and against the ids and depths
-// of pictures.
+// Rays through scene files, compared with transformed rays through the scans, and with the ids and depths of pictures.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +25,7 @@ std::string messageOf(const TraceDevice& device, const std::string& path) {
     return "nothing was thrown";
 }
 
-/// A quarter of the unit sphere's surface is missing, so that rays tell how it is turned.
+/// A unit sphere with a quarter of its surface missing, so that hits depend on its rotation.
 Splats cap() {
     Splats all = sphereSplats(6000, Vec3f(0, 0, 0), 1), some;
     some.oriented = true;
@@ -40,7 +39,7 @@ Splats cap() {
     return some;
 }
 
-/// input = turn back (world - translation) / scale, about z by hand.
+/// input = inverse rotation (world - translation) / scale; the rotation is about z.
 struct Stand {
     Vec3 translation;
     double degrees = 0, scale = 1;
@@ -58,7 +57,7 @@ struct Stand {
     }
 };
 
-TEST(RaysThroughSceneFiles, InstancesStandWhereTheFileSays) {
+TEST(RaysThroughSceneFiles, Instances_AreAtTheirPlacements) {
     const TemporaryFolder folder;
     writeScene(folder.file("cap.pro"), cap(), {});
     const Stand stands[] = {{{500000, 4500000, 100}, 30, 1}, {{500001.5, 4499999.25, 100.5}, -100, 2.5}};
@@ -88,16 +87,16 @@ TEST(RaysThroughSceneFiles, InstancesStandWhereTheFileSays) {
             continue;
         }
         if (!hit) continue;
-        // 1e-9: what doubles have at 4.5 million
+        // 1e-9: the precision of doubles at 4.5 million
         ASSERT_LT(length(found.position(i) - (originOf(rays, i) + found.t_hit[i] * directionOf(rays, i))), 1e-9);
         ASSERT_LT(length(found.normal(i) - stands[nearer].turned(expected[nearer].normal(i), 1)), 1e-5) << i;
     }
     std::printf("%zu hits, %zu others\n", hits, others);
     EXPECT_GT(hits, 4000u);
-    EXPECT_LE(others, hits / 400); // rims and grazing rays: floats of a ray that was turned
+    EXPECT_LE(others, hits / 400); // rims and grazing rays, by the rounding of rotated rays
 }
 
-TEST(RaysThroughSceneFiles, InstancesOfAListAreNumberedOn) {
+TEST(RaysThroughSceneFiles, Instances_AreNumberedAcrossPaths) {
     const TemporaryFolder folder;
     writeScene(folder.file("cap.pro"), cap(), {});
     std::ofstream(folder.file("two.toml"))
@@ -107,11 +106,11 @@ TEST(RaysThroughSceneFiles, InstancesOfAListAreNumberedOn) {
     std::vector<double> rays;
     for (const double x : {-0.5, 9.5, 19.5}) addRay(rays, {x, -0.1, 9}, {0, 0, -1});
     const SceneHits found = castBoth(scene, rays);
-    EXPECT_EQ(found.instance_ids, (std::vector<std::uint32_t>{0, 1, 2})); // 3 lies in 0
+    EXPECT_EQ(found.instance_ids, (std::vector<std::uint32_t>{0, 1, 2})); // 3 is inside 0
     EXPECT_EQ(found.occluded, (std::vector<std::uint8_t>{1, 1, 1}));
 }
 
-TEST(RaysThroughSceneFiles, ShapesAreHitAsCamerasSeeThem) {
+TEST(RaysThroughSceneFiles, Shapes_AreHitAsCamerasSeeThem) {
     const TemporaryFolder folder;
     std::ofstream(folder.file("shapes.toml"))
         << "[[shape]]\ntype = \"plane\"\npoint = [0, 0, -2]\nnormal = [0, 0, 1]\nbackdrop = true\n"
@@ -144,8 +143,8 @@ TEST(RaysThroughSceneFiles, ShapesAreHitAsCamerasSeeThem) {
     EXPECT_LT(length(found.normal(1) - Vec3{0, 0, -1}), 1e-6);
 }
 
-/// A scene of a file, a set and shapes, as pictures and as rays see it.
-TEST(RaysThroughSceneFiles, IdsAreThoseOfPictures) {
+/// A scene of a file, a set and shapes, in pictures and ray casts.
+TEST(RaysThroughSceneFiles, Ids_MatchPictures) {
     const SphereInTiles ball;
     writeScene(ball.folder.file("cap.pro"), cap(), {});
     const Stand set{{-500000.25 * 0.05 - 1, -4500000.5 * 0.05, -130.125 * 0.05}, 0, 0.05}; // around (-1, 0, 0)
@@ -186,10 +185,10 @@ TEST(RaysThroughSceneFiles, IdsAreThoseOfPictures) {
     EXPECT_GT(of[0], 1000u);
     EXPECT_GT(of[1], 1000u);
     EXPECT_GT(of[255], 1000u);
-    EXPECT_LE(others, 90u); // a thousandth: rims, where floats of two kinds of rays decide
+    EXPECT_LE(others, 90u); // 0.1%: rims, where rounding decides
 }
 
-TEST(RaysThroughSceneFiles, WhatIsWrongIsToldWithItsPlace) {
+TEST(RaysThroughSceneFiles, Errors_NameTheirPlace) {
     const TemporaryFolder folder;
     const TraceDevice device;
     const std::string path = folder.file("scene.toml");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays through tile sets: the hits of the same splats in one file, whatever memory tiles may take.
+// Rays through tile sets hit what they hit in one file of the same splats, for any memory limit.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -16,10 +16,10 @@ namespace pointrt::test {
 namespace {
 
 constexpr std::size_t kRays = 100000;
-/// Of rays, how many may differ where positions are in steps of another cube: those at outlines.
+/// Share of rays that may differ, at outlines, because positions are quantised in another cube.
 constexpr std::size_t kAtRims = 10;
 
-/// Made once: it is only read.
+/// Created once and only read.
 class RaysThroughSets : public testing::Test {
 protected:
     static void SetUpTestSuite() { ball = new SphereInTiles; }
@@ -35,7 +35,7 @@ protected:
     TraceScene tiles(std::uint64_t memory = SceneOptions{}.memory) const {
         return TraceScene(device, {ball->tiles()}, {memory});
     }
-    /// Of about so many tiles.
+    /// Of about this many tiles.
     static std::uint64_t roomFor(double tiles) {
         return static_cast<std::uint64_t>(tiles * static_cast<double>(ball->largestTile()));
     }
@@ -58,7 +58,7 @@ struct EightTiles {
     TemporaryFolder folder;
     TileSet set;
     double radius = 0;
-    std::uint64_t largest = 0; ///< bytes of a file; the index, which is built, is as much again
+    std::uint64_t largest = 0; ///< bytes of a file; the built index takes as much again
 };
 
 struct Others {
@@ -71,13 +71,14 @@ Others othersOf(const EightTiles& eight, const std::vector<double>& rays, const 
     for (std::size_t i = 0; i < found.t_hit.size(); ++i) {
         const bool hit = std::isfinite(found.t_hit[i]);
         const double apart = std::abs(found.t_hit[i] - whole.t_hit[i]) * length(directionOf(rays, i));
-        const bool same = hit ? apart < 0.02 * eight.radius : std::isinf(whole.t_hit[i]); // cells round their discs
+        const bool same =
+            hit ? apart < 0.02 * eight.radius : std::isinf(whole.t_hit[i]); // the discs of cells are quantised
         others.hits += hit;
         others.elsewhere += !same;
         others.blocked += found.occluded[i] != (hit ? 1 : 0);
         if (hit && same) {
             EXPECT_LT(length(found.position(i) - whole.position(i)), 0.02 * eight.radius) << i;
-            // of two discs that a ray grazes it may come to one from behind
+            // of two discs that a ray grazes, one may be hit from behind
             EXPECT_NEAR(std::abs(dot(found.normal(i), whole.normal(i))), 1, 0.01) << i;
             EXPECT_EQ(found.instance_ids[i], 0u);
         }
@@ -85,7 +86,7 @@ Others othersOf(const EightTiles& eight, const std::vector<double>& rays, const 
     return others;
 }
 
-TEST_F(RaysThroughSets, HitWhatOneFileHits) {
+TEST_F(RaysThroughSets, MatchOneFile) {
     const EightTiles eight;
     ASSERT_EQ(eight.set.tiles.size(), 9u);
     const std::vector<double> all = raysAround({0, 0, 0}, 1.5, kRays, 1);
@@ -103,7 +104,7 @@ TEST_F(RaysThroughSets, HitWhatOneFileHits) {
     }
 }
 
-TEST_F(RaysThroughSets, HitTheSameToTheBitInAnyMemory) {
+TEST_F(RaysThroughSets, AreIdentical_ForAnyMemoryLimit) {
     const std::vector<double> all = rays(kRays, 2);
     const TraceScene held = tiles();
     const SceneHits expected = castBoth(held, all);
@@ -117,13 +118,13 @@ TEST_F(RaysThroughSets, HitTheSameToTheBitInAnyMemory) {
         EXPECT_EQ(found.splat_ids, expected.splat_ids);
         EXPECT_EQ(found.normals, expected.normals);
         EXPECT_EQ(found.occluded, expected.occluded);
-        EXPECT_GT(streamed.tileLoads(), ball->originals()); // for hits, and again for occlusion
+        EXPECT_GT(streamed.tileLoads(), ball->originals()); // loaded for hits and again for occlusion
         EXPECT_LE(streamed.deviceBytes(), roomFor(room));
         std::printf("%.1f tiles: %llu loads\n", room, static_cast<unsigned long long>(streamed.tileLoads()));
     }
 }
 
-TEST_F(RaysThroughSets, NameTheTileWhoseCoreHoldsTheHit) {
+TEST_F(RaysThroughSets, Name_TheTileWhoseCoreHasTheHit) {
     const std::vector<double> all = rays(20000, 3);
     const SceneHits found = castBoth(tiles(), all);
     std::size_t hits = 0, away = 0;
@@ -142,7 +143,7 @@ TEST_F(RaysThroughSets, NameTheTileWhoseCoreHoldsTheHit) {
         double outside = 0;
         for (std::size_t axis = 0; axis < 3; ++axis)
             outside = std::max({outside, core.low[axis] - p[axis], p[axis] - core.high[axis]});
-        // where there is no neighbour discs reach out of the core by a radius
+        // towards empty cells discs extend out of the core by a radius
         EXPECT_LE(outside, 2 * ball->splat_radius) << i;
         away += outside > 0.05 * ball->splat_radius;
         ++hits;
@@ -155,7 +156,7 @@ TEST_F(RaysThroughSets, NameTheTileWhoseCoreHoldsTheHit) {
         }
 }
 
-TEST_F(RaysThroughSets, LimitsAndOddDirectionsHoldAcrossTiles) {
+TEST_F(RaysThroughSets, LimitsAndRescaledRays_WorkAcrossTiles) {
     const double radius = SphereInTiles::kRadius;
     const TraceScene streamed = tiles(roomFor(1));
     std::vector<double> along;
@@ -189,7 +190,7 @@ TEST_F(RaysThroughSets, LimitsAndOddDirectionsHoldAcrossTiles) {
     }
 }
 
-TEST_F(RaysThroughSets, AttributesAreThoseOfThePointsThatWereHit) {
+TEST_F(RaysThroughSets, Attributes_MatchTheHits) {
     const std::vector<double> all = rays(5000, 5);
     for (const double room : {1.0, 100.0}) {
         const TraceScene scene = tiles(roomFor(room));
@@ -212,12 +213,12 @@ TEST_F(RaysThroughSets, AttributesAreThoseOfThePointsThatWereHit) {
             FAIL();
         } catch (const TraceError& error) {
             EXPECT_EQ(error.kind, TraceError::Kind::kBadUsage);
-            EXPECT_STREQ(error.what(), "number: splats of tile sets have the number of their tile, too (tile_ids)");
+            EXPECT_STREQ(error.what(), "number: tile_ids are required for scenes with tile sets");
         }
     }
 }
 
-TEST_F(RaysThroughSets, FromSeveralThreadsAreTheSame) {
+TEST_F(RaysThroughSets, FromSeveralThreads_AreIdentical) {
     const std::vector<double> all = rays(5000, 6);
     const TraceScene held = tiles(), streamed = tiles(roomFor(1));
     const SceneHits expected = castBoth(held, all);
@@ -234,7 +235,7 @@ TEST_F(RaysThroughSets, FromSeveralThreadsAreTheSame) {
     EXPECT_EQ(right, std::vector<int>(4, 1));
 }
 
-TEST_F(RaysThroughSets, SetsAndFilesStandTogether) {
+TEST_F(RaysThroughSets, SetsAndFiles_CanBeCombined) {
     const std::vector<double> all = rays(20000, 7);
     const SceneHits alone = castBoth(tiles(), all);
     const TraceScene both(device, {ball->tiles(), ball->whole()}, {roomFor(2)});
@@ -252,7 +253,7 @@ TEST_F(RaysThroughSets, SetsAndFilesStandTogether) {
     EXPECT_GT(std::count(found.instance_ids.begin(), found.instance_ids.end(), 1u), 100);
 }
 
-/// What is wrong with a set, in a copy of the ball's.
+/// Invalid sets: modified copies of the ball's.
 class WrongSets : public RaysThroughSets {
 protected:
     WrongSets() {
@@ -275,7 +276,7 @@ protected:
     std::string copy, path; ///< of the last tile
 };
 
-TEST_F(WrongSets, AMissingOrShortTileIsToldByItsName) {
+TEST_F(WrongSets, MissingOrTruncatedTile_IsNamed) {
     using Kind = TraceError::Kind;
     const std::uintmax_t bytes = std::filesystem::file_size(path);
     std::filesystem::resize_file(path, bytes - 4096);
@@ -289,7 +290,7 @@ TEST_F(WrongSets, AMissingOrShortTileIsToldByItsName) {
     EXPECT_EQ(refusal(Kind::kBadInput, roomFor(1)), copy + "/set.json: No such file or directory");
 }
 
-TEST_F(WrongSets, ATileWithOtherBytesIsRefusedWhenItIsRead) {
+TEST_F(WrongSets, ChangedTile_IsRefusedWhenRead) {
     std::ptrdiff_t splats = 0;
     {
         const ProFile tile(path);
@@ -304,7 +305,7 @@ TEST_F(WrongSets, ATileWithOtherBytesIsRefusedWhenItIsRead) {
         EXPECT_TRUE(refusal(TraceError::Kind::kBadInput, memory).starts_with(path + ": ")) << memory;
 }
 
-TEST_F(WrongSets, ATileThatDoesNotFitIsBadUsage) {
+TEST_F(WrongSets, TileAboveTheMemoryLimit_IsBadUsage) {
     const std::string reason = refusal(TraceError::Kind::kBadUsage, ball->largestTile() / 2);
     EXPECT_TRUE(reason.starts_with("a tile takes ")) << reason;
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Chunks of rays through scans whose buffers have several pages, as scans too large for one have.
+// Chunks of rays, also through scans whose buffers have several pages.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "runtime/cast/describe_targets.h"
+#include "runtime/cast/describe_instances.h"
 #include "runtime/cast/given_rays.h"
 #include "shaders/shared/params.h"
 #include "tests/runtime/rays/ray_scenes.h"
@@ -16,15 +16,15 @@ namespace pointrt::test {
 namespace {
 
 struct Found {
-    std::vector<std::uint32_t> splats, stopped;
+    std::vector<std::uint32_t> splats, occluded;
     bool paged = false;
 };
 
-/// Rays straight down at the scan at path, in a grid over its cube, in two runs.
+/// Casts vertical rays on a grid over the cube of a scan, in two runs.
 Found castDown(Device& device, const std::string& path) {
     constexpr std::size_t kSide = 64, kCount = kSide * kSide;
-    ResidentTargets resident(device, describeTargets({path}), 0);
-    const PlacedTarget& target = *resident.find(0);
+    InstanceResidency resident(device, describeInstances({path}), 0);
+    const ResidentInstance& target = *resident.find(0);
     CastPrograms programs(device);
     CastSlot slot = createSlot(device);
     for (std::size_t i = 0; i < kCount; ++i) {
@@ -37,13 +37,13 @@ Found castDown(Device& device, const std::string& path) {
     traceSlot(slot, programs, runs, false);
     for (const gpu::CastHit& hit : slot.hitRows(kCount)) found.splats.push_back(hit.splat);
     traceSlot(slot, programs, runs, true);
-    const auto stopped = slot.stoppedRows(kCount);
-    found.stopped.assign(stopped.begin(), stopped.end());
+    const auto occluded = slot.occludedRows(kCount);
+    found.occluded.assign(occluded.begin(), occluded.end());
     destroySlot(slot);
     return found;
 }
 
-/// Lines through the cube at place, towards points of it, from around; some lengths are not 1.
+/// Rays from outside towards random points of the cube at place; some directions are not of length 1.
 std::vector<double> raysAround(const GridPlace& place, std::size_t count) {
     std::mt19937 random(9);
     std::uniform_real_distribution<double> unit(0, 1);
@@ -60,7 +60,7 @@ std::vector<double> raysAround(const GridPlace& place, std::size_t count) {
     return rows;
 }
 
-TEST(CastSlot, FindsTheSameInPages) {
+TEST(CastSlot, Pages_GiveTheSameHits) {
     const TemporaryFolder folder;
     const std::string path = folder.file("sphere.pro");
     writeScan(path, sphereSplats(400, 0.4f), {});
@@ -72,21 +72,21 @@ TEST(CastSlot, FindsTheSameInPages) {
     EXPECT_FALSE(expected.paged);
     EXPECT_TRUE(found.paged);
     EXPECT_EQ(found.splats, expected.splats);
-    EXPECT_EQ(found.stopped, expected.stopped);
+    EXPECT_EQ(found.occluded, expected.occluded);
     const auto misses = std::count(expected.splats.begin(), expected.splats.end(), NO_INDEX);
     EXPECT_GT(misses, 500);
     EXPECT_LT(misses, 3000);
 }
 
-TEST(CastSlot, RaysAsGivenFindWhatPackedOnesDo) {
+TEST(CastSlot, CallersRays_GiveTheHitsOfPackedOnes) {
     const TemporaryFolder folder;
     const std::string path = folder.file("sphere.pro");
     writeScan(path, sphereSplats(400, 0.4f), {});
     ValidatedDevice validated;
     Device& device = validated.device;
-    ResidentTargets resident(device, describeTargets({path}), 0);
-    const PlacedTarget& target = *resident.find(0);
-    if (!takesGiven(device, target)) GTEST_SKIP() << "the device does not reckon in doubles";
+    InstanceResidency resident(device, describeInstances({path}), 0);
+    const ResidentInstance& target = *resident.find(0);
+    if (!takesGiven(device, target)) GTEST_SKIP() << "the device has no 64-bit floats";
     const std::vector<double> rows = raysAround(GridPlace{}, 5000);
     const RayRows rays{std::span<const double>(rows)};
     const RayLimits limits{0.5, 300};
@@ -105,7 +105,7 @@ TEST(CastSlot, RaysAsGivenFindWhatPackedOnesDo) {
     const double radius = GridPlace{}.edge * static_cast<double>(sphereSplats(400, 0.4f)[0].radius);
     std::size_t hits = 0, others = 0;
     for (std::size_t i = 0; i < rays.count; ++i) {
-        const bool is_hit = expected[i].target == 0;
+        const bool is_hit = expected[i].instance == 0;
         hits += is_hit;
         others += splats[i] != (is_hit ? expected[i].splat : NO_INDEX);
         if (is_hit && splats[i] == expected[i].splat) {

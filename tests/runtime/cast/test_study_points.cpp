@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Studies of tile sets and scene files: their points, and what they say of the world.
+// Studies of tile sets and scene files: points, up and north.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -41,7 +41,7 @@ protected:
         return {points.positions[3 * i], points.positions[3 * i + 1], points.positions[3 * i + 2]};
     }
 
-    /// A plane facing up on its file's x-y, turned about x by 90 degrees, so that it stands facing -y; at half size.
+    /// A plane that faces up in its file, rotated about x by 90 degrees to face -y, at half size.
     std::string turnedScene() const {
         writeScan(folder.file("plane.pro"), planeSplats(20, 0.5f), {});
         folder.write("scene.toml", "[[instance]]\nfile = \"plane.pro\"\n[[instance]]\nfile = \"plane.pro\"\n"
@@ -53,7 +53,7 @@ protected:
     TemporaryFolder folder;
 };
 
-TEST_F(StudyScenes, EachPointOfASetComesOnce) {
+TEST_F(StudyScenes, Points_OfASetComeOnce) {
     const ScenePoints points = allOf({ball->tiles()}, 777);
     ASSERT_EQ(points.radii.size(), SphereInTiles::kSplats);
     const TraceDevice device;
@@ -74,7 +74,7 @@ TEST_F(StudyScenes, EachPointOfASetComesOnce) {
     EXPECT_NEAR(medianRadius({ball->whole()}), ball->splat_radius, 0.02 * ball->splat_radius);
 }
 
-TEST_F(StudyScenes, ABallInTilesIsLitAndSeenAsTheFormulasSay) {
+TEST_F(StudyScenes, TiledBall_MatchesTheFormulas) {
     const TraceDevice device;
     const ScenePoints points = allOf({ball->tiles()});
     const StudyRules rules{.sides = sidesOf({ball->tiles()})};
@@ -88,7 +88,7 @@ TEST_F(StudyScenes, ABallInTilesIsLitAndSeenAsTheFormulasSay) {
         std::size_t wrong = 0;
         for (std::size_t i = 0; i < lit.size(); ++i) {
             const Vec3 outwards = normalize(positionOf(points, i) - ball->center);
-            // what lies within 8 radii of the terminator looks over it, where both sides count
+            // excludes points within 8 radii of the terminator, which see both sides
             const double rim = 8 * ball->splat_radius / SphereInTiles::kRadius;
             const double to_sun = dot(outwards, sun), to_eye = dot(outwards, normalize(eye - positionOf(points, i)));
             if (std::abs(to_sun) > rim) wrong += (lit[i] > 0) != (to_sun > 0);
@@ -98,7 +98,7 @@ TEST_F(StudyScenes, ABallInTilesIsLitAndSeenAsTheFormulasSay) {
     }
 }
 
-TEST_F(StudyScenes, InstancesStandWhereTheSceneFilePutsThem) {
+TEST_F(StudyScenes, Instances_AreAtTheirPlacements) {
     const ScenePoints points = allOf({turnedScene()});
     const ScanPoints own = scanPoints(folder.file("plane.pro"));
     ASSERT_EQ(points.radii.size(), 2 * own.radii.size());
@@ -117,8 +117,8 @@ TEST_F(StudyScenes, InstancesStandWhereTheSceneFilePutsThem) {
     EXPECT_EQ(sidesOf({turnedScene()}), Sides::kFront);
 }
 
-TEST_F(StudyScenes, UpAndNorthStandAsTheInstanceDoes) {
-    EXPECT_EQ(scanUp(turnedScene()), (std::array<double, 3>{0, 0, 1})); // nothing says
+TEST_F(StudyScenes, UpAndNorth_FollowThePlacement) {
+    EXPECT_EQ(scanUp(turnedScene()), (std::array<double, 3>{0, 0, 1})); // the file has no up
     const auto sceneOf = [&](const std::string& instance, const std::string& head = "") {
         return folder.write("up.toml",
                             head + "[[instance]]\nfile = \"" POINTRT_GOLDEN_DIR "/tiny_v1_2.pro\"\n" + instance);
@@ -131,7 +131,7 @@ TEST_F(StudyScenes, UpAndNorthStandAsTheInstanceDoes) {
     EXPECT_EQ(scanUp(sceneOf("", "up = \"x\"\n")), (std::array<double, 3>{1, 0, 0}));
 }
 
-TEST_F(StudyScenes, ATileThatIsNotWhatTheSetSaysIsRefused) {
+TEST_F(StudyScenes, ChangedTile_IsRefused) {
     TemporaryFolder copy;
     std::filesystem::copy(ball->tiles(), copy.file("copy.proset"), std::filesystem::copy_options::recursive);
     const SetTile* last = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws a direction by xy of each query, or where drawn is 0 looks along its xyz: two vectors of answers for each.
+// For each query, samples a direction with its xy, or if drawn is 0 evaluates the direction xyz. Two vectors each.
 #version 450
 
 #extension GL_GOOGLE_include_directive : require

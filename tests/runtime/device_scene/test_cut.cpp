@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cuts and boxes of made-up sets, whose pixels can be counted by hand.
+// Cuts and boxes of small sets whose pixels can be counted by hand.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -27,7 +27,7 @@ TileSet setOf(std::size_t levels, std::vector<SetTile> tiles) {
     TileSet set;
     set.edge = 1;
     set.levels.resize(levels);
-    for (SetLevel& level : set.levels) level.radius_max = 1.0 / 16; // of a cube two edges wide: an eighth of an edge
+    for (SetLevel& level : set.levels) level.radius_max = 1.0 / 16; // in a cube of two edges: an eighth of an edge
     set.tiles = std::move(tiles);
     arrangeTiles(set);
     return set;
@@ -57,8 +57,8 @@ CutRequest requestOf(CutView view) {
 
 TileCut cutOf(const TileSet& set, const CutRequest& request) { return chooseCut(set, childrenOf(set), request); }
 
-TEST(Cut, CamerasMayLookAside) {
-    // the principal point on its right border, it shows what is left of the axis: y from 0.5 to 4.5 at x = 1
+TEST(Cut, ShiftedCameras_AreSupported) {
+    // the principal point is on the right border: the picture covers y from 0.5 to 4.5 at x = 1
     CutView view = fromTheLeft(100);
     view.camera.forward = view.camera.forward - view.camera.right;
     const TileBox left{{1, 3, 0}, {1.1, 3.1, 1}}, right{{1, 0.2, 0}, {1.1, 0.3, 1}}, far_left{{1, 5, 0}, {1.1, 5.1, 1}};
@@ -72,23 +72,23 @@ TEST(Cut, CamerasMayLookAside) {
     EXPECT_FALSE(isInPicture(far_left, view));
 }
 
-TEST(Cut, PixelsAreThoseOfTheNearestPointOfTheCore) {
+TEST(Cut, ScreenSpaceError_IsThatOfTheNearestPoint) {
     const TileSet set = rowOfFour();
-    EXPECT_NEAR(leftOutPixels(set, set.tiles[0], fromTheLeft(100)), 0.4 / 0.02, 1e-9);
-    EXPECT_NEAR(leftOutPixels(set, set.tiles[2], fromTheLeft(100)), 0.2 / 0.06, 1e-9);
-    EXPECT_EQ(leftOutPixels(set, set.tiles[3], fromTheLeft(100)), 0);
+    EXPECT_NEAR(screenSpaceError(set, set.tiles[0], fromTheLeft(100)), 0.4 / 0.02, 1e-9);
+    EXPECT_NEAR(screenSpaceError(set, set.tiles[2], fromTheLeft(100)), 0.2 / 0.06, 1e-9);
+    EXPECT_EQ(screenSpaceError(set, set.tiles[3], fromTheLeft(100)), 0);
     SetTile sparse = set.tiles[2];
     sparse.spacing = 0.6; // more than its error
-    EXPECT_NEAR(leftOutPixels(set, sparse, fromTheLeft(100)), 0.6 / 0.06, 1e-9);
+    EXPECT_NEAR(screenSpaceError(set, sparse, fromTheLeft(100)), 0.6 / 0.06, 1e-9);
     CutView parallel = fromTheLeft(100);
     parallel.camera.ortho_height = 5;
-    EXPECT_NEAR(leftOutPixels(set, set.tiles[2], parallel), 0.2 / 0.05, 1e-9);
+    EXPECT_NEAR(screenSpaceError(set, set.tiles[2], parallel), 0.2 / 0.05, 1e-9);
     CutView within = fromTheLeft(100);
     within.camera.eye = {1, 0.5, 0.5};
-    EXPECT_EQ(leftOutPixels(set, set.tiles[0], within), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(screenSpaceError(set, set.tiles[0], within), std::numeric_limits<double>::infinity());
 }
 
-TEST(Cut, EndsWhereWhatIsLeftOutIsBelowAPixel) {
+TEST(Cut, Refinement_StopsBelowAPixel) {
     const TileSet set = rowOfFour();
     EXPECT_EQ(cutOf(set, requestOf(fromTheLeft(100))).tiles, (Numbers{3, 4, 5, 6})); // 20, 10 and 3.3 pixels
     EXPECT_EQ(cutOf(set, requestOf(fromTheLeft(12))).tiles, (Numbers{2, 3, 4}));     // 2.4, 1.2 and 0.4
@@ -96,7 +96,7 @@ TEST(Cut, EndsWhereWhatIsLeftOutIsBelowAPixel) {
     EXPECT_EQ(cutOf(set, requestOf(fromTheLeft(4))).tiles, Numbers{0});              // 0.8
 }
 
-TEST(Cut, DetailIsHowManyPixelsMayBeLeftOut) {
+TEST(Cut, Detail_IsTheErrorInPixels) {
     const TileSet set = rowOfFour();
     CutRequest request = requestOf(fromTheLeft(100)); // 20, 10 and 3.3 pixels
     EXPECT_EQ(request.detail, 1);
@@ -110,35 +110,35 @@ TEST(Cut, DetailIsHowManyPixelsMayBeLeftOut) {
     EXPECT_EQ(cutOf(set, request).tiles, Numbers{0});
 }
 
-TEST(Cut, WithoutPixelsToLeaveOutAllIsAtItsFinest) {
+TEST(Cut, DetailZero_TakesTheFinestTiles) {
     const TileSet set = rowOfFour();
     CutRequest request = requestOf(fromTheLeft(1)); // a fifth of a pixel
-    request.views[0].camera.forward = {-1, 0, 0};   // and nobody looks
+    request.views[0].camera.forward = {-1, 0, 0};   // and no camera sees it
     request.views[0].camera.right = {0, 1, 0};
     EXPECT_EQ(cutOf(set, request).tiles, Numbers{0});
     request.detail = 0;
     EXPECT_EQ(cutOf(set, request).tiles, (Numbers{3, 4, 5, 6}));
-    request.memory = 399; // as ever
+    request.memory = 399; // the limit applies all the same
     EXPECT_EQ(cutOf(set, request).tiles, (Numbers{2, 3, 4}));
     EXPECT_FALSE(cutOf(set, request).fits);
 }
 
-TEST(Cut, NothingIsLargerThanAPicture) {
+TEST(Cut, LargestDetail_TakesTheRoot) {
     const TileSet set = rowOfFour();
     CutRequest request = requestOf(fromTheLeft(100));
-    request.views[0].camera.eye = {1.5, 0.5, 0.5}; // within: what is left out is infinitely large
+    request.views[0].camera.eye = {1.5, 0.5, 0.5}; // inside: the error is infinite
     request.detail = kMaxPixelSide - 1;
     EXPECT_EQ(cutOf(set, request).tiles, (Numbers{2, 3, 4}));
     request.detail = kMaxPixelSide;
     EXPECT_EQ(cutOf(set, request).tiles, Numbers{0});
 }
 
-TEST(Cut, MemoryEndsItWhereTheNextTileWouldPassIt) {
+TEST(Cut, Memory_LimitsTheCut) {
     const TileSet set = rowOfFour();
     CutRequest request = requestOf(fromTheLeft(100));
     request.memory = 399;
     const TileCut cut = cutOf(set, request);
-    EXPECT_EQ(cut.tiles, (Numbers{2, 3, 4})); // the left half leaves out more
+    EXPECT_EQ(cut.tiles, (Numbers{2, 3, 4})); // the left half has the larger error
     EXPECT_EQ(cut.bytes, 300u);
     EXPECT_FALSE(cut.fits);
     request.memory = 400;
@@ -149,25 +149,25 @@ TEST(Cut, MemoryEndsItWhereTheNextTileWouldPassIt) {
     EXPECT_EQ(cutOf(set, request).bytes, 348u);
     request.splat_bytes = 0;
     TileSet heavy = set;
-    heavy.tiles[3].bytes = 1000; // what does not fit is passed over
+    heavy.tiles[3].bytes = 1000; // tiles that do not fit are skipped
     EXPECT_EQ(cutOf(heavy, request).tiles, (Numbers{1, 5, 6}));
-    request.memory = 0; // the root is always there
+    request.memory = 0; // the root is exempt
     EXPECT_EQ(cutOf(set, request).tiles, Numbers{0});
 }
 
-TEST(Cut, APixelIsLargerWhereNoCameraLooks) {
+TEST(Cut, UnseenTiles_MayBeCoarser) {
     const TileSet set = rowOfFour();
     CutRequest request = requestOf(fromTheLeft(29)); // 5.8, 2.9 and 0.97 pixels
     EXPECT_EQ(cutOf(set, request).tiles, (Numbers{2, 3, 4}));
     request.views[0].camera.forward = {-1, 0, 0}; // 1.45, 0.73 and 0.24
     request.views[0].camera.right = {0, 1, 0};
     EXPECT_EQ(cutOf(set, request).tiles, (Numbers{1, 2}));
-    request.wanted_unseen.assign(7, false);
-    request.wanted_unseen[1] = true;
+    request.hit_unseen.assign(7, false);
+    request.hit_unseen[1] = true;
     EXPECT_EQ(cutOf(set, request).tiles, (Numbers{2, 3, 4}));
 }
 
-TEST(Cut, OfSeveralCamerasEachSeesEnough) {
+TEST(Cut, SeveralCameras_EachGetTheirDetail) {
     const TileSet set = rowOfFour();
     CutRequest request = requestOf(fromTheLeft(12));
     CutView other = fromTheLeft(12);
@@ -176,40 +176,40 @@ TEST(Cut, OfSeveralCamerasEachSeesEnough) {
     EXPECT_EQ(cutOf(set, request).tiles, (Numbers{3, 4, 5, 6}));
 }
 
-TEST(Cut, ParentsStandForLostTiles) {
+TEST(Cut, MissingTiles_AreReplacedByParents) {
     const TileSet set = rowOfFour();
     CutRequest request = requestOf(fromTheLeft(100));
-    request.lost.assign(7, false);
-    request.lost[4] = true;
+    request.missing.assign(7, false);
+    request.missing[4] = true;
     EXPECT_EQ(cutOf(set, request).tiles, (Numbers{1, 5, 6}));
-    request.lost[2] = true;
+    request.missing[2] = true;
     EXPECT_EQ(cutOf(set, request).tiles, Numbers{0});
 }
 
-/// 0: the root, of x from 0 to 8; 1: its left half, 2: its right half, which leaves out nothing to speak of; 3: from 2
-/// to 4; 4: from 4 to 6; 5: from 3 to 4; 6: from 4 to 5.
+/// 0: the root, x from 0 to 8; 1: its left half; 2: its right half, with a negligible error; 3: from 2 to 4; 4: from 4
+/// to 6; 5: from 3 to 4; 6: from 4 to 5.
 TileSet steepSteps() {
     return setOf(4,
                  {tileAt(3, {0, 0, 0}, 8), tileAt(2, {0, 0, 0}, 4), tileAt(2, {1, 0, 0}, 1e-6), tileAt(1, {1, 0, 0}, 2),
                   tileAt(1, {2, 0, 0}, 5e-7), tileAt(0, {3, 0, 0}, 0), tileAt(0, {4, 0, 0}, 0)});
 }
 
-TEST(Cut, NeighborsDifferByOneLevelAtMost) {
+TEST(Cut, Neighbors_DifferByAtMostOneLevel) {
     const TileSet set = steepSteps();
     EXPECT_EQ(cutOf(set, requestOf(fromTheLeft(100))).tiles, (Numbers{4, 5}));
 }
 
-TEST(Cut, HitsCountBeyondTheCoreWhereNobodyElsesWould) {
+TEST(Cut, HitBox_ExtendsWhereNoOtherTileIs) {
     const TileSet set = steepSteps();
     std::vector<bool> in_cut(7, false);
     in_cut[4] = in_cut[5] = true;
-    // to the right the coarser tile's error; elsewhere no tile: an eighth of an edge
+    // to the right by the coarser tile's error; elsewhere there is no tile: by an eighth of an edge
     const TileBox fine = hitBox(set, in_cut, 5);
     EXPECT_DOUBLE_EQ(fine.low[0], 3 - 0.125);
     EXPECT_DOUBLE_EQ(fine.high[0], 4 + 5e-7);
     EXPECT_DOUBLE_EQ(fine.low[1], -0.125);
     EXPECT_DOUBLE_EQ(fine.high[2], 1.125);
-    // to the left stands a finer tile, but not all along that side
+    // to the left a finer tile covers only a part of that side
     const TileBox coarse = hitBox(set, in_cut, 4);
     EXPECT_DOUBLE_EQ(coarse.low[0], 4 - 0.25);
     EXPECT_DOUBLE_EQ(coarse.high[0], 6.25);
@@ -219,7 +219,7 @@ TEST(Cut, HitsCountBeyondTheCoreWhereNobodyElsesWould) {
     EXPECT_EQ(inner.high[0], 2);
 }
 
-TEST(Cut, WhatACameraSeesOfAPlacedSet) {
+TEST(Cut, View_IsInTheCoordinatesOfThePlacedSet) {
     Placement placement;
     placement.rotation = {Vec3{0, 1, 0}, Vec3{-1, 0, 0}, Vec3{0, 0, 1}}; // world x is the set's y
     placement.scale = 2;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Environment light on whatever Vulkan device there is: densities that sum to one, draws that agree with them, and the
-// light of known pictures.
+// Environment lighting on the available Vulkan device: densities sum to one, samples match them, and known pictures
+// give the right light.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ struct Push {
 
 struct Answer {
     std::array<float, 3> direction;
-    float drawn_pdf; ///< where a direction was drawn
+    float drawn_pdf; ///< of a sampled direction
     std::array<float, 3> radiance;
     float pdf; ///< environmentPdf
 };
@@ -47,7 +47,7 @@ void setTexel(FloatImage& image, std::uint32_t x, std::uint32_t y, std::array<fl
     std::copy(rgb.begin(), rgb.end(), &image.rgb[3 * (std::size_t{y} * image.width + x)]);
 }
 
-/// Dim light with structure in every texel, black parts and lamps a thousand times as bright.
+/// Dim light with structure in every texel, black parts, and lamps a thousand times as bright.
 FloatImage roomImage(std::uint32_t width, std::uint32_t height) {
     FloatImage image = evenImage(width, height, 0);
     for (std::uint32_t y = 0; y < height; ++y)
@@ -62,7 +62,7 @@ FloatImage roomImage(std::uint32_t width, std::uint32_t height) {
     return image;
 }
 
-/// Points of [0, 1)^2 by Roberts' R2 sequence: even without being a grid.
+/// Points of [0, 1)^2 by Roberts' R2 sequence: low discrepancy, not a grid.
 std::vector<Vec4> evenPoints(std::uint32_t count) {
     std::vector<Vec4> points(count);
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -133,7 +133,7 @@ private:
 
 /// Directions to the centres of a fine grid, and the solid angle of each of its rows.
 struct Sphere {
-    std::uint32_t width = 1500, height = 751; // no multiple of the pictures' own sizes
+    std::uint32_t width = 1500, height = 751; // not a multiple of the pictures' sizes
     std::vector<Vec4> directions;
     Sphere() {
         for (std::uint32_t y = 0; y < height; ++y)
@@ -146,7 +146,7 @@ struct Sphere {
     }
 };
 
-TEST_F(EnvironmentTest, DensitiesSumToOne) {
+TEST_F(EnvironmentTest, Densities_SumToOne) {
     const Sphere sphere;
     for (const FloatImage& image : {roomImage(64, 32), roomImage(300, 211), evenImage(1, 1, 2), evenImage(16, 8, 0)}) {
         const Environment environment = makeEnvironment(image);
@@ -157,7 +157,7 @@ TEST_F(EnvironmentTest, DensitiesSumToOne) {
     }
 }
 
-TEST_F(EnvironmentTest, DrawsGiveTheLightOfThePicture) {
+TEST_F(EnvironmentTest, Samples_IntegrateToThePicture) {
     FloatImage one = evenImage(64, 32, 0);
     setTexel(one, 21, 9, {100, 50, 25});
     FloatImage seam = evenImage(64, 32, 0.01f);
@@ -177,8 +177,8 @@ TEST_F(EnvironmentTest, DrawsGiveTheLightOfThePicture) {
     }
 }
 
-// What one texel of 64 x 32 sends, by hand: the integral of sin(theta) times a tent as wide as two texels.
-TEST_F(EnvironmentTest, OneTexelSendsItsShare) {
+// The light of one texel of 64 x 32, by hand: the integral of sin(theta) times a tent two texels wide.
+TEST_F(EnvironmentTest, OneTexel_HasItsShare) {
     FloatImage image = evenImage(64, 32, 0);
     setTexel(image, 40, 16, {10, 10, 10});
     const double step = kPi / 32, solid_angle = step * std::sin(16.5 * step) * 2 * (1 - std::cos(step)) / step;
@@ -189,7 +189,7 @@ TEST_F(EnvironmentTest, OneTexelSendsItsShare) {
     EXPECT_NEAR(sum, 10 * solid_angle, 0.1 * solid_angle);
 }
 
-/// Of all cells that can be drawn, which the mean of 1 / pdf is.
+/// The solid angle of all cells that can be sampled, which is the mean of 1 / pdf.
 double litSolidAngle(const Environment& environment) {
     const std::size_t rows = environment.rows, columns = environment.columns;
     double sum = 0;
@@ -203,7 +203,7 @@ double litSolidAngle(const Environment& environment) {
     return sum;
 }
 
-TEST_F(EnvironmentTest, DrawsAreAsDenseAsTheyClaim) {
+TEST_F(EnvironmentTest, Samples_MatchTheirDensity) {
     for (const FloatImage& image : {roomImage(64, 32), roomImage(900, 450)}) {
         const Environment environment = makeEnvironment(image);
         const std::vector<Answer> answers = draw(environment, 100'000);
@@ -216,21 +216,21 @@ TEST_F(EnvironmentTest, DrawsAreAsDenseAsTheyClaim) {
             different += std::abs(answer.pdf - answer.drawn_pdf) > 1e-3 * answer.drawn_pdf;
             inverse_sum += 1 / static_cast<double>(answer.drawn_pdf) / static_cast<double>(answers.size());
         }
-        // A direction on a cell's edge may be taken for its neighbour's.
+        // a direction on the edge of a cell may be attributed to its neighbour
         EXPECT_LE(different, answers.size() / 500) << image.width;
-        // All but the black part's inside: an eighth of the sphere, less its edges.
+        // all but the interior of the black part, which is an eighth of the sphere
         EXPECT_GT(lit, 4 * kPi * 0.87);
         EXPECT_LT(lit, 4 * kPi * 0.93);
         EXPECT_NEAR(inverse_sum, lit, 0.01 * lit) << image.width;
     }
 }
 
-TEST_F(EnvironmentTest, LooksWhereTheConventionSays) {
+TEST_F(EnvironmentTest, Directions_FollowTheConvention) {
     FloatImage image = evenImage(8, 4, 0);
     for (std::uint32_t y = 0; y < 4; ++y)
         for (std::uint32_t x = 0; x < 8; ++x) setTexel(image, x, y, {static_cast<float>(x), static_cast<float>(y), 1});
     const Environment environment = makeEnvironment(image);
-    // Ahead, right, behind, left: on the horizon, between rows 1 and 2; behind is where column 7 meets column 0.
+    // ahead, right, behind, left: on the horizon, between rows 1 and 2; behind is between columns 7 and 0
     const std::vector<Answer> around =
         look(environment, {{0, 0, -1, 0}, {1, 0, 0, 0}, {0, 0, 1, 0}, {-1, 0, 0, 0}, {0, 1, 0, 0}, {0, -1, 0, 0}});
     const float columns[] = {3.5f, 5.5f, 3.5f, 1.5f};
@@ -245,7 +245,7 @@ TEST_F(EnvironmentTest, LooksWhereTheConventionSays) {
     EXPECT_NEAR(centre[0].radiance[1], 0, 1e-3);
 }
 
-TEST_F(EnvironmentTest, FollowsBilinearInterpolationClosely) {
+TEST_F(EnvironmentTest, Density_FollowsBilinearInterpolation) {
     const FloatImage image = roomImage(4096, 64);
     const Environment environment = makeEnvironment(image);
     std::vector<Vec4> directions;
@@ -256,14 +256,14 @@ TEST_F(EnvironmentTest, FollowsBilinearInterpolationClosely) {
         expected.push_back(image.rgb[3 * (std::size_t{y} * 4096 + x)]);
     }
     const std::vector<Answer> answers = look(environment, directions);
-    // Half a hundredth of a texel in the columns, where neighbours differ by up to 0.3.
+    // 0.005 texels in the columns, where neighbours differ by up to 0.3
     for (std::size_t i = 0; i < answers.size(); ++i)
         if (expected[i] < 1) {
             ASSERT_NEAR(answers[i].radiance[0], expected[i], 0.004) << i;
         }
 }
 
-TEST_F(EnvironmentTest, TurnsWithTheWorld) {
+TEST_F(EnvironmentTest, Rotation_IsAppliedToTheWorld) {
     FloatImage image = evenImage(64, 32, 1);
     setTexel(image, 31, 15, {500, 500, 500});
     setTexel(image, 32, 16, {500, 500, 500});
@@ -284,11 +284,11 @@ TEST_F(EnvironmentTest, TurnsWithTheWorld) {
         for (const Answer& answer : draws)
             towards += turned.lamp.x * answer.direction[0] + turned.lamp.y * answer.direction[1] +
                        turned.lamp.z * answer.direction[2];
-        EXPECT_GT(towards / 10'000, 0.3); // 2 texels of 500 send a third more than all the rest
+        EXPECT_GT(towards / 10'000, 0.3); // 2 texels of 500 emit a third more than all others
     }
 }
 
-TEST(Environment, AveragesLargePictures) {
+TEST(Environment, LargePictures_AreDownsampled) {
     FloatImage image = evenImage(10'000, 20, 0.5f);
     for (std::size_t i = 0; i < image.rgb.size(); i += 3) image.rgb[i] = i / 3 % 10'000 < 5'000 ? 4.0f : 0.0f;
     const Environment environment = makeEnvironment(image);
@@ -305,7 +305,7 @@ TEST(Environment, AveragesLargePictures) {
     EXPECT_EQ(environment.texels[3], 1);
 }
 
-TEST(Environment, DistributionsRiseFromZeroToOne) {
+TEST(Environment, Distributions_RiseFromZeroToOne) {
     const Environment environment = makeEnvironment(roomImage(700, 300));
     const auto expectRise = [&](std::size_t first, std::size_t count) {
         const auto begin = environment.cdf.begin() + static_cast<std::ptrdiff_t>(first);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of GGX's directional albedo against its definition.
+// The table of the directional albedo of GGX against its definition.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// The lobe's albedo by the definition: an integral over the directions of light, in the half vector's angle.
+/// The albedo by definition: an integral over light directions, in the angle of the half vector.
 GgxAlbedo albedoByDefinition(double cosine, double roughness) {
     constexpr int kPolar = 1500, kAround = 600;
     const double alpha = roughness * roughness, sine = std::sqrt(1 - cosine * cosine);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How parts of a scene are put into render space, against long doubles and by hand.
+// Transforms to render space, against long doubles and by hand.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -52,7 +52,7 @@ using Long3 = std::array<long double, 3>;
 
 Long3 longOf(Vec3 v) { return {v.x, v.y, v.z}; }
 
-/// The world point of a place in an instance's cube.
+/// The world point of a point in an instance's cube.
 Long3 worldOf(const Placement& placement, const pro_info& info, Vec3 cube) {
     const Long3 at = longOf(cube), translation = longOf(placement.translation);
     Long3 input, world;
@@ -65,7 +65,7 @@ Long3 worldOf(const Placement& placement, const pro_info& info, Vec3 cube) {
     return world;
 }
 
-/// The render space point of a world point, as what the device would be given without rounding.
+/// The render space point of a world point, without rounding.
 Long3 renderPointOf(const RenderSpace& space, const Long3& world) {
     const Long3 origin = longOf(space.origin);
     Long3 point;
@@ -161,7 +161,7 @@ TEST(RenderSpace, RowsAreASimilarity) {
         for (int b = 0; b < 3; ++b) {
             const double product =
                 double(rows[a].x) * rows[b].x + double(rows[a].y) * rows[b].y + double(rows[a].z) * rows[b].z;
-            const double units = 10.0 / (3 * 6); // cube units in a render unit
+            const double units = 10.0 / (3 * 6); // cube units per render unit
             EXPECT_NEAR(product, a == b ? units * units : 0, 1e-7);
         }
 }
@@ -233,7 +233,7 @@ TEST(PackShape, TakesThePlaceToTheUnitForm) {
         Long3 world;
         for (int k = 0; k < 3; ++k) world[k] = center[k] + local.x * u[k] + local.y * v[k] + local.z * w[k];
         const Long3 point = renderPointOf(space, world);
-        // local coordinates are about 20 where the space has its origin
+        // local coordinates are about 20 at the origin of render space
         EXPECT_NEAR(applied(packed.row_x, point), local.x, 5e-6);
         EXPECT_NEAR(applied(packed.row_y, point), local.y, 5e-6);
         EXPECT_NEAR(applied(packed.row_z, point), local.z, 5e-6);
@@ -257,7 +257,7 @@ TEST(PackShape, KnowsEachKind) {
     }
 }
 
-// A light one metre away gives the same irradiance whatever a render unit is.
+// A light one metre away gives the same irradiance for any render unit.
 TEST(PackLight, KeepsIrradianceAndRadiance) {
     const RenderSpace space{{10, 0, 0}, 4};
     const gpu::Light point = packLight(space, PointLight{{12, 4, 8}, {32, 16, 8}});
@@ -342,7 +342,7 @@ TEST(PackMaterial, PutsEachPropertyInItsPlace) {
     EXPECT_EQ(packed.gloss.z, 1.7f);
     EXPECT_EQ(packed.base.y, 0.2f);
     EXPECT_EQ(std::bit_cast<std::uint32_t>(packed.base.w), MATERIAL_THIN);
-    EXPECT_EQ(packed.absorption.y, 20) << "by render units, of which one is ten of the world's";
+    EXPECT_EQ(packed.absorption.y, 20) << "per render unit, which is ten world units";
     EXPECT_EQ(packed.emission.z, 6);
     EXPECT_EQ(std::bit_cast<std::uint32_t>(packed.emission.w), NO_LIGHT);
     MaterialDescription matte;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Splats painted by what their scan says of them; no device is needed.
+// Painting of splats by attributes, without a device.
 #include "runtime/device_scene/scene_paint.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr Vec3 kZ{0, 0, 1};
 
-/// The tiny scene with all that it says, opened as the viewer opens files.
+/// The tiny scene with all attributes, opened as the viewer opens files.
 class ScenePaintTest : public testing::Test {
 protected:
     ScenePaintTest() {
@@ -100,15 +100,15 @@ protected:
 
 using Ints = std::vector<int>;
 
-TEST_F(ScenePaintTest, IsNotAskedForByItself) {
+TEST_F(ScenePaintTest, IsOff_ByDefault) {
     EXPECT_FALSE(plan().paints.at(0));
     EXPECT_FALSE(plan().legend);
     put(MaterialOverride::Row{0}, 0);
     put(MaterialOverride::ColorRange{{0, 0, 0}, {9, 9, 9}}, 0);
-    EXPECT_FALSE(plan().paints.at(0)) << "shaders do these";
+    EXPECT_FALSE(plan().paints.at(0)) << "shaders apply these";
 }
 
-TEST_F(ScenePaintTest, ColoursByAnAttributeAndNothingElseChanges) {
+TEST_F(ScenePaintTest, Attribute_ChangesColoursOnly) {
     colorBy("intensity", ColorMap::kGrey, ValueRange{0, 100});
     EXPECT_EQ(greys(), (Ints{0, 255, 17, 255, 30})); // 7 and 12 of 100 in 256 steps
     const std::vector<std::uint32_t> words = painted();
@@ -118,7 +118,7 @@ TEST_F(ScenePaintTest, ColoursByAnAttributeAndNothingElseChanges) {
     }
 }
 
-TEST_F(ScenePaintTest, PaintsPartsAlike) {
+TEST_F(ScenePaintTest, Parts_ArePaintedAlike) {
     colorBy("classification");
     const std::vector<std::uint32_t> whole = painted();
     std::vector<std::uint32_t> part(2 * PRO_SPLAT_WORDS);
@@ -126,7 +126,7 @@ TEST_F(ScenePaintTest, PaintsPartsAlike) {
     EXPECT_TRUE(std::equal(part.begin(), part.end(), whole.begin() + 3 * PRO_SPLAT_WORDS));
 }
 
-TEST_F(ScenePaintTest, ClassesHaveTheirColours) {
+TEST_F(ScenePaintTest, Classes_HaveTheirColours) {
     colorBy("class");
     const ColorScale classes(ColorMap::kClasses, {});
     EXPECT_EQ(colors(), (std::vector{classes(2), classes(2), classes(6), classes(5), classes(2)}));
@@ -136,20 +136,20 @@ TEST_F(ScenePaintTest, ClassesHaveTheirColours) {
     EXPECT_EQ(legend.entries[1].text, "5 high vegetation");
 }
 
-TEST_F(ScenePaintTest, WhatHasNoNumberIsGrey) {
+TEST_F(ScenePaintTest, MissingNumbers_AreGrey) {
     colorBy("gps_time", ColorMap::kMagma, ValueRange{0, 10});
     EXPECT_EQ(colors()[1], kMissingColor);
     EXPECT_NE(colors()[2], kMissingColor);
 }
 
-TEST_F(ScenePaintTest, ComponentsHaveNumbers) {
+TEST_F(ScenePaintTest, Components_AreNumbered) {
     colorBy("rgb16.1", ColorMap::kGrey, ValueRange{2, 14});
     EXPECT_EQ(greys(), (Ints{0, 64, 128, 192, 255}));
     colorBy("größe in einer Einheit, 31 By", ColorMap::kGrey, ValueRange{0, 2});
     EXPECT_EQ(greys(), (Ints{0, 0, 128, 255, 0}));
 }
 
-TEST_F(ScenePaintTest, HeightsAreThoseOfTheWorld) {
+TEST_F(ScenePaintTest, Heights_AreInTheWorld) {
     scene.up = kZ;
     colorBy("height", ColorMap::kGrey, ValueRange{30, 32}); // z of the splats: 30 + 2 * 0.25, 0.1, 0.1, 0.45, 0.75
     EXPECT_EQ(greys(), (Ints{64, 25, 25, 115, 192}));
@@ -165,7 +165,7 @@ TEST_F(ScenePaintTest, HeightsAreThoseOfTheWorld) {
     EXPECT_EQ(greys(), (Ints{64, 25, 25, 115, 192}));
 }
 
-TEST_F(ScenePaintTest, NumbersMayBeAnyThatThereAre) {
+TEST_F(ScenePaintTest, AllTypes_AreSupported) {
     const std::array<std::uint64_t, 5> large{~0ull, ~0ull, ~0ull, ~0ull, ~0ull};
     const double largest = std::numeric_limits<double>::max();
     const std::array<double, 5> wild{largest, -largest, 5e-324, -largest, largest};
@@ -184,22 +184,22 @@ TEST_F(ScenePaintTest, NumbersMayBeAnyThatThereAre) {
             EXPECT_LE(plan().legend->ticks.size(), 13u) << word << name;
         }
     colorBy("class", ColorMap::kGrey);
-    EXPECT_EQ(greys(), (Ints{128, 128, 128, 128, 128})) << "of that very name, not of classes";
+    EXPECT_EQ(greys(), (Ints{128, 128, 128, 128, 128})) << "the attribute of that name, not the classes";
     EXPECT_EQ(plan().legend->ticks.size(), 1u);
 }
 
-TEST_F(ScenePaintTest, NormalsAreColours) {
+TEST_F(ScenePaintTest, Normals_AreColours) {
     colorBy("normal");
     const std::vector<Srgb8> seen = colors();
     const Srgb8 expected[2] = {{128, 128, 255}, {128, 0, 128}}; // of splats 0 and 2: z and -y
-    for (std::size_t i = 0; i < 2; ++i)                         // files have normals in steps
+    for (std::size_t i = 0; i < 2; ++i)                         // normals are quantised
         for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(seen[2 * i][c], expected[i][c], 1) << i << " " << c;
     EXPECT_FALSE(plan().legend);
 }
 
-TEST_F(ScenePaintTest, RangesFitTheNumbers) {
+TEST_F(ScenePaintTest, Ranges_FitTheNumbers) {
     colorBy("classification", ColorMap::kGrey);
-    EXPECT_EQ(plan().legend->range, (ValueRange{2, 6})) << "all of small whole numbers";
+    EXPECT_EQ(plan().legend->range, (ValueRange{2, 6})) << "the full range of small integers";
     ASSERT_EQ(plan().legend->ticks.size(), 5u);
     EXPECT_EQ(plan().legend->ticks[1].text, "3");
     colorBy("intensity");
@@ -209,7 +209,7 @@ TEST_F(ScenePaintTest, RangesFitTheNumbers) {
     EXPECT_EQ(plan().legend->range, (ValueRange{5, 6}));
 }
 
-TEST_F(ScenePaintTest, OverridesAreDecidedInOrder) {
+TEST_F(ScenePaintTest, Overrides_ApplyInOrder) {
     using Numbers = MaterialOverride::Numbers;
     scene.materials.resize(4);
     put(Numbers{"class", {{2, 2}}}, 3); // splats 0, 1 and 4; file rows are 0 1 0 0 1
@@ -225,19 +225,19 @@ TEST_F(ScenePaintTest, OverridesAreDecidedInOrder) {
     EXPECT_EQ(rows(), (Ints{2, 1, 3, 2, 1}));
 }
 
-TEST_F(ScenePaintTest, ColouredScansKeepTheirOverrides) {
+TEST_F(ScenePaintTest, ColouredScans_KeepTheirOverrides) {
     scene.materials.resize(1);
     put(MaterialOverride::ColorRange{{0, 0, 250}, {10, 10, 255}}, 0); // by the colours of the file
     colorBy("intensity");
     EXPECT_EQ(rows(), (Ints{0, 1, 2, 0, 1}));
 }
 
-TEST_F(ScenePaintTest, NamesWhatThereIs) {
+TEST_F(ScenePaintTest, Errors_ListWhatIsAvailable) {
     colorBy("intensty");
     EXPECT_EQ(
         refusal(ExitCode::kBadUsage),
         "--color-by: " + scan.path +
-            " has no attribute \"intensty\", did you mean \"intensity\"? There is rgb, height, normal, intensity, "
+            " has no attribute \"intensty\", did you mean \"intensity\"? Available: rgb, height, normal, intensity, "
             "classification, gps_time, rgb16.0, rgb16.1, rgb16.2, größe in einer Einheit, 31 By");
     for (const char* word : {"rgb16", "rgb16.3", "rgb16.", ".0", "scan"}) {
         colorBy(word);
@@ -250,7 +250,7 @@ TEST_F(ScenePaintTest, NamesWhatThereIs) {
         refusal(ExitCode::kBadInput).starts_with("scene.toml:9: " + scan.path + " has no attribute \"normal\""));
 }
 
-TEST_F(ScenePaintTest, SplatsNameNoMoreThan256Materials) {
+TEST_F(ScenePaintTest, Materials_AreLimitedTo256) {
     scene.materials.resize(255);
     for (std::uint32_t m = 0; m < 254; ++m) put(MaterialOverride::Numbers{"intensity", {{0, 0}}}, m);
     EXPECT_EQ(refusal(ExitCode::kBadInput), "");
@@ -259,12 +259,12 @@ TEST_F(ScenePaintTest, SplatsNameNoMoreThan256Materials) {
               "scene.toml:9: " + scan.path + " has more than 256 materials with those of overrides");
 }
 
-TEST_F(ScenePaintTest, RequestsTellWhatIsPaintedAnew) {
+TEST_F(ScenePaintTest, Requests_DifferIfPaintDiffers) {
     const PaintRequest plain = paintRequest(scene, settings);
     settings.color_range = {{0, 1}};
     settings.legend = true;
     scene.up = kZ;
-    EXPECT_EQ(paintRequest(scene, settings), plain) << "nothing of it is seen";
+    EXPECT_EQ(paintRequest(scene, settings), plain) << "it has no visible effect";
     settings.color_by = "intensity";
     const PaintRequest intensity = paintRequest(scene, settings);
     EXPECT_NE(intensity, plain);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tiles come to a window in steps, coarse ones first.
+// A window loads tiles in steps, coarse ones first.
 #include <gtest/gtest.h>
 
 #include "runtime/window/edit/tile_job.h"
@@ -20,8 +20,8 @@ SetTile tileAt(std::uint32_t level, std::int32_t cell, double error, std::uint64
     return tile;
 }
 
-/// A root, two halves and four quarters, all of them wanted: the quarters take 160 MiB.
-TileOrder orderOfFour() {
+/// A root, two halves and four quarters. The full cut is the quarters, which take 160 MiB.
+TileLoadRequest requestOfFour() {
     OpenedSet set;
     set.folder = "row.proset";
     set.set.edge = 1;
@@ -33,41 +33,41 @@ TileOrder orderOfFour() {
     CutView view;
     view.camera = {{-1, 0.5, 0.5}, {0, -1, 0}, {0, 0, 1}, {1, 0, 0}, 90, 0};
     view.height = 100;
-    CutRequest request;
-    request.views = {view};
-    request.memory = 400 * kMebibyte;
-    TileOrder order;
-    order.resident = {tilePath(set, 0)};
-    order.sets = {set};
-    order.requests = {request};
-    return order;
+    CutRequest cut;
+    cut.views = {view};
+    cut.memory = 400 * kMebibyte;
+    TileLoadRequest request;
+    request.resident = {tilePath(set, 0)};
+    request.sets = {set};
+    request.requests = {cut};
+    return request;
 }
 
 using Numbers = std::vector<std::uint32_t>;
 
-TEST(TileStep, CoarseTilesComeFirst) {
-    TileOrder order = orderOfFour();
-    EXPECT_FALSE(chooseStep(order)); // 160 MiB for all, 90 with a quarter of the memory, 20 with a sixteenth
-    EXPECT_EQ(order.sets[0].cut.tiles, (Numbers{1, 2}));
-    for (const std::uint32_t tile : order.sets[0].cut.tiles) order.resident.insert(tilePath(order.sets[0], tile));
-    EXPECT_FALSE(chooseStep(order)); // what a sixteenth holds is there: on to a quarter
-    EXPECT_EQ(order.sets[0].cut.tiles, (Numbers{2, 3, 4}));
-    for (const std::uint32_t tile : order.sets[0].cut.tiles) order.resident.insert(tilePath(order.sets[0], tile));
-    EXPECT_TRUE(chooseStep(order));
-    EXPECT_EQ(order.sets[0].cut.tiles, (Numbers{3, 4, 5, 6}));
+TEST(TileStep, CoarseTiles_AreLoadedFirst) {
+    TileLoadRequest request = requestOfFour();
+    EXPECT_FALSE(chooseNextCut(request)); // 160 MiB for all, 90 with a quarter of the memory, 20 with a sixteenth
+    EXPECT_EQ(request.sets[0].cut.tiles, (Numbers{1, 2}));
+    for (const std::uint32_t tile : request.sets[0].cut.tiles) request.resident.insert(tilePath(request.sets[0], tile));
+    EXPECT_FALSE(chooseNextCut(request)); // the cut for a sixteenth is resident: on to a quarter
+    EXPECT_EQ(request.sets[0].cut.tiles, (Numbers{2, 3, 4}));
+    for (const std::uint32_t tile : request.sets[0].cut.tiles) request.resident.insert(tilePath(request.sets[0], tile));
+    EXPECT_TRUE(chooseNextCut(request));
+    EXPECT_EQ(request.sets[0].cut.tiles, (Numbers{3, 4, 5, 6}));
 }
 
-TEST(TileStep, WhatIsBuiltIsToComeAsWell) {
-    TileOrder order = orderOfFour();
-    order.requests[0].splat_bytes = 30 * kMebibyte; // tiles here have a splat each
-    EXPECT_EQ(chooseTiles(order), (4 * 40 + 4 * 30) * kMebibyte);
+TEST(TileStep, MissingBytes_IncludeIndicesToBuild) {
+    TileLoadRequest request = requestOfFour();
+    request.requests[0].splat_bytes = 30 * kMebibyte; // each tile has one splat
+    EXPECT_EQ(chooseTiles(request), (4 * 40 + 4 * 30) * kMebibyte);
 }
 
-TEST(TileStep, WhatIsThereTakesNoStep) {
-    TileOrder order = orderOfFour();
-    for (std::uint32_t tile = 0; tile < 7; ++tile) order.resident.insert(tilePath(order.sets[0], tile));
-    EXPECT_TRUE(chooseStep(order));
-    EXPECT_EQ(order.sets[0].cut.tiles, (Numbers{3, 4, 5, 6}));
+TEST(TileStep, ResidentTiles_TakeNoStep) {
+    TileLoadRequest request = requestOfFour();
+    for (std::uint32_t tile = 0; tile < 7; ++tile) request.resident.insert(tilePath(request.sets[0], tile));
+    EXPECT_TRUE(chooseNextCut(request));
+    EXPECT_EQ(request.sets[0].cut.tiles, (Numbers{3, 4, 5, 6}));
 }
 
 } // namespace

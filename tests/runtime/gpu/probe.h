@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a program that answers questions about shader functions, on whatever Vulkan device there is.
+// Runs a program that evaluates shader functions, on the available Vulkan device.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace pointrt {
 
-/// Buffers at bindings 0, 1, 2, ..., as probes have them.
+/// Buffers at bindings 0, 1, 2, ..., as in probes.
 inline std::vector<BufferBinding> bindingsInOrder(std::initializer_list<const Buffer*> buffers) {
     std::vector<BufferBinding> bindings;
     for (const Buffer* buffer : buffers)
@@ -24,8 +24,8 @@ inline std::vector<BufferBinding> bindingsInOrder(std::initializer_list<const Bu
     return bindings;
 }
 
-/// Runs the program once, for count answers by workgroups of 64, with buffers at bindings 0, 1, ...; the last one takes
-/// the answers. Destroys the buffers.
+/// Runs the program once, for count results by workgroups of 64, with buffers at bindings 0, 1, ...; the last one
+/// receives the results. Destroys the buffers.
 template <typename Answer>
 std::vector<Answer> answersOf(Device& device, std::span<const std::uint32_t> spirv, std::vector<Buffer> buffers,
                               std::size_t count, std::span<const std::byte> push) {
@@ -55,7 +55,7 @@ Buffer filledBuffer(Device& device, const std::vector<Row>& rows) {
 }
 
 /// A program with storage buffers at bindings 0 and 1 to read and at 2 to write, a local size of 64 and a push block of
-/// four counts, the first of them the answers'. Validation messages fail the test.
+/// four counts, of which the first is that of the results. Validation messages fail the test.
 template <typename Answer, typename First, typename Second>
 std::vector<Answer> runProbe(std::span<const std::uint32_t> spirv, const std::vector<First>& first,
                              const std::vector<Second>& second, std::array<std::uint32_t, 4> counts) {

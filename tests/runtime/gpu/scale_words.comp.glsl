@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// result[i] = words[i] * FACTOR + summand, for i below count: every kind of input the viewer's programs have.
+// result[i] = words[i] * FACTOR + summand, for i below count: every kind of input that programs of the viewer have.
 #version 450
 
 layout(local_size_x = 64) in;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Devices, buffers and programs on whatever Vulkan device there is, with the validation layer on: any message fails.
+// Devices, buffers and programs on the available Vulkan device, with the validation layer: any message fails the test.
 #include <gtest/gtest.h>
 
 #include <sys/mman.h>
@@ -49,7 +49,7 @@ protected:
         return words;
     }
 
-    /// words[i] * 3 + 5 computed on the device, the group count taken from a buffer when indirect.
+    /// Computes words[i] * 3 + 5 on the device. If indirect, reads the group count from a buffer.
     std::vector<std::uint32_t> scaleOnDevice(Buffer& words, bool indirect) {
         const std::uint32_t count = static_cast<std::uint32_t>(words.bytes / 4), groups = (count + 63) / 64;
         const std::vector<std::uint32_t> arguments = {0, groups, 1, 1};
@@ -74,8 +74,6 @@ protected:
         destroyBuffer(device, result);
         return scaled;
     }
-
-private:
 };
 
 std::vector<std::uint32_t> scaled(std::vector<std::uint32_t> words) {
@@ -91,6 +89,27 @@ TEST_F(DeviceTest, DescribesWhatItOpened) {
     EXPECT_NE(listDevices().find(device.name), std::string::npos);
 }
 
+TEST_F(DeviceTest, Workers_ShareTheMutexOfTheQueue) {
+    ASSERT_NE(device.queue_mutex, nullptr);
+    Device first, second;
+    std::thread other([&] { first = workerDevice(device); });
+    second = workerDevice(device);
+    other.join();
+    EXPECT_EQ(first.queue_mutex, device.queue_mutex);
+    EXPECT_EQ(second.queue_mutex, device.queue_mutex);
+    destroyWorkerDevice(first);
+    destroyWorkerDevice(second);
+}
+
+TEST_F(DeviceTest, Names_AreOnWithValidation) {
+    ASSERT_NE(std::getenv("POINTRT_VALIDATION"), nullptr);
+    EXPECT_NE(device.setObjectName, nullptr);
+    device.setObjectName = nullptr; // as without the extension
+    Buffer buffer = createBuffer(device, "words", 64, kStorage);
+    EXPECT_NE(buffer.handle, VkBuffer{});
+    destroyBuffer(device, buffer);
+}
+
 TEST_F(DeviceTest, UploadsAndDownloads) {
     const std::vector<std::uint32_t> words = countingWords(100'003);
     Buffer buffer = createFilledBuffer(device, "words", words.data(), words.size() * 4, kStorage);
@@ -104,8 +123,8 @@ TEST_F(DeviceTest, UploadsAndDownloads) {
     destroyBuffer(device, buffer);
 }
 
-// The way of devices with memory of their own, in more than one piece.
-TEST_F(DeviceTest, StagesWhatTheHostCannotReach) {
+// Uploads as to a device with memory of its own, in more than one chunk.
+TEST_F(DeviceTest, UnmappedMemory_IsStaged) {
     device.unified_memory = false;
     const std::vector<std::uint32_t> words = countingWords((80u << 20) / 4);
     Buffer buffer = createFilledBuffer(device, "words", words.data(), words.size() * 4, kStorage);
@@ -200,7 +219,7 @@ TEST_F(DeviceTest, ChecksBindingsAndPushConstantsAgainstTheShader) {
     destroyBuffer(device, buffer);
 }
 
-TEST_F(DeviceTest, IsFoundByNumberAndByPartOfItsName) {
+TEST_F(DeviceTest, Selector_IsAnIndexOrPartOfTheName) {
     for (const std::string& selector : {std::string("0"), device.name.substr(1, 4)}) {
         Device other = createDevice({selector, false});
         EXPECT_FALSE(other.name.empty());
@@ -230,7 +249,7 @@ TEST(Validation, CountsAMessage) {
     destroyDevice(device);
 }
 
-/// A candidate that nothing is wrong with.
+/// A usable candidate.
 Candidate goodCandidate(const char* name, VkPhysicalDeviceType type) {
     Candidate candidate;
     std::snprintf(candidate.properties.deviceName, sizeof candidate.properties.deviceName, "%s", name);
@@ -245,8 +264,8 @@ Candidate goodCandidate(const char* name, VkPhysicalDeviceType type) {
     return candidate;
 }
 
-/// Of a process that has not looked for devices before; where there is no driver all are told that.
-TEST(Devices, AreFoundByAllWhoLookFirst) {
+/// In a process that has not enumerated devices yet; without a driver all threads get the error.
+TEST(Devices, AreFound_ByConcurrentFirstCallers) {
     std::vector<std::string> answers(4);
     {
         std::vector<std::jthread> threads;

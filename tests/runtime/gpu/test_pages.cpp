@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes whose buffers take several pages look as they do where each has one, to the bit.
+// Pictures of scenes are bit-identical whether buffers have one page or several.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@
 namespace pointrt {
 namespace {
 
-/// Places in PageCounts::counts.
+/// Indices in PageCounts::counts.
 enum Paged : std::uint32_t { kBricks, kCells, kSlabs, kNear, kListed, kBlending, kSplats };
 
 pro_splat disc(Vec3 at, Vec3 normal, double radius, std::uint32_t number) {
@@ -38,11 +38,12 @@ pro_splat disc(Vec3 at, Vec3 normal, double radius, std::uint32_t number) {
     splat.normal[2] = static_cast<float>(normal.z);
     splat.radius = static_cast<float>(radius);
     for (std::uint32_t channel = 0; channel < 3; ++channel)
-        splat.color[channel] = static_cast<std::uint8_t>(number * 2654435761u >> (8 * channel + 8)); // any colours
+        splat.color[channel] =
+            static_cast<std::uint8_t>(number * 2654435761u >> (8 * channel + 8)); // arbitrary colours
     return splat;
 }
 
-/// A sphere of discs that overlap, even in spacing: spirals after the golden ratio.
+/// A sphere of overlapping, evenly spaced discs: golden-ratio spirals.
 std::vector<pro_splat> sphere(std::uint32_t count, Vec3 middle, double radius) {
     std::vector<pro_splat> splats;
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -53,7 +54,7 @@ std::vector<pro_splat> sphere(std::uint32_t count, Vec3 middle, double radius) {
     return splats;
 }
 
-/// Discs of all sizes and directions, with a dense ball on one of them: cells are cut further there.
+/// Discs of all sizes and directions, with a dense ball on one of them, where cells are subdivided.
 std::vector<pro_splat> disorder() {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> unit(0, 1);
@@ -72,7 +73,7 @@ struct Picture {
     bool uneven = false;           ///< the first one
 };
 
-/// A device with a scene, however a test ends.
+/// Owns a device with a scene.
 struct OpenScene {
     OpenScene(const DeviceRequest& request, const SceneDescription& description)
         : validated(request), scene(openScene(device, description, false)) {}
@@ -97,7 +98,7 @@ protected:
         test::sceneOf(disorder(), options).write(uneven_);
     }
 
-    /// From in front, under a soft and a hard lamp, with a mirror floor so that secondary rays are traced as well.
+    /// From the front, with an area and a point light, and a mirror floor for secondary rays.
     static SceneDescription around(std::vector<std::string> paths) {
         SceneDescription scene;
         for (std::string& path : paths) {
@@ -150,7 +151,7 @@ protected:
 private:
 };
 
-TEST_F(PagesTest, HoldAllBytesWhetherImportedOrCopied) {
+TEST_F(PagesTest, HoldAllBytes_ImportedOrCopied) {
     DeviceRequest request;
     request.page_bits_most = 10;
     OpenScene open(request, around({}));
@@ -195,7 +196,7 @@ TEST_F(PagesTest, OfEachInstanceAreItsOwn) {
     expectSame(paged.film, whole.film);
 }
 
-TEST_F(PagesTest, MoreThanThereCanBeAreRefused) {
+TEST_F(PagesTest, TooMany_AreRefused) {
     try {
         render(around({even_}), Integrator::kPhong, 10);
         FAIL() << "no error";

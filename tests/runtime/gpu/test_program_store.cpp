@@ -23,7 +23,7 @@ protected:
     }
 };
 
-TEST_F(ProgramStoreTest, EqualProgramsAreOneAndOthersAreNot) {
+TEST_F(ProgramStoreTest, EqualPrograms_AreShared) {
     Program first = build(3), second = build(3), other = build(4);
     EXPECT_EQ(first.pipeline, second.pipeline);
     EXPECT_NE(first.pipeline, other.pipeline);
@@ -31,7 +31,7 @@ TEST_F(ProgramStoreTest, EqualProgramsAreOneAndOthersAreNot) {
     for (Program* program : {&first, &second, &other}) destroyProgram(device, *program);
 }
 
-TEST_F(ProgramStoreTest, ValuesThatTheShaderDoesNotDeclareMakeNoOther) {
+TEST_F(ProgramStoreTest, UndeclaredConstants_AreIgnored) {
     Program first = build(3);
     Program second = createProgram(device, "scale_words", scale_words_spv, {{gpu::SpecId{7}, 1}, {kFactor, 3}});
     EXPECT_EQ(first.pipeline, second.pipeline);
@@ -39,23 +39,23 @@ TEST_F(ProgramStoreTest, ValuesThatTheShaderDoesNotDeclareMakeNoOther) {
     destroyProgram(device, second);
 }
 
-TEST_F(ProgramStoreTest, KeepsWhatNobodyUsesUntilThereAreTooMany) {
+TEST_F(ProgramStoreTest, UnusedPrograms_AreKeptUpToALimit) {
     Program used = build(0);
     const VkPipeline pipeline = used.pipeline;
     for (std::uint32_t factor = 1; factor <= ProgramStore::kUnusedKept; ++factor) buildAndGiveBack(factor);
     EXPECT_EQ(device.programs->size(), ProgramStore::kUnusedKept + 1);
-    buildAndGiveBack(1); // the oldest no longer: 2 is
+    buildAndGiveBack(1); // no longer the oldest: 2 is
     buildAndGiveBack(ProgramStore::kUnusedKept + 1);
     EXPECT_EQ(device.programs->size(), ProgramStore::kUnusedKept + 1);
     Program again = build(0), kept = build(1);
-    EXPECT_EQ(again.pipeline, pipeline) << "what is in use stays";
-    EXPECT_EQ(device.programs->size(), ProgramStore::kUnusedKept + 1) << "1 was there";
+    EXPECT_EQ(again.pipeline, pipeline) << "a program in use stays";
+    EXPECT_EQ(device.programs->size(), ProgramStore::kUnusedKept + 1) << "1 was kept";
     Program gone = build(2);
-    EXPECT_EQ(device.programs->size(), ProgramStore::kUnusedKept + 2) << "2 was not";
+    EXPECT_EQ(device.programs->size(), ProgramStore::kUnusedKept + 2) << "2 was freed";
     for (Program* program : {&used, &again, &kept, &gone}) destroyProgram(device, *program);
 }
 
-TEST_F(ProgramStoreTest, WorkersShareIt) {
+TEST_F(ProgramStoreTest, Workers_ShareIt) {
     Device worker = workerDevice(device);
     Program first = build(3), second = createProgram(worker, "scale_words", scale_words_spv, {{kFactor, 3}});
     EXPECT_EQ(first.pipeline, second.pipeline);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Host and shaders meet by the names of shaders/shared/bindings.h and spec_constants.h: what the viewer's programs
-// declare, read from their SPIR-V, is what stands there, no more and no less, and no number stands for two things.
+// Host and shaders share the names of shaders/shared/bindings.h and spec_constants.h. The declarations of all programs,
+// read from their SPIR-V, match those headers exactly, and no number has two names.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -22,7 +22,7 @@ std::string textOf(const std::string& header) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// The names that header defines as macro(number), by number. Fails where one has two.
+/// The names that a header defines as macro(number), by number. Fails if a number has two.
 std::map<std::uint32_t, std::string> namesIn(const std::string& header, const std::string& name) {
     const std::string text = textOf(header);
     const std::regex line("#define (" + name + ") POINTRT_\\w+\\((\\d+)\\)\n");
@@ -42,7 +42,7 @@ std::vector<std::uint32_t> wordsOf(const std::filesystem::path& path) {
     return words;
 }
 
-/// What the viewer's compute programs declare, with the name of one that does.
+/// The declarations of all compute programs, each with the name of one that has it.
 struct Declared {
     std::map<std::uint32_t, std::string> bindings[2], constants;
 };
@@ -51,7 +51,7 @@ Declared declaredByAll() {
     Declared declared;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(POINTRT_PROGRAMS)) {
         const std::string name = entry.path().stem().string();
-        if (entry.path().extension() != ".spv" || name.starts_with("ui_")) continue; // those draw
+        if (entry.path().extension() != ".spv" || name.starts_with("ui_")) continue; // graphics shaders
         const ShaderInterface shader = reflectShader(wordsOf(entry.path()));
         for (const ShaderBinding& each : shader.bindings)
             declared.bindings[each.set].emplace(static_cast<std::uint32_t>(each.slot), name);
@@ -62,18 +62,19 @@ Declared declaredByAll() {
 
 void expectSame(const std::map<std::uint32_t, std::string>& names,
                 const std::map<std::uint32_t, std::string>& programs) {
-    for (const auto& [number, name] : names) EXPECT_TRUE(programs.contains(number)) << name << ": no program has it";
+    for (const auto& [number, name] : names)
+        EXPECT_TRUE(programs.contains(number)) << name << ": no program declares it";
     for (const auto& [number, program] : programs)
         EXPECT_TRUE(names.contains(number)) << program << " declares " << number << ", which has no name";
 }
 
-TEST(ShaderInterface, BindingsHaveNamesAndNamesHaveBindings) {
+TEST(ShaderInterface, Bindings_MatchTheirNames) {
     const Declared declared = declaredByAll();
     expectSame(namesIn("bindings.h", "BINDING_(?!\\w*_PAGES)\\w+"), declared.bindings[0]);
     expectSame(namesIn("bindings.h", "BINDING_\\w+_PAGES"), declared.bindings[1]);
 }
 
-TEST(ShaderInterface, SpecializationConstantsHaveNamesAndNamesHaveConstants) {
+TEST(ShaderInterface, SpecializationConstants_MatchTheirNames) {
     expectSame(namesIn("spec_constants.h", "SPEC_\\w+"), declaredByAll().constants);
 }
 

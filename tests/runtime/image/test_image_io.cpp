@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What our writers wrote, as tinyexr and libpng read it.
+// Files of the image writers, read back by tinyexr and libpng.
 #include <gtest/gtest.h>
 
 #include <png.h>
@@ -33,7 +33,7 @@ protected:
     const test::TemporaryFolder folder;
 };
 
-/// Values that differ in every channel and pixel; every third pixel hits nothing.
+/// Values that differ in every channel and pixel; every third pixel is a miss.
 Film testFilm(std::uint32_t width, std::uint32_t height) {
     Film film{width, height, {}, {}, {}, {}};
     std::uint32_t noise = 1;
@@ -53,7 +53,7 @@ Film testFilm(std::uint32_t width, std::uint32_t height) {
 
 struct ExrImage {
     int width = 0, height = 0;
-    std::vector<std::string> names; // in the file's order
+    std::vector<std::string> names; // in the order of the file
     std::map<std::string, std::vector<float>> channels;
     std::map<std::string, std::vector<std::uint32_t>> words;
     std::map<std::string, std::string> texts;
@@ -97,7 +97,7 @@ ExrImage parseExr(const std::string& path) {
     return result;
 }
 
-/// Bit for bit, so that infinities count.
+/// Compares bits, so that infinities count.
 void expectChannel(const ExrImage& image, const char* name, const std::vector<float>& data, std::size_t first,
                    std::size_t stride) {
     const auto found = image.channels.find(name);
@@ -107,8 +107,8 @@ void expectChannel(const ExrImage& image, const char* name, const std::vector<fl
         ASSERT_EQ(std::memcmp(&found->second[i], &data[i * stride + first], sizeof(float)), 0) << name << " " << i;
 }
 
-TEST_F(ImageIo, ExrKeepsEveryChannelExactly) {
-    // One row, a whole block, a block and a bit, several blocks and a bit.
+TEST_F(ImageIo, Exr_KeepsEveryChannelExactly) {
+    // one row, one block, and one and several blocks with a partial block
     for (const auto& [width, height] : {std::pair{1u, 1u}, {5u, 16u}, {7u, 17u}, {101u, 70u}}) {
         const Film film = testFilm(width, height);
         writeExr(path("a.exr"), film);
@@ -128,7 +128,7 @@ TEST_F(ImageIo, ExrKeepsEveryChannelExactly) {
     }
 }
 
-TEST_F(ImageIo, ExrNamesWhatTheFilmHas) {
+TEST_F(ImageIo, Exr_HasTheChannelsOfTheFilm) {
     Film film = testFilm(19, 18);
     const std::size_t pixels = 19 * 18;
     for (std::size_t i = 0; i < 3 * pixels; ++i) {
@@ -139,7 +139,7 @@ TEST_F(ImageIo, ExrNamesWhatTheFilmHas) {
         film.albedo.push_back(value / static_cast<float>(3 * pixels));
     }
     for (std::uint32_t i = 0; i < pixels; ++i) {
-        film.splat_id.push_back(i % 5 == 0 ? 0xFFFFFFFFu : 0xFFFF0000u + i); // no float holds all of them
+        film.splat_id.push_back(i % 5 == 0 ? 0xFFFFFFFFu : 0xFFFF0000u + i); // not representable as floats
         film.tile_id.push_back(3 * i);
         film.instance_id.push_back(i);
         film.material_id.push_back(pixels - i);
@@ -172,7 +172,7 @@ TEST_F(ImageIo, ExrNamesWhatTheFilmHas) {
     EXPECT_EQ(image.texts.at("software").substr(0, 13), "pointrt-view ");
 }
 
-TEST_F(ImageIo, ExrTakesAPictureAlone) {
+TEST_F(ImageIo, Exr_OfAPictureOnly) {
     Film film = testFilm(3, 2);
     film.depth = film.normal = film.position = {};
     writeExr(path("a.exr"), film);
@@ -184,7 +184,7 @@ TEST_F(ImageIo, ExrTakesAPictureAlone) {
     EXPECT_THROW(writeExr(path("a.exr"), film), std::logic_error);
 }
 
-TEST_F(ImageIo, ExrRefusesNamesThatTheFormatCannotHold) {
+TEST_F(ImageIo, Exr_RefusesInvalidNames) {
     const float value = 1;
     const ExrChannel twice[] = {{"a", &value}, {"b", &value}, {"a", &value}};
     EXPECT_THROW(writeExr(path("a.exr"), {1, 1}, twice), std::logic_error);
@@ -192,7 +192,7 @@ TEST_F(ImageIo, ExrRefusesNamesThatTheFormatCannotHold) {
     EXPECT_THROW(writeExr(path("a.exr"), {1, 1}, longer), std::logic_error);
 }
 
-TEST_F(ImageIo, ExrCompressesFlatPictures) {
+TEST_F(ImageIo, Exr_CompressesFlatPictures) {
     Film film{256,
               256,
               std::vector<float>(4 * 65536, 0.5f),
@@ -215,7 +215,7 @@ Film noiseFilm(std::uint32_t size) {
     return film;
 }
 
-TEST_F(ImageIo, ExrStoresNoiseAsItIs) {
+TEST_F(ImageIo, Exr_StoresNoiseUncompressed) {
     constexpr std::uint64_t kPixelBytes = 44, kBlockBytes = 16; // 11 channels; a table entry and a block's head
     writeExr(path("pixel.exr"), noiseFilm(1));
     const std::uint64_t header_bytes = fs::file_size(path("pixel.exr")) - kPixelBytes - kBlockBytes;
@@ -225,7 +225,7 @@ TEST_F(ImageIo, ExrStoresNoiseAsItIs) {
     expectChannel(parseExr(path("noise.exr")), "P.Y", film.position, 1, 3);
 }
 
-TEST_F(ImageIo, PngKeepsPixels) {
+TEST_F(ImageIo, Png_KeepsPixels) {
     for (std::uint32_t channels : {3u, 4u}) {
         Image8 image{37, 11, channels, {}};
         for (std::uint32_t i = 0; i < 37 * 11 * channels; ++i)
@@ -243,7 +243,7 @@ TEST_F(ImageIo, PngKeepsPixels) {
     }
 }
 
-TEST_F(ImageIo, PngSaysWhatItIs) {
+TEST_F(ImageIo, Png_HasItsMetadata) {
     writePng(path("a.png"), {1, 1, 3, {1, 2, 3}});
     std::ifstream file(path("a.png"), std::ios::binary);
     const std::string bytes((std::istreambuf_iterator<char>(file)), {});
@@ -251,7 +251,7 @@ TEST_F(ImageIo, PngSaysWhatItIs) {
     EXPECT_NE(bytes.find(std::string("Software\0pointrt-view ", 22)), std::string::npos);
 }
 
-TEST_F(ImageIo, ReplacesAndLeavesNothingElseBehind) {
+TEST_F(ImageIo, Writing_ReplacesAtomically) {
     writePng(path("a.png"), {1, 1, 3, {1, 2, 3}});
     const auto size = fs::file_size(path("a.png"));
     writePng(path("a.png"), {64, 64, 3, std::vector<std::uint8_t>(64 * 64 * 3, 7)});
@@ -269,7 +269,7 @@ void expectCannotWrite(const std::string& path, const char* reason, const std::f
     }
 }
 
-TEST_F(ImageIo, SaysWhyItCannotWrite) {
+TEST_F(ImageIo, Errors_SayWhy) {
     const std::string missing = path("none/a.exr"), occupied = path("folder.png");
     fs::create_directory(occupied);
     expectCannotWrite(missing, "the folder does not exist", [&] { requireWritable(missing); });

@@ -34,7 +34,7 @@ TEST(ToneMap, IsContinuousAndMonotonousIntoTheShoulder) {
     }
 }
 
-TEST(ToneMap, SurvivesWhatIsNotAColour) {
+TEST(ToneMap, AcceptsNaNAndInfinity) {
     const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
     EXPECT_EQ(toneMap({nan, -1, 0.5f}), (std::array<float, 3>{0, 0, 0.5f}));
     for (float channel : toneMap({infinity, 1, 0})) EXPECT_TRUE(channel >= 0 && channel <= 1) << channel;

@@ -50,9 +50,10 @@ const std::string kDay = " --at 47.4,15 --date 2026-06-21 ";
 TEST_F(StudyCommand, SunIsWrittenBesideThePointsColumns) {
     const Outcome result = sun("plane.pro" + kDay + "--every 60 -o out.csv --sky --sky-rays 16 --stats stats.json");
     ASSERT_EQ(result.code, 0) << result.err;
-    EXPECT_EQ(result.err, "sun: 16 instants, 16.00 hours above the horizon; days begin at midnight, UTC+01:00 (by the "
-                          "longitude); north is taken for +Y: the scan names no coordinate system; up is taken for +Z: "
-                          "the scan does not say\n");
+    EXPECT_EQ(result.err,
+              "sun: 16 instants, 16.00 hours above the horizon; days begin at midnight, UTC+01:00 (by the "
+              "longitude); north is assumed to be +Y: the scan names no coordinate system; up is assumed to be +Z: "
+              "the scan does not say\n");
     const auto rows = table("out.csv");
     ASSERT_EQ(rows.size(), 401u);
     EXPECT_EQ(text("out.csv").substr(0, 35), "x,y,z,nx,ny,nz,radius,sun_hours,sky");
@@ -81,13 +82,13 @@ TEST_F(StudyCommand, SeveralScansShadeEachOtherAndAreNumbered) {
 
 TEST_F(StudyCommand, ListedPointsAreAnswered) {
     // in the open, under the roof, and looking away from the sun
-    folder.write("asked.csv", "x,y,z,nx,ny,nz\n500064,4500110,164.5,0,0,1\n500064,4500064,165,0,0,1\n"
-                              "500064,4500110,164.5,0,0,-1\n");
-    ASSERT_EQ(sun("plane.pro tower.pro --points asked.csv --sides front" + kDay + "--every 60 -q -o out.csv").code, 0);
+    folder.write("list.csv", "x,y,z,nx,ny,nz\n500064,4500110,164.5,0,0,1\n500064,4500064,165,0,0,1\n"
+                             "500064,4500110,164.5,0,0,-1\n");
+    ASSERT_EQ(sun("plane.pro tower.pro --points list.csv --sides front" + kDay + "--every 60 -q -o out.csv").code, 0);
     EXPECT_EQ(table("out.csv")[1].back(), "16");
     EXPECT_LT(std::stod(table("out.csv")[2].back()), 12);
     EXPECT_EQ(table("out.csv")[3].back(), "0");
-    ASSERT_EQ(run("tail -n +2 asked.csv | cut -d, -f1-3 | " POINTRT_RAYS " sun plane.pro --points -" + kDay +
+    ASSERT_EQ(run("tail -n +2 list.csv | cut -d, -f1-3 | " POINTRT_RAYS " sun plane.pro --points -" + kDay +
                   "--every 60 -q -o out.csv")
                   .code,
               0);
@@ -164,7 +165,7 @@ TEST_F(StudyCommand, ViewshedTellsWhoSeesWhat) {
         }
 }
 
-TEST_F(StudyCommand, WrongWordsAreOneLine) {
+TEST_F(StudyCommand, UsageErrorsAreOneLine) {
     const auto refused = [&](const std::string& reason, const std::string& words) {
         expectRefused(2, reason + " (see --help)", POINTRT_RAYS " " + words);
     };
@@ -174,18 +175,18 @@ TEST_F(StudyCommand, WrongWordsAreOneLine) {
     refused("--at: \"47\" is not LAT,LON, such as 47.37,8.54", start + "--date 2026-06-21 --at 47");
     refused("--at: the latitude must be from -90 to 90 degrees", start + "--date 2026-06-21 --at 147,8");
     refused("--at: the longitude must be from -180 to 180 degrees", start + "--date 2026-06-21 --at 47,nan");
-    refused("--date: there is no day 2026-02-30", start + "--at 47,8 --date 2026-02-30");
+    refused("--date: 2026-02-30 does not exist", start + "--at 47,8 --date 2026-02-30");
     refused("--date: \"21.6.2026\" is not a date such as 2026-06-21", start + "--at 47,8 --date 21.6.2026");
-    refused("--date: 1492-10-12 is not from 1900 to 2100", start + "--at 47,8 --date 1492-10-12");
-    refused("the last day lies before the first one", start + "--at 47,8 --date 2026-06-21 --to 2026-06-20");
+    refused("--date: 1492-10-12 is outside 1900 to 2100", start + "--at 47,8 --date 1492-10-12");
+    refused("the last day is before the first", start + "--at 47,8 --date 2026-06-21 --to 2026-06-20");
     refused("--every: \"0\" is not a number above 0 and up to 1440", start + kDay + "--every 0");
     refused("--every: \"-5\" is not a number above 0 and up to 1440", start + kDay + "--every=-5");
-    refused("more than a million instants: fewer days, or more minutes between", start + kDay + "--every 0.0001");
+    refused("more than a million instants: choose fewer days or a longer interval", start + kDay + "--every 0.0001");
     refused("--zone: \"CET\" is not an offset from UTC such as +02:00, -8 or Z", start + kDay + "--zone CET");
-    refused("--sky-rays goes with --sky", start + kDay + "--sky-rays 5");
+    refused("--sky-rays needs --sky", start + kDay + "--sky-rays 5");
     refused("--sides: \"left\" is not auto, front or both", start + kDay + "--sides left");
     refused("north must not be along up", start + kDay + "--north 0,0,1");
-    refused("out.txt: points are written as .ply, .las, .laz and .csv", "sun plane.pro -o out.txt" + kDay);
+    refused("out.txt: points are written as .ply, .las, .laz or .csv", "sun plane.pro -o out.txt" + kDay);
     refused("plane.pro: is an input", "sun plane.pro -o plane.pro" + kDay);
     refused("--from is required", "viewshed plane.pro -o out.csv");
     refused("--from: \"1,2\" is not X,Y,Z with three finite numbers", "viewshed plane.pro --from 1,2 -o out.csv");
@@ -195,24 +196,23 @@ TEST_F(StudyCommand, WrongWordsAreOneLine) {
             "viewshed plane.pro --from 1,2,3 --radius 0 -o out.csv");
 }
 
-TEST_F(StudyCommand, PointsThatAreNoneAreToldByTheirPlace) {
+TEST_F(StudyCommand, InvalidPointsAreNamedByTheirPlace) {
     const auto refused = [&](const std::string& reason, const std::string& name, const std::string& bytes) {
         folder.write(name, bytes);
         expectRefused(1, reason, POINTRT_RAYS " sun plane.pro -q -o out.csv --points " + name + kDay);
     };
-    refused("asked.csv:1: its columns are not x,y,z, or x,y,z,nx,ny,nz", "asked.csv", "id,height\n1,2\n");
-    refused("asked.csv:1: there are 2 numbers, where a point has 3: its position, or 6: and a normal", "asked.csv",
-            "1,2\n");
-    refused("asked.csv:2: there are 6 numbers, where the first point has 3", "asked.csv", "1 2 3\n1 2 3 0 0 1\n");
-    refused("asked.csv:2: is not finite", "asked.csv", "1 2 3\n1 2 nan\n");
+    refused("list.csv:1: the columns must be x,y,z, or x,y,z,nx,ny,nz", "list.csv", "id,height\n1,2\n");
+    refused("list.csv:1: 2 numbers, but a point has 3: a position, or 6: a position and a normal", "list.csv", "1,2\n");
+    refused("list.csv:2: 6 numbers, but the first point has 3", "list.csv", "1 2 3\n1 2 3 0 0 1\n");
+    refused("list.csv:2: not finite", "list.csv", "1 2 3\n1 2 nan\n");
     refused(
-        "asked.npy: its shape is (2, 2), where points are (N, 3): positions, or (N, 6): and normals", "asked.npy",
+        "list.npy: the shape is (2, 2), but points are (N, 3): positions, or (N, 6): positions and normals", "list.npy",
         arrayBytes("{'descr': '<f8', 'fortran_order': False, 'shape': (2, 2), }", std::string(32, '\0').data(), 32));
-    refused("asked.ply: ends within the header", "asked.ply", "ply\nformat ascii 1.0\n");
-    refused("asked.ply: point 1: the position is not finite", "asked.ply",
+    refused("list.ply: ends within the header", "list.ply", "ply\nformat ascii 1.0\n");
+    refused("list.ply: point 1: the position is not finite", "list.ply",
             "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
             "end_header\n1 2 3\n1 nan 3\n");
-    refused("asked.las: ends within the header", "asked.las", "LASF and no more");
+    refused("list.las: ends within the header", "list.las", "LASF and no more");
     expectRefused(1, "missing.csv: No such file or directory",
                   POINTRT_RAYS " sun plane.pro -q -o out.csv --points missing.csv" + kDay);
     expectRefused(1, "missing.pro: No such file or directory", POINTRT_RAYS " sun missing.pro -q -o out.csv" + kDay);
@@ -220,7 +220,7 @@ TEST_F(StudyCommand, PointsThatAreNoneAreToldByTheirPlace) {
                   POINTRT_RAYS " sun plane.pro -q -o nowhere/out.csv" + kDay);
 }
 
-TEST_F(StudyCommand, NoPointsAreAnAnswerToo) {
+TEST_F(StudyCommand, NoPointsGiveAnEmptyTable) {
     folder.write("none.csv", "x,y,z\n");
     ASSERT_EQ(sun("plane.pro --points none.csv" + kDay + "-q -o out.csv").code, 0);
     EXPECT_EQ(text("out.csv"), "x,y,z,sun_hours\n");

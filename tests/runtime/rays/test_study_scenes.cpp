@@ -110,7 +110,7 @@ TEST_F(StudyOfSets, InstancesOfSceneFilesShadeEachOther) {
     EXPECT_EQ(asked.size(), SphereInTiles::kSplats);
     folder.write("shapes.toml", "[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\nmaterial = \"m\"\n"
                                 "[material.m]\ncolor = [1, 1, 1]\n");
-    expectRefused(1, "shapes.toml: has no scan: studies are of points",
+    expectRefused(1, "shapes.toml: has no scan, so no points to study",
                   POINTRT_RAYS " sun shapes.toml -o out.csv" + kDay);
 }
 

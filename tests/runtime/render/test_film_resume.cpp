@@ -114,12 +114,12 @@ TEST_F(FilmResume, GoesOnInTheFormThatItBeganIn) {
     EXPECT_FALSE(formToResume(path())) << "there is no film";
     RenderSettings settings = testSettings();
     settings.caustics = false; // those have one form
-    for (const PassForm form : {PassForm::kQueued, PassForm::kFused}) {
+    for (const KernelForm form : {KernelForm::kWavefront, KernelForm::kMegakernel}) {
         load(settings, form);
         const Film whole = refine(nullptr, 16);
         writeSavedFilm(path(), {refine(nullptr, 5), 5, settings.seed, signature(settings)});
         ASSERT_EQ(formToResume(path()), form);
-        load(settings, form == PassForm::kQueued ? PassForm::kFused : PassForm::kQueued);
+        load(settings, form == KernelForm::kWavefront ? KernelForm::kMegakernel : KernelForm::kWavefront);
         EXPECT_NE(refusal(settings).find("passes was"), std::string::npos);
         load(settings, formToResume(path()));
         const std::optional<Film> start = filmToResume(path(), signature(settings), settings);

@@ -14,7 +14,7 @@ Camera testCamera() { return frameCamera({}, {-1, -1, -1}, {1, 1, 1}, 1); }
 
 /// What follows the renderer's version and the scene's hash.
 std::string settingsPart(const RenderSettings& settings, const Camera& camera) {
-    const std::string signature = filmSignature({}, settings, camera, PassForm::kQueued);
+    const std::string signature = filmSignature({}, settings, camera, KernelForm::kWavefront);
     EXPECT_TRUE(signature.starts_with("renderer=")) << signature;
     return signature.substr(signature.find("; size="));
 }
@@ -63,12 +63,12 @@ TEST(FilmSignature, TellsColoursAfterAllThatWasThereBefore) {
 }
 
 TEST(FilmSignature, TellsTheFormOfItsPassesLast) {
-    const std::string queued = filmSignature({}, {}, testCamera(), PassForm::kQueued);
-    const std::string fused = filmSignature({}, {}, testCamera(), PassForm::kFused);
+    const std::string queued = filmSignature({}, {}, testCamera(), KernelForm::kWavefront);
+    const std::string fused = filmSignature({}, {}, testCamera(), KernelForm::kMegakernel);
     EXPECT_EQ(fused, queued + "; passes=fused") << "films from before there were forms are queued";
-    EXPECT_EQ(formOf(queued), PassForm::kQueued);
-    EXPECT_EQ(formOf(fused), PassForm::kFused);
-    EXPECT_EQ(formOf(""), PassForm::kQueued);
+    EXPECT_EQ(formOf(queued), KernelForm::kWavefront);
+    EXPECT_EQ(formOf(fused), KernelForm::kMegakernel);
+    EXPECT_EQ(formOf(""), KernelForm::kWavefront);
     EXPECT_EQ(signatureDifference(fused, queued), "passes was fused and is nothing");
 }
 
@@ -93,8 +93,8 @@ TEST(FilmSignature, TellsEverySettingThatTheTableSaysItTells) {
         choices.*row.choice = anotherValue(row.limits, settingOf(before, row.member));
         RenderSettings after = before;
         applyChoices(choices, after);
-        const std::string difference = signatureDifference(filmSignature({}, before, testCamera(), PassForm::kQueued),
-                                                           filmSignature({}, after, testCamera(), PassForm::kQueued));
+        const std::string difference = signatureDifference(filmSignature({}, before, testCamera(), KernelForm::kWavefront),
+                                                           filmSignature({}, after, testCamera(), KernelForm::kWavefront));
         const std::string expected = row.film.place == 0 ? "" : std::string(row.film.name) + " was ";
         EXPECT_EQ(difference.substr(0, expected.size()), expected) << row.command_line.option;
         EXPECT_EQ(difference.empty(), row.film.place == 0) << row.command_line.option << ": " << difference;

@@ -45,7 +45,7 @@ struct Pretender {
             open = band;
             EXPECT_EQ(traced[band->band.first_row]++, band->samples);
             now += static_cast<double>(band->band.rows) / film.height;
-            schedule.took(band->band.rows);
+            schedule.addRows(band->band.rows);
         }
         return schedule.state();
     }
@@ -162,15 +162,15 @@ TEST(FrameSchedule, BreaksASampleOffThatIsMuchTooLate) {
     job.limits.seconds = 3;
     FrameSchedule schedule(job, emptyBands(64, 32), tracer.gauges());
     ASSERT_NE(schedule.next(), nullptr);
-    schedule.took(16);
+    schedule.addRows(16);
     tracer.now += 3 + kTimeOverrun_s;
-    EXPECT_FALSE(schedule.breaksOff());
+    EXPECT_FALSE(schedule.shouldAbort());
     tracer.now += 0.1;
-    EXPECT_TRUE(schedule.breaksOff());
+    EXPECT_TRUE(schedule.shouldAbort());
     EXPECT_EQ(schedule.state().samples, 0u);
     EXPECT_EQ(schedule.state().empty_rows, 48u);
     EXPECT_NEAR(schedule.state().traced, 0.25, 1e-9);
-    schedule.took(16);
+    schedule.addRows(16);
     EXPECT_EQ(schedule.next(), nullptr) << "nor does another band begin";
     EXPECT_EQ(schedule.state().empty_rows, 32u);
 }
@@ -182,7 +182,7 @@ TEST(FrameSchedule, GoesOnWhereMoreSamplesAreAskedFor) {
     FrameSchedule schedule(job, emptyBands(5, 3), tracer.gauges());
     const auto count = [&] {
         int samples = 0;
-        for (; const FrameBand* band = schedule.next(); ++samples) schedule.took(band->band.rows);
+        for (; const FrameBand* band = schedule.next(); ++samples) schedule.addRows(band->band.rows);
         return samples;
     };
     EXPECT_EQ(count(), 4) << "of two bands";
@@ -190,7 +190,7 @@ TEST(FrameSchedule, GoesOnWhereMoreSamplesAreAskedFor) {
     schedule.setSamples(5);
     const FrameBand* band = schedule.next();
     ASSERT_NE(band, nullptr);
-    schedule.took(band->band.rows);
+    schedule.addRows(band->band.rows);
     EXPECT_EQ(schedule.samples(), 2u) << "of the other band";
     schedule.setSamples(3);
     EXPECT_EQ(count(), 1);

@@ -35,11 +35,11 @@ protected:
         request.settings.spp = kSamples;
         request.settings.integrator = Integrator::kPath;
         request.settings.first_hits = true;
-        request.form = PassForm::kQueued;
+        request.form = KernelForm::kWavefront;
         loaded = loadScene(device, device, request, {});
-        profile.clock = createDeviceClock(device);
+        profile.clock = createGpuTimer(device);
     }
-    void TearDown() override { destroyDeviceClock(device, profile.clock); }
+    void TearDown() override { destroyGpuTimer(device, profile.clock); }
 
     /// With profile where it is asked for.
     Film render(PassProfile* asked) {
@@ -64,15 +64,15 @@ protected:
 TEST_F(PassProfileTest, CountsTheRaysOfTheFrame) {
     render(&profile);
     ASSERT_GT(rays.secondary, 0u);
-    EXPECT_EQ(passNamed(profile, "shade (camera)").lanes_in, rays.primary);
+    EXPECT_EQ(passNamed(profile, "shade_surface (camera)").lanes_in, rays.primary);
     EXPECT_EQ(rays.primary, kSamples * kSide * kSide);
-    EXPECT_EQ(passNamed(profile, "shade").lanes_in, rays.secondary);
-    EXPECT_EQ(passNamed(profile, "trace_shapes").lanes_in, rays.secondary);
-    EXPECT_EQ(passNamed(profile, "trace_shapes").lanes_out, 0u) << "no instances are to be asked";
-    EXPECT_EQ(passNamed(profile, "shadow_shapes").lanes_in, passNamed(profile, "light").lanes_in);
+    EXPECT_EQ(passNamed(profile, "shade_surface").lanes_in, rays.secondary);
+    EXPECT_EQ(passNamed(profile, "intersect_shapes").lanes_in, rays.secondary);
+    EXPECT_EQ(passNamed(profile, "intersect_shapes").lanes_out, 0u) << "no instances are to be asked";
+    EXPECT_EQ(passNamed(profile, "intersect_shadow_shapes").lanes_in, passNamed(profile, "shade_shadow").lanes_in);
     // rays and queries for light
-    EXPECT_EQ(passNamed(profile, "shade (camera)").lanes_out + passNamed(profile, "shade").lanes_out,
-              rays.secondary + passNamed(profile, "light").lanes_in);
+    EXPECT_EQ(passNamed(profile, "shade_surface (camera)").lanes_out + passNamed(profile, "shade_surface").lanes_out,
+              rays.secondary + passNamed(profile, "shade_shadow").lanes_in);
 }
 
 TEST_F(PassProfileTest, AccountsForNoMoreThanThereIs) {
@@ -100,8 +100,8 @@ TEST_F(PassProfileTest, LeavesThePictureAsItIs) {
 
 TEST(PassProfile, CountsBytesByLanesAndEntries) {
     PassProfile profile;
-    PassRun run{"trace", PassLanes::kList, 4, {}, {}, 3, 6, 2, LIST_ASKED};
-    run.before.lists[LIST_ASKED].count = run.after.lists[LIST_ASKED].count = 100;
+    PassRun run{"intersect_closest", PassLanes::kList, 4, {}, {}, 3, 6, 2, LIST_INSTANCE_RAYS};
+    run.before.lists[LIST_INSTANCE_RAYS].count = run.after.lists[LIST_INSTANCE_RAYS].count = 100;
     run.before.hits_appended = 5;
     run.after.hits_appended = 15;
     addRun(profile, run);

@@ -44,7 +44,7 @@ void expectSound(const std::vector<gpu::PathState>& paths, const PhotonTarget& t
 
 /// All paths of a map.
 std::vector<gpu::PathState> emitPhotons(std::span<const gpu::Light> lights, const std::vector<PhotonTarget>& targets,
-                                        RenderSphere scene, std::uint32_t count, PhotonTurn turn = {}) {
+                                        RenderSphere scene, std::uint32_t count, PhotonSequence turn = {}) {
     return PhotonEmission(lights, targets, scene, count, turn).next(2 * count);
 }
 

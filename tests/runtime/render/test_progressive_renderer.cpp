@@ -86,7 +86,7 @@ TEST_F(ProgressiveRendererTest, ComesBackToItsBands) {
 }
 
 TEST_F(ProgressiveRendererTest, IsTheSameInSteps) {
-    load(PassForm::kQueued); // fused, shapes are done in one
+    load(KernelForm::kWavefront); // fused, shapes are done in one
     ProgressiveRenderer renderer(device, loaded->tracer);
     renderer.begin(plan, job);
     int steps = 0;
@@ -323,7 +323,7 @@ TEST_F(RendererOverMaps, IsBrokenOffWhileItTracesPhotons) {
     renderer.begin(plan, job);
     EXPECT_EQ(renderer.run().samples, 8u);
     EXPECT_EQ(renderer.takeFilm().samples[0], 8.0f);
-    forgetPhotons(loaded->tracer);
+    dropPhotons(loaded->tracer);
     rebind(device, loaded->tracer);
     EXPECT_EQ(render(9).caustic, std::vector<float>(std::size_t{3} * 256 * 144, 0.0f)) << "nor of later maps";
 }
@@ -349,7 +349,7 @@ TEST(StripPace, TracesUsualScansInTheLargestStrips) {
     EXPECT_EQ(StripPace(40).rowsFor(512, 512), 512u);
     EXPECT_EQ(StripPace(0).rowsFor(16384, 16), 16u);
     StripPace pace(40);
-    pace.learn(512 * 512, 0.8);
+    pace.update(512 * 512, 0.8);
     EXPECT_EQ(pace.rowsFor(512, 512), 512u);
 }
 
@@ -357,12 +357,12 @@ TEST(StripPace, TakesFewRowsOfWhatTakesLong) {
     StripPace crowded(7000);
     EXPECT_EQ(crowded.rowsFor(512, 512), 5u);
     EXPECT_EQ(crowded.rowsFor(16384, 16), 1u);
-    crowded.learn(512 * 5, 1e-4);
+    crowded.update(512 * 5, 1e-4);
     EXPECT_EQ(crowded.rowsFor(512, 512), 5u) << "nothing was there: what comes may be as crowded as any";
     StripPace slow(20);
-    slow.learn(512 * 512, 10);
+    slow.update(512 * 512, 10);
     EXPECT_EQ(slow.rowsFor(512, 512), 51u) << "of about a second";
-    slow.learn(512 * 51, 0.01);
+    slow.update(512 * 51, 0.01);
     EXPECT_GT(slow.rowsFor(512, 512), 51u);
 }
 

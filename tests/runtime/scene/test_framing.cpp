@@ -198,9 +198,9 @@ TEST(Framing, LooksWhereItIsTold) {
     target.target = Vec3{3, 0, 0};
     for (const CameraRequest& request : {eye, target})
         EXPECT_EQ(frameScene(request, ball().sample, kY, {}, true).camera, request);
-    Scene furnished = ball();
-    furnished.sample.furnished = true;
-    EXPECT_EQ(frameScene({}, furnished.sample, kY, {}, true).camera, CameraRequest{});
+    Scene has_shapes = ball();
+    has_shapes.sample.has_shapes = true;
+    EXPECT_EQ(frameScene({}, has_shapes.sample, kY, {}, true).camera, CameraRequest{});
 }
 
 TEST(Framing, WordsAreSides) {

@@ -21,7 +21,7 @@ Srgb8 pixelAt(const Pixels& picture, std::size_t x, std::size_t y) {
 
 Pixels withLegend(const Legend& legend) {
     Pixels picture = greyPicture(kPicture);
-    layOn(drawLegend(legend, kPicture), {picture, kPicture.width, 0});
+    compositeLegend(drawLegend(legend, kPicture), {picture, kPicture.width, 0});
     return picture;
 }
 
@@ -65,7 +65,7 @@ TEST(LegendPicture, IsTheSameRowByRow) {
     const std::size_t row = std::size_t{3} * kPicture.width;
     for (std::size_t first = 0; first < kPicture.height; first += 7) {
         const std::size_t rows = std::min<std::size_t>(7, kPicture.height - first);
-        layOn(drawn, {std::span(parts).subspan(first * row, rows * row), kPicture.width, first});
+        compositeLegend(drawn, {std::span(parts).subspan(first * row, rows * row), kPicture.width, first});
     }
     EXPECT_EQ(parts, whole);
 }
@@ -90,7 +90,7 @@ TEST(LegendPicture, FitsAnyPictureAndAnyName) {
     legend.entries = {{"größe \x01\xff", {1, 2, 3}}};
     for (const PixelSize size : {PixelSize{1, 1}, PixelSize{3, 500}, PixelSize{500, 2}}) {
         Pixels picture = greyPicture(size);
-        layOn(drawLegend(legend, size), {picture, size.width, 0});
+        compositeLegend(drawLegend(legend, size), {picture, size.width, 0});
     }
     EXPECT_LT(drawLegend(legend, kPicture).size.width, kPicture.width);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the table of settings drives agrees with it: command line, --help, scene files, docs/SCENES.md.
+// The command line, --help, scene files and docs/SCENES.md agree with the table of settings.
 #include "runtime/scene/render_setting_table.h"
 
 #include <gtest/gtest.h>
@@ -36,11 +36,18 @@ const std::vector<std::string>& helpLines() {
     return lines;
 }
 
-/// The line of --help for an option.
+/// The help of an option, its lines joined.
 std::string helpOf(const std::string& option) {
-    for (const std::string& line : helpLines())
-        if (line.starts_with("  " + option + " ")) return line;
-    return "";
+    std::string help;
+    for (const std::string& line : helpLines()) {
+        if (line.starts_with("  " + option + " "))
+            help = line;
+        else if (!help.empty() && line.starts_with("    "))
+            help += line.substr(line.find_first_not_of(' ') - 1);
+        else if (!help.empty())
+            break;
+    }
+    return help;
 }
 
 /// key, default and description in docs/SCENES.md, without back quotes. Keys that share a row are parted by commas.

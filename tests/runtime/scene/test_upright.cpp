@@ -22,9 +22,9 @@ struct Stood {
     Camera framed() const { return frameCamera(camera, {-1, -2, -3}, {1, 2, 3}, 1); }
 };
 
-Stood stand(SceneDescription scene, CameraRequest camera, const UprightRequest& request) {
+Stood stand(SceneDescription scene, CameraRequest camera, const UpRequest& request) {
     Stood stood{std::move(scene), camera, camera};
-    standUpright(stood.scene, stood.camera, stood.staging, request);
+    resolveUp(stood.scene, stood.camera, stood.staging, request);
     return stood;
 }
 

@@ -41,21 +41,21 @@ TEST_F(SceneFile, RefusesWrongTypes) {
     EXPECT_EQ(refusal("light = [1]"), "scene.toml:1: key \"light[0]\": must be a table");
     EXPECT_EQ(refusal("material.a = 1"),
               "scene.toml:1: key \"material.a\": must be a table, begun with [material.NAME]");
-    EXPECT_EQ(refusal("[render]\nspp = 1.5"),
-              "scene.toml:2: key \"render.spp\": must be a whole number from 1 to 65536");
+    EXPECT_EQ(refusal("[render]\nspp = 1.5"), "scene.toml:2: key \"render.spp\": must be an integer from 1 to 65536");
     EXPECT_EQ(refusal("[render]\nsize = [1]"), "scene.toml:2: key \"render.size\": must be [width, height]");
     EXPECT_EQ(refusal("[material.a]\nsplat_color = 1"),
               "scene.toml:2: key \"material.a.splat_color\": must be true or false");
     EXPECT_EQ(refusal("[material.a]\ncolor = 1"),
               "scene.toml:2: key \"material.a.color\": must be a colour: [red, green, blue] or \"#rrggbb\"");
     EXPECT_EQ(refusal("[material.a]\ncolor = 'ff0000'"),
-              "scene.toml:2: key \"material.a.color\": \"ff0000\" is no colour such as \"#ff8000\"");
+              "scene.toml:2: key \"material.a.color\": \"ff0000\" is not a colour such as \"#ff8000\"");
     EXPECT_EQ(refusal("[material.a]\ncolor = '#ff-100'"),
-              "scene.toml:2: key \"material.a.color\": \"#ff-100\" is no colour such as \"#ff8000\"");
-    EXPECT_EQ(refusal("room = 1"), "scene.toml:1: key \"room\": must be a text in quotes");
+              "scene.toml:2: key \"material.a.color\": \"#ff-100\" is not a colour such as \"#ff8000\"");
+    EXPECT_EQ(refusal("room = 1"), "scene.toml:1: key \"room\": must be a string in quotes");
     EXPECT_EQ(refusal("room = ''"), "scene.toml:1: key \"room\": must not be empty");
-    EXPECT_EQ(refusal("room = 'cellar'"), "scene.toml:1: key \"room\": \"cellar\" is none of none, mirror, matte");
-    EXPECT_EQ(refusal("[material.\"a\\nb\"]"), "scene.toml:1: key \"material.a\\nb\": is no name for a material");
+    EXPECT_EQ(refusal("room = 'cellar'"), "scene.toml:1: key \"room\": \"cellar\" is not one of none, mirror, matte");
+    EXPECT_EQ(refusal("[material.\"a\\nb\"]"),
+              "scene.toml:1: key \"material.a\\nb\": is not a valid name of a material");
 }
 
 TEST_F(SceneFile, RefusesNumbersOutOfRange) {
@@ -72,9 +72,9 @@ TEST_F(SceneFile, RefusesNumbersOutOfRange) {
     EXPECT_EQ(refusal("[camera]\neye = [0, inf, 0]"),
               "scene.toml:2: key \"camera.eye[1]\": is inf, must be from -1e+12 to 1e+12");
     EXPECT_EQ(refusal("[render]\nbounces = -1"),
-              "scene.toml:2: key \"render.bounces\": must be a whole number from 0 to 64");
+              "scene.toml:2: key \"render.bounces\": must be an integer from 0 to 64");
     EXPECT_EQ(refusal("[render]\nsize = [16385, 1]"),
-              "scene.toml:2: key \"render.size[0]\": must be a whole number from 1 to 16384");
+              "scene.toml:2: key \"render.size[0]\": must be an integer from 1 to 16384");
     EXPECT_EQ(refusal("[material.a]\ncolor = [0, 0, 1.1]"),
               "scene.toml:2: key \"material.a.color[2]\": is 1.1, must be from 0 to 1");
     EXPECT_EQ(refusal("[material.a]\nemission = [0, 0, -1]"),
@@ -104,14 +104,14 @@ TEST_F(SceneFile, RefusesBrokenGeometry) {
     EXPECT_EQ(refusal("[[shape]]\ntype = 'box'\ncenter = [0, 0, 0]\nsize = [1, 1, 1]\nmax = [1, 0, 1]"),
               "scene.toml:5: key \"shape[0].max\": excludes \"center\"");
     EXPECT_EQ(refusal("[[shape]]\ntype = 'box'\nsize = [1, 1, 1]"),
-              "scene.toml:3: key \"shape[0].size\": says nothing without \"center\"");
+              "scene.toml:3: key \"shape[0].size\": has no effect without \"center\"");
     EXPECT_EQ(refusal("[[light]]\ntype = 'spot'\nposition = [1, 0, 0]\ntarget = [1, 0, 0]"),
               "scene.toml:4: key \"light[0].target\": must be another point than \"position\"");
 }
 
 TEST_F(SceneFile, RefusesMaterialsThatMakeNoSense) {
     EXPECT_EQ(refusal("[material.a]\nkind = 'wood'"),
-              "scene.toml:2: key \"material.a.kind\": \"wood\" is none of matte, metal, plastic, mirror, glass");
+              "scene.toml:2: key \"material.a.kind\": \"wood\" is not one of matte, metal, plastic, mirror, glass");
     const std::string glass = "[material.a]\nkind = 'glass'\n";
     EXPECT_EQ(
         refusal(glass + "tint = [1, 1, 0]"),
@@ -119,29 +119,27 @@ TEST_F(SceneFile, RefusesMaterialsThatMakeNoSense) {
     EXPECT_EQ(refusal(glass + "tint = [1, 1, 1]\nabsorption = [1, 1, 1]"),
               "scene.toml:4: key \"material.a.absorption\": excludes \"tint\"");
     EXPECT_EQ(refusal(glass + "tint_distance = 1"),
-              "scene.toml:3: key \"material.a.tint_distance\": says nothing without \"tint\"");
+              "scene.toml:3: key \"material.a.tint_distance\": has no effect without \"tint\"");
     EXPECT_EQ(refusal(glass + "thin = true\nabsorption = [1, 1, 1]"),
               "scene.toml:4: key \"material.a.absorption\": a thin pane has no inside that absorbs; use \"color\"");
-    EXPECT_EQ(
-        refusal("[material.a]\n[[shape]]\ntype = 'sphere'\ncenter = [0, 0, 0]\nradius = 1\nmaterial = 'a'"),
-        "scene.toml:6: key \"shape[0].material\": needs a \"color\" there: it takes those of splats, and a shape has "
-        "none");
+    EXPECT_EQ(refusal("[material.a]\n[[shape]]\ntype = 'sphere'\ncenter = [0, 0, 0]\nradius = 1\nmaterial = 'a'"),
+              "scene.toml:6: key \"shape[0].material\": needs a \"color\": shapes have no splats to "
+              "take colours from");
     const std::string instance =
         "[material.a]\n[[instance]]\nfile = 'statue.pro'\n[[instance.override]]\nmaterial = 'a'\n";
     EXPECT_EQ(refusal(instance),
               "scene.toml:4: key \"instance[0].override[0]\": \"row\", \"colors\" or \"attribute\" is missing");
     EXPECT_EQ(refusal(instance + "row = 1\ncolors = []"),
               "scene.toml:7: key \"instance[0].override[0].colors\": excludes \"row\"");
-    EXPECT_EQ(
-        refusal(instance + "colors = ['#000001', '#ffff00']"),
-        "scene.toml:6: key \"instance[0].override[0].colors\": no colour is in it: the first must not be above the "
-        "second in red, green or blue");
+    EXPECT_EQ(refusal(instance + "colors = ['#000001', '#ffff00']"),
+              "scene.toml:6: key \"instance[0].override[0].colors\": empty range: the first colour must not exceed the "
+              "second in red, green or blue");
 }
 
 TEST_F(SceneFile, RefusesNumbersThatMakeNoSense) {
     const std::string over = "[material.a]\n[[instance]]\nfile = 'statue.pro'\n[[instance.override]]\nmaterial = 'a'\n";
     const std::string place = "scene.toml:6: key \"instance[0].override[0].", by_class = over + "attribute = 'class'\n";
-    EXPECT_EQ(refusal(over + "values = [1]"), place + "values\": says nothing without \"attribute\"");
+    EXPECT_EQ(refusal(over + "values = [1]"), place + "values\": has no effect without \"attribute\"");
     EXPECT_EQ(refusal(over + "row = 1\nattribute = 'class'"), place + "row\": excludes \"attribute\"");
     EXPECT_EQ(refusal(by_class), "scene.toml:4: key \"instance[0].override[0]\": \"values\" or \"range\" is missing");
     const std::string next = "scene.toml:7: key \"instance[0].override[0].";
@@ -154,7 +152,7 @@ TEST_F(SceneFile, RefusesNumbersThatMakeNoSense) {
               "y, z, -x, -y, -z");
     EXPECT_EQ(
         refusal("[render]\ncolor_map = 'jet'"),
-        "scene.toml:2: key \"render.color_map\": \"jet\" is none of viridis, magma, inferno, plasma, cividis, turbo, "
+        "scene.toml:2: key \"render.color_map\": \"jet\" is not one of viridis, magma, inferno, plasma, cividis, turbo, "
         "grey, classes, scans");
 }
 
@@ -167,7 +165,7 @@ TEST_F(SceneFile, RefusesLightsThatMakeNoSense) {
               "scene.toml:5: key \"light[0].color\": \"intensity\" is a colour already; make it a number");
     EXPECT_EQ(refusal(sun), "scene.toml:1: key \"light[0]\": \"towards\" or \"time\" is missing");
     EXPECT_EQ(refusal(sun + "towards = [0, 1, 0]\nnorth = [1, 0, 0]"),
-              "scene.toml:4: key \"light[0].north\": says nothing without \"time\"");
+              "scene.toml:4: key \"light[0].north\": has no effect without \"time\"");
     const std::string zero = sun + "latitude = 0\nlongitude = 0\nirradiance = 1\n";
     const std::string wants_offset =
         "scene.toml:6: key \"light[0].time\": must be a date and time with the offset from "
@@ -194,8 +192,8 @@ TEST_F(SceneFile, RefusesMissingFiles) {
     EXPECT_EQ(refusal("[sky]\nimage = 'statue.pro'"), "scene.toml:2: key \"sky.image\": must end in .hdr or .exr");
     EXPECT_EQ(refusal("[sky]\nimage = 'sky.hdr'\ncolor = [1, 1, 1]"),
               "scene.toml:3: key \"sky.color\": excludes \"image\"");
-    EXPECT_EQ(refusal("[sky]\nrotation = 1"), "scene.toml:2: key \"sky.rotation\": says nothing without \"image\"");
-    EXPECT_EQ(refusal(""), "scene.toml:1: there is no [[instance]] and no [[shape]] to see");
+    EXPECT_EQ(refusal("[sky]\nrotation = 1"), "scene.toml:2: key \"sky.rotation\": has no effect without \"image\"");
+    EXPECT_EQ(refusal(""), "scene.toml:1: the scene has neither an [[instance]] nor a [[shape]]");
     EXPECT_EQ(parse("[[instance]]\nfile = '" + path("statue.pro") + "'").instances[0].path, path("statue.pro"));
 }
 
@@ -330,7 +328,7 @@ TEST_F(SceneFile, RefusesWholeNumbersThatNoDoubleHolds) {
 
 TEST_F(SceneFile, RefusesViewsThatCannotBeToldApart) {
     EXPECT_EQ(refusal("[[view]]\nname = 'a'\n[[view]]\nname = 'a'"),
-              "scene.toml:4: key \"view[1].name\": is the name of another view already");
+              "scene.toml:4: key \"view[1].name\": is also the name of another view");
     EXPECT_EQ(refusal("[[view]]\nfov = 30"), "scene.toml:1: key \"view[0]\": \"name\" is missing");
 }
 

@@ -105,7 +105,7 @@ TEST(ProfileReport, ShowsWhatTookMostFirst) {
     const std::string table = profileTable(testProfile());
     EXPECT_LT(table.find("shade"), table.find("trace"));
     EXPECT_NE(table.find("17500.0"), std::string::npos) << "ns a lane: 70 ms over 4000\n" << table;
-    EXPECT_LT(table.find("film read back"), table.find("nothing accounts for"));
+    EXPECT_LT(table.find("film read back"), table.find("unaccounted for"));
 }
 
 TEST(Report, CountsFromTheStartOfTheProcess) {

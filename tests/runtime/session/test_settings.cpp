@@ -89,9 +89,9 @@ TEST(Settings, ColorsOfNoColoringAreRefused) {
     range.color_range = ValueRange{0, 1};
     legend.legend = true;
     bare.legend = false;
-    EXPECT_EQ(refusal(map, {}), "--color-map: goes with --color-by");
-    EXPECT_EQ(refusal(range, {}), "--color-range: goes with --color-by");
-    EXPECT_EQ(refusal(legend, {}), "--legend: goes with --color-by");
+    EXPECT_EQ(refusal(map, {}), "--color-map: needs --color-by");
+    EXPECT_EQ(refusal(range, {}), "--color-range: needs --color-by");
+    EXPECT_EQ(refusal(legend, {}), "--legend: needs --color-by");
     EXPECT_EQ(refusal(bare, {}), "") << "there is none";
     SceneDescription colored;
     colored.render.color_by = "height";
@@ -99,7 +99,7 @@ TEST(Settings, ColorsOfNoColoringAreRefused) {
     range.color_by = "class";
     EXPECT_EQ(refusal(range, {}), "");
     range.color_by = "normal";
-    EXPECT_EQ(refusal(range, {}), "--color-range: goes with numbers, and normals have none");
+    EXPECT_EQ(refusal(range, {}), "--color-range: does not apply to --color-by normal");
     bare.color_by = "normal";
     EXPECT_EQ(refusal(bare, {}), "");
 }

@@ -12,16 +12,16 @@ using Lines = std::vector<std::string>;
 Lines named(const Options& options, const SceneTraits& scene) {
     Lines names;
     for (const std::string& line : optionsWithoutEffect(options, scene))
-        names.push_back(line.substr(0, line.find(" changes nothing: ")));
+        names.push_back(line.substr(0, line.find(" has no effect: ")));
     return names;
 }
 
-TEST(WithoutEffect, NothingIsSaidOfWhatNobodyGave) {
+TEST(WithoutEffect, IsSilentAboutOptionsNotGiven) {
     EXPECT_EQ(named({}, {false, false, false}), Lines{});
     EXPECT_EQ(named({}, {}), Lines{});
 }
 
-TEST(WithoutEffect, TilesHaveToBeThere) {
+TEST(WithoutEffect, MemoryAndDetailNeedTileSets) {
     Options options;
     options.memory = 1 << 30;
     options.choices.detail = 0;
@@ -29,21 +29,21 @@ TEST(WithoutEffect, TilesHaveToBeThere) {
     EXPECT_EQ(named(options, {.has_tiles = true}), Lines{});
 }
 
-TEST(WithoutEffect, BouncesAreOfWhatSendsLightOn) {
+TEST(WithoutEffect, BouncesNeedSecondaryRays) {
     Options options;
     options.choices.bounces = 8;
     EXPECT_EQ(named(options, {}), Lines{"--bounces"});
-    EXPECT_EQ(named(options, {.sends_on = true}), Lines{});
+    EXPECT_EQ(named(options, {.has_secondary_rays = true}), Lines{});
     options.choices.bounces = 0;
-    EXPECT_EQ(named(options, {}), Lines{}) << "none are wanted, and none there";
+    EXPECT_EQ(named(options, {}), Lines{}) << "0 bounces are valid without secondary rays";
 }
 
-TEST(WithoutEffect, NormalsAndDepthsHaveNoLight) {
+TEST(WithoutEffect, LightsNeedAnIntegratorThatUsesThem) {
     Options options;
     options.choices.lights = 3;
     options.choices.bounces = 2;
-    EXPECT_EQ(named(options, {.shows_light = false}), (Lines{"--lights", "--bounces"}));
-    EXPECT_EQ(named(options, {.sends_on = true}), Lines{});
+    EXPECT_EQ(named(options, {.uses_lights = false}), (Lines{"--lights", "--bounces"}));
+    EXPECT_EQ(named(options, {.has_secondary_rays = true}), Lines{});
 }
 
 } // namespace

@@ -140,7 +140,7 @@ TEST_F(LidarFiles, PatternsThatAreNoneAreToldByTheirLine) {
     EXPECT_EQ(refusal("[oscillating\n"), "sensor.toml:1: Error while parsing table header: expected ']', saw '\\n'");
 }
 
-TEST_F(LidarFiles, WhatASensorMeasuresIsToldByItsLine) {
+TEST_F(LidarFiles, InvalidMeasurementsAreNamedByTheirLine) {
     const auto refused = [&](const std::string& text) { return refusal(kFlash + text); };
     EXPECT_EQ(refused(""), "sensor.toml:1: \"range\" is missing");
     EXPECT_EQ(refused("[range]\nmin_m = 1\n"), "sensor.toml:5: key \"range\": \"max_m\" is missing");
@@ -148,68 +148,68 @@ TEST_F(LidarFiles, WhatASensorMeasuresIsToldByItsLine) {
               "sensor.toml:6: key \"range.min_m\": must be below \"max_m\"");
     EXPECT_EQ(refused(kRange + "noise_m = -1\n"),
               "sensor.toml:7: key \"range.noise_m\": is -1, must be from 0 to 1000000000");
-    EXPECT_EQ(
-        refused(kRange + "[beam]\ndivergence_mrad = 3\n"),
-        "sensor.toml:8: key \"beam.divergence_mrad\": says nothing of a single ray: \"rays\" gives the beam more");
+    EXPECT_EQ(refused(kRange + "[beam]\ndivergence_mrad = 3\n"),
+              "sensor.toml:8: key \"beam.divergence_mrad\": has no effect on a single ray; raise \"rays\"");
     EXPECT_EQ(refused(kRange + "resolution_m = 0.3\n[beam]\nrays = 7\n"),
-              "sensor.toml:9: key \"beam.rays\": are all the same one without \"divergence_mrad\"");
+              "sensor.toml:9: key \"beam.rays\": would coincide without \"divergence_mrad\"");
     EXPECT_EQ(refused(kRange + "[beam]\nrays = 7\n"), "sensor.toml:8: key \"beam.rays\": several rays need "
-                                                      "\"range.resolution_m\": what is nearer together is one return");
+                                                      "\"range.resolution_m\", below which surfaces merge into "
+                                                      "one return");
     EXPECT_EQ(refused(kRange + "[returns]\nkept = \"best\"\n"),
-              "sensor.toml:8: key \"returns.kept\": \"best\" is none of all, first, last, strongest");
+              "sensor.toml:8: key \"returns.kept\": \"best\" is not one of all, first, last, strongest");
     EXPECT_EQ(refused(kRange + "[returns]\nmost = 16\n"),
-              "sensor.toml:8: key \"returns.most\": must be a whole number from 1 to 15");
+              "sensor.toml:8: key \"returns.most\": must be an integer from 1 to 15");
     EXPECT_EQ(refused(kRange + "[intensity]\nreflectance = 2\n"),
               "sensor.toml:8: key \"intensity.reflectance\": is 2, must be from 0 to 1");
     EXPECT_EQ(refused(kRange + "[intensity]\nreflectance = \"rgb\"\n"),
-              "sensor.toml:8: key \"intensity.reflectance\": \"rgb\" is none of scan, color");
+              "sensor.toml:8: key \"intensity.reflectance\": \"rgb\" is not one of scan, color");
     EXPECT_EQ(refused(kRange + "[intensity]\nattribute_white = 2\n"),
-              "sensor.toml:8: key \"intensity.attribute_white\": says nothing without \"attribute\"");
+              "sensor.toml:8: key \"intensity.attribute_white\": has no effect without \"attribute\"");
     EXPECT_EQ(refused(kRange + "[detection]\ndrop_probability = 1.5\n"),
               "sensor.toml:8: key \"detection.drop_probability\": is 1.5, must be from 0 to 1");
     EXPECT_EQ(refused(kRange + "[pose]\nyaw_deg = 2\n"), "sensor.toml:7: key \"pose\": \"position\" is missing");
     EXPECT_EQ(refused(kRange + "[pose]\nposition = [0, 0, 0]\nrotation = [0, 0, 0, 0]\n"),
-              "sensor.toml:9: key \"pose.rotation\": is 0, which is no rotation");
+              "sensor.toml:9: key \"pose.rotation\": is 0, which is not a rotation");
     EXPECT_EQ(refused(kRange + "[pose]\nposition = [0, 0, 0]\nrotation = [0, 0, 0, 1]\nroll_deg = 1\n"),
               "sensor.toml:10: key \"pose.roll_deg\": excludes \"rotation\"");
     EXPECT_EQ(refusal("trajectory = \"gone.csv\"\n" + kFlash + kRange), "gone.csv: No such file or directory");
 }
 
-TEST_F(LidarFiles, TablesThatAreNoneAreToldByTheirLine) {
+TEST_F(LidarFiles, InvalidTablesAreNamedByTheirLine) {
     const auto refused = [&](const std::string& beams) {
         folder.write("beams.csv", beams);
         return refusal("[table]\nfile = \"beams.csv\"\nrepeat_hz = 10\n" + kRange);
     };
-    EXPECT_EQ(refused("azimuth_deg\n1\n"), "beams.csv: there is no column \"elevation_deg\", which a table of angles "
-                                           "must have, but azimuth_deg");
-    EXPECT_EQ(refused("0,1\n"), "beams.csv:1: the first line must name the columns, and \"0\" is a number");
-    EXPECT_EQ(refused("azimuth_deg,elevation_deg\n"), "beams.csv: there is no row of numbers in it");
-    EXPECT_EQ(refused(""), "beams.csv: there is no row of numbers in it");
+    EXPECT_EQ(refused("azimuth_deg\n1\n"), "beams.csv: a table of angles needs the column \"elevation_deg\"; there are "
+                                           "azimuth_deg");
+    EXPECT_EQ(refused("0,1\n"), "beams.csv:1: the first line must name the columns, but \"0\" is a number");
+    EXPECT_EQ(refused("azimuth_deg,elevation_deg\n"), "beams.csv: no row of numbers");
+    EXPECT_EQ(refused(""), "beams.csv: no row of numbers");
     EXPECT_EQ(refused("azimuth_deg,elevation_deg\n0,95\n"), "beams.csv:2: elevation_deg is 95, must be from -90 to 90");
     EXPECT_EQ(refused("azimuth_deg,elevation_deg,ring\n0,5,1.5\n"), "beams.csv:2: ring must be a whole number");
     EXPECT_EQ(refused("azimuth_deg,elevation_deg,azimuth_deg\n0,5,1\n"),
-              "beams.csv:1: there are two columns \"azimuth_deg\"");
+              "beams.csv:1: duplicate column \"azimuth_deg\"");
     EXPECT_EQ(refused("azimuth_deg,elevation_deg,delay_s\n0,5,0.2\n"),
-              "sensor.toml:2: key \"table.file\": a delay_s in it is longer than a pattern, which is 1 / repeat_hz");
+              "sensor.toml:2: key \"table.file\": a delay_s is longer than the period 1 / repeat_hz");
 }
 
-TEST_F(LidarFiles, TrajectoriesThatAreNoneAreToldByTheirLine) {
+TEST_F(LidarFiles, InvalidTrajectoriesAreNamedByTheirLine) {
     const std::string names = "t,x,y,z,qx,qy,qz,qw\n", good = "0,1,2,3,0,0,0,1\n";
-    EXPECT_EQ(trajectoryRefusal(""), "drive.csv: there is no row of numbers in it");
-    EXPECT_EQ(trajectoryRefusal(names), "drive.csv: there is no row of numbers in it");
-    EXPECT_EQ(trajectoryRefusal("t,x,y\n0,1,2\n"),
-              "drive.csv: there is no column \"z\", which a trajectory must have, but t, x, y");
+    EXPECT_EQ(trajectoryRefusal(""), "drive.csv: no row of numbers");
+    EXPECT_EQ(trajectoryRefusal(names), "drive.csv: no row of numbers");
+    EXPECT_EQ(trajectoryRefusal("t,x,y\n0,1,2\n"), "drive.csv: a trajectory needs the column \"z\"; there are t, x, y");
     EXPECT_EQ(trajectoryRefusal("t,x,y,z\n0,1,2,3\n"),
-              "drive.csv: there is no column \"qx\", which a trajectory must have, but t, x, y, z");
+              "drive.csv: a trajectory needs the column \"qx\"; there are t, x, y, z");
     EXPECT_EQ(trajectoryRefusal("t,x,y,z,yaw\n0,1,2,3,4\n"),
-              "drive.csv: there is no column \"pitch\", which a trajectory must have, but t, x, y, z, yaw");
-    EXPECT_EQ(trajectoryRefusal(names + good + good), "drive.csv:3: its time is not after the one before");
+              "drive.csv: a trajectory needs the column \"pitch\"; there are t, x, y, z, yaw");
+    EXPECT_EQ(trajectoryRefusal(names + good + good), "drive.csv:3: the time must be later than the previous row's");
     EXPECT_EQ(trajectoryRefusal(names + good + "-1,1,2,3,0,0,0,1\n"),
-              "drive.csv:3: its time is not after the one before");
-    EXPECT_EQ(trajectoryRefusal(names + "0,1,2,3,0,0,0,0\n"), "drive.csv:2: its quaternion is 0, which is no rotation");
-    EXPECT_EQ(trajectoryRefusal(names + "0,1,nan,3,0,0,0,1\n"), "drive.csv:2: \"nan\" is no finite number");
-    EXPECT_EQ(trajectoryRefusal(names + "0,1,2,3\n"), "drive.csv:2: there are 4 numbers under 8 names");
-    EXPECT_EQ(trajectoryRefusal(names + "0,1,2,3,0,0,0,one\n"), "drive.csv:2: \"one\" is no finite number");
+              "drive.csv:3: the time must be later than the previous row's");
+    EXPECT_EQ(trajectoryRefusal(names + "0,1,2,3,0,0,0,0\n"),
+              "drive.csv:2: the quaternion is 0, which is not a rotation");
+    EXPECT_EQ(trajectoryRefusal(names + "0,1,nan,3,0,0,0,1\n"), "drive.csv:2: \"nan\" is not a finite number");
+    EXPECT_EQ(trajectoryRefusal(names + "0,1,2,3\n"), "drive.csv:2: 4 numbers in 8 columns");
+    EXPECT_EQ(trajectoryRefusal(names + "0,1,2,3,0,0,0,one\n"), "drive.csv:2: \"one\" is not a finite number");
 }
 
 } // namespace

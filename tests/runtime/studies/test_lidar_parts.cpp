@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "runtime/studies/beam_footprint.h"
 #include "runtime/studies/pattern.h"
 #include "runtime/studies/philox.h"
 #include "runtime/studies/returns.h"
-#include "runtime/studies/spot.h"
-#include "runtime/studies/trajectory.h"
+#include "runtime/studies/scanner_path.h"
 
 namespace pointrt::test {
 namespace {
@@ -34,7 +34,7 @@ TEST(LidarPhilox, IsEvenAndGaussian) {
     double mean = 0, square = 0, normal = 0, variance = 0;
     int beyond = 0;
     for (std::uint64_t i = 0; i < kCount; ++i) {
-        const double u = random.uniform(i, LidarChance::kDrop), g = random.gaussian(i, LidarChance::kRange, 2);
+        const double u = random.uniform(i, LidarDraw::kDrop), g = random.gaussian(i, LidarDraw::kRange, 2);
         ASSERT_TRUE(u > 0 && u < 1 && std::isfinite(g));
         mean += u / kCount;
         square += u * u / kCount;
@@ -52,12 +52,12 @@ TEST(LidarPhilox, IsEvenAndGaussian) {
 
 TEST(LidarPhilox, DiffersBySeedPulsePurposeAndNumber) {
     const LidarRandom random(1);
-    const double one = random.gaussian(5, LidarChance::kRange, 0);
-    EXPECT_EQ(one, LidarRandom(1).gaussian(5, LidarChance::kRange, 0));
-    EXPECT_NE(one, LidarRandom(1ull << 40).gaussian(5, LidarChance::kRange, 0));
-    EXPECT_NE(one, random.gaussian(5 + (1ull << 40), LidarChance::kRange, 0));
-    EXPECT_NE(one, random.gaussian(5, LidarChance::kRange, 1));
-    EXPECT_NE(one, random.gaussian(5, LidarChance::kTurn, 0));
+    const double one = random.gaussian(5, LidarDraw::kRange, 0);
+    EXPECT_EQ(one, LidarRandom(1).gaussian(5, LidarDraw::kRange, 0));
+    EXPECT_NE(one, LidarRandom(1ull << 40).gaussian(5, LidarDraw::kRange, 0));
+    EXPECT_NE(one, random.gaussian(5 + (1ull << 40), LidarDraw::kRange, 0));
+    EXPECT_NE(one, random.gaussian(5, LidarDraw::kRange, 1));
+    EXPECT_NE(one, random.gaussian(5, LidarDraw::kFootprint, 0));
 }
 
 TEST(LidarPattern, SpinningBeamsHaveTheirElevationsAndTurn) {
@@ -117,7 +117,7 @@ TEST(LidarPattern, ATableIsFiredRowByRow) {
 
 TEST(LidarTrajectory, AnglesTurnAsTheySay) {
     const auto turned = [](double yaw, double pitch, double roll, Vec3 v) {
-        return LidarStand{{}, lidarRotation(yaw, pitch, roll)}.turned(v);
+        return ScannerPose{{}, lidarRotation(yaw, pitch, roll)}.rotated(v);
     };
     EXPECT_NEAR(length(turned(90, 0, 0, {1, 0, 0}) - Vec3{0, 1, 0}), 0, 1e-15);
     EXPECT_NEAR(length(turned(0, 90, 0, {1, 0, 0}) - Vec3{0, 0, -1}), 0, 1e-15); // the front sinks
@@ -130,12 +130,12 @@ TEST(LidarTrajectory, PositionsGoStraightAndRotationsTheShorterWay) {
     const std::array<double, 4> from = lidarRotation(170, 0, 0);
     std::array<double, 4> to = lidarRotation(-150, 0, 0); // 40 degrees on
     for (double& each : to) each *= -3;                   // the same rotation
-    const LidarPath path({{10, {0, 0, 0}, from}, {14, {8, 4, -4}, to}, {15, {8, 4, 0}, to}});
-    const LidarStand quarter = path.at(11), end = path.at(14);
+    const ScannerPath path({{10, {0, 0, 0}, from}, {14, {8, 4, -4}, to}, {15, {8, 4, 0}, to}});
+    const ScannerPose quarter = path.at(11), end = path.at(14);
     EXPECT_NEAR(length(quarter.position - Vec3{2, 1, -1}), 0, 1e-14);
-    EXPECT_NEAR(azimuthOf(-1.0 * quarter.turned({1, 0, 0})), 0, 1e-9); // 180, which is 170 + 40 / 4
-    EXPECT_NEAR(azimuthOf(path.at(12).turned({1, 0, 0})), -170, 1e-9);
-    EXPECT_NEAR(azimuthOf(end.turned({1, 0, 0})), -150, 1e-9);
+    EXPECT_NEAR(azimuthOf(-1.0 * quarter.rotated({1, 0, 0})), 0, 1e-9); // 180, which is 170 + 40 / 4
+    EXPECT_NEAR(azimuthOf(path.at(12).rotated({1, 0, 0})), -170, 1e-9);
+    EXPECT_NEAR(azimuthOf(end.rotated({1, 0, 0})), -150, 1e-9);
     EXPECT_NEAR(length(path.at(14.5).position - Vec3{8, 4, -2}), 0, 1e-14);
     EXPECT_EQ(path.at(9).position, (Vec3{0, 0, 0}));
     EXPECT_EQ(path.at(99).position, (Vec3{8, 4, 0}));
@@ -143,19 +143,19 @@ TEST(LidarTrajectory, PositionsGoStraightAndRotationsTheShorterWay) {
 
 /// Angles at one speed, where mixing quaternions evenly would hurry in the middle.
 TEST(LidarTrajectory, LargeTurnsAreEven) {
-    const LidarPath path({{0, {}, lidarRotation(0, 0, 0)}, {1, {}, lidarRotation(0, 0, 170)}});
+    const ScannerPath path({{0, {}, lidarRotation(0, 0, 0)}, {1, {}, lidarRotation(0, 0, 170)}});
     for (int i = 0; i <= 17; ++i) {
-        const Vec3 left = path.at(i / 17.0).turned({0, 1, 0});
+        const Vec3 left = path.at(i / 17.0).rotated({0, 1, 0});
         EXPECT_NEAR(std::atan2(left.z, left.y) * kDegrees, 10.0 * i, 1e-9);
     }
 }
 
-TEST(LidarSpot, HoldsEqualSharesOfAGaussianBeam) {
+TEST(BeamFootprint, HoldsEqualSharesOfAGaussianBeam) {
     constexpr std::size_t kRays = 2000;
     const double half_angle = 0.5e-3; // of 1 mrad
-    const LidarSpot spot(1, kRays);
+    const BeamFootprint spot(1, kRays);
     const Vec3 axis = normalize({1, 2, -2});
-    const LidarSpot::Around around(axis, 0.3);
+    const BeamFootprint::Around around(axis, 0.3);
     for (const double circle : {0.2, 0.5, 0.8, 1.0}) {
         std::size_t within = 0;
         for (std::size_t i = 0; i < kRays; ++i)
@@ -170,11 +170,11 @@ TEST(LidarSpot, HoldsEqualSharesOfAGaussianBeam) {
         sum = sum + spot.ray(around, i) * (1.0 / kRays);
     }
     EXPECT_LT(length(cross(axis, sum)), 0.01 * half_angle); // to no side more than to the other
-    EXPECT_EQ(LidarSpot(1, 1).ray(around, 0), axis);
+    EXPECT_EQ(BeamFootprint(1, 1).ray(around, 0), axis);
 }
 
 TEST(LidarReturns, AreWhatLiesApartByMoreThanTheResolution) {
-    std::vector<LidarTouch> touches{{10.5, 1, 1, 3, 0}, {20, 2, 1, 4, 0}, {10, 3, 1, 1, 0}, {10.9, 0, 1, 2, 0}};
+    std::vector<RayEcho> touches{{10.5, 1, 1, 3, 0}, {20, 2, 1, 4, 0}, {10, 3, 1, 1, 0}, {10.9, 0, 1, 2, 0}};
     std::vector<LidarReturn> returns;
     findReturns(touches, 0.5, returns);
     ASSERT_EQ(returns.size(), 2u); // 10, 10.5 and 10.9 are a chain

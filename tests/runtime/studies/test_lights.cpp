@@ -99,21 +99,20 @@ TEST(SunLights, WhatIsNoPlaceOrDateIsRefused) {
         change(study);
         return refusalOf(study);
     };
-    EXPECT_EQ(with([](SunStudy& s) { s.first.day = 30; }), "there is no such day: a date must be one of the calendar");
-    EXPECT_EQ(with([](SunStudy& s) { s.first.month = 13; }),
-              "there is no such day: a date must be one of the calendar");
+    EXPECT_EQ(with([](SunStudy& s) { s.first.day = 30; }), "the date does not exist");
+    EXPECT_EQ(with([](SunStudy& s) { s.first.month = 13; }), "the date does not exist");
     EXPECT_EQ(with([](SunStudy& s) { s.first.year = 1600; }),
-              "a date must be from 1900 to 2100, for which the sun is known");
-    EXPECT_EQ(with([](SunStudy& s) { s.last = {2026, 2, 27}; }), "the last day lies before the first one");
-    EXPECT_EQ(with([](SunStudy& s) { s.every_min = 0; }), "minutes between instants must be above 0 and up to 1440");
+              "the date must be from 1900 to 2100, where the solar position is accurate");
+    EXPECT_EQ(with([](SunStudy& s) { s.last = {2026, 2, 27}; }), "the last day is before the first");
+    EXPECT_EQ(with([](SunStudy& s) { s.every_min = 0; }), "the interval must be above 0 and at most 1440 minutes");
     EXPECT_EQ(with([](SunStudy& s) { s.every_min = std::nan(""); }),
-              "minutes between instants must be above 0 and up to 1440");
+              "the interval must be above 0 and at most 1440 minutes");
     EXPECT_EQ(with([](SunStudy& s) { s.every_min = 1e-9; }),
-              "more than a million instants: fewer days, or more minutes between");
+              "more than a million instants: choose fewer days or a longer interval");
     EXPECT_EQ(with([](SunStudy& s) { s.place.latitude_deg = 91; }), "the latitude must be from -90 to 90 degrees");
     EXPECT_EQ(with([](SunStudy& s) { s.place.longitude_deg = std::nan(""); }),
               "the longitude must be from -180 to 180 degrees");
-    EXPECT_EQ(with([](SunStudy& s) { s.utc_offset_h = 25; }), "the offset from UTC must be from -24 to 24 hours");
+    EXPECT_EQ(with([](SunStudy& s) { s.utc_offset_h = 25; }), "the UTC offset must be from -24 to 24 hours");
 }
 
 TEST(SkyLights, AreUpAndEvenOverTheDisc) {

@@ -346,26 +346,27 @@ TEST_F(Lidar, SurfacesAreAsBrightAsTheirColorsOrTheirNumbers) {
     const std::vector<std::uint32_t> ids{0, 1, 2, 3}, none(4, 0);
     std::vector<float> seen(4);
     const TraceScene scene(device, {folder.file("colored.pro")});
-    LidarSurface(scene, {}).look({ids, none, {}}, seen);
+    ReflectanceLookup(scene, {}).lookUp({ids, none, {}}, seen);
     std::sort(seen.begin(), seen.end()); // splats of a file lie in their leaves' order
     EXPECT_FLOAT_EQ(seen[0], 0.2126f);
     EXPECT_NEAR(static_cast<double>(seen[3]), std::pow((200 / 255.0 + 0.055) / 1.055, 2.4), 1e-6);
-    LidarSurface(scene, {LidarReflectance::Source::kConstant, 0.25, "", 0}).look({ids, none, {}}, seen);
+    ReflectanceLookup(scene, {LidarReflectance::Source::kConstant, 0.25, "", 0}).lookUp({ids, none, {}}, seen);
     EXPECT_EQ(seen, std::vector<float>(4, 0.25f));
 
     const TraceScene numbered(device, {POINTRT_GOLDEN_DIR "/tiny_v1_2.pro"}); // tests/format/tiny_attributes.h
     const std::vector<std::uint32_t> some{3, 1, 0, kNoHit}, first{0, 0, 0, kNoHit};
-    LidarSurface(numbered, {}).look({some, first, {}}, seen);
+    ReflectanceLookup(numbered, {}).lookUp({some, first, {}}, seen);
     EXPECT_EQ(seen, (std::vector<float>{300.0f / 65535, 1, 0, 0}));
-    LidarSurface(numbered, {LidarReflectance::Source::kAttribute, 1, "intensity", 400}).look({some, first, {}}, seen);
+    ReflectanceLookup(numbered, {LidarReflectance::Source::kAttribute, 1, "intensity", 400})
+        .lookUp({some, first, {}}, seen);
     EXPECT_EQ(seen, (std::vector<float>{0.75f, 1, 0, 0}));
     try {
-        LidarSurface(numbered, {LidarReflectance::Source::kAttribute, 1, "gloss", 0});
+        ReflectanceLookup(numbered, {LidarReflectance::Source::kAttribute, 1, "gloss", 0});
         ADD_FAILURE();
     } catch (const TraceError& error) {
         EXPECT_TRUE(
             std::string(error.what())
-                .starts_with("the sensor's reflectance is of the attribute gloss, and the scene has intensity, "))
+                .starts_with("the sensor's reflectance needs the attribute gloss, but the scene has intensity, "))
             << error.what();
     }
 }
@@ -434,14 +435,15 @@ TEST(LidarCheck, RunsThatAreNoneAreTold) {
         return refusalOf(plummet(), run);
     };
     EXPECT_EQ(refusal([](LidarRun& r) { r.trajectory.clear(); }), "the trajectory has no pose");
-    EXPECT_EQ(refusal([](LidarRun& r) { r.trajectory[1].time = 100; }), "pose 1: its time is not after the one before");
+    EXPECT_EQ(refusal([](LidarRun& r) { r.trajectory[1].time = 100; }),
+              "pose 1: its time must be later than the previous pose's");
     EXPECT_EQ(refusal([&](LidarRun& r) { r.trajectory[0].position[2] = nan; }),
-              "pose 0: its time or its position is not finite");
+              "pose 0: its time or position is not finite");
     EXPECT_EQ(refusal([](LidarRun& r) { r.trajectory[1].rotation = {}; }), "pose 1: its quaternion is 0 or not finite");
     EXPECT_EQ(refusal([](LidarRun& r) { r.duration_s = 0; }), "duration_s must be above 0 and finite");
-    EXPECT_EQ(refusal([](LidarRun& r) { r.start_s = 102; }), "start_s is 102, and the trajectory is from 100 to 102 s");
+    EXPECT_EQ(refusal([](LidarRun& r) { r.start_s = 102; }), "start_s is 102, but the trajectory is from 100 to 102 s");
     EXPECT_EQ(refusal([](LidarRun& r) { r.duration_s = 3; }),
-              "the run ends at 103 s, and the trajectory is from 100 to 102 s");
+              "the run ends at 103 s, but the trajectory is from 100 to 102 s");
 }
 
 } // namespace

@@ -158,9 +158,9 @@ TEST_F(Surface, WhatIsWrongWithPointsIsToldByTheirNumber) {
     positions[3] = 1;
     const std::vector<float> one(1), six(6);
     EXPECT_EQ(reason({positions}, {}), "");
-    EXPECT_EQ(reason({positions, one}, {}), "normals must have a row for each point");
-    EXPECT_EQ(reason({positions, six, one}, {}), "radii must have a row for each point");
-    EXPECT_EQ(reason({positions}, {.radius = -1}), "a radius must be 0 or more and finite");
+    EXPECT_EQ(reason({positions, one}, {}), "normals must have one row per point");
+    EXPECT_EQ(reason({positions, six, one}, {}), "radii must have one row per point");
+    EXPECT_EQ(reason({positions}, {.radius = -1}), "the radius must be finite and at least 0");
 }
 
 } // namespace

@@ -5,50 +5,50 @@
 #include <gtest/gtest.h>
 
 #include "runtime/window/input/camera_commands.h"
-#include "runtime/window/input/view_driver.h"
+#include "runtime/window/input/view_animator.h"
 
 namespace pointrt {
 namespace {
 
 TEST(Actions, AskForWhatTakesMore) {
     Workspace work;
-    EXPECT_TRUE(actOn(work, Action::kScreenshot));
-    EXPECT_TRUE(actOn(work, Action::kSaveScene));
-    EXPECT_TRUE(actOn(work, Action::kSaveView));
+    EXPECT_TRUE(applyAction(work, Action::kScreenshot));
+    EXPECT_TRUE(applyAction(work, Action::kSaveScene));
+    EXPECT_TRUE(applyAction(work, Action::kSaveView));
     EXPECT_TRUE(work.requests.screenshot && work.requests.save_scene && work.requests.save_view);
     EXPECT_FALSE(work.requests.quit);
-    actOn(work, Action::kQuit);
+    applyAction(work, Action::kQuit);
     EXPECT_TRUE(work.requests.quit);
 }
 
 TEST(Actions, SwitchOnAndOff) {
     Workspace work;
     for (const bool paused : {true, false}) {
-        actOn(work, Action::kPause);
+        applyAction(work, Action::kPause);
         EXPECT_EQ(work.paused, paused);
     }
-    actOn(work, Action::kPanel);
+    applyAction(work, Action::kPanel);
     EXPECT_FALSE(work.show_panel);
     work.picks.resize(2);
-    actOn(work, Action::kMeasurement);
+    applyAction(work, Action::kMeasurement);
     EXPECT_EQ(work.picks.size(), 2u);
-    actOn(work, Action::kMeasurement);
+    applyAction(work, Action::kMeasurement);
     EXPECT_TRUE(work.picks.empty()) << "cleared with the line";
 }
 
 TEST(Actions, EscapeGoesBackOneStep) {
     Workspace work;
     work.job.emplace();
-    actOn(work, Action::kCheatSheet);
+    applyAction(work, Action::kCheatSheet);
     EXPECT_TRUE(work.show_cheat_sheet);
-    actOn(work, Action::kBack);
+    applyAction(work, Action::kBack);
     EXPECT_FALSE(work.show_cheat_sheet);
     EXPECT_FALSE(work.requests.cancel_job);
-    actOn(work, Action::kBack);
+    applyAction(work, Action::kBack);
     EXPECT_TRUE(work.requests.cancel_job);
     EXPECT_FALSE(work.requests.quit);
     work.job->can_cancel = false;
-    actOn(work, Action::kBack);
+    applyAction(work, Action::kBack);
     EXPECT_TRUE(work.requests.quit);
 }
 
@@ -61,7 +61,7 @@ TEST(Actions, NoKeyIsForgotten) {
         const bool own = control.action == Action::kCopyCamera || control.action == Action::kPasteCamera ||
                          control.action == Action::kPreviousFile || control.action == Action::kNextFile;
         EXPECT_EQ(
-            int{actOn(work, control.action)} + int{viewAsked(control.action, camera, camera).has_value()} + int{own}, 1)
+            int{applyAction(work, control.action)} + int{cameraForAction(control.action, camera, camera).has_value()} + int{own}, 1)
             << control.press;
     }
 }
@@ -69,25 +69,25 @@ TEST(Actions, NoKeyIsForgotten) {
 TEST(CameraCommands, MoveTheCamera) {
     const ViewCamera camera;
     const ViewSize size{200, 100};
-    EXPECT_EQ(viewAfter(OrbitCommand{10, 5}, camera, size)->eye, orbited(camera, size, 10, 5).eye);
-    EXPECT_EQ(viewAfter(LookCommand{10, 5}, camera, size)->pivot, looked(camera, size, 10, 5).pivot);
-    EXPECT_EQ(viewAfter(PanCommand{10, 5}, camera, size)->eye, panned(camera, size, 10, 5).eye);
-    EXPECT_EQ(viewAfter(ZoomCommand{2, 10, 5}, camera, size)->eye, zoomed(camera, size, 2, 10, 5).eye);
-    EXPECT_FALSE(viewAfter(PickCommand{1, 1}, camera, size));
-    EXPECT_FALSE(viewAfter(Action::kHome, camera, size));
+    EXPECT_EQ(cameraAfter(OrbitCommand{10, 5}, camera, size)->eye, orbited(camera, size, 10, 5).eye);
+    EXPECT_EQ(cameraAfter(LookCommand{10, 5}, camera, size)->pivot, looked(camera, size, 10, 5).pivot);
+    EXPECT_EQ(cameraAfter(PanCommand{10, 5}, camera, size)->eye, panned(camera, size, 10, 5).eye);
+    EXPECT_EQ(cameraAfter(ZoomCommand{2, 10, 5}, camera, size)->eye, zoomed(camera, size, 2, 10, 5).eye);
+    EXPECT_FALSE(cameraAfter(PickCommand{1, 1}, camera, size));
+    EXPECT_FALSE(cameraAfter(Action::kHome, camera, size));
 }
 
 TEST(CameraCommands, FlyToViews) {
     ViewCamera camera, home;
     home.eye = {3, 0, 0};
-    EXPECT_EQ(viewAsked(Action::kHome, camera, home)->eye, home.eye);
-    EXPECT_EQ(viewAsked(Action::kTopView, camera, home)->eye, standardView(camera, StandardView::kTop).eye);
-    EXPECT_GT(viewAsked(Action::kOrthographic, camera, home)->ortho_height, 0);
-    EXPECT_FALSE(viewAsked(Action::kPause, camera, home));
+    EXPECT_EQ(cameraForAction(Action::kHome, camera, home)->eye, home.eye);
+    EXPECT_EQ(cameraForAction(Action::kTopView, camera, home)->eye, standardView(camera, StandardView::kTop).eye);
+    EXPECT_GT(cameraForAction(Action::kOrthographic, camera, home)->ortho_height, 0);
+    EXPECT_FALSE(cameraForAction(Action::kPause, camera, home));
 }
 
-TEST(ViewDriver, FliesAndLands) {
-    ViewDriver driver;
+TEST(ViewAnimator, FliesAndLands) {
+    ViewAnimator driver;
     ViewCamera from, to;
     to.eye = {2, 0, 0};
     EXPECT_FALSE(driver.moves());
@@ -102,8 +102,8 @@ TEST(ViewDriver, FliesAndLands) {
     EXPECT_EQ(driver.advanced(from, 7.1, 0.1).eye, from.eye);
 }
 
-TEST(ViewDriver, GoesWhileKeysAreHeld) {
-    ViewDriver driver;
+TEST(ViewAnimator, GoesWhileKeysAreHeld) {
+    ViewAnimator driver;
     const ViewCamera camera;
     driver.flyAlong({1, 0, 0});
     EXPECT_TRUE(driver.moves());

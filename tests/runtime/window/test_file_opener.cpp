@@ -83,7 +83,7 @@ TEST_F(FileOpenerTest, StepsThroughTheFolder) {
     EXPECT_EQ(next(), "a.pro first");
     std::filesystem::remove(folder.file("b.pro"));
     opener.openNeighbour(folder.file("a.pro"), 1);
-    EXPECT_FALSE(jobs.figures()->detail == "cancelling") << "there is no other";
+    EXPECT_FALSE(jobs.status()->detail == "cancelling") << "there is no other";
 }
 
 } // namespace

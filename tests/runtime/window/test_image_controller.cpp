@@ -84,7 +84,7 @@ TEST_F(ImageControllerTest, StartsOverWhereTheViewChanges) {
     EXPECT_EQ(image.live(), nullptr);
     image.update(wanted);
     EXPECT_FALSE(image.moved()) << "it comes from nowhere";
-    EXPECT_EQ(image.size(), (PictureSize{40, 32}));
+    EXPECT_EQ(image.size(), (PixelSize{40, 32}));
     EXPECT_TRUE(image.live()->view().settings.first_hits);
     ASSERT_TRUE(goOn([&] { return rests(); }));
     image.update(wanted);
@@ -94,7 +94,7 @@ TEST_F(ImageControllerTest, StartsOverWhereTheViewChanges) {
     image.update(wanted);
     EXPECT_TRUE(image.moved());
     EXPECT_EQ(image.live()->progress().samples, 0u);
-    image.rest();
+    image.skipFrame();
     EXPECT_FALSE(image.moved());
     ASSERT_TRUE(goOn([&] { return rests(); }));
     image.restart(ViewChange::kScene);
@@ -122,39 +122,39 @@ TEST_F(ImageControllerTest, PausedItGoesOnForWhomeverWaits) {
     image.update(wanted);
     EXPECT_FALSE(image.mayWork());
     EXPECT_FALSE(image.work());
-    EXPECT_FALSE(image.owes());
-    image.wantFilm();
-    EXPECT_TRUE(image.owes());
+    EXPECT_FALSE(image.hasPendingRequest());
+    image.requestFilm();
+    EXPECT_TRUE(image.hasPendingRequest());
     EXPECT_TRUE(image.mayWork());
-    ASSERT_TRUE(goOn([&] { return image.filmIsReady(); }));
+    ASSERT_TRUE(goOn([&] { return image.isFilmReady(); }));
     EXPECT_EQ(image.takeFilm().rgba.size(), 40u * 32 * 4);
-    EXPECT_FALSE(image.wantsFilm());
+    EXPECT_FALSE(image.isFilmRequested());
     EXPECT_FALSE(image.mayWork());
 }
 
 TEST_F(ImageControllerTest, FindsWhatIsPicked) {
     image.pick({0.5, 0.5, true});
-    EXPECT_TRUE(image.owes());
+    EXPECT_TRUE(image.hasPendingRequest());
     ASSERT_TRUE(goOn([&] { return result.has_value(); }));
     EXPECT_TRUE(result->centre);
     EXPECT_NEAR(result->pick.position.z, 1, 0.05) << "the ball's front";
-    EXPECT_FALSE(image.owes());
+    EXPECT_FALSE(image.hasPendingRequest());
     result.reset();
     image.pick({0, 0});
-    ASSERT_TRUE(goOn([&] { return !image.owes(); }));
+    ASSERT_TRUE(goOn([&] { return !image.hasPendingRequest(); }));
     EXPECT_FALSE(result) << "nothing is there";
     image.pick({1, 1}); // the last pixel, not the one after it
-    ASSERT_TRUE(goOn([&] { return !image.owes(); }));
+    ASSERT_TRUE(goOn([&] { return !image.hasPendingRequest(); }));
 }
 
 TEST_F(ImageControllerTest, TakesAnotherScene) {
     ASSERT_TRUE(goOn([&] { return rests(); }));
-    image.wantFilm();
+    image.requestFilm();
     image.open(device, tracer);
     EXPECT_EQ(image.live(), nullptr);
     image.update(wanted);
     EXPECT_FALSE(image.moved()) << "nothing of it was there to move";
-    EXPECT_TRUE(image.wantsFilm());
+    EXPECT_TRUE(image.isFilmRequested());
 }
 
 } // namespace

@@ -27,7 +27,7 @@ public:
 private:
     static void wait(const std::atomic<Gate>& gate, const JobControl& control) {
         while (gate == Gate::kClosed) {
-            control.leaveIfCancelled();
+            control.throwIfCancelled();
             std::this_thread::sleep_for(1ms);
         }
         if (gate == Gate::kBroken) throw Error(ExitCode::kBadInput, "broken");
@@ -47,7 +47,7 @@ protected:
                 [this, name](const Job&) { events.push_back("end " + name); });
         };
     }
-    std::string shown() const { return queue.figures() ? queue.figures()->what : "nothing"; }
+    std::string shown() const { return queue.status() ? queue.status()->title : "nothing"; }
 
     /// Polls until something has happened.
     std::vector<std::string> next() {
@@ -102,7 +102,7 @@ TEST_F(JobQueueTest, CancelsWhatIsShown) {
     queue.start(JobKind::kTurntable, work("turn"));
     EXPECT_EQ(shown(), "bake");
     queue.cancel();
-    EXPECT_FALSE(queue.figures()->can_cancel);
+    EXPECT_FALSE(queue.status()->can_cancel);
     EXPECT_EQ(next(), (Events{"end bake", "bake: cancelled"}));
     EXPECT_EQ(shown(), "turn");
 }
@@ -110,7 +110,7 @@ TEST_F(JobQueueTest, CancelsWhatIsShown) {
 TEST_F(JobQueueTest, LetsWorkThatCannotBeCancelledGoOn) {
     queue.start(JobKind::kSave, work("save", false));
     queue.cancel();
-    EXPECT_EQ(queue.figures()->detail, "") << "nor does it say that it is cancelling";
+    EXPECT_EQ(queue.status()->detail, "") << "nor does it say that it is cancelling";
     gate = Gate::kOpen;
     EXPECT_EQ(next(), (Events{"end save", "done save"}));
 }
@@ -120,37 +120,37 @@ TEST_F(JobQueueTest, StartsNoSecondOne) {
     EXPECT_FALSE(queue.start(JobKind::kBake, work("another")));
     EXPECT_TRUE(queue.start(JobKind::kSave, work("save")));
     EXPECT_EQ(events, (Events{"start bake", "start save"}));
-    EXPECT_EQ(queue.figures(JobKind::kBake)->what, "bake");
-    EXPECT_FALSE(queue.figures(JobKind::kLoad));
+    EXPECT_EQ(queue.status(JobKind::kBake)->title, "bake");
+    EXPECT_FALSE(queue.status(JobKind::kLoad));
 }
 
 TEST_F(JobQueueTest, TheLastLoadThatIsAskedForReplacesTheOthers) {
-    queue.startLater(JobKind::kLoad, work("a"));
+    queue.enqueue(JobKind::kLoad, work("a"));
     EXPECT_TRUE(queue.has(JobKind::kLoad));
     EXPECT_EQ(shown(), "nothing");
     EXPECT_EQ(next(), Events{"start a"});
-    queue.startLater(JobKind::kLoad, work("b"));
-    queue.startLater(JobKind::kLoad, work("c"));
+    queue.enqueue(JobKind::kLoad, work("b"));
+    queue.enqueue(JobKind::kLoad, work("c"));
     EXPECT_EQ(next(), (Events{"end a", "a: cancelled", "start c"}));
     gate = Gate::kOpen;
     EXPECT_EQ(next(), (Events{"end c", "done c"}));
 }
 
 TEST_F(JobQueueTest, LoadsAfterRelighting) {
-    queue.start(JobKind::kRelight, work("relight"));
-    queue.startLater(JobKind::kLoad, work("load"));
-    EXPECT_FALSE(queue.start(JobKind::kRelight, work("again"))) << "a load waits, which makes it needless";
+    queue.start(JobKind::kSceneUpdate, work("relight"));
+    queue.enqueue(JobKind::kLoad, work("load"));
+    EXPECT_FALSE(queue.start(JobKind::kSceneUpdate, work("again"))) << "a load waits, which makes it needless";
     queue.poll();
-    EXPECT_TRUE(queue.figures()->can_cancel) << "it is not given up";
+    EXPECT_TRUE(queue.status()->can_cancel) << "it is not given up";
     gate = Gate::kOpen;
     EXPECT_EQ(next(), (Events{"end relight", "done relight", "start load"}));
-    EXPECT_FALSE(queue.start(JobKind::kRelight, work("early")));
+    EXPECT_FALSE(queue.start(JobKind::kSceneUpdate, work("early")));
 }
 
 TEST_F(JobQueueTest, WhatABakeAsksForIsLoadedInTheSamePoll) {
     queue.start(JobKind::kBake, [&] {
         return startedJob<GatedWork>(std::make_unique<GatedWork>("bake", gate),
-                                     [this](GatedWork&) { queue.startLater(JobKind::kLoad, work("load")); });
+                                     [this](GatedWork&) { queue.enqueue(JobKind::kLoad, work("load")); });
     });
     gate = Gate::kOpen;
     EXPECT_EQ(next(), Events{"start load"});
@@ -160,7 +160,7 @@ TEST_F(JobQueueTest, GoesAwayWithItsWork) {
     JobQueue other([](const std::string&, bool) {});
     other.start(JobKind::kLoad, work("load"));
     other.start(JobKind::kBake, work("bake"));
-    other.startLater(JobKind::kLoad, work("next"));
+    other.enqueue(JobKind::kLoad, work("next"));
     EXPECT_EQ(events, (Events{"start load", "start bake"}));
 }
 

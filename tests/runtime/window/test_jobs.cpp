@@ -48,24 +48,24 @@ std::string refusal(const std::function<void()>& body) {
 TEST(Job, TellsHowFarItIs) {
     std::atomic<int> step = 0;
     Job job("Counting", [&](JobControl& control) {
-        control.say("first half");
-        control.setShare(0.5);
-        control.setShare(0.25);
+        control.setDetail("first half");
+        control.setProgress(0.5);
+        control.setProgress(0.25);
         step = 1;
         while (step == 1) std::this_thread::sleep_for(1ms);
-        control.setShare(7);
+        control.setProgress(7);
     });
     ASSERT_TRUE(soon([&] { return step == 1; }));
-    const JobFigures figures = job.figures();
-    EXPECT_EQ(figures.what, "Counting");
-    EXPECT_EQ(figures.detail, "first half");
-    EXPECT_EQ(figures.share, 0.5) << "it never goes back";
-    EXPECT_TRUE(figures.can_cancel);
+    const JobStatus status = job.status();
+    EXPECT_EQ(status.title, "Counting");
+    EXPECT_EQ(status.detail, "first half");
+    EXPECT_EQ(status.progress, 0.5) << "it never goes back";
+    EXPECT_TRUE(status.can_cancel);
     EXPECT_EQ(job.state(), JobState::kRunning);
     step = 2;
     ASSERT_TRUE(ends(job));
     EXPECT_EQ(job.state(), JobState::kDone);
-    EXPECT_EQ(job.figures().share, 1.0);
+    EXPECT_EQ(job.status().progress, 1.0);
     EXPECT_EQ(job.error(), "");
 }
 
@@ -85,14 +85,14 @@ TEST(Job, KeepsWhatWentWrong) {
 TEST(Job, CanBeCancelled) {
     Job job("Waiting", [](JobControl& control) {
         while (true) {
-            control.leaveIfCancelled();
+            control.throwIfCancelled();
             std::this_thread::sleep_for(1ms);
         }
     });
     job.cancel();
     ASSERT_TRUE(ends(job));
     EXPECT_EQ(job.state(), JobState::kCancelled);
-    EXPECT_FALSE(job.figures().can_cancel);
+    EXPECT_FALSE(job.status().can_cancel);
 }
 
 TEST(Job, GoesAwayCancelled) {
@@ -124,7 +124,7 @@ TEST(ChildProcess, SaysAllThroughOnePipe) {
     }));
     said += child.read(1ms);
     EXPECT_EQ(said, "out\na 'b'\n$c\n") << "there is nothing to read, and no shell but the one asked for";
-    EXPECT_EQ(describeEnd(*child.waitStatus()), "ended with status 3");
+    EXPECT_EQ(describeExit(*child.waitStatus()), "ended with status 3");
 }
 
 TEST(ChildProcess, EndsWithItsOwner) {
@@ -135,7 +135,7 @@ TEST(ChildProcess, EndsWithItsOwner) {
         EXPECT_EQ(kill(id, 0), 0);
     }
     EXPECT_NE(kill(id, 0), 0);
-    EXPECT_EQ(describeEnd(SIGKILL), "was ended by signal 9 (Killed)");
+    EXPECT_EQ(describeExit(SIGKILL), "was ended by signal 9 (Killed)");
 }
 
 class Bake : public testing::Test {
@@ -162,11 +162,11 @@ protected:
 TEST_F(Bake, ShowsProgress) {
     const auto bake = start("printf 'hello\\nprogress 0.2500 nor' >&2; echo 'mals 1234567' >&2\n"
                             "while [ ! -e \"$0.go\" ]; do sleep 0.01; done; echo \"$@\" > \"$4\"");
-    ASSERT_TRUE(soon([&] { return bake->job().figures().share.has_value(); }));
-    const JobFigures figures = bake->job().figures();
-    EXPECT_EQ(figures.what, "Baking a scan\n.ply");
-    EXPECT_EQ(figures.detail, "normals, 1.2 M points/s");
-    EXPECT_EQ(figures.share, 0.25);
+    ASSERT_TRUE(soon([&] { return bake->job().status().progress.has_value(); }));
+    const JobStatus status = bake->job().status();
+    EXPECT_EQ(status.title, "Baking a scan\n.ply");
+    EXPECT_EQ(status.detail, "normals, 1.2 M points/s");
+    EXPECT_EQ(status.progress, 0.25);
     folder.write("pointrt-bake.go", "");
     ASSERT_TRUE(ends(bake->job()));
     EXPECT_EQ(bake->job().state(), JobState::kDone) << bake->job().error();
@@ -195,7 +195,7 @@ TEST_F(Bake, SurvivesAFlood) {
 TEST_F(Bake, IsCancelled) {
     const auto bake = start("trap 'echo asked > \"$0.asked\"; exit 143' TERM; echo 'progress 0.5 octree 0'\n"
                             "while true; do sleep 0.01; done");
-    ASSERT_TRUE(soon([&] { return bake->job().figures().share.has_value(); }));
+    ASSERT_TRUE(soon([&] { return bake->job().status().progress.has_value(); }));
     bake->job().cancel();
     ASSERT_TRUE(ends(bake->job()));
     EXPECT_EQ(bake->job().state(), JobState::kCancelled);
@@ -205,7 +205,7 @@ TEST_F(Bake, IsCancelled) {
 TEST_F(Bake, IsMadeToEndAndLeavesNothing) {
     const auto bake = start("trap '' TERM; echo half > \"$4.tmp-$$\"; echo 'progress 0.9 write 0'\n"
                             "while true; do sleep 0.01; done");
-    ASSERT_TRUE(soon([&] { return bake->job().figures().share.has_value(); }));
+    ASSERT_TRUE(soon([&] { return bake->job().status().progress.has_value(); }));
     bake->job().cancel();
     ASSERT_TRUE(ends(bake->job()));
     EXPECT_EQ(bake->job().state(), JobState::kCancelled);
@@ -214,15 +214,15 @@ TEST_F(Bake, IsMadeToEndAndLeavesNothing) {
 
 TEST_F(Bake, TakesOnlyProgressForProgress) {
     Job job("Listening", [](JobControl& control) {
-        EXPECT_FALSE(tellBakeProgress("progress", control));
-        EXPECT_FALSE(tellBakeProgress("progress 0.5 read", control));
-        EXPECT_FALSE(tellBakeProgress("progress 0.5 read 1 more", control));
-        EXPECT_FALSE(tellBakeProgress("progress 2 read 1", control));
-        EXPECT_FALSE(tellBakeProgress("progress nan read 1", control));
-        EXPECT_TRUE(tellBakeProgress("progress 0.5 read 1", control));
+        EXPECT_FALSE(parseBakeProgress("progress", control));
+        EXPECT_FALSE(parseBakeProgress("progress 0.5 read", control));
+        EXPECT_FALSE(parseBakeProgress("progress 0.5 read 1 more", control));
+        EXPECT_FALSE(parseBakeProgress("progress 2 read 1", control));
+        EXPECT_FALSE(parseBakeProgress("progress nan read 1", control));
+        EXPECT_TRUE(parseBakeProgress("progress 0.5 read 1", control));
     });
     ASSERT_TRUE(ends(job));
-    EXPECT_EQ(job.figures().detail, "read");
+    EXPECT_EQ(job.status().detail, "read");
 }
 
 class Plan : public testing::Test {
@@ -243,7 +243,7 @@ protected:
         for (const std::string& name : names) inputs.push_back(folder.file(name));
         const BakePlan made = planBake(inputs);
         EXPECT_EQ(made.inputs, inputs);
-        return fs::path(made.output).filename().string() + (made.is_there ? " is there" : "");
+        return fs::path(made.output).filename().string() + (made.is_up_to_date ? " is there" : "");
     }
 
     const test::TemporaryFolder folder;
@@ -323,13 +323,13 @@ TEST_F(Plan, RefusesWhatIsNoFile) {
 TEST_F(Plan, FindsTheBaker) {
     for (const char* name : {"bin", "first", "second"}) fs::create_directory(folder.path / name);
     const std::string path = folder.file("first") + "::" + folder.file("second"), own = folder.file("bin");
-    EXPECT_EQ(refusal([&] { findBaker(own, path); }),
+    EXPECT_EQ(refusal([&] { findBakeTool(own, path); }),
               "pointrt-bake bakes scans, but is neither in " + own + " nor in PATH (" + path + ")");
     folder.write("first/pointrt-bake", "no program");
     fs::permissions(folder.write("second/pointrt-bake", ""), fs::perms::owner_all);
-    EXPECT_EQ(findBaker(own, path), folder.file("second/pointrt-bake"));
+    EXPECT_EQ(findBakeTool(own, path), folder.file("second/pointrt-bake"));
     fs::permissions(folder.write("bin/pointrt-bake", ""), fs::perms::owner_all);
-    EXPECT_EQ(findBaker(own, path), folder.file("bin/pointrt-bake"));
+    EXPECT_EQ(findBakeTool(own, path), folder.file("bin/pointrt-bake"));
 }
 
 } // namespace

@@ -9,7 +9,7 @@
 
 #include "runtime/scene/camera.h"
 #include "runtime/window/edit/pick_details.h"
-#include "runtime/window/edit/rework.h"
+#include "runtime/window/edit/required_update.h"
 #include "runtime/window/live/viewport_renderer.h"
 #include "tests/format/tiny_attributes.h"
 #include "tests/support/temporary_folder.h"
@@ -91,16 +91,16 @@ protected:
     }
 
     void relight(LoadedScene& loaded, const LoadedScene& like) {
-        RefurnishJob job(device, loaded, like.scene.description, like.settings);
+        SceneUpdateJob job(device, loaded, like.scene.description, like.settings);
         wait(job.job());
         EXPECT_EQ(job.job().state(), JobState::kDone) << job.job().error();
     }
 
     /// Whether it took no job.
     bool furnishNow(LoadedScene& loaded, const SceneDescription& description, const RenderSettings& settings) {
-        Rework rework = reworkFor(loaded.scene, loaded.program_kinds.integrator, description, settings);
-        if (rework.kind != ReworkKind::kTables) return false;
-        refurnishNow(device, loaded, description, settings, std::move(rework.rows));
+        RequiredUpdate rework = requiredUpdate(loaded.scene, loaded.program_kinds.integrator, description, settings);
+        if (rework.kind != UpdateKind::kTables) return false;
+        updateSceneTables(device, loaded, description, settings, std::move(rework.rows));
         return true;
     }
 
@@ -120,10 +120,10 @@ TEST_F(LoadJobTest, LoadsAScanWithWhatStandsAroundIt) {
     LoadJob load(device, optionsFor(folder.file("tiny.pro")));
     double before = 0;
     while (!load.job().ended()) {
-        const JobFigures figures = load.job().figures();
-        EXPECT_EQ(figures.what, "Loading tiny.pro");
-        EXPECT_GE(figures.share.value_or(0), before);
-        before = figures.share.value_or(0);
+        const JobStatus status = load.job().status();
+        EXPECT_EQ(status.title, "Loading tiny.pro");
+        EXPECT_GE(status.progress.value_or(0), before);
+        before = status.progress.value_or(0);
         std::this_thread::sleep_for(1ms);
     }
     const auto loaded = load.take();
@@ -296,7 +296,7 @@ TEST_F(LoadJobTest, LeavesPhotonsOutUntilThereIsTime) {
     const std::vector<float> without = picture(*loaded);
     EXPECT_NE(without, expected);
     {
-        RefurnishJob job(device, *loaded, moved->scene.description, moved->settings);
+        SceneUpdateJob job(device, *loaded, moved->scene.description, moved->settings);
         job.job().cancel();
         wait(job.job());
         EXPECT_FALSE(loaded->lacks_photons) << "nobody wants to wait for them";
@@ -321,7 +321,7 @@ TEST_F(LoadJobTest, ReadsASkyOnce) {
     EXPECT_FALSE(furnishNow(*loaded, bright->scene.description, bright->settings));
     SceneDescription gone = bright->scene.description;
     gone.sky->image = folder.file("none.hdr");
-    RefurnishJob job(device, *loaded, gone, bright->settings);
+    SceneUpdateJob job(device, *loaded, gone, bright->settings);
     wait(job.job());
     EXPECT_EQ(job.job().state(), JobState::kFailed);
     EXPECT_EQ(job.job().error().find(folder.file("none.hdr") + ": "), 0u) << job.job().error();
@@ -343,7 +343,7 @@ TEST_F(LoadJobTest, OtherScansAreLoadedNotRefurnished) {
     SceneDescription other = loaded->scene.description;
     other.instances[0].placement.translation.x += 1;
     EXPECT_FALSE(furnishNow(*loaded, other, loaded->settings));
-    RefurnishJob job(device, *loaded, other, loaded->settings);
+    SceneUpdateJob job(device, *loaded, other, loaded->settings);
     wait(job.job());
     EXPECT_EQ(job.job().state(), JobState::kFailed);
     EXPECT_EQ(picture(*loaded), before);

@@ -102,10 +102,10 @@ TEST(LightEdit, BearingsAreACompass) {
             for (const double height : {-80.0, 0.0, 45.0}) {
                 const Bearing bearing = bearingOf(5 * directionOf({azimuth, height}, up), up);
                 EXPECT_NEAR(bearing.azimuth_deg, azimuth, 1e-9);
-                EXPECT_NEAR(bearing.height_deg, height, 1e-9);
+                EXPECT_NEAR(bearing.elevation_deg, height, 1e-9);
             }
-    EXPECT_EQ(bearingOf({}, kUp).height_deg, 90);
-    EXPECT_EQ(bearingOf({0, -2, 0}, kUp).height_deg, -90);
+    EXPECT_EQ(bearingOf({}, kUp).elevation_deg, 90);
+    EXPECT_EQ(bearingOf({0, -2, 0}, kUp).elevation_deg, -90);
 }
 
 TEST(LightEdit, TurnsASoftboxStraightDown) {

@@ -43,8 +43,8 @@ PickedPoint pick(Vec3 position) {
 Workspace busyScan() {
     Workspace w = litScan();
     w.picks = {pick({0, 1, 0}), pick({0.5, 1, 0})};
-    w.keeps_measurement = w.show_cheat_sheet = true;
-    w.job = JobFigures{"Baking bust.ply", "normals", 0.3, 75.0, true};
+    w.pin_measurement = w.show_cheat_sheet = true;
+    w.job = JobStatus{"Baking bust.ply", "normals", 0.3, 75.0, true};
     w.notices = {{"saved", false, 10}, {"broken", true, 0.1}, {"gone", false, -5}};
     w.scene.views = {{"front", {}}, {"front", {}}, {"", {}}};
     w.color_words = {"rgb", "height", "classification"};
@@ -55,7 +55,7 @@ Workspace busyScan() {
 
 bool asksNothing(const Requests& r) {
     return !(r.scene_changed || r.settings_changed || r.look_changed || r.dragging || r.save_scene || r.screenshot ||
-             r.save_view || r.home || r.quit || r.cancel_job || r.go_to_view || r.forget_view || r.turntable_pictures);
+             r.save_view || r.home || r.quit || r.cancel_job || r.go_to_view || r.delete_view || r.turntable_pictures);
 }
 
 void showAll(Workspace w, float width = 1280, float height = 720) {
@@ -105,7 +105,7 @@ TEST(Panels, ShowAbsurdNumbers) {
         w.hud.frame_ms = w.hud.sample_share = w.time_s = w.look.depth_black = absurd;
         w.look.exposure = number;
         w.look.shown = 77;
-        w.job->share = w.job->seconds_left = absurd;
+        w.job->progress = w.job->seconds_left = absurd;
         for (int selected = 0; selected < 5; ++selected) {
             showAll(w);
             std::rotate(w.scene.lights.begin(), w.scene.lights.begin() + 1, w.scene.lights.end());
@@ -275,7 +275,7 @@ TEST(Panels, AskForTheTurntableAsSet) {
     driver.openAll(w);
     ASSERT_TRUE(driver.find(w, "Panel", {"Output", "Render turntable"}));
     EXPECT_EQ(driver.click(w).turntable_pictures, 36u);
-    w.job = JobFigures{};
+    w.job = JobStatus{};
     EXPECT_FALSE(driver.click(w).turntable_pictures.has_value());
 }
 

@@ -7,23 +7,23 @@
 #include "runtime/device_scene/scene_rows.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/default_lighting.h"
-#include "runtime/window/edit/rework.h"
+#include "runtime/window/edit/required_update.h"
 #include "runtime/window/edit/shown_scene.h"
 
 namespace pointrt {
 namespace {
 
-OpenedScene opened(const SceneDescription& described, const RenderSettings& settings = {}) {
+OpenedScene opened(const SceneDescription& file_scene, const RenderSettings& settings = {}) {
     OpenedScene scene;
-    scene.described = described;
-    scene.described.path = "scans/statue.pro";
+    scene.file_scene = file_scene;
+    scene.file_scene.path = "scans/statue.pro";
     scene.settings = settings;
     scene.bounds_min = {-1, -1, -1};
     scene.bounds_max = {1, 1, 1};
     scene.camera = frameCamera({}, scene.bounds_min, scene.bounds_max, 1);
-    scene.staged_for = scene.camera.eye;
-    scene.staged = scene.described;
-    addSurroundings(scene.staged, settings, scene.camera, scene.bounds_min, scene.bounds_max);
+    scene.resolved_for_eye = scene.camera.eye;
+    scene.resolved = scene.file_scene;
+    addSurroundings(scene.resolved, settings, scene.camera, scene.bounds_min, scene.bounds_max);
     return scene;
 }
 
@@ -35,7 +35,7 @@ protected:
     void goTo(std::optional<Room> room, std::optional<std::uint32_t> lamps = std::nullopt) {
         work.settings.room = room;
         work.settings.lights = lamps;
-        editor.restage();
+        editor.updateSurroundings();
     }
 
     Workspace work;
@@ -48,34 +48,34 @@ TEST_F(SceneEditorTest, ShowsWhatWasOpened) {
     editor.open(opened({}), 17);
     EXPECT_TRUE(editor.isOpen());
     EXPECT_EQ(work.title, "statue.pro");
-    EXPECT_EQ(work.samples_wanted, 17u);
+    EXPECT_EQ(work.target_samples, 17u);
     EXPECT_EQ(work.scene.lights.size(), 3u) << "the studio's";
     EXPECT_TRUE(work.picks.empty());
     EXPECT_EQ(work.scene_up, (Vec3{0, 1, 0}));
     EXPECT_EQ(work.look.shown, SHOWN_BEAUTY);
-    EXPECT_FALSE(editor.waits());
-    editor.restage();
+    EXPECT_FALSE(editor.hasPendingEdits());
+    editor.updateSurroundings();
     EXPECT_EQ(work.scene.lights.size(), 3u) << "nothing to do";
 }
 
 TEST_F(SceneEditorTest, WaitsUntilEditsAreDone) {
     editor.open(opened({}), 4);
-    Requests asked;
-    asked.look_changed = true;
-    editor.note(asked);
-    EXPECT_FALSE(editor.waits()) << "the light is the same";
-    asked.scene_changed = true;
-    editor.note(asked);
-    editor.note({});
-    EXPECT_TRUE(editor.waits());
-    editor.settle();
-    EXPECT_FALSE(editor.waits());
-    asked = {};
-    asked.settings_changed = true;
-    editor.note(asked);
-    EXPECT_TRUE(editor.waits());
+    Requests requests;
+    requests.look_changed = true;
+    editor.noteRequests(requests);
+    EXPECT_FALSE(editor.hasPendingEdits()) << "the light is the same";
+    requests.scene_changed = true;
+    editor.noteRequests(requests);
+    editor.noteRequests({});
+    EXPECT_TRUE(editor.hasPendingEdits());
+    editor.clearPendingEdits();
+    EXPECT_FALSE(editor.hasPendingEdits());
+    requests = {};
+    requests.settings_changed = true;
+    editor.noteRequests(requests);
+    EXPECT_TRUE(editor.hasPendingEdits());
     editor.open(opened({}), 4);
-    EXPECT_FALSE(editor.waits());
+    EXPECT_FALSE(editor.hasPendingEdits());
 }
 
 TEST_F(SceneEditorTest, PutsUpTheRoomThatIsAskedFor) {
@@ -156,7 +156,7 @@ TEST_F(SceneEditorTest, PutsTheScanOnAnotherSide) {
     EXPECT_EQ(home.up, (Vec3{0, 0, 1}));
     EXPECT_LT(home.eye.y, -1) << "in front of it, where Z is up";
     EXPECT_EQ(work.scene.lights.size(), 3u) << "lamps begin anew";
-    EXPECT_TRUE(editor.waits());
+    EXPECT_TRUE(editor.hasPendingEdits());
 }
 
 TEST_F(SceneEditorTest, ViewsAreKeptUnderTheirNames) {
@@ -187,7 +187,7 @@ TEST_F(SceneEditorTest, SavesWhatIsShown) {
     EXPECT_EQ(saved.render.denoise, DenoiseChoice::kOn);
     EXPECT_EQ(saved.lights, work.scene.lights) << "the studio's are its own now";
     EXPECT_EQ(saved.render.room, Room::kNone);
-    work.samples_wanted = 256;
+    work.target_samples = 256;
     EXPECT_EQ(sceneAsShown(work, {64, 48}).render.denoise, DenoiseChoice::kOff) << "there is nothing to filter then";
 }
 
@@ -203,8 +203,8 @@ protected:
         scene.features = rows.features;
         scene.shape_rows = std::move(rows.shapes);
     }
-    ReworkKind to(const SceneDescription& after) {
-        return reworkFor(scene, Integrator::kWhitted, after, settings).kind;
+    UpdateKind to(const SceneDescription& after) {
+        return requiredUpdate(scene, Integrator::kWhitted, after, settings).kind;
     }
 
     SceneDescription before;
@@ -221,39 +221,39 @@ TEST_F(ReworkTest, ValuesAreRows) {
     after.lights = {lampAt(2), lampAt(3)};
     after.materials[0].color = {1, 0, 0};
     after.shapes[0].center = {0, -1, 0};
-    EXPECT_EQ(to(after), ReworkKind::kTables);
+    EXPECT_EQ(to(after), UpdateKind::kTables);
 }
 
 TEST_F(ReworkTest, OtherKindsAreOtherPrograms) {
     SceneDescription after = before;
     after.lights.emplace_back(SphereLight{{0, 3, 0}, 0.5, {1, 1, 1}, true});
-    EXPECT_EQ(to(after), ReworkKind::kPrograms);
+    EXPECT_EQ(to(after), UpdateKind::kPrograms);
     after = before;
     after.sky = SkyDescription{};
     after.sky->image = "sky.hdr";
-    EXPECT_EQ(to(after), ReworkKind::kPrograms);
+    EXPECT_EQ(to(after), UpdateKind::kPrograms);
     settings.integrator = Integrator::kPath;
-    EXPECT_EQ(to(before), ReworkKind::kPrograms);
+    EXPECT_EQ(to(before), UpdateKind::kPrograms);
 }
 
 TEST_F(ReworkTest, OtherPlacesAreLoadedAnew) {
     SceneDescription after = before;
     after.instances.resize(1);
-    EXPECT_EQ(to(after), ReworkKind::kReload);
+    EXPECT_EQ(to(after), UpdateKind::kReload);
 }
 
 TEST_F(ReworkTest, NobodyWaitsWhileHeDrags) {
     constexpr bool drags = true, lacks_photons = true;
-    EXPECT_EQ(nextStep(ReworkKind::kNothing, !drags, !lacks_photons), EditStep::kNothing);
+    EXPECT_EQ(nextUpdateStep(UpdateKind::kNothing, !drags, !lacks_photons), UpdateStep::kNothing);
     for (const bool lacks : {false, true}) {
-        EXPECT_EQ(nextStep(ReworkKind::kTables, drags, lacks), EditStep::kUpload);
-        EXPECT_EQ(nextStep(ReworkKind::kTables, !drags, lacks), EditStep::kUpload);
-        EXPECT_EQ(nextStep(ReworkKind::kPrograms, drags, lacks), EditStep::kNothing);
-        EXPECT_EQ(nextStep(ReworkKind::kPrograms, !drags, lacks), EditStep::kRelight);
-        EXPECT_EQ(nextStep(ReworkKind::kReload, !drags, lacks), EditStep::kRelight);
+        EXPECT_EQ(nextUpdateStep(UpdateKind::kTables, drags, lacks), UpdateStep::kUpload);
+        EXPECT_EQ(nextUpdateStep(UpdateKind::kTables, !drags, lacks), UpdateStep::kUpload);
+        EXPECT_EQ(nextUpdateStep(UpdateKind::kPrograms, drags, lacks), UpdateStep::kNothing);
+        EXPECT_EQ(nextUpdateStep(UpdateKind::kPrograms, !drags, lacks), UpdateStep::kSceneUpdate);
+        EXPECT_EQ(nextUpdateStep(UpdateKind::kReload, !drags, lacks), UpdateStep::kSceneUpdate);
     }
-    EXPECT_EQ(nextStep(ReworkKind::kNothing, drags, lacks_photons), EditStep::kNothing);
-    EXPECT_EQ(nextStep(ReworkKind::kNothing, !drags, lacks_photons), EditStep::kRelight);
+    EXPECT_EQ(nextUpdateStep(UpdateKind::kNothing, drags, lacks_photons), UpdateStep::kNothing);
+    EXPECT_EQ(nextUpdateStep(UpdateKind::kNothing, !drags, lacks_photons), UpdateStep::kSceneUpdate);
 }
 
 } // namespace

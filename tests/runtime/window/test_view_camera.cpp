@@ -420,9 +420,9 @@ TEST(ViewFlight, BeginsAndEndsWhereItShould) {
     expectSamePicture(viewAt(flight, 9), from, 1e-9);
     expectSame(viewAt(flight, 10.31), to);
     expectSamePicture(viewAt(flight, 10.2999999), to, 1e-6);
-    EXPECT_FALSE(hasLanded(flight, 10.29));
-    EXPECT_TRUE(hasLanded(flight, 10.31));
-    EXPECT_TRUE(hasLanded(flight, kNan)); // a broken clock ends it
+    EXPECT_FALSE(isFinished(flight, 10.29));
+    EXPECT_TRUE(isFinished(flight, 10.31));
+    EXPECT_TRUE(isFinished(flight, kNan)); // a broken clock ends it
 }
 
 TEST(ViewFlight, IsLevelAndSlowAtBothEnds) {
@@ -433,9 +433,9 @@ TEST(ViewFlight, IsLevelAndSlowAtBothEnds) {
         for (int i = 0; i <= 30; ++i) {
             const ViewCamera view = viewAt(flight, i * 0.01);
             EXPECT_NEAR(roll(view), 0, 1e-9);
-            const double moved = length(view.eye - from.eye);
-            EXPECT_GE(moved, last - 1e-9);
-            last = moved;
+            const double translated = length(view.eye - from.eye);
+            EXPECT_GE(translated, last - 1e-9);
+            last = translated;
         }
         const auto step = [&](double time_s) {
             return length(viewAt(flight, time_s + 0.01).eye - viewAt(flight, time_s).eye);
@@ -551,7 +551,7 @@ TEST(CameraText, RefusesAnythingElseWithAReason) {
     EXPECT_EQ(refusalOf(good), "");
     EXPECT_EQ(refusalOf(""), "camera text: --eye is missing");
     EXPECT_EQ(refusalOf("--eye 1,2,3"), "camera text: --target is missing");
-    EXPECT_EQ(refusalOf("hello world"), "camera text: \"hello\" is none of --eye, --target, --up, --fov, --ortho");
+    EXPECT_EQ(refusalOf("hello world"), "camera text: \"hello\" is not one of --eye, --target, --up, --fov, --ortho");
     EXPECT_EQ(refusalOf(good + "--eye 1,2,3"), "camera text: --eye is given twice");
     EXPECT_EQ(refusalOf(good + "--up"), "camera text: --up has no value");
     EXPECT_EQ(refusalOf(good + "--up 1,2"), "camera text: --up: \"1,2\" is not its value");

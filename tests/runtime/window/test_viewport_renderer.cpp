@@ -122,7 +122,7 @@ TEST_P(ViewportRendererTest, CarriesThePictureAlong) {
     live->clearUpdates();
     live->work(kSlice_s);
     ASSERT_FALSE(live->updates().empty());
-    EXPECT_EQ(live->progress().size, (PictureSize{72, 56}));
+    EXPECT_EQ(live->progress().size, (PixelSize{72, 56}));
     EXPECT_EQ(live->progress().samples, 0u);
     EXPECT_GT(live->progress().traced, 0u);
     // a hundredth of the ball's distance: most is as it was, to a few steps of 255
@@ -154,7 +154,7 @@ TEST_P(ViewportRendererTest, AddsUpAPictureWhileThingsMove) {
         live->clearUpdates();
         live->work(kSlice_s);
         ASSERT_FALSE(live->updates().empty()) << frame;
-        EXPECT_EQ(live->progress().size, (PictureSize{72, 56})) << frame;
+        EXPECT_EQ(live->progress().size, (PixelSize{72, 56})) << frame;
         if (frame == 0 || frame == 23) errors.push_back(errorOf(shownPixels(), tonemapFilm(headless())));
     }
     EXPECT_LT(errors[1], 0.65 * errors[0]); // of path half is left, its noise
@@ -273,9 +273,9 @@ TEST_P(ViewportRendererTest, QuickPicturesAreNoSamples) {
     view.settings.width = view.settings.height = 8;
     live->setView(view, true);
     live->work(kSlice_s);
-    EXPECT_EQ(live->progress().size, (PictureSize{8, 8}));
+    EXPECT_EQ(live->progress().size, (PixelSize{8, 8}));
     EXPECT_EQ(live->progress().samples, 0u);
-    EXPECT_FALSE(live->betweenSamples());
+    EXPECT_FALSE(live->isBetweenSamples());
 }
 
 /// The look may change at any time, in the midst of a sample; the light stays.

@@ -13,7 +13,7 @@ std::vector<Echo> echoesOf(const WorldTracing& world, const Beam& beam, const Ve
     std::vector<Echo> echoes;
     for (int ring = 0; ring <= beam.rings; ++ring)
         for (int i = 0; i < std::max(1, 6 * ring); ++i) {
-            // rings that each stand for as much of the cross-section as their probes do
+            // radii such that each probe represents the same area of the cross-section
             const double out = beam.rings == 0 ? 0 : static_cast<double>(ring) / (beam.rings + 0.5);
             const double around = 2 * std::numbers::pi * i / std::max(1, 6 * ring);
             const Vec3d aside = out * (std::cos(around) * u + std::sin(around) * v);

@@ -5,9 +5,9 @@ namespace pointrt::quality {
 
 namespace {
 
-constexpr int kSize = 512; // pixels a row and a column
+constexpr int kSize = 512; // pixels per row and column
 
-/// A mesh of the data folder, as long as that.
+/// A mesh of the data folder, scaled to this length.
 auto model(const char* file, double longest, bool z_up) {
     return [=](const std::string& data) { return modelWorld(data + "/" + file, longest, z_up); };
 }
@@ -34,7 +34,7 @@ DeviceCase triangulation(const char* subject, const char* file, bool held_out) {
     return row;
 }
 
-/// The camera stands in the room and looks a little down at the table; the far corner is out of its reach.
+/// The camera is in the room and looks slightly down at the table; the far corner is out of range.
 Eigen::Isometry3d frameOfDepthCamera() {
     const Vec3d eye(1.0, 0.9, 1.5), ahead = (Vec3d(4.5, 2.8, 0.8) - eye).normalized();
     const Vec3d right = ahead.cross(Vec3d::UnitZ()).normalized();

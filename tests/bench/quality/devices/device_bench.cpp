@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// device_bench list DEVICE TUNING | make CASE DATA FOLDER | cameras CASE | judge CASE DATA SCAN PICTURE...: what
-// devices.sh asks.
+// device_bench list DEVICE TUNING | make CASE DATA FOLDER | cameras CASE | judge CASE DATA SCAN PICTURE...: the
+// subcommands that devices.sh runs.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -24,7 +24,7 @@ DeviceCase caseOf(const std::string& name) {
     throw Error(ExitCode::kBadUsage, name + ": is no case");
 }
 
-/// device: of that one only, "" all. tuning: "" with those held out.
+/// device: only that device; "": all. tuning: "": also cases held out.
 int list(const std::string& device, const std::string& tuning) {
     for (const DeviceCase& row : deviceCases())
         if ((device.empty() || row.device == device) && (tuning.empty() || !row.held_out))
@@ -38,7 +38,7 @@ int make(const DeviceCase& row, const std::string& data, const std::string& fold
     return 0;
 }
 
-/// A line a camera: eye, target, up, field of view, pixels a side.
+/// One line per camera: eye, target, up, field of view, pixels per side.
 int printCameras(const DeviceCase& row) {
     const auto text = [](const Vec3d& v) { return fmt::format("{},{},{}", v.x(), v.y(), v.z()); };
     for (const Pinhole& camera : row.cameras)

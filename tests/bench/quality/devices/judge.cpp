@@ -11,7 +11,7 @@ namespace pointrt::quality {
 
 namespace {
 
-/// Where a ray from outside enters and leaves a crown.
+/// Distances at which a ray from outside enters and leaves a crown.
 std::optional<std::pair<double, double>> throughCrown(const Crown& crown, const Vec3d& origin, const Vec3d& direction) {
     const Vec3d from = (origin - crown.center).cwiseQuotient(crown.radii), along = direction.cwiseQuotient(crown.radii);
     const double a = along.squaredNorm(), b = from.dot(along), c = from.squaredNorm() - 1, root = b * b - a * c;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is asked of pictures of a world beyond what is asked of any picture: its walls, its trees, how it looks lit.
+// Additional measures for pictures of a world: its walls, its trees, and how it looks lit.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,24 +9,23 @@
 
 namespace pointrt::quality {
 
-/// Lines of sight through crowns that nothing hides before they come there.
+/// Sightlines through crowns, if nothing is in front of those.
 struct GapCounts {
-    std::size_t sights = 0, truth = 0, picture = 0; ///< all; and those that come out again
+    std::size_t sights = 0, truth = 0, picture = 0; ///< all; those that leave the crown in the truth and in the picture
 };
 GapCounts countGaps(const World& world, const Sights& truth, const Sights& picture, const UnitCamera& camera);
 
-/// Degrees without sign between the normals of truth and picture, where the truth is a wall's and seen.
+/// Unsigned angles in degrees between the normals of truth and picture, on walls that were scanned.
 std::vector<float> wallDegrees(const WorldTracing& world, const RawPoints& raw, double seen_reach, const Sights& truth,
                                const Sights& picture, const UnitCamera& camera);
 
-/// A lit picture in grey: a lamp a little above the eye's right, Lambert's law and a tenth of light from all sides,
-/// black where nothing is. The same light on truth and splats, without shadows, so that both differ only in what is
-/// seen. Throws Error (kCannotWrite).
+/// Writes a lit picture in grey: a lamp slightly above and to the right of the eye, Lambert's law plus 10% ambient
+/// light, black background. Truth and splats have the same light and no shadows, so that they differ only in geometry.
+/// Throws Error (kCannotWrite).
 void writeLit(const std::string& path, const Sights& sights, const UnitCamera& camera);
 
-/// Figures of one picture: those of figuresOf as "all" and "seen", "wall_normal_mean" and "gap", "gap_truth" where
-/// there are walls and trees. Beside the picture's name it writes NAME.lit.png, NAME.truth.png and
-/// NAME.errors.png (writeErrors).
+/// Figures of one picture: those of figuresOf as "all" and "seen"; "wall_normal_mean" if there are walls; "gap" and
+/// "gap_truth" if there are trees. Also writes NAME.lit.png, NAME.truth.png and NAME.errors.png (writeErrors).
 nlohmann::ordered_json judgePicture(const DeviceCase& row, const WorldTracing& world, const RawPoints& raw,
                                     const Pinhole& camera, const std::string& picture_path);
 

@@ -55,7 +55,7 @@ std::vector<Return> scanByAirborne(const WorldTracing& world, const AirborneScan
     for (int strip = 0; strip < kStrips; ++strip) {
         Random placing(seed, static_cast<std::uint64_t>(strip));
         const Vec3d offset = normalVector(device.pose_offset, placing);
-        // the strips' middles lie so far apart that the second sees the square from the other side, at half its angle
+        // strips are so far apart that the second sees the square from the other side, at half its angle
         const double aside = (strip == 0 ? 1 : -1) * device.altitude * std::tan(device.half_scan_deg / 2 * kRadians);
         std::vector<std::vector<Return>> pulses(across * across);
         tbb::parallel_for(std::size_t{0}, pulses.size(), [&](std::size_t i) {
@@ -66,7 +66,7 @@ std::vector<Return> scanByAirborne(const WorldTracing& world, const AirborneScan
             const Vec3d direction = (Vec3d(x, y, 0) - origin).normalized();
             auto groups = grouped(echoesOf(world, beam, origin, direction, 2 * device.altitude), device.resolution);
             std::erase_if(groups, [&](const Echo& echo) { return echo.power < device.least_power; });
-            for (std::size_t k = 0; k < std::min<std::size_t>(groups.size(), 7); ++k) // what LAS can count
+            for (std::size_t k = 0; k < std::min<std::size_t>(groups.size(), 7); ++k) // the limit of LAS
                 pulses[i].push_back({origin + offset + (groups[k].range + device.noise * random.normal()) * direction,
                                      static_cast<int>(k + 1),
                                      static_cast<int>(std::min<std::size_t>(groups.size(), 7))});

@@ -12,12 +12,12 @@ namespace {
 
 using std::numbers::pi;
 
-/// A place of the surface.
+/// A point of the surface.
 struct Patch {
     Vec3d position, normal;
 };
 
-/// By chance over the area of a triangle (Turk, "Generating random points in triangles", Graphics Gems 1990).
+/// A random point of a triangle (Turk, "Generating random points in triangles", Graphics Gems 1990).
 Patch patchOf(const Mesh& mesh, std::uint32_t triangle, Random& random) {
     const double s = std::sqrt(random.uniform()), t = random.uniform();
     return {(1 - s) * mesh.corner(triangle, 0) + s * (1 - t) * mesh.corner(triangle, 1) +
@@ -35,7 +35,7 @@ std::vector<Patch> patchesOver(const Mesh& mesh, double pitch, std::uint64_t see
     return patches;
 }
 
-/// A ring of cameras round the upright axis, a little above the object, and another one higher up.
+/// A ring of cameras around the vertical axis, slightly above the object, and another one higher up.
 std::vector<Vec3d> camerasAround(const Photogrammetry& device) {
     std::vector<Vec3d> cameras;
     for (int i = 0; i < device.cameras; ++i) {
@@ -45,12 +45,12 @@ std::vector<Vec3d> camerasAround(const Photogrammetry& device) {
     return cameras;
 }
 
-/// Whether the object's paint has nothing there to match: a threshold of waves a tenth of its size.
+/// Whether the object has no texture to match there: a threshold of waves of a tenth of its size.
 bool isBare(const Vec3d& place, const Photogrammetry& device) {
     const Vec3d at = place * (2 * pi / (0.1 * device.longest));
     const double paint =
         std::sin(at.x() + 0.7 * at.y()) * std::sin(at.y() - 0.4 * at.z()) * std::sin(at.z() + 0.3 * at.x());
-    // the product of three sines is above 1 - 2 p for about p / 2 of all places where p is small
+    // the product of three sines is above 1 - 2 p at about p / 2 of all places, for small p
     return (paint + 1) / 2 > 1 - 2 * device.bare_share;
 }
 

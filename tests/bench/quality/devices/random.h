@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers by chance that do not depend on who asks first.
+// Random numbers that do not depend on the order of calls.
 #pragma once
 
 #include <cmath>
@@ -8,17 +8,17 @@
 
 namespace pointrt::quality {
 
-/// splitmix64 (Steele et al. 2014), a row of numbers for each (seed, stream): one a ray, whatever thread traces it.
+/// splitmix64 (Steele et al. 2014), a sequence for each (seed, stream): one stream per ray, for any thread.
 class Random {
 public:
     explicit Random(std::uint64_t seed, std::uint64_t stream = 0) : state_(seed * 0x9E3779B97F4A7C15u) {
         state_ = next() + stream * 0xD1B54A32D192ED03u;
         next();
     }
-    /// In [0, 1).
+    /// Uniform in [0, 1).
     double uniform() { return static_cast<double>(next() >> 11) * 0x1p-53; }
     double between(double low, double high) { return low + (high - low) * uniform(); }
-    /// Of mean 0 and standard deviation 1 (Box and Muller 1958).
+    /// Standard normal (Box and Muller 1958).
     double normal() { return std::sqrt(-2 * std::log(1 - uniform())) * std::cos(2 * std::numbers::pi * uniform()); }
 
 private:

@@ -39,7 +39,7 @@ std::string rangeGrid(const GridScan& scan) {
 std::string ptxOf(const GridScan& scan) {
     const Eigen::Matrix4d& pose = scan.world_from_device.matrix();
     std::string text = fmt::format("{}\n{}\n", scan.columns, scan.rows);
-    for (const int column : {3, 0, 1, 2}) // the scanner's place, then its axes
+    for (const int column : {3, 0, 1, 2}) // the scanner's position, then its axes
         text += fmt::format("{:.6f} {:.6f} {:.6f}\n", pose(0, column), pose(1, column), pose(2, column));
     for (int column = 0; column < 4; ++column) // a row of the file is a column of the matrix
         text += fmt::format("{:.8f} {:.8f} {:.8f} {:.8f}\n", pose(0, column), pose(1, column), pose(2, column),
@@ -59,7 +59,7 @@ void writeConf(const std::string& folder, const std::vector<GridScan>& scans) {
     std::string conf;
     for (std::size_t i = 0; i < scans.size(); ++i) {
         const Vec3d place = scans[i].world_from_device.translation();
-        const Eigen::Quaterniond turn(scans[i].world_from_device.linear().transpose()); // inverted, as theirs are
+        const Eigen::Quaterniond turn(scans[i].world_from_device.linear().transpose()); // inverted, as in .conf files
         conf += fmt::format("bmesh scan{}.ply {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g}\n", i, place.x(),
                             place.y(), place.z(), turn.x(), turn.y(), turn.z(), turn.w());
         writeFile(fmt::format("{}/scan{}.ply", folder, i), rangeGrid(scans[i]));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What devices deliver, and the files it comes in.
+// Scans of devices, and their files.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -10,32 +10,32 @@
 
 namespace pointrt::quality {
 
-/// Samples as they lie beside each other: [rows][columns], NaN where nothing came back. In the device's own frame.
+/// A grid of samples in the device's frame: [rows][columns], NaN without a return.
 struct GridScan {
     std::size_t rows = 0, columns = 0;
     std::vector<Vec3d> samples;
-    Eigen::Isometry3d world_from_device = Eigen::Isometry3d::Identity(); ///< as the device believes it stood
+    Eigen::Isometry3d world_from_device = Eigen::Isometry3d::Identity(); ///< as the device believes
 };
 
-/// An airborne scanner's pulse came back as several.
+/// Several returns of an airborne scanner's pulse.
 struct Return {
     Vec3d position;
     int number = 1, of = 1;
 };
 
-/// Whether a sample is there.
+/// Whether there is a return.
 inline bool isTaken(const Vec3d& sample) { return sample.allFinite(); }
 
 /// Each throws Error (kCannotWrite).
-/// FOLDER/scan.conf, and beside it a PLY with a range grid for each scan, as the Stanford archive has them.
+/// FOLDER/scan.conf, and a PLY with a range grid for each scan, as in the Stanford archive.
 void writeConf(const std::string& folder, const std::vector<GridScan>& scans);
-/// An organized PCD with the device's frame as world.
+/// An organised PCD in the device's frame.
 void writeOrganizedPcd(const std::string& path, const GridScan& scan);
-/// Column after column, from the lowest row up, as PTX files have them; the pose as matrix.
+/// PTX: column by column, from the lowest row up; the pose as a matrix.
 void writePtx(const std::string& path, const std::vector<GridScan>& scans);
 /// LAS 1.2, points of format 1, millimetres.
 void writeLas(const std::string& path, const std::vector<Return>& returns);
-/// Binary, positions alone.
+/// Binary, positions only.
 void writePly(const std::string& path, const std::vector<Vec3d>& positions);
 
 } // namespace pointrt::quality

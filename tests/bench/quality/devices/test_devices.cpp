@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Simulated devices in front of surfaces whose scans are known.
+// Simulated devices in front of surfaces with known scans.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -13,12 +13,12 @@ namespace pointrt::quality {
 
 namespace {
 
-/// An upright rectangle across x, from (x, y0) to (x, y1), from z0 to z1, facing -x.
+/// A vertical rectangle perpendicular to x, from (x, y0) to (x, y1) and from z0 to z1, facing -x.
 void addScreen(World& world, double x, double y0, double y1, double z0, double z1) {
     WorldBuilder(world).addQuad({x, y1, z0}, {x, y0, z0}, {x, y0, z1}, {x, y1, z1}, Part::kWall);
 }
 
-/// Flat, across z at that height, facing up.
+/// A horizontal plate at height z, facing up.
 void addPlate(World& world, double half, double z) {
     WorldBuilder(world).addQuad({-half, -half, z}, {half, -half, z}, {half, half, z}, {-half, half, z}, Part::kWall);
 }
@@ -60,7 +60,7 @@ TEST(WorldTest, FacadeIsWholeAndItsPanesLieDeeper) {
     std::size_t deep = 0, all = 0;
     for (double x = 0.05; x < 10; x += 0.1)
         for (double z = 0.05; z < 6; z += 0.1, ++all) {
-            const auto hit = tracing.firstHit({x, -5, z}, Vec3d::UnitY()); // from the right of who goes along x
+            const auto hit = tracing.firstHit({x, -5, z}, Vec3d::UnitY()); // from the right as seen along x
             ASSERT_TRUE(hit) << x << " " << z;
             deep += hit->range > 5.1;
         }
@@ -87,7 +87,7 @@ TEST(BeamTest, EdgeSplitsTheBeamInTwo) {
     EXPECT_NEAR(apart[0].power, 0.5, 0.1);
     EXPECT_NEAR(totalPower(echoes), 1, 1e-3);
     const auto mixed = grouped(echoes, 100);
-    ASSERT_EQ(mixed.size(), 1u); // a phase scanner sees something in between
+    ASSERT_EQ(mixed.size(), 1u); // a phase scanner reports a range in between
     EXPECT_NEAR(mixed[0].range, 11, 0.2);
 }
 
@@ -106,8 +106,8 @@ TEST(TriangulationTest, PlateIsFlatAndCurlsAtItsEdges) {
         farthest = std::max(farthest, std::abs(sample.x()));
     }
     EXPECT_LT(inside, 1e-6);
-    // half a sheet of Gaussian light has its middle at 0.8 standard deviations, half the half width each: 0.2 mm aside,
-    // cot(30 degrees) of that in range
+    // the centre of half a Gaussian sheet is at 0.8 standard deviations, each half the half width: 0.2 mm aside, times
+    // cot(30 degrees) in range
     EXPECT_GT(at_edge, 0.00025);
     EXPECT_LT(at_edge, 0.001);
     EXPECT_LT(farthest, 0.02 + device.half_width);
@@ -149,7 +149,7 @@ TEST(DepthCameraTest, WallIsSeenInStepsAndThroughAFile) {
         if (isTaken(sample)) depths.push_back(sample.z());
     EXPECT_EQ(depths.size(), 640u * 480u);
     EXPECT_NEAR(meanOf(depths), 3, 0.005);
-    EXPECT_NEAR(deviationOf(depths), 0.0257 * std::sqrt(0.25 + 1.0 / 12), 0.003); // half a step and the rounding
+    EXPECT_NEAR(deviationOf(depths), 0.0257 * std::sqrt(0.25 + 1.0 / 12), 0.003); // half a step, and rounding
     const test::TemporaryFolder folder;
     writeOrganizedPcd(folder.file("scan.pcd"), scan);
     EXPECT_EQ(readInputs({folder.file("scan.pcd")}, {}).positions.size(), depths.size());
@@ -157,7 +157,7 @@ TEST(DepthCameraTest, WallIsSeenInStepsAndThroughAFile) {
 
 TEST(TerrestrialTest, MixedPixelsLieBetweenTwoScreens) {
     World world;
-    // no edge along a row or column of the grid, which would meet all of it or none
+    // no edge along a row or column of the grid, which would hit all of it or none
     WorldBuilder(world).addQuad({10, 3, -3}, {10, -3, -2.5}, {10, -2.5, 3}, {10, 3.5, 2.6}, Part::kWall);
     addScreen(world, 12, -9, 9, -9, 9);
     const GridScan scan = scanByTerrestrial(WorldTracing(world), {}, {0, 0, 0}, 1);
@@ -207,7 +207,7 @@ TEST(AirborneTest, EavesGiveTwoReturns) {
     }
     EXPECT_GT(several, 50u);
     EXPECT_EQ(several, 2 * last);
-    const double pulses = static_cast<double>(returns.size() - last); // 2 strips of 8 a square metre
+    const double pulses = static_cast<double>(returns.size() - last); // 2 strips of 8 per square metre
     EXPECT_NEAR(pulses, 2 * 400 / (0.35 * 0.35), 100);
     const test::TemporaryFolder folder;
     writeLas(folder.file("scan.las"), returns);
@@ -246,7 +246,7 @@ TEST(PhotogrammetryTest, PointsAreNoisyAndSomeAreStrays) {
     EXPECT_NEAR(static_cast<double>(strays) / static_cast<double>(points.size()), 0.0098, 0.003);
     EXPECT_NEAR(deviationOf(off), 0.0003, 0.00005);
     const double all = 4 * std::numbers::pi * 0.08 * 0.08 / (0.0005 * 0.0005);
-    EXPECT_GT(static_cast<double>(points.size()), 0.6 * all); // the underside is out of sight
+    EXPECT_GT(static_cast<double>(points.size()), 0.6 * all); // the underside is hidden
     EXPECT_LT(static_cast<double>(points.size()), 0.99 * all);
 }
 
@@ -258,7 +258,7 @@ TEST(GapTest, HalfACrownBehindAScreenIsHalfAGap) {
     Sights truth(pinhole.pixels()), picture(pinhole.pixels());
     for (std::size_t i = 0; i < truth.size(); ++i) {
         if (i % 128 < 64) truth[i] = {10, -Vec3f::UnitX()};         // leaves fill the left half
-        picture[i] = {i / 128 < 64 ? 10.f : 20.f, -Vec3f::UnitX()}; // and the upper half, before a wall
+        picture[i] = {i / 128 < 64 ? 10.f : 20.f, -Vec3f::UnitX()}; // and the upper half, in front of a wall
     }
     truth[64 * 128 + 64] = {5, -Vec3f::UnitX()}; // something in front
     const GapCounts counts = countGaps(world, truth, picture, camera);

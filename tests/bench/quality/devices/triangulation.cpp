@@ -13,10 +13,10 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-/// Lines of light that the sheet's width is taken as.
+/// Number of lines of light that represent the sheet's width.
 constexpr int kLines = 9;
 
-/// One scan: the sheet goes along x, light falls along -z, the camera looks at it from between z and x.
+/// One scan: the sheet moves along x, light goes along -z, the camera is between z and x.
 struct Stripe {
     const WorldTracing& world;
     const Triangulation& device;
@@ -26,7 +26,7 @@ struct Stripe {
     double angle() const { return device.angle_deg * pi / 180; }
     Vec3d toCamera() const { return {std::sin(angle()), 0, std::cos(angle())}; }
 
-    /// Where the camera sees a line of light across its sight, and how much; nothing where it does not.
+    /// Position and brightness of a line of light in the camera's view; nullopt if it is hidden.
     struct Seen {
         double image, power;
     };
@@ -37,13 +37,13 @@ struct Stripe {
         if (!hit) return std::nullopt;
         const double z = 2 * radius - hit->range;
         const Vec3d camera = world_from_device.linear() * toCamera();
-        // a thousandth of the object off the surface, so that it does not stand in its own light
+        // offset by a thousandth of the object, to avoid self-intersection
         const Vec3d place = start + hit->range * down + 1e-3 * radius * hit->normal;
         if (camera.dot(hit->normal) <= 0 || !world.isFree(place, place + 4 * radius * camera)) return std::nullopt;
         return Seen{x * std::cos(angle()) - z * std::sin(angle()), hit->cosine};
     }
 
-    /// The strongest stripe that the camera sees: light that lies further apart than the sheet is wide is not one.
+    /// The brightest stripe in view; light further apart than the sheet's width is another stripe.
     Vec3d sampleAt(double x, double y, double error) const {
         double whole = 0, last = 0;
         Seen stripe{0, 0}, strongest{0, 0}; // images are sums, weighted by power
@@ -76,7 +76,7 @@ struct Stripe {
     }
 };
 
-/// How the table stood really: a pose near the one that is written down.
+/// The true pose of the turntable, near the one written to the file.
 Eigen::Isometry3d disturbed(const Eigen::Isometry3d& pose, const Triangulation& device, Random& random) {
     const auto vector = [&](double size) {
         return Vec3d(size * Vec3d(random.normal(), random.normal(), random.normal()));

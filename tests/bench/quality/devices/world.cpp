@@ -81,7 +81,7 @@ void WorldBuilder::addFacade(const Vec3d& from, const Vec3d& to, double height, 
     const auto panel = [&](double x0, double x1, double z0, double z1, double deep) {
         addQuad(at(x0, z0, deep), at(x1, z0, deep), at(x1, z1, deep), at(x0, z1, deep), Part::kWall);
     };
-    double below = 0; // what is not wall yet
+    double below = 0; // where the next part of the wall starts
     for (int row = 0; row < windows.rows; ++row) {
         const double z0 = windows.storey * row + windows.sill, z1 = z0 + windows.height;
         panel(0, length, below, z0, 0);
@@ -120,7 +120,7 @@ World transformed(const World& world, const Eigen::Isometry3d& to_frame) {
     World moved = world;
     for (Vec3f& position : moved.mesh.positions) position = (to_frame * position.cast<double>()).cast<float>();
     for (Vec3f& normal : moved.mesh.normals) normal = (to_frame.linear() * normal.cast<double>()).cast<float>();
-    moved.crowns.clear(); // they have no turned form
+    moved.crowns.clear(); // cannot be rotated
     moved.up = to_frame.linear() * world.up;
     return moved;
 }

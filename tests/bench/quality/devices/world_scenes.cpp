@@ -11,7 +11,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// A rolling ground: a grid of 1 m over the square about the origin.
+/// Rolling ground: a grid of 1 m over the square around the origin.
 void addGround(WorldBuilder& builder, double half, double roll) {
     const auto at = [&](double x, double y) {
         return Vec3d(x, y, roll * std::sin(0.21 * x + 0.5) * std::cos(0.17 * y));
@@ -21,11 +21,11 @@ void addGround(WorldBuilder& builder, double half, double roll) {
             builder.addQuad(at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1), Part::kOther);
 }
 
-/// Leaves are quads; their count follows from the leaf area density, m^2 of leaves in m^3 of crown. Single broadleaved
-/// trees have about 0.5 to 1.5 (Hosoi and Omasa, "Voxel-based 3-D modeling of individual trees for estimating leaf area
-/// density", IEEE TGRS 2006, measure 0.4 to 1.2).
+/// Leaves are quads; their number follows from the leaf area density, m^2 of leaves per m^3 of crown. Single
+/// broadleaved trees have about 0.5 to 1.5 (Hosoi and Omasa, "Voxel-based 3-D modeling of individual trees for
+/// estimating leaf area density", IEEE TGRS 2006, measure 0.4 to 1.2).
 constexpr double kLeafAreaDensity = 0.7;
-/// A leaf's edge in metres: lime and maple have leaves of 5 to 15 cm.
+/// A leaf's edge in metres: leaves of lime and maple are 5 to 15 cm long.
 constexpr double kLeafEdge = 0.1;
 
 void addLeaves(World& world, WorldBuilder& builder, const Crown& crown, Random& random) {
@@ -164,7 +164,7 @@ World houseWorld(int variant) {
     builder.addFacade(b, c, eaves + 0.3, {2, 2, 1.0, 1.3, 1.3, 2.7, 0.15});
     builder.addFacade(c, d, eaves + 0.3, windows);
     builder.addFacade(d, a, eaves + 0.3, {});
-    const double over = 0.4, low = eaves - over * roof / y; // the roof goes on beyond the walls
+    const double over = 0.4, low = eaves - over * roof / y; // the roof overhangs the walls
     for (const double side : {-1.0, 1.0}) {
         builder.addTriangle({side * x, -y, eaves}, {side * x, y, eaves}, {side * x, 0, eaves + roof}, Part::kWall);
         builder.addQuad({-x - over, side * (y + over), low}, {x + over, side * (y + over), low},

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// smooth_peers METHOD RADIUS IN.ply OUT.ply: what PCL and CGAL bring to clean a raw scan, beside the bake's own
-// cleaning.
+// smooth_peers METHOD RADIUS IN.ply OUT.ply: cleans a raw scan by PCL or CGAL, to compare with pointrt-bake.
 //   mls        PCL's moving least squares of order 2 (Alexa et al. 2003), with the normals of the fit
 //   bilateral  CGAL's bilateral smoothing (Huang et al. 2013, "Edge-aware point set resampling"), with its normals
 //   jet        CGAL's jet smoothing (Cazals and Pouget 2005), without normals
 //   wlop       CGAL's weighted locally optimal projection (Huang et al. 2009) to half the points, without normals
-// RADIUS in the input's units; the methods that take numbers of neighbours get those that are within it on the mean.
-// Points need oriented normals. Prints the seconds of the smoothing alone.
-#define PCL_NO_PRECOMPILE // PCL's library of surfaces links half of VTK, and this is all that is wanted of it
+// RADIUS is in input units; methods that take a number of neighbours get the mean number within it. Points need
+// oriented normals. Prints the seconds of the smoothing.
+#define PCL_NO_PRECOMPILE // avoids linking PCL's surface library, which depends on VTK
 #include <pcl/point_types.h>
 #include <pcl/surface/impl/mls.hpp>
 #include <pcl/surface/mls.h>
@@ -56,7 +55,7 @@ void takeBack(Cloud& cloud, const std::vector<Oriented>& points, bool with_norma
     }
 }
 
-/// Mean over a thousandth of the points.
+/// Mean number of neighbours, over a thousandth of the points.
 unsigned neighborsWithin(const Cloud& cloud, float radius) {
     const surface::NearestSearch search(cloud.positions);
     std::vector<std::uint32_t> found(100000);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// compare_raw MESH PICTURE...: how far what a camera sees of a raw scan's surface is from what it sees of the truth.
-// Beside each film it writes FILM.errors.png (writeErrors).
+// compare_raw MESH PICTURE...: compares pictures of a raw scan's surface with views of the truth.
+// Writes FILM.errors.png for each film (writeErrors).
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fstream>
@@ -33,7 +33,7 @@ Vec3d vectorOf(const std::string& text) {
 
 bool isFilm(const std::string& path) { return path.ends_with(".exr"); }
 
-/// The picture of each eye: films, or the views of one mesh.
+/// The picture from each eye: films, or views of one mesh.
 class Pictures {
 public:
     Pictures(const Options& options, const UnitFrame& frame) : options_(options), frame_(frame) {
@@ -58,7 +58,7 @@ private:
     std::optional<Tracing> tracing_;
 };
 
-/// Figures of each eye, then their mean.
+/// Figures for each eye, then their mean.
 Json compareAll(const Options& options) {
     const Mesh mesh = loadMesh(options.mesh);
     const UnitFrame& frame = mesh.frame;

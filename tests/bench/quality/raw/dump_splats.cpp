@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// dump_splats SCENE.pro OUT.ply: centres and normals of splats as points, in the input's coordinates.
+// dump_splats SCENE.pro OUT.ply: writes the splats' centres and normals as points, in input coordinates.
 #include <cstdio>
 
 #include "format/base/run_tool.h"

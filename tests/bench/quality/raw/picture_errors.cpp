@@ -12,7 +12,7 @@ namespace pointrt::quality {
 
 namespace {
 
-/// What has to be looked up for a pixel.
+/// Results of the searches for a pixel.
 struct Judgement {
     bool seen = true, false_surface = false, floating = false;
 };
@@ -29,7 +29,7 @@ Judgement judge(const Sight& truth, const Sight& picture, std::size_t pixel, con
     return judgement;
 }
 
-/// Whether the truth is hit in the square of kEdgePixels around a pixel.
+/// Whether the truth is hit everywhere within kEdgePixels of a pixel.
 bool isInside(const Sights& truth, std::size_t pixel, int size) {
     const int row = static_cast<int>(pixel) / size, column = static_cast<int>(pixel) % size;
     if (std::min(row, column) < kEdgePixels || std::max(row, column) >= size - kEdgePixels) return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One picture against the truth, pixel by pixel.
+// Compares a picture with the truth, pixel by pixel.
 #pragma once
 
 #include "tests/bench/quality/raw/raw_points.h"
@@ -10,28 +10,28 @@ namespace pointrt::quality {
 
 /// Counts of pixels.
 struct PictureErrors {
-    std::size_t truth = 0, picture = 0; ///< that hit something
-    std::size_t both = 0, either = 0;   ///< of those
-    std::size_t inside = 0, holes = 0;  ///< truth all around within kEdgePixels; nothing in the picture there
-    std::size_t depth_off = 0;          ///< of both: further than the tolerance from the truth
+    std::size_t truth = 0, picture = 0; ///< with a hit
+    std::size_t both = 0, either = 0;   ///< with hits in both, in either
+    std::size_t inside = 0, holes = 0;  ///< truth everywhere within kEdgePixels; of those, no hit in the picture
+    std::size_t depth_off = 0;          ///< of both: depth differs by more than the tolerance
     std::size_t false_surface = 0;      ///< of the picture: nearer than the truth by kFalseSpacings
-    std::size_t floating = 0;           ///< of those: that far from any place of the mesh as well
-    std::vector<float> normal_degrees;  ///< of both, without sign
+    std::size_t floating = 0;           ///< of those: also that far from any part of the mesh
+    std::vector<float> normal_degrees;  ///< of both, unsigned
 };
 
-/// This many spacings in front of the truth is where nothing is.
+/// So many spacings in front of the truth there is no surface.
 constexpr float kFalseSpacings = 3;
-/// Pixels this near to the truth's outline count for the outline, not for holes.
+/// Pixels this near to the truth's silhouette do not count as holes.
 constexpr int kEdgePixels = 3;
 
 struct PictureTruth {
     const Tracing& tracing;
     const RawPoints& raw;
     float depth_tolerance; ///< unit frame
-    float seen_reach;      ///< unit frame: what is further from any raw point nobody scanned
+    float seen_reach;      ///< unit frame: truth further than this from all raw points was not scanned
 };
 
-/// What is wrong with a pixel, the worst that is.
+/// The worst error of a pixel.
 enum class PixelError : std::uint8_t {
     kNothingThere, ///< neither truth nor picture
     kRight,
@@ -42,17 +42,17 @@ enum class PixelError : std::uint8_t {
     kFloating      ///< floating
 };
 
-/// All pixels, and without those whose truth is further than seen_reach from any raw point.
+/// Errors of all pixels, and of those whose truth is within seen_reach of a raw point.
 struct AllAndSeen {
     PictureErrors all, seen;
-    std::vector<PixelError> pixels; ///< [size][size], rows downwards
+    std::vector<PixelError> pixels; ///< [size][size], rows go down
 };
 
 AllAndSeen compareSights(const Sights& truth, const Sights& picture, const UnitCamera& camera,
                          const PictureTruth& against);
 
-/// Writes a square picture of errors as PNG: grey what is right, cyan off in depth, yellow missing, blue excess,
-/// magenta false surface, red floating. Throws Error (kCannotWrite).
+/// Writes a square picture of errors as PNG: grey correct, cyan off in depth, yellow missing, blue excess, magenta
+/// false surface, red floating. Throws Error (kCannotWrite).
 void writeErrors(const std::string& path, const std::vector<PixelError>& pixels);
 
 } // namespace pointrt::quality

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What many do with a raw scan: screened Poisson reconstruction (Kazhdan and Hoppe 2013) by Open3D.
+"""Screened Poisson reconstruction (Kazhdan and Hoppe 2013) of a raw scan by Open3D, for comparison.
 
   poisson.py POINTS.ply OUT.ply [--depth 9] [--cut 0.03]
 
-POINTS.ply has oriented normals. The sparsest share of the vertices is cut, as Open3D's own tutorial does; else the
-surface closes itself far from any sample. Prints the seconds of the reconstruction. Needs open3d (PyPI).
+POINTS.ply has oriented normals. Cuts the sparsest share of the vertices, as Open3D's tutorial does; otherwise the surface
+would close far from any sample. Prints the seconds of the reconstruction. Needs open3d (PyPI).
 """
 import argparse
 import time

@@ -33,7 +33,7 @@ float RawPoints::spacingAt(const Vec3f& place) const {
     std::array<float, kSpacingPoints + 1> squared;
     search_.nearest(place, {indices.data(), 1}, {squared.data(), 1});
     const std::size_t found = search_.nearest(positions_[indices[0]], indices, squared);
-    return surface::spacingFromReach(std::sqrt(squared[found - 1]), found - 1);
+    return surface::spacingFromRadius(std::sqrt(squared[found - 1]), found - 1);
 }
 
 RawPoints loadRawPoints(const std::vector<std::string>& paths, const UnitFrame& frame) {

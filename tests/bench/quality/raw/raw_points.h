@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The points of a scan, for what was sampled and how densely.
+// The points of a scan: what was sampled, and how densely.
 #pragma once
 
 #include <string>
@@ -11,14 +11,15 @@ namespace pointrt::quality {
 
 class RawPoints {
 public:
-    /// positions: unit frame, not empty.
+    /// positions: in the unit frame, at least one.
     explicit RawPoints(std::vector<Vec3f> positions);
     RawPoints(const RawPoints&) = delete; // search_ points into positions_
     RawPoints& operator=(const RawPoints&) = delete;
 
-    /// Whether a point lies within reach of the place.
+    /// Whether there is a point within reach of the place.
     bool isSampled(const Vec3f& place, float reach) const;
-    /// Edge of the square that each of the kSpacingPoints around the point nearest to the place has to itself.
+    /// Spacing around the point nearest to the place: edge of the square that each of its kSpacingPoints neighbours has
+    /// to itself.
     float spacingAt(const Vec3f& place) const;
 
 private:
@@ -26,7 +27,7 @@ private:
     surface::NearestSearch search_;
 };
 
-/// Enough that a line of samples does not look dense all by itself, few enough to stay local.
+/// Enough that a line of samples does not look dense, few enough to stay local.
 constexpr std::size_t kSpacingPoints = 16;
 
 /// Reads scans as pointrt-bake does. Throws Error.

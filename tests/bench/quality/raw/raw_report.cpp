@@ -13,7 +13,7 @@ double ratio(std::size_t part, std::size_t whole) {
     return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-/// How a figure is shown: its title, what it is multiplied by, its digits.
+/// Format of a figure: title, factor, digits.
 struct Column {
     const char *key, *title;
     double factor;

@@ -12,10 +12,10 @@ namespace pointrt::quality {
 /// holes_per_million.
 nlohmann::ordered_json figuresOf(const PictureErrors& errors);
 
-/// The mean of each figure. figures: at least one, of the same keys.
+/// The mean of each figure. figures: at least one, all with the same keys.
 nlohmann::ordered_json meanOf(const std::vector<nlohmann::ordered_json>& figures);
 
-/// A line for a name and its figures of all pixels and of seen ones; without figures the titles.
+/// A table row: name, figures of all pixels and of scanned ones; the titles without figures.
 std::string lineOf(const std::string& name, const nlohmann::ordered_json& all, const nlohmann::ordered_json& seen);
 std::string titleLine();
 

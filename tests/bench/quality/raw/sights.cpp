@@ -10,7 +10,7 @@ namespace pointrt::quality {
 
 namespace {
 
-/// Of the vertices around a place of a triangle; the face's own where they cancel.
+/// The interpolated vertex normal; the face's own if those cancel.
 Vec3f smoothNormal(const Mesh& mesh, const RayHit& hit, const Vec3f& place) {
     const auto& [a, b, c] = mesh.triangles[hit.primitive];
     const Vec3f ab = mesh.positions[b] - mesh.positions[a], ac = mesh.positions[c] - mesh.positions[a];

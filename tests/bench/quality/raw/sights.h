@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is seen through each pixel: of a mesh by Embree, of splats as pointrt-view rendered them.
+// First hits of each pixel: of a mesh by Embree, of splats as rendered by pointrt-view.
 #pragma once
 
 #include <cmath>
@@ -11,18 +11,18 @@
 
 namespace pointrt::quality {
 
-/// Through one pixel.
+/// The first hit of one pixel.
 struct Sight {
-    float t = std::numeric_limits<float>::infinity(); ///< along the pixel's ray, unit frame; infinite: nothing
+    float t = std::numeric_limits<float>::infinity(); ///< along the pixel's ray, unit frame; infinite for a miss
     Vec3f normal = Vec3f::Zero();                     ///< unit length, towards the eye
 
     bool hit() const { return std::isfinite(t); }
 };
 
-/// [size][size], rows downwards.
+/// [size][size], rows go down.
 using Sights = std::vector<Sight>;
 
-/// A pinhole in the truth's unit frame.
+/// A pinhole camera in the truth's unit frame.
 class UnitCamera {
 public:
     UnitCamera(const Pinhole& camera, const UnitFrame& frame);
@@ -38,11 +38,11 @@ private:
     int size_;
 };
 
-/// First hits; normals are those of vertices, interpolated, as a renderer would show the mesh.
+/// First hits with interpolated vertex normals, as a renderer would shade the mesh.
 Sights castMesh(const Mesh& mesh, const Tracing& tracing, const UnitCamera& camera);
 
-/// First hits of a film that pointrt-view wrote with one sample a pixel: channels Z and N.
-/// Throws Error (kBadInput) "PATH: reason" where the picture is of another size or has no such channels.
+/// First hits of a film that pointrt-view wrote with one sample per pixel: channels Z and N. Throws Error (kBadInput)
+/// "PATH: reason" if the picture has another size or lacks these channels.
 Sights readSights(const std::string& path, const Pinhole& camera, const UnitFrame& frame);
 
 } // namespace pointrt::quality

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of known surfaces against errors that were put there.
+// Pictures of known surfaces with known errors.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -22,18 +22,18 @@ Mesh meshOf(const std::string& shape) {
     return mesh;
 }
 
-/// The sphere of radius 1 seen from a distance of 4, its outline a circle of half a picture.
+/// The unit sphere from a distance of 4: its silhouette is a circle of half the picture.
 constexpr int kSize = 256;
 const Pinhole kCamera{{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 60, kSize};
 
-/// A sphere's truth, and raw points that are its vertices.
+/// A sphere as truth, with its vertices as raw points.
 struct Ball {
     Mesh mesh = meshOf("sphere");
     Tracing tracing{mesh};
     RawPoints raw{mesh.positions};
     UnitCamera camera{kCamera, mesh.frame};
     Sights truth = castMesh(mesh, tracing, camera);
-    /// Tolerance and reach are shares of the radius of the truth's bounding box.
+    /// Tolerance and reach are in radii of the truth's bounding box.
     PictureTruth against{tracing, raw, 0.01f, 0.1f};
 
     AllAndSeen errorsOf(const Sights& picture) const { return compareSights(truth, picture, camera, against); }
@@ -74,7 +74,7 @@ TEST(PictureErrorsTest, HolesCountInsideOnly) {
     picture[middle()] = {};
     std::size_t edge = static_cast<std::size_t>(kSize / 2) * kSize;
     while (!ball.truth[edge].hit()) ++edge;
-    picture[edge] = {}; // of the outline
+    picture[edge] = {}; // on the silhouette
     const PictureErrors errors = ball.errorsOf(picture).all;
     EXPECT_EQ(errors.holes, 1u);
     EXPECT_EQ(errors.either - errors.both, 2u);
@@ -91,7 +91,7 @@ TEST(PictureErrorsTest, DepthIsOffBeyondTheTolerance) {
 TEST(PictureErrorsTest, NormalsTurnedAreMeasuredWithoutSign) {
     const Ball ball;
     Sights picture = ball.truth;
-    for (Sight& sight : picture) // 10 degrees about what the line to the middle leaves free, and to the other side
+    for (Sight& sight : picture) // rotated by 10 degrees about an axis perpendicular to the normal, and flipped
         sight.normal =
             -(Eigen::AngleAxisf(std::numbers::pi_v<float> / 18, sight.normal.unitOrthogonal()) * sight.normal);
     const auto figures = figuresOf(ball.errorsOf(picture).all);
@@ -105,8 +105,8 @@ TEST(PictureErrorsTest, FalseSurfaceIsThreeSpacingsInFront) {
     Sights picture = ball.truth;
     picture[middle()].t -= 2.9f * spacing;
     picture[middle() + 1].t -= 3.2f * spacing;
-    picture[middle() + 2].t += 10 * spacing; // behind: a hole may be, false it is not
-    picture[0].t = ball.truth[middle()].t;   // in the air beside it
+    picture[middle() + 2].t += 10 * spacing; // behind: may be a hole, but not a false surface
+    picture[0].t = ball.truth[middle()].t;   // in the empty space beside it
     const PictureErrors errors = ball.errorsOf(picture).all;
     EXPECT_EQ(errors.false_surface, 2u);
     EXPECT_EQ(errors.floating, 2u);

@@ -88,7 +88,7 @@ TEST_F(LidarCommand, EachKindOfFileHoldsThePoints) {
     EXPECT_EQ(text("again.ply"), ply);
 }
 
-TEST_F(LidarCommand, WhatIsWrongIsOneLine) {
+TEST_F(LidarCommand, ErrorsAreOneLine) {
     folder.write("good.toml", "[flash]\npixels = [4, 3]\nfield_of_view_deg = [40, 30]\nframe_hz = 5\n"
                               "[range]\nmax_m = 10\n");
     folder.write("bad.toml", "[flash]\npixels = [4, 3]\nfield_of_view_deg = [40, 30]\nframe_hz = -5\n"
@@ -101,18 +101,20 @@ TEST_F(LidarCommand, WhatIsWrongIsOneLine) {
     refused(1, "bad.toml:4: key \"flash.frame_hz\": is -5, must be from 1e-06 to 1000000000",
             "plane.pro --sensor bad.toml" + kMiddle + out);
     refused(1, "missing.toml: No such file or directory", "plane.pro --sensor missing.toml" + kMiddle + out);
-    refused(1, "bad.csv:2: its quaternion is 0, which is no rotation", good + "--trajectory bad.csv" + out);
+    refused(1, "bad.csv:2: the quaternion is 0, which is not a rotation", good + "--trajectory bad.csv" + out);
     refused(1, "missing.pro: No such file or directory", "missing.pro --sensor good.toml" + kMiddle + out);
-    refused(2, "good.toml: says not where the scanner is; --pose or --trajectory do", good + out);
+    refused(2, "good.toml: has no pose or trajectory; give --pose or --trajectory", good + out);
     refused(2, "--pose: must be three or six finite numbers, X,Y,Z or X,Y,Z,YAW,PITCH,ROLL", good + "--pose 1,2" + out);
     refused(2, "--pose: must be three or six finite numbers, X,Y,Z or X,Y,Z,YAW,PITCH,ROLL",
             good + "--pose 1,2,nan" + out);
     refused(2, "duration_s must be above 0 and finite", good + kMiddle + "--duration 0" + out);
-    refused(2, "out.txt: points are written as .ply, .las, .laz and .csv", good + kMiddle + "-o out.txt");
-    refused(2, "-o -: how many points there are is known at their end; let a file take them", good + kMiddle + "-o -");
+    refused(2, "out.txt: points are written as .ply, .las, .laz or .csv", good + kMiddle + "-o out.txt");
+    refused(2, "-o -: points cannot be streamed, as their number is not known in advance; write a file",
+            good + kMiddle + "-o -");
     refused(2, "good.toml: is an input", good + kMiddle + "-o good.toml");
-    refused(2, "--attributes: there is no gloss, but none at all", good + kMiddle + "--attributes gloss" + out);
-    refused(2, "--attributes: ring is there already", good + kMiddle + "--attributes ring" + out);
+    refused(2, "--attributes: unknown attribute gloss; the scene has none",
+            good + kMiddle + "--attributes gloss" + out);
+    refused(2, "--attributes: ring is already a column", good + kMiddle + "--attributes ring" + out);
     refused(2, "--sensor is required", "plane.pro" + kMiddle + out);
     refused(4, "nowhere/out.ply: the folder does not exist", good + kMiddle + "-o nowhere/out.ply");
 }

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// The kinds of sections in a .pro file: one table of their strides, presence, data and counts.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "pointrt/pro.h"
+#include "pointrt/pro_index_layout.h"
+
+namespace pointrt::format {
+
+/// The data of all sections. A null pointer is an absent section.
+struct Content {
+    pro_view view{};
+    pro_index index{}; ///< its grid frame comes from the header
+    pro_world world{};
+    pro_sampling sampling{};
+    const std::byte* attribute_records = nullptr;   ///< ATTD
+    std::size_t attribute_count = 0;                ///< records in ATTD
+    std::vector<const std::byte*> attribute_values; ///< ATTR, in the order of the section table
+};
+
+/// kIndex: a file has all of these sections or none of them.
+enum class Presence { kMandatory, kOptional, kIndex };
+
+/// Reads and sets the pointer of a section in a Content.
+struct DataAccess {
+    const void* (*get)(const Content&);
+    void (*set)(Content&, const void*);
+};
+
+/// Reads and sets the number of elements of a section.
+struct CountAccess {
+    std::uint64_t (*get)(const pro_info&, const Content&);
+    void (*set)(Content&, std::uint64_t) = nullptr; ///< null where the header or another section has the count
+    std::uint64_t limit = 0; ///< largest count that set takes; 0: the count must equal get() as soon as it is read
+};
+
+/// What the format says of a kind. ATTR has no rule: a file may have many of them, of any stride.
+struct SectionRule {
+    std::uint32_t kind;
+    std::uint32_t stride; ///< bytes per element
+    Presence presence;
+    bool traced; ///< PRO_OPEN_TRACE reads it from files with an index
+    DataAccess data;
+    CountAccess count;
+};
+extern const std::array<SectionRule, 17> kSectionRules; ///< in file order
+
+/// Null for unknown kinds.
+const SectionRule* findRule(std::uint32_t kind);
+
+/// Points content at the elements of a section, and sets their count where the header does not have it.
+void setSection(Content& content, const SectionRule& rule, const void* data, std::uint64_t count);
+
+/// The four characters of a kind for messages, with '?' for unprintable ones.
+std::array<char, 5> kindName(std::uint32_t kind);
+
+/// Whether all sections of the index are present.
+bool isComplete(const pro_index& index);
+
+/// Words in the entry grid by its frame, saturated at 2^64 - 1.
+std::uint64_t gridWords(const pro_index& index);
+
+} // namespace pointrt::format

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Storage of a Sink whose cloud keeps all points.
+#pragma once
+
+#include "preprocess/input/cloud_origin.h"
+#include "preprocess/input/point_storage.h"
+
+namespace pointrt {
+
+class CloudStorage : public PointStorage {
+public:
+    using PointStorage::PointStorage;
+
+    std::uint64_t count() const override { return cloud_.positions.size(); }
+    bool keepsPoints() const override { return true; }
+    std::size_t lengthFor(std::uint64_t vertices) const override { return cloud_.positions.size() + vertices; }
+    void positionAdded(const Vec3d& position) override { origin_.add(cloud_, position); }
+    void finishScan(CurrentScan& scan, const InputFile& input) override;
+    ScanBox boxOf(const ScanRange& last_scan) const override;
+
+private:
+    OriginChooser origin_;
+
+    void scaleColors(CurrentScan& scan, const InputFile& input);
+};
+
+} // namespace pointrt

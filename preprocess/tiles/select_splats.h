@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Selects a tile's own splats from those estimated.
+#pragma once
+
+#include "preprocess/tiles/tile_splats.h"
+
+namespace pointrt {
+
+/// The splats whose flag in kept is 1, along a Morton curve, with radii limited to kRadiusPerEdge. Of splats at one
+/// position keeps the first that does not fill a gap, or the first one. Computes spacing; error is 0.
+/// @param attributes of the cloud's points, indexed by splats.input_index
+/// @param codes [splats], codeOf relative to the tile
+TileSplats selectSplats(const Splats& splats, const std::vector<Attribute>& attributes,
+                        const std::vector<PositionCode>& codes, const std::vector<std::uint8_t>& kept, double edge);
+
+/// [splats]
+std::vector<PositionCode> codesOf(const TileSet& set, const TileKey& tile, const Splats& splats);
+
+} // namespace pointrt

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/device_scene/file_cache.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+namespace pointrt {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CachedFile {
+    fs::path path;
+    std::uint64_t bytes = 0;
+    fs::file_time_type used;
+};
+
+bool isCached(const FileCache& cache, const std::string& name) {
+    return name.ends_with(cache.suffix) || name.find(cache.suffix + ".tmp-") != std::string::npos;
+}
+
+/// Least recently used first. Other processes may delete files meanwhile.
+std::vector<CachedFile> filesOf(const FileCache& cache) {
+    std::vector<CachedFile> files;
+    std::error_code error;
+    for (fs::directory_iterator entry(cache.folder, error), end; !error && entry != end; entry.increment(error)) {
+        std::error_code gone;
+        if (!isCached(cache, entry->path().filename().string()) || !entry->is_regular_file(gone)) continue;
+        const CachedFile file{entry->path(), entry->file_size(gone), entry->last_write_time(gone)};
+        if (!gone) files.push_back(file);
+    }
+    std::sort(files.begin(), files.end(), [](const CachedFile& a, const CachedFile& b) { return a.used < b.used; });
+    return files;
+}
+
+/// Creates missing folders, accessible only to the user, as the XDG base directory specification requires.
+bool makeFolder(const fs::path& folder) {
+    std::error_code ignored;
+    if (fs::is_directory(folder, ignored)) return true;
+    constexpr mode_t kUserAlone = 0700;
+    const fs::path above = folder.parent_path();
+    if (above.empty() || above == folder || !makeFolder(above)) return false;
+    return mkdir(folder.c_str(), kUserAlone) == 0 || errno == EEXIST;
+}
+
+/// The limit for the folder, including the `there` bytes that it holds.
+std::uint64_t roomOf(const FileCache& cache, std::uint64_t there) {
+    std::error_code unknown;
+    const fs::space_info disk = fs::space(cache.folder, unknown);
+    return unknown ? 0 : std::min<std::uint64_t>(cache.most_bytes, (there + disk.available) / kFreePerCached);
+}
+
+} // namespace
+
+bool makeRoomFor(const FileCache& cache, std::uint64_t bytes) {
+    if (cache.folder.empty() || !makeFolder(cache.folder)) return false;
+    const std::vector<CachedFile> files = filesOf(cache);
+    std::uint64_t there = 0;
+    for (const CachedFile& file : files) there += file.bytes;
+    const std::uint64_t room = roomOf(cache, there);
+    if (bytes > room) return false;
+    for (const CachedFile& file : files) {
+        if (there + bytes <= room) break;
+        std::error_code gone; // another process deleted it
+        fs::remove(file.path, gone);
+        there -= file.bytes;
+    }
+    return true;
+}
+
+void markUsed(const std::string& path) {
+    std::error_code ignored;
+    fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
+}
+
+} // namespace pointrt

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// A folder of files that can be recreated; the least recently used are deleted when it grows too large.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace pointrt {
+
+/// The folder takes at most a quarter of what the disk would have free without it.
+constexpr std::uint64_t kFreePerCached = 4;
+
+/// A folder that several processes may share. Only files with its suffix count, and their temporaries (AtomicFile),
+/// which are leftovers if they are old.
+struct FileCache {
+    std::string folder; ///< empty: caching is off
+    std::string suffix;
+    std::uint64_t most_bytes = 0;
+};
+
+/// Creates the folder, accessible only to the user, if it is missing, and deletes the least recently used files until
+/// bytes more fit. False if there is no folder, or they cannot fit.
+bool makeRoomFor(const FileCache& cache, std::uint64_t bytes);
+
+/// Marks a file as used now; ignored if it cannot be written.
+void markUsed(const std::string& path);
+
+} // namespace pointrt

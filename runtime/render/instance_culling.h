@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Instance culling: scenes of many instances test each ray against the instances' boxes first, and intersect an
+// instance only with the rays that enter its box (shaders/trace/cull.glsl).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "runtime/device_scene/device_scene.h"
+#include "shaders/shared/params.h"
+
+namespace pointrt {
+
+/// Consecutive instances of a scene and their boxes.
+struct CullGroupBoxes {
+    std::size_t first = 0, count = 0; ///< at most CULL_INSTANCES
+    gpu::CullBoxes boxes{};
+};
+
+/// Whether the scene may ever need culling. The instances of sets change as tiles are loaded.
+bool mayCull(const DeviceScene& scene);
+
+/// Cull groups of all current instances of a scene; none if there are so few that culling takes longer than
+/// intersecting each with all rays.
+std::vector<CullGroupBoxes> makeCullGroups(const DeviceScene& scene);
+
+/// Number of boxes that the culling programs of a group of count instances are built for.
+std::uint32_t cullProgramSize(std::size_t count);
+/// All such numbers that the scene's instances need, or may need when tiles are loaded.
+std::vector<std::uint32_t> cullProgramSizes(const DeviceScene& scene);
+
+} // namespace pointrt

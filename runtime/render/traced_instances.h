@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// The instances of a scene with what rays are intersected by, and the passes that intersect a ray list with all of
+// them.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "runtime/device_scene/device_scene.h"
+#include "runtime/render/pass_commands.h"
+#include "runtime/render/programs.h"
+
+namespace pointrt {
+
+/// An instance with its programs and descriptor sets.
+struct TracedInstance {
+    const InstancePrograms* programs = nullptr;
+    DescriptorSets sets;
+};
+
+/// Consecutive instances that rays are culled for together.
+struct CullGroup {
+    std::size_t first = 0, count = 0;
+    const CullPrograms* programs = nullptr;
+    Buffer boxes; ///< gpu::CullBoxes
+    DescriptorSets sets;
+};
+
+struct TracedInstances {
+    VkDescriptorPool pool = VK_NULL_HANDLE;
+    std::vector<TracedInstance> each;   ///< in the order of the scene's instances
+    std::vector<CullGroup> cull_groups; ///< of all instances, or empty: each instance is intersected with all rays
+    DescriptorSets sets;                ///< for programs that read no instance
+};
+
+/// programs, scene and the bound buffers must outlive the result. Free it with destroyTracedInstances.
+TracedInstances bindTracedInstances(Device& device, const Programs& programs, const DeviceScene& scene,
+                                    const FrameBuffers& buffers, const CausticMap& caustics);
+/// Leaves it empty; it may be empty already.
+void destroyTracedInstances(Device& device, TracedInstances& instances);
+
+/// A list of rays to intersect with all instances.
+struct InstanceRayList {
+    std::uint32_t list = 0;                ///< LIST_*
+    Program CullPrograms::*cull = nullptr; ///< the program that culls it
+    gpu::PushParams push{};                ///< of its passes
+};
+/// Records the passes that intersect an instance with a list: the given one, or what culling left of it.
+using IntersectInstance = std::function<void(const TracedInstance& instance, std::uint32_t list)>;
+
+/// Records the intersection of a list with all instances, and for each cull group the culling before that. The list
+/// must be complete: prepare has closed it.
+void intersectInstances(PassCommands& commands, const Programs& programs, const TracedInstances& instances,
+                        const InstanceRayList& rays, const IntersectInstance& intersect);
+
+} // namespace pointrt

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/edit/required_update.h"
+
+#include <utility>
+
+namespace pointrt {
+
+RequiredUpdate requiredUpdate(const DeviceScene& scene, Integrator integrator, const SceneDescription& description,
+                 const RenderSettings& settings) {
+    if (!haveSamePlacements(scene.description, description)) return {UpdateKind::kReload, {}};
+    const std::string sky_image = description.sky ? description.sky->image : std::string();
+    if (settings.integrator != integrator || sky_image != scene.sky_image) return {UpdateKind::kPrograms, {}};
+    if (paintRequest(description, settings) != scene.paint.request) return {UpdateKind::kPrograms, {}};
+    SceneRows rows = makeSceneRows(scene, description, settings);
+    const bool others = shapeKinds(rows.shapes) != shapeKinds(scene.shape_rows);
+    if (others || rows.features != scene.features) return {UpdateKind::kPrograms, {}};
+    return {UpdateKind::kTables, std::move(rows)};
+}
+
+UpdateStep nextUpdateStep(UpdateKind rework, bool dragging, bool lacks_photons) {
+    if (rework == UpdateKind::kTables) return UpdateStep::kUpload;
+    if (dragging || (rework == UpdateKind::kNothing && !lacks_photons)) return UpdateStep::kNothing;
+    return UpdateStep::kSceneUpdate; // where it takes a reload, that says so
+}
+
+} // namespace pointrt

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/edit/scene_update.h"
+
+#include <utility>
+
+#include "format/base/error.h"
+
+namespace pointrt {
+namespace {
+
+/// What of it is done where photons are to be cast, after programs were built.
+constexpr double kPhotonsShare = 0.6;
+
+/// Whether the scene has become one for other programs.
+bool rebuildPrograms(Device& device, LoadedScene& loaded) {
+    const ProgramKinds kinds = kindsOf(loaded.scene, loaded.settings);
+    if (kinds == loaded.program_kinds) return false;
+    Programs programs = createPrograms(device, loaded.scene, loaded.settings, {});
+    destroyPrograms(device, loaded.tracer.programs);
+    loaded.tracer.programs = std::exchange(programs, {});
+    loaded.program_kinds = kinds;
+    return true;
+}
+
+void applySettings(LoadedScene& loaded, const RenderSettings& settings) {
+    loaded.settings = settings;
+    loaded.tracer.shadows = settings.shadows;
+}
+
+void uploadScene(Device& device, LoadedScene& loaded, const SceneDescription& description, const RenderSettings& settings) {
+    if (!haveSamePlacements(loaded.scene.description, description))
+        throw Error{ExitCode::kBadInput, description.path + ": other scans, or other places, take loading anew"};
+    SceneDescription before = std::exchange(loaded.scene.description, description);
+    try {
+        uploadSceneTables(device, loaded.scene, settings);
+    } catch (...) {
+        loaded.scene.description = std::move(before);
+        throw;
+    }
+    applySettings(loaded, settings);
+}
+
+} // namespace
+
+void updateScene(Device& device, LoadedScene& loaded, const SceneDescription& description, const RenderSettings& settings,
+               JobControl& control) {
+    loaded.lacks_photons = false; // nor is it to be tried again where the user does not want to wait
+    control.setDetail("materials and lights");
+    uploadScene(device, loaded, description, settings);
+    dropPhotons(loaded.tracer);
+    // not to be cancelled: rows, programs and bindings belong together
+    control.setDetail("programs");
+    if (rebuildPrograms(device, loaded)) control.setProgress(kPhotonsShare);
+    rebind(device, loaded.tracer);
+    control.throwIfCancelled();
+    control.setDetail("caustics");
+    control.setProgress(kPhotonsShare);
+    tracePhotons(device, loaded.tracer, loaded.settings);
+}
+
+void updateSceneTables(Device& device, LoadedScene& loaded, const SceneDescription& description,
+                  const RenderSettings& settings, SceneRows rows) {
+    uploadSceneRows(device, loaded.scene, description, settings, std::move(rows));
+    applySettings(loaded, settings);
+    dropPhotons(loaded.tracer);
+    loaded.lacks_photons = needsPhotons(loaded.scene, loaded.settings);
+    rebind(device, loaded.tracer);
+}
+
+} // namespace pointrt

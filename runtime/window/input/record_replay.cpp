@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/input/record_replay.h"
+
+namespace pointrt {
+
+RecordReplay::RecordReplay(const std::string& replay) {
+    if (!replay.empty()) replay_.emplace(readRecording(replay));
+}
+
+double RecordReplay::now() const {
+    if (replay_) return frame_ * kReplayFrame_s;
+    return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+/// Recordings go by the clock: frames of a replay are all as long.
+void RecordReplay::recordStep(const RecordedStep& step) {
+    if (recorder_) record(*recorder_, {static_cast<std::uint32_t>(now() / kReplayFrame_s + 0.5), step});
+}
+
+} // namespace pointrt

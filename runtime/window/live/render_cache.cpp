@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/live/render_cache.h"
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <numeric>
+#include <utility>
+
+#include "format/base/parallel.h"
+
+namespace pointrt {
+namespace {
+
+/// Two points in neighbouring pixels lie this much of their distance apart before one is behind the other: more than
+/// floors seen at a slant.
+constexpr float kOccludedDepthRatio = 1.02f;
+/// What was traced before the light changed counts as this many frames old.
+constexpr std::uint32_t kStaleLightAge = 64;
+/// Points in a pixel's number of points: besides those that are shown, some that are hidden or beside the picture.
+constexpr std::size_t kPointsOf4 = 5;
+/// Points that a thread takes at once, and projects side by side.
+constexpr std::size_t kChunk = 1u << 14, kSideBySide = 64;
+
+/// The lowest of all threads' keys stays, whatever their order.
+void atomicMin(PixelKey& target, PixelKey key) {
+    const std::atomic_ref<PixelKey> lowest(target);
+    PixelKey current = lowest.load(std::memory_order_relaxed);
+    while (key < current && !lowest.compare_exchange_weak(current, key, std::memory_order_relaxed)) continue;
+}
+
+} // namespace
+
+// depths are above 0: their bits are in their order
+PixelKey makePixelKey(float depth, std::uint32_t point) { return PixelKey{std::bit_cast<std::uint32_t>(depth)} << 32 | point; }
+
+void PointCloud::resize(std::size_t count) {
+    x.resize(count);
+    y.resize(count);
+    z.resize(count);
+    info.resize(count, kPointInvalid);
+    color.resize(count);
+}
+
+void PointCloud::set(std::size_t i, const CachedPoint& point) {
+    x[i] = point.position.x;
+    y[i] = point.position.y;
+    z[i] = point.position.z;
+    info[i] = point.info;
+    color[i] = point.color;
+}
+
+RenderCache::RenderCache(PixelSize size) : size_(size) {
+    const std::size_t pixels = std::size_t{size.width} * size.height;
+    points_.resize(pixels * kPointsOf4 / 4 / kSideBySide * kSideBySide + kSideBySide);
+    is_visible_.resize(points_.size());
+    keys_.resize(pixels, kEmptyPixel);
+    shown_.resize(pixels);
+    empty_pixels_.resize(tilesDown());
+    tile_colors_.resize(std::size_t{tilesAcross()} * tilesDown());
+}
+
+void RenderCache::clear() {
+    std::fill(points_.info.begin(), points_.info.end(), kPointInvalid);
+    std::fill(keys_.begin(), keys_.end(), kEmptyPixel);
+    point_count_ = cursor_ = 0;
+}
+
+void RenderCache::reproject(const ViewProjection& view) {
+    std::fill(keys_.begin(), keys_.end(), kEmptyPixel);
+    std::fill(is_visible_.begin(), is_visible_.end(), std::uint8_t{0});
+    forAll((point_count_ + kChunk - 1) / kChunk,
+           [&](std::size_t chunk) { project(view, chunk * kChunk, std::min(kChunk, point_count_ - chunk * kChunk)); });
+    gatherAllRows();
+}
+
+void RenderCache::gatherAllRows() {
+    forAll(tilesDown(), [&](std::size_t row) { gatherRow(static_cast<std::uint32_t>(row)); });
+    for (const std::vector<std::uint32_t>& row : empty_pixels_)
+        for (std::uint32_t pixel : row) keys_[pixel] = kEmptyPixel;
+}
+
+/// count points from first on.
+void RenderCache::project(const ViewProjection& view, std::size_t first, std::size_t count) {
+    const auto width = static_cast<float>(size_.width), height = static_cast<float>(size_.height);
+    std::array<ViewProjection::Projected, kSideBySide> seen;
+    for (std::size_t block = first; block < first + count; block += kSideBySide) {
+        // there are points to the end of the block: the cloud's size is a multiple
+        for (std::size_t i = 0; i < kSideBySide; ++i) {
+            const std::size_t at = block + i;
+            const float weight = (points_.info[at] & kPointIsSky) != 0 ? 0.0f : 1.0f;
+            seen[i] = view.project({points_.x[at], points_.y[at], points_.z[at]}, weight);
+        }
+        for (std::size_t i = 0; i < kSideBySide; ++i) {
+            const ViewProjection::Projected& at = seen[i];
+            const std::uint32_t info = points_.info[block + i];
+            if ((info & kPointInvalid) != 0) continue;
+            if (!(at.depth > 0 && at.x >= 0 && at.y >= 0 && at.x < width && at.y < height)) continue;
+            const auto x = static_cast<std::uint32_t>(at.x), y = static_cast<std::uint32_t>(at.y);
+            const float depth = (info & kPointIsSky) != 0 ? kSkyDepth : at.depth;
+            atomicMin(keys_[y * size_.width + x], makePixelKey(depth, static_cast<std::uint32_t>(block + i)));
+        }
+    }
+}
+
+/// A point behind a surface whose own points have left a gap: most pixels around are well before it.
+bool RenderCache::isOccluded(std::uint32_t x, std::uint32_t y, PixelKey key) const {
+    if (x == 0 || y == 0 || x + 1 >= size_.width || y + 1 >= size_.height) return false;
+    const PixelKey* at = &keys_[y * size_.width + x];
+    const std::size_t w = size_.width;
+    const float depth = depthOf(key);
+    const auto before = [&](const PixelKey* other) { return depthOf(*other) * kOccludedDepthRatio < depth ? 1 : 0; };
+    const int adjacent = before(at - 1) + before(at + 1) + before(at - w) + before(at + w);
+    if (adjacent < 2) return false;
+    constexpr int kMost = 5; // of 8, that a straight edge of something before it may take
+    return adjacent + before(at - w - 1) + before(at - w + 1) + before(at + w - 1) + before(at + w + 1) > kMost;
+}
+
+/// What the points show that have come to lie in a row of tiles.
+void RenderCache::gatherRow(std::uint32_t tile_row) {
+    std::vector<std::uint32_t>& disocclusions = empty_pixels_[tile_row];
+    disocclusions.clear();
+    TileColorSum* tiles = &tile_colors_[std::size_t{tile_row} * tilesAcross()];
+    std::fill(tiles, tiles + tilesAcross(), TileColorSum{});
+    const std::uint32_t end = std::min((tile_row + 1) * TILE_SIDE, size_.height);
+    for (std::uint32_t y = tile_row * TILE_SIDE; y < end; ++y)
+        for (std::uint32_t x = 0; x < size_.width; ++x) {
+            const std::uint32_t pixel = y * size_.width + x;
+            const PixelKey key = keys_[pixel];
+            if (key == kEmptyPixel || isOccluded(x, y, key)) {
+                disocclusions.push_back(pixel);
+                shown_[pixel] = 0xFF000000;
+                continue;
+            }
+            const std::uint32_t color = points_.color[pointOf(key)];
+            is_visible_[pointOf(key)] = 1;
+            shown_[pixel] = color;
+            TileColorSum& tile = tiles[x / TILE_SIDE];
+            const std::array<std::uint32_t, 3> c = channelsOf(color);
+            tile.red += c[0];
+            tile.green += c[1];
+            tile.blue += c[2];
+            ++tile.count;
+        }
+}
+
+void RenderCache::invalidateLighting(bool shapes, std::uint32_t frame) {
+    constexpr std::uint32_t kErrorDecay = kPointIsSky | kPointViewDependent | kPointInterpolated | kPointOnShape | kPointInvalid;
+    const std::uint32_t old = (frame - kStaleLightAge) & kPointFrameMask;
+    for (std::uint32_t i = 0; i < point_count_; ++i) {
+        std::uint32_t& info = points_.info[i];
+        // samples are of another light: the next one replaces them
+        const std::uint32_t age = (frame - info) & kPointFrameMask;
+        info = (info & kErrorDecay) | (age < kStaleLightAge ? old : info & kPointFrameMask);
+        if (shapes && (info & kPointOnShape) != 0) info |= kPointInvalid;
+    }
+}
+
+void RenderCache::setVisibleColors(const std::vector<std::uint32_t>& colors) {
+    for (std::uint32_t i = 0; i < point_count_; ++i)
+        if (is_visible_[i] == 0) points_.info[i] |= kPointInvalid;
+    for (std::size_t pixel = 0; pixel < keys_.size(); ++pixel)
+        if (keys_[pixel] != kEmptyPixel) points_.color[pointOf(keys_[pixel])] = colors[pixel];
+    gatherAllRows();
+}
+
+/// A new one while there is room, then one that the picture does not show.
+std::uint32_t RenderCache::allocatePoint() {
+    if (point_count_ < points_.size()) return point_count_++;
+    do {
+        cursor_ = (cursor_ + 1) % point_count_;
+    } while (is_visible_[cursor_] != 0); // there are more points than pixels
+    return cursor_;
+}
+
+void RenderCache::insert(std::uint32_t pixel, float depth, const CachedPoint& point) {
+    const std::uint32_t i = isEmpty(pixel) ? allocatePoint() : pointOf(keys_[pixel]);
+    points_.set(i, point);
+    is_visible_[i] = 1;
+    keys_[pixel] = makePixelKey(depth, i);
+    shown_[pixel] = point.color;
+}
+
+void RenderCache::replace(PointCloud points, const std::vector<float>& depth) {
+    const std::size_t room = points_.size();
+    point_count_ = static_cast<std::uint32_t>(keys_.size());
+    cursor_ = 0;
+    points_ = std::move(points);
+    points_.resize(room);
+    for (std::uint32_t pixel = 0; pixel < point_count_; ++pixel) {
+        const bool gone = (points_.info[pixel] & kPointInvalid) != 0;
+        keys_[pixel] = gone ? kEmptyPixel : makePixelKey(depth[pixel], pixel);
+        is_visible_[pixel] = gone ? 0 : 1;
+    }
+    std::fill(is_visible_.begin() + point_count_, is_visible_.end(), std::uint8_t{0});
+}
+
+std::uint32_t RenderCache::emptyPixelCount() const {
+    return std::accumulate(empty_pixels_.begin(), empty_pixels_.end(), 0u, [](std::uint32_t sum, const auto& row) {
+        return sum + static_cast<std::uint32_t>(row.size());
+    });
+}
+
+std::uint64_t RenderCache::bytes() const {
+    constexpr std::uint64_t kPointBytes = 5 * sizeof(float) + 1;
+    return points_.size() * kPointBytes + keys_.size() * (sizeof(PixelKey) + 2 * sizeof(std::uint32_t));
+}
+
+std::uint32_t mixColors(std::uint32_t a, std::uint32_t b, std::uint32_t share) {
+    const std::array<std::uint32_t, 3> from = channelsOf(a), to = channelsOf(b);
+    const auto mix = [&](std::size_t c) { return (from[c] * (256 - share) + to[c] * share + 128) >> 8; };
+    return packColor(mix(0), mix(1), mix(2));
+}
+
+} // namespace pointrt

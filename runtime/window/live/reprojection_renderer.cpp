@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/live/reprojection_renderer.h"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cstring>
+#include <utility>
+
+#include "format/base/parallel.h"
+#include "runtime/image/tonemap.h"
+#include "runtime/render/frame_params.h"
+#include "runtime/scene/integrator.h"
+#include "runtime/window/live/hole_filling.h"
+
+namespace pointrt {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Of a new measurement in an estimate. Slower than before is believed sooner than faster: see pace.cpp.
+double smoothed(double before, double measured) {
+    constexpr double kShareOfSlower = 0.6, kShareOfFaster = 0.3;
+    return before + (measured > before ? kShareOfSlower : kShareOfFaster) * (measured - before);
+}
+
+/// Fewer are no picture, however slow the tracer is.
+constexpr double kMinPixels = 512;
+/// Of a frame's time, what is traced at least, whatever all else takes.
+constexpr double kMinTracedShare = 0.3;
+/// Chances may come to this much more pixels than are wanted.
+constexpr double kCountMargin = 1.125;
+
+/// Of a picture, gaps between points of its surfaces that take too long to fill: where points lie as by chance, one a
+/// pixel, a sixth of the pixels have none, and a fifth after a zoom by a tenth.
+constexpr double kMaxGapShare = 0.2;
+
+bool sameShapes(const std::vector<gpu::Shape>& a, const std::vector<gpu::Shape>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(gpu::Shape)) == 0;
+}
+
+/// The pixels of rows first to end, tile by tile.
+std::vector<std::uint32_t> pixelsOfRows(PixelSize size, std::uint32_t first, std::uint32_t end) {
+    std::vector<std::uint32_t> numbers;
+    for (std::uint32_t top = first; top < end; top += TILE_SIDE)
+        for (std::uint32_t left = 0; left < size.width; left += TILE_SIDE)
+            for (std::uint32_t y = top; y < std::min(top + TILE_SIDE, end); ++y)
+                for (std::uint32_t x = left; x < std::min(left + TILE_SIDE, size.width); ++x)
+                    numbers.push_back(y * size.width + x);
+    return numbers;
+}
+
+} // namespace
+
+ReprojectionRenderer::ReprojectionRenderer(Device& device, BandTracer& tracer, Buffer& pixels, PixelSize size)
+    : device_(device), tracer_(tracer), pixels_(pixels), cache_(size), errors_(size),
+      shapes_(tracer.scene->shape_rows) {}
+
+void ReprojectionRenderer::clear() {
+    cache_.clear();
+    errors_.clear();
+    camera_.reset();
+    filled_rows_ = 0;
+}
+
+void ReprojectionRenderer::invalidateLighting() {
+    const bool shapes = !sameShapes(shapes_, tracer_.scene->shape_rows);
+    cache_.invalidateLighting(shapes, frame_);
+    if (shapes) camera_.reset(); // what is gone is seen when the picture is carried
+    shapes_ = tracer_.scene->shape_rows;
+}
+
+void ReprojectionRenderer::readBackColors() {
+    std::vector<std::uint32_t> colors(cache_.keys().size());
+    downloadBuffer(device_, pixels_, colors.data(), colors.size() * sizeof(std::uint32_t));
+    cache_.setVisibleColors(colors);
+}
+
+ViewProjection ReprojectionRenderer::projectionFor(const ReprojectionView& view) const {
+    return ViewProjection(makeFrameParams(*tracer_.scene, view.settings, view.camera, 0, cache_.size().height));
+}
+
+std::uint32_t ReprojectionRenderer::pixelBudget(double seconds) const {
+    const double pixels = double{1} * cache_.size().width * cache_.size().height;
+    const double most = std::min<double>(pixels, kMaxListedPixels) / kCountMargin;
+    const double left = std::max(seconds - overhead_s_, kMinTracedShare * seconds);
+    return static_cast<std::uint32_t>(std::clamp(left / seconds_per_pixel_, std::min(kMinPixels, most), most));
+}
+
+ReprojectedFrame ReprojectionRenderer::renderFrame(const ReprojectionView& view, double seconds) {
+    const Clock::time_point start = Clock::now();
+    ++frame_;
+    const ViewProjection seen = projectionFor(view);
+    const bool camera_moves = camera_ != view.camera;
+    if (camera_moves) cache_.reproject(seen);
+    errors_.advanceFrame();
+    camera_ = view.camera;
+    filled_rows_ = 0;
+    const PixelSize size = cache_.size();
+    const SelectionParams params{
+        {static_cast<float>(view.focus_x * size.width), static_cast<float>(view.focus_y * size.height)},
+        frame_,
+        camera_moves,
+        pixelBudget(seconds)};
+    std::vector<std::uint32_t> chosen = selectPixels(cache_, errors_, params);
+    chosen.resize(std::min(chosen.size(), static_cast<std::size_t>(kCountMargin * params.count)));
+
+    const Clock::time_point tracing = Clock::now();
+    const std::vector<TracedPixel> traced = trace(view, chosen);
+    const double traced_s = since(tracing);
+    if (!chosen.empty()) seconds_per_pixel_ = smoothed(seconds_per_pixel_, traced_s / static_cast<double>(chosen.size()));
+
+    const SampleBlending blending{frame_, hasTrait(view.settings.integrator, INTEGRATOR_IS_STOCHASTIC), camera_moves};
+    insertSamples(cache_, errors_, seen, blending, traced);
+    const std::uint32_t gaps = fillHoles(cache_);
+    uploadBuffer(device_, pixels_, cache_.colors().data(), cache_.colors().size() * sizeof(std::uint32_t));
+    if (gaps > kMaxGapShare * size.width * size.height) resamplePoints(cache_, seen);
+    overhead_s_ = smoothed(overhead_s_, since(start) - traced_s);
+    return {static_cast<std::uint32_t>(chosen.size()), cache_.emptyPixelCount() - gaps};
+}
+
+/// x | y << 16 of each, in rows that are whole.
+void ReprojectionRenderer::uploadPixelList(std::span<const std::uint32_t> numbers) {
+    const std::uint32_t width = cache_.size().width;
+    std::vector<std::uint32_t> places;
+    places.reserve(numbers.size());
+    for (std::uint32_t pixel : numbers) places.push_back(pixel % width | pixel / width << 16);
+    while (places.size() % kPixelListWidth != 0) places.push_back(places.back());
+    uploadBuffer(device_, tracer_.buffers.pixel_list, places.data(), places.size() * sizeof(std::uint32_t));
+}
+
+/// What the listed pixels have hit, whose first hits are from first on.
+std::vector<TracedPixel> ReprojectionRenderer::readHits(std::span<const std::uint32_t> numbers, std::uint32_t first) const {
+    std::vector<gpu::vec4> hits(numbers.size() * FIRST_HIT_VECTORS);
+    downloadBuffer(device_, tracer_.buffers.first_hits, hits.data(), hits.size() * sizeof(gpu::vec4),
+                   std::uint64_t{first} * FIRST_HIT_VECTORS * sizeof(gpu::vec4));
+    std::vector<TracedPixel> traced(numbers.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const gpu::vec4 &hit = hits[FIRST_HIT_VECTORS * i], &ids = hits[FIRST_HIT_VECTORS * i + 1];
+        const bool on_shape = hit.w >= 0 && std::bit_cast<std::uint32_t>(ids.y) == OWNER_SHAPES;
+        traced[i] = {numbers[i], 0, hit.w, ids.w, on_shape};
+    }
+    return traced;
+}
+
+/// The colours of the listed pixels, from the film's first ones.
+void ReprojectionRenderer::readLight(const ReprojectionView& view, std::span<TracedPixel> traced) const {
+    constexpr std::uint32_t kLayers[] = {LAYER_DIRECT, LAYER_INDIRECT, LAYER_CAUSTIC};
+    std::vector<gpu::vec4> sums(traced.size()), layer(traced.size());
+    for (std::uint32_t which : kLayers) {
+        downloadBuffer(device_, tracer_.buffers.film, layer.data(), layer.size() * sizeof(gpu::vec4),
+                       std::uint64_t{which} * kMaxListedPixels * sizeof(gpu::vec4));
+        for (std::size_t i = 0; i < layer.size(); ++i)
+            sums[i] = {sums[i].x + layer[i].x, sums[i].y + layer[i].y, sums[i].z + layer[i].z, 1};
+    }
+    constexpr std::size_t kChunk = 1024;
+    const auto stops = static_cast<float>(view.exposure);
+    forAll((traced.size() + kChunk - 1) / kChunk, [&](std::size_t chunk) {
+        const std::size_t first = chunk * kChunk, count = std::min(kChunk, traced.size() - first);
+        std::vector<std::uint8_t> rgb(3 * count);
+        tonemapPixels({&sums[first].x, 4 * count}, stops, rgb.data());
+        for (std::size_t i = 0; i < count; ++i)
+            traced[first + i].color = packColor(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]);
+    });
+}
+
+std::vector<TracedPixel> ReprojectionRenderer::trace(const ReprojectionView& view, std::span<const std::uint32_t> numbers) {
+    if (numbers.empty()) return {};
+    uploadPixelList(numbers);
+    RenderSettings settings = view.settings;
+    settings.seed += frame_; // other random numbers each time
+    const auto count = static_cast<std::uint32_t>(numbers.size());
+    BandSample sample = openPixelList(device_, tracer_, settings, view.camera, count, {kMaxListedPixels, 0});
+    RayCounts rays;
+    while (!sample.done) tracePasses(device_, tracer_, sample, std::max(settings.bounces, 1u), rays);
+    std::vector<TracedPixel> traced = readHits(numbers, 0);
+    readLight(view, traced);
+    return traced;
+}
+
+bool ReprojectionRenderer::fillCache(const ReprojectionView& view) {
+    if (isFilled()) return true;
+    const PixelSize size = cache_.size();
+    if (filled_rows_ == 0) pending_fill_ = CacheFill{{}, std::vector<float>(cache_.keys().size())};
+    pending_fill_.points.resize(cache_.keys().size());
+    // whole tiles where that many rows fit
+    const std::uint32_t fitting = std::max(kMaxListedPixels / size.width / TILE_SIDE * TILE_SIDE, 1u);
+    const std::uint32_t end = std::min(filled_rows_ + fitting, size.height);
+    const std::vector<std::uint32_t> numbers = pixelsOfRows(size, filled_rows_, end);
+    uploadPixelList(numbers);
+    const std::uint32_t beyond = size.width * size.height; // of the film's own first hits
+    const auto count = static_cast<std::uint32_t>(numbers.size());
+    BandSample sample = openPixelList(device_, tracer_, view.settings, view.camera, count, {kMaxListedPixels, beyond});
+    sample.only_first_hits = true;
+    RayCounts rays;
+    tracePasses(device_, tracer_, sample, 0, rays);
+    const ViewProjection seen = projectionFor(view);
+    for (const TracedPixel& each : readHits(numbers, beyond)) {
+        pending_fill_.points.set(each.pixel, toCachedPoint(seen, each, frame_));
+        pending_fill_.points.info[each.pixel] |= kPointMaxSamples << kPointSamplesShift;
+        pending_fill_.depth[each.pixel] = depthAlongView(seen, each);
+    }
+    filled_rows_ = end;
+    if (!isFilled()) return false;
+    cache_.replace(std::move(pending_fill_.points), pending_fill_.depth);
+    pending_fill_ = {};
+    camera_ = view.camera;
+    return true;
+}
+
+void ReprojectionRenderer::blendWithReprojection(std::uint32_t first, std::uint32_t count, float share) {
+    std::vector<std::uint32_t> colors(count);
+    downloadBuffer(device_, pixels_, colors.data(), count * sizeof(std::uint32_t), first * sizeof(std::uint32_t));
+    const auto parts = static_cast<std::uint32_t>(256 * share + 0.5f);
+    for (std::uint32_t i = 0; i < count; ++i) colors[i] = mixColors(cache_.colors()[first + i], colors[i], parts);
+    uploadBuffer(device_, pixels_, colors.data(), count * sizeof(std::uint32_t), first * sizeof(std::uint32_t));
+}
+
+} // namespace pointrt

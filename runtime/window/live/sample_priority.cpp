@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/live/sample_priority.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "format/base/parallel.h"
+
+namespace pointrt {
+namespace {
+
+// In frames of age: what is seen for the first time, what was guessed, what was found wrong around by a full step from
+// black to white. Of mirrors, while the camera moves, each frame of age counts for so many.
+constexpr float kEmptyPriority = 1500, kInterpolatedPriority = 150, kErrorPriority = 3000, kViewDependentAging = 8;
+/// Where the eye rests all counts so much more, within this part of the picture's height.
+constexpr float kFocusGain = 2, kFocusRadius = 0.2f;
+/// Of what was wrong, what is still believed a frame later, and of the tiles beside.
+constexpr float kErrorDecay = 0.85f, kErrorSpread = 0.5f;
+/// Steps of 255 that are no error: rounding, and the noise of soft light.
+constexpr std::uint32_t kNoiseFloor = 3;
+
+/// Of what a point is.
+float priorityOf(std::uint32_t info, const SelectionParams& params) {
+    const auto age = static_cast<float>((params.frame - info) & kPointFrameMask);
+    const bool turns = params.camera_moves && (info & kPointViewDependent) != 0;
+    return age * (turns ? kViewDependentAging : 1.0f) + ((info & kPointInterpolated) != 0 ? kInterpolatedPriority : 0.0f);
+}
+
+/// Of a tile: what each of its pixels has on top, and what all of that is multiplied by.
+struct TilePriority {
+    float added = 0, factor = 1;
+};
+
+TilePriority tilePriority(const ErrorMap& errors, const SelectionParams& params, PixelSize size, std::uint32_t tile_x,
+                        std::uint32_t tile_y, std::uint32_t across) {
+    const float x = (static_cast<float>(tile_x) + 0.5f) * TILE_SIDE - params.focus.x;
+    const float y = (static_cast<float>(tile_y) + 0.5f) * TILE_SIDE - params.focus.y;
+    const float radius = kFocusRadius * static_cast<float>(size.height);
+    return {kErrorPriority / 255 * errors.at(tile_y * across + tile_x),
+            1 + kFocusGain / (1 + (x * x + y * y) / (radius * radius))};
+}
+
+/// Thresholds in (0, 1] that lie evenly over the picture and, frame by frame, over each pixel's time: R2's and the
+/// golden ratio's sequences (Roberts, The Unreasonable Effectiveness of Quasirandom Sequences, 2018), in units of
+/// 2^-32.
+float threshold(std::uint32_t x, std::uint32_t y, std::uint32_t frame) {
+    const std::uint32_t at = x * 0xC13FA9A9u + y * 0x91E10DA6u + frame * 0x9E3779B9u;
+    return (static_cast<float>(at >> 8) + 1) * 0x1p-24f;
+}
+
+/// A picture's rows take turns: each frame looks at one of so many, which takes as much less time.
+constexpr std::uint32_t kRowPhases = 4;
+
+/// The urgency of the pixels of a row of tiles whose turn it is, tile by tile.
+using RowPriorities = std::vector<float>;
+
+class PixelSelector {
+public:
+    PixelSelector(const RenderCache& cache, const ErrorMap& errors, const SelectionParams& params)
+        : cache_(cache), errors_(errors), attention_(params), size_(cache.size()),
+          across_(cache.tilesAcross()) {}
+
+    RowPriorities computeRow(std::uint32_t tile_row) const {
+        RowPriorities row;
+        row.reserve(std::size_t{size_.width} * TILE_SIDE / kRowPhases);
+        for (std::uint32_t tile = 0; tile < across_; ++tile) {
+            const TilePriority of_tile = tilePriority(errors_, attention_, size_, tile, tile_row, across_);
+            visitTile(tile, tile_row, [&](std::uint32_t x, std::uint32_t y) {
+                const PixelKey key = cache_.keys()[y * size_.width + x];
+                const float own = key == kEmptyPixel ? kEmptyPriority : priorityOf(cache_.points().info[pointOf(key)], attention_);
+                row.push_back((own + of_tile.added) * of_tile.factor);
+            });
+        }
+        return row;
+    }
+
+    /// chance: of a pixel of urgency 1.
+    std::vector<std::uint32_t> select(std::uint32_t tile_row, const RowPriorities& row, float probability) const {
+        std::vector<std::uint32_t> chosen;
+        auto priority = row.begin();
+        for (std::uint32_t tile = 0; tile < across_; ++tile)
+            visitTile(tile, tile_row, [&](std::uint32_t x, std::uint32_t y) {
+                if (*priority++ * probability >= threshold(x, y, attention_.frame)) chosen.push_back(y * size_.width + x);
+            });
+        return chosen;
+    }
+
+private:
+    template <typename Visit>
+    void visitTile(std::uint32_t tile, std::uint32_t tile_row, Visit visit) const {
+        const std::uint32_t end_x = std::min((tile + 1) * TILE_SIDE, size_.width);
+        const std::uint32_t end_y = std::min((tile_row + 1) * TILE_SIDE, size_.height);
+        // the sequence's next turn is never beside the last one's row
+        const std::uint32_t phase = attention_.frame * 2 % kRowPhases + attention_.frame / 2 % 2;
+        for (std::uint32_t y = tile_row * TILE_SIDE + phase; y < end_y; y += kRowPhases)
+            for (std::uint32_t x = tile * TILE_SIDE; x < end_x; ++x) visit(x, y);
+    }
+
+    const RenderCache& cache_;
+    const ErrorMap& errors_;
+    const SelectionParams& attention_;
+    PixelSize size_;
+    std::uint32_t across_;
+};
+
+/// With which so many pixels are chosen: what is urgent enough is chosen for certain, and no more than once.
+float probabilityFor(const std::vector<RowPriorities>& rows, std::uint32_t count) {
+    constexpr int kTries = 3; // each finds some more that are certain
+    float probability = 0;
+    for (int i = 0; i < kTries; ++i) {
+        const float limit = probability > 0 ? 1 / probability : std::numeric_limits<float>::max();
+        std::vector<double> sums(rows.size());
+        std::vector<std::size_t> certain(rows.size());
+        forAll(rows.size(), [&](std::size_t row) {
+            for (float priority : rows[row]) {
+                sums[row] += priority < limit ? priority : 0.0f;
+                certain[row] += priority < limit ? 0 : 1;
+            }
+        });
+        const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
+        const double left = count - double{1} * std::accumulate(certain.begin(), certain.end(), std::size_t{0});
+        if (!(sum > 0) || !(left > 0)) break;
+        probability = static_cast<float>(left / sum);
+    }
+    return probability;
+}
+
+} // namespace
+
+ErrorMap::ErrorMap(PixelSize size)
+    : across_((size.width + TILE_SIDE - 1) / TILE_SIDE), down_((size.height + TILE_SIDE - 1) / TILE_SIDE) {
+    errors_.resize(std::size_t{across_} * down_);
+    recorded_.resize(errors_.size());
+}
+
+void ErrorMap::record(std::uint32_t x, std::uint32_t y, std::uint32_t steps) {
+    if (steps <= kNoiseFloor) return;
+    float& recorded = recorded_[y / TILE_SIDE * across_ + x / TILE_SIDE];
+    recorded = std::max(recorded, static_cast<float>(steps));
+}
+
+void ErrorMap::advanceFrame() {
+    for (std::uint32_t y = 0; y < down_; ++y)
+        for (std::uint32_t x = 0; x < across_; ++x) {
+            const std::size_t at = y * across_ + x;
+            float adjacent = 0;
+            if (x > 0) adjacent = std::max(adjacent, recorded_[at - 1]);
+            if (x + 1 < across_) adjacent = std::max(adjacent, recorded_[at + 1]);
+            if (y > 0) adjacent = std::max(adjacent, recorded_[at - across_]);
+            if (y + 1 < down_) adjacent = std::max(adjacent, recorded_[at + across_]);
+            errors_[at] = std::max({kErrorDecay * errors_[at], recorded_[at], kErrorSpread * adjacent});
+            if (errors_[at] < kNoiseFloor) errors_[at] = 0;
+        }
+    std::fill(recorded_.begin(), recorded_.end(), 0.0f);
+}
+
+void ErrorMap::clear() {
+    std::fill(errors_.begin(), errors_.end(), 0.0f);
+    std::fill(recorded_.begin(), recorded_.end(), 0.0f);
+}
+
+std::vector<std::uint32_t> selectPixels(const RenderCache& cache, const ErrorMap& errors,
+                                        const SelectionParams& params) {
+    const PixelSelector selector(cache, errors, params);
+    const std::uint32_t down = cache.tilesDown();
+    std::vector<RowPriorities> rows(down);
+    std::vector<std::vector<std::uint32_t>> chosen(down);
+    forAll(down, [&](std::size_t row) { rows[row] = selector.computeRow(static_cast<std::uint32_t>(row)); });
+    const float probability = probabilityFor(rows, params.count);
+    forAll(down,
+           [&](std::size_t row) { chosen[row] = selector.select(static_cast<std::uint32_t>(row), rows[row], probability); });
+    std::vector<std::uint32_t> all;
+    for (const std::vector<std::uint32_t>& row : chosen) all.insert(all.end(), row.begin(), row.end());
+    return all;
+}
+
+} // namespace pointrt

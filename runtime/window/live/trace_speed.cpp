@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/live/trace_speed.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shaders/shared/params.h"
+
+namespace pointrt {
+namespace {
+
+/// Of a new measurement in the estimate. Slower than before is believed sooner than faster: a frame that comes late is
+/// worse than a coarse one.
+constexpr double kShareOfSlower = 0.6, kShareOfFaster = 0.3;
+/// Edges are divided by powers of this, the fourth root of 2: two steps halve or double the area.
+constexpr double kSizeStep = 1.189207115002721;
+/// Below this the picture says nothing any more, however slow the tracer is.
+constexpr double kMaxDivisor = 16;
+/// Share of the time that the next finer size may take at most to be chosen again.
+constexpr double kComfort = 0.75;
+
+} // namespace
+
+void TraceSpeed::addMeasurement(std::uint64_t pixels, double seconds) {
+    if (pixels == 0 || !(seconds > 0)) return;
+    const double measured = seconds / static_cast<double>(pixels);
+    const double share = !known_ ? 1 : measured > seconds_per_pixel_ ? kShareOfSlower : kShareOfFaster;
+    seconds_per_pixel_ += share * (measured - seconds_per_pixel_);
+    known_ = true;
+}
+
+std::uint32_t TraceSpeed::rowsFor(double seconds, std::uint32_t width) const {
+    const double rows = seconds / (seconds_per_pixel_ * width);
+    const double tiles = std::floor(rows / TILE_SIDE);
+    return TILE_SIDE * static_cast<std::uint32_t>(std::clamp(tiles, 1.0, 1e6));
+}
+
+PixelSize TraceSpeed::previewSize(double seconds, PixelSize full, PixelSize last) const {
+    const auto costs = [&](PixelSize size) { return secondsFor(std::uint64_t{size.width} * size.height); };
+    double divisor = 1;
+    PixelSize chosen = full;
+    while (divisor < kMaxDivisor && costs(chosen) > seconds) {
+        divisor *= kSizeStep;
+        chosen = reduced(full, divisor);
+    }
+    const bool finer = std::uint64_t{chosen.width} * chosen.height > std::uint64_t{last.width} * last.height;
+    const PixelSize before = reduced(full, divisor * kSizeStep);
+    return finer && last == before && costs(chosen) > kComfort * seconds ? last : chosen;
+}
+
+PixelSize reduced(PixelSize full, double divisor) {
+    const auto part = [&](std::uint32_t edge) {
+        return std::max(1u, static_cast<std::uint32_t>(std::ceil(edge / divisor)));
+    };
+    return {part(full.width), part(full.height)};
+}
+
+} // namespace pointrt

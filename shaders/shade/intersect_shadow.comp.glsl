@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Intersects the shadow rays of LIST_SHADOW_RAYS, or what culling left of them, with one instance, and marks the light
+// samples that it occludes. shade_shadow adds the light of the others.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/shade/direct_light.glsl"
+#include "shaders/shade/occlusion.glsl"
+
+void main() {
+    uint entry = listEntry(balancedLane());
+    if (entry == NO_INDEX) return;
+    if (isOccluded(shadowRayOfEntry(entry)))
+        atomicOr(light_masks[pathOfEntry(entry)], 1u << lightSampleOfEntry(entry));
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Intersects the megakernel's shadow rays, which are stored with their contributions, with one instance. The last
+// instance accumulates the contributions of unoccluded rays; for culled lists accumulate_shadow does.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/shade/film.glsl"
+#include "shaders/shade/occlusion.glsl"
+#include "shaders/shade/shadow_ray.glsl"
+
+void main() {
+    uint path = listEntry(balancedLane());
+    if (path == NO_INDEX) return;
+    ShadowRay ray = loadShadowRay(path);
+    bool occluded = isOccluded(ray);
+    if (!hasStep(STEP_LAST)) {
+        if (occluded) shadow_rays[path].t_max = -1.0;
+        return;
+    }
+    if (!occluded && ray.t_max >= 0.0) accumulateLight(path, ray.light, ray.scatterings);
+}

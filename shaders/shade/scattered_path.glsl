@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Path state after scattering at a hit.
+#ifndef POINTRT_SHADERS_SCATTERED_PATH_GLSL
+#define POINTRT_SHADERS_SCATTERED_PATH_GLSL
+#include "shaders/trace/surface_interaction.glsl"
+#include "shaders/shade/make_bsdf.glsl"
+#include "shaders/trace/offset.glsl"
+#include "shaders/shade/shading.glsl"
+
+// deferred_count: deferred rays of the pixel.
+PathState scatteredPath(SurfaceInteraction point, PathState path, NextRay ray, uint deferred_count) {
+    // a transmitted ray leaves the surface on its other side
+    bool crosses = dot(point.normal, ray.direction) < 0.0;
+    float self_t;
+    vec3 side = crosses ? -point.normal : point.normal;
+    vec3 origin = offsetRayOrigin(point.position, side, point.radius, point.bits, ray.direction, self_t);
+    Material row = loadMaterial(materialOf(point));
+    uint before = path.bits;
+    uint bits = bounceOf(before) + 1u | deferred_count << PATH_DEFERRED_SHIFT | before & PATH_INSIDE |
+                point.owner << PATH_OWNER_SHIFT;
+    bool is_delta = ray.pdf == 0.0, diffused = is_delta ? (before & PATH_DIFFUSED) != 0u : gathersPhotons(row);
+    bits |= diffused ? PATH_DIFFUSED : 0u;
+    bits |= is_delta && diffused && (point.bits & SURFACE_CASTS) != 0u ? PATH_CAUSTIC : 0u;
+    bits ^= crosses && !isThin(row) ? PATH_INSIDE : 0u;
+    // the stored orientation: of two sheets close to each other, the ray can hit the other one
+    vec3 stored_normal = isBack(point) ? -point.normal : point.normal;
+    return PathState(origin, self_t, ray.direction, ray.pdf, ray.weight, 0u, stored_normal, bits);
+}
+
+#endif

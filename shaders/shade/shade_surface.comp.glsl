@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shades the hits of the ray queue (wavefront form): accumulates emission and the background, queues direct-lighting
+// queries, and queues the next rays.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/shade/continue_path.glsl"
+#include "shaders/shade/film.glsl"
+#include "shaders/lib/append.glsl"
+
+void main() {
+    uint index;
+    PathState path = currentPath(index);
+    bool live = index != NO_INDEX;
+    index = live ? index : 0u; // idle lanes take part: appending needs the whole subgroup
+    uvec4 hit = live ? loadHit(index) : kNoHit;
+    SurfaceInteraction point = findInteraction(index, path, hit);
+    uint bounce = bounceOf(path.bits);
+    bool covered = covers(point);
+    vec3 albedo = covered ? point.albedo : vec3(0.0);
+    ShadedHit shaded = shadeAt(path, point, index);
+    Shading shading = shaded.shading;
+    if (live && kCameraPass) beginSample(index, push.sample_index == 0u, shading.radiance, covered ? 1.0 : 0.0, albedo);
+    if (live && !kCameraPass) accumulateLight(index, shading.radiance, bounce);
+    bool lit = live && needsDirectLight(shading);
+    appendEntry(LIST_DIRECT_LIGHT, lit, index);
+    if (lit) light_queries[index] = lightQuery(shaded.point, -path.direction, shading.direct_weight, bounce);
+
+    PathState next;
+    if (mayHaveSecondaryRays())
+        appendRay(continuePath(path, shaded.point, shading, index, live, next), index, next);
+}

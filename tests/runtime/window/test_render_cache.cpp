@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+// Points carried from camera to camera, in scenes whose pictures are known: a wall, and a card before it.
+#include "runtime/window/live/render_cache.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "runtime/window/live/cache_update.h"
+#include "runtime/window/live/hole_filling.h"
+#include "runtime/window/live/sample_priority.h"
+
+namespace pointrt {
+namespace {
+
+constexpr PixelSize kSize{160, 96};
+constexpr float kWallAhead = 4, kCardAhead = 2, kTan = 0.5f;
+
+/// Looking along -z from (x, 0, 0).
+ViewProjection viewFrom(float x) {
+    gpu::FrameParams frame{};
+    frame.eye = {x, 0, 0};
+    frame.right = {1, 0, 0};
+    frame.up = {0, 1, 0};
+    frame.forward = {0, 0, -1};
+    frame.tan_half_fov = kTan;
+    frame.aspect = float(kSize.width) / kSize.height;
+    frame.picture_width = kSize.width;
+    frame.picture_height = kSize.height;
+    return ViewProjection(frame);
+}
+
+float pixelsPerUnit(float depth) { return kSize.height / (2 * kTan * depth); }
+
+/// The card is the square from -0.5 to 0.5 of x and y.
+bool seesCard(const ViewProjection& view, std::uint32_t pixel) {
+    const gpu::vec3 origin = view.origin(0, 0), direction = view.direction(pixel % kSize.width, pixel / kSize.width);
+    return std::abs(origin.x + kCardAhead * direction.x) < 0.5f && std::abs(kCardAhead * direction.y) < 0.5f;
+}
+
+constexpr std::uint32_t kCard = 0xFFC08040, kWall = 0xFF204060;
+
+TracedPixel traced(const ViewProjection& view, std::uint32_t pixel) {
+    const gpu::vec3 direction = view.direction(pixel % kSize.width, pixel / kSize.width);
+    const float length = std::sqrt(direction.x * direction.x + direction.y * direction.y + direction.z * direction.z);
+    const bool card = seesCard(view, pixel);
+    return {pixel, card ? kCard : kWall, (card ? kCardAhead : kWallAhead) * length, 0, !card};
+}
+
+std::vector<TracedPixel> tracedAll(const ViewProjection& view) {
+    std::vector<TracedPixel> all;
+    for (std::uint32_t pixel = 0; pixel < kSize.width * kSize.height; ++pixel) all.push_back(traced(view, pixel));
+    return all;
+}
+
+/// What is seen from x = 0, traced in frame 0.
+RenderCache pictureFromZero(ErrorMap& errors) {
+    RenderCache cache(kSize);
+    const ViewProjection view = viewFrom(0);
+    insertSamples(cache, errors, view, {}, tracedAll(view));
+    return cache;
+}
+
+TEST(ViewProjection, ProjectsMiddlesToMiddles) {
+    const ViewProjection view = viewFrom(0.3f);
+    for (std::uint32_t y : {0u, 17u, 95u})
+        for (std::uint32_t x : {0u, 80u, 159u}) {
+            const gpu::vec3 origin = view.origin(x, y), direction = view.direction(x, y);
+            const ViewProjection::Projected seen =
+                view.project({origin.x + 3 * direction.x, origin.y + 3 * direction.y, origin.z + 3 * direction.z}, 1);
+            EXPECT_NEAR(seen.x, float(x) + 0.5f, 1e-3);
+            EXPECT_NEAR(seen.y, float(y) + 0.5f, 1e-3);
+            EXPECT_NEAR(seen.depth, 3, 1e-5);
+            const ViewProjection::Projected sky = view.project(direction, 0);
+            EXPECT_NEAR(sky.x, float(x) + 0.5f, 1e-3);
+        }
+    EXPECT_LE(view.project({0, 0, 1}, 1).depth, 0) << "behind the eye";
+}
+
+TEST(ViewProjection, ProjectsInParallel) {
+    gpu::FrameParams frame{};
+    frame.right = {1, 0, 0};
+    frame.up = {0, 1, 0};
+    frame.forward = {0, 0, -1};
+    frame.half_window = 2;
+    frame.aspect = float(kSize.width) / kSize.height;
+    frame.picture_width = kSize.width;
+    frame.picture_height = kSize.height;
+    const ViewProjection view(frame);
+    for (float depth : {1.0f, 9.0f}) {
+        const ViewProjection::Projected seen = view.project({1, -1, -depth}, 1);
+        EXPECT_NEAR(seen.x, kSize.width / 2 + kSize.height / 4.0f, 1e-3);
+        EXPECT_NEAR(seen.y, kSize.height * 3 / 4.0f, 1e-3);
+    }
+}
+
+/// A plane at a known depth moves by eye / depth: each point to the pixel that it lies in, to a thousandth of one.
+TEST(RenderCache, PutsPointsWhereTheyAreSeen) {
+    ErrorMap errors(kSize);
+    RenderCache cache = pictureFromZero(errors);
+    const float eye = 0.137f, shift = eye * pixelsPerUnit(kWallAhead);
+    cache.reproject(viewFrom(eye));
+    int checked = 0;
+    for (std::uint32_t pixel = 0; pixel < kSize.width * kSize.height; ++pixel) {
+        const PixelKey key = cache.keys()[pixel];
+        if (key == kEmptyPixel || depthOf(key) < 3) continue;
+        const CachedPoint point = cache.points().at(pointOf(key));
+        const float from = point.position.x * pixelsPerUnit(kWallAhead) + kSize.width / 2.0f;
+        EXPECT_NEAR(from - std::floor(from), 0.5f, 1e-3) << "a pixel's middle when it was traced";
+        EXPECT_EQ(std::floor(from - shift), float(pixel % kSize.width));
+        ++checked;
+    }
+    EXPECT_GT(checked, 9000);
+}
+
+/// The eye moves to the right: the card covers other parts of the wall, and lays a strip bare on its right, as wide as
+/// it has moved against the wall.
+TEST(RenderCache, FindsWhatComesToLight) {
+    ErrorMap errors(kSize);
+    RenderCache cache = pictureFromZero(errors);
+    const ViewProjection moved = viewFrom(0.25f);
+    cache.reproject(moved);
+    const float strip = 0.25f * (pixelsPerUnit(kCardAhead) - pixelsPerUnit(kWallAhead)); // 6
+    ASSERT_NEAR(strip, 6, 1e-4);
+    const std::uint32_t y = kSize.height / 2;
+    std::uint32_t disocclusions = 0, card = 0;
+    for (std::uint32_t x = 20; x < kSize.width - 20; ++x) {
+        const std::uint32_t pixel = y * kSize.width + x;
+        if (cache.isEmpty(pixel)) {
+            ++disocclusions;
+            EXPECT_FALSE(seesCard(moved, pixel));
+            EXPECT_TRUE(seesCard(moved, pixel - 7)) << "beside the card's right edge";
+        } else {
+            card += cache.colors()[pixel] == kCard ? 1 : 0;
+            EXPECT_EQ(cache.colors()[pixel] == kCard, seesCard(moved, pixel)) << x;
+        }
+    }
+    EXPECT_EQ(disocclusions, 6u);
+    EXPECT_EQ(card, 48u);
+    fillHoles(cache);
+    for (std::uint32_t x = 20; x < kSize.width - 20; ++x)
+        EXPECT_EQ(cache.colors()[y * kSize.width + x] == kCard, seesCard(moved, y * kSize.width + x))
+            << "no card smeared";
+}
+
+/// Nearer, the card's points leave gaps: nothing of what is behind it is seen through them.
+TEST(RenderCache, HidesWhatIsBehindASurface) {
+    RenderCache cache(kSize);
+    ErrorMap errors(kSize);
+    const ViewProjection right = viewFrom(0.5f), left = viewFrom(0);
+    insertSamples(cache, errors, right, {}, tracedAll(right));
+    cache.reproject(left); // the wall that the card hides from here is known from there
+    std::vector<TracedPixel> card;
+    for (std::uint32_t pixel = 0; pixel < kSize.width * kSize.height; ++pixel)
+        if (seesCard(left, pixel) && pixel % 3 != 0) card.push_back(traced(left, pixel));
+    insertSamples(cache, errors, left, {}, card);
+    cache.reproject(left);
+    fillHoles(cache);
+    for (std::uint32_t pixel = 0; pixel < kSize.width * kSize.height; ++pixel) {
+        const gpu::vec3 direction = left.direction(pixel % kSize.width, pixel / kSize.width);
+        if (std::abs(kCardAhead * direction.x) < 0.45f && std::abs(kCardAhead * direction.y) < 0.45f) {
+            EXPECT_EQ(cache.colors()[pixel], kCard);
+        }
+    }
+}
+
+/// There and back again nothing has been lost or moved, though the card hid some of it meanwhile.
+TEST(RenderCache, ComesBack) {
+    ErrorMap errors(kSize);
+    RenderCache cache = pictureFromZero(errors);
+    const std::vector<std::uint32_t> before = cache.colors();
+    for (float eye : {0.01f, 0.02f, 0.05f, 0.033f, 0.0f}) cache.reproject(viewFrom(eye));
+    EXPECT_EQ(cache.colors(), before);
+    EXPECT_EQ(cache.emptyPixelCount(), 0u);
+}
+
+TEST(RenderCache, KeepsPlacesWhereLightChanges) {
+    ErrorMap errors(kSize);
+    RenderCache cache = pictureFromZero(errors);
+    const std::vector<std::uint32_t> before = cache.colors();
+    cache.invalidateLighting(false, 1);
+    cache.reproject(viewFrom(0));
+    EXPECT_EQ(cache.colors(), before) << "until it is traced anew";
+    EXPECT_EQ(cache.emptyPixelCount(), 0u);
+    for (PixelKey key : cache.keys()) {
+        const std::uint32_t info = cache.points().info[pointOf(key)];
+        EXPECT_GE((1 - info) & kPointFrameMask, 64u) << "old";
+        EXPECT_EQ(info >> kPointSamplesShift & kPointMaxSamples, 0u) << "the next sample replaces it";
+    }
+    // the wall is a shape, the card is none
+    cache.invalidateLighting(true, 2);
+    cache.reproject(viewFrom(0));
+    EXPECT_EQ(cache.emptyPixelCount(), kSize.width * kSize.height - 48 * 48);
+}
+
+TEST(RenderCache, BecomesOnePointAPixelAgain) {
+    ErrorMap errors(kSize);
+    RenderCache cache = pictureFromZero(errors);
+    gpu::FrameParams frame{};
+    const ViewProjection nearer = [&] { // twice as large
+        frame.right = {1, 0, 0};
+        frame.up = {0, 1, 0};
+        frame.forward = {0, 0, -1};
+        frame.tan_half_fov = kTan / 1.5f;
+        frame.aspect = float(kSize.width) / kSize.height;
+        frame.picture_width = kSize.width;
+        frame.picture_height = kSize.height;
+        return ViewProjection(frame);
+    }();
+    cache.reproject(nearer);
+    const std::uint32_t gaps = fillHoles(cache);
+    EXPECT_GT(gaps, kSize.width * kSize.height / 2);
+    resamplePoints(cache, nearer);
+    const std::vector<std::uint32_t> before = cache.colors();
+    cache.reproject(nearer);
+    EXPECT_LT(cache.emptyPixelCount(), kSize.width * kSize.height / 25); // at the card's edges
+    fillHoles(cache);
+    std::size_t other = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) other += before[i] != cache.colors()[i] ? 1 : 0;
+    EXPECT_LT(other, before.size() / 25);
+}
+
+TEST(ChoosePixels, TakesWhatIsNewFirstAndTheRestInTurn) {
+    ErrorMap errors(kSize);
+    RenderCache cache = pictureFromZero(errors);
+    cache.reproject(viewFrom(0.25f));
+    const std::uint32_t disocclusions = cache.emptyPixelCount();
+    ASSERT_GT(disocclusions, 500u);
+    std::vector<int> times(kSize.width * kSize.height);
+    std::uint32_t chosen = 0;
+    for (std::uint32_t frame = 1; frame <= 40; ++frame)
+        for (std::uint32_t pixel : selectPixels(cache, errors, {{80, 48}, frame, true, 400})) {
+            ++chosen;
+            ++times[pixel];
+        }
+    EXPECT_NEAR(chosen, 40 * 400, 40 * 40);
+    // one row of four has its turn in a frame
+    for (std::uint32_t pixel = 0; pixel < times.size(); ++pixel) {
+        EXPECT_GE(times[pixel], cache.isEmpty(pixel) ? 9 : 0);
+        EXPECT_LE(times[pixel], cache.isEmpty(pixel) ? 10 : 2);
+    }
+}
+
+/// Where a traced colour is another one than was shown, the tile and those beside it come first.
+TEST(ChoosePixels, GoesWhereThePictureIsWrong) {
+    ErrorMap errors(kSize);
+    RenderCache cache = pictureFromZero(errors);
+    TracedPixel shadowed = traced(viewFrom(0), 40 * kSize.width + 20);
+    shadowed.color = 0xFF000000;
+    insertSamples(cache, errors, viewFrom(0), {1}, std::vector{shadowed});
+    errors.advanceFrame();
+    std::uint32_t near = 0, all = 0;
+    for (std::uint32_t frame = 2; frame < 10; ++frame)
+        for (std::uint32_t pixel : selectPixels(cache, errors, {{80, 48}, frame, false, 200})) {
+            const int x = int(pixel % kSize.width) / 8, y = int(pixel / kSize.width) / 8;
+            near += std::abs(x - 2) <= 1 && std::abs(y - 5) <= 1 ? 1 : 0;
+            ++all;
+        }
+    EXPECT_GT(near, all / 4) << "of a thirtieth of the picture";
+}
+
+} // namespace
+} // namespace pointrt
