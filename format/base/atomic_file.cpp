@@ -3,7 +3,6 @@
 
 #include <dirent.h>
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -13,13 +12,14 @@
 #include <system_error>
 #include <utility>
 
+#include "format/base/file_lock.h"
 #include "format/base/temporary_name.h"
 
 namespace pointrt::format {
 
 namespace {
 
-constexpr mode_t kMode = 0666;                             // less the umask
+constexpr mode_t kMode = 0666;                             // reduced by the umask
 constexpr std::size_t kWriteAtOnce = std::size_t{1} << 30; // write(2) stops short of 2 GiB on Linux
 
 std::string folderOf(const std::string& path) {
@@ -46,7 +46,7 @@ std::string describe(int error) {
 
 std::string descriptorPath(int descriptor) { return "/proc/self/fd/" + std::to_string(descriptor); }
 
-/// -1 where the file system has no nameless files, or /proc is missing, through which one gets its name.
+/// -1 if the file system has no unnamed files, or without /proc, which linkat needs to name one.
 int openUnnamed(const std::string& folder) {
 #ifdef O_TMPFILE
     if (access("/proc/self/fd", X_OK) == 0) return ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, kMode);
@@ -55,9 +55,10 @@ int openUnnamed(const std::string& folder) {
     return -1;
 }
 
-/// Where path leads to: the file behind symbolic links, there or not. Empty, with errno, where they lead nowhere.
+/// The target of path behind symbolic links, which need not exist. Empty, with errno, if the links form a loop or
+/// cannot be read.
 std::string followLinks(std::string path) {
-    constexpr int kMostLinks = 40; // as many as Linux follows
+    constexpr int kMostLinks = 40; // the limit of Linux
     for (int i = 0; i < kMostLinks; ++i) {
         struct stat status;
         if (lstat(path.c_str(), &status) != 0 || !S_ISLNK(status.st_mode)) return path;
@@ -71,7 +72,7 @@ std::string followLinks(std::string path) {
     return {};
 }
 
-/// Takes away what was left of files for path: temporaries that no process has locked.
+/// Deletes temporary files that killed processes left for path: those that no process has locked.
 void removeStale(const std::string& path, const std::string& folder) {
     const std::string stem = temporaryStem(path.substr(path.rfind('/') + 1));
     DIR* const entries = opendir(folder.c_str());
@@ -80,21 +81,21 @@ void removeStale(const std::string& path, const std::string& folder) {
         if (!isTemporary(entry->d_name, stem)) continue;
         const int stale = openat(dirfd(entries), entry->d_name, O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK);
         if (stale < 0) continue;
-        if (flock(stale, LOCK_EX | LOCK_NB) == 0) unlinkat(dirfd(entries), entry->d_name, 0);
+        if (tryLock(stale) == LockResult::kLocked) unlinkat(dirfd(entries), entry->d_name, 0);
         close(stale);
     }
     closedir(entries);
 }
 
-/// from gets the name to, unless something has it. False, with errno, where it does or cannot.
-bool renameUnlessThere(const std::string& from, const std::string& to) {
+/// Renames a file unless the new name exists. False, with errno, on failure.
+bool renameWithoutReplacing(const std::string& from, const std::string& to) {
 #ifdef RENAME_NOREPLACE
     if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
-    if (errno != EINVAL && errno != ENOSYS) return false; // the file system does not know how to
+    if (errno != EINVAL && errno != ENOSYS) return false; // not supported by the file system
 #endif
     if (link(from.c_str(), to.c_str()) == 0) return unlink(from.c_str()) == 0;
     if (errno == EEXIST) return false;
-    // no links either, as on FAT: what appears between these two calls is lost
+    // no hard links either, as on FAT: a file that appears between the next two calls is replaced
     if (access(to.c_str(), F_OK) == 0) {
         errno = EEXIST;
         return false;
@@ -123,7 +124,7 @@ bool AtomicFile::open(const std::string& path, Existing existing) {
     struct stat status;
     const bool is_there = stat(path_.c_str(), &status) == 0;
     if (is_there && !S_ISREG(status.st_mode)) {
-        error_ = S_ISDIR(status.st_mode) ? "it is a folder" : "not a regular file"; // never rename over a device
+        error_ = S_ISDIR(status.st_mode) ? "it is a folder" : "not a regular file"; // never replace a device
         return false;
     }
     if (is_there && existing == Existing::kKept) return failExisting();
@@ -132,18 +133,18 @@ bool AtomicFile::open(const std::string& path, Existing existing) {
 }
 
 bool AtomicFile::openNamed() {
-    constexpr int kTries = 100; // another process may take a temporary for a stale one before it is locked
+    constexpr int kTries = 100; // another process may delete the file as stale before it is locked
     removeStale(path_, folder_);
     for (int i = 0; i < kTries; ++i) {
         temporary_ = temporaryStem(path_) + randomLetters();
         descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kMode);
         if (descriptor_ < 0 && errno == EEXIST) continue;
         if (descriptor_ < 0 && errno == ENOENT && access(folder_.c_str(), F_OK) == 0) { // as in /proc
-            error_ = "no file can be made in " + folder_;
+            error_ = "cannot create files in " + folder_;
             return false;
         }
         if (descriptor_ < 0) return fail(errno);
-        flock(descriptor_, LOCK_EX | LOCK_NB); // where there are no locks nothing is taken for stale either
+        tryLock(descriptor_); // without file locks no process deletes stale files
         struct stat status;
         named_ = fstat(descriptor_, &status) == 0 && status.st_nlink > 0;
         if (named_) return true;
@@ -164,12 +165,12 @@ bool AtomicFile::write(const void* data, std::size_t bytes) {
     return true;
 }
 
-/// Permissions, and where we may the owner, of the file that is replaced.
-void AtomicFile::takeOver() {
-    constexpr mode_t kPermissions = 0777; // no bits that lend anybody's rights
+/// Copies the permissions, and if allowed the owner, of the file that is replaced.
+void AtomicFile::copyOwnership() {
+    constexpr mode_t kPermissions = 0777; // without set-user-ID and set-group-ID
     struct stat before;
     if (stat(path_.c_str(), &before) != 0) return;
-    // who may not give files away keeps them: the content counts
+    // not allowed to change the owner: keep ours
     if (fchown(descriptor_, before.st_uid, before.st_gid) != 0) errno = 0;
     fchmod(descriptor_, before.st_mode & kPermissions);
 }
@@ -187,22 +188,22 @@ bool AtomicFile::overwrite(std::uint64_t offset, const void* data, std::size_t b
     return true;
 }
 
-/// Gives a file without a name this one, unless something has it. False, with errno, where it does or cannot.
+/// Links an unnamed file to a name unless the name exists. False, with errno, on failure.
 bool AtomicFile::link(const std::string& name) const {
     return linkat(AT_FDCWD, descriptorPath(descriptor_).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
 }
 
-/// For a moment it has a temporary name then, since a link replaces nothing.
+/// Links an unnamed file to a temporary name, since linkat cannot replace a file.
 bool AtomicFile::nameUnnamed() {
     removeStale(path_, folder_);
     temporary_ = temporaryStem(path_) + randomLetters();
-    flock(descriptor_, LOCK_EX | LOCK_NB);
+    tryLock(descriptor_);
     named_ = link(temporary_);
     return named_ || fail(errno);
 }
 
 bool AtomicFile::replace() {
-    takeOver();
+    copyOwnership();
     if (!named_ && link(path_)) return true;
     if (!named_ && errno != EEXIST) return fail(errno);
     if (!named_ && !nameUnnamed()) return false;
@@ -212,7 +213,7 @@ bool AtomicFile::replace() {
 }
 
 bool AtomicFile::appear() {
-    const bool appeared = named_ ? renameUnlessThere(temporary_, path_) : link(path_);
+    const bool appeared = named_ ? renameWithoutReplacing(temporary_, path_) : link(path_);
     if (!appeared) return errno == EEXIST ? failExisting() : fail(errno);
     named_ = false;
     return true;
@@ -221,7 +222,7 @@ bool AtomicFile::appear() {
 bool AtomicFile::commit() {
     if (fsync(descriptor_) != 0) return fail(errno);
     if (!(existing_ == Existing::kKept ? appear() : replace())) return false;
-    // the file is in place: what fails from here on could not be undone and only weakens safety against power loss
+    // the file is in place; a failure from here on only weakens safety against power loss
     const int folder = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (folder >= 0) {
         fsync(folder);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A file that appears complete under its name, or not at all.
+// Atomically written files: they appear complete under their name, or not at all.
 #pragma once
 
 #include <cstddef>
@@ -8,16 +8,16 @@
 
 namespace pointrt::format {
 
-/// What becomes of a file that has the name already when the new one is complete.
+/// What happens to an existing file of the same name.
 enum class Existing {
-    kReplaced, ///< its permissions, and where that is allowed its owner, are the new one's
-    kKept      ///< the new one fails, whoever made the other one and whenever
+    kReplaced, ///< the new file gets its permissions and, if allowed, its owner
+    kKept      ///< the new file fails, even if the other one appears just before commit
 };
 
-/// Where the file system allows it, the file has no name until commit, so that not even SIGKILL leaves anything behind.
-/// Elsewhere, and for the moment in which it replaces another one, it is PATH.tmp-XXXXXXXX, locked, and the next one of
-/// PATH that takes such a name removes what a killed process has left of those. Without commit the destructor removes
-/// it. Where path is a symbolic link, the file is the one it leads to, and the link stays.
+/// The file has no name until commit, so even SIGKILL leaves nothing behind. On file systems without unnamed files, and
+/// for the moment of replacing another file, it is PATH.tmp-XXXXXXXX and locked; the next AtomicFile that needs such a
+/// name for PATH deletes unlocked ones, which killed processes left. The destructor deletes a file without commit. If
+/// path is a symbolic link, the file is its target, and the link stays.
 class AtomicFile {
 public:
     AtomicFile() = default;
@@ -25,22 +25,21 @@ public:
     AtomicFile& operator=(const AtomicFile&) = delete;
     ~AtomicFile();
 
-    /// Each returns false on failure, and error() then says why in a few words. After a failure only the
-    /// destructor may follow.
+    /// All return false on failure; error() then has the reason. After a failure only the destructor may follow.
     bool open(const std::string& path, Existing existing = Existing::kReplaced);
     bool write(const void* data, std::size_t bytes);
-    /// In place of bytes that were written before.
+    /// Replaces bytes written before.
     bool overwrite(std::uint64_t offset, const void* data, std::size_t bytes);
     bool commit(); ///< syncs, gives the file its name, syncs the folder
 
     const std::string& error() const { return error_; }
-    /// Whether it failed because a file has the name already: Existing::kKept.
+    /// Whether it failed because the file exists (Existing::kKept).
     bool nameIsTaken() const { return name_is_taken_; }
 
 private:
     bool fail(int error);
     bool failExisting() {
-        error_ = "exists already";
+        error_ = "already exists";
         name_is_taken_ = true;
         return false;
     }
@@ -49,7 +48,7 @@ private:
     bool nameUnnamed();
     bool replace();
     bool appear();
-    void takeOver();
+    void copyOwnership();
 
     std::string path_, folder_, temporary_, error_;
     Existing existing_ = Existing::kReplaced;

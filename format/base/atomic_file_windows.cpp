@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The file is PATH.tmp-XXXXXXXX until commit. Nobody can delete it while it is open, so that one which can be deleted
-// is what a killed process has left.
+// The file is PATH.tmp-XXXXXXXX until commit. Windows does not delete open files, so one that can be deleted was left
+// by a killed process.
 #include <fcntl.h>
 #include <io.h>
 #include <share.h>
@@ -89,7 +89,7 @@ bool AtomicFile::overwrite(std::uint64_t offset, const void* data, std::size_t b
 
 bool AtomicFile::commit() {
     if (_commit(descriptor_) != 0) return fail(errno);
-    _close(std::exchange(descriptor_, -1)); // what is open has its name for good
+    _close(std::exchange(descriptor_, -1)); // an open file cannot be renamed
     const DWORD flags = MOVEFILE_WRITE_THROUGH | (existing_ == Existing::kReplaced ? MOVEFILE_REPLACE_EXISTING : 0);
     if (MoveFileExW(widePath(temporary_).c_str(), widePath(path_).c_str(), flags) == 0) {
         const DWORD error = GetLastError();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The directions that have a name: what --up and scene files take, and reports tell.
+// Names of the axis directions in --up, scene files and reports.
 #pragma once
 
 #include <array>
@@ -15,14 +15,14 @@ struct NamedAxis {
 inline constexpr std::array<NamedAxis, 6> kNamedAxes = {
     {{"x", {1, 0, 0}}, {"y", {0, 1, 0}}, {"z", {0, 0, 1}}, {"-x", {-1, 0, 0}}, {"-y", {0, -1, 0}}, {"-z", {0, 0, -1}}}};
 
-/// Nothing for other words.
+/// Nothing for other names.
 inline std::optional<std::array<double, 3>> directionNamed(std::string_view word) {
     for (const NamedAxis& axis : kNamedAxes)
         if (word == axis.name) return axis.direction;
     return std::nullopt;
 }
 
-/// The other way round; "" for what is none of these.
+/// "" for directions without a name.
 inline const char* nameOfDirection(const std::array<double, 3>& direction) {
     for (const NamedAxis& axis : kNamedAxes)
         if (direction == axis.direction) return axis.name;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How our programs fail: one line and an exit code.
+// Errors of the command line tools: one line and an exit code.
 #pragma once
 
 #include <stdexcept>
@@ -9,16 +9,16 @@
 
 namespace pointrt {
 
-/// Exit codes of pointrt-bake, pointrt-view and pointrt-info.
+/// Exit codes of all tools.
 enum class ExitCode { kDone = 0, kBadInput = 1, kBadUsage = 2, kCannotRun = 3, kCannotWrite = 4 };
 
-/// Thrown anywhere, caught once in runTool. what() is "FILE[:PLACE]: reason", without the tool's name.
+/// Thrown anywhere, caught in runTool. what() is "FILE[:PLACE]: reason" without the name of the tool.
 struct Error : std::runtime_error {
     ExitCode code;
     Error(ExitCode exit_code, const std::string& message) : std::runtime_error(message), code(exit_code) {}
 };
 
-/// The exit code of a program that ends because the format's library said no.
+/// The exit code for a result of the format library.
 inline ExitCode exitCodeOf(pro_result result) {
     switch (result) {
     case PRO_OK:

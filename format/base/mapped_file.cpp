@@ -26,10 +26,10 @@ bool MappedFile::fail(int error) {
     return fail(std::generic_category().message(error));
 }
 
-void MappedFile::letGo() const { madvise(const_cast<std::byte*>(data_), size_, MADV_DONTNEED); }
+void MappedFile::dropPages() const { madvise(const_cast<std::byte*>(data_), size_, MADV_DONTNEED); }
 
 bool MappedFile::map(const char* path) {
-    // O_NONBLOCK: a named pipe must be refused, not waited for
+    // O_NONBLOCK: opening a named pipe must not wait for a writer
     const int descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor < 0) return fail(errno);
     struct stat status;
@@ -50,7 +50,7 @@ bool MappedFile::map(const char* path) {
     if (mapped == MAP_FAILED) return fail(map_error);
     data_ = static_cast<const std::byte*>(mapped);
     size_ = static_cast<std::size_t>(status.st_size);
-    madvise(mapped, size_, MADV_WILLNEED); // validation reads all of it; a refusal only costs time
+    madvise(mapped, size_, MADV_WILLNEED); // validation reads it all; failure only costs time
     return true;
 }
 

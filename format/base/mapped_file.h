@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A whole file in memory, read-only.
+// Read-only memory-mapped files.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace pointrt::format {
 
-/// Unmaps when destroyed. The bytes change if another process writes into the file, and reading past a file that
-/// was cut short raises SIGBUS (see prepareProcess): .pro files are replaced by renaming, never written in place.
+/// Unmaps when destroyed. The bytes change if another process writes to the file, and reading past the end of a file
+/// truncated later raises SIGBUS (see prepareProcess). .pro files are replaced by renaming, never written in place.
 class MappedFile {
 public:
     MappedFile() = default;
@@ -17,15 +17,15 @@ public:
     MappedFile& operator=(const MappedFile&) = delete;
     ~MappedFile();
 
-    /// Maps path once. Returns false for what is no regular file or is empty, and error() then says why in a few words.
+    /// Maps path; call it once. Returns false if path is empty or not a regular file; error() then has the reason.
     bool map(const char* path);
 
     const std::string& error() const { return error_; }
-    /// Whether it was memory that map lacked: then the file is not to blame.
+    /// Whether map failed for lack of memory.
     bool outOfMemory() const { return out_of_memory_; }
 
-    /// Takes the pages out of this process's memory, though not out of the file cache; they come back when touched.
-    void letGo() const;
+    /// Drops the pages from the memory of this process, not from the file cache; reading them maps them again.
+    void dropPages() const;
 
     std::span<const std::byte> bytes() const { return {data_, size_}; }
 

@@ -18,11 +18,13 @@ bool MappedFile::fail(int error) {
     return fail(windowsReason(static_cast<DWORD>(error)));
 }
 
-void MappedFile::letGo() const { VirtualUnlock(const_cast<std::byte*>(data_), size_); } // pages that nobody has locked
+void MappedFile::dropPages() const {
+    VirtualUnlock(const_cast<std::byte*>(data_), size_);
+} // of unlocked pages: removes them from the working set
 
 bool MappedFile::map(const char* path) {
-    const DWORD others_may = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
-    const HANDLE file = CreateFileW(widePath(path).c_str(), GENERIC_READ, others_may, nullptr, OPEN_EXISTING,
+    const DWORD sharing = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
+    const HANDLE file = CreateFileW(widePath(path).c_str(), GENERIC_READ, sharing, nullptr, OPEN_EXISTING,
                                     FILE_ATTRIBUTE_NORMAL, nullptr);
     if (file == INVALID_HANDLE_VALUE) return fail(static_cast<int>(GetLastError()));
     LARGE_INTEGER bytes{};
@@ -31,7 +33,7 @@ bool MappedFile::map(const char* path) {
     if (regular && bytes.QuadPart > 0) mapping = CreateFileMappingW(file, nullptr, PAGE_READONLY, 0, 0, nullptr);
     if (mapping) data_ = static_cast<const std::byte*>(MapViewOfFile(mapping, FILE_MAP_READ, 0, 0, 0));
     const auto error = static_cast<int>(GetLastError());
-    if (mapping) CloseHandle(mapping); // the view keeps it
+    if (mapping) CloseHandle(mapping); // the view keeps the mapping alive
     CloseHandle(file);
     if (!regular) return fail("not a regular file");
     if (bytes.QuadPart == 0) return fail("the file is empty");

@@ -11,7 +11,7 @@ namespace pointrt {
 
 namespace {
 
-/// Number of characters to change, add or take away (Levenshtein 1966).
+/// Characters to replace, insert or delete (Levenshtein 1966).
 std::size_t editDistance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
@@ -30,7 +30,7 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 } // namespace
 
 std::string_view nearestName(std::string_view text, std::span<const std::string_view> names) {
-    constexpr std::size_t longest = 64; // of a text that can be near a name at all
+    constexpr std::size_t longest = 64; // longer than any name
     if (text.size() > longest) return {};
     std::size_t least = (text.size() + 2) / 3 + 1;
     std::string_view nearest;
@@ -38,7 +38,7 @@ std::string_view nearestName(std::string_view text, std::span<const std::string_
         const std::size_t distance = editDistance(text, name);
         if (distance < least) std::tie(least, nearest) = std::tie(distance, name);
     }
-    if (!nearest.empty() || text.size() < 2) return nearest; // of one letter many names begin
+    if (!nearest.empty() || text.size() < 2) return nearest; // a single letter starts many names
     const auto longer = std::find_if(names.begin(), names.end(), [&](auto name) { return name.starts_with(text); });
     return longer == names.end() ? std::string_view() : *longer;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which of several names a mistyped one is meant to be.
+// "Did you mean": the closest of several names.
 #pragma once
 
 #include <span>
@@ -7,8 +7,8 @@
 
 namespace pointrt {
 
-/// The one of names that is nearest to text by the number of characters to change, add or take away; where none is
-/// near, the first that begins with text. "" where there is none of these either. Near is up to a third of text.
+/// The name with the smallest edit distance to text, at most a third of its length; else the first name that starts
+/// with text; else "".
 std::string_view nearestName(std::string_view text, std::span<const std::string_view> names);
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The types of numbers in files as types of C++.
+// PRO_TYPE_* as C++ types and as names.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace pointrt {
 
-/// Calls use(a value of the C++ type) for a type that there is.
+/// Calls use(a value of the C++ type). @param type a valid PRO_TYPE_*
 template <typename Use>
 auto withType(std::uint32_t type, const Use& use) {
     switch (type) {
@@ -35,7 +35,7 @@ auto withType(std::uint32_t type, const Use& use) {
     }
 }
 
-/// The word for a PRO_TYPE_*: "uint16"; "unknown" for what is none.
+/// The name of a PRO_TYPE_*, such as "uint16"; "unknown" for other numbers.
 inline const char* typeName(std::uint32_t type) {
     constexpr const char* kNames[] = {"int8",   "uint8", "int16",  "uint16", "int32",
                                       "uint32", "int64", "uint64", "float",  "double"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Work on all cores.
+// Parallel loops.
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,9 @@
 
 namespace pointrt {
 
-/// Runs work(k) for k in [0, count), in any order; rethrows the first exception. Where no more threads can be had,
-/// those there are do it all.
-/// @param threads at most so many, this one among them; 0 is all cores
+/// Calls work(k) for k in [0, count) in any order; rethrows the first exception. If starting a thread fails, the
+/// threads that run do all the work.
+/// @param threads maximum number, including this one; 0: one per core
 template <typename Work>
 void forAll(std::size_t count, const Work& work, std::size_t threads = 0) {
     std::atomic<std::size_t> next{0};

@@ -9,13 +9,13 @@ namespace pointrt {
 
 namespace {
 
-/// A character of UTF-8: its code point and bytes; 0 bytes where the text does not begin with one.
+/// A UTF-8 character: its code point and length; 0 bytes if invalid.
 struct Character {
     std::uint32_t code = 0;
     std::size_t bytes = 0;
 };
 
-/// Unicode 15, table 3-7: no surrogates, nothing longer than need be.
+/// Unicode 15, table 3-7: no surrogates, no overlong sequences.
 Character firstCharacter(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])); };
     const std::uint32_t lead = byte(0);
@@ -32,8 +32,8 @@ Character firstCharacter(std::string_view text) {
     return {code, bytes};
 }
 
-/// Control characters of ASCII and Latin-1, and those of Unicode that are not seen themselves but change how the others
-/// are: zero width, line and paragraph ends, marks and overrides of direction, tags.
+/// Control characters of ASCII and Latin-1, and invisible Unicode characters: zero width, line and paragraph
+/// separators, direction marks and overrides, tags.
 bool isHidden(std::uint32_t code) {
     struct Range {
         std::uint32_t first, last;

@@ -3,12 +3,10 @@
 
 #include <fcntl.h>
 #include <signal.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -22,11 +20,11 @@ namespace {
 
 const char* running_tool = "pointrt";
 
-// Below is what runs within a signal handler: no memory is asked for, nothing is locked.
+// The functions below run in signal handlers: they neither allocate nor lock.
 
 /// A line of /proc/self/maps: FIRST-LAST PERMISSIONS OFFSET DEVICE INODE      PATH
 struct MapsLine {
-    static constexpr int kBytes = 4096 + 128; // PATH_MAX, and what stands before it
+    static constexpr int kBytes = 4096 + 128; // PATH_MAX and the fields before it
     char text[kBytes];
     int length = 0;
 };
@@ -41,7 +39,7 @@ std::uintptr_t readHex(const char*& at) {
     }
 }
 
-/// The path in a line whose mapping holds address, is read-only and of a file; null where it is another one.
+/// The path in a line if it is a read-only file mapping that contains address; else null.
 const char* fileOfLine(MapsLine& line, std::uintptr_t address) {
     line.text[line.length] = 0;
     const char* at = line.text;
@@ -52,10 +50,10 @@ const char* fileOfLine(MapsLine& line, std::uintptr_t address) {
     return std::strchr(at, '/'); // device and inode are numbers
 }
 
-/// Calls use(path) where address is of a mapped file.
+/// Calls use(path) if address lies in a read-only mapped file.
 template <typename Use>
 void withMappedFile(std::uintptr_t address, const Use& use) {
-    static MapsLine line; // too large for the stack of a signal
+    static MapsLine line; // too large for the stack of a signal handler
     line.length = 0;
     const int maps = ::open("/proc/self/maps", O_RDONLY | O_CLOEXEC);
     if (maps < 0) return;
@@ -73,12 +71,12 @@ void withMappedFile(std::uintptr_t address, const Use& use) {
 }
 
 void writeAll(const char* text, std::size_t bytes) {
-    if (::write(STDERR_FILENO, text, bytes) < 0) return; // there is nobody left to tell
+    if (::write(STDERR_FILENO, text, bytes) < 0) return; // nothing else to report it to
 }
 
 void writeWord(const char* text) { writeAll(text, std::strlen(text)); }
 
-/// As printable does, in as few words as fit here.
+/// A short form of printable() that may run in a signal handler.
 void writePath(const char* path) {
     for (; *path; ++path) {
         const char shown = static_cast<unsigned char>(*path) < ' ' || *path == 0x7F ? '?' : *path;
@@ -86,49 +84,40 @@ void writePath(const char* path) {
     }
 }
 
-/// Several threads may come here at once: the first one goes on, and the process ends with it.
-void goAlone(std::atomic_flag& gone) {
-    while (gone.test_and_set()) pause();
+/// Lets the first thread continue and stops all others; the process ends with the first one.
+void enterOnce(std::atomic_flag& entered) {
+    while (entered.test_and_set()) pause();
 }
 
 void onBusError(int number, siginfo_t* info, void*) {
-    static std::atomic_flag told;
-    goAlone(told); // all who read a file that is cut short
+    static std::atomic_flag reported;
+    enterOnce(reported); // all threads that read the file fail at once
     if (info->si_code == BUS_ADRERR)
         withMappedFile(reinterpret_cast<std::uintptr_t>(info->si_addr), [](const char* path) {
             writeWord(running_tool);
             writeWord(": error: ");
             writePath(path);
-            writeWord(": was cut short while it was read, or its disk fails\n");
+            writeWord(": was truncated while being read, or its disk failed\n");
             _exit(static_cast<int>(ExitCode::kBadInput));
         });
-    signal(number, SIG_DFL); // no file of ours: the instruction runs again and ends the process
+    signal(number, SIG_DFL); // not one of our files: the instruction runs again and ends the process
 }
 
-/// How large the process may become, for the message: there is no asking then.
-char address_limit[64] = "";
+std::terminate_handler default_terminate = nullptr;
 
-[[noreturn]] void tellOfLackOfMemory() {
-    static std::atomic_flag told;
-    goAlone(told);
-    writeWord(running_tool);
-    writeWord(": error: crashed, most likely for lack of memory: ulimit -v allows ");
-    writeWord(address_limit);
-    writeWord(" MiB, and not every library looks whether it got what it asked for\n");
-    _exit(static_cast<int>(ExitCode::kCannotRun));
-}
-
-void onCrash(int, siginfo_t*, void*) { tellOfLackOfMemory(); }
-
-/// A driver's own threads have nobody to catch what they throw.
+/// Reports std::bad_alloc of threads without runTool, such as a driver's own; other exceptions end in a crash.
 [[noreturn]] void onTerminate() {
     try {
         if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
     } catch (const std::bad_alloc&) {
-        tellOfLackOfMemory();
+        static std::atomic_flag reported;
+        enterOnce(reported);
+        writeWord(running_tool);
+        writeWord(": error: out of memory\n");
+        _exit(static_cast<int>(ExitCode::kCannotRun));
     } catch (...) {
     }
-    signal(SIGABRT, SIG_DFL); // another reason
+    default_terminate();
     std::abort();
 }
 
@@ -137,17 +126,6 @@ void handle(int number, void (*handler)(int, siginfo_t*, void*)) {
     action.sa_sigaction = handler;
     action.sa_flags = static_cast<int>(SA_SIGINFO);
     sigaction(number, &action, nullptr);
-}
-
-/// Mesa's drivers use memory without looking whether there was any, or free twice what they had before the lack: the C
-/// library aborts then.
-void blameAddressLimit() {
-    rlimit limit{};
-    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
-    std::snprintf(address_limit, sizeof address_limit, "%llu", static_cast<unsigned long long>(limit.rlim_cur >> 20));
-    handle(SIGSEGV, onCrash);
-    handle(SIGABRT, onCrash);
-    std::set_terminate(onTerminate);
 }
 
 } // namespace
@@ -159,7 +137,7 @@ void prepareProcess(const char* tool_name) {
             if (::open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) break;
     signal(SIGXFSZ, SIG_IGN);
     handle(SIGBUS, onBusError);
-    blameAddressLimit();
+    default_terminate = std::set_terminate(onTerminate);
 }
 
 void keepWorkingWithoutReaders() { signal(SIGPIPE, SIG_IGN); }

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where reports for programs go: a file, standard output, a pipe.
+// Writes reports to a file, standard output or a pipe.
 #pragma once
 
 #include <string>
 
 namespace pointrt {
 
-/// Writes text to path, whole or not at all, replacing what is there; "-" is standard output. Pipes and devices are
-/// written to as they are. Throws Error kCannotWrite "PATH: reason".
+/// Writes text to path atomically, replacing an existing file; "-" is standard output. Writes to pipes and devices
+/// directly. Throws Error kCannotWrite "PATH: reason".
 void writeReport(const std::string& path, const std::string& text);
 
-/// Throws as writeReport does where that is sure to fail. To be asked before long work.
+/// Throws like writeReport if that is sure to fail. To be called before long work.
 void requireReportWritable(const std::string& path);
 
 } // namespace pointrt

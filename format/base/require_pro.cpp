@@ -20,10 +20,10 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::string_view_literals;
 
-/// What people keep beside their .pro files. bakes: whether to try pointrt-bake, which knows best what it reads.
+/// A kind of file that users have beside .pro files.
 struct Kind {
-    std::string_view sign, title;
-    bool bakes = true;
+    std::string_view signature, title; ///< first bytes, or suffix
+    bool can_bake = true;              ///< advise pointrt-bake, which decides what it can read
 };
 constexpr std::array kFirstBytes = {Kind{"ply\n"sv, "PLY"},
                                     Kind{"ply\r"sv, "PLY"},
@@ -51,7 +51,7 @@ constexpr std::array kSuffixes = {Kind{".xyz"sv, "points as text"},
                                   Kind{".toml"sv, "a scene file, which pointrt-view takes", false}};
 
 std::string firstBytes(const std::string& path) {
-    std::array<char, 16> bytes{}; // the longest sign has 10
+    std::array<char, 16> bytes{}; // the longest signature has 10
     std::ifstream file(path, std::ios::binary);
     file.read(bytes.data(), bytes.size());
     return {bytes.data(), static_cast<std::size_t>(file.gcount())};
@@ -69,25 +69,25 @@ std::string lowerSuffix(const fs::path& path) {
     return suffix;
 }
 
-/// Null where it looks like nothing in particular.
+/// Null if unknown.
 const Kind* kindOf(const std::string& path, const std::string& bytes) {
     const std::string suffix = lowerSuffix(path);
     const auto first = std::find_if(kFirstBytes.begin(), kFirstBytes.end(),
-                                    [&](const Kind& kind) { return bytes.starts_with(kind.sign); });
+                                    [&](const Kind& kind) { return bytes.starts_with(kind.signature); });
     if (first != kFirstBytes.end()) return &*first;
     const auto second =
-        std::find_if(kSuffixes.begin(), kSuffixes.end(), [&](const Kind& kind) { return suffix == kind.sign; });
+        std::find_if(kSuffixes.begin(), kSuffixes.end(), [&](const Kind& kind) { return suffix == kind.signature; });
     return second == kSuffixes.end() ? nullptr : &*second;
 }
 
-/// The .pro that belongs beside a scan; "" for what has a .pro's name already.
+/// The .pro name for a scan; "" if it is named .pro already.
 std::string proBeside(fs::path path) {
     if (lowerSuffix(path) == ".gz") path.replace_extension();
     if (lowerSuffix(path) == ".pro") return {};
     return path.replace_extension(".pro").string();
 }
 
-/// As a shell takes it; "" for what nobody should paste.
+/// Quoted for a shell; "" if it has control characters or quotes.
 std::string shellWord(const std::string& path) {
     constexpr std::string_view kPlain = "_./-+,:@%=";
     const auto plain = [&](unsigned char c) {
@@ -105,7 +105,7 @@ std::string bakeCommand(const std::string& path) {
 }
 
 std::string advice(const std::string& path, const Kind* kind, const std::string& aside) {
-    if (kind && !kind->bakes) return {};
+    if (kind && !kind->can_bake) return {};
     const std::string baked = proBeside(path);
     if (!baked.empty() && beginsAsPro(baked)) return "; did you mean " + baked + "?";
     return std::string(kind ? "; " : "; if it is a scan, ") + "bake it first" + aside + ": " + bakeCommand(path);

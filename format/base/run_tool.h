@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one place where a program's errors become a line and an exit code.
+// Turns the exceptions of a tool into an error line and an exit code.
 #pragma once
 
 #include <cstdio>
@@ -14,7 +14,7 @@
 
 namespace pointrt {
 
-/// Runs body() -> int and turns exceptions into the one-line errors and exit codes of the contract.
+/// Runs body() -> int; exceptions become one line on stderr and an exit code.
 template <typename Body>
 int runTool(const char* tool_name, Body&& body) {
     prepareProcess(tool_name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// So that nothing that is written lands on what is read.
+// Keeps outputs from overwriting inputs.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace pointrt {
 
-/// Whether two paths name one file, by whatever links; also where it is not there yet.
+/// Whether two paths lead to one file, through any links. The file need not exist.
 inline bool isSameFile(const std::string& a, const std::string& b) {
     std::error_code ignored;
     return std::filesystem::equivalent(a, b, ignored) ||

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a file is called before it has its name: PATH.tmp-XXXXXXXX.
+// Names of temporary files: PATH.tmp-XXXXXXXX.
 #pragma once
 
 #include <random>
@@ -21,7 +21,7 @@ inline std::string randomLetters() {
     return word;
 }
 
-/// A temporary of the file with this stem.
+/// Whether name is a temporary name with this stem.
 inline bool isTemporary(std::string_view name, std::string_view stem) {
     if (!name.starts_with(stem)) return false;
     const std::string_view word = name.substr(stem.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long work will still take, for people who wait for it.
+// Estimates the remaining time of long work.
 #pragma once
 
 #include <optional>
@@ -7,23 +7,23 @@
 
 namespace pointrt {
 
-/// Goes by the share of the work that is done. What it says runs down like a clock and is drawn to the newest estimate
-/// a little at a time, so that a stage that is slower than was thought does not make it jump.
+/// Extrapolates from the fraction of work done. The estimate counts down like a clock and approaches the newest
+/// extrapolation gradually, so that a stage slower than expected does not make it jump.
 class TimeLeft {
 public:
-    /// @param elapsed_s since the work began, never less than before
-    /// @param share of the work that is done, 0 to 1
-    /// @return seconds; nothing in the first seconds and percents, which tell little
+    /// @param elapsed_s since the start, not decreasing
+    /// @param share fraction of the work done, 0 to 1
+    /// @return seconds; nothing during the first 2 s and 2 % of the work
     std::optional<double> update(double elapsed_s, double share);
 
 private:
     std::optional<double> left_s_;
-    double asked_s_ = 0; ///< when left_s_ was right
+    double updated_s_ = 0; ///< time of left_s_
 };
 
 /// "12 s", "3 min 05 s", "2 h 10 min".
 std::string durationText(double seconds);
-/// ", 8 s left", never less than one second; "" where nothing is known
+/// ", 8 s left", at least one second; "" without an estimate
 std::string leftText(std::optional<double> seconds);
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names that fit into a field and that no other has.
+// Unique names of limited length.
 #pragma once
 
 #include <cstddef>
@@ -7,15 +7,16 @@
 
 namespace pointrt {
 
-/// Of a UTF-8 text at most so many bytes, without half a character at their end.
+/// UTF-8 text truncated to at most this many bytes, at a character boundary.
 inline std::string cutTo(std::string text, std::size_t bytes) {
     if (text.size() <= bytes) return text;
-    while (bytes > 0 && (static_cast<unsigned char>(text[bytes]) & 0xC0) == 0x80) --bytes; // 10xxxxxx continue one
+    while (bytes > 0 && (static_cast<unsigned char>(text[bytes]) & 0xC0) == 0x80)
+        --bytes; // 10xxxxxx: continuation bytes
     text.resize(bytes);
     return text;
 }
 
-/// name cut to so many bytes or, where isTaken(that) holds, the first of NAME_2, NAME_3 ... of which it does not.
+/// name truncated to this many bytes, or the first of NAME_2, NAME_3 ... for which isTaken is false.
 template <typename IsTaken>
 std::string uniqueName(const std::string& name, std::size_t bytes, const IsTaken& isTaken) {
     std::string unique = cutTo(name, bytes);

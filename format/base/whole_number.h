@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole numbers of JSON that may be anybody's.
+// Range-checked integers from untrusted JSON.
 #pragma once
 
 #include <concepts>
@@ -10,8 +10,8 @@
 
 namespace pointrt {
 
-/// The whole number that a value is; nothing where it is none, or one that Whole cannot hold: get() casts, which a
-/// float beyond its range leaves undefined.
+/// The integer in a JSON value; nothing if it is not an integer or out of the range of Whole. get() alone would cast,
+/// which is undefined for floats out of range.
 template <std::integral Whole, typename Json>
 std::optional<Whole> wholeNumberIn(const Json& value) {
     const bool fits = value.is_number_unsigned()  ? std::in_range<Whole>(value.template get<std::uint64_t>())
@@ -21,11 +21,11 @@ std::optional<Whole> wholeNumberIn(const Json& value) {
     return value.template get<Whole>();
 }
 
-/// The same. Throws Json::exception where there is none, as for other values that are not what they should be.
+/// The same, but throws Json::exception, as nlohmann::json does for values of the wrong type.
 template <std::integral Whole, typename Json>
 Whole wholeNumber(const Json& value) {
     const std::optional<Whole> number = wholeNumberIn<Whole>(value);
-    if (!number) throw Json::out_of_range::create(406, "no whole number, or out of range", &value);
+    if (!number) throw Json::out_of_range::create(406, "not an integer, or out of range", &value);
     return *number;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Paths and errors as Windows has them; text is UTF-8 everywhere else.
+// UTF-8 paths and errors for the Windows API.
 #pragma once
 
 #ifndef WIN32_LEAN_AND_MEAN
@@ -15,7 +15,7 @@
 
 namespace pointrt::format {
 
-/// Empty where path is no UTF-8.
+/// Empty if path is not UTF-8.
 inline std::wstring widePath(const std::string& path) {
     const int bytes = static_cast<int>(path.size());
     const int length = MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, path.data(), bytes, nullptr, 0);

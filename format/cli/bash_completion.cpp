@@ -14,7 +14,7 @@ std::string suffixPattern(const std::string& suffix) {
     return pattern;
 }
 
-/// A command that puts what a value can be into COMPREPLY.
+/// A command that adds the candidates for a value to COMPREPLY.
 std::string candidates(const ValueText& value, const std::string& tool) {
     std::string text;
     if (!value.words.empty()) text += "_" + tool + "_words " + inShellQuotes(joinedWords(value.words, " "), "'\\''");
@@ -31,7 +31,7 @@ std::string longNames(const CommandText& command) {
     return names;
 }
 
-/// A function for the words behind the name of a command.
+/// A function that completes the words after the name of a command.
 std::string function(const CommandText& command, const std::string& tool) {
     std::string cases;
     for (const OptionText& option : command.options) {
@@ -57,7 +57,7 @@ std::string commandFunctions(const CommandText& command, const std::string& tool
            "'; return ;;\n    esac\n    case ${COMP_WORDS[1]} in\n" + cases + "    esac\n}\n";
 }
 
-/// With @ for the tool's name. --option=VALUE comes as three words.
+/// @ is replaced by the tool's name. Bash splits --option=VALUE into three words.
 constexpr const char* kHelpers = R"(
 _@_words() {
     mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -W "$1" -- "$current")

@@ -6,18 +6,18 @@ namespace {
 
 std::string quoted(const std::string& text) { return inShellQuotes(escaped(text, "\\"), "\\'"); }
 
-/// What stands behind -a: files with these suffixes, and folders.
+/// The argument of -a: files with these suffixes, and folders.
 std::string fileCandidates(const ValueText& value, const std::string& tool) {
     return "(__" + tool + "_files " + joinedWords(value.suffixes, " ") + ")";
 }
 
-/// The flags that say what a value is.
+/// The flags that describe the values of an option.
 std::string valueFlags(const ValueText& value, const std::string& tool) {
     if (value.is_file) return value.suffixes.empty() ? " -r -F" : " -x -a " + quoted(fileCandidates(value, tool));
     return value.words.empty() ? " -x" : " -x -a " + quoted(joinedWords(value.words, " "));
 }
 
-/// @param start "complete -c TOOL", and when
+/// @param start "complete -c TOOL", and its condition
 std::string optionLine(const OptionText& option, const std::string& tool, const std::string& start) {
     return start + (option.short_name.empty() ? "" : " -s " + option.short_name.substr(1)) + " -l " +
            option.long_name.substr(2) + (option.takesValue() ? valueFlags(option.value, tool) : "") + " -d " +
@@ -32,7 +32,7 @@ std::string commandLines(const CommandText& command, const std::string& tool, co
     return text;
 }
 
-/// With @ for the tool's name; --option=VALUE is one word.
+/// @ is replaced by the tool's name. --option=VALUE is one word.
 constexpr const char* kFiles = R"(
 function __@_files
     set -l word (string replace -r '^--[^=]*=' '' -- (commandline -ct))

@@ -4,7 +4,7 @@
 namespace pointrt {
 namespace {
 
-/// The action of an argument of _arguments: words, files, or a blank, which offers nothing.
+/// The action of an argument of _arguments: words, files, or a space for no candidates.
 std::string action(const ValueText& value) {
     if (value.is_file) {
         std::string pattern;
@@ -15,7 +15,7 @@ std::string action(const ValueText& value) {
     return value.words.empty() ? " " : "(" + escaped(joinedWords(value.words, " "), ":\\") + ")";
 }
 
-/// A word of _arguments, quoted.
+/// A quoted argument of _arguments.
 std::string argument(const std::string& text) { return inShellQuotes(text, "'\\''"); }
 
 std::string valueSpec(const ValueText& value) { return ":" + escaped(value.placeholder, ":\\") + ":" + action(value); }
@@ -33,7 +33,7 @@ std::string optionSpec(const OptionText& option) {
            "}" + argument(rest);
 }
 
-/// What completes the words behind the name of a command.
+/// A call that completes the words after the name of a command.
 std::string argumentsCall(const CommandText& command, const std::string& indent) {
     std::string text = indent + "_arguments -s -S";
     for (const OptionText& option : command.options) text += " \\\n" + indent + "    " + optionSpec(option);

@@ -12,7 +12,7 @@
 
 #include "format/base/error.h"
 #include "format/base/parallel.h"
-#include "format/index/cell_meeting.h"
+#include "format/index/cell_overlap.h"
 #include "format/index/cell_runs.h"
 #include "format/index/node_walk.h"
 #include "pointrt/pro_index_layout.h"
@@ -21,46 +21,46 @@ namespace pointrt {
 
 namespace {
 
-/// Lists of scans come to 10 numbers a splat, of very uneven ones to 130. Many more are a file's that is made to fill
-/// memory, and a coarser grid will do.
-constexpr std::size_t kListedEach = 1024, kListedAlways = std::size_t{1} << 24;
+/// Lists of scans have 10 numbers per splat, those of very unevenly sampled ones 130. Only hostile files have many
+/// more, and a coarser grid serves them.
+constexpr std::size_t kListedPerSplat = 1024, kListedMin = std::size_t{1} << 24;
 
-/// Nodes are handed to the threads in runs this long.
+/// Nodes per run, the unit of work of a thread.
 constexpr std::size_t kRunNodes = 256;
 
-/// Cells are taken this much larger, in edges of a brick's cells, because of rounding; and by this many position
-/// steps, because rays look one step ahead (shaders/trace/trace.glsl).
+/// Cells are enlarged by kSlackEdges of their edge for rounding, and by kSlackSteps position steps because rays look
+/// one step ahead (shaders/trace/trace.glsl).
 constexpr float kSlackEdges = 1e-3f, kSlackSteps = 1.5f;
 
-/// Where the file has leaves below the grid, cells with more discs are cut into halves, this often at most, unless the
-/// halves' lists together would be longer by more than this factor: where discs are as large as the cell it is 4 or
-/// more.
+/// If the octree has leaves below the grid, cells with more than kMaxDiscs discs are halved, at most kMaxHalvings
+/// times, unless the lists of the halves together would be longer by more than kMaxListGrowth. For discs as large as
+/// the cell they are 4 or more times as long.
 constexpr std::size_t kMaxDiscs = 48;
 constexpr std::uint32_t kMaxHalvings = PRO_INDEX_HALVINGS_MAX;
 constexpr std::size_t kMaxListGrowth = 3;
-/// Cells to cut are at least this many slacks wide to a side: a half's corner with its slack stays within an edge of
-/// its centre, as far as slab heights reach.
+/// Cells to halve have half edges of at least this many slacks: the corners of a half with its slack then stay within
+/// one edge of its centre, the range of slab heights.
 constexpr float kMinHalfEdge = 16;
 
-/// Indices count from the part's own first.
+/// Output for a run of nodes; indices are relative to the part.
 struct Part : CellWords {
     std::vector<Corner> corners;
     std::vector<std::uint32_t> words, groups;
 };
 
-/// A cell of the grid, or a leaf above, with its node's word.
+/// A cell of the grid or a leaf above it.
 struct Source {
     std::uint32_t node = 0;
     Corner corner{};
     std::uint32_t shift = 0; ///< log2 of its edge in position steps
 };
 
-void offer(const CellDisc& disc, const CellBox& box, CellLists& lists) {
-    if (!mayMeet(disc, box, disc.slab)) return;
-    (meets(disc, box) ? lists.hittable : lists.blending).push_back(&disc);
+void addIfOverlapping(const CellDisc& disc, const CellBox& box, CellLists& lists) {
+    if (!mayOverlap(disc, box, disc.slab)) return;
+    (overlaps(disc, box) ? lists.hittable : lists.blending).push_back(&disc);
 }
 
-/// How far a disc stays from the middle of a cell, less its radius.
+/// Distance of a disc's centre from the middle of a cell, minus its radius.
 float remoteness(const CellDisc& disc, const CellBox& box) {
     float squared = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -70,7 +70,7 @@ float remoteness(const CellDisc& disc, const CellBox& box) {
     return std::sqrt(squared) - disc.radius;
 }
 
-/// Those first that take up most of the cell: a ray that asks for any hit is done with it sooner.
+/// Sorts discs that cover most of the cell first: rays that need any hit then finish sooner.
 Discs likeliestFirst(const Discs& discs, const CellBox& box) {
     std::vector<std::pair<float, const CellDisc*>> keyed;
     for (const CellDisc* disc : discs) keyed.emplace_back(remoteness(*disc, box), disc);
@@ -82,14 +82,14 @@ Discs likeliestFirst(const Discs& discs, const CellBox& box) {
 
 std::size_t listedBy(const Part& part) { return part.listed.size() + part.blending.size(); }
 
-/// What all parts list so far, and may.
+/// The length of the lists of all parts so far, and its limit.
 struct ListedTotal {
-    std::size_t most;
+    std::size_t limit;
     std::atomic<std::size_t> listed{0};
-    bool isFull() const { return listed > most; }
+    bool isFull() const { return listed > limit; }
 };
 
-/// Works in edges of a brick's cells, from the source's lowest corner. Stops where the total is full.
+/// Lengths are in edges of a brick's cells, relative to the source's lowest corner. Stops when the total is full.
 class BrickBuilder {
 public:
     BrickBuilder(const pro_info& info, const pro_view& view, const EntryGrid& grid, Part& part, ListedTotal& total)
@@ -103,12 +103,12 @@ public:
         gather(source);
         Discs all;
         for (const CellDisc& disc : discs_) all.push_back(&disc);
-        cut(all, source, {});
+        divide(all, source, {});
     }
 
 private:
-    /// offset: of the source's corner from the first one's.
-    void cut(const Discs& discs, const Source& source, const Vector& offset) {
+    /// Divides a leaf above the grid into grid cells. @param offset of source.corner from the first source
+    void divide(const Discs& discs, const Source& source, const Vector& offset) {
         if (total_.isFull()) return;
         if (source.shift == grid_shift_) return build(discs, source.corner, offset);
         const float half = std::ldexp(0.5f * PRO_BRICK_SIDE, static_cast<int>(source.shift - grid_shift_));
@@ -123,12 +123,12 @@ private:
             }
             Discs inside;
             std::copy_if(discs.begin(), discs.end(), std::back_inserter(inside),
-                         [&](const CellDisc* disc) { return mayMeet(*disc, box, disc->slab); });
-            if (!inside.empty()) cut(inside, child, at);
+                         [&](const CellDisc* disc) { return mayOverlap(*disc, box, disc->slab); });
+            if (!inside.empty()) divide(inside, child, at);
         }
     }
 
-    /// A brick, unless all its cells would be empty.
+    /// Adds a brick, unless all its cells are empty.
     void build(const Discs& discs, const Corner& corner, const Vector& offset) {
         for (CellLists& cell : cells_) cell.hittable.clear(), cell.blending.clear();
         for (const CellDisc* disc : discs) spread(*disc, offset);
@@ -158,7 +158,7 @@ private:
         discs_.clear();
         gatherBelow(source.node, source.corner);
         if (!(source.node & PRO_NODE_INNER)) return;
-        // leaves side by side share splats
+        // adjacent leaves share splats
         const auto less = [](const CellDisc& a, const CellDisc& b) { return a.splat < b.splat; };
         const auto same = [](const CellDisc& a, const CellDisc& b) { return a.splat == b.splat; };
         std::sort(discs_.begin(), discs_.end(), less);
@@ -192,7 +192,7 @@ private:
             disc.normal[axis] = n;
             disc.center[axis] = (plain.position[axis] - static_cast<float>(corner[axis]) * PRO_POSITION_STEP) * edges_;
         }
-        // not by 1 - n^2, which cancels where a disc is nearly parallel to the axis plane
+        // not from 1 - n^2, which cancels if the normal is nearly along the axis
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const float a = disc.normal[(axis + 1) % 3], b = disc.normal[(axis + 2) % 3];
             disc.reach[axis] = disc.radius * std::sqrt(a * a + b * b);
@@ -200,18 +200,18 @@ private:
         discs_.push_back(disc);
     }
 
-    /// Puts a disc on the lists of the cells that it reaches into, of the brick at offset.
+    /// Adds a disc to the lists of the cells that it overlaps in the brick at offset.
     void spread(const CellDisc& disc, const Vector& offset) {
-        const CellSets sets = cellsMet(disc, offset, slack_);
-        for (std::uint64_t left = sets.by_disc; left != 0; left &= left - 1)
-            cells_[static_cast<std::size_t>(std::countr_zero(left))].hittable.push_back(&disc);
-        for (std::uint64_t left = sets.by_slab & ~sets.by_disc; left != 0; left &= left - 1)
-            cells_[static_cast<std::size_t>(std::countr_zero(left))].blending.push_back(&disc);
+        const CellSets sets = overlappedCells(disc, offset, slack_);
+        for (std::uint64_t rest = sets.by_disc; rest != 0; rest &= rest - 1)
+            cells_[static_cast<std::size_t>(std::countr_zero(rest))].hittable.push_back(&disc);
+        for (std::uint64_t rest = sets.by_slab & ~sets.by_disc; rest != 0; rest &= rest - 1)
+            cells_[static_cast<std::size_t>(std::countr_zero(rest))].blending.push_back(&disc);
     }
 
-    /// The cell's word; kEmptyWord where nothing can be hit.
+    /// The word of a cell; kEmptyWord if no disc crosses it.
     std::uint32_t emit(const CellLists& lists, const CellBox& box, std::uint32_t halvings) {
-        if (lists.hittable.empty()) return kEmptyWord; // nothing can be hit where only slabs reach
+        if (lists.hittable.empty()) return kEmptyWord; // rays cannot hit slabs alone
         const bool divisible = halvings < halvings_ && box.half_edge >= kMinHalfEdge * box.slack;
         if (divisible && lists.hittable.size() > kMaxDiscs) {
             const std::uint32_t word = halve(lists, box, halvings);
@@ -220,7 +220,7 @@ private:
         return emitCell(lists, box);
     }
 
-    /// The word of a group of the cell's halves, kEmptyWord where they would not be shorter.
+    /// The word of a group with the halves of the cell, or kEmptyWord if their lists would be too long.
     std::uint32_t halve(const CellLists& lists, const CellBox& box, std::uint32_t halvings) {
         std::array<CellLists, PRO_GROUP_WORDS> halves;
         std::array<CellBox, PRO_GROUP_WORDS> boxes;
@@ -229,8 +229,8 @@ private:
             boxes[h] = {box.middle, 0.5f * box.half_edge, box.slack};
             for (std::uint32_t axis = 0; axis < 3; ++axis)
                 boxes[h].middle[axis] += (h >> axis & 1 ? 0.5f : -0.5f) * box.half_edge;
-            for (const CellDisc* disc : lists.hittable) offer(*disc, boxes[h], halves[h]);
-            for (const CellDisc* disc : lists.blending) offer(*disc, boxes[h], halves[h]);
+            for (const CellDisc* disc : lists.hittable) addIfOverlapping(*disc, boxes[h], halves[h]);
+            for (const CellDisc* disc : lists.blending) addIfOverlapping(*disc, boxes[h], halves[h]);
             listed += halves[h].hittable.size();
         }
         if (listed > kMaxListGrowth * lists.hittable.size()) return kEmptyWord;
@@ -243,7 +243,8 @@ private:
 
     std::uint32_t emitCell(const CellLists& lists, const CellBox& box) {
         if (lists.hittable.size() + lists.blending.size() > PRO_CELL_LISTED_MAX)
-            throw Error(ExitCode::kCannotRun, "discs crowd: a cell of the tracing index would list more than 32767");
+            throw Error(ExitCode::kCannotRun,
+                        "too many discs overlap: a cell of the tracing index would list more than 32767");
         const auto cell = static_cast<std::uint32_t>(first_cell_ + listed_.size());
         listed_.push_back({{likeliestFirst(lists.hittable, box), lists.blending}, box});
         return cell << PRO_CELL_INDEX_SHIFT;
@@ -254,16 +255,16 @@ private:
     Part& part_;
     ListedTotal& total_;
     std::uint32_t grid_shift_;
-    float edges_; ///< of cells to a cube unit
+    float edges_; ///< cell edges per cube unit
     float slack_;
-    std::uint32_t halvings_; ///< at most
+    std::uint32_t halvings_; ///< maximum
     std::vector<CellDisc> discs_;
     std::vector<ListedCell> listed_; ///< of the brick
-    std::size_t first_cell_ = 0;     ///< of those
+    std::size_t first_cell_ = 0;     ///< index of the first one
     std::array<CellLists, PRO_BRICK_WORDS> cells_;
 };
 
-/// Puts a member of all parts behind what all has, and frees it there.
+/// Appends a member of all parts to all, and frees it.
 template <typename All, typename Member>
 void appendAll(All& all, std::vector<Part>& parts, Member member) {
     std::size_t size = all.size();
@@ -272,11 +273,11 @@ void appendAll(All& all, std::vector<Part>& parts, Member member) {
     for (Part& part : parts) {
         auto& own = part.*member;
         all.insert(all.end(), own.begin(), own.end());
-        std::remove_reference_t<decltype(own)>().swap(own); // {} would keep the memory
+        std::remove_reference_t<decltype(own)>().swap(own); // assigning {} would keep the memory
     }
 }
 
-/// The sizes of the parts before one.
+/// Total sizes of the parts before one.
 struct Offsets {
     std::size_t groups = 0, cells = 0, near = 0, blending = 0;
 };
@@ -295,14 +296,14 @@ void relocate(Part& part, const Offsets& before) {
     }
 }
 
-/// Of all parts; groups start behind the bricks.
+/// Offsets of the first part; groups start after all bricks.
 Offsets firstOffsets(const std::vector<Part>& parts) {
     Offsets at;
     for (const Part& part : parts) at.groups += part.words.size() / PRO_GROUP_WORDS;
     return at;
 }
 
-void pass(Offsets& at, const Part& part) {
+void advance(Offsets& at, const Part& part) {
     at.groups += part.groups.size() / PRO_GROUP_WORDS;
     at.cells += part.slabs.size();
     at.near += part.listed.size();
@@ -311,11 +312,11 @@ void pass(Offsets& at, const Part& part) {
 
 bool fits(const std::vector<Part>& parts, const BrickLimits& limits) {
     Offsets end = firstOffsets(parts);
-    for (const Part& part : parts) pass(end, part);
+    for (const Part& part : parts) advance(end, part);
     return end.near + end.blending <= limits.listed && std::max(end.cells, end.groups) <= limits.cells;
 }
 
-/// Two numbers to a word; never none, as devices have no empty buffers.
+/// Packs two numbers per word; adds a word if there are none, as devices have no empty buffers.
 void appendNumbers(Words& all, std::vector<Part>& parts) {
     for (Part& part : parts) {
         for (std::size_t i = 0; i < part.blending.size(); i += 2)
@@ -326,12 +327,12 @@ void appendNumbers(Words& all, std::vector<Part>& parts) {
     if (all.empty()) all.push_back(0);
 }
 
-/// Puts the parts behind one another.
+/// Concatenates the parts.
 Bricks join(std::vector<Part>& parts) {
     Offsets at = firstOffsets(parts);
     for (Part& part : parts) {
         relocate(part, at);
-        pass(at, part);
+        advance(at, part);
     }
     Bricks all;
     appendAll(all.corners, parts, &Part::corners);
@@ -346,7 +347,7 @@ Bricks join(std::vector<Part>& parts) {
     return all;
 }
 
-/// Incomplete where the limit of lists was passed on the way.
+/// The parts are incomplete if the limit of list lengths was exceeded.
 std::vector<Part> buildParts(const pro_info& info, const pro_view& view, const EntryGrid& grid,
                              const IndexOptions& options) {
     std::vector<Source> sources;
@@ -355,7 +356,7 @@ std::vector<Part> buildParts(const pro_info& info, const pro_view& view, const E
                  sources.push_back({node, corner, shift});
              });
     std::vector<Part> parts((sources.size() + kRunNodes - 1) / kRunNodes);
-    std::mutex telling;
+    std::mutex progress_mutex;
     std::size_t done = 0;
     ListedTotal total{options.limits.listed};
     const auto buildPart = [&](std::size_t k) {
@@ -363,7 +364,7 @@ std::vector<Part> buildParts(const pro_info& info, const pro_view& view, const E
         const std::size_t end = std::min(sources.size(), (k + 1) * kRunNodes);
         for (std::size_t s = k * kRunNodes; s < end; ++s) builder.run(sources[s]);
         if (!options.progress) return;
-        const std::lock_guard lock(telling);
+        const std::lock_guard lock(progress_mutex);
         options.progress(static_cast<double>(++done) / static_cast<double>(parts.size()));
     };
     forAll(parts.size(), buildPart, options.threads);
@@ -372,17 +373,17 @@ std::vector<Part> buildParts(const pro_info& info, const pro_view& view, const E
 
 } // namespace
 
-Bricks buildBricks(const pro_info& info, const pro_view& view, EntryGrid& grid, const IndexOptions& wanted) {
+Bricks buildBricks(const pro_info& info, const pro_view& view, EntryGrid& grid, const IndexOptions& given) {
     IndexOptions options = wanted;
-    options.limits.listed = std::min(wanted.limits.listed, kListedAlways + kListedEach * info.splat_count);
-    double told = 0; // with another grid the work begins anew, the share does not
-    if (wanted.progress) options.progress = [&](double share) { wanted.progress(told = std::max(told, share)); };
+    options.limits.listed = std::min(given.limits.listed, kListedMin + kListedPerSplat * info.splat_count);
+    double reported = 0; // with another grid the work starts again, but progress must not
+    if (given.progress) options.progress = [&](double share) { given.progress(reported = std::max(reported, share)); };
     std::vector<Part> parts = buildParts(info, view, grid, options);
     while (!fits(parts, options.limits)) {
         const std::uint32_t depth = PRO_POSITION_BITS - grid.shift;
         if (depth == 0)
-            throw Error(ExitCode::kCannotRun, "the splats take more cells and lists than a tracing index can hold");
-        parts.clear(); // before the next ones take their memory
+            throw Error(ExitCode::kCannotRun, "the splats need more cells and lists than a tracing index can hold");
+        parts.clear(); // free their memory before the next ones
         grid = frameEntryGrid(info, view, depth - 1);
         parts = buildParts(info, view, grid, options);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The file's leaves are wide, because every border costs references; rays want short lists. So each filled cell of the
-// entry grid becomes a brick of 4 x 4 x 4 cells, with a list for each cell that a disc crosses.
+// Bricks: each filled cell of the entry grid has 4 x 4 x 4 cells with a list of discs each. Octree leaves are wide,
+// because every border costs references, but rays need short lists.
 #pragma once
 
 #include <cstddef>
@@ -17,31 +17,32 @@ namespace pointrt {
 
 /// The words that the shaders read (layout: pointrt/pro_index_layout.h).
 struct Bricks {
-    std::vector<Corner> corners; ///< of each brick, lowest, in position steps
+    std::vector<Corner> corners; ///< lowest corner of each brick, in position steps
     std::uint32_t brick_count = 0;
-    Words words;    ///< PRO_BRICK_WORDS for each brick, then groups; empty ones kEmptyWord
-    Words cells;    ///< PRO_CELL_WORDS for each listed cell
-    Words slabs;    ///< one for each listed cell
-    Words near;     ///< PRO_NEAR_WORDS for each near splat
-    Words listed;   ///< which splat that is
-    Words blending; ///< what only blends in each cell, two numbers to a word
+    Words words;    ///< PRO_BRICK_WORDS per brick, then groups; kEmptyWord for empty cells
+    Words cells;    ///< PRO_CELL_WORDS per listed cell
+    Words slabs;    ///< one per listed cell
+    Words near;     ///< PRO_NEAR_WORDS per near splat
+    Words listed;   ///< the splat of each near splat
+    Words blending; ///< splats that only blend in a cell, two numbers per word
 };
 
-/// How many of each the words that name them allow.
+/// Limits from the number of bits for indices.
 struct BrickLimits {
-    std::size_t cells = std::size_t{1} << (32 - PRO_CELL_INDEX_SHIFT); ///< and groups, bricks as 8 of them
-    std::size_t listed = PRO_INDEX_LISTED_MAX;                         ///< near splats and what blends
+    std::size_t cells = std::size_t{1} << (32 - PRO_CELL_INDEX_SHIFT); ///< also of groups, counting 8 per brick
+    std::size_t listed = PRO_INDEX_LISTED_MAX;                         ///< near splats and blending numbers
 };
 
 struct IndexOptions {
-    std::size_t threads = 0;              ///< at most; 0 is all cores
-    std::function<void(double)> progress; ///< share done in [0, 1]; from any thread, one at a time
+    std::size_t threads = 0;              ///< maximum number; 0: one per core
+    std::function<void(double)> progress; ///< fraction done, 0 to 1; called from any thread, one call at a time
     BrickLimits limits{};
 };
 
-/// Builds the bricks of a validated file, for all cells of its grid that discs cross. Where they would outgrow the
-/// limits, grid is framed anew, a depth less each time. Throws std::bad_alloc, or Error (kCannotRun) when no depth is
-/// left or a cell's list outgrows its word.
+/// Builds a brick for each cell of the grid that discs cross. If they exceed the limits, replaces grid by a coarser
+/// one, one octree level at a time. Throws std::bad_alloc, or Error (kCannotRun) if no level is left or the list of a
+/// cell is too long.
+/// @param info,view content of a validated file
 Bricks buildBricks(const pro_info& info, const pro_view& view, EntryGrid& grid, const IndexOptions& options = {});
 
 } // namespace pointrt

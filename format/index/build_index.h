@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tracing index of a .pro, from its octree: the same words whether they go into the file or straight to a device.
+// Builds the tracing index of a .pro from its octree: the same words for the file and for a device.
 #pragma once
 
 #include "format/index/bricks.h"
@@ -8,8 +8,8 @@
 
 namespace pointrt {
 
-/// Of what buildTracingIndex makes: to be raised where the same octree gets other words, so that indices that were kept
-/// (runtime/device_scene) are built anew.
+/// Version of the output of buildTracingIndex. Increase it if the same octree gives other words, so that cached indices
+/// (runtime/device_scene) are rebuilt.
 constexpr unsigned kIndexVersion = 1;
 
 struct TracingIndex {
@@ -17,11 +17,11 @@ struct TracingIndex {
     Bricks bricks; ///< without corners
 };
 
-/// Builds the index of a validated file's content. The words do not depend on the number of threads.
-/// Throws std::bad_alloc, or Error (kCannotRun) where discs crowd so that the index cannot hold them.
+/// Builds the index for the content of a validated file. The words do not depend on the number of threads.
+/// Throws std::bad_alloc, or Error (kCannotRun) if too many discs overlap for the limits of the index.
 TracingIndex buildTracingIndex(const pro_info& info, const pro_view& view, const IndexOptions& options = {});
 
-/// For pro_write_indexed; points into index.
+/// A view for pro_write_content; points into index.
 pro_index indexView(const TracingIndex& index);
 
 } // namespace pointrt

@@ -13,8 +13,8 @@ namespace pointrt {
 
 namespace {
 
-/// A disc of more than this many cell edges is replaced by one of that radius that has the same rim nearby: in the cell
-/// the two rims are at most 3/4 / (2 * 8) edges apart, less than a hundredth of the radius.
+/// A disc with a radius above this many cell edges is replaced by one of this radius with the same rim near the cell:
+/// in the cell the rims are at most 3/4 / (2 * 8) edges apart, less than 1/100 of the radius.
 constexpr float kLargestRadius = 8;
 
 Vector cross(const Vector& a, const Vector& b) {
@@ -25,7 +25,7 @@ Vector sum(const Vector& a, float scale, const Vector& b) {
     return {a[0] + scale * b[0], a[1] + scale * b[1], a[2] + scale * b[2]};
 }
 
-/// A disc's place in cell edges from the cell's middle, its radius at most kLargestRadius.
+/// A disc relative to the middle of the cell, in cell edges; its radius is at most kLargestRadius.
 struct Place {
     Vector center;
     float radius;
@@ -36,7 +36,7 @@ Place placeIn(const CellDisc& disc, const CellBox& box) {
     Place place{{}, disc.radius * edges};
     for (std::size_t axis = 0; axis < 3; ++axis) place.center[axis] = (disc.center[axis] - box.middle[axis]) * edges;
     if (place.radius <= kLargestRadius) return place;
-    // from the point of the plane nearest to the cell's middle, the centre lies this far away in that direction
+    // offset of the centre from the point of the plane closest to the middle of the cell
     const float height = dot(place.center, disc.normal);
     const Vector away = sum(place.center, -height, disc.normal);
     const float distance = std::sqrt(dot(away, away));
@@ -44,7 +44,7 @@ Place placeIn(const CellDisc& disc, const CellBox& box) {
     return {sum(sum(Vector{}, shorter, away), height, disc.normal), kLargestRadius};
 }
 
-/// Not of unit length. Normals may be on either side.
+/// Sum of the normals, flipped to one side.
 Vector meanNormal(std::span<const CellDisc* const> discs) {
     Vector mean = discs[0]->normal;
     for (const CellDisc* disc : discs.subspan(1))
@@ -58,23 +58,23 @@ std::uint32_t bits(std::int32_t value, std::uint32_t count) {
 
 constexpr float kMaxHalf = 65504;
 
-/// Few values to choose from: lists that differ in a disc or two, of a pruned file and an unpruned one, round alike.
-/// All are halves.
+/// Rounds down to one of few values, all of them half floats, so that lists that differ in a disc or two (pruned and
+/// unpruned files) get the same one.
 float sixteenthOctaveBelow(float value) {
     const float step = std::ldexp(0.0625f, std::ilogb(value));
     return std::floor(value / step) * step;
 }
 
-/// From the cell's middle, along a vector and in its lengths.
+/// Range of heights along a vector from the middle of the cell, in lengths of the vector.
 struct Heights {
     float least = std::numeric_limits<float>::infinity(), most = -least;
 };
 
-/// Takes in the disc's part in the cell.
+/// Extends heights to the part of the disc in the cell.
 void widen(Heights& heights, const CellDisc& disc, const Vector& normal, const CellBox& box) {
     const PlacedDisc placed = placedIn(disc, box);
     const float middle = dot(normal, placed.center), half = box.half_edge + box.slack;
-    // not by 1 - cos^2, which cancels where a disc is nearly along the planes
+    // not from 1 - cos^2, which cancels if the disc is nearly parallel to the planes
     const Vector axis = cross(normal, disc.normal);
     const float sine = std::sqrt(dot(axis, axis)), reach = disc.radius * sine;
     if (heights.least <= middle - reach && middle + reach <= heights.most) return;
@@ -85,7 +85,7 @@ void widen(Heights& heights, const CellDisc& disc, const Vector& normal, const C
     heights.most = std::max(heights.most, middle + sine * reachInCube(placed, up, half));
 }
 
-/// The upper bits of the float, rounded.
+/// The upper bits of the float, rounded to nearest.
 std::uint32_t radiusCode(float squared) {
     const std::uint32_t rounded = std::bit_cast<std::uint32_t>(squared) + (1u << (PRO_NEAR_RADIUS_SHIFT - 1));
     return rounded <= PRO_NEAR_RADIUS_BIAS ? 0u : (rounded - PRO_NEAR_RADIUS_BIAS) >> PRO_NEAR_RADIUS_SHIFT;
@@ -94,10 +94,10 @@ std::uint32_t radiusCode(float squared) {
 /// std::lround, which compilers do not inline.
 std::int32_t rounded(float value) { return static_cast<std::int32_t>(value + (value < 0 ? -0.5f : 0.5f)); }
 
-/// A lattice point beside a position: of the eight around it one that hardly stands off the disc's plane, as far as it
-/// lies close. Which of two discs a ray meets first hangs on the planes, a place in them tells at the rim alone.
+/// Rounds a position to one of the eight lattice points around it, preferring those close to the disc's plane: an error
+/// across the plane changes which of two discs a ray hits first, one in the plane only moves the rim.
 std::array<std::int32_t, 3> positionCodes(const Vector& position, const Vector& normal) {
-    // so much more counts what is off the plane
+    // cost of squared distance across the plane, compared to that in it
     constexpr float kHeightWeight = 16;
     std::array<std::int32_t, 3> best{};
     float least = std::numeric_limits<float>::infinity();
@@ -116,7 +116,7 @@ std::array<std::int32_t, 3> positionCodes(const Vector& position, const Vector& 
     return best;
 }
 
-/// codes: position codes to a cell edge.
+/// @param codes position codes per cell edge
 void appendNear(const Place& place, const Vector& n, float codes, std::vector<std::uint32_t>& near) {
     const float normal_codes = PRO_NEAR_NORMAL_MAX / std::max({std::fabs(n[0]), std::fabs(n[1]), std::fabs(n[2])});
     const std::array<std::int32_t, 3> center = positionCodes(sum(Vector{}, codes, place.center), n);
@@ -130,13 +130,13 @@ void appendNear(const Place& place, const Vector& n, float codes, std::vector<st
     near.push_back(normal << PRO_NEAR_RADIUS_LOW_BITS | bits(radius, PRO_NEAR_RADIUS_LOW_BITS));
 }
 
-/// How far places reach from the middle by any axis, in edges, at most: discs come into the cell, so the largest tells,
-/// and lists that differ in another disc are written alike.
+/// Upper bound of the places' coordinates, in edges. Discs overlap the cell, so the largest radius bounds them, and
+/// lists that differ in another disc get the same bound.
 float reachOf(std::span<const Place> places, const CellBox& box) {
     float radius = 0;
     for (const Place& place : places) radius = std::max(radius, place.radius);
     const float side = (box.half_edge + box.slack) * (0.5f / box.half_edge), corner = side * std::sqrt(3.0f);
-    return radius + (radius < kLargestRadius ? side : corner); // the centres of larger ones were moved off the middle
+    return radius + (radius < kLargestRadius ? side : corner); // placeIn moves the centres of larger discs
 }
 
 } // namespace
@@ -162,8 +162,8 @@ std::uint32_t slabWord(std::span<const CellDisc* const> discs, const CellBox& bo
     Heights heights;
     for (const CellDisc* disc : discs) widen(heights, *disc, normal, box);
     const float lo = (heights.least - box.slack) * edges, hi = (heights.most + box.slack) * edges;
-    static constexpr float kMax = PRO_SLAB_HEIGHT_MAX; // an edge: beyond the corners of a cell with a slack of 1/16
-                                                       // edge (kMinHalfEdge, kDeepest)
+    static constexpr float kMax = PRO_SLAB_HEIGHT_MAX; // one edge: beyond the corners of a cell with a slack of
+                                                       // 1/16 edge (kMinHalfEdge, kDeepest)
     const auto code = [](float height) { return static_cast<std::int32_t>(std::clamp(height, -kMax, kMax)); };
     std::uint32_t word = bits(code(std::ceil(hi * PRO_SLAB_STEPS)), PRO_SLAB_HEIGHT_BITS);
     word = word << PRO_SLAB_HEIGHT_BITS | bits(code(std::floor(lo * PRO_SLAB_STEPS)), PRO_SLAB_HEIGHT_BITS);

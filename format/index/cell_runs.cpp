@@ -13,22 +13,22 @@ namespace pointrt {
 
 namespace {
 
-/// Positions are rounded to a code, and where a disc's rim is hangs on that. In a brick of an even scan a code is a
-/// 60th of a radius; discs that are smaller than others around may have it a little coarser.
+/// Position codes per radius, for the mean and for the smallest disc: rounding of positions moves the rims of discs. In
+/// bricks of evenly sampled scans a code is 1/60 of a radius; smaller discs may be somewhat coarser.
 constexpr float kCodesToMean = 56, kCodesToSmallest = 20;
 
-/// Cells this much smaller than their block are as far from its middle as offsets reach.
+/// The smallest cell relative to its block whose distance from the middle of the block fits the offset codes.
 constexpr float kSmallestCell = 1.0f / (PRO_CELL_OFFSET_MAX + 1);
 
-/// Cells of a block are looked through for the one that shares most with the last one; more are taken as they come.
-constexpr std::size_t kMostSorted = 64;
+/// Blocks with more cells keep the order of their cells; the search for the best order is quadratic.
+constexpr std::size_t kMaxSortedCells = 64;
 
-/// So many of the cells that follow count when a cell's splats are put in order.
-constexpr std::size_t kCellsAhead = 5;
+/// Number of following cells considered when the splats of a cell are sorted.
+constexpr std::size_t kLookAheadCells = 5;
 
 using Cells = std::vector<const ListedCell*>;
 
-/// Each splat of the cells once, as they are met, and told its place.
+/// The discs of the cells without duplicates, in order of first use; sets their place.
 Discs splatsOf(const Cells& cells) {
     Discs all;
     const auto take = [&](const CellDisc* disc) {
@@ -43,7 +43,7 @@ Discs splatsOf(const Cells& cells) {
     return all;
 }
 
-/// Whether near splats around the block's middle are fine enough for all of its discs.
+/// Whether position codes relative to the block's middle are fine enough for all of its discs.
 bool isFine(const Discs& discs, const CellBox& block) {
     float reach = 0, smallest = discs[0]->radius, sum = 0;
     for (const CellDisc* disc : discs) {
@@ -57,15 +57,15 @@ bool isFine(const Discs& discs, const CellBox& block) {
     return kCodesToSmallest * code <= smallest && kCodesToMean * code <= sum / static_cast<float>(discs.size());
 }
 
-/// Whether the cells can share one row: its places count from a cell's first one.
+/// Whether the cells can share one row, in which offsets from a cell's first near splat must fit.
 bool sharesRow(const Cells& cells, const Discs& discs, const CellBox& block) {
     if (cells.size() == 1) return true;
-    std::size_t most = discs.size();
+    std::size_t row_length = discs.size();
     for (const ListedCell* cell : cells) {
-        most += cell->lists.hittable.size();
+        row_length += cell->lists.hittable.size();
         if (cell->box.half_edge < kSmallestCell * block.half_edge) return false;
     }
-    return most <= PRO_CELL_LISTED_MAX && isFine(discs, block);
+    return row_length <= PRO_CELL_LISTED_MAX && isFine(discs, block);
 }
 
 std::uint32_t offsetBits(const CellBox& block, const CellBox& box) {
@@ -79,7 +79,7 @@ std::uint32_t offsetBits(const CellBox& block, const CellBox& box) {
     return bits;
 }
 
-/// Which discs each cell of a block may hit, by their places: in the cell's order, and as bits.
+/// The hittable discs of each cell of a block, by place: as lists and as bit sets.
 class Memberships {
 public:
     Memberships(const Cells& cells, std::size_t discs)
@@ -108,36 +108,38 @@ private:
     std::vector<std::vector<std::uint32_t>> lists_;
 };
 
-/// An order of the cells: from the first on, each time the one that shares most with the one before.
-std::vector<std::size_t> wayThrough(std::size_t count, const Memberships& members) {
-    std::vector<std::size_t> way(count);
-    std::iota(way.begin(), way.end(), std::size_t{0});
-    if (count > kMostSorted) return way;
+/// Orders the cells greedily: each is followed by the one that shares most discs with it.
+std::vector<std::size_t> greedyOrder(std::size_t count, const Memberships& members) {
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    if (count > kMaxSortedCells) return order;
     for (std::size_t k = 1; k + 1 < count; ++k) {
         std::size_t best = k, most = 0;
         for (std::size_t i = k; i < count; ++i) {
-            const std::size_t shared = members.shared(way[k - 1], way[i]);
-            if (shared > most || (shared == most && way[i] < way[best])) best = i, most = shared;
+            const std::size_t shared = members.shared(order[k - 1], order[i]);
+            if (shared > most || (shared == most && order[i] < order[best])) best = i, most = shared;
         }
-        std::swap(way[k], way[best]);
+        std::swap(order[k], order[best]);
     }
-    return way;
+    return order;
 }
 
-/// The near splats of a block, as places in its discs, and where each cell's begin.
+/// The near splats of a block, as indices of its discs, and the first one of each cell.
 struct Row {
     std::vector<std::uint32_t> discs;
     std::vector<std::size_t> firsts;
 };
 
-/// The discs of way[k] that do not stand in the row for it, last those that most of the cells behind it list as well.
-std::vector<std::uint32_t> othersOf(std::size_t k, const std::vector<std::size_t>& way, const Memberships& members,
-                                    const std::vector<std::uint32_t>& discs, const std::vector<char>& stands) {
+/// The discs of cell order[k] that are not in its part of the row yet; those that most following cells share come last.
+std::vector<std::uint32_t> missingDiscs(std::size_t k, const std::vector<std::size_t>& order,
+                                        const Memberships& members, const std::vector<std::uint32_t>& discs,
+                                        const std::vector<char>& in_row) {
     std::vector<std::pair<std::size_t, std::uint32_t>> others;
     for (const std::uint32_t at : discs) {
-        if (stands[at]) continue;
+        if (in_row[at]) continue;
         std::size_t ahead = 0;
-        while (ahead < kCellsAhead && k + ahead + 1 < way.size() && members.has(way[k + ahead + 1], at)) ++ahead;
+        while (ahead < kLookAheadCells && k + ahead + 1 < order.size() && members.has(order[k + ahead + 1], at))
+            ++ahead;
         others.emplace_back(ahead, at);
     }
     std::stable_sort(others.begin(), others.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -146,20 +148,20 @@ std::vector<std::uint32_t> othersOf(std::size_t k, const std::vector<std::size_t
     return sorted;
 }
 
-/// Each cell begins with what the end of the row so far has of its discs; the others follow.
+/// The range of each cell starts with those of its discs that end the row so far; its other discs are appended.
 Row rowOf(const Cells& cells, const Discs& discs) {
     const Memberships members(cells, discs.size());
-    const std::vector<std::size_t> way = wayThrough(cells.size(), members);
+    const std::vector<std::size_t> order = greedyOrder(cells.size(), members);
     Row row{{}, std::vector<std::size_t>(cells.size())};
-    std::vector<char> stands(discs.size());
-    for (std::size_t k = 0; k < way.size(); ++k) {
-        const std::size_t cell = way[k], end = row.discs.size();
+    std::vector<char> in_row(discs.size());
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        const std::size_t cell = order[k], end = row.discs.size();
         std::size_t first = end;
-        while (first > 0 && members.has(cell, row.discs[first - 1]) && !stands[row.discs[first - 1]])
-            stands[row.discs[--first]] = 1;
+        while (first > 0 && members.has(cell, row.discs[first - 1]) && !in_row[row.discs[first - 1]])
+            in_row[row.discs[--first]] = 1;
         row.firsts[cell] = first;
-        const auto others = othersOf(k, way, members, members.listOf(cell), stands);
-        for (std::size_t i = first; i < end; ++i) stands[row.discs[i]] = 0;
+        const auto others = missingDiscs(k, order, members, members.listOf(cell), in_row);
+        for (std::size_t i = first; i < end; ++i) in_row[row.discs[i]] = 0;
         row.discs.insert(row.discs.end(), others.begin(), others.end());
     }
     return row;
@@ -173,7 +175,7 @@ public:
         for (const ListedCell& cell : cells) out.slabs.push_back(slabWord(cell.lists.hittable, cell.box));
     }
 
-    /// One row for cells, those of block, or one for each of its halves that has some.
+    /// Writes one row for the cells of block, or one for each half of it.
     void write(const Cells& cells, const CellBox& block) {
         const Discs discs = splatsOf(cells);
         if (sharesRow(cells, discs, block)) return writeRow(cells, discs, cells.size() == 1 ? cells[0]->box : block);
@@ -198,13 +200,13 @@ private:
 
     void writeRow(const Cells& cells, const Discs& discs, const CellBox& block) {
         Row row = rowOf(cells, discs);
-        standAll(discs.size(), row);
+        assignPlaces(discs.size(), row);
         Discs in_row;
         for (const std::uint32_t at : row.discs) in_row.push_back(discs[at]);
         const auto base = static_cast<std::uint32_t>(out_.listed.size());
         const float codes = encodeNear(in_row, block, out_.near);
         for (const CellDisc* disc : in_row) out_.listed.push_back(disc->splat);
-        if (out_.listed.size() % 2) { // its normal of 0 is never hit
+        if (out_.listed.size() % 2) { // a normal of 0 is never hit
             out_.listed.push_back(0);
             out_.near.insert(out_.near.end(), PRO_NEAR_WORDS, 0u);
         }
@@ -222,7 +224,7 @@ private:
         }
     }
 
-    /// Numbers from near splat first of the row on.
+    /// Writes offsets from near splat first of the row.
     void writeBlending(const Discs& blending, std::size_t first) {
         for (const CellDisc* disc : blending)
             out_.blending.push_back(static_cast<std::int16_t>(static_cast<std::ptrdiff_t>(place_[disc->place]) -
@@ -230,15 +232,15 @@ private:
         if (out_.blending.size() % 2) out_.blending.push_back(0);
     }
 
-    /// place_: where each disc stands in the row; those that nothing hits are put behind it, never beside one that is
-    /// tested: their centres may lie further off than positions reach.
-    void standAll(std::size_t discs, Row& row) {
-        constexpr std::size_t kNowhere = ~std::size_t{0};
-        place_.assign(discs, kNowhere);
+    /// Sets place_, the position of each disc in the row. Appends discs that only blend, never in an element with a
+    /// disc that is tested: their centres may be out of the range of positions.
+    void assignPlaces(std::size_t discs, Row& row) {
+        constexpr std::size_t kUnplaced = ~std::size_t{0};
+        place_.assign(discs, kUnplaced);
         for (std::size_t i = 0; i < row.discs.size(); ++i) place_[row.discs[i]] = i;
         if (row.discs.size() % 2) row.discs.push_back(row.discs.back());
         for (std::uint32_t at = 0; at < discs; ++at) {
-            if (place_[at] != kNowhere) continue;
+            if (place_[at] != kUnplaced) continue;
             place_[at] = row.discs.size();
             row.discs.push_back(at);
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Neighbouring cells list the same splats over and over. So the near splats of a block of cells stand in a row, each
-// cell's side by side, and where one cell's end the next one's have begun: what both list stands there once.
+// Neighbouring cells list mostly the same splats. So the near splats of a block of cells are stored in a row in which
+// each cell has a contiguous range, and ranges overlap: splats common to consecutive cells are stored once.
 #pragma once
 
 #include <cstdint>
@@ -13,27 +13,27 @@ namespace pointrt {
 
 using Discs = std::vector<const CellDisc*>;
 
-/// What a cell lists: discs that cross it, and those whose slabs alone do.
+/// The lists of a cell: discs that cross it, and discs of which only the slab does.
 struct CellLists {
     Discs hittable, blending;
 };
 
 struct ListedCell {
-    CellLists lists; ///< at most PRO_CELL_LISTED_MAX in all, something to hit
+    CellLists lists; ///< at most PRO_CELL_LISTED_MAX in all; hittable is not empty
     CellBox box{};
 };
 
-/// What cells are written to.
+/// Encoded cells.
 struct CellWords {
     std::vector<std::uint32_t> cells;  ///< PRO_CELL_WORDS each
     std::vector<std::uint32_t> slabs;  ///< one word each
-    std::vector<std::uint32_t> near;   ///< PRO_NEAR_WORDS for each near splat, an even number of them
-    std::vector<std::uint32_t> listed; ///< the splat for each of those
+    std::vector<std::uint32_t> near;   ///< PRO_NEAR_WORDS per near splat, an even number of them
+    std::vector<std::uint32_t> listed; ///< the splat of each near splat
     std::vector<std::int16_t>
-        blending; ///< from a cell's first near splat to one that only blends there; even numbers for each cell
+        blending; ///< offset from a cell's first near splat to one that only blends there; an even count per cell
 };
 
-/// Appends the cells, in their order. block: a cube that holds them all, in halves of which they are cells.
+/// Appends the cells in order. @param block a cube whose repeated halving gives the cells
 void encodeCells(std::span<const ListedCell> cells, const CellBox& block, CellWords& out);
 
 } // namespace pointrt

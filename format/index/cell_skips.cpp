@@ -16,23 +16,23 @@ namespace {
 
 using Index = std::array<std::uint32_t, 3>;
 
-/// The cells of a brick and those next to it towards the octant; x fastest, counted in the octant's directions.
+/// The cells of a brick and its neighbours towards the octant; x fastest, indexed in the directions of the octant.
 constexpr std::uint32_t kBlockSide = PRO_BRICK_SIDE + 1;
 using Block = std::array<std::uint8_t, kBlockSide * kBlockSide * kBlockSide>;
 
 std::uint32_t blockIndex(const Index& at) { return (at[2] * kBlockSide + at[1]) * kBlockSide + at[0]; }
 
-/// Grid cells with a larger empty cube are left as they are: a part of a cell more is little to them.
+/// Grid cells with a larger empty cube keep it: extending it by part of a cell would gain little.
 constexpr float kNearBricks = 3;
 constexpr std::uint32_t kNoBlock = ~0u;
 
-/// Towards one octant, in edges of bricks' cells.
+/// Skips towards one octant, in edges of brick cells.
 struct Skips {
-    std::vector<std::uint8_t> of_words; ///< PRO_BRICK_WORDS for each brick; 0 for filled cells
-    std::vector<std::uint8_t> of_grid;  ///< of each empty grid cell
+    std::vector<std::uint8_t> of_words; ///< PRO_BRICK_WORDS per brick; 0 for filled cells
+    std::vector<std::uint8_t> of_grid;  ///< one per grid cell, for empty ones
 };
 
-/// Empty grid cells near bricks are worked through as if they were bricks.
+/// Computes skips towards one octant. Empty grid cells near bricks are treated as bricks.
 class OctantSkips {
 public:
     OctantSkips(const EntryGrid& grid, std::size_t brick_count, const Words& words, std::uint32_t octant)
@@ -53,7 +53,7 @@ public:
     }
 
     Skips run() {
-        // from the octant's far corner inwards: what a block needs of others is there before it
+        // from the octant's far corner inwards, so that the neighbours of a block are done before it
         Index cell;
         for (std::uint32_t k = 0; k < grid_.size[2]; ++k)
             for (std::uint32_t j = 0; j < grid_.size[1]; ++j)
@@ -62,7 +62,7 @@ public:
                     if (blocks_[indexOf(cell)] != kNoBlock) fillBlock(cell, indexOf(cell));
                 }
         skips_.resize(std::size_t{brick_count_} * PRO_BRICK_WORDS);
-        skips_.shrink_to_fit(); // eight of them wait for each other
+        skips_.shrink_to_fit(); // all eight octants are kept until the end
         return {std::move(skips_), std::move(reach_)};
     }
 
@@ -75,7 +75,7 @@ private:
         return (std::size_t{cell[2]} * grid_.size[1] + cell[1]) * grid_.size[0] + cell[0];
     }
 
-    /// The word of a block's cell at a place counted in the octant's directions.
+    /// The word of a cell of a block, indexed in the directions of the octant.
     std::size_t wordOf(std::uint32_t block, const Index& at) const {
         std::size_t word = 0;
         for (std::uint32_t axis = 0; axis < 3; ++axis)
@@ -86,28 +86,28 @@ private:
     void fillBlock(const Index& cell, std::size_t grid_index) {
         const std::uint32_t number = blocks_[grid_index];
         Block block;
-        for (std::uint32_t side = 1; side < 8; ++side) borrow(cell, side, block);
+        for (std::uint32_t side = 1; side < 8; ++side) copyRim(cell, side, block);
         Index at;
         for (at[2] = PRO_BRICK_SIDE; at[2]-- > 0;)
             for (at[1] = PRO_BRICK_SIDE; at[1]-- > 0;)
                 for (at[0] = PRO_BRICK_SIDE; at[0]-- > 0;) {
                     const std::size_t word = wordOf(number, at);
                     const bool filled = number < brick_count_ && (words_[word] & PRO_SKIP_MASK) == 0;
-                    block[blockIndex(at)] = skips_[word] = filled ? std::uint8_t{0} : onward(block, blockIndex(at));
+                    block[blockIndex(at)] = skips_[word] = filled ? std::uint8_t{0} : skipFrom(block, blockIndex(at));
                 }
         if (number >= brick_count_) reach_[grid_index] = std::max(reach_[grid_index], block[0]);
     }
 
-    /// 1 and the least of the 7 cells further on, as in the grid.
-    static std::uint8_t onward(const Block& block, std::uint32_t at) {
+    /// 1 + the minimum over the 7 neighbours towards the octant, as in the grid.
+    static std::uint8_t skipFrom(const Block& block, std::uint32_t at) {
         constexpr std::uint32_t y = kBlockSide, z = kBlockSide * kBlockSide;
         const std::uint8_t* p = block.data() + at;
         const std::uint8_t least = std::min({p[1], p[y], p[1 + y], p[z], p[1 + z], p[y + z], p[1 + y + z]});
         return std::min<std::uint8_t>(kMaxSkipped, least + 1);
     }
 
-    /// Copies the skips of the grid cell beyond by the axes in side (bit 0: x, ...) to the block's rim.
-    void borrow(const Index& cell, std::uint32_t side, Block& block) const {
+    /// Copies the skips of a neighbouring grid cell to the rim of the block. @param side its axes (bit 0: x, ...)
+    void copyRim(const Index& cell, std::uint32_t side, Block& block) const {
         Index beyond = cell, first{}, last{};
         bool outside = false;
         for (std::uint32_t axis = 0; axis < 3; ++axis) {
@@ -128,7 +128,7 @@ private:
                         block[blockIndex(at)] = skips_[wordOf(other, inside)];
                         continue;
                     }
-                    // of an empty stretch of grid cells, what lies beyond this place in the first of them
+                    // the rest of the empty cube beyond this cell
                     const std::uint32_t left = reach - std::max({inside[0], inside[1], inside[2]});
                     block[blockIndex(at)] = static_cast<std::uint8_t>(std::min<std::uint32_t>(kMaxSkipped, left));
                 }
@@ -137,9 +137,9 @@ private:
     const EntryGrid& grid_;
     const Words& words_;
     std::uint32_t octant_, brick_count_;
-    std::vector<std::uint32_t> blocks_; ///< of each grid cell: its brick, or a number from brick_count_ on, or kNoBlock
-    std::vector<std::uint8_t> reach_;   ///< of each empty grid cell
-    std::vector<std::uint8_t> skips_;   ///< PRO_BRICK_WORDS for each block; 0 for filled cells
+    std::vector<std::uint32_t> blocks_; ///< per grid cell: its brick, or a number from brick_count_ on, or kNoBlock
+    std::vector<std::uint8_t> reach_;   ///< per grid cell, for empty ones
+    std::vector<std::uint8_t> skips_;   ///< PRO_BRICK_WORDS per block; 0 for filled cells
 };
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far rays may go from an empty cell of a brick, or of the grid near bricks, before anything can be near.
+// Skips: sizes of the empty cubes at empty cells of bricks, and of the grid near bricks.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,11 @@
 
 namespace pointrt {
 
-/// Writes the skips of the bricks' empty cells (pointrt/pro_index_layout.h), which see into the bricks and grid cells
-/// around, and lets those of empty grid cells near bricks reach into these. grid: as by fillEntryGrid. words:
-/// PRO_BRICK_WORDS for each of brick_count bricks, in the grid's order, empty ones kEmptyWord; what follows stays.
-/// threads: at most; 0 is all cores.
+/// Writes the skips of empty brick cells (pointrt/pro_index_layout.h), which extend into neighbouring bricks and grid
+/// cells, and extends those of empty grid cells into nearby bricks.
+/// @param grid from fillEntryGrid
+/// @param words PRO_BRICK_WORDS per brick in the order of the grid, kEmptyWord for empty cells; later words are kept
+/// @param threads maximum number; 0: one per core
 void fillCellSkips(EntryGrid& grid, std::size_t brick_count, Words& words, std::size_t threads = 0);
 
 } // namespace pointrt

@@ -11,13 +11,13 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// Components of normals below are passed over: dividing by them would make more of rounding than cubes are taken
-/// larger by, a thousandth of their edge. What is found without them is no less true.
+/// Smaller components of normals are skipped: dividing by them would amplify rounding beyond the slack of cubes, 1/1000
+/// of their edge. Results without them are still conservative.
 constexpr float kMinComponent = 1.0f / 64;
-/// For the same reason discs of more than so many half edges are taken for planes.
+/// For the same reason discs with a radius of more half edges are treated as planes.
 constexpr float kLargestRadius = 32;
 
-/// From the disc's centre to the cube's point nearest to what lies shift normals below the centre.
+/// Vector from the disc's centre to the point of the cube closest to centre - shift * normal.
 Vector toNearest(const PlacedDisc& disc, float shift, float half) {
     Vector to{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -27,30 +27,31 @@ Vector toNearest(const PlacedDisc& disc, float shift, float half) {
     return to;
 }
 
-/// A shift, and how high over the disc's plane the cube's nearest point then is: less the larger the shift.
+/// A shift, and the height of that point of the cube above the disc's plane, which decreases with the shift.
 struct Shift {
     float shift, height;
 };
 
-/// Between the shifts where a coordinate begins or ceases to be the cube's own, the height is linear: those around 0.
-struct Around {
+/// The two shifts around height 0 at which a coordinate starts or ends to be clamped; between them the height is
+/// linear.
+struct Bracket {
     Shift above{-kInfinity, kInfinity}, below{kInfinity, -kInfinity};
 
-    void take(const PlacedDisc& disc, float shift, float half) {
+    void add(const PlacedDisc& disc, float shift, float half) {
         const float height = dot(disc.normal, toNearest(disc, shift, half));
         if (height >= 0 && shift > above.shift) above = {shift, height};
         if (height <= 0 && shift < below.shift) below = {shift, height};
     }
     bool isClosed() const { return above.shift > -kInfinity && below.shift < kInfinity; }
-    /// Where the height is 0.
-    float between() const {
+    /// The shift with height 0.
+    float root() const {
         const float span = above.height - below.height;
         return span > 0 ? above.shift + (below.shift - above.shift) * (above.height / span) : above.shift;
     }
 };
 
-/// How far the plane's section of the cube reaches from the disc's centre along a vector in the plane, at most. By weak
-/// duality any multiple of the normal may be added to the vector; the best one makes a component 0.
+/// Upper bound of the extent of the plane's section of the cube from the disc's centre along a vector in the plane. By
+/// weak duality any multiple of the normal may be added to the vector; the best one makes a component 0.
 float reachOfSection(const PlacedDisc& disc, const Vector& along, float half) {
     float reach = kInfinity;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -74,17 +75,17 @@ PlacedDisc placedIn(const CellDisc& disc, const CellBox& box) {
     return placed;
 }
 
-bool meetsCube(const PlacedDisc& disc, float half) {
+bool overlapsCube(const PlacedDisc& disc, float half) {
     if (disc.radius > kLargestRadius * half) return true;
-    Around around;
+    Bracket bracket;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (std::fabs(disc.normal[axis]) < kMinComponent) continue;
-        for (const float side : {-half, half}) around.take(disc, (disc.center[axis] - side) / disc.normal[axis], half);
+        for (const float side : {-half, half}) bracket.add(disc, (disc.center[axis] - side) / disc.normal[axis], half);
     }
-    if (!around.isClosed()) return true;
-    const float shift = around.between();
+    if (!bracket.isClosed()) return true;
+    const float shift = bracket.root();
     const Vector to = toNearest(disc, shift, half);
-    // the least of |to|^2 + 2 shift height over the cube: no point of it in the plane is nearer, whatever the shift
+    // the minimum of |to|^2 + 2 shift height over the cube: for any shift a lower bound for points in the plane
     return dot(to, to) + 2 * shift * dot(disc.normal, to) <= disc.radius * disc.radius;
 }
 

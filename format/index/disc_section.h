@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of a disc that lies in a cube, by duality: what is left out of it is proven to be outside. Cubes are around
-// the origin; rounding is up to the caller, who takes the cube larger.
+// Conservative tests of the part of a disc inside a cube, by duality: what they exclude is proven to be outside. Cubes
+// are centred at the origin; the caller enlarges them for rounding.
 #pragma once
 
 #include "format/index/cell_codec.h"
 
 namespace pointrt {
 
-/// A disc, its centre as seen from the cube's middle; normal is of unit length.
+/// A disc relative to the middle of the cube; normal has unit length.
 struct PlacedDisc {
     Vector center{}, normal{};
     float radius = 0;
 };
 
-/// As seen from the cell's middle.
+/// The disc relative to the middle of the cell.
 PlacedDisc placedIn(const CellDisc& disc, const CellBox& box);
 
-/// Whether the disc and the cube [-half, half]^3 have a point in common; sometimes true without. The cube must meet the
-/// disc's plane.
-bool meetsCube(const PlacedDisc& disc, float half);
+/// Whether the disc and the cube [-half, half]^3 may have a common point; false is certain. The disc's plane must
+/// intersect the cube.
+bool overlapsCube(const PlacedDisc& disc, float half);
 
-/// How far the disc's part in the cube reaches from its centre along a unit vector in its plane, at most: as far as
-/// both the disc and the plane's section of the cube do.
+/// Upper bound of the extent of the disc's part in the cube from its centre along a unit vector in its plane: that of
+/// the disc or of the plane's section of the cube, whichever is smaller.
 float reachInCube(const PlacedDisc& disc, const Vector& along, float half);
 
 } // namespace pointrt

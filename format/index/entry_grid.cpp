@@ -12,19 +12,19 @@ namespace pointrt {
 
 namespace {
 
-/// The grid takes the depth of most splats, so that rays seldom walk from it down, unless it had more words than this
-/// for each leaf: 6 bytes a splat of an even scan, of some 90 splats a leaf.
+/// The grid has the depth of most splats, so that rays seldom descend below it, unless that needs more words per leaf
+/// than this: 6 bytes per splat for an evenly sampled scan with some 90 splats per leaf.
 constexpr std::uint64_t kWordsPerLeaf = 128;
-/// A brick's cells keep an edge of 32 position steps: planes and walks allow for 1.5 steps around a cell (kSlackSteps).
+/// The cells of a brick keep edges of 32 position steps: planes and traversal allow for 1.5 steps around (kSlackSteps).
 constexpr std::uint32_t kDeepest = PRO_POSITION_BITS - PRO_GRID_SHIFT_MIN;
 constexpr std::uint64_t kMinWords = 1u << 15;
 
-/// Leaves above the grid are cut into its cells, where their splats are on more lists. That may make all lists longer
-/// by this factor; and cells below which the octree has leaves are cut further (format/index/bricks.cpp) where the
-/// lists of those would make rays test more discs by this factor.
+/// Leaves above the grid are divided into its cells, which puts their splats on more lists: by at most a factor of
+/// kMaxLonger. Brick cells with leaves below them are halved (format/index/bricks.cpp) if rays would test more discs
+/// than usual by kMaxCrowded.
 constexpr double kMaxLonger = 1.6, kMaxCrowded = 1.1;
 
-using MemberCounts = std::array<double, PRO_MAX_DEPTH + 1>; ///< of the leaves at each depth
+using MemberCounts = std::array<double, PRO_MAX_DEPTH + 1>; ///< members of the leaves at each depth
 
 MemberCounts countMembers(const pro_info& info, const pro_view& view) {
     MemberCounts members{};
@@ -35,7 +35,8 @@ MemberCounts countMembers(const pro_info& info, const pro_view& view) {
     return members;
 }
 
-/// Mean of value(levels) over the members; levels: how far below the grid's depth their leaves are, negative above.
+/// Mean of value(levels) over the members, with the levels of their leaves below the depth of the grid (negative:
+/// above).
 template <typename Value>
 double meanOf(const MemberCounts& members, std::uint32_t depth, const Value& value) {
     double sum = 0, count = 0;
@@ -46,9 +47,9 @@ double meanOf(const MemberCounts& members, std::uint32_t depth, const Value& val
     return sum / count;
 }
 
-/// A disc of radius r meets about (1 + 1.6 r / e)^2 cells of edge e; at the leaves' own depth e is 2 r
-/// (kLeafEdgeRadii in the bake is 8, and a brick has 4 cells). Lists a splat is on, compared to that, in a grid at
-/// depth.
+/// Number of lists of a splat in a grid at depth, relative to a grid at the depth of its leaf. A disc of radius r
+/// overlaps about (1 + 1.6 r / e)^2 cells of edge e; at the depth of its leaf e is 2 r (kLeafEdgeRadii in the bake is
+/// 8, and a brick is 4 cells wide).
 double listShare(const MemberCounts& members, std::uint32_t depth) {
     return meanOf(members, depth, [](int levels) {
         const double side = 1 + 0.8 * std::ldexp(1.0, std::max(-levels, 0));
@@ -56,7 +57,7 @@ double listShare(const MemberCounts& members, std::uint32_t depth) {
     });
 }
 
-/// The same for the discs a ray tests in a cell, (e + 1.6 r)^2 of them.
+/// The same for the number of discs that a ray tests in a cell, which is proportional to (e + 1.6 r)^2.
 double testShare(const MemberCounts& members, std::uint32_t depth) {
     return meanOf(members, depth, [](int levels) {
         const double side = 1.6 + std::ldexp(2.0, std::max(levels, 0));
@@ -66,11 +67,11 @@ double testShare(const MemberCounts& members, std::uint32_t depth) {
 
 std::uint32_t preferredDepth(const MemberCounts& members) {
     auto depth = static_cast<std::uint32_t>(std::max_element(members.begin(), members.end()) - members.begin());
-    while (listShare(members, depth) > kMaxLonger) --depth; // ends: no leaf is above depth 0
+    while (listShare(members, depth) > kMaxLonger) --depth; // terminates: no leaf is above depth 0
     return depth;
 }
 
-/// A grid without words over the leaves' bounds.
+/// A grid without words over the bounds of the leaves.
 EntryGrid frameGrid(std::span<const std::uint32_t> nodes, std::uint32_t depth) {
     constexpr std::uint32_t kNone = ~0u;
     Corner lo{kNone, kNone, kNone}, hi{};
@@ -91,9 +92,9 @@ EntryGrid frameGrid(std::span<const std::uint32_t> nodes, std::uint32_t depth) {
 
 std::uint64_t wordCount(const EntryGrid& grid) { return std::uint64_t{grid.size[0]} * grid.size[1] * grid.size[2]; }
 
-/// Largest empty cube from each cell towards one octant, by the recurrence 1 + minimum over the 7 neighbours there.
+/// Largest empty cube from each cell towards one octant: 1 + the minimum over the 7 neighbours there.
 std::vector<std::uint8_t> skipsTowards(const std::vector<char>& filled, const EntryGrid& grid, std::uint32_t octant) {
-    // a border of empty cells around the grid saves asking where it ends
+    // a border of empty cells around the grid saves bounds checks
     const std::array<std::size_t, 3> size{grid.size[0] + 2u, grid.size[1] + 2u, grid.size[2] + 2u};
     std::vector<std::uint8_t> padded(size[0] * size[1] * size[2], kMaxSkipped), skips(filled.size());
     const std::array<std::ptrdiff_t, 3> stride{1, static_cast<std::ptrdiff_t>(size[0]),
@@ -127,7 +128,7 @@ EntryGrid frameEntryGrid(const pro_info& info, const pro_view& view, std::uint32
     const MemberCounts members = countMembers(info, view);
     std::uint32_t depth = std::min({preferredDepth(members), kDeepest, deepest});
     EntryGrid grid = frameGrid(nodes, depth);
-    while (wordCount(grid) > most) grid = frameGrid(nodes, --depth); // ends: at depth 0 there is one word
+    while (wordCount(grid) > most) grid = frameGrid(nodes, --depth); // terminates: at depth 0 there is one word
     grid.uneven = testShare(members, depth) > kMaxCrowded;
     return grid;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way down an octree, with the place of each node.
+// Traversal of an octree with the position of each node.
 #pragma once
 
 #include <array>
@@ -12,8 +12,9 @@ namespace pointrt {
 
 using Corner = std::array<std::uint32_t, 3>; ///< lowest corner of a cell, in position steps
 
-/// Calls visit(node word, corner, shift) for every node at depth or leaf above it that holds splats, in Morton order;
-/// shift is log2 of the cell's edge in position steps. nodes are a validated file's NODE words.
+/// Calls visit(node word, corner, shift) for each non-empty node at depth and each filled leaf above it, in Morton
+/// order; shift is log2 of the cell's edge in position steps.
+/// @param nodes NODE words of a validated file
 template <typename Visit>
 void forNodes(std::span<const std::uint32_t> nodes, std::uint32_t depth, const Visit& visit, std::uint32_t index = 0,
               const Corner& corner = {}, std::uint32_t level = 0) {

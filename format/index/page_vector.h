@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectors in memory that a device can import as it is (resources.h: importHostBuffer).
+// Vectors in page-aligned memory, which devices can import (importHostBuffer in runtime/gpu).
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace pointrt {
 
-/// Whole huge pages where there are many: fewer faults while they fill, and alignment enough for any driver's imports.
+/// Large vectors use huge pages: fewer page faults, and the alignment that drivers need for imports.
 template <typename T>
 struct PageAllocator {
     using value_type = T;
@@ -27,7 +27,7 @@ struct PageAllocator {
         const std::size_t bytes = (count * sizeof(T) + page - 1) / page * page;
         void* memory = std::aligned_alloc(page, bytes);
         if (!memory) throw std::bad_alloc();
-        if (page == kHugePage) madvise(memory, bytes, MADV_HUGEPAGE); // a wish: nothing is lost where it fails
+        if (page == kHugePage) madvise(memory, bytes, MADV_HUGEPAGE); // optional, may fail
         return static_cast<T*>(memory);
     }
     void deallocate(T* memory, std::size_t) { std::free(memory); }

@@ -238,7 +238,7 @@ std::string summaryText(const std::string& path, const Summary& s, const ProFile
     line("pruned", yesNo(info.flags, PRO_FLAG_PRUNED));
     line("up", upText(file.world()));
     line("input unit", unitText(file.world()));
-    if (info.version_minor > 2) line("noise", noiseText(s, file));
+    line("noise", noiseText(s, file));
     if (file.sampling().filled_count > 0) line("filled", filledText(file));
     if (file.world().sensor_count > 0) line("sensors", sensorsText(file.world()));
     text += attributesText(file) + levelsText(s) + sectionsText(s) + materialsText(file);

@@ -47,7 +47,7 @@ std::size_t knownSensors(const TileSet& set) {
         std::count_if(set.sensors.begin(), set.sensors.end(), [](const auto& sensor) { return sensor[3] != 0; }));
 }
 
-double share(std::uint64_t part, std::uint64_t whole) { return static_cast<double>(part) / static_cast<double>(whole); }
+double share(std::uint64_t part, std::uint64_t total) { return static_cast<double>(part) / static_cast<double>(total); }
 
 std::string tilesText(const SetSummary& summary) {
     const std::string count =

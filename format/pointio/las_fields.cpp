@@ -16,7 +16,7 @@ namespace {
 
 constexpr bool kMinor = true;
 
-LasField whole(const char* name, std::uint32_t type, std::size_t at, bool minor = false) {
+LasField byteField(const char* name, std::uint32_t type, std::size_t at, bool minor = false) {
     LasField field;
     field.name = name;
     field.type = field.raw_type = type;
@@ -26,8 +26,8 @@ LasField whole(const char* name, std::uint32_t type, std::size_t at, bool minor 
 }
 
 /// A bit field of the byte at `at`.
-LasField bits(const char* name, std::size_t at, std::uint8_t shift, std::uint8_t count, bool minor = false) {
-    LasField field = whole(name, PRO_TYPE_U8, at, minor);
+LasField bitField(const char* name, std::size_t at, std::uint8_t shift, std::uint8_t count, bool minor = false) {
+    LasField field = byteField(name, PRO_TYPE_U8, at, minor);
     field.shift = shift;
     field.mask = static_cast<std::uint8_t>((1 << count) - 1);
     return field;
@@ -36,18 +36,18 @@ LasField bits(const char* name, std::size_t at, std::uint8_t shift, std::uint8_t
 /// Formats 0 to 5.
 void addOldFields(std::vector<LasField>& fields) {
     const LasField all[] = {
-        whole("intensity", PRO_TYPE_U16, 12),
-        bits("return_number", 14, 0, 3),
-        bits("number_of_returns", 14, 3, 3),
-        bits("scan_direction_flag", 14, 6, 1, kMinor),
-        bits("edge_of_flight_line", 14, 7, 1, kMinor),
-        bits("classification", 15, 0, 5),
-        bits("synthetic", 15, 5, 1, kMinor),
-        bits("key_point", 15, 6, 1, kMinor),
-        bits("withheld", 15, 7, 1, kMinor),
-        whole("scan_angle_rank", PRO_TYPE_I8, 16),
-        whole("user_data", PRO_TYPE_U8, 17, kMinor),
-        whole("point_source_id", PRO_TYPE_U16, 18, kMinor),
+        byteField("intensity", PRO_TYPE_U16, 12),
+        bitField("return_number", 14, 0, 3),
+        bitField("number_of_returns", 14, 3, 3),
+        bitField("scan_direction_flag", 14, 6, 1, kMinor),
+        bitField("edge_of_flight_line", 14, 7, 1, kMinor),
+        bitField("classification", 15, 0, 5),
+        bitField("synthetic", 15, 5, 1, kMinor),
+        bitField("key_point", 15, 6, 1, kMinor),
+        bitField("withheld", 15, 7, 1, kMinor),
+        byteField("scan_angle_rank", PRO_TYPE_I8, 16),
+        byteField("user_data", PRO_TYPE_U8, 17, kMinor),
+        byteField("point_source_id", PRO_TYPE_U16, 18, kMinor),
     };
     fields.insert(fields.end(), std::begin(all), std::end(all));
 }
@@ -55,27 +55,27 @@ void addOldFields(std::vector<LasField>& fields) {
 /// Formats 6 to 10.
 void addNewFields(std::vector<LasField>& fields) {
     const LasField all[] = {
-        whole("intensity", PRO_TYPE_U16, 12),
-        bits("return_number", 14, 0, 4),
-        bits("number_of_returns", 14, 4, 4),
-        bits("synthetic", 15, 0, 1, kMinor),
-        bits("key_point", 15, 1, 1, kMinor),
-        bits("withheld", 15, 2, 1, kMinor),
-        bits("overlap", 15, 3, 1, kMinor),
-        bits("scanner_channel", 15, 4, 2, kMinor),
-        bits("scan_direction_flag", 15, 6, 1, kMinor),
-        bits("edge_of_flight_line", 15, 7, 1, kMinor),
-        whole("classification", PRO_TYPE_U8, 16),
-        whole("user_data", PRO_TYPE_U8, 17, kMinor),
-        whole("scan_angle", PRO_TYPE_I16, 18),
-        whole("point_source_id", PRO_TYPE_U16, 20, kMinor),
-        whole("gps_time", PRO_TYPE_F64, 22),
+        byteField("intensity", PRO_TYPE_U16, 12),
+        bitField("return_number", 14, 0, 4),
+        bitField("number_of_returns", 14, 4, 4),
+        bitField("synthetic", 15, 0, 1, kMinor),
+        bitField("key_point", 15, 1, 1, kMinor),
+        bitField("withheld", 15, 2, 1, kMinor),
+        bitField("overlap", 15, 3, 1, kMinor),
+        bitField("scanner_channel", 15, 4, 2, kMinor),
+        bitField("scan_direction_flag", 15, 6, 1, kMinor),
+        bitField("edge_of_flight_line", 15, 7, 1, kMinor),
+        byteField("classification", PRO_TYPE_U8, 16),
+        byteField("user_data", PRO_TYPE_U8, 17, kMinor),
+        byteField("scan_angle", PRO_TYPE_I16, 18),
+        byteField("point_source_id", PRO_TYPE_U16, 20, kMinor),
+        byteField("gps_time", PRO_TYPE_F64, 22),
     };
     fields.insert(fields.end(), std::begin(all), std::end(all));
 }
 
 LasField rgb(std::size_t at) {
-    LasField field = whole("rgb16", PRO_TYPE_U16, at);
+    LasField field = byteField("rgb16", PRO_TYPE_U16, at);
     field.components = 3;
     return field;
 }
@@ -140,7 +140,7 @@ void addBareBytes(LasFile& file, std::vector<LasField>& fields, const std::strin
         file.notes.push_back(fmt::format("has {} undescribed bytes per point; keeps {}", bytes, kMostBareBytes));
     bytes = std::min(bytes, kMostBareBytes);
     for (std::size_t done = 0; done < bytes; done += PRO_ATTRIBUTE_COMPONENTS_MAX) {
-        LasField field = whole(name.c_str(), PRO_TYPE_U8, at + done);
+        LasField field = byteField(name.c_str(), PRO_TYPE_U8, at + done);
         field.extra = true;
         field.components =
             static_cast<std::uint32_t>(std::min<std::size_t>(PRO_ATTRIBUTE_COMPONENTS_MAX, bytes - done));
@@ -245,13 +245,13 @@ std::vector<LasField> lasFields(std::uint8_t point_format) {
     if (point_format < 6) {
         addOldFields(fields);
         const bool has_time = point_format == 1 || point_format >= 3;
-        if (has_time) fields.push_back(whole("gps_time", PRO_TYPE_F64, 20));
+        if (has_time) fields.push_back(byteField("gps_time", PRO_TYPE_F64, 20));
         if (point_format == 2 || point_format == 3 || point_format == 5) fields.push_back(rgb(has_time ? 28 : 20));
         return fields;
     }
     addNewFields(fields);
     if (point_format == 7 || point_format == 8 || point_format == 10) fields.push_back(rgb(30));
-    if (point_format == 8 || point_format == 10) fields.push_back(whole("nir", PRO_TYPE_U16, 36));
+    if (point_format == 8 || point_format == 10) fields.push_back(byteField("nir", PRO_TYPE_U16, 36));
     return fields;
 }
 

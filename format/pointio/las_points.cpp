@@ -133,8 +133,8 @@ private:
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const double steps = std::nearbyint((position[axis] - header.offset[axis]) / header.scale[axis]);
                 if (!(std::abs(steps) <= kMost)) refuse(position);
-                const auto whole = static_cast<std::int32_t>(steps);
-                std::memcpy(records + i * header.record_bytes + 4 * axis, &whole, sizeof whole);
+                const auto integer = static_cast<std::int32_t>(steps);
+                std::memcpy(records + i * header.record_bytes + 4 * axis, &integer, sizeof integer);
             }
         }
     }

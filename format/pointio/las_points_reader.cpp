@@ -70,7 +70,7 @@ public:
                         reinterpret_cast<char*>(block.columns[k].data()));
         }
         done_ += count;
-        mapped_->letGo();
+        mapped_->dropPages();
         return count > 0;
     }
 
@@ -88,10 +88,10 @@ private:
     }
 
     void takePosition(const char* record, double* position) const {
-        std::int32_t whole[3];
-        std::memcpy(whole, record, sizeof whole);
+        std::int32_t integer[3];
+        std::memcpy(integer, record, sizeof integer);
         for (std::size_t axis = 0; axis < 3; ++axis)
-            position[axis] = file_.header.scale[axis] * whole[axis] + file_.header.offset[axis];
+            position[axis] = file_.header.scale[axis] * integer[axis] + file_.header.offset[axis];
     }
 
     /// Records of the next points.

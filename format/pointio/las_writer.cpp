@@ -100,10 +100,10 @@ void LasWriter::countPoint(const char* record) {
     const int number = description_.header.point_format < 6 ? returns & 7 : returns & 15;
     if (number > 0) ++returns_[static_cast<std::size_t>(number - 1)];
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        std::int32_t whole;
-        std::memcpy(&whole, record + 4 * axis, sizeof whole);
-        low_[axis] = std::min(low_[axis], whole);
-        high_[axis] = std::max(high_[axis], whole);
+        std::int32_t integer;
+        std::memcpy(&integer, record + 4 * axis, sizeof integer);
+        low_[axis] = std::min(low_[axis], integer);
+        high_[axis] = std::max(high_[axis], integer);
     }
 }
 

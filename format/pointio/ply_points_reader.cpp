@@ -63,7 +63,7 @@ public:
         for (std::size_t k = 0; k < block.columns.size(); ++k)
             block.columns[k].resize(count * outline_.columns[k].rowBytes());
         for (std::size_t i = 0; i < count; ++i) takeVertex(i, block);
-        mapped_->letGo();
+        mapped_->dropPages();
         return count > 0;
     }
 

@@ -9,6 +9,7 @@
 
 #include "format/base/number_type.h"
 #include "format/base/parallel.h"
+#include "format/pro/header.h"
 
 namespace pointrt::format {
 
@@ -32,7 +33,7 @@ Range rangeOf(const std::byte* values, std::size_t count) {
     return range;
 }
 
-/// Numbers that a core looks at before another one is worth asking.
+/// Numbers in a block, the unit of work of a thread.
 constexpr std::size_t kBlock = std::size_t{1} << 20;
 
 } // namespace

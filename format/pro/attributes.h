@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the sections ATTD and ATTR say: records to structs and back, values as numbers.
+// The sections ATTD and ATTR: records to structs and back, ranges of values.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
-#include "format/pro/header.h"
+#include "format/pro/sections.h"
 #include "pointrt/pro.h"
 
 namespace pointrt::format {
 
-/// Number i of content's attributes; values may be null where its section is not there. Nothing is checked, but that
-/// the name ends.
+/// Attribute i of content. Its values are null if its section is absent. The name is terminated; nothing else is
+/// checked.
 pro_attribute loadAttribute(const Content& content, std::size_t i);
 
-/// Writes an attribute's record (PRO_ATTRIBUTE_BYTES of them).
+/// Writes a record of ATTD (PRO_ATTRIBUTE_BYTES).
 void storeAttribute(std::byte* record, const pro_attribute& attribute);
 
-/// Sets low and high to the least and the greatest finite one of count numbers.
+/// Sets low and high to the smallest and the largest finite number of count values; both to 0 if none is finite.
 void findRange(pro_attribute& attribute, std::size_t count);
 
 } // namespace pointrt::format

@@ -5,7 +5,7 @@ namespace pointrt::format {
 
 namespace {
 
-/// Length of the UTF-8 sequence at the start of text (RFC 3629), 0 where there is none.
+/// Length in bytes of the UTF-8 sequence at the start of text (RFC 3629), 0 if invalid.
 std::size_t sequenceLength(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned lead = byte(0);
@@ -46,14 +46,14 @@ void checkContent(const pro_info& info, const Content& content, Level level, Fin
     if (findings.stopped()) return;
     if (view.order) checkOrder(info, view, level, findings);
     if (findings.stopped()) return;
-    if (isWhole(content.index)) checkIndex(info, content.index, findings);
+    if (isComplete(content.index)) checkIndex(info, content.index, findings);
     if (findings.stopped()) return;
     if (content.world.sensors) checkSensors(content.world, findings);
     if (level != Level::kVerify) return;
     if (leaves && refs) checkRefsOfLeaves(info, view, findings);
     if (tree && leaves && splats) checkCentres(info, view, findings);
     checkAttributeValues(info, content, findings);
-    if (splats) checkSampled(info, content, findings);
+    if (splats) checkSamplingSections(info, content, findings);
     if (view.metadata_bytes > 0 && !isUtf8({view.metadata, view.metadata_bytes}))
         findings.add(Finding::kMetadataUtf8, "META is not UTF-8");
 }

@@ -14,21 +14,21 @@ namespace {
 
 constexpr std::uint32_t kBrickGroups = PRO_BRICK_WORDS / PRO_GROUP_WORDS;
 constexpr std::uint64_t kMaxNumbers = std::uint64_t{1} << (32 - PRO_CELL_INDEX_SHIFT);
-constexpr std::uint32_t kHalfInfinity = 0x7C00; ///< so are larger ones, infinite, negative or no number
+constexpr std::uint32_t kHalfInfinity = 0x7C00; ///< larger half floats are NaN or negative
 
-/// Words of DSPL that a thread checks at once.
+/// Words of DSPL in a block, the unit of work of a thread.
 constexpr std::size_t kRunWords = std::size_t{1} << 20;
 
-/// The bit above the offsets is not used.
+/// All bits but the reserved one above the offsets.
 constexpr std::uint32_t kBlendingKnown = 0x7FFFFFFFu;
 static_assert(PRO_CELL_OFFSET_SHIFT + 3 * PRO_CELL_OFFSET_BITS == 31);
 
 bool isEmpty(std::uint32_t word) { return (word & PRO_SKIP_MASK) != 0; }
 
-/// The borrow of subtracting 1 from each nibble (Mycroft 1987).
+/// Looks for the borrow of subtracting 1 from each nibble (Mycroft 1987).
 bool hasZeroNibble(std::uint32_t word) { return ((word - 0x11111111u) & ~word & 0x88888888u) != 0; }
 
-/// What the checks found, each in its own, so that they can run side by side.
+/// What each check found. Checks write to different members, so they can run in parallel.
 struct IndexTallies {
     Tally grid_brick, grid_skip, brick_skip, brick_word, group_depth, cell_run, cell_codes, cell_reserved,
         cell_blending, listed_splat;
@@ -54,8 +54,8 @@ void checkGrid(const pro_index& index, IndexTallies& tallies) {
     tallies.bricks_missing = filled < index.brick_count;
 }
 
-/// Bricks and groups are one tree for each brick's word: from the bricks' words in order, cells are met in order, and
-/// groups are left in order. So no cell and no group is named twice, and a walk ends.
+/// Each word of a brick is the root of a tree of groups. A depth-first walk over the words in order meets cells in
+/// increasing order and leaves groups in increasing order, so no cell or group is named twice and the walk ends.
 class BrickWalk {
 public:
     BrickWalk(const pro_index& index, IndexTallies& tallies)
@@ -69,7 +69,7 @@ public:
     }
 
 private:
-    /// False where nothing further can be told.
+    /// False on the first error: later words cannot be judged.
     bool pass(std::uint64_t i, std::uint32_t halvings) {
         const std::uint32_t word = index_.bricks[i];
         if (isEmpty(word)) {
@@ -106,8 +106,8 @@ private:
 std::uint32_t countOf(const std::uint32_t* cell) { return cell[PRO_CELL_COUNT] & PRO_CELL_COUNT_MASK; }
 std::uint32_t blendingOf(const std::uint32_t* cell) { return cell[PRO_CELL_BLENDING_COUNT] & PRO_CELL_BLENDING_MASK; }
 
-/// Whether what only blends in a cell, whose numbers start at first, are near splats.
-bool blendsNear(const pro_index& index, const std::uint32_t* cell, std::uint64_t first) {
+/// Whether the numbers of a cell in BLDS, from number first on, lead to near splats in range.
+bool blendingInRange(const pro_index& index, const std::uint32_t* cell, std::uint64_t first) {
     std::int32_t least = 0, most = 0;
     for (std::uint64_t i = first; i < first + blendingOf(cell); ++i) {
         const auto number = static_cast<std::int16_t>(index.blending[i / 2] >> (i % 2 * 16));
@@ -118,7 +118,7 @@ bool blendsNear(const pro_index& index, const std::uint32_t* cell, std::uint64_t
            std::int64_t{cell[PRO_CELL_FIRST]} + most < index.near_count;
 }
 
-/// Each cell has numbers of its own, so that what is looked at here is as much as BLDS holds.
+/// Cells do not share numbers in BLDS, so the work is linear in the size of BLDS.
 void checkCells(const pro_index& index, IndexTallies& tallies) {
     std::uint64_t numbers = 0;
     for (std::uint64_t i = 0; i < index.cell_count; ++i) {
@@ -132,13 +132,13 @@ void checkCells(const pro_index& index, IndexTallies& tallies) {
         numbers += (std::uint64_t{blendingOf(cell)} + 1) / 2 * 2;
         if (first % 2 != 0 || end > index.blending_count || numbers > index.blending_count)
             tallies.cell_blending.hit(i);
-        else if (!blendsNear(index, cell, first))
+        else if (!blendingInRange(index, cell, first))
             tallies.cell_blending.hit(i);
     }
     tallies.blending_missing = std::max<std::uint64_t>(numbers, 2) != index.blending_count;
 }
 
-/// The words from first on, kRunWords at most.
+/// Checks words of DSPL from first on, at most kRunWords.
 Tally checkListed(const pro_info& info, const pro_index& index, std::size_t first) {
     Tally tally;
     const std::size_t end = std::min<std::size_t>(index.near_count, first + kRunWords);
@@ -148,35 +148,36 @@ Tally checkListed(const pro_info& info, const pro_index& index, std::size_t firs
 }
 
 void report(const IndexTallies& tallies, const pro_index& index, Findings& findings) {
-    tallies.grid_brick.addTo(findings, Finding::kGridBrick, "grid word", "its brick is past the last or named before");
+    tallies.grid_brick.addTo(findings, Finding::kGridBrick, "grid word", "its brick is out of range or named before");
     if (tallies.bricks_missing)
-        findings.add(Finding::kGridBrick, "the grid does not name all of %u bricks", index.brick_count);
-    tallies.grid_skip.addTo(findings, Finding::kEmptySkip, "grid word", "empty and skips nothing in a direction");
-    tallies.brick_skip.addTo(findings, Finding::kEmptySkip, "brick word", "empty and skips nothing in a direction");
+        findings.add(Finding::kGridBrick, "the grid does not name all %u bricks", index.brick_count);
+    tallies.grid_skip.addTo(findings, Finding::kEmptySkip, "grid word", "empty, but a skip is 0");
+    tallies.brick_skip.addTo(findings, Finding::kEmptySkip, "brick word", "empty, but a skip is 0");
     tallies.brick_word.addTo(findings, Finding::kBrickWord, "brick word", "does not name the next cell or group");
     if (tallies.words_missing)
-        findings.add(Finding::kBrickWord, "bricks do not name all of %u cells and %u groups", index.cell_count,
+        findings.add(Finding::kBrickWord, "bricks do not name all %u cells and %u groups", index.cell_count,
                      index.group_count);
-    tallies.group_depth.addTo(findings, Finding::kGroupDepth, "brick word", "its group lies too deep");
-    tallies.cell_run.addTo(findings, Finding::kCellRun, "cell", "has nothing to hit, or near splats past the last");
-    tallies.cell_codes.addTo(findings, Finding::kCellCodes, "cell", "its position codes are no number above 0");
+    tallies.group_depth.addTo(findings, Finding::kGroupDepth, "brick word", "its group is too deep");
+    tallies.cell_run.addTo(findings, Finding::kCellRun, "cell", "no near splats, or near splats out of range");
+    tallies.cell_codes.addTo(findings, Finding::kCellCodes, "cell",
+                             "its step of position codes is not a positive number");
     tallies.cell_reserved.addTo(findings, Finding::kCellReserved, "cell", "its reserved bit is not 0");
-    tallies.cell_blending.addTo(findings, Finding::kCellBlending, "cell", "what blends in it is not there");
+    tallies.cell_blending.addTo(findings, Finding::kCellBlending, "cell", "its blending splats are out of range");
     if (tallies.blending_missing)
-        findings.add(Finding::kCellBlending, "cells do not add up to %u splats that blend", index.blending_count);
-    tallies.listed_splat.addTo(findings, Finding::kListSplat, "listed splat", "past the last splat");
+        findings.add(Finding::kCellBlending, "blending splats of the cells do not add up to %u", index.blending_count);
+    tallies.listed_splat.addTo(findings, Finding::kListSplat, "listed splat", "out of range");
 }
 
 void checkCounts(const pro_index& index, Findings& findings) {
     const std::uint64_t groups = std::uint64_t{index.brick_count} * kBrickGroups + index.group_count;
     if (index.brick_count == 0 || groups > kMaxNumbers || (index.uneven == 0 && index.group_count > 0))
-        findings.add(Finding::kSectionCount, "an index of %u bricks and %u groups", index.brick_count,
+        findings.add(Finding::kSectionCount, "invalid index of %u bricks and %u groups", index.brick_count,
                      index.group_count);
     if (index.cell_count == 0 || index.cell_count > kMaxNumbers)
-        findings.add(Finding::kSectionCount, "an index of %u cells, not 1 to 2^27", index.cell_count);
+        findings.add(Finding::kSectionCount, "index of %u cells, not 1 to 2^27", index.cell_count);
     if (index.near_count == 0 || index.near_count % 2 != 0 || index.near_count > PRO_INDEX_LISTED_MAX ||
         index.blending_count % 2 != 0 || index.blending_count > PRO_INDEX_LISTED_MAX)
-        findings.add(Finding::kSectionCount, "an index of %u near splats and %u that only blend", index.near_count,
+        findings.add(Finding::kSectionCount, "invalid index of %u near splats and %u blending splats", index.near_count,
                      index.blending_count);
 }
 
@@ -190,8 +191,8 @@ bool checkIndexFrame(const pro_index& index, Findings& findings) {
                  std::uint64_t{index.origin[axis]} + index.size[axis] <= 1u << (PRO_POSITION_BITS - index.shift);
     if (!inside || gridWords(index) > PRO_GRID_WORDS_MAX)
         findings.add(Finding::kGridFrame,
-                     "an entry grid of %u x %u x %u cells, edge 2^%u: too large, or not inside the cube", index.size[0],
-                     index.size[1], index.size[2], index.shift);
+                     "entry grid of %u x %u x %u cells with edge 2^%u is too large or not inside the cube",
+                     index.size[0], index.size[1], index.size[2], index.shift);
     checkCounts(index, findings);
     return findings.count() == before;
 }
@@ -199,16 +200,16 @@ bool checkIndexFrame(const pro_index& index, Findings& findings) {
 void checkIndex(const pro_info& info, const pro_index& index, Findings& findings) {
     IndexTallies tallies;
     std::vector<Tally> listed((std::size_t{index.near_count} + kRunWords - 1) / kRunWords);
-    const std::array<std::function<void()>, 3> whole = {[&] { BrickWalk(index, tallies).run(); },
-                                                        [&] { checkGrid(index, tallies); },
-                                                        [&] { checkCells(index, tallies); }};
+    const std::array<std::function<void()>, 3> checks = {[&] { BrickWalk(index, tallies).run(); },
+                                                         [&] { checkGrid(index, tallies); },
+                                                         [&] { checkCells(index, tallies); }};
     forAll(
-        whole.size() + listed.size(),
+        checks.size() + listed.size(),
         [&](std::size_t k) {
-            if (k < whole.size())
-                whole[k]();
+            if (k < checks.size())
+                checks[k]();
             else
-                listed[k - whole.size()] = checkListed(info, index, (k - whole.size()) * kRunWords);
+                listed[k - checks.size()] = checkListed(info, index, (k - checks.size()) * kRunWords);
         },
         index.near_count < kRunWords ? 1 : 0);
     for (const Tally& run : listed) tallies.listed_splat.join(run);

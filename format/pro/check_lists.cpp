@@ -20,9 +20,9 @@ bool checkLeaves(const pro_info& info, const pro_view& view, Findings& findings)
         next_ref += leaf.ref_count;
     }
     reserved.addTo(findings, Finding::kLeafReserved, "leaf", "its reserved word is not 0");
-    empty.addTo(findings, Finding::kLeafEmpty, "leaf", "neither members nor references");
-    members.addTo(findings, Finding::kMemberRange, "leaf", "its members do not follow the leaf's before it");
-    refs.addTo(findings, Finding::kRefRange, "leaf", "its references do not follow the leaf's before it");
+    empty.addTo(findings, Finding::kLeafEmpty, "leaf", "has neither members nor references");
+    members.addTo(findings, Finding::kMemberRange, "leaf", "its members do not follow those of the previous leaf");
+    refs.addTo(findings, Finding::kRefRange, "leaf", "its references do not follow those of the previous leaf");
     const bool totals = next_member == info.splat_count && next_ref == info.ref_count;
     if (!totals)
         findings.add(Finding::kLeafTotals, "leaves hold %llu members of %u and %llu references of %u",
@@ -35,7 +35,7 @@ bool checkRefs(const pro_info& info, const pro_view& view, Findings& findings) {
     Tally index;
     for (std::size_t i = 0; i < info.ref_count; ++i)
         if (view.refs[i] >= info.splat_count) index.hit(i);
-    index.addTo(findings, Finding::kRefIndex, "reference", "past the last splat");
+    index.addTo(findings, Finding::kRefIndex, "reference", "out of range");
     return index.places == 0;
 }
 
@@ -67,7 +67,7 @@ void checkOrder(const pro_info& info, const pro_view& view, Level level, Finding
             above.push_back(index);
         }
     }
-    twice.addTo(findings, Finding::kOrderTwice, "splat", "its input index was used before");
+    twice.addTo(findings, Finding::kOrderTwice, "splat", "its input index is used twice");
     std::sort(above.begin(), above.end());
     const auto equal = std::adjacent_find(above.begin(), above.end());
     if (equal != above.end()) findings.add(Finding::kOrderTwice, "input index %u is used twice", *equal);

@@ -7,7 +7,7 @@ namespace pointrt::format {
 
 namespace {
 
-// Input units: squares of such lengths stay finite in float after scaling, and their inverses normal.
+// In input units. Squares of scaled lengths stay finite in float, and their inverses stay normal.
 constexpr double kLargest = 1e30;
 constexpr double kSmallestScale = 1e-30;
 

@@ -16,11 +16,12 @@ std::array<std::uint32_t, 3> positionCodes(const std::uint32_t words[4]) {
     return {words[0] & PRO_POSITION_MASK, y, words[1] >> PRO_Y_HIGH_BITS & PRO_POSITION_MASK};
 }
 
-/// The bounds may come from unrounded positions, half a step away, and from sums rounded at the input's magnitude.
-struct LooseBounds {
+/// Bounds with a tolerance: they may come from unrounded positions, half a step away, and from sums rounded at the
+/// input's magnitude.
+struct BoundsWithSlack {
     std::array<double, 3> low, high;
 
-    explicit LooseBounds(const pro_info& info) {
+    explicit BoundsWithSlack(const pro_info& info) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double magnitude = std::max(std::fabs(info.bounds_min[axis]), std::fabs(info.bounds_max[axis]));
             const double slack = info.scale * double{PRO_POSITION_STEP} + 1e-15 * magnitude;
@@ -47,7 +48,7 @@ bool inCell(const Cell& cell, const std::array<std::uint32_t, 3>& codes) {
 
 bool checkSplats(const pro_info& info, const pro_view& view, Findings& findings) {
     Tally reserved, material, radius;
-    // codes from this one up stand for radii below PRO_RADIUS_MIN
+    // the first code of a radius below PRO_RADIUS_MIN
     std::uint32_t code_end = 0;
     while (code_end <= PRO_RADIUS_CODE_MAX &&
            info.radius_max * std::exp2(-static_cast<float>(code_end) * info.radius_step) >= PRO_RADIUS_MIN)
@@ -59,14 +60,14 @@ bool checkSplats(const pro_info& info, const pro_view& view, Findings& findings)
         if (words[3] >> PRO_RADIUS_SHIFT >= code_end) radius.hit(i);
     }
     reserved.addTo(findings, Finding::kSplatReserved, "splat", "its reserved bit is not 0");
-    material.addTo(findings, Finding::kSplatMaterial, "splat", "its material is past the last");
+    material.addTo(findings, Finding::kSplatMaterial, "splat", "its material is out of range");
     radius.addTo(findings, Finding::kSplatRadius, "splat", "its radius is below 2^-60");
     return reserved.places + material.places + radius.places == 0;
 }
 
 void checkCentres(const pro_info& info, const pro_view& view, Findings& findings) {
     Tally outside_leaf, outside_bounds;
-    const LooseBounds bounds(info);
+    const BoundsWithSlack bounds(info);
     forEachLeaf(view.nodes, [&](std::uint32_t index, const Cell& cell) {
         const Leaf leaf = loadLeaf(view.leaves, index);
         for (std::size_t i = leaf.first_member; i < std::size_t{leaf.first_member} + leaf.member_count; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Splats to words and back. SPEC.md states the errors; tests/format holds this file to them.
+// Packs and unpacks splats. SPEC.md states the quantisation errors, tests/format checks them.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-/// NaN becomes 0, what lies outside the cube its nearest cell.
+/// Clamps to the cube; NaN becomes 0.
 std::uint32_t encodePosition(float position) {
     const float code = std::floor(position * PRO_POSITION_STEPS);
     if (!(code > 0)) return 0;
@@ -20,7 +20,7 @@ std::uint32_t encodePosition(float position) {
 
 float decodePosition(std::uint32_t code) { return (static_cast<float>(code) + 0.5f) * PRO_POSITION_STEP; }
 
-/// Octahedral map of Meyer et al., "On Floating-Point Normal Vectors", EGSR 2010. In float, as shaders compute it.
+/// Octahedral map (Meyer et al., "On Floating-Point Normal Vectors", EGSR 2010). In float, as in the shaders.
 std::array<float, 3> decodeNormal(std::uint32_t u, std::uint32_t v) {
     float x = static_cast<float>(u) / PRO_NORMAL_STEPS * 2 - 1;
     float y = static_cast<float>(v) / PRO_NORMAL_STEPS * 2 - 1;
@@ -32,7 +32,7 @@ std::array<float, 3> decodeNormal(std::uint32_t u, std::uint32_t v) {
     return {x * scale, y * scale, z * scale};
 }
 
-/// Unit length; +z for zero and non-finite vectors.
+/// Unit vector; +z for zero and non-finite input.
 Vector normalized(const float normal[3]) {
     const double length = std::hypot(double{normal[0]}, double{normal[1]}, double{normal[2]});
     if (!(length > 0) || !std::isfinite(length)) return {0, 0, 1};
@@ -43,7 +43,7 @@ double squaredDistance(const Vector& a, const std::array<float, 3>& b) {
     return std::pow(a[0] - b[0], 2) + std::pow(a[1] - b[1], 2) + std::pow(a[2] - b[2], 2);
 }
 
-/// Rounding in the map is not rounding on the sphere, so the nearest of the four corners is looked for
+/// Rounding in the map is not rounding on the sphere, so this takes the closest of the four surrounding codes
 /// (Cigolle et al., "A Survey of Efficient Representations for Independent Unit Vectors", JCGT 2014).
 std::uint32_t encodeNormal(const float normal[3]) {
     const Vector n = normalized(normal);
@@ -75,7 +75,7 @@ float decodeRadius(std::uint32_t code, float radius_max, float radius_step) {
     return radius_max * std::exp2(-static_cast<float>(code) * radius_step);
 }
 
-/// The largest code whose radius is not below radius; 0 where radius_max is too small for that.
+/// The largest code whose radius is at least radius; 0 if radius_max is smaller.
 std::uint32_t encodeRadius(float radius, float radius_max, float radius_step) {
     if (!(radius_step > 0) || !(radius < radius_max)) return 0;
     const double octaves = std::log2(double{radius_max} / std::max(double{radius}, double{PRO_RADIUS_MIN}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be wrong with a .pro file: stable numbers, and where the checks put them.
+// What can be wrong with a .pro file: stable numbers, and the sink that receives them.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace pointrt::format {
 
-/// Numbers never change their meaning and are never used again; SPEC.md lists them for people.
+/// Numbers never change their meaning and are never reused. SPEC.md describes them.
 enum class Finding : std::uint32_t {
     kShorterThanHeader = 1001,
     kMagic = 1002,
@@ -82,7 +82,7 @@ enum class Finding : std::uint32_t {
     kEmptySkip = 9102,
     kBrickWord = 9103,
     kGroupDepth = 9104,
-    kCellCodes = 9106, // 9105 and 9108 were of the index of 1.1
+    kCellCodes = 9106, // 9105 and 9108 belonged to the index of formats before 1.4
     kListSplat = 9107,
     kCellRun = 9109,
     kCellReserved = 9110,
@@ -100,12 +100,12 @@ enum class Finding : std::uint32_t {
     kNoiseValues = 9402,
 };
 
-/// Receives findings. With stop_at_first only the first is passed on.
+/// Reports and counts findings; with stop_at_first only the first one.
 class Findings {
 public:
     Findings(pro_report report, void* user, bool stop_at_first);
 
-    /// printf-like; the text is one line without the file's name.
+    /// @param format printf-like, for one line without the file's name
     void add(Finding finding, const char* format, ...) __attribute__((format(printf, 3, 4)));
 
     std::size_t count() const { return count_; }
@@ -118,7 +118,7 @@ private:
     std::size_t count_ = 0;
 };
 
-/// Counts the places of one finding in a section, so that a broken section costs one line, not millions.
+/// Counts the places of one finding in a section, so that a broken section gives one line, not millions.
 struct Tally {
     std::uint64_t places = 0;
     std::uint64_t first = 0;
@@ -126,16 +126,16 @@ struct Tally {
     void hit(std::uint64_t place) {
         if (places++ == 0) first = place;
     }
-    /// Adds the places of a tally of what comes later.
+    /// Adds a tally of later places.
     void join(const Tally& later) {
         if (places == 0) first = later.first;
         places += later.places;
     }
-    /// Adds the finding when there was a hit: "WHAT FIRST: reason (and N more)".
+    /// Reports the finding if there was a hit: "WHAT FIRST: reason (and N more)".
     void addTo(Findings& findings, Finding finding, const char* what, const char* reason) const;
 };
 
-/// One printf-like line into message, cut to its size; message may be null.
+/// Formats one line into message, truncated to its size. message may be null.
 void setMessage(pro_message* message, std::uint32_t finding, const char* format, ...)
     __attribute__((format(printf, 3, 4)));
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A LEAF record in plain numbers.
+// A record of LEAF, unpacked.
 #pragma once
 
 #include <cstddef>

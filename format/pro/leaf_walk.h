@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Depth-first visit of the leaves of a checked octree.
+// Depth-first traversal of the leaves of a validated octree.
 #pragma once
 
 #include <array>
@@ -9,21 +9,21 @@
 
 namespace pointrt::format {
 
-/// A cube of the octree: lowest corner in units of its own edge, 2^-depth of the whole.
+/// A cell of the octree: its lowest corner in units of its edge, which is 2^-depth of the cube's.
 struct Cell {
     std::uint32_t x = 0, y = 0, z = 0;
     std::uint32_t depth = 0;
 };
 
-/// Calls visit(leaf_index, cell) for every filled leaf in Morton order, over words that passed the breadth-first
-/// checks: each group has one parent before it, and none lies deeper than PRO_MAX_DEPTH.
+/// Calls visit(leaf_index, cell) for every filled leaf in Morton order. The words must have passed the breadth-first
+/// checks: each group has one parent before it, and no group is deeper than PRO_MAX_DEPTH.
 template <typename Visit>
 void forEachLeaf(const std::uint32_t* nodes, Visit&& visit) {
     struct Pending {
         std::uint32_t node;
         Cell cell;
     };
-    // of each group on the way down at most 7 children wait, and below the deepest group none is pushed
+    // at most 7 siblings wait at each depth, and the deepest group pushes no groups
     std::array<Pending, 1 + 7 * PRO_MAX_DEPTH + 1> stack;
     std::size_t size = 0;
     stack[size++] = {nodes[0], {}};

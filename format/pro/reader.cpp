@@ -12,7 +12,7 @@
 using namespace pointrt::format;
 
 struct pro_file {
-    MappedFile mapped; // empty when the caller keeps the bytes
+    MappedFile mapped; // unused by pro_open_memory
     std::span<const std::byte> bytes;
     Parsed parsed;
 };
@@ -51,7 +51,7 @@ pro_result map(MappedFile& mapped, const char* path, pro_message* message) {
     return mapped.outOfMemory() ? PRO_OUT_OF_MEMORY : PRO_CANNOT_READ;
 }
 
-/// No exception passes the C interface; running out of memory is the only one there is.
+/// Turns exceptions into results. The only one that the body throws is std::bad_alloc.
 template <typename Body>
 pro_result guarded(pro_message* message, Body&& body) noexcept {
     try {
@@ -73,7 +73,7 @@ pro_result pro_open(const char* path, uint32_t open_flags, pro_file** file, pro_
         if (const pro_result result = map(opened->mapped, path, message)) return result;
         opened->bytes = opened->mapped.bytes();
         if (const pro_result result = parse(*opened, open_flags, message)) return result;
-        if (open_flags & PRO_OPEN_TRACE) opened->mapped.letGo(); // rays see half of a scan, a copy none of it again
+        if (open_flags & PRO_OPEN_TRACE) opened->mapped.dropPages(); // of a scan, rays read half or none
         *file = opened.release();
         return PRO_OK;
     });
@@ -133,7 +133,7 @@ size_t pro_verify_memory(const void* data, size_t bytes, pro_report report, void
     try {
         validate({static_cast<const std::byte*>(data), bytes}, Level::kVerify, true, findings);
     } catch (const std::exception&) {
-        findings.add(Finding::kOutOfMemory, "not enough memory for every check");
+        findings.add(Finding::kOutOfMemory, "not enough memory to run every check");
     }
     return findings.count();
 }
@@ -160,13 +160,13 @@ const char* pro_result_name(pro_result result) {
     case PRO_INVALID:
         return "not a valid .pro file";
     case PRO_UNSUPPORTED:
-        return "written for a newer reader";
+        return "needs a newer version of pointrt";
     case PRO_CANNOT_WRITE:
         return "cannot write the file";
     case PRO_OUT_OF_MEMORY:
         return "out of memory";
     case PRO_BAD_ARGUMENT:
-        return "wrong use of the library";
+        return "invalid argument";
     }
     return "unknown result";
 }

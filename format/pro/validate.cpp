@@ -7,6 +7,7 @@
 #include "format/base/parallel.h"
 #include "format/pro/attributes.h"
 #include "format/pro/header.h"
+#include "format/pro/sections.h"
 
 namespace pointrt::format {
 
@@ -14,14 +15,14 @@ namespace {
 
 using Bytes = std::span<const std::byte>;
 
-/// Smaller files are checked sooner than threads start.
+/// Checking a smaller file takes less time than starting threads.
 constexpr std::size_t kThreadsBytes = std::size_t{1} << 20;
 
 bool allZero(Bytes bytes) {
     return std::all_of(bytes.begin(), bytes.end(), [](std::byte value) { return value == std::byte{0}; });
 }
 
-/// False where nothing further can be told.
+/// False if the bytes are no header that this reader can check further.
 bool checkIdentity(Bytes bytes, Findings& findings) {
     if (bytes.size() < PRO_HEADER_BYTES) {
         const bool magic = bytes.size() >= 8 && loadU32(bytes.data(), PRO_OFF_MAGIC) == PRO_MAGIC_WORD0;
@@ -36,35 +37,28 @@ bool checkIdentity(Bytes bytes, Findings& findings) {
     }
     const std::uint32_t major = loadU32(bytes.data(), PRO_OFF_VERSION_MAJOR);
     if (major != PRO_VERSION_MAJOR)
-        findings.add(Finding::kMajorVersion, "version %u, this reader knows %u", major, PRO_VERSION_MAJOR);
+        findings.add(Finding::kMajorVersion, "format version %u; this reader supports version %u", major,
+                     PRO_VERSION_MAJOR);
     return major == PRO_VERSION_MAJOR;
-}
-
-/// Where the header's fields end in files of a version.
-std::size_t fieldsEnd(std::uint32_t version_minor) {
-    if (version_minor == 0) return PRO_FIELDS_END_1_0;
-    if (version_minor == 1) return PRO_FIELDS_END_1_1;
-    if (version_minor == 2) return PRO_FIELDS_END_1_2;
-    return version_minor == 3 ? PRO_FIELDS_END_1_3 : PRO_FIELDS_END;
 }
 
 void checkHeader(Bytes bytes, const pro_info& info, Findings& findings) {
     if (info.file_bytes != bytes.size())
-        findings.add(Finding::kFileSize, "%zu bytes, the header says %llu", bytes.size(),
+        findings.add(Finding::kFileSize, "%zu bytes; the header says %llu", bytes.size(),
                      static_cast<unsigned long long>(info.file_bytes));
     if (loadU64(bytes.data(), PRO_OFF_HEADER_XXH3) != headerChecksum(bytes.data()))
         findings.add(Finding::kHeaderChecksum, "the header's checksum does not match");
     checkRanges(info, findings);
     if (info.version_minor > PRO_VERSION_MINOR) return; // later minors may use reserved bytes and flags
-    const std::size_t fields_end = fieldsEnd(info.version_minor);
-    const bool old_grid =
-        info.version_minor > 3 && !allZero(bytes.subspan(PRO_OFF_OLD_GRID, PRO_OFF_UP - PRO_OFF_OLD_GRID));
-    if (old_grid || !allZero(bytes.subspan(fields_end, PRO_TABLE_OFFSET - fields_end)))
+    if (!allZero(bytes.subspan(PRO_OFF_OLD_GRID, PRO_OFF_UP - PRO_OFF_OLD_GRID)))
+        findings.add(Finding::kHeaderReserved, "written before pointrt 0.1.0 (format %u.%u); bake the scan again",
+                     info.version_major, info.version_minor);
+    if (!allZero(bytes.subspan(PRO_FIELDS_END, PRO_TABLE_OFFSET - PRO_FIELDS_END)))
         findings.add(Finding::kHeaderReserved, "reserved header bytes are not 0");
     if (info.flags & ~PRO_FLAGS_KNOWN) findings.add(Finding::kUnknownFlags, "unknown flags 0x%x", info.flags);
 }
 
-/// The records, none where the table itself is not usable.
+/// The records; none if the table itself is malformed.
 std::vector<Section> loadTable(Bytes bytes, Findings& findings) {
     const std::uint32_t count = loadU32(bytes.data(), PRO_OFF_SECTION_COUNT);
     const std::uint32_t stride = loadU32(bytes.data(), PRO_OFF_SECTION_STRIDE);
@@ -89,7 +83,7 @@ void checkTableReserved(Bytes bytes, const std::vector<Section>& sections, Findi
     }
 }
 
-/// Where the section lies; false when its bytes must not be touched.
+/// Checks where the section lies. False if its bytes must not be read.
 bool checkPlace(const Section& section, std::uint64_t file_bytes, Findings& findings) {
     const auto kind = kindName(section.kind);
     const char* name = kind.data();
@@ -131,52 +125,34 @@ void checkPadding(Bytes bytes, const std::vector<Section>& sorted, Findings& fin
     places.addTo(findings, Finding::kPadding, "the padding from byte", "not all 0");
 }
 
-/// Whether a section's count is one that its kind can have. Those that the header does not promise are only kept in
-/// range for setSection: checkIndexSections knows more.
-bool countFits(const Section& section, const Parsed& parsed) {
-    switch (section.kind) {
-    case PRO_KIND_META:
-        return true;
-    case PRO_KIND_ATTD:
-        return section.count <= PRO_ATTRIBUTE_MAX;
-    case PRO_KIND_SENS:
-    case PRO_KIND_BRKS:
-    case PRO_KIND_CELS:
-    case PRO_KIND_SLBS:
-        return section.count <= PRO_INDEX_LISTED_MAX;
-    case PRO_KIND_DSCS:
-    case PRO_KIND_DSPL:
-    case PRO_KIND_BLDS:
-        return section.count <= PRO_INDEX_LISTED_MAX / 2;
-    default:
-        return section.count == elementCount(section.kind, parsed.info, parsed.content);
-    }
-}
-
-/// Whether a section of a kind in kKindRules may be used.
-bool checkKnown(const Section& section, const KindRule& rule, const Parsed& parsed, Findings& findings) {
-    if (section.stride == rule.stride && countFits(section, parsed)) return true;
-    findings.add(Finding::kSectionCount, "%s: %llu elements of %u bytes, not what the header promises",
+/// Checks the stride and the count of a section of a known kind. Counts that the header does not have are only bounded
+/// here; checkIndexSections compares them.
+bool checkShape(const Section& section, const SectionRule& rule, const Parsed& parsed, Findings& findings) {
+    const bool count_fits = rule.count.limit > 0 ? section.count <= rule.count.limit
+                                                 : section.count == rule.count.get(parsed.info, parsed.content);
+    if (section.stride == rule.stride && count_fits) return true;
+    findings.add(Finding::kSectionCount, "%s: %llu elements of %u bytes do not match the header",
                  kindName(section.kind).data(), static_cast<unsigned long long>(section.count), section.stride);
     return false;
 }
 
-/// Points view at the known sections and returns those whose bytes may be read, sorted by offset.
+/// Sets the known sections in parsed and returns those whose bytes may be read, sorted by offset.
 std::vector<Section> checkSections(Bytes bytes, const std::vector<Section>& table, Parsed& parsed, Findings& findings) {
     std::vector<Section> placed;
     for (const Section& section : table) {
-        const KindRule* rule = findRule(section.kind);
+        const SectionRule* rule = findRule(section.kind);
         const auto name = kindName(section.kind);
         if (!rule && (section.flags & PRO_SECTION_REQUIRED))
-            findings.add(Finding::kRequiredUnknown, "needs a section %s that this reader does not know", name.data());
+            findings.add(Finding::kRequiredUnknown, "requires a section %s that this reader does not support",
+                         name.data());
         if (!checkPlace(section, bytes.size(), findings)) continue;
         placed.push_back(section);
-        if (!rule || !checkKnown(section, *rule, parsed, findings)) continue;
-        if (sectionData(parsed.content, section.kind))
-            findings.add(Finding::kSectionTwice, "section %s stands twice", name.data());
-        setSection(parsed.content, section.kind, bytes.data() + section.offset, section.count);
+        if (!rule || !checkShape(section, *rule, parsed, findings)) continue;
+        if (rule->data.get(parsed.content))
+            findings.add(Finding::kSectionTwice, "section %s appears twice", name.data());
+        setSection(parsed.content, *rule, bytes.data() + section.offset, section.count);
     }
-    for (const KindRule& rule : kKindRules) {
+    for (const SectionRule& rule : kSectionRules) {
         const bool listed =
             std::any_of(table.begin(), table.end(), [&](const Section& s) { return s.kind == rule.kind; });
         if (rule.presence == Presence::kMandatory && !listed)
@@ -186,7 +162,7 @@ std::vector<Section> checkSections(Bytes bytes, const std::vector<Section>& tabl
     return placed;
 }
 
-/// Sets the values of the attributes, and checks their sections against ATTD. Leaves all attributes set, or none.
+/// Sets the values of the attributes and checks their sections against ATTD. Sets all attributes or none.
 void checkAttributes(Bytes bytes, const std::vector<Section>& table, Parsed& parsed, Findings& findings) {
     Content& content = parsed.content;
     const std::size_t before = findings.count();
@@ -197,12 +173,12 @@ void checkAttributes(Bytes bytes, const std::vector<Section>& table, Parsed& par
         const pro_attribute attribute = i < content.attribute_count ? loadAttribute(content, i) : pro_attribute{};
         if (section.stride != attribute.components * pro_type_bytes(attribute.type) || section.stride == 0 ||
             section.count != parsed.info.splat_count)
-            findings.add(Finding::kAttributeSections, "ATTR: %llu elements of %u bytes, not what ATTD promises",
+            findings.add(Finding::kAttributeSections, "ATTR: %llu elements of %u bytes do not match ATTD",
                          static_cast<unsigned long long>(section.count), section.stride);
         content.attribute_values.push_back(bytes.data() + section.offset);
     }
     if (findings.count() == before && content.attribute_values.size() != content.attribute_count)
-        findings.add(Finding::kAttributeSections, "%zu sections ATTR for %zu records of ATTD",
+        findings.add(Finding::kAttributeSections, "%zu ATTR sections for %zu records in ATTD",
                      content.attribute_values.size(), content.attribute_count);
     if (findings.count() == before) checkAttributeNames(content, findings);
     if (findings.count() == before) return;
@@ -210,44 +186,45 @@ void checkAttributes(Bytes bytes, const std::vector<Section>& table, Parsed& par
     content.attribute_values.clear();
 }
 
-/// The index's sections against one another and their frame; placed ones must have been set. Leaves a whole index set,
-/// or none.
+/// Checks the sections of the index against one another and against the grid frame; placed ones must have been set.
+/// Keeps a complete index or none.
 void checkIndexSections(Bytes bytes, const std::vector<Section>& placed, Parsed& parsed, Findings& findings) {
     pro_index& index = parsed.content.index;
-    const auto belongs = [](const Section& section) {
-        const KindRule* rule = findRule(section.kind);
-        return rule && rule->presence == Presence::kIndex;
+    const auto indexRule = [](const Section& section) -> const SectionRule* {
+        const SectionRule* rule = findRule(section.kind);
+        return rule && rule->presence == Presence::kIndex ? rule : nullptr;
     };
-    const auto listed = std::count_if(placed.begin(), placed.end(), belongs);
+    const bool listed = std::any_of(placed.begin(), placed.end(), indexRule);
     const std::size_t before = findings.count();
-    if (listed == 0) {
-        if (!allZero(bytes.subspan(PRO_OFF_GRID_SHIFT, PRO_FIELDS_END - PRO_OFF_GRID_SHIFT)) &&
-            parsed.info.version_minor > 3)
+    if (!listed) {
+        if (!allZero(bytes.subspan(PRO_OFF_GRID_SHIFT, PRO_FIELDS_END - PRO_OFF_GRID_SHIFT)))
             findings.add(Finding::kGridFrame, "an entry grid without its sections");
-    } else if (!isWhole(index)) {
-        findings.add(Finding::kIndexIncomplete, "the tracing index is not whole");
+    } else if (!isComplete(index)) {
+        findings.add(Finding::kIndexIncomplete, "the tracing index is incomplete");
     } else if (checkIndexFrame(index, findings)) {
-        for (const Section& section : placed)
-            if (belongs(section) && section.count != elementCount(section.kind, parsed.info, parsed.content))
-                findings.add(Finding::kSectionCount, "%s: %llu elements do not fit the rest of the index",
+        for (const Section& section : placed) {
+            const SectionRule* rule = indexRule(section);
+            if (rule && section.count != rule->count.get(parsed.info, parsed.content))
+                findings.add(Finding::kSectionCount, "%s: %llu elements do not match the rest of the index",
                              kindName(section.kind).data(), static_cast<unsigned long long>(section.count));
+        }
     }
-    parsed.indexed = listed > 0 && findings.count() == before;
+    parsed.indexed = listed && findings.count() == before;
     if (!parsed.indexed) index = {};
 }
 
-/// Lets go of what a tracer does not read.
+/// Drops the sections that PRO_OPEN_TRACE does not read.
 void dropUntraced(std::vector<Section>& placed, Content& content) {
     std::erase_if(placed, [](const Section& section) {
-        const KindRule* rule = findRule(section.kind);
+        const SectionRule* rule = findRule(section.kind);
         return !rule || !rule->traced;
     });
-    for (const KindRule& rule : kKindRules)
-        if (!rule.traced) setSection(content, rule.kind, nullptr, 0);
+    for (const SectionRule& rule : kSectionRules)
+        if (!rule.traced) setSection(content, rule, nullptr, 0);
 }
 
 void checkChecksums(Bytes bytes, std::vector<Section> sections, Level level, Findings& findings) {
-    // skipped sections are not read at all
+    // sections of unknown kinds are not read
     if (level != Level::kVerify)
         std::erase_if(sections,
                       [](const Section& section) { return !findRule(section.kind) && section.kind != PRO_KIND_ATTR; });
@@ -268,9 +245,9 @@ Parsed validate(Bytes bytes, Level level, bool checksums, Findings& findings) {
     Parsed parsed;
     if (!checkIdentity(bytes, findings)) return parsed;
     parsed.info = loadInfo(bytes.data());
-    if (parsed.info.version_minor > 1) parsed.content.world = loadWorld(bytes.data());
-    if (parsed.info.version_minor > 2) parsed.content.sampling = loadSampling(bytes.data());
-    if (parsed.info.version_minor > 3) parsed.content.index = loadFrame(bytes.data());
+    parsed.content.world = loadWorld(bytes.data());
+    parsed.content.sampling = loadSampling(bytes.data());
+    parsed.content.index = loadFrame(bytes.data());
     checkHeader(bytes, parsed.info, findings);
     checkWorld(parsed.content.world, findings);
     checkSampling(parsed.info, parsed.content.sampling, findings);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From untrusted bytes to a view whose every index is in range.
+// Untrusted bytes to a view whose indices are all in range.
 #pragma once
 
 #include <span>
@@ -11,12 +11,13 @@ namespace pointrt::format {
 struct Parsed {
     pro_info info{};
     Content content;      ///< only sections without findings are set
-    bool indexed = false; ///< there is a whole index
+    bool indexed = false; ///< the file has a complete index
 };
 
-/// Visits the findings of a whole file; with a sink that stops, returns soon after the first.
-/// bytes must be 8-byte aligned. Time is linear in the file's size.
-/// @param checksums whether the sections' XXH3 are compared; the header's always is
+/// Checks a complete file; with a sink that stops, returns soon after the first finding. Linear in the size of the
+/// file.
+/// @param bytes 8-byte aligned
+/// @param checksums whether to compare the XXH3 of the sections; the header's is always compared
 Parsed validate(std::span<const std::byte> bytes, Level level, bool checksums, Findings& findings);
 
 } // namespace pointrt::format

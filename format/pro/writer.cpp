@@ -14,9 +14,9 @@ using namespace pointrt::format;
 
 namespace {
 
-struct Plan {
+struct FileLayout {
     std::vector<Section> sections; // in file order
-    std::vector<const void*> data; // of each section
+    std::vector<const void*> data; // one per section
     std::uint64_t file_bytes = PRO_HEADER_BYTES;
 };
 
@@ -24,60 +24,60 @@ std::uint64_t alignUp(std::uint64_t bytes) {
     return (bytes + PRO_SECTION_ALIGNMENT - 1) / PRO_SECTION_ALIGNMENT * PRO_SECTION_ALIGNMENT;
 }
 
-/// Gives a section its place behind the others.
-void addSection(Plan& plan, std::uint32_t kind, std::uint32_t stride, std::uint64_t count, const void* data) {
+/// Appends a section to the file.
+void addSection(FileLayout& layout, std::uint32_t kind, std::uint32_t stride, std::uint64_t count, const void* data) {
     Section section;
     section.kind = kind;
     section.stride = stride;
     section.count = count;
-    section.offset = plan.file_bytes;
+    section.offset = layout.file_bytes;
     section.length = count * stride;
     section.xxh3 = checksum(data, section.length);
-    plan.file_bytes = alignUp(section.offset + section.length);
-    plan.sections.push_back(section);
-    plan.data.push_back(data);
+    layout.file_bytes = alignUp(section.offset + section.length);
+    layout.sections.push_back(section);
+    layout.data.push_back(data);
 }
 
-Plan planSections(const pro_info& info, const Content& content) {
-    Plan plan;
-    for (const KindRule& rule : kKindRules) {
-        const void* data = sectionData(content, rule.kind);
-        const std::uint64_t count = elementCount(rule.kind, info, content);
+FileLayout layOut(const pro_info& info, const Content& content) {
+    FileLayout layout;
+    for (const SectionRule& rule : kSectionRules) {
+        const void* data = rule.data.get(content);
+        const std::uint64_t count = rule.count.get(info, content);
         const bool mandatory = rule.presence == Presence::kMandatory;
         if (!mandatory && (!data || count == 0)) continue;
-        addSection(plan, rule.kind, rule.stride, count, data);
-        plan.sections.back().flags = mandatory ? PRO_SECTION_REQUIRED : 0;
+        addSection(layout, rule.kind, rule.stride, count, data);
+        layout.sections.back().flags = mandatory ? PRO_SECTION_REQUIRED : 0;
     }
     for (std::size_t i = 0; i < content.attribute_count; ++i) {
         const pro_attribute attribute = loadAttribute(content, i);
-        addSection(plan, PRO_KIND_ATTR, attribute.components * pro_type_bytes(attribute.type), info.splat_count,
+        addSection(layout, PRO_KIND_ATTR, attribute.components * pro_type_bytes(attribute.type), info.splat_count,
                    attribute.values);
     }
-    return plan;
+    return layout;
 }
 
 using Header = std::array<std::byte, PRO_HEADER_BYTES>;
 
-Header makeHeader(pro_info info, const Content& content, const Plan& plan) {
+Header makeHeader(pro_info info, const Content& content, const FileLayout& layout) {
     Header header{};
-    info.file_bytes = plan.file_bytes;
+    info.file_bytes = layout.file_bytes;
     storeInfo(header.data(), info);
     storeFrame(header.data(), content.index);
     storeWorld(header.data(), content.world);
     storeSampling(header.data(), content.sampling);
-    storeU32(header.data(), PRO_OFF_SECTION_COUNT, static_cast<std::uint32_t>(plan.sections.size()));
+    storeU32(header.data(), PRO_OFF_SECTION_COUNT, static_cast<std::uint32_t>(layout.sections.size()));
     storeU32(header.data(), PRO_OFF_SECTION_STRIDE, PRO_SECTION_BYTES);
-    for (std::uint32_t i = 0; i < plan.sections.size(); ++i) storeSection(header.data(), i, plan.sections[i]);
+    for (std::uint32_t i = 0; i < layout.sections.size(); ++i) storeSection(header.data(), i, layout.sections[i]);
     storeU64(header.data(), PRO_OFF_HEADER_XXH3, headerChecksum(header.data()));
     return header;
 }
 
-bool writePlan(AtomicFile& file, const Header& header, const Plan& plan) {
+bool writeSections(AtomicFile& file, const Header& header, const FileLayout& layout) {
     static constexpr std::array<std::byte, PRO_SECTION_ALIGNMENT> kZeros{};
     if (!file.write(header.data(), header.size())) return false;
-    for (std::size_t i = 0; i < plan.sections.size(); ++i) {
-        const std::uint64_t length = plan.sections[i].length;
-        if (!file.write(plan.data[i], length)) return false;
+    for (std::size_t i = 0; i < layout.sections.size(); ++i) {
+        const std::uint64_t length = layout.sections[i].length;
+        if (!file.write(layout.data[i], length)) return false;
         if (!file.write(kZeros.data(), alignUp(length) - length)) return false;
     }
     return true;
@@ -92,7 +92,7 @@ void keepFinding(const pro_message* finding, void* user) {
     if (auto* message = static_cast<pro_message*>(user)) *message = *finding;
 }
 
-/// Whatever is written can be opened.
+/// Refuses content that pro_open would refuse.
 bool checkInput(const pro_info& info, const Content& content, pro_message* message) {
     const pro_view& view = content.view;
     Findings findings(keepFinding, message, true);
@@ -100,7 +100,7 @@ bool checkInput(const pro_info& info, const Content& content, pro_message* messa
     if (info.flags & ~PRO_FLAGS_KNOWN) findings.add(Finding::kUnknownFlags, "unknown flags 0x%x", info.flags);
     if (view.metadata_bytes > 0 && !isUtf8({view.metadata, view.metadata_bytes}))
         findings.add(Finding::kMetadataUtf8, "META is not UTF-8");
-    if (isWhole(content.index)) checkIndexFrame(content.index, findings);
+    if (isComplete(content.index)) checkIndexFrame(content.index, findings);
     checkWorld(content.world, findings);
     checkSampling(info, content.sampling, findings);
     for (std::size_t i = 0; i < content.attribute_count; ++i) checkAttributeRecord(content, i, findings);
@@ -112,20 +112,20 @@ bool checkInput(const pro_info& info, const Content& content, pro_message* messa
 pro_result writeFile(const char* path, Existing existing, const pro_info& info, const Content& content,
                      pro_message* message) {
     AtomicFile file;
-    const Plan plan = planSections(info, content);
-    if (file.open(path, existing) && writePlan(file, makeHeader(info, content, plan), plan) && file.commit())
+    const FileLayout layout = layOut(info, content);
+    if (file.open(path, existing) && writeSections(file, makeHeader(info, content, layout), layout) && file.commit())
         return PRO_OK;
     if (file.nameIsTaken())
         setMessage(message, 0, "%s", file.error().c_str());
     else
-        setMessage(message, 0, "cannot write: %s (%llu bytes are needed)", file.error().c_str(),
-                   static_cast<unsigned long long>(plan.file_bytes));
+        setMessage(message, 0, "cannot write: %s (needs %llu bytes)", file.error().c_str(),
+                   static_cast<unsigned long long>(layout.file_bytes));
     return PRO_CANNOT_WRITE;
 }
 
 bool hasNulls(const pro_content& content) {
     if (!content.info || !content.view || missingSection(*content.info, *content.view)) return true;
-    if (content.index && !isWhole(*content.index)) return true;
+    if (content.index && !isComplete(*content.index)) return true;
     if (content.world && content.world->sensor_count > 0 && !content.world->sensors) return true;
     if (content.attribute_count > PRO_ATTRIBUTE_MAX || (content.attribute_count > 0 && !content.attributes))
         return true;
@@ -133,12 +133,12 @@ bool hasNulls(const pro_content& content) {
                        [](const pro_attribute& attribute) { return !attribute.values; });
 }
 
-bool isKnown(const pro_world& world) {
+bool hasWorld(const pro_world& world) {
     return world.up[0] != 0 || world.up[1] != 0 || world.up[2] != 0 || world.metres_per_unit != 0 ||
            world.sensor_count > 0;
 }
 
-/// The attributes as sections; records receives ATTD.
+/// Sets the sections of the attributes; records receives ATTD.
 void setAttributes(Content& to, const pro_content& from, std::vector<std::byte>& records) {
     records.resize(from.attribute_count * std::size_t{PRO_ATTRIBUTE_BYTES});
     for (std::size_t i = 0; i < from.attribute_count; ++i) {
@@ -153,13 +153,14 @@ void setAttributes(Content& to, const pro_content& from, std::vector<std::byte>&
     to.attribute_count = from.attribute_count;
 }
 
-bool isTold(const pro_sampling& sampling) { return sampling.noise || sampling.filled_count > 0; }
+bool hasSampling(const pro_sampling& sampling) { return sampling.noise || sampling.filled_count > 0; }
 
-/// What a reader of an earlier version would miss nothing of is of that version.
-std::uint32_t leastMinor(const pro_content& content) {
+/// The first minor version that had all of the content. Files without an index (pointrt-bake --compact) have been
+/// stamped so since release 0.1.0; readers do not use the number.
+std::uint32_t minorVersionOf(const pro_content& content) {
     if (content.index) return 4;
-    if (content.sampling && isTold(*content.sampling)) return 3;
-    if (content.attribute_count > 0 || (content.world && isKnown(*content.world))) return 2;
+    if (content.sampling && hasSampling(*content.sampling)) return 3;
+    if (content.attribute_count > 0 || (content.world && hasWorld(*content.world))) return 2;
     return 0;
 }
 
@@ -176,12 +177,12 @@ pro_result writeAs(Existing existing, const char* path, const pro_content& given
         content.view = *given.view;
         if (given.index) content.index = *given.index;
         if (given.world) content.world = *given.world;
-        if (given.sampling && isTold(*given.sampling)) content.sampling = *given.sampling;
+        if (given.sampling && hasSampling(*given.sampling)) content.sampling = *given.sampling;
         setAttributes(content, given, records);
         pro_info versioned = *given.info;
         versioned.version_major = PRO_VERSION_MAJOR;
-        versioned.version_minor = leastMinor(given);
-        content.sampling.noise_median = 0; // found below, of radii and a scale that have passed
+        versioned.version_minor = minorVersionOf(given);
+        content.sampling.noise_median = 0; // computed below, from radii and a scale that have been checked
         if (!checkInput(versioned, content, message)) return PRO_BAD_ARGUMENT;
         content.sampling.noise_median = medianNoise(versioned, content);
         return writeFile(path, existing, versioned, content, message);

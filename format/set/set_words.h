@@ -26,8 +26,8 @@ inline std::string checksumWord(std::uint64_t checksum) {
 inline std::optional<std::uint64_t> checksumOfWord(std::string_view word) {
     std::uint64_t checksum = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), checksum, 16);
-    const bool whole = error == std::errc() && end == word.data() + word.size() && word.size() == kChecksumDigits;
-    return whole ? std::optional(checksum) : std::nullopt;
+    const bool is_complete = error == std::errc() && end == word.data() + word.size() && word.size() == kChecksumDigits;
+    return is_complete ? std::optional(checksum) : std::nullopt;
 }
 
 } // namespace pointrt

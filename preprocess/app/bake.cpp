@@ -12,7 +12,7 @@
 #include "preprocess/app/bake_progress.h"
 #include "preprocess/app/checks.h"
 #include "preprocess/app/interrupt.h"
-#include "preprocess/octree/carry_attributes.h"
+#include "preprocess/octree/splat_attributes.h"
 #include "preprocess/octree/write.h"
 #include "preprocess/surface/find_up.h"
 
@@ -20,7 +20,7 @@ namespace pointrt {
 
 namespace {
 
-/// Found out before the work, not after it.
+/// Fails before the work, not after it.
 void checkOutput(const BakeOptions& options) {
     format::AtomicFile output;
     if (output.open(options.output, options.force ? format::Existing::kReplaced : format::Existing::kKept)) return;
@@ -34,7 +34,7 @@ std::string sourceName(const BakeOptions& options) {
                : options.inputs.front() + " and " + std::to_string(options.inputs.size() - 1) + " more";
 }
 
-/// Reasons found later than the reader belong to the inputs as a whole: they get their name here.
+/// Errors found after reading concern the inputs together; this adds their name.
 Splats estimateNamed(Cloud&& cloud, const BakeOptions& options, BakeReport& report, BakeProgress& progress) {
     std::string stage;
     const std::uint64_t points = cloud.positions.size();
@@ -54,32 +54,32 @@ TracingIndex buildIndexNamed(const ProSections& sections, const BakeOptions& opt
         return buildTracingIndex(sections.info, sections.view, {threadCount(options), progress});
     } catch (const Error& error) {
         throw Error(error.code, sourceName(options) + ": " + error.what() +
-                                    "; --compact writes the file without it, for other viewers than pointrt-view");
+                                    "; --compact omits the index, for viewers other than pointrt-view");
     }
 }
 
-/// What the scans say beside their points; report keeps the names.
-ProContent takeSaid(const BakeOptions& options, Cloud& cloud, BakeReport& report) {
+/// Moves all but the points from cloud to the content of the file; report gets the names of attributes.
+ProContent takeMetadata(const BakeOptions& options, Cloud& cloud, BakeReport& report) {
     fitAttributes(cloud);
-    ProContent said;
-    said.attributes = std::exchange(cloud.attributes, {});
-    said.sensors = sensorRows(cloud.scans);
+    ProContent content;
+    content.attributes = std::exchange(cloud.attributes, {});
+    content.sensors = sensorRows(cloud.scans);
     if (!cloud.world.up.isZero()) report.up_from = cloud.world.up_by_custom ? "format" : "file";
     if (!options.up.isZero()) {
         cloud.world.up = options.up;
         report.up_from = "option";
     }
-    said.world = report.world = cloud.world;
-    for (const Attribute& each : said.attributes)
+    content.world = report.world = cloud.world;
+    for (const Attribute& each : content.attributes)
         report.attributes.push_back({each.name, each.type, each.components, {}});
     report.scans = cloud.scans;
     report.source_header = std::move(cloud.source_header);
     report.notes = std::move(cloud.notes);
-    return said;
+    return content;
 }
 
-/// Where neither the command line nor a file says what is up. What a format's files mostly have gives way to what the
-/// data tells.
+/// Estimates the up direction unless the command line or a file gives it. The estimate overrides the custom of a
+/// format.
 void findUpInData(const Splats& splats, BakeReport& report, WorldFrame& world) {
     if (report.up_from == "option" || report.up_from == "file") return;
     const FoundUp found = findUp(splats, report.scans);
@@ -91,7 +91,7 @@ void findUpInData(const Splats& splats, BakeReport& report, WorldFrame& world) {
 
 void store(const BakeOptions& options, ProContent content, const PackedSplats& splats, const Octree& octree,
            BakeReport& report, BakeProgress& progress) {
-    content.attributes = carryAttributes(content.attributes, pointsOfSplats(splats));
+    content.attributes = gatherAttributes(content.attributes, sourcePoints(splats));
     report.filled = splats.filled;
     content.materials = {scanMaterial((splats.frame.flags & PRO_FLAG_COLOR) != 0, options.reflectivity)};
     content.metadata = metadataJson(options, report);
@@ -109,7 +109,7 @@ void store(const BakeOptions& options, ProContent content, const PackedSplats& s
     report.octree = writePro(options.output, options.force, sections, options.index ? &index_view : nullptr);
 }
 
-std::vector<std::string_view> stagesLeftOut(const BakeOptions& options) {
+std::vector<std::string_view> skippedStages(const BakeOptions& options) {
     std::vector<std::string_view> stages;
     if (!options.prune) stages.emplace_back("prune");
     if (!options.index) stages.emplace_back("index");
@@ -123,7 +123,7 @@ BakeReport bake(const BakeOptions& options) {
     checkOutput(options);
     checkStats(options);
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, threadCount(options));
-    BakeProgress progress(options.verbosity, options.progress, stagesLeftOut(options));
+    BakeProgress progress(options.verbosity, options.progress, skippedStages(options));
     const auto show = [&](double share) { progress.update(share); };
     const auto show_read = [&](const ReadStatus& status) {
         if (status.share > 0)
@@ -140,13 +140,13 @@ BakeReport bake(const BakeOptions& options) {
     report.points_non_finite = cloud.points_non_finite;
     report.points_unused = cloud.points_unused;
     report.points_filtered = cloud.points_filtered;
-    ProContent said = takeSaid(options, cloud, report);
+    ProContent content = takeMetadata(options, cloud, report);
     if (report.files.size() > 1)
         for (const FileReport& file : report.files) progress.note(fileLine(file));
     for (const Note& note : report.notes) progress.note(noteLine(note));
 
     Splats splats = estimateNamed(std::move(cloud), options, report, progress);
-    findUpInData(splats, report, said.world);
+    findUpInData(splats, report, content.world);
     progress.begin("quantize", splats.positions.size());
     PackedSplats packed = quantizeSplats(std::move(splats));
     report.merged = packed.merged;
@@ -160,8 +160,8 @@ BakeReport bake(const BakeOptions& options) {
         report.harm_allowed = options.pruning.harm;
         report.pruning = pruneOctree(packed, options.pruning, octree, show);
     }
-    freeScaffold(packed);
-    store(options, std::move(said), packed, octree, report, progress);
+    freeBuildData(packed);
+    store(options, std::move(content), packed, octree, report, progress);
     progress.finish();
     report.seconds = progress.seconds();
     report.seconds_total = progress.totalSeconds();

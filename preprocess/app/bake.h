@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole road from scan files to a .pro.
+// Bakes scan files to a .pro.
 #pragma once
 
 #include "preprocess/app/options.h"
@@ -7,7 +7,7 @@
 
 namespace pointrt {
 
-/// Reads, estimates, builds, prunes and writes options.output. Throws Error; nothing half-written is left.
+/// Runs all stages and writes options.output atomically. Throws Error.
 BakeReport bake(const BakeOptions& options);
 
 } // namespace pointrt

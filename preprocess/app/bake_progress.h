@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Progress on standard error: on a terminal one redrawn line, with the share of the whole bake and the time that is
-// left of it, and then its stage; elsewhere one line a stage; for programs that wait for a bake, lines "progress SHARE
-// STAGE RATE" with the share of the whole bake, 0 to 1 and never less than before, and the points a second of the
-// stage, 0 where not known.
+// Progress on standard error. On a terminal: one redrawn line with the fraction of the bake done, the time left and the
+// stage. Otherwise: one line per stage. For programs: lines "progress FRACTION STAGE RATE" with the fraction of the
+// bake, 0 to 1 and never decreasing, and the points per second of the stage, 0 if unknown.
 #pragma once
 
 #include <chrono>
@@ -22,25 +21,25 @@ struct StageWeight {
     double percent; ///< of the time of a bake
 };
 
-/// Times the stages of a bake and shows them. Not thread-safe: callers hand over one call at a time.
+/// Times the stages of a bake and shows progress. Not thread-safe.
 class BakeProgress {
 public:
-    /// @param left_out stages that this bake does not have
-    BakeProgress(Verbosity verbosity, ProgressStyle style, const std::vector<std::string_view>& left_out = {});
-    /// Of another work: its stages in their order.
+    /// @param skipped stages that this bake does not run
+    BakeProgress(Verbosity verbosity, ProgressStyle style, const std::vector<std::string_view>& skipped = {});
+    /// For other work. @param weights its stages in order
     BakeProgress(Verbosity verbosity, ProgressStyle style, std::vector<StageWeight> weights);
     ~BakeProgress();
 
-    /// Ends the stage before and starts name. points is what the rate is counted in, 0 if not known yet.
+    /// Ends the previous stage and starts name. @param points work of the stage, 0 if not known yet
     void begin(const std::string& name, std::uint64_t points);
-    /// Share of the stage done, in [0, 1].
+    /// @param share fraction of the stage done, 0 to 1
     void update(double share);
     void setPoints(std::uint64_t points) { points_ = points; }
     void finish(); ///< ends the last stage
-    /// A line of its own, unless nothing is to be said.
+    /// Prints a line, unless quiet.
     void note(const std::string& text);
 
-    /// Seconds of each stage so far, in order; a name that comes twice is added up.
+    /// Seconds of each stage so far, in order; stages of the same name are summed.
     const std::vector<std::pair<std::string, double>>& seconds() const { return seconds_; }
     double totalSeconds() const;
 
@@ -58,7 +57,7 @@ private:
     std::uint64_t points_ = 0;
     Clock::time_point start_, stage_start_, drawn_;
     bool line_open_ = false;
-    double whole_share_ = 0; ///< never less than before
+    double total_share_ = 0; ///< of the bake; never decreases
     TimeLeft left_;
     std::vector<std::pair<std::string, double>> seconds_;
 };

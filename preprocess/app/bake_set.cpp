@@ -3,7 +3,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <tbb/global_control.h>
 #include <unistd.h>
 
@@ -12,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "format/base/error.h"
+#include "format/base/file_lock.h"
 #include "format/set/tile_set.h"
 #include "preprocess/app/bake_progress.h"
 #include "preprocess/app/checks.h"
@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of a set's bake in percent, as measured on lidar.
+/// Share of the time per step, in percent, as measured on lidar.
 const std::vector<StageWeight> kSetWeights{{"plan", 4},   {"split", 6}, {"block", 55},
                                            {"levels", 5}, {"tile", 22}, {"top", 8}};
 
@@ -52,18 +52,19 @@ SetRequest requestOf(const BakeOptions& options) {
     return request;
 }
 
-/// Of one process at a time, as long as it lives: two that plan or split one set would write into each other's files.
-class Lock {
+/// Locks the work folder: two processes that plan or split one set would overwrite each other's files.
+class WorkFolderLock {
 public:
-    explicit Lock(const std::string& work) : descriptor_(::open(work.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-        if (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0)
-            throw Error(ExitCode::kCannotWrite, work + ": another process is at it");
-    }
-    ~Lock() {
+    explicit WorkFolderLock(const std::string& work)
+        : descriptor_(::open(work.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+        if (descriptor_ >= 0 && format::tryLock(descriptor_) == format::LockResult::kLocked) return;
+        const std::string reason = format::lockFailure(errno);
         if (descriptor_ >= 0) ::close(descriptor_);
+        throw Error(ExitCode::kCannotWrite, work + ": " + reason);
     }
-    Lock(const Lock&) = delete;
-    Lock& operator=(const Lock&) = delete;
+    ~WorkFolderLock() { ::close(descriptor_); }
+    WorkFolderLock(const WorkFolderLock&) = delete;
+    WorkFolderLock& operator=(const WorkFolderLock&) = delete;
 
 private:
     int descriptor_;
@@ -79,15 +80,15 @@ public:
     SetReport run() {
         clearNamed(options_.output, work_, options_.tiles.keep_work);
         checkOutput();
-        sayThatWorkStays();
+        keepWorkOnInterrupt();
         if (does(SetStep::kPlan) || does(SetStep::kSplit)) {
             makeFolder(work_);
-            const Lock lock(work_);
+            const WorkFolderLock lock(work_);
             try {
                 plan();
             } catch (...) {
                 std::error_code failure;
-                fs::remove(work_, failure); // which it does of an empty folder
+                fs::remove(work_, failure); // only if empty
                 throw;
             }
             if (does(SetStep::kSplit)) split();
@@ -101,21 +102,22 @@ public:
         if (does(SetStep::kTile)) tiles();
         if (does(SetStep::kTop)) finish();
         progress_.finish();
-        takeTimes();
+        collectSeconds();
         return std::move(report_);
     }
 
 private:
     void checkOutput() const {
         if (!fs::exists(options_.output)) return;
-        if (fs::is_directory(options_.output) && fs::is_empty(options_.output)) return; // engines make it ahead
+        if (fs::is_directory(options_.output) && fs::is_empty(options_.output))
+            return; // workflow engines create it in advance
         const bool is_set = fs::is_directory(options_.output) && fs::exists(options_.output + "/set.json");
-        if (!is_set) throw Error(ExitCode::kCannotWrite, options_.output + ": is there, and is no tile set");
+        if (!is_set) throw Error(ExitCode::kCannotWrite, options_.output + ": exists and is not a tile set");
         if (!options_.force)
-            throw Error(ExitCode::kCannotWrite, options_.output + ": is there already; --force overwrites it");
+            throw Error(ExitCode::kCannotWrite, options_.output + ": already exists; --force overwrites it");
     }
 
-    /// The plan that is there, of the same request.
+    /// Reads the existing plan, which must be for the same request.
     void openPlan() {
         report_.plan = readPlan(work_);
         requireSameRequest(report_.plan, request_);
@@ -124,8 +126,7 @@ private:
     }
 
     void requireSplit() const {
-        if (!isSplit(report_.plan))
-            throw Error(ExitCode::kBadInput, work_ + ": the step split has not been done, or not to its end");
+        if (!isSplit(report_.plan)) throw Error(ExitCode::kBadInput, work_ + ": the step split has not been completed");
     }
 
     bool does(SetStep step) const { return options_.tiles.step == SetStep::kAll || options_.tiles.step == step; }
@@ -133,12 +134,12 @@ private:
     void requireBlock() const {
         const std::uint32_t blocks = report_.plan.blocks();
         if (options_.tiles.block < blocks) return;
-        throw Error(ExitCode::kBadUsage, fmt::format("--step: there is no block {}: {} has blocks 0 to {}",
+        throw Error(ExitCode::kBadUsage, fmt::format("--step: block {} is out of range: {} has blocks 0 to {}",
                                                      options_.tiles.block, work_, blocks - 1));
     }
 
-    /// The plan, but for where the set is made.
-    SetPlan making() const {
+    /// The plan with the folder in which the set is assembled.
+    SetPlan assemblyPlan() const {
         SetPlan plan = report_.plan;
         plan.output = finishedFolder(work_);
         return plan;
@@ -146,23 +147,23 @@ private:
 
     std::string metadata() const { return nlohmann::ordered_json{{"writer", "pointrt-bake " POINTRT_VERSION}}.dump(); }
 
-    /// Whether there is a plan to go on with. With --force one of other options or inputs gives way.
-    bool goesOn() {
+    /// Whether a previous bake can be resumed. With --force a plan for other options or inputs is discarded.
+    bool canResume() {
         if (!fs::exists(planFile(work_))) return false;
         try {
             openPlan();
             requireSameInputs(report_.plan, options_.inputs);
-            if (!isSplit(report_.plan)) requireUnwritten(report_.plan, options_.inputs); // which are read once more
+            if (!isSplit(report_.plan)) requireUnwritten(report_.plan, options_.inputs); // they are read again
             return true;
         } catch (const Error&) {
             if (!options_.force) throw;
         }
-        beginAnew();
+        discardWork();
         return false;
     }
 
-    /// The plan goes last: what was done by it would be taken for the next one's.
-    void beginAnew() const {
+    /// Deletes the plan last: without that, its results would be taken for those of the next plan.
+    void discardWork() const {
         const std::string plan = planFile(work_);
         for (const fs::directory_entry& entry : fs::directory_iterator(work_))
             if (entry.path() != plan) removeTree(entry.path());
@@ -170,8 +171,8 @@ private:
     }
 
     void plan() {
-        const bool goes_on = goesOn();
-        if (!goes_on) {
+        const bool resumes = canResume();
+        if (!resumes) {
             progress_.begin("plan", 0);
             report_.plan = makePlan(request_, [&](const ReadStatus& status) { showReading(status); });
             requireSpace(report_.plan);
@@ -179,9 +180,9 @@ private:
             add("plan", report_.plan.points_read, fs::file_size(planFile(work_)));
         }
         const SetPlan& plan = report_.plan;
-        if (!goes_on)
+        if (!resumes)
             for (const Note& note : plan.notes) progress_.note(noteLine(note));
-        progress_.note(fmt::format("{}{} points in {} tiles, {} blocks; {}", goes_on ? "goes on: " : "", plan.points,
+        progress_.note(fmt::format("{}{} points in {} tiles, {} blocks; {}", resumes ? "resuming: " : "", plan.points,
                                    plan.tiles.size(), plan.blocks(), spaceLine(plan)));
     }
 
@@ -196,8 +197,8 @@ private:
         add("split", plan.points, bytes);
     }
 
-    /// The block asked for, or all.
-    BlockRange blocksAsked() const {
+    /// The block of --step, or all.
+    BlockRange selectedBlocks() const {
         if (options_.tiles.step == SetStep::kAll) return {0, report_.plan.blocks()};
         return {options_.tiles.block, options_.tiles.block + 1};
     }
@@ -211,25 +212,26 @@ private:
 
     void blocks() {
         if (fs::exists(blocksMark(report_.plan))) return;
-        const BlockRange asked = blocksAsked();
-        const std::uint64_t points = pointsOf(asked);
+        const BlockRange selected = selectedBlocks();
+        const std::uint64_t points = pointsOf(selected);
         progress_.begin("block", points);
-        const TileCounts counts = bakeBlocks(report_.plan, asked, threadCount(options_),
+        const TileCounts counts = bakeBlocks(report_.plan, selected, threadCount(options_),
                                              [&](const char*, double share) { progress_.update(share); });
         report_.points_lacking_neighbors = counts.lacking;
         add("block", points, 0);
         dropBuckets();
         if (report_.points_lacking_neighbors > 0)
-            progress_.note(fmt::format("{} points lie so far apart that not all of their neighbors in other tiles were "
-                                       "read: normals there may differ from those of one file",
-                                       report_.points_lacking_neighbors));
+            progress_.note(
+                fmt::format("{} points have neighbors too far away in other tiles; their normals may differ from "
+                            "those of a single-file bake",
+                            report_.points_lacking_neighbors));
     }
 
     void tiles() {
-        const BlockRange blocks = blocksAsked();
+        const BlockRange blocks = selectedBlocks();
         const std::uint64_t points = pointsOf(blocks);
         progress_.begin("tile", points);
-        makeBlockTiles(making(), blocks, metadata(), threadCount(options_),
+        makeBlockTiles(assemblyPlan(), blocks, metadata(), threadCount(options_),
                        [&](const char*, double share) { progress_.update(share); });
         add("tile", points, 0);
     }
@@ -237,7 +239,7 @@ private:
     void dropBuckets() const {
         if (!request_.bake.drop_work) return;
         writeMark(blocksMark(report_.plan));
-        std::error_code failure; // what cannot be taken away is in nobody's way
+        std::error_code failure; // files that cannot be deleted do no harm
         fs::remove_all(bucketsFolder(report_.plan), failure);
     }
 
@@ -252,7 +254,7 @@ private:
 
     void finish() {
         progress_.begin("top", report_.plan.points);
-        const TileSet set = makeSet(making(), metadata(), threadCount(options_),
+        const TileSet set = makeSet(assemblyPlan(), metadata(), threadCount(options_),
                                     [&](const char*, double share) { progress_.update(share); });
         report_.splats = set.splats;
         report_.tiles = set.tiles.size();
@@ -276,7 +278,7 @@ private:
         taken.bytes = bytes;
     }
 
-    void takeTimes() {
+    void collectSeconds() {
         for (SetStepReport& each : report_.steps)
             for (const auto& [stage, seconds] : progress_.seconds())
                 if (stage == each.step) each.seconds = seconds;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The road from scan files to a tile set, in steps that other processes may share.
+// Bakes scan files to a tile set, in steps that several processes can share.
 #pragma once
 
 #include <string>
@@ -10,28 +10,28 @@
 
 namespace pointrt {
 
-/// What a step did.
+/// The work of one step.
 struct SetStepReport {
     std::string step;
-    std::uint64_t points = 0, bytes = 0; ///< that it went through, that it has written
+    std::uint64_t points = 0, bytes = 0; ///< processed, written
     double seconds = 0;
 };
 
 struct SetReport {
     SetPlan plan;
-    std::vector<SetStepReport> steps;    ///< those of this process
-    std::uint64_t splats = 0, tiles = 0; ///< of the set, where it is done; all levels' tiles
+    std::vector<SetStepReport> steps;    ///< run by this process
+    std::uint64_t splats = 0, tiles = 0; ///< of the finished set, all levels
     std::uint64_t bytes = 0;
-    std::uint64_t points_lacking_neighbors = 0; ///< TileCounts::lacking, of the blocks this process did
-    bool done = false;                          ///< the set stands under its name
+    std::uint64_t points_lacking_neighbors = 0; ///< TileCounts::lacking, for the blocks of this process
+    bool done = false;                          ///< the set has its final name
     double seconds_total = 0;
 };
 
-/// Does options.tiles.step, or all that is left to do. What is done already is not done again, whoever did it and
-/// wherever that stopped; the bytes are the same. Throws Error.
+/// Runs options.tiles.step, or all remaining steps. Skips work that any process has finished before; the bytes of the
+/// set do not depend on that. Throws Error.
 SetReport bakeSet(const BakeOptions& options);
 
-/// One line for people.
+/// One line for the user.
 std::string summaryLine(const SetReport& report);
 
 /// Writes the report as JSON to path ("-" is standard output). Throws Error (kCannotWrite).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must not be written over.
+// Outputs must not overwrite inputs.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace pointrt {
 
-/// Throws Error (kBadUsage) where path, which the option names, is an input.
+/// Throws Error (kBadUsage) if path, given by option, is an input.
 void requireNoInput(const BakeOptions& options, const std::string& path, const char* option);
 
-/// The report must not land on a scan or on the scene. Throws Error.
+/// Throws Error if the report cannot be written or would overwrite a scan or the output.
 void checkStats(const BakeOptions& options);
 
 } // namespace pointrt

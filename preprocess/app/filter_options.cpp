@@ -14,7 +14,7 @@ namespace {
 
 [[noreturn]] void usage(const std::string& text) { throw Error(ExitCode::kBadUsage, text); }
 
-/// Calls use(word) for each part between commas.
+/// Calls use(part) for each part between commas.
 template <typename Use>
 void eachPart(const std::string& text, const Use& use) {
     for (std::size_t begin = 0; begin <= text.size();) {
@@ -24,14 +24,14 @@ void eachPart(const std::string& text, const Use& use) {
     }
 }
 
-/// One class or the first and the last of several.
+/// part is one class, or a range FIRST-LAST.
 void markClasses(const std::string& option, std::string_view part, std::vector<bool>& classes) {
     const std::size_t dash = part.find('-');
     double first = 0, last = 0;
     const bool numbers = wholeNumber(part.substr(0, dash), first) &&
                          wholeNumber(dash == std::string_view::npos ? part : part.substr(dash + 1), last);
     if (!numbers || first != std::floor(first) || last != std::floor(last) || first < 0 || last > 255 || first > last)
-        usage(fmt::format("{}: {} is no class, 0 to 255, and no range of them, as 3-5", option, inQuotes(part)));
+        usage(fmt::format("{}: {} is not a class from 0 to 255 or a range such as 3-5", option, inQuotes(part)));
     for (auto each = static_cast<std::size_t>(first); each <= static_cast<std::size_t>(last); ++each)
         classes[each] = true;
 }
@@ -43,11 +43,11 @@ Eigen::AlignedBox3d parseBounds(const std::string& text) {
     eachPart(text, [&](std::string_view part) {
         double value = 0;
         if (!wholeNumber(part, value) || std::isnan(value))
-            usage(fmt::format("--bounds: {} is no number", inQuotes(part)));
+            usage(fmt::format("--bounds: {} is not a number", inQuotes(part)));
         values.push_back(value);
     });
     if (values.size() != 6)
-        usage(fmt::format("--bounds: {} numbers, not 6: MINX,MINY,MINZ,MAXX,MAXY,MAXZ", values.size()));
+        usage(fmt::format("--bounds: needs 6 numbers (MINX,MINY,MINZ,MAXX,MAXY,MAXZ), not {}", values.size()));
     const Eigen::Vector3d low(values[0], values[1], values[2]), high(values[3], values[4], values[5]);
     for (int axis = 0; axis < 3; ++axis)
         if (low[axis] > high[axis])
@@ -81,25 +81,25 @@ Eigen::Affine3d readTransform(const std::string& path) {
         if (rest.empty()) break;
         double value = 0;
         const char* const stop = parseNumber(rest.data(), rest.data() + rest.size(), value);
-        if (!stop || !std::isfinite(value)) refuseLine(source, rest.data(), "is no number of a matrix");
+        if (!stop || !std::isfinite(value)) refuseLine(source, rest.data(), "is not a number");
         values.push_back(value);
         rest.remove_prefix(static_cast<std::size_t>(stop - rest.data()));
         if (values.size() > 16) break;
     }
-    if (values.size() != 16) refuse(source, "is no matrix: 16 numbers are one, four rows of four");
+    if (values.size() != 16) refuse(source, "is not a 4x4 matrix: it needs 16 numbers, row by row");
     Eigen::Matrix4d matrix = Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(values.data());
-    if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) refuse(source, "the matrix's last row is not 0 0 0 1");
+    if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) refuse(source, "the last row of the matrix is not 0 0 0 1");
     const Eigen::Matrix3d linear = matrix.topLeftCorner<3, 3>();
-    // of a matrix with columns this long; what is flatter is rounding
+    // the largest determinant for columns of these lengths; less than 1e-12 of it is rounding
     const double largest = linear.colwise().norm().prod();
-    if (!(std::abs(linear.determinant()) > 1e-12 * largest)) refuse(source, "the matrix flattens space");
+    if (!(std::abs(linear.determinant()) > 1e-12 * largest)) refuse(source, "the matrix is singular");
     return Eigen::Affine3d(matrix);
 }
 
 Eigen::Vector3d parseUp(const std::string& text) {
     if (text == "auto") return Eigen::Vector3d::Zero();
     const auto axis = directionNamed(text);
-    if (!axis) usage("--up: '" + text + "' is none of auto|x|y|z|-x|-y|-z");
+    if (!axis) usage("--up: '" + text + "' is not one of auto|x|y|z|-x|-y|-z");
     return Eigen::Vector3d(axis->data());
 }
 
@@ -108,9 +108,9 @@ double parseClean(const std::string& text) {
     if (text == "off") return 0;
     double strength = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), strength);
-    constexpr double kLeast = 0.1, kMost = 10; // reaches of a fraction of a spacing, and of more than any feature
+    constexpr double kLeast = 0.1, kMost = 10; // from a fraction of the point spacing to more than any feature
     if (error != std::errc() || end != text.data() + text.size() || !(strength >= kLeast && strength <= kMost))
-        usage("--clean: '" + text + "' is none of auto, off and a number from 0.1 to 10");
+        usage("--clean: '" + text + "' is not auto, off or a number from 0.1 to 10");
     return strength;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words of the command line about which points are read, and where they go.
+// Command line values for the selection and the transform of points.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -10,26 +10,26 @@
 
 namespace pointrt {
 
-/// "MINX,MINY,MINZ,MAXX,MAXY,MAXZ". Throws Error (kBadUsage) when it is not six numbers with no minimum above its
-/// maximum.
+/// Parses "MINX,MINY,MINZ,MAXX,MAXY,MAXZ". Throws Error (kBadUsage) unless it is six numbers with each minimum at most
+/// its maximum.
 Eigen::AlignedBox3d parseBounds(const std::string& text);
 
-/// Marks the classes of a list, "2,6,9-17": 256 flags. Throws Error (kBadUsage) on anything else, and above 255.
-/// option: for the message
+/// Parses a list of classes from 0 to 255, such as "2,6,9-17", to 256 flags. Throws Error (kBadUsage).
+/// @param option name for the message
 std::vector<bool> parseClasses(const std::string& option, const std::string& text);
 
-/// "auto", "none" or names with commas between them. Throws Error (kBadUsage) on an empty name.
+/// Parses "auto", "none" or names separated by commas. Throws Error (kBadUsage) for an empty name.
 AttributeChoice parseAttributes(const std::string& text);
 
-/// A file of 16 numbers, the rows of a 4x4 matrix that takes columns (x, y, z, 1) to where they go, as CloudCompare and
-/// PDAL write it. Throws Error (kBadInput) when it cannot be read, is of another size, has a last row other than
-/// 0 0 0 1, or flattens space.
+/// Reads the 16 numbers, row by row, of a 4x4 matrix that maps column vectors (x, y, z, 1), as CloudCompare and PDAL
+/// write it. Throws Error (kBadInput) if the file cannot be read, has another number of values or a last row other than
+/// 0 0 0 1, or if the matrix is singular.
 Eigen::Affine3d readTransform(const std::string& path);
 
-/// A unit vector of "x" to "-z"; zero of "auto". Throws Error (kBadUsage).
+/// The unit vector for "x" to "-z"; zero for "auto". Throws Error (kBadUsage).
 Eigen::Vector3d parseUp(const std::string& text);
 
-/// Strength of cleaning: "auto" is 1, "off" 0, or a number from 0.1 to 10.
+/// Strength of cleaning: 1 for "auto", 0 for "off", or a number from 0.1 to 10. Throws Error (kBadUsage).
 double parseClean(const std::string& text);
 
 } // namespace pointrt

@@ -13,27 +13,28 @@ namespace {
 
 constexpr int kSignalExitBase = 128; // the shells' convention
 
-/// Signals come to any thread: of one that begins to write and one that is interrupted at that moment, one is first.
+/// Signals arrive on any thread. If one thread starts writing while another is interrupted, the first change counts.
 enum class State { kComputing, kWriting, kEnding };
 std::atomic<State> state = State::kComputing;
-std::atomic<bool> work_stays = false;
-static_assert(decltype(state)::is_always_lock_free && decltype(work_stays)::is_always_lock_free); // within a handler
+std::atomic<bool> work_is_kept = false;
+static_assert(decltype(state)::is_always_lock_free &&
+              decltype(work_is_kept)::is_always_lock_free); // for the signal handler
 
 template <std::size_t kSize>
-void tell(const char (&line)[kSize]) {
-    constexpr std::size_t kWipe = 4; // of the progress that is drawn on a terminal
+void print(const char (&line)[kSize]) {
+    constexpr std::size_t kWipe = 4; // erases the progress line on a terminal
     const std::size_t skipped = isatty(STDERR_FILENO) ? 0 : kWipe;
-    const ssize_t told = write(STDERR_FILENO, line + skipped, kSize - 1 - skipped);
-    static_cast<void>(told); // without a reader there is nobody to tell
+    const ssize_t written = write(STDERR_FILENO, line + skipped, kSize - 1 - skipped);
+    static_cast<void>(written); // nothing else to report a failure to
 }
 
 extern "C" void onInterrupt(int signal) {
     State before = State::kComputing;
     if (!state.compare_exchange_strong(before, State::kEnding)) return;
-    if (work_stays)
-        tell("\r\033[Kpointrt-bake: interrupted; the same command goes on from here\n");
+    if (work_is_kept)
+        print("\r\033[Kpointrt-bake: interrupted; run the same command to resume\n");
     else
-        tell("\r\033[Kpointrt-bake: interrupted, nothing was written\n");
+        print("\r\033[Kpointrt-bake: interrupted, nothing was written\n");
     _exit(kSignalExitBase + signal);
 }
 
@@ -42,20 +43,20 @@ extern "C" void onInterrupt(int signal) {
 void installInterruptHandlers() {
     struct sigaction action {};
     action.sa_handler = onInterrupt;
-    action.sa_flags = SA_RESTART; // a write that is put through must not fail half-way
+    action.sa_flags = SA_RESTART; // writes in progress must not fail
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU}) {
         struct sigaction before {};
         sigaction(signal, nullptr, &before);
-        if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr); // nohup stays in force
+        if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr); // keep nohup working
     }
 }
 
-void sayThatWorkStays() { work_stays = true; }
+void keepWorkOnInterrupt() { work_is_kept = true; }
 
 void ignoreInterrupts() {
     State before = State::kComputing;
     if (!state.compare_exchange_strong(before, State::kWriting) && before == State::kEnding)
-        while (true) pause(); // another thread has said that nothing was written, and ends the process
+        while (true) pause(); // another thread has reported that nothing was written, and ends the process
 }
 
 } // namespace pointrt

@@ -11,11 +11,11 @@
 namespace {
 
 template <typename Report>
-void tell(const pointrt::BakeOptions& options, const Report& report) {
+void report(const pointrt::BakeOptions& options, const Report& result) {
     if (options.verbosity != pointrt::Verbosity::kQuiet)
         std::fprintf(stderr, "%s: %s\n", pointrt::printable(options.output, std::string::npos).c_str(),
-                     summaryLine(report).c_str());
-    if (!options.stats_path.empty()) writeStats(report, options.stats_path);
+                     summaryLine(result).c_str());
+    if (!options.stats_path.empty()) writeStats(result, options.stats_path);
 }
 
 } // namespace
@@ -28,9 +28,9 @@ int main(int argc, char** argv) {
         installInterruptHandlers();
         keepWorkingWithoutReaders();
         if (options.isTileSet())
-            tell(options, bakeSet(options));
+            report(options, bakeSet(options));
         else
-            tell(options, bake(options));
+            report(options, bake(options));
         return static_cast<int>(ExitCode::kDone);
     });
 }

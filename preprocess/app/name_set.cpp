@@ -20,8 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// There from before a set has its name until all else is gone. It is of this set alone, whose set.json has the sums of
-/// all tiles: it tells a set that has got the name from one that is still to be replaced.
+/// Exists from before the set gets its name until the work folder is clean. Its name has the checksum of set.json, and
+/// so of all tiles: it distinguishes a set that has got its name from one that is still to be replaced.
 std::string namedMark(const std::string& work, const std::string& set) {
     std::ifstream stream(setFileOf(set), std::ios::binary);
     const std::string json{std::istreambuf_iterator<char>(stream), {}};
@@ -30,7 +30,7 @@ std::string namedMark(const std::string& work, const std::string& set) {
 
 std::string replacedFolder(const std::string& work) { return work + "/replaced"; }
 
-/// What cannot be taken away is in nobody's way, and the mark stays with it.
+/// If something cannot be deleted, the mark stays too.
 void clear(const std::string& work, const std::string& mark, bool keep_work) {
     std::error_code failure;
     for (fs::directory_iterator entry(work, failure), end; !failure && entry != end; entry.increment(failure)) {
@@ -47,7 +47,7 @@ bool swapNames(const std::string& one, const std::string& other) {
     return ::renameat2(AT_FDCWD, one.c_str(), AT_FDCWD, other.c_str(), RENAME_EXCHANGE) == 0;
 }
 
-/// Where the file system cannot swap names: neither set has the name for a moment.
+/// For file systems that cannot swap names; for a moment neither set has the name.
 bool moveAway(const std::string& finished, const std::string& output, const std::string& replaced) {
     std::error_code failure;
     fs::remove_all(replaced, failure);
@@ -59,7 +59,7 @@ bool moveAway(const std::string& finished, const std::string& output, const std:
     return false;
 }
 
-bool giveName(const std::string& finished, const std::string& output, const std::string& replaced) {
+bool rename(const std::string& finished, const std::string& output, const std::string& replaced) {
     if (::rename(finished.c_str(), output.c_str()) == 0) return true;
     if (errno != ENOTEMPTY && errno != EEXIST && errno != ENOTDIR) return false;
     if (swapNames(finished, output)) return true;
@@ -71,7 +71,7 @@ bool giveName(const std::string& finished, const std::string& output, const std:
 void nameSet(const SetPlan& plan, bool keep_work) {
     const std::string finished = finishedFolder(plan.work), mark = namedMark(plan.work, finished);
     writeMark(mark);
-    if (!giveName(finished, plan.output, replacedFolder(plan.work)))
+    if (!rename(finished, plan.output, replacedFolder(plan.work)))
         throw Error(ExitCode::kCannotWrite, plan.output + ": " + std::strerror(errno));
     clear(plan.work, mark, keep_work);
 }
@@ -80,7 +80,7 @@ void clearNamed(const std::string& output, const std::string& work, bool keep_wo
     const std::string mark = namedMark(work, output);
     std::error_code failure;
     if (fs::exists(mark, failure)) clear(work, mark, keep_work);
-    if (fs::exists(output, failure)) fs::remove(work, failure); // only where it is empty: the last thing to go
+    if (fs::exists(output, failure)) fs::remove(work, failure); // only if empty
 }
 
 } // namespace pointrt

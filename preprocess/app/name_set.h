@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A set gets its name, and what it was made from goes.
+// Gives a finished set its name and deletes the work folder.
 #pragma once
 
 #include "preprocess/tiles/plan.h"
 
 namespace pointrt {
 
-/// The set in finishedFolder(plan) appears as plan.output in one moment, in place of one that is there. Then the work
-/// folder goes; with keep_work only what is in the way of the next bake. Throws Error (kCannotWrite).
+/// Renames the set in finishedFolder(plan.work) to plan.output, atomically, in place of an existing one. Then deletes
+/// the work folder; with keep_work only what would obstruct the next bake. Throws Error (kCannotWrite).
 void nameSet(const SetPlan& plan, bool keep_work);
 
-/// Goes on with that where a bake was ended while it took things away: the set has its name then.
+/// Finishes the clean-up of a bake that was killed during it, when the set had its name.
 void clearNamed(const std::string& output, const std::string& work, bool keep_work);
 
 } // namespace pointrt

@@ -14,23 +14,23 @@ namespace pointrt {
 enum class Verbosity { kQuiet, kNormal, kDetailed };
 enum class ProgressStyle { kAuto, kLines }; ///< kLines: for programs, see BakeProgress
 
-/// A part of a tile set's bake, which other processes may do the rest of.
+/// A step of baking a tile set; other processes may run the other steps.
 enum class SetStep { kAll, kPlan, kSplit, kBlock, kLevels, kTile, kTop };
 
 struct TileSetOptions {
     std::uint64_t max_memory = std::uint64_t{4} << 30; ///< bytes
-    std::uint64_t points_per_tile = 1'000'000;         ///< about
+    std::uint64_t points_per_tile = 1'000'000;         ///< approximate
     SetStep step = SetStep::kAll;
-    std::uint32_t block = 0; ///< of kBlock and kTile
-    bool keep_work = false;  ///< what steps have left stays
+    std::uint32_t block = 0; ///< for kBlock and kTile
+    bool keep_work = false;  ///< keep the work folder after the bake
 };
 
 struct BakeOptions {
     std::vector<std::string> inputs; ///< files, or "-" for standard input
     std::string output;              ///< ends in .pro or, for a tile set, in .proset
     bool force = false;              ///< overwrite output
-    int threads = 0;                 ///< 0: all
-    std::string stats_path;          ///< JSON report; "-" is standard output, "" none
+    int threads = 0;                 ///< 0: one per core
+    std::string stats_path;          ///< JSON report; "-": standard output, "": none
     Verbosity verbosity = Verbosity::kNormal;
     ProgressStyle progress = ProgressStyle::kAuto;
     ReadOptions read{.format = "", .sample_count = std::nullopt, .scales_degrees = true};
@@ -40,20 +40,20 @@ struct BakeOptions {
     PruneOptions pruning;
     bool index = true;        ///< write the tracing index
     float reflectivity = 0;   ///< of the material, 0 to 1
-    Vec3d up = Vec3d::Zero(); ///< unit length; zero: as the inputs say
-    TileSetOptions tiles;     ///< of tile sets
+    Vec3d up = Vec3d::Zero(); ///< unit length; zero: from the inputs
+    TileSetOptions tiles;
 
     bool isTileSet() const { return output.ends_with(".proset"); }
 };
 
-/// Of all parts of the work that ask.
+/// Threads for all stages.
 std::size_t threadCount(const BakeOptions& options);
 
-/// Parses the command line. Returns false when help or version was printed and nothing is left to do.
-/// Throws Error (kBadUsage) naming the option at fault.
+/// Parses the command line. Returns false if help or version was printed and nothing is left to do. Throws Error
+/// (kBadUsage) that names the invalid option.
 bool parseOptions(int argc, char** argv, BakeOptions& options);
 
-/// The word of the command line for a choice.
+/// The value on the command line for a choice.
 std::string choiceName(NormalSource source);
 std::string choiceName(OrientMode mode);
 

@@ -47,12 +47,12 @@ Json cleanedJson(const BakeReport& report) {
         {"dropped", report.surface.clean_dropped}, {"moved", report.surface.clean_moved}, {"filled", report.filled}};
 }
 
-/// Whether the splats are other than the scans' points.
+/// Whether cleaning changed the points.
 bool isChanged(const BakeReport& report) {
     return report.surface.clean_dropped > 0 || report.surface.clean_moved > 0 || report.filled > 0;
 }
 
-/// Of each scan its noise over the spacing of its points, before cleaning.
+/// The noise of each scan before cleaning, relative to its point spacing.
 Json noiseJson(const BakeReport& report) {
     Json scans = Json::array();
     for (std::size_t i = 0; i < report.surface.noise.size(); ++i)
@@ -108,38 +108,42 @@ Json toJson(const BakeReport& report) {
     return json;
 }
 
-/// " (left out: 2 not finite, 1 stray)", or nothing.
-std::string leftOut(const BakeReport& report) {
+/// " (dropped: 2 not finite, 1 outliers)", or nothing.
+std::string droppedText(const BakeReport& report) {
     const std::pair<std::uint64_t, const char*> reasons[] = {
-        {report.points_non_finite, "not finite"},   {report.points_unused, "used by no face"},
-        {report.points_filtered, "not asked for"},  {report.surface.duplicates_removed + report.merged, "duplicate"},
-        {report.surface.outliers_removed, "stray"}, {report.surface.clean_dropped, "off the surface"}};
+        {report.points_non_finite, "not finite"},
+        {report.points_unused, "not used by a face"},
+        {report.points_filtered, "filtered out"},
+        {report.surface.duplicates_removed + report.merged, "duplicates"},
+        {report.surface.outliers_removed, "outliers"},
+        {report.surface.clean_dropped, "off the surface"}};
     std::string text;
     for (const auto& [count, reason] : reasons)
         if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, reason);
-    return text.empty() ? text : " (left out: " + text + ")";
+    return text.empty() ? text : " (dropped: " + text + ")";
 }
 
-/// ", 463007 smoothed, 120 added in gaps, 9 discs cut where a scanner looked through", or nothing.
-std::string moved(const BakeReport& report) {
+/// ", 463007 smoothed, 120 added in gaps, 9 discs cut by lines of sight", or nothing.
+std::string changedText(const BakeReport& report) {
     std::string text;
     if (report.surface.clean_moved > 0) text += fmt::format(", {} smoothed", report.surface.clean_moved);
     if (report.filled > 0) text += fmt::format(", {} added in gaps", report.filled);
     if (report.surface.seen_through > 0)
-        text += fmt::format(", {} discs cut where a scanner looked through", report.surface.seen_through);
+        text += fmt::format(", {} discs cut by lines of sight", report.surface.seen_through);
     return text;
 }
 
-/// What to say where pruning harms more than it was allowed to; nothing otherwise.
-std::string missedBound(const BakeReport& report) {
+/// A warning if pruning exceeds --prune-harm, or nothing.
+std::string pruningWarning(const BakeReport& report) {
     const PruneReport& pruning = report.pruning;
     if (pruning.harm_bound <= report.harm_allowed) return {};
-    return fmt::format(" (pruning may change {:.2g} of the hits, more than the {:.2g} allowed: --prune off keeps all)",
-                       pruning.harm_bound, report.harm_allowed);
+    return fmt::format(
+        " (pruning may change {:.2g} of the hits, more than the allowed {:.2g}; --prune off disables it)",
+        pruning.harm_bound, report.harm_allowed);
 }
 
-/// ", z is up: ground" where that was found out; nothing where it was said.
-std::string foundUp(const BakeReport& report) {
+/// ", z is up: ground" if up was estimated, or nothing.
+std::string foundUpText(const BakeReport& report) {
     if (report.up_from != "data") return {};
     const Vec3d& up = report.world.up;
     const std::string name = nameOfDirection({up.x(), up.y(), up.z()});
@@ -147,7 +151,9 @@ std::string foundUp(const BakeReport& report) {
     return fmt::format(", {} is up: {}", axis, report.up_reason);
 }
 
-bool isKnown(const WorldFrame& world) { return !world.up.isZero() || world.metres_per_unit != 0 || !world.crs.empty(); }
+bool hasWorld(const WorldFrame& world) {
+    return !world.up.isZero() || world.metres_per_unit != 0 || !world.crs.empty();
+}
 
 } // namespace
 
@@ -171,17 +177,18 @@ std::string summaryLine(const BakeReport& report) {
     const auto per_splat = [&](std::uint64_t n) { return static_cast<double>(n) / static_cast<double>(report.splats); };
     return fmt::format("{} points{}{}, {} splats, {} filled leaves, references per splat {:.2f} -> {:.2f}, "
                        "{} bytes ({:.1f} per splat), {:.2f} s",
-                       report.input_points, leftOut(report), moved(report), report.splats, report.octree.filled_leaves,
-                       per_splat(report.references_unpruned), per_splat(report.octree.references),
-                       report.octree.file_bytes, per_splat(report.octree.file_bytes), report.seconds_total) +
-           foundUp(report) + missedBound(report);
+                       report.input_points, droppedText(report), changedText(report), report.splats,
+                       report.octree.filled_leaves, per_splat(report.references_unpruned),
+                       per_splat(report.octree.references), report.octree.file_bytes,
+                       per_splat(report.octree.file_bytes), report.seconds_total) +
+           foundUpText(report) + pruningWarning(report);
 }
 
 std::string fileLine(const FileReport& file) {
     const double rate = file.seconds > 0 ? static_cast<double>(file.points) / file.seconds : 0;
     std::string line = fmt::format("{}: {}, {} points", file.name, file.format, file.points);
     if (file.kept != file.points) line += fmt::format(", {} kept", file.kept);
-    if (file.sampled > 0) line += fmt::format(", {} spread over its faces", file.sampled);
+    if (file.sampled > 0) line += fmt::format(", {} sampled on its faces", file.sampled);
     if (file.scans != 1) line += fmt::format(", {} scans", file.scans);
     return line + fmt::format(", {:.2f} s, {:.2g} million points/s", file.seconds, rate / 1e6);
 }
@@ -189,12 +196,12 @@ std::string fileLine(const FileReport& file) {
 std::string metadataJson(const BakeOptions& options, const BakeReport& report) {
     Json json;
     json["writer"] = "pointrt-bake " POINTRT_VERSION;
-    for (const std::string& input : options.inputs) // folders are nobody else's business
+    for (const std::string& input : options.inputs) // without folders, which are private
         json["sources"].push_back(std::filesystem::path(input).filename().string());
     for (const Scan& scan : report.scans)
         if (report.scans.size() > 1) json["scans"].push_back(withoutFolder(scan.name));
-    if (isKnown(report.world)) json["world"] = worldJson(report.world);
-    if (isChanged(report)) { // else nothing, so that a clean scan's file is the same with and without cleaning
+    if (hasWorld(report.world)) json["world"] = worldJson(report.world);
+    if (isChanged(report)) { // a clean scan gives the same file with and without cleaning
         json["noise"] = noiseJson(report);
         json["cleaned"] = cleanedJson(report);
         json["settings"]["clean"] = options.surface.clean;

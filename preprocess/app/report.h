@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The figures of a bake, as JSON and as one line for people.
+// The statistics of a bake, as JSON and as one line for the user.
 #pragma once
 
 #include <string>
@@ -15,11 +15,11 @@ namespace pointrt {
 
 struct BakeReport {
     std::uint64_t input_points = 0, points_non_finite = 0, points_unused = 0, points_filtered = 0;
-    std::uint64_t points_sampled = 0; ///< spread over faces of meshes; input_points then counts them, not the vertices
-    std::vector<Note> notes;          ///< of reading
+    std::uint64_t points_sampled = 0; ///< on mesh faces; input_points then counts these, not the vertices
+    std::vector<Note> notes;          ///< from reading
     std::vector<FileReport> files;
     WorldFrame world;
-    std::string up_from;   ///< "option", "file", "format" (its custom) or "data"; "" where up is not known
+    std::string up_from;   ///< "option", "file", "format" (its custom) or "data"; "" if unknown
     std::string up_reason; ///< FoundUp::reason
     std::vector<Scan> scans;
     std::string source_header;         ///< Cloud::source_header
@@ -27,7 +27,7 @@ struct BakeReport {
     SurfaceReport surface;
     std::uint64_t merged = 0; ///< splats at one quantised position
     std::uint64_t splats = 0;
-    std::uint64_t filled = 0;              ///< of these, those that fill gaps between points
+    std::uint64_t filled = 0;              ///< splats that fill gaps between points
     std::uint64_t references_unpruned = 0; ///< members included
     PruneReport pruning;                   ///< zeros without pruning
     double harm_allowed = 0;               ///< --prune-harm
@@ -39,20 +39,19 @@ struct BakeReport {
 /// Writes the report to path ("-" is standard output). Throws Error (kCannotWrite).
 void writeStats(const BakeReport& report, const std::string& path);
 
-/// The most memory that this process has taken so far.
+/// Peak memory use of this process so far.
 std::uint64_t peakRssBytes();
 
-/// One line for people of what reading found.
+/// One line for the user about the input.
 std::string noteLine(const Note& note);
 
-/// One line for people.
+/// One line for the user.
 std::string summaryLine(const BakeReport& report);
 
-/// Provenance for the file: tool, settings, sources, how they lie in the world. Holds nothing that differs between runs
-/// or thread counts.
+/// Provenance for META: tool, settings, sources, world frame. Independent of the run and the number of threads.
 std::string metadataJson(const BakeOptions& options, const BakeReport& report);
 
-/// One line for people of a file that was read.
+/// One line for the user about a file that was read.
 std::string fileLine(const FileReport& file);
 
 } // namespace pointrt

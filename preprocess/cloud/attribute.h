@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scan says of each point besides position, normal and colour.
+// Extra per-point attributes besides position, normal and colour.
 #pragma once
 
 #include <cstdint>
@@ -10,21 +10,21 @@
 
 namespace pointrt {
 
-/// A named array of numbers, the same bytes as in memory of their type.
+/// A named array of numbers in memory layout.
 struct Attribute {
-    std::string name; ///< those of laspy where the thing is one of LAS: format/SPEC.md lists them
+    std::string name; ///< format/SPEC.md lists those with a meaning (for LAS, the names of laspy)
     Scalar type = Scalar::kF32;
     std::uint32_t components = 1;
-    std::vector<char> values; ///< bytesEach() a point
+    std::vector<char> values; ///< bytesEach() per point
 
     std::size_t bytesEach() const { return scalarSize(type) * components; }
 };
 
 /// 16-bit red, green and blue of a point, three components.
 inline constexpr const char* kRgb16 = "rgb16";
-/// The number of the scan that a point is of, where there are several.
+/// The index of the scan of a point, if there are several.
 inline constexpr const char* kScanNumber = "scan";
-/// Classes of the ASPRS.
+/// ASPRS classes.
 inline constexpr const char* kClassification = "classification";
 
 } // namespace pointrt

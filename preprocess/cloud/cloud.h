@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cloud as read: what the readers hand to the surface estimation.
+// The point cloud as read: output of the readers, input of the surface estimation.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,69 +19,69 @@ using Vec3f = Eigen::Vector3f;
 using Vec3d = Eigen::Vector3d;
 using Rgb8 = std::array<std::uint8_t, 3>;
 
-/// Marks a point whose sensor position is not known.
+/// Marks points without a known sensor position.
 constexpr std::uint32_t kNoSensor = std::numeric_limits<std::uint32_t>::max();
 
-/// What a user should know of a file as it was read.
+/// A message for the user about reading a file.
 struct Note {
     std::string file, text;
-    std::size_t more_files = 0; ///< of which the same is to be said
+    std::size_t more_files = 0; ///< with the same message
 };
 
-/// One station of a scanner, or one file where a file is one scan.
+/// One scanner station, or one file if the format has no stations.
 struct Scan {
-    std::string name;            ///< for people: the file, and what it calls the scan
-    std::optional<Vec3d> sensor; ///< where the scanner stood, input coordinates
-    std::size_t first_point = 0; ///< its points are those from here on to the next scan's
+    std::string name;            ///< for display: the file, and its name for the scan
+    std::optional<Vec3d> sensor; ///< scanner position, input coordinates
+    std::size_t first_point = 0; ///< its points end where those of the next scan begin
 };
 
-/// The samples of one scan as its device took them: what lies beside what, and where nothing came back.
+/// The samples of one scan in the device's row and column order, including those without a return.
 struct RangeGrid {
     static constexpr std::uint32_t kNoPoint = std::numeric_limits<std::uint32_t>::max();
-    static constexpr std::uint32_t kLeftOut = kNoPoint - 1; ///< a sample that was taken, but not asked for
+    static constexpr std::uint32_t kFilteredOut = kNoPoint - 1; ///< a sample that the filters drop
 
-    std::uint32_t scan = 0; ///< its number in Cloud::scans
+    std::uint32_t scan = 0; ///< index in Cloud::scans
     std::uint32_t rows = 0, columns = 0;
-    bool wraps = false;                       ///< the last column lies beside the first
-    std::vector<std::uint32_t> point_of_cell; ///< [rows][columns], index into positions, kNoPoint or kLeftOut
+    bool wraps = false;                       ///< the last column is next to the first
+    std::vector<std::uint32_t> point_of_cell; ///< [rows][columns], index into positions, kNoPoint or kFilteredOut
 
     std::uint32_t at(std::uint32_t row, std::uint32_t column) const {
         return point_of_cell[std::size_t{row} * columns + column];
     }
 };
 
-/// How the input's coordinates lie in the world, as far as files say; what they disagree on is not known.
+/// The world frame of the input coordinates, as far as files give it; values on which files disagree are unknown.
 struct WorldFrame {
-    Vec3d up = Vec3d::Zero();   ///< unit length; zero: not known
-    bool up_by_custom = false;  ///< up is what files of the format mostly have, which this one does not say
-    double metres_per_unit = 0; ///< 0: not known
-    bool from_above = false;    ///< airborne: every surface was seen from above
-    std::string crs;            ///< coordinate system: WKT, or "EPSG:N"; "": not known
+    Vec3d up = Vec3d::Zero();   ///< unit length; zero: unknown
+    bool up_by_custom = false;  ///< up is customary for the format, not given by the file
+    double metres_per_unit = 0; ///< 0: unknown
+    bool from_above = false;    ///< airborne: all surfaces were scanned from above
+    std::string crs;            ///< coordinate system: WKT, or "EPSG:N"; "": unknown
 };
 
-/// Points of one or several scans in one frame. Optional arrays are empty or as long as positions.
+/// Points of one or several scans in one frame. Optional arrays are empty or of the length of positions.
 struct Cloud {
-    /// Input coordinate = origin + position, per axis; whole numbers, so that no bit is lost in double.
+    /// Input coordinate = origin + position, per axis; integers, so that the sum is exact in double.
     Vec3d origin = Vec3d::Zero();
     std::vector<Vec3f> positions;
-    std::vector<Vec3f> normals;                 ///< as given, any length; zero where missing
-    bool normal_sides = true;                   ///< normals point out; false: some are axes
+    std::vector<Vec3f> normals;                 ///< as in the file, of any length; zero if missing
+    bool normal_sides = true;                   ///< normals point outwards; false: some have an arbitrary sign
     std::vector<Rgb8> colors;                   ///< sRGB
     std::vector<std::uint32_t> sensor_of_point; ///< index into sensors, or kNoSensor
     std::vector<Vec3f> sensors;                 ///< scanner positions, relative to origin
-    std::vector<float> radii;                   ///< as given; 0 where missing
-    std::vector<float> noise; ///< standard deviation along the sight, as the device's own; 0 where not known
+    std::vector<float> radii;                   ///< as in the file; 0 if missing
+    std::vector<float> noise; ///< standard deviation along the line of sight, by device model; 0 if unknown
     std::vector<Attribute> attributes;
-    std::vector<Scan> scans;      ///< in the order read; attribute kScanNumber numbers them where there are several
-    std::vector<RangeGrid> grids; ///< of scans that came as such
+    std::vector<Scan> scans;      ///< in reading order, as in the attribute kScanNumber
+    std::vector<RangeGrid> grids; ///< of scans stored as grids
     WorldFrame world;
-    std::string source_header; ///< JSON of what a writer of the input's format needs to write it again, or ""
+    std::string source_header; ///< JSON with the input's header for exports, or "" (META in SPEC.md)
     std::vector<std::array<std::uint32_t, 3>> triangles; ///< faces of a mesh, indices into positions
 
-    std::size_t points_read = 0;       ///< in the files, non-finite ones included
+    std::size_t points_read = 0;       ///< including non-finite ones
     std::size_t points_non_finite = 0; ///< dropped while reading
-    std::size_t points_unused = 0;     ///< dropped: vertices of meshes that no face uses
-    std::size_t points_filtered = 0;   ///< dropped: not asked for
+    std::size_t points_unused = 0;     ///< dropped: mesh vertices that no face uses
+    std::size_t points_filtered = 0;   ///< dropped by filters
     std::vector<Note> notes;
 };
 

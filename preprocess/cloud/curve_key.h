@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The order in which splats are stored, of whole files and of tiles.
+// The storage order of splats in files and tiles.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace pointrt {
 
-/// A splat on a Morton curve. Of several at one place those come first that do not fill gaps.
+/// A splat on the Morton curve. At equal codes splats that fill gaps come last.
 struct CurveKey {
     std::uint64_t code = 0;
     std::uint32_t index = 0; ///< of the splat

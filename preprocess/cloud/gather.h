@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Values picked out of an array by their numbers.
+// Copies array elements by index.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +15,9 @@ void gatherFixed(const char* from, std::span<const std::uint32_t> indices, char*
         std::memcpy(to + i * kSize, from + std::size_t{indices[i]} * kSize, kSize);
 }
 
-/// Copies the values of those indices, of size bytes each, one after the other.
+/// Copies the elements with these indices, of size bytes each, to consecutive elements of to.
 inline void gatherValues(const char* from, std::size_t size, std::span<const std::uint32_t> indices, char* to) {
-    switch (size) { // of frequent sizes, which the compiler unrolls
+    switch (size) { // frequent sizes, for which the compiler inlines memcpy
     case 1:
         return gatherFixed<1>(from, indices, to);
     case 2:

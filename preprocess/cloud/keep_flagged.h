@@ -6,7 +6,7 @@
 
 namespace pointrt {
 
-/// Keeps the values whose flag is set, in order; an empty array stays empty.
+/// Keeps the values with a set flag, in order. An empty array stays empty.
 template <typename Value, typename Flag>
 void keepFlagged(std::vector<Value>& values, const std::vector<Flag>& keep) {
     if (values.empty()) return;

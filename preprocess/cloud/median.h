@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Medians and other quantiles, and what they tell of noise.
+// Medians, quantiles, and noise estimates from them.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace pointrt {
 
-/// The upper one of two in the middle; 0 of none. Changes the order of the values.
+/// The median, the upper one for an even count; 0 without values. Reorders the values.
 template <typename Value>
 Value medianInPlace(std::vector<Value>& values) {
     if (values.empty()) return 0;
@@ -23,7 +23,7 @@ Value medianOf(std::vector<Value> values) {
     return medianInPlace(values);
 }
 
-/// The value that a share of all (not empty) lie below: 0 to below 1.
+/// The quantile of values (not empty). @param share fraction of values below it, in [0, 1)
 template <typename Value>
 Value quantileOf(std::vector<Value> values, double share) {
     const auto at = values.begin() + std::ptrdiff_t(share * double(values.size()));
@@ -31,8 +31,8 @@ Value quantileOf(std::vector<Value> values, double share) {
     return *at;
 }
 
-/// The standard deviation of values by the sizes of their second differences: 1, -2, 1 times as many deviations are
-/// sqrt(6) of them, and half of all lie within 0.6745. 0 of none.
+/// Standard deviation of noise from the absolute values of second differences, whose coefficients 1, -2, 1 scale it by
+/// sqrt(6). Half of all normal deviates lie within 0.6745 standard deviations. 0 without values.
 inline double deviationBySecondDifferences(std::vector<float> sizes) {
     constexpr double kFromMedian = 1 / (2.449490 * 0.6745);
     return kFromMedian * double(medianInPlace(sizes));

@@ -6,7 +6,7 @@
 
 namespace pointrt {
 
-constexpr int kMortonBits = 21; ///< an axis
+constexpr int kMortonBits = 21; ///< per axis
 
 /// Spreads the low 21 bits of v to every third bit.
 constexpr std::uint64_t spreadBits(std::uint64_t v) {

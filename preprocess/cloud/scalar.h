@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Types of the numbers that scans hold.
+// Number types of scan attributes.
 #pragma once
 
 #include <cstddef>
 
 namespace pointrt {
 
-/// In the order of PRO_TYPE_* (pro_layout.h), less one.
+/// PRO_TYPE_* (pro_layout.h) minus one.
 enum class Scalar { kI8, kU8, kI16, kU16, kI32, kU32, kI64, kU64, kF32, kF64 };
 
 constexpr std::size_t scalarSize(Scalar type) {

@@ -6,7 +6,7 @@
 
 namespace pointrt {
 
-/// One step from any state, which decorrelates neighbouring ones.
+/// One step from any state; decorrelates consecutive states.
 constexpr std::uint64_t mixBits(std::uint64_t state) {
     state += 0x9E3779B97F4A7C15u;
     state = (state ^ (state >> 30)) * 0xBF58476D1CE4E5B9u;

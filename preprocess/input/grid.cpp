@@ -10,7 +10,7 @@
 namespace pointrt {
 namespace {
 
-constexpr bool isPoint(std::uint32_t cell) { return cell < RangeGrid::kLeftOut; }
+constexpr bool isPoint(std::uint32_t cell) { return cell < RangeGrid::kFilteredOut; }
 
 /// Whether each point is in one cell only. first: the scan's first point
 bool isOneToOne(const RangeGrid& grid, std::size_t first, std::size_t points) {
@@ -64,7 +64,7 @@ void beginGrid(Sink& sink, std::uint64_t rows, std::uint64_t columns) {
     sink.grid = {};
     std::uint64_t cells = 0;
     const bool overflow = __builtin_mul_overflow(rows, columns, &cells);
-    if (!sink.keepsPoints() || rows < 2 || columns < 2 || overflow || cells >= RangeGrid::kLeftOut) return;
+    if (!sink.keepsPoints() || rows < 2 || columns < 2 || overflow || cells >= RangeGrid::kFilteredOut) return;
     RangeGrid& grid = sink.grid.grid.emplace();
     grid.rows = static_cast<std::uint32_t>(rows);
     grid.columns = static_cast<std::uint32_t>(columns);
@@ -85,7 +85,7 @@ void setCell(Sink& sink, std::uint64_t row, std::uint64_t column, std::uint32_t 
     }
     cell = vertex;
     ++built.occupied;
-    built.left_out += vertex == RangeGrid::kLeftOut;
+    built.left_out += vertex == RangeGrid::kFilteredOut;
 }
 
 void finishGrid(Sink& sink, const InputFile& input) {

@@ -164,7 +164,7 @@ void keepPoints(Cloud& cloud, const std::vector<bool>& keep) {
         scan.first_point = scan.first_point < keep.size() ? renumbered[scan.first_point] : next;
     for (RangeGrid& grid : cloud.grids)
         for (std::uint32_t& cell : grid.point_of_cell)
-            if (cell < RangeGrid::kLeftOut) cell = keep[cell] ? renumbered[cell] : RangeGrid::kLeftOut;
+            if (cell < RangeGrid::kFilteredOut) cell = keep[cell] ? renumbered[cell] : RangeGrid::kFilteredOut;
     keepFlagged(cloud.positions, keep);
     keepFlagged(cloud.normals, keep);
     keepFlagged(cloud.colors, keep);

@@ -110,7 +110,7 @@ struct Reader {
                 body.value(element, i, cell.type, vertex);
                 const bool known = vertex >= 0 && vertex < static_cast<double>(vertices.size());
                 setCell(sink, known ? row : header.grid_rows, column,
-                        known ? vertices[static_cast<std::size_t>(vertex)] : RangeGrid::kLeftOut);
+                        known ? vertices[static_cast<std::size_t>(vertex)] : RangeGrid::kFilteredOut);
             }
         }
     }

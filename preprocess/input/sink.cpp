@@ -156,7 +156,7 @@ std::uint32_t Sink::addVertex(const Row& row, const char* values) {
         throw Error(ExitCode::kBadInput, fmt::format("more than {} points in one file", kMaxPoints));
     if (filter.drops() && !passesFilter(position, classOf(values))) {
         scan_.faces.drop(index);
-        return RangeGrid::kLeftOut;
+        return RangeGrid::kFilteredOut;
     }
     if (!addPosition(position)) {
         ++scan_.non_finite;

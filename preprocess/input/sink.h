@@ -51,7 +51,7 @@ public:
     /// rejects.
     /// @param values packed values of the traits' columns, in their types; null if there are no columns
     /// @return its index in the cloud (meaningful only if keepsPoints()), or what a range grid stores for it:
-    /// RangeGrid::kNoPoint if it is not finite, kLeftOut if the filter rejects it
+    /// RangeGrid::kNoPoint if it is not finite, kFilteredOut if the filter rejects it
     std::uint32_t addVertex(const Row& row, const char* values = nullptr);
 
     /// Adds many vertices that have no normals, radii or faces, and 16-bit colours or none: the same as adding them one

@@ -6,9 +6,9 @@
 
 #include "format/base/blend_weight.h"
 
-// One binary for all processors, twice as fast on those with AVX2. Both versions add in the same order and round the
-// same way (no fused operations), so that it makes no difference to the result.
-// Not with sanitizers, whose run time is not there yet when the loader asks which one to take.
+// One binary for all processors, twice as fast with AVX2. Both versions add in the same order and round the same way
+// (no fused operations), so results are equal. Not with sanitizers: their runtime is not ready when the loader selects
+// the version.
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define POINTRT_WIDE __attribute__((target_clones("avx2", "default")))
 #else
@@ -22,13 +22,13 @@ namespace {
 constexpr std::size_t kLanes = 8;
 using Lanes = float __attribute__((vector_size(kLanes * sizeof(float))));
 
-/// The same anywhere in an array of floats.
+/// The same, at any element of an array of floats.
 using LanesInArray = float __attribute__((vector_size(kLanes * sizeof(float)), aligned(sizeof(float)), may_alias));
-// Macros, because functions that return wide vectors have another calling convention on each kind of processor.
+// Macros, because the calling convention of functions that return wide vectors depends on the processor.
 #define LOAD(array, i) (*reinterpret_cast<const LanesInArray*>(&(array)[i]))
 #define STORE(array, i, lanes) (*reinterpret_cast<LanesInArray*>(&(array)[i]) = (lanes))
 
-/// What no ray hits and no point is near to.
+/// A padding disc, which no ray hits and no point is near to.
 constexpr float kFarAway = 1e6f, kTiny = 1e-12f;
 
 struct LaneSums {
@@ -77,7 +77,7 @@ void DiscList::add(const Disc& disc, const Vec3f& rgb, bool keep) {
 
 void DiscList::pad() {
     while (kept.size() % kLanes != 0) append({Vec3f::Constant(kFarAway), Vec3f::UnitZ(), kTiny}, Vec3f::Zero(), true);
-    for (std::vector<float>* scratch : {&distance, &weight, &height, &turn}) scratch->resize(kept.size());
+    for (std::vector<float>* scratch : {&distance, &weight, &height, &flip}) scratch->resize(kept.size());
 }
 
 POINTRT_WIDE FirstHits castRay(DiscList& list, const Vec3f& origin, const Vec3f& direction, float t_max) {
@@ -122,7 +122,7 @@ POINTRT_WIDE float weighAt(DiscList& list, const Vec3f& point, const Vec3f& side
             BLEND_COUNTS(to_viewer * cosine, in_plane, in_slab) ? BLEND_WEIGHT(in_plane, in_slab) : zero;
         STORE(list.weight, i, weight);
         STORE(list.height, i, to_viewer * h);
-        STORE(list.turn, i, to_viewer);
+        STORE(list.flip, i, to_viewer);
         dropped += weight * (1.0f - LOAD(list.kept, i));
     }
     return sumOf(dropped);
@@ -134,10 +134,10 @@ POINTRT_WIDE FieldSums sumField(const DiscList& list, bool only_kept) {
     for (std::size_t i = 0; i < list.kept.size(); i += kLanes) {
         const Lanes kept = LOAD(list.kept, i);
         const Lanes w = LOAD(list.weight, i) * (only_kept ? kept : all);
-        const Lanes turned = w * LOAD(list.turn, i);
+        const Lanes flipped = w * LOAD(list.flip, i);
         sums.weight += w;
         sums.height += w * LOAD(list.height, i);
-        for (int axis = 0; axis < 3; ++axis) sums.normal[axis] += turned * LOAD(list.normal[axis], i);
+        for (int axis = 0; axis < 3; ++axis) sums.normal[axis] += flipped * LOAD(list.normal[axis], i);
         if (!list.colored) continue;
         for (int axis = 0; axis < 3; ++axis) sums.color[axis] += w * LOAD(list.color[axis], i);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ray hits and blending weights of a leaf's discs, as the tracer computes them (shaders/trace/blend.glsl), eight at a
-// time.
+// Ray hits and blending weights of the discs of a leaf, computed as in the tracer (shaders/trace/blend.glsl), eight at
+// a time.
 #pragma once
 
 #include <array>
@@ -10,19 +10,19 @@
 
 namespace pointrt {
 
-/// A leaf's discs, one array a coordinate, padded to whole vectors with discs that nothing hits.
+/// The discs of a leaf as a structure of arrays, padded to full vectors with discs that no ray hits.
 struct DiscList {
     std::array<std::vector<float>, 3> center, normal;
     std::vector<float> radius_squared;
     std::array<std::vector<float>, 3> color; ///< 0 to 255
     std::vector<float> kept;                 ///< 1 or 0
     bool oriented = true;
-    bool colored = false; ///< color is filled in and compared
+    bool colored = false; ///< colours are set and compared
 
-    std::vector<float> distance; ///< of the last castRay: along the ray, +infinity where missed
-    std::vector<float> weight;   ///< of the last weighAt, 0 where a disc does not blend
-    std::vector<float> height;   ///< of the last weighAt: point over the disc's plane, on the viewer's side
-    std::vector<float> turn;     ///< of the last weighAt: +1 or -1, turns the normal to the viewer's side
+    std::vector<float> distance; ///< by the last castRay: along the ray, +infinity for a miss
+    std::vector<float> weight;   ///< by the last weighAt: 0 for discs that do not blend
+    std::vector<float> height;   ///< by the last weighAt: of the point above the disc's plane, on the viewer's side
+    std::vector<float> flip;     ///< by the last weighAt: +1 or -1, the sign that flips the normal to the viewer's side
 
     std::size_t size() const { return count_; }
     void clear();
@@ -38,27 +38,28 @@ private:
     std::size_t count_ = 0;
 };
 
-/// Distances along a ray, +infinity where nothing is hit.
+/// Distances along a ray, +infinity without a hit.
 struct FirstHits {
-    float any;  ///< of all discs
-    float kept; ///< of those kept
+    float any;  ///< among all discs
+    float kept; ///< among the kept discs
 };
 
-/// Fills list.distance for a ray from origin along a unit direction; hits before 0 or beyond t_max count as missed.
+/// Sets list.distance for a ray from origin along a unit direction; hits outside [0, t_max] are misses.
 FirstHits castRay(DiscList& list, const Vec3f& origin, const Vec3f& direction, float t_max);
 
-/// Fills weight, height and turn at a point and returns the weight of the discs not kept. side is a unit normal
-/// towards the viewer; front turns oriented normals to that side.
-/// Weights are those of format/base/blend_weight.h.
+/// Sets weight, height and flip at a point (weights of format/base/blend_weight.h) and returns the sum of weights of
+/// the discs that are not kept.
+/// @param side unit normal towards the viewer
+/// @param front sign that flips oriented normals to that side
 float weighAt(DiscList& list, const Vec3f& point, const Vec3f& side, float front);
 
-/// Weighted sums of the field over some of the discs.
+/// Weighted sums of the blended field.
 struct FieldSums {
     float weight = 0, height = 0;
     Vec3f normal = Vec3f::Zero(), color = Vec3f::Zero();
 };
 
-/// The sums over all discs, or over those kept, at the point of the last weighAt.
+/// Sums over all discs, or over the kept ones, at the point of the last weighAt.
 FieldSums sumField(const DiscList& list, bool only_kept);
 
 } // namespace pointrt

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Top-down construction in two layers. Coarse cells, split by members alone, make independent tasks; each then
-// splits by members and by how many discs touch it, so that a large cell beside a dense wall does not end up as
-// one leaf with thousands of references.
+// Top-down construction in two layers. Coarse cells, split by their number of members, are independent tasks. Each task
+// splits further by members and by the number of touching discs, so that a large cell next to a dense wall does not
+// become a leaf with thousands of references.
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -18,17 +18,17 @@ namespace pointrt {
 
 namespace {
 
-/// Members of one task: large enough that the discs crossing its border are few, small enough to share out.
+/// Members per task: large enough that few discs cross its border, small enough to balance the load.
 constexpr std::uint32_t kTaskMembers = 2048;
 
-/// A leaf may list this many splats per allowed member before it splits: an even surface needs about 4.
+/// Splats that a leaf may list per allowed member before it splits; an evenly sampled surface needs about 4.
 constexpr std::uint32_t kListPerMember = 8;
 
-/// Cells whose edge is below this many mean radii of their splats do not split. Halving a cell of the square root of 2
-/// times kLeafEdgeRadii gives cells as far below that edge as the cell is above it.
+/// Cells with an edge below this many mean radii of their splats do not split. Halving a cell with an edge of sqrt(2)
+/// kLeafEdgeRadii gives cells as far below kLeafEdgeRadii as the cell is above it.
 constexpr float kMinEdgeRadii = 1.41421356f * static_cast<float>(kLeafEdgeRadii);
 
-/// Boxes are tested this much larger: half a step for rounding, one because a viewer may look that far ahead.
+/// Boxes are enlarged by this for tests: half a step for rounding, one because a viewer may look one step ahead.
 constexpr float kTouchSlack = 1.5f * PRO_POSITION_STEP;
 
 struct Range {
@@ -36,7 +36,7 @@ struct Range {
     std::uint32_t size() const { return end - begin; }
 };
 
-/// A cell with its members and the other splats whose slab meets it.
+/// A cell with its members and the other splats whose slab overlaps it.
 struct Work {
     Cell cell;
     Range members;
@@ -57,14 +57,15 @@ Box slackBox(const Cell& cell) {
     return box;
 }
 
-bool slabMeets(const Disc& disc, const Box& box) { return discMeetsBox(disc, growBySlab(box, disc, kBlendSlab)); }
+bool slabOverlaps(const Disc& disc, const Box& box) { return discOverlapsBox(disc, growBySlab(box, disc, kBlendSlab)); }
 
 /// Half extents of the slab's bounding box, with the slack of slackBox.
 Vec3f slabReach(const Disc& disc) {
     return (discReach(disc) + kBlendSlab * disc.radius * disc.normal.cwiseAbs()).array() + kTouchSlack;
 }
 
-/// The children, as bits, on whose side of the middle a box of these half extents reaches; offset is its centre's.
+/// The children, as bits, whose side of the middle a box reaches. @param offset centre of the box from the middle
+/// @param reach half extents of the box
 std::uint32_t slotsReached(const Vec3f& offset, const Vec3f& reach) {
     constexpr std::array<std::uint32_t, 3> kUpper{0xAA, 0xCC, 0xF0}; // slots with bit 0, 1, 2 of their number set
     std::uint32_t slots = 0xFF;
@@ -88,10 +89,10 @@ void splitCoarse(const PackedSplats& splats, const OctreeOptions& options, const
     }
 }
 
-/// The tasks [first, last) of a cell's descendants are contiguous; finds by bisection those a disc's slab meets.
+/// Finds the tasks whose cells a disc's slab overlaps, by bisection: the tasks below a cell are the contiguous range.
 void collectTouched(const Disc& disc, const std::vector<Work>& tasks, const Cell& cell, Range range,
                     std::vector<std::uint32_t>& touched) {
-    if (!slabMeets(disc, slackBox(cell))) return;
+    if (!slabOverlaps(disc, slackBox(cell))) return;
     if (range.size() == 1 && tasks[range.begin].cell.depth == cell.depth) {
         touched.push_back(range.begin);
         return;
@@ -108,7 +109,7 @@ void collectTouched(const Disc& disc, const std::vector<Work>& tasks, const Cell
     }
 }
 
-/// Hands every splat to the tasks, other than its own, that its slab meets.
+/// Adds every splat to the tasks, other than its own, that its slab overlaps.
 void distribute(const PackedSplats& splats, std::vector<Work>& tasks) {
     std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> crossing(tasks.size());
     const Range all{0, static_cast<std::uint32_t>(tasks.size())};
@@ -127,13 +128,13 @@ void distribute(const PackedSplats& splats, std::vector<Work>& tasks) {
                 if (other != t) crossing[t].emplace_back(other, s);
         }
     });
-    for (auto& pairs : crossing) { // in splat order, whatever the threads did
+    for (auto& pairs : crossing) { // in splat order, for any number of threads
         for (const auto& [task, splat] : pairs) tasks[task].touching.push_back(splat);
         pairs = {};
     }
 }
 
-/// One task's leaves; first_ref counts from the task's own refs.
+/// The leaves of one task; first_ref counts from the refs of the task.
 struct Output {
     std::vector<Leaf> leaves;
     std::vector<std::uint32_t> refs;
@@ -153,11 +154,11 @@ public:
     }
 
 private:
-    /// Only a disc itself can be hit; where nothing but slabs reach, rays find nothing to blend.
+    /// Whether a disc crosses the cell: rays cannot hit slabs alone.
     bool crossedByDisc(const Work& work) const {
         const Box box = slackBox(work.cell);
         return std::any_of(work.touching.begin(), work.touching.end(),
-                           [&](std::uint32_t s) { return discMeetsBox(splats_.discs[s], box); });
+                           [&](std::uint32_t s) { return discOverlapsBox(splats_.discs[s], box); });
     }
 
     bool mustSplit(const Work& work) const {
@@ -192,7 +193,7 @@ private:
                 const auto slot = static_cast<std::uint32_t>(std::countr_zero(slots));
                 const Range& own = children[slot].members;
                 if (s >= own.begin && s < own.end) continue;
-                if (slabMeets(disc, boxes[slot])) children[slot].touching.push_back(s);
+                if (slabOverlaps(disc, boxes[slot])) children[slot].touching.push_back(s);
             }
         };
         for (std::uint32_t s = work.members.begin; s < work.members.end; ++s) offer(s);

@@ -8,9 +8,9 @@ namespace pointrt {
 
 namespace {
 
-/// Narrows [s0, s1] to where lo <= start + s * step <= hi.
+/// Clips [s0, s1] to lo <= start + s * step <= hi.
 void clipInterval(float start, float step, float lo, float hi, float& s0, float& s1) {
-    if (std::abs(step) < 1e-12f) { // the line runs along this slab: inside everywhere or nowhere
+    if (std::abs(step) < 1e-12f) { // parallel to the slab: inside everywhere or nowhere
         if (start < lo || start > hi) s1 = -std::numeric_limits<float>::infinity();
         return;
     }
@@ -55,7 +55,7 @@ float sectionDistanceSquared(const Disc& disc, const Box& box) {
     return inside ? 0.0f : nearest;
 }
 
-bool discMeetsBox(const Disc& disc, const Box& box) {
+bool discOverlapsBox(const Disc& disc, const Box& box) {
     const Vec3f reach = discReach(disc);
     if (((disc.center - reach).array() > box.hi.array()).any() ||
         ((disc.center + reach).array() < box.lo.array()).any())

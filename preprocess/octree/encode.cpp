@@ -18,7 +18,7 @@ struct Node {
 std::vector<std::uint32_t> encodeNodes(const std::vector<Leaf>& leaves, std::uint32_t& max_depth) {
     std::vector<std::uint32_t> words(PRO_GROUP_SIZE, PRO_NODE_EMPTY);
     std::vector<Node> level{{Cell{}, 0, static_cast<std::uint32_t>(leaves.size())}}, next;
-    std::vector<std::uint32_t> slots{0}, next_slots; // where each node of the level stands in words
+    std::vector<std::uint32_t> slots{0}, next_slots; // index in words of each node of the level
     max_depth = 0;
     for (; !level.empty(); level.swap(next), slots.swap(next_slots)) {
         next.clear();

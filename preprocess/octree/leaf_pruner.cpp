@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// After Kashyap et al. (I3D 2010), who keep what probe rays hit first and let blending suffer. Here geometry says what
-// a leaf surely needs, and the probes compare first hit and blended surface with and without the rest.
+// Based on Kashyap et al. (I3D 2010), who keep what probe rays hit first, at the cost of blending errors. Here a
+// geometric test keeps what a leaf certainly needs, and probes compare the first hit and the blended surface with and
+// without the rest.
 #include "preprocess/octree/leaf_pruner.h"
 
 #include <algorithm>
@@ -11,19 +12,19 @@ namespace pointrt {
 
 namespace {
 
-/// A probe sees a change when the pruned surface is off by more than this.
-constexpr float kHitTolerance = 0.01f;             ///< radii along the probe, flat or blended
+/// Tolerances of probes for the pruned surface.
+constexpr float kHitTolerance = 0.01f;             ///< in radii along the probe, for discs and the blended surface
 constexpr float kNormalToleranceCosine = 0.99998f; ///< 0.36 degrees
 constexpr float kColorTolerance = 4.0f;            ///< of 255, in any channel
 
-/// Points tried for a probe: a third of them lie in the leaf, and in none of 8 only where next to nothing does.
+/// Points tried per probe. A third of them lie in the leaf; all 8 fail only if hardly any disc area is in it.
 constexpr std::uint32_t kTriesPerProbe = 8;
 
-/// A disc that reaches into the leaf by less than this share of its radius is a sliver. Its area there is at most
-/// 4/3 sqrt(2) 0.01^1.5 = 0.2% of the square of the radius, a 50,000th of the surface of a usual leaf.
+/// A disc that reaches into the leaf by less than this fraction of its radius is a sliver. Its area there is at most
+/// 4/3 sqrt(2) 0.01^1.5 = 0.2 % of the squared radius, 1/50,000 of the surface in a typical leaf.
 constexpr float kSliver = 0.01f;
 
-/// The step along the ray to the field's zero, at most one radius: newtonStep of shaders/trace/blend.glsl.
+/// The Newton step along the ray to the field's zero, at most one radius: newtonStep of shaders/trace/blend.glsl.
 float newtonStep(const FieldSums& field, const Vec3f& direction, float radius) {
     const float slope = field.normal.dot(direction);
     const float step = slope == 0.0f ? 0.0f : -field.height / slope;
@@ -76,7 +77,7 @@ Audit LeafPruner::run(const Octree& octree, const Leaf& leaf, float cutoff, Prob
     return result;
 }
 
-/// Keeps what crosses the leaf visibly, and what weighs more than cutoff somewhere in it.
+/// Keeps discs that cross the leaf visibly or have a weight above cutoff somewhere in it.
 void LeafPruner::keepNeeded(float cutoff) {
     for (std::size_t i = members_; i < list_.size(); ++i) {
         const Disc& disc = splats_.discs[splat_of_[i]];
@@ -101,8 +102,8 @@ Audit LeafPruner::audit(ProbeSequence& sequence, std::uint32_t probes) {
     return result;
 }
 
-/// Compares the first hit and the blended surface there with and without the dropped discs; puts back what is missing.
-/// Returns whether nothing was.
+/// Compares the first hit and the blended surface there with and without the dropped discs, and restores missing discs.
+/// Returns whether none was missing.
 bool LeafPruner::probe(const Chord& chord) {
     const FirstHits hits = castRay(list_, chord.origin, chord.direction, chord.length);
     if (std::isinf(hits.any)) return true;
@@ -120,8 +121,8 @@ bool LeafPruner::probe(const Chord& chord) {
     return same;
 }
 
-/// Whether the blended surface stays without the dropped discs. Where it does not, heaviest_dropped_ is the disc to put
-/// back first.
+/// Whether the blended surface is the same without the dropped discs. If not, heaviest_dropped_ is the disc to restore
+/// first.
 bool LeafPruner::blendsAlike(const FirstHit& hit) {
     heaviest_ = 0.0f;
     if (!weighDropped(hit, hit.t)) {
@@ -136,7 +137,7 @@ bool LeafPruner::blendsAlike(const FirstHit& hit) {
     return color.cwiseAbs().maxCoeff() <= kColorTolerance; // all 0 in clouds without colours
 }
 
-/// Weighs the discs at t along the ray; whether one of those dropped counts there.
+/// Computes the weights at t along the ray. Returns whether a dropped disc has a weight there.
 bool LeafPruner::weighDropped(const FirstHit& hit, float t) {
     const float dropped = weighAt(list_, hit.chord.at(t), hit.normal, hit.front);
     if (dropped <= 0.0f) return false;
@@ -148,7 +149,7 @@ bool LeafPruner::weighDropped(const FirstHit& hit, float t) {
     return true;
 }
 
-/// The sums at the point last weighed, filled up to the least weight: fillUp of shaders/trace/blend.glsl.
+/// The sums at the point of the last weighAt, raised to the minimum weight: fillUp of shaders/trace/blend.glsl.
 FieldSums LeafPruner::fieldAround(const FirstHit& hit, bool only_kept) const {
     FieldSums field = sumField(list_, only_kept);
     const float missing = std::max(BLEND_WEIGHT_FLOOR - field.weight, 0.0f);
@@ -165,7 +166,7 @@ LeafPruner::Blended LeafPruner::blend(const FirstHit& hit, bool only_kept) {
     weighDropped(hit, hit.t);
     FieldSums field = fieldAround(hit, only_kept);
     const float step = newtonStep(field, direction, hit.radius);
-    if (!contains(box_, hit.chord.at(hit.t + step))) return {hit.t + step, field}; // the next leaf's to say
+    if (!contains(box_, hit.chord.at(hit.t + step))) return {hit.t + step, field}; // decided in the next leaf
     weighDropped(hit, hit.t + step);
     field = fieldAround(hit, only_kept);
     const float last = step + newtonStep(field, direction, hit.radius);

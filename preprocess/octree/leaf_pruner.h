@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which references does one leaf need?
+// Finds the references that a leaf needs.
 #pragma once
 
 #include <cstdint>
@@ -12,33 +12,34 @@
 
 namespace pointrt {
 
-/// Probes sent, and how many of them saw the surface change.
+/// Number of probes, and of those that saw the surface change.
 struct Audit {
     std::uint64_t probes = 0, changes = 0;
 };
 
-/// Prunes leaf by leaf; keeps its scratch arrays from one to the next.
+/// Prunes single leaves; reuses its scratch arrays.
 class LeafPruner {
 public:
     explicit LeafPruner(const PackedSplats& splats);
 
-    /// kept has one flag for each of the leaf's references; those that are 1 stay, and it sets more: those that cross
-    /// the leaf or weigh more than cutoff in it, and what the probes miss.
-    /// Sends so many probes, or fewer where hardly anything lies in the leaf.
+    /// Sets the flags of the references to keep: those that cross the leaf, have a weight above cutoff in it, or are
+    /// missed by probes. Flags already set stay.
+    /// @param probes number of probes; fewer are sent if the discs hardly reach into the leaf
+    /// @param kept one flag per reference of the leaf
     Audit run(const Octree& octree, const Leaf& leaf, float cutoff, ProbeSequence sequence, std::uint32_t probes,
               std::span<std::uint8_t> kept);
 
 private:
-    /// The first disc that a probe hits, and the side it is seen from.
+    /// The first disc that a probe hits, and the side from which it is seen.
     struct FirstHit {
         Chord chord;
-        std::size_t disc; ///< of the list
+        std::size_t disc; ///< index in the list
         float t;          ///< along the chord
         float radius;
         Vec3f normal; ///< towards the viewer
-        float front;  ///< turns oriented normals to the viewer's side
+        float front;  ///< sign that flips oriented normals to the viewer's side
     };
-    /// Where the probe meets the blended surface, and the field there.
+    /// The hit of a probe on the blended surface, and the field there.
     struct Blended {
         float t; ///< along the chord
         FieldSums field;
@@ -55,8 +56,8 @@ private:
 
     const PackedSplats& splats_;
     DiscList list_;                       ///< members first, then references
-    std::vector<std::uint32_t> splat_of_; ///< of each disc of the list
-    float heaviest_ = 0;                  ///< largest weight of a dropped disc seen by blendsAlike, and whose it is
+    std::vector<std::uint32_t> splat_of_; ///< for each disc of the list
+    float heaviest_ = 0;                  ///< largest weight of a dropped disc in blendsAlike, and its index
     std::size_t heaviest_dropped_ = 0;
     std::size_t members_ = 0;
     Box box_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The full octree as a Morton-ordered list of its non-empty leaves, which defines it completely.
+// The full octree, represented by its non-empty leaves in Morton order.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace pointrt {
 
-/// A cube of the octree: depth halvings of the unit cube; code is the Morton code of its lowest corner.
+/// A cell of the octree, with edge 2^-depth; code is the Morton code of its lowest corner.
 struct Cell {
     std::uint64_t code = 0;
     std::uint32_t depth = 0;
@@ -26,8 +26,8 @@ inline Cell childCell(const Cell& cell, std::uint32_t slot) {
 }
 Box cellBox(const Cell& cell);
 
-/// A leaf that holds splats: members (centre inside) and references (tentative splats: centre elsewhere).
-/// A leaf with references only is a border leaf: no centre lies in it, but a disc crosses it.
+/// A leaf with splats: members (centre inside) and references (tentative splats, centre outside). A leaf with
+/// references only is a border leaf: a disc crosses it, but no centre lies in it.
 struct Leaf {
     Cell cell;
     std::uint32_t first_member = 0, member_count = 0; ///< range of the Morton-ordered splats
@@ -40,40 +40,40 @@ struct Octree {
 };
 
 struct OctreeOptions {
-    std::uint32_t max_leaf_splats = 8;       ///< members before a leaf splits that is wide enough to, at least 1
+    std::uint32_t max_leaf_splats = 8;       ///< at least 1; leaves with more members split if they are wide enough
     std::uint32_t max_depth = PRO_MAX_DEPTH; ///< 0 to PRO_MAX_DEPTH
 };
 
 struct PruneOptions {
-    std::uint32_t probe_rays = 64; ///< per leaf and round at least, more where that is too few for harm; at least 1
-    double harm = 1e-4;            ///< share of random rays whose hit may change, with 95% confidence; in (0, 1)
+    std::uint32_t probe_rays = 64; ///< minimum per leaf and round, at least 1; a small harm needs more
+    double harm = 1e-4;            ///< fraction of random rays whose hit may change, with 95 % confidence; in (0, 1)
     std::uint64_t seed = 0;
 };
 
-/// What the last round of probes found. A change is a hit, of the first disc or of the blended surface, that moves by
-/// more than 1% of the disc's radius, or a normal or colour that differs visibly.
+/// Results of the last round of probes. A change is a hit (of the first disc or of the blended surface) that moves by
+/// more than 1 % of the disc's radius, or a visibly different normal or colour.
 struct PruneReport {
     std::uint32_t rounds = 0;
-    double cutoff = 0;        ///< splats that weigh less than this everywhere in a leaf were left out of it
+    double cutoff = 0;        ///< a leaf dropped splats with a smaller weight everywhere in it
     std::uint64_t probes = 0; ///< in the last round
-    double harm = 0;          ///< share of them that saw a change, which was mended
-    double harm_bound = 0;    ///< upper end of that share's 95% confidence interval
+    double harm = 0;          ///< fraction of probes with a change (the missing splats were restored)
+    double harm_bound = 0;    ///< upper end of the 95 % confidence interval of harm
 };
 
-/// Called with the share done in [0, 1]; may come from any thread, one at a time.
+/// Called with the fraction done, 0 to 1, from any thread, one call at a time.
 using OctreeProgress = std::function<void(double)>;
 
-/// Builds the leaves over splats and lists in each every splat whose blending slab meets it.
-/// The result does not depend on the number of threads.
-/// Throws Error (kBadUsage) when max_depth forces more than PRO_LEAF_LIST_MAX splats into one leaf.
+/// Builds the leaves and lists in each one every splat whose blending slab overlaps it. The result does not depend on
+/// the number of threads. Throws Error (kBadUsage) if max_depth forces more than PRO_LEAF_LIST_MAX splats into a leaf.
 Octree buildOctree(const PackedSplats& splats, const OctreeOptions& options, const OctreeProgress& progress = {});
 
-/// Drops references that neither cross their leaf visibly nor weigh enough in it; see leaf_pruner.cpp. Rounds of
-/// probes with ever lower weights follow one another until one keeps to options.harm, 6 at the most.
+/// Drops references that neither cross their leaf visibly nor have enough weight in it (see leaf_pruner.cpp). Repeats
+/// with lower cutoffs until a round of probes satisfies options.harm, at most 6 times.
 PruneReport pruneOctree(const PackedSplats& splats, const PruneOptions& options, Octree& octree,
                         const OctreeProgress& progress = {});
 
-/// The leaves as NODE words, breadth first, groups of 8 (pro_layout.h). max_depth receives the deepest leaf's depth.
+/// The leaves as NODE words, breadth first in groups of 8 (pro_layout.h). max_depth receives the depth of the deepest
+/// leaf.
 std::vector<std::uint32_t> encodeNodes(const std::vector<Leaf>& leaves, std::uint32_t& max_depth);
 
 } // namespace pointrt

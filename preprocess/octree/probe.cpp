@@ -19,7 +19,7 @@ constexpr std::array<double, 5> kSteps{0.8812714616335696, 0.7766393890897683, 0
 
 constexpr float kFullTurn = 6.28318530718f;
 
-/// Length of the line inside the box, from a point in it.
+/// Distance to the boundary of the box from a point in it.
 float exitDistance(const Box& box, const Vec3f& p, const Vec3f& direction) {
     float distance = std::numeric_limits<float>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
@@ -62,11 +62,11 @@ Vec3f sphereDirection(float u, float v) {
 }
 
 Vec3f heaviestPoint(const Disc& disc, const Box& box, float slab) {
-    // Projected gradient descent with the step that settles the height at once: along the disc the distance shrinks by
-    // 1 - slab^2 = 3/4 a turn, to a thirtieth in 12.
-    constexpr int kTurns = 12;
+    // Projected gradient descent with the step size that solves for the height at once; in the disc's plane the
+    // distance shrinks by 1 - slab^2 = 3/4 per iteration, to 1/30 after 12.
+    constexpr int kIterations = 12;
     Vec3f point = disc.center.cwiseMax(box.lo).cwiseMin(box.hi);
-    for (int turn = 0; turn < kTurns; ++turn) {
+    for (int i = 0; i < kIterations; ++i) {
         const Vec3f offset = point - disc.center;
         const float height = disc.normal.dot(offset);
         const Vec3f gradient = slab * slab * (offset - height * disc.normal) + height * disc.normal;

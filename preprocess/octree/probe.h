@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where probe rays go: low-discrepancy numbers, points on discs, lines through boxes.
+// Probe rays: low-discrepancy numbers, points on discs, lines through boxes.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace pointrt {
 
-/// Numbers in [0, 1), five at a time, of low discrepancy for any prefix; each seed and leaf has its own.
+/// Low-discrepancy points in [0, 1)^5, well distributed for any prefix; different for each seed and leaf.
 class ProbeSequence {
 public:
     ProbeSequence(std::uint64_t seed, std::uint64_t leaf);
@@ -22,11 +22,11 @@ private:
 /// Uniform on the disc for u, v uniform in [0, 1).
 Vec3f pointOnDisc(const Disc& disc, float u, float v);
 
-/// Uniform over the sphere: grazing directions are where pruning by first hits opens cracks.
+/// Uniform over the sphere, with grazing directions, in which pruning by first hits opens cracks.
 Vec3f sphereDirection(float u, float v);
 
-/// About where in the box the disc weighs most: the point of least d^2 / r^2 + h^2 / s^2 with d along the disc, h
-/// across it and s = slab r.
+/// Approximately the point in the box with the largest weight of the disc: that of least d^2 / r^2 + h^2 / s^2 with d
+/// in the disc's plane, h across it and s = slab r.
 Vec3f heaviestPoint(const Disc& disc, const Box& box, float slab);
 
 /// Weight of the disc at the point: (1 - d^2/r^2)^2 (1 - h^2/s^2)^2.
@@ -34,9 +34,9 @@ float weightAt(const Disc& disc, const Vec3f& point, float slab);
 
 bool contains(const Box& box, const Vec3f& point);
 
-/// Part of a line inside a box.
+/// The part of a line inside a box.
 struct Chord {
-    Vec3f origin;    ///< where the line enters
+    Vec3f origin;    ///< entry point
     Vec3f direction; ///< unit length
     float length;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pruning in rounds. A round keeps what weighs more than a cutoff and probes every leaf; when the probes together show
-// more harm than allowed, the next round has a lower cutoff.
+// Pruning in rounds. A round keeps splats with a weight above a cutoff and probes every leaf; if the probes together
+// show more harm than allowed, the next round has a lower cutoff.
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
@@ -15,23 +15,23 @@ namespace pointrt {
 
 namespace {
 
-/// Leaves are shared out in blocks this long.
+/// Leaves per block, the unit of work of a thread.
 constexpr std::size_t kBlockLeaves = 64;
 
-/// First cutoff over the harm allowed. A dropped splat of weight w moves a surface whose weights sum up to 1/2 at least
-/// by 2 w of its distance to the splat, half a radius at most. Measured on 5 scans: at a cutoff of 0.001 fewer than
-/// 7 of 100,000 probes see a change.
+/// First cutoff relative to the allowed harm. Dropping a splat of weight w moves a surface, whose weights sum to at
+/// least 1/2, by at most 2 w times its distance to the splat, which is at most half a radius. Measured on 5 scans: at a
+/// cutoff of 0.001 fewer than 7 of 100,000 probes see a change.
 constexpr double kCutoffPerHarm = 10.0;
 constexpr double kFirstCutoffMax = 0.5;
 constexpr double kCutoffStep = 0.25; ///< from one round to the next
-/// The last cutoff is then a thousandth of the first: nothing but slivers is left to drop.
+/// The last cutoff is then 1/1000 of the first, which drops only slivers.
 constexpr std::uint32_t kMaxRounds = 6;
 
-/// Probes for each unit of 1 / harm: one change among so many is still in the bound.
+/// Probes as a multiple of 1 / harm: with one change among them the bound still holds.
 constexpr double kProbesPerBound = 5.0;
 
-/// Upper end of the one-sided 95% confidence interval of a share seen in so many trials (Wilson score).
-double upperShare(double share, double trials) {
+/// Upper end of the one-sided 95 % confidence interval of a fraction observed in this many trials (Wilson score).
+double upperBound(double share, double trials) {
     if (trials == 0) return 1.0;
     constexpr double z = 1.6449;
     const double z2 = z * z / trials;
@@ -58,7 +58,7 @@ Audit auditLeaves(const PackedSplats& splats, const Octree& octree, const Octree
     return {probes, changes};
 }
 
-/// Leaves out the dropped references, and border leaves that have none left.
+/// Removes the dropped references, and border leaves without references.
 void rebuild(const std::vector<std::uint8_t>& kept, Octree& octree) {
     std::uint32_t next = 0;
     for (Leaf& leaf : octree.leaves) {
@@ -92,7 +92,7 @@ PruneReport pruneOctree(const PackedSplats& splats, const PruneOptions& options,
         const auto probes = static_cast<double>(audit.probes);
         report.probes = audit.probes;
         report.harm = audit.probes == 0 ? 0.0 : static_cast<double>(audit.changes) / probes;
-        report.harm_bound = upperShare(report.harm, probes);
+        report.harm_bound = upperBound(report.harm, probes);
         if (report.harm_bound <= options.harm || report.rounds == kMaxRounds) break;
         report.cutoff *= kCutoffStep;
     }

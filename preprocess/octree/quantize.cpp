@@ -14,11 +14,11 @@ namespace pointrt {
 
 namespace {
 
-/// Room left around the discs, as a share of the extent: keeps float rounding from pushing a disc out of the cube.
+/// Margin around the discs relative to the extent: float rounding must not push a disc out of the cube.
 constexpr double kCubeMargin = 1.0 / 1024;
 
-/// Radius codes to an octave, as powers of two: 255 codes of the coarsest span 15.9 octaves (62,000 : 1), and smaller
-/// radii are raised to the smallest code; a code of the finest is a radius's 6000th.
+/// log2 of the number of radius codes per octave. At the coarsest, 255 codes span 15.9 octaves (62,000 : 1), and
+/// smaller radii are raised to the smallest code; at the finest, one code is 1/6000 of the radius.
 constexpr int kCoarsestRadiusBits = 4, kFinestRadiusBits = 12;
 
 struct Bounds {
@@ -35,8 +35,8 @@ Vec3d discExtent(const Vec3f& normal, float radius) {
     return radius * (1.0 - normal.cast<double>().array().square()).max(0.0).sqrt().matrix();
 }
 
-/// The smallest cube edge of at least extent whose halvings pass through kLeafEdgeRadii median radii, so that the same
-/// share of the discs crosses the leaves' borders whatever the size of a scan. Costs the positions one bit at most.
+/// The smallest cube edge of at least extent that is kLeafEdgeRadii median radii times a power of two, so that the same
+/// fraction of discs crosses leaf borders for any size of scan. Costs positions at most one bit.
 double cubeEdge(double extent, const std::vector<float>& radii) {
     std::vector<float> sorted = radii;
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
@@ -65,13 +65,13 @@ void fillFrame(const Splats& splats, pro_info& frame) {
         frame.bounds_max[axis] = splats.origin[axis] + centers.hi[axis];
     }
     const RadiusCoding coding = radiusCoding(radius_min, radius_max);
-    frame.radius_max = static_cast<float>(coding.most / frame.scale);
+    frame.radius_max = static_cast<float>(coding.max / frame.scale);
     frame.radius_step = coding.step;
     frame.blend_slab = kBlendSlab;
     frame.flags = (splats.colors.empty() ? 0u : PRO_FLAG_COLOR) | (splats.oriented ? PRO_FLAG_ORIENTED : 0u);
 }
 
-/// Position in the cube at the middle of its step, which float holds exactly: rounding in double, and only once.
+/// Position in the cube at the middle of its step, which is exact in float: rounds once, in double.
 Vec3f cubePosition(const Vec3f& position, const Vec3d& shift, double scale) {
     const Vec3d steps = ((position.cast<double>() + shift) * (PRO_POSITION_STEPS / scale)).array().floor();
     const Vec3d code = steps.cwiseMax(0.0).cwiseMin(static_cast<double>(PRO_POSITION_MASK));
@@ -83,7 +83,7 @@ std::uint64_t mortonOf(const Vec3f& cube_position) {
     return mortonCode(code(cube_position.x()), code(cube_position.y()), code(cube_position.z()));
 }
 
-/// What the file says of how the packed splats were sampled; keys: their numbers in splats.
+/// Sets noise and filled splats of packed. @param keys the packed splats as indices in splats
 void packSampling(const Splats& splats, const std::vector<CurveKey>& keys, PackedSplats& packed) {
     packed.input_count = splats.input_count;
     packed.filled_from = splats.filled_from;
@@ -170,8 +170,8 @@ PackedSplats quantizeSplats(Splats&& splats) {
     return packed;
 }
 
-void freeScaffold(PackedSplats& splats) {
-    std::vector<Disc>().swap(splats.discs); // {} would keep the memory
+void freeBuildData(PackedSplats& splats) {
+    std::vector<Disc>().swap(splats.discs); // assigning {} would keep the memory
     std::vector<Rgb8>().swap(splats.colors);
     std::vector<std::uint64_t>().swap(splats.morton);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Splats to the packed words of the file: the cube frame, 21-bit positions, Morton order.
+// Quantises splats to the words of the file: the cube, 21-bit positions, Morton order.
 #pragma once
 
 #include <array>
@@ -11,16 +11,16 @@
 
 namespace pointrt {
 
-/// A splat as every reader of the file will decode it, in cube units; the octree is built on these.
+/// A splat as readers decode it, in cube units; the octree is built from these.
 struct Disc {
     Vec3f center;
     Vec3f normal; ///< unit length
     float radius;
 };
 
-/// Splats in Morton order of their quantised positions; all arrays have one length.
+/// Splats in Morton order of their quantised positions; all arrays have the same length.
 struct PackedSplats {
-    pro_info frame{}; ///< origin, scale, bounds, radius coding, flags and blend slab are filled in
+    pro_info frame{}; ///< only origin, scale, bounds, radius coding, flags and blend slab are set
     std::vector<std::array<std::uint32_t, PRO_SPLAT_WORDS>> words;
     std::vector<Disc> discs;
     std::vector<Rgb8> colors;               ///< sRGB, or empty
@@ -29,43 +29,45 @@ struct PackedSplats {
     std::uint32_t input_count = 0;          ///< Splats::input_count
     std::vector<std::uint32_t> filled_from; ///< Splats::filled_from
     std::uint32_t filled = 0;               ///< splats that fill gaps between points
-    std::vector<std::uint8_t> noise;        ///< as in NOIS; empty where all of it is 0
-    std::size_t merged = 0;                 ///< splats dropped because another has the same quantised position
+    std::vector<std::uint8_t> noise;        ///< as in NOIS; empty if all are 0
+    std::size_t merged = 0;                 ///< splats dropped because of equal quantised positions
 };
 
-/// Half height of the slab in which splats blend, over the radius. Neighbours on a surface whose radius
-/// of curvature is twice the splat's radius, or on scans whose noise is half of it, still blend.
+/// Half the height of the slab in which splats blend, relative to the radius. Neighbours still blend on surfaces whose
+/// radius of curvature is twice the splat's radius, and on scans whose noise is half of it.
 constexpr float kBlendSlab = 0.5f;
 
-/// Edge of a leaf that holds a typical surface, in median radii. A disc that falls on a grid of this edge
-/// anywhere, turned any way, meets 1 + 4.71 / e + 4.71 / e^2 cells of it (Steiner's formula for a disc and a cube of e
-/// radii): 1.66 at 8, 1.92 at 6, 2.47 at 4.
+/// Edge of a leaf on a typical surface, in median radii. A disc at a random position and orientation overlaps
+/// 1 + 4.71 / e + 4.71 / e^2 cells with an edge of e radii on average (Steiner's formula): 1.66 at 8, 1.92 at 6, 2.47
+/// at 4.
 constexpr double kLeafEdgeRadii = 8.0;
 
-/// Code c stands for the radius most * 2^(-c * step).
+/// Code c is the radius max * 2^(-c * step).
 struct RadiusCoding {
-    float most = 0; ///< the unit of the radii
+    float max = 0;  ///< in the unit of the radii
     float step = 0; ///< octaves
 };
 
-/// Codes that reach from the largest radius to the smallest one, or 15.9 octaves at most. All radii that they stand for
-/// are of one series, 2^(k / 2^n): what has the same radius in two files, or in two tiles, has the same in both once
-/// coded, whatever else there is, as long as their n is the same. A larger n has the radii of a smaller one, too.
+/// Codes from the largest radius to the smallest one, at most 15.9 octaves. Coded radii belong to the series 2^(k /
+/// 2^n): equal radii in two files or tiles stay equal if these have the same n. The series of a larger n includes that
+/// of a smaller one.
 RadiusCoding radiusCoding(float radius_min, float radius_max);
 
-/// The k-th of packed is this splat: its words, and its disc as readers will decode it. Cube units of packed.frame.
+/// Sets element k of packed: the words of the splat, and its disc as readers decode it. @param splat in cube units of
+/// packed.frame
 void packSplat(const pro_splat& splat, std::size_t k, PackedSplats& packed);
 
-/// As in NOIS. sigma: input units; radius: cube units, as readers decode it.
+/// The byte of NOIS. @param sigma standard deviation in input units
+/// @param radius in cube units, as readers decode it
 std::uint8_t noiseCode(float sigma, float radius, double scale);
-/// Leaves noise out where all of it is 0.
+/// Empties packed.noise if all of it is 0.
 void dropCleanNoise(PackedSplats& packed);
 
-/// splats is emptied. The cube is centred on the discs and holds all of them. Of splats at one quantised position the
-/// first stays that does not fill a gap, or the first one.
+/// Quantises and frees splats. The cube is centred on the discs and contains all of them. Of splats with equal
+/// quantised positions it keeps the first that does not fill a gap, else the first.
 PackedSplats quantizeSplats(Splats&& splats);
 
-/// Frees what only building and pruning the octree need, before the index takes memory.
-void freeScaffold(PackedSplats& splats);
+/// Frees the data that only building and pruning the octree need, before the index allocates memory.
+void freeBuildData(PackedSplats& splats);
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Progress of tasks that finish on any thread.
+// Progress of parallel tasks.
 #pragma once
 
 #include <mutex>
@@ -10,10 +10,10 @@ namespace pointrt {
 
 class TaskProgress {
 public:
-    /// progress may be empty.
+    /// @param progress may be empty
     TaskProgress(const OctreeProgress& progress, std::size_t tasks) : progress_(progress), tasks_(tasks) {}
 
-    /// Reports one more task as done; the calls that reach progress come one at a time.
+    /// Reports one more finished task; serialises the calls of progress.
     void finishOne() {
         if (!progress_) return;
         const std::lock_guard lock(mutex_);

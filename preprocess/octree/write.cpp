@@ -5,13 +5,13 @@
 #include <new>
 
 #include "format/base/error.h"
-#include "preprocess/octree/carry_attributes.h"
+#include "preprocess/octree/splat_attributes.h"
 
 namespace pointrt {
 
 namespace {
 
-/// What a scan without colours is made of.
+/// Base colour of scans without colours.
 constexpr std::array<float, 3> kPlaster{0.72f, 0.69f, 0.64f};
 constexpr float kSpecular = 0.15f;
 constexpr float kShininess = 24.0f;
@@ -103,7 +103,7 @@ OctreeCounts writePro(const std::string& path, bool overwrite, const ProSections
                               &sections.sampling};
     const pro_result result = pro_write_content(path.c_str(), &content, overwrite ? 1 : 0, &message);
     if (result == PRO_OUT_OF_MEMORY) throw std::bad_alloc();
-    // what the writer refuses to write is a scan that no .pro can hold
+    // the writer refuses scans that exceed the limits of the format
     const ExitCode code = result == PRO_CANNOT_WRITE ? ExitCode::kCannotWrite : ExitCode::kBadInput;
     if (result != PRO_OK) throw Error(code, path + ": " + message.text);
     OctreeCounts counts = countOctree(sections);

@@ -60,7 +60,7 @@ std::size_t distinctAcross(const Cloud& cloud, const RangeGrid& grid, const Dept
     const Vec3d across = frame.axis.unitOrthogonal();
     std::vector<double> places;
     for (const std::uint32_t cell : grid.point_of_cell)
-        if (cell < RangeGrid::kLeftOut)
+        if (cell < RangeGrid::kFilteredOut)
             places.push_back(across.dot(cloud.positions[cell].cast<double>() - frame.sensor));
     return distinct(std::move(places), tolerance).size();
 }
@@ -69,7 +69,7 @@ std::size_t distinctAcross(const Cloud& cloud, const RangeGrid& grid, const Dept
 Vec3d viewAxis(const Cloud& cloud, const RangeGrid& grid, const Vec3d& sensor) {
     Vec3d sum = Vec3d::Zero();
     for (const std::uint32_t cell : grid.point_of_cell)
-        if (cell < RangeGrid::kLeftOut) sum += cloud.positions[cell].cast<double>() - sensor;
+        if (cell < RangeGrid::kFilteredOut) sum += cloud.positions[cell].cast<double>() - sensor;
     int axis = 0;
     sum.cwiseAbs().maxCoeff(&axis);
     return Vec3d::Unit(axis) * (sum[axis] < 0 ? -1 : 1);
@@ -86,7 +86,7 @@ std::optional<DepthFrame> depthFrameOf(const Cloud& cloud, const RangeGrid& grid
     frame.axis = viewAxis(cloud, grid, frame.sensor);
     for (std::size_t i = 0; i < grid.point_of_cell.size(); ++i) {
         const std::uint32_t cell = grid.point_of_cell[i];
-        if (cell >= RangeGrid::kLeftOut) continue;
+        if (cell >= RangeGrid::kFilteredOut) continue;
         const Vec3d from_sensor = cloud.positions[cell].cast<double>() - frame.sensor;
         if (from_sensor.isZero(0)) continue; // some programs write missing depths so
         const double depth = from_sensor.dot(frame.axis);

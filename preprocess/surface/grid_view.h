@@ -28,12 +28,12 @@ struct GridView {
     const Cloud& cloud;
     const RangeGrid& grid;
 
-    /// The point in a cell, kNoPoint or kLeftOut; kLeftOut outside the frame, where nothing is known.
+    /// The point in a cell, kNoPoint or kFilteredOut; kFilteredOut outside the frame, where nothing is known.
     std::uint32_t at(GridCell cell) const {
         const std::int64_t columns = grid.columns;
         if (grid.wraps) cell.column = (cell.column % columns + columns) % columns;
         const bool inside = cell.row >= 0 && cell.row < grid.rows && cell.column >= 0 && cell.column < columns;
-        return inside ? grid.at(std::uint32_t(cell.row), std::uint32_t(cell.column)) : RangeGrid::kLeftOut;
+        return inside ? grid.at(std::uint32_t(cell.row), std::uint32_t(cell.column)) : RangeGrid::kFilteredOut;
     }
 
     /// Relative to the cloud's origin.

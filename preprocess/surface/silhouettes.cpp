@@ -50,7 +50,7 @@ double noiseOf(const ScanGrid& scan) {
         for (std::uint32_t column = 0; column + 2 < scan.view.grid.columns; ++column) {
             const std::uint32_t a = scan.view.grid.at(row, column), b = scan.view.grid.at(row, column + 1),
                                 c = scan.view.grid.at(row, column + 2);
-            if (std::max({a, b, c}) >= RangeGrid::kLeftOut) continue;
+            if (std::max({a, b, c}) >= RangeGrid::kFilteredOut) continue;
             seconds.push_back(float(std::abs(scan.rangeOf(a) - 2 * scan.rangeOf(b) + scan.rangeOf(c))));
         }
     return deviationBySecondDifferences(std::move(seconds));
@@ -64,7 +64,7 @@ ScanGrid scanGridOf(const Cloud& cloud, const RangeGrid& grid) {
     scan.sensor = *sensor - cloud.origin;
     Eigen::AlignedBox3d box;
     for (const std::uint32_t cell : grid.point_of_cell)
-        if (cell < RangeGrid::kLeftOut) box.extend(scan.view.position(cell));
+        if (cell < RangeGrid::kFilteredOut) box.extend(scan.view.position(cell));
     scan.is_near = box.exteriorDistance(scan.sensor) < kFarDiagonals * box.diagonal().norm();
     scan.noise = noiseOf(scan);
     return scan;
@@ -87,7 +87,7 @@ bool continues(const ScanGrid& scan, GridCell from, GridStep step) {
     std::array<double, 6> inverse; // of the cells 2 before to 3 after
     for (int i = 0; i < 6; ++i) {
         const std::uint32_t cell = scan.view.at(from + (i - 2) * step);
-        inverse[i] = cell < RangeGrid::kLeftOut ? 1 / scan.rangeOf(cell) : std::nan("");
+        inverse[i] = cell < RangeGrid::kFilteredOut ? 1 / scan.rangeOf(cell) : std::nan("");
     }
     for (int first = 0; first < 3; ++first) {
         double least = INFINITY, most = -INFINITY;
@@ -107,7 +107,7 @@ bool isSilhouette(const ScanGrid& scan, GridCell cell, std::uint32_t point) {
     for (const GridStep step : kNeighbors) {
         const std::uint32_t beside = scan.view.at(cell + step);
         if (beside == RangeGrid::kNoPoint && !scan.isFromDepthCamera(point)) return true;
-        if (beside >= RangeGrid::kLeftOut || !scan.has_sensor || !isSteep(scan, point, beside)) continue;
+        if (beside >= RangeGrid::kFilteredOut || !scan.has_sensor || !isSteep(scan, point, beside)) continue;
         if (!scan.is_near || !continues(scan, cell, step)) return true;
     }
     return false;
@@ -118,18 +118,18 @@ void flagGrid(const ScanGrid& scan, std::vector<std::uint8_t>& flags) {
     const RangeGrid& grid = scan.view.grid;
     tbb::parallel_for(std::uint32_t{0}, grid.rows, [&](std::uint32_t row) {
         for (std::uint32_t column = 0; column < grid.columns; ++column)
-            if (const std::uint32_t point = grid.at(row, column); point < RangeGrid::kLeftOut)
+            if (const std::uint32_t point = grid.at(row, column); point < RangeGrid::kFilteredOut)
                 flags[point] = isSilhouette(scan, {row, column}, point);
     });
     std::size_t points = 0, flagged = 0;
     for (const std::uint32_t cell : grid.point_of_cell) {
-        if (cell >= RangeGrid::kLeftOut) continue;
+        if (cell >= RangeGrid::kFilteredOut) continue;
         ++points;
         flagged += flags[cell];
     }
     if (2 * flagged <= points) return;
     for (const std::uint32_t cell : grid.point_of_cell)
-        if (cell < RangeGrid::kLeftOut) flags[cell] = 0;
+        if (cell < RangeGrid::kFilteredOut) flags[cell] = 0;
 }
 
 } // namespace

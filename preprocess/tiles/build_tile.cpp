@@ -7,7 +7,7 @@
 
 #include "format/base/error.h"
 #include "format/index/build_index.h"
-#include "preprocess/octree/carry_attributes.h"
+#include "preprocess/octree/splat_attributes.h"
 #include "preprocess/octree/write.h"
 #include "preprocess/tiles/collect_splats.h"
 #include "preprocess/tiles/pack_tile.h"
@@ -53,7 +53,7 @@ ProContent contentOf(const TileSet& set, const TileOptions& options, const TileK
                      const PackedSplats& packed) {
     ProContent content;
     content.materials = {scanMaterial((packed.frame.flags & PRO_FLAG_COLOR) != 0, options.reflectivity)};
-    content.attributes = carryAttributes(gathered.splats.attributes, packed.input_index);
+    content.attributes = gatherAttributes(gathered.splats.attributes, packed.input_index);
     for (const auto& row : set.sensors) content.sensors.insert(content.sensors.end(), row.begin(), row.end());
     content.world.up = Vec3d(set.up[0], set.up[1], set.up[2]);
     content.world.metres_per_unit = set.metres;
@@ -105,7 +105,7 @@ std::optional<SetTile> buildTile(const TileSet& set, const TileTree& tree, const
     const ProContent content = contentOf(set, options, tile, gathered, packed);
     gathered = {};
     const Octree octree = growOctree(packed, options);
-    freeScaffold(packed);
+    freeBuildData(packed);
     write(pathOf(folders, tile), packed, octree, content, options);
     return findTileRow(folders, tile);
 }

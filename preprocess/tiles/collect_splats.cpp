@@ -35,7 +35,7 @@ bool reachesCore(const PositionCode& code, std::uint32_t normal_word, float radi
     if (leastDistance(code) > kReach * radius) return false;
     const Disc disc{cubePosition(code), normalOf(normal_word), radius};
     const Box near{kCore.lo.array() - radius, kCore.hi.array() + radius};
-    return discMeetsBox(disc, growBySlab(near, disc, kBlendSlab));
+    return discOverlapsBox(disc, growBySlab(near, disc, kBlendSlab));
 }
 
 } // namespace

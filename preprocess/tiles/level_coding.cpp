@@ -34,7 +34,7 @@ std::vector<LevelCoding> findLevelCodings(const TileTree& tree, double edge,
         codings.emplace_back();
         if (!(most > 0)) continue;
         const RadiusCoding coding = radiusCoding(least, most);
-        codings.back() = {static_cast<float>(std::min(coding.most, limit) / (2 * edge_here)), coding.step};
+        codings.back() = {static_cast<float>(std::min(coding.max, limit) / (2 * edge_here)), coding.step};
     }
     return codings;
 }

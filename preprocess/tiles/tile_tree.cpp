@@ -19,7 +19,7 @@ bool isBefore(const TileKey& a, const TileKey& b) {
 }
 
 /// Whether the core of a tile overlaps the cube of another of its level or a higher one.
-bool meetsCube(const TileKey& tile, const TileKey& around) {
+bool overlapsCube(const TileKey& tile, const TileKey& around) {
     const std::uint32_t up = around.level - tile.level;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         // in half edges of `tile`, integers
@@ -109,7 +109,7 @@ std::optional<TileKey> TileTree::originalAt(const TileKey& tile, const PositionC
 }
 
 void TileTree::addOriginalsBelow(const TileKey& tile, const TileKey& around, std::vector<TileKey>& found) const {
-    if (!meetsCube(tile, around)) return;
+    if (!overlapsCube(tile, around)) return;
     if (isOriginal(tile)) return found.push_back(tile);
     for (const TileKey& child : childrenOf(tile)) addOriginalsBelow(child, around, found);
 }

@@ -7,7 +7,7 @@ import pytest
 
 import pointrt
 
-#: Of a UTM zone, where floats tell half a metre only.
+#: Coordinates in a UTM zone, where floats have a resolution of half a metre.
 GRID = np.array([500000.0, 4500000.0, 100.0])
 
 
@@ -20,9 +20,9 @@ def plane_points(side=100, size=20.0):
 
 @pytest.fixture(scope="session")
 def field(tmp_path_factory):
-    """The field as a .pro."""
+    """The field, baked to a .pro."""
     if not (os.environ.get("POINTRT_BAKE") or shutil.which("pointrt-bake")):
-        pytest.skip("there is no pointrt-bake")
+        pytest.skip("pointrt-bake is not installed")
     points = plane_points()
     normals = np.tile([0.0, 0.0, 1.0], (len(points), 1))
     colors = np.tile(np.uint8([255, 0, 0]), (len(points), 1))
@@ -36,7 +36,7 @@ def scene(field):
 
 def baked_hills(output, **options):
     if not (os.environ.get("POINTRT_BAKE") or shutil.which("pointrt-bake")):
-        pytest.skip("there is no pointrt-bake")
+        pytest.skip("pointrt-bake is not installed")
     x, y = np.meshgrid(np.arange(250) * 0.4, np.arange(250) * 0.4)
     points = GRID + np.stack([x.ravel(), y.ravel(), (5 * np.sin(x / 8) * np.cos(y / 9)).ravel()], axis=1)
     return pointrt.bake(points, output=output, clean="off", **options)
@@ -44,11 +44,11 @@ def baked_hills(output, **options):
 
 @pytest.fixture(scope="session")
 def hills(tmp_path_factory):
-    """Hills as a .pro."""
+    """Hills, baked to a .pro."""
     return baked_hills(tmp_path_factory.mktemp("scans") / "hills.pro")
 
 
 @pytest.fixture(scope="session")
 def hills_in_tiles(tmp_path_factory):
-    """The same as a tile set of several tiles."""
+    """The hills as a tile set of several tiles."""
     return baked_hills(tmp_path_factory.mktemp("sets") / "hills.proset", tile_splats=8000)

@@ -48,7 +48,7 @@ def test_a_trajectory_is_followed(scene, tmp_path):
     np.testing.assert_allclose(part["times"], 3 + np.arange(50) / 100, atol=1e-9)
 
 
-def test_a_sensor_file_says_where_it_stands(scene, tmp_path):
+def test_a_sensor_file_can_have_a_pose(scene, tmp_path):
     file = tmp_path / "sensor.toml"
     file.write_text("[flash]\npixels = [4, 4]\nfield_of_view_deg = [20, 20]\nframe_hz = 1\n[range]\nmax_m = 50\n"
                     f"[pose]\nposition = {MIDDLE}\npitch_deg = 90\n")
@@ -56,7 +56,7 @@ def test_a_sensor_file_says_where_it_stands(scene, tmp_path):
     assert len(scene.simulate_lidar(str(file), pose=[*MIDDLE, 0, -90, 0])["times"]) == 0
 
 
-def test_seeds_decide(scene):
+def test_seeds_determine_the_points(scene):
     sensor = {**SENSOR, "range": {"max_m": 50, "noise_m": 0.1}, "detection": {"drop_probability": 0.2}}
     one, same, other = (scene.simulate_lidar(sensor, pose=MIDDLE, seed=seed) for seed in (1, 1, 2))
     np.testing.assert_array_equal(one["positions"], same["positions"])
@@ -110,7 +110,7 @@ def test_invalid_trajectories_and_attributes(scene, tmp_path):
         scene.simulate_lidar({**SENSOR, "range": {"max_m": object()}}, pose=MIDDLE)
 
 
-def test_ctrl_c_ends_it(scene):
+def test_ctrl_c_interrupts(scene):
     timer = threading.Timer(0.5, signal.raise_signal, [signal.SIGINT])
     timer.start()
     with pytest.raises(KeyboardInterrupt):  # months of pulses

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What scenes leave behind, and what stops them."""
+"""Memory of closed scenes, interruption, and missing devices."""
 import os
 import pathlib
 import resource
@@ -29,9 +29,9 @@ def open_and_close(path, times):
         pointrt.Scene(path).cast_rays([DOWN], fields=("t_hit",))
 
 
-def test_scenes_leave_nothing_behind(field):
-    """A thousand did not grow by 1 MB, tests/bench/RESULTS.md; here as many as take a few seconds."""
-    open_and_close(field, 40)  # pools and programs that stay
+def test_closed_scenes_free_their_memory(field):
+    """A thousand scenes grew by less than 1 MB (tests/bench/RESULTS.md); this test opens fewer, for a few seconds."""
+    open_and_close(field, 40)  # fills pools and caches of programs
     memory, files = resident_bytes(), open_files()
     open_and_close(field, 120)
     grown = resident_bytes() - memory

@@ -41,8 +41,8 @@ def test_pictures_have_the_memory_of_the_scene(hills_in_tiles):
     assert (full["tile_id"] != taken["tile_id"]).any()
 
 
-def test_a_point_is_in_the_pixel_where_it_should_be(scene):
-    # 2 pixels a metre at 50 m; the principal point looks at (10, 10) of the field
+def test_points_project_to_their_pixels(scene):
+    # 2 pixels per metre at 50 m; the principal point sees (10, 10) of the field
     fx, fy, cx, cy = 100.0, 100.0, 30.0, 12.0
     camera = pointrt.Camera.from_intrinsics(fx, fy, cx, cy, DOWN)
     picture = scene.render(camera, 60, 40, layers=["depth", "position", "splat_id"], lights=1)
@@ -55,7 +55,7 @@ def test_a_point_is_in_the_pixel_where_it_should_be(scene):
     outside = (np.abs(east) > 10.5) | (np.abs(south) > 10.5)
     assert np.isinf(picture["depth"][outside]).all()
     assert (picture["splat_id"][outside] == pointrt.NO_HIT).all()
-    # the splat that is seen in a pixel lies there
+    # the splat of a pixel is at that place
     splats = pointrt.ScanFile(scene._paths[0]).decode()["positions"][picture["splat_id"][inside]]
     np.testing.assert_allclose(splats[:, 0], GRID[0] + 10 + east[inside], atol=0.5)
     np.testing.assert_allclose(splats[:, 1], GRID[1] + 10 - south[inside], atol=0.5)
@@ -102,12 +102,12 @@ def test_settings_decide_the_picture(scene):
     ({"spp": 0}, "spp: "),
     ({"no_such_setting": 1}, "no_such_setting: unknown setting"),
 ])
-def test_what_is_no_picture(scene, arguments, text):
+def test_invalid_pictures(scene, arguments, text):
     with pytest.raises(ValueError, match=text):
         scene.render(**arguments)
 
 
-def test_what_is_no_camera(scene):
+def test_invalid_cameras(scene):
     with pytest.raises(ValueError, match=r"eye must have the shape \[3\], not \[2\]"):
         pointrt.Camera.look_at([1, 2])
     with pytest.raises(ValueError, match=r"\[4, 4\] or \[3, 4\], not \[3, 3\]"):
@@ -140,7 +140,7 @@ def test_threads_share_a_scene(scene):
 
 def test_ctrl_c_ends_a_picture_and_leaves_the_scene_usable(scene):
     settings = {"spp": 512, "integrator": "path", "lights": 1}
-    first = scene.render(width=2, height=2, **settings)  # what comes first takes longer
+    first = scene.render(width=2, height=2, **settings)  # the first picture takes longer
     timer = threading.Timer(0.3, signal.raise_signal, [signal.SIGINT])
     timer.start()
     with pytest.raises(KeyboardInterrupt):  # minutes of samples
@@ -149,7 +149,7 @@ def test_ctrl_c_ends_a_picture_and_leaves_the_scene_usable(scene):
     np.testing.assert_array_equal(scene.render(width=2, height=2, **settings)["rgba"], first["rgba"])
 
 
-def test_settings_that_come_and_go_leave_nothing_behind(field):
+def test_changing_settings_frees_memory(field):
     scene = pointrt.Scene(field)
 
     def resident():
@@ -158,11 +158,11 @@ def test_settings_that_come_and_go_leave_nothing_behind(field):
 
     before = 0
     for k in range(310):
-        if k == 10:  # by then pools of all kinds are as large as they get
+        if k == 10:  # all pools have reached their final size
             before = resident()
         scene.render(width=16, height=16, layers=["depth"], lights=1 + k % 2)
     grown = resident() - before
-    # What allocators keep comes and goes by 8 MB, seldom 30; a renderer that stayed would take a scene's memory, at least.
+    # Allocators vary by 8 MB, rarely 30; a leaked renderer would take at least a scene's memory.
     assert grown < 60 * scene.device_bytes, f"300 scenes of {scene.device_bytes} bytes left {grown}"
 
 

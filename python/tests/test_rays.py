@@ -33,7 +33,7 @@ def test_results_have_the_shape_of_the_rays(scene):
     assert scene.cast_rays(rays[0, 0])["t_hit"].shape == ()
 
 
-def test_only_what_is_asked_for(scene):
+def test_only_requested_fields(scene):
     hits = scene.cast_rays([ray(5, 5, 60, [0, 0, -1])], fields=["primitive_ids", "t_hit"])
     assert list(hits) == ["t_hit", "splat_ids"]
     assert hits["primitive_ids"] is hits["splat_ids"]
@@ -68,14 +68,14 @@ def test_floats_and_strided_arrays(scene):
     ([ray(0, 0, 60, [0, 0, -1]), ray(0, np.nan, 60, [0, 0, -1])], ValueError, "ray 1: "),
     (["nothing"], ValueError, "nothing"),
 ])
-def test_what_is_no_ray(scene, rays, error, text):
+def test_invalid_rays(scene, rays, error, text):
     with pytest.raises(error, match=text):
         scene.cast_rays(rays)
     with pytest.raises(error, match=text):
         scene.test_occlusions(rays)
 
 
-def test_a_bad_ray_is_numbered_among_all(scene, monkeypatch):
+def test_invalid_rays_are_numbered_across_parts(scene, monkeypatch):
     monkeypatch.setattr("pointrt._scene._RAYS_AT_ONCE", 4)
     rays = np.tile(ray(5, 5, 60, [0, 0, -1]), (11, 1))
     np.testing.assert_allclose(scene.cast_rays(rays)["t_hit"], 50, atol=2e-4)
@@ -110,7 +110,7 @@ def test_several_scans(field):
     assert scene.cast_rays([ray(5, 5, 60, [0, 0, -1])])["instance_ids"][0] in (0, 1)
 
 
-def test_scenes_that_are_not_there(tmp_path):
+def test_missing_scenes(tmp_path):
     with pytest.raises(pointrt.Error, match="nothing.pro: "):
         pointrt.Scene(tmp_path / "nothing.pro")
     text = tmp_path / "text.pro"

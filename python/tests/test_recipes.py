@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The commands and snippets of docs/RECIPES.md, run as they stand there on a small scan of that name."""
+"""Runs the commands and snippets of docs/RECIPES.md on a small scan of the same name."""
 import os
 import pathlib
 import re
@@ -14,7 +14,7 @@ DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
 SECTIONS = dict(re.findall(r"^## (.+?)\n(.*?)(?=^## |\Z)", (DOCS / "RECIPES.md").read_text(), re.M | re.S))
 CODE = re.compile(r"^```(\w*)\n(.*?)^```$", re.M | re.S)
 
-#: What the snippets' results must be.
+#: Checks of the snippets' results.
 CHECKS = {
     "Solar study of a roof": lambda it: it["hours"][it["high"]].mean() > it["hours"][~it["high"]].mean() > 0,
     "Line of sight from a tower": lambda it: 0.05 < it["seen"].mean() < 0.95,
@@ -25,7 +25,7 @@ CHECKS = {
 
 
 def stadium_points():
-    """Level ground with a ring of blocks around its middle, where the docs' stadium lies, [N, 5]: x, y, z, class, intensity."""
+    """Level ground with a ring of blocks at the place of the stadium, [N, 5]: x, y, z, class, intensity."""
     x, y = np.meshgrid(np.arange(636850.0, 637980, 14), np.arange(851370.0, 852560, 14))
     away = np.hypot(x - 637430, y - 851960)
     raised = (away > 250) & (away < 400)
@@ -35,7 +35,7 @@ def stadium_points():
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """Where the recipes begin: stadium.laz, and the sensors of the docs."""
+    """A folder with the inputs of the recipes: stadium.laz, and the sensors of the docs."""
     tool = os.environ.get("POINTRT_BAKE")
     if not tool:
         pytest.skip("POINTRT_BAKE does not name the tools")
@@ -44,7 +44,7 @@ def folder(tmp_path_factory):
                header="x,y,z,classification,intensity", comments="")
     pointrt.bake(at / "made.csv", output=at / "made.pro", clean="off", up="z")
     subprocess.run([pathlib.Path(tool).parent / "pointrt-info", at / "made.pro", "--export", at / "made.las"], check=True)
-    (at / "made.las").rename(at / "stadium.laz")  # files are told by their content
+    (at / "made.las").rename(at / "stadium.laz")  # the content decides the format
     (at / "docs").symlink_to(DOCS)
     return at
 
@@ -58,7 +58,7 @@ def test_a_recipe_runs(title, folder, monkeypatch):
     names = {}
     for kind, text in parts:
         if kind == "python":
-            exec(compile(text, title, "exec"), names)  # the docs' own
+            exec(compile(text, title, "exec"), names)  # trusted: from the docs
         else:
             done = subprocess.run(["bash", "-e"], input=text, text=True, capture_output=True)
             assert done.returncode == 0, done.stderr

@@ -28,7 +28,7 @@ def originals_of(folder):
     return [tile for tile in tiles_of(folder) if tile["error"] == 0]
 
 
-def test_a_set_tells_its_tiles(hills_in_tiles):
+def test_hits_of_sets_have_tile_ids(hills_in_tiles):
     scene = pointrt.Scene(hills_in_tiles)
     assert scene.has_tiles and scene.instance_count == 1
     tiles = tiles_of(hills_in_tiles)
@@ -64,7 +64,7 @@ def test_scene_files(field, tmp_path):
     assert scene.instance_count == 2 and not scene.has_tiles
     hits = scene.cast_rays([down(5, 5), down(-50, 5)])
     assert list(hits) == ["t_hit", "splat_ids", "instance_ids", "normals", "positions"]
-    np.testing.assert_allclose(hits["t_hit"], [45, 140], atol=2e-4)  # the upper field, and the plane below all
+    np.testing.assert_allclose(hits["t_hit"], [45, 140], atol=2e-4)  # the upper field, and the plane below
     np.testing.assert_array_equal(hits["instance_ids"], [1, 255])
     assert hits["splat_ids"][1] == pointrt.NO_HIT
     (tmp_path / "wrong.toml").write_text('[[instance]]\nfile = "gone.pro"\n')

@@ -12,14 +12,14 @@ PLACE = (47.4, 15.0)
 
 @pytest.fixture(scope="module")
 def wall(field, tmp_path_factory):
-    """A wall along the field's middle, 4 m high, from the west to the east, facing south."""
+    """A wall from west to east through the middle of the field, 4 m high, facing south."""
     x, z = np.meshgrid((np.arange(200) + 0.5) * 0.1, 10 + (np.arange(40) + 0.5) * 0.1)
     points = GRID + np.stack([x.ravel(), np.full(x.size, 10.0), z.ravel()], axis=1)
     normals = np.tile([0.0, -1.0, 0.0], (len(points), 1))
     return pointrt.bake(points, normals, output=tmp_path_factory.mktemp("scans") / "wall.pro", clean="off")
 
 
-def test_an_open_field_has_all_of_the_day(scene):
+def test_an_open_field_has_sun_all_day(scene):
     hours = scene.sun_hours(PLACE, "2026-06-21", every=60)
     assert hours.shape == (len(scene),) and hours.dtype == np.float64
     np.testing.assert_array_equal(hours, 16)
@@ -33,7 +33,7 @@ def test_a_wall_shades_what_lies_north_of_it(field, wall):
     hours = scene.sun_hours(PLACE, "2026-12-21", every=30, points=points)
     assert hours[0] == pointrt.Scene(field).sun_hours(PLACE, "2026-12-21", every=30, points=points)[0] > 7.5
     assert hours[1] == 0
-    # at noon the sun stands 19 degrees high: the shadow is 12 m long
+    # the noon sun at 19 degrees casts a shadow of 12 m
     assert hours[2] < 6
     assert scene.sky_view(points=points)[1] < 0.6
     both = scene.sun_hours(PLACE, "2026-12-21", every=30, points=points.reshape(3, 1, 3), radii=0.1)
@@ -48,7 +48,7 @@ def test_normals_decide_which_side_is_lit(scene):
     assert scene.sun_hours(PLACE, "2026-06-21", every=60, points=points[1], sides="both").shape == ()
 
 
-def test_who_sees_what(field, wall):
+def test_visibility(field, wall):
     scene = pointrt.Scene([field, wall])
     points = GRID + [[10, 5, 10], [10, 12, 10], [10, 10, 15]]
     observers = GRID + [[10, 2, 12], [10, 18, 12]]
@@ -60,10 +60,10 @@ def test_who_sees_what(field, wall):
     assert own.shape == (1, len(scene)) and own.dtype == np.bool_ and own.any() and not own.all()
 
 
-def test_a_set_is_studied_as_the_file_is(hills, hills_in_tiles):
+def test_studies_of_a_set_match_one_file(hills, hills_in_tiles):
     whole, tiles = pointrt.Scene(hills), pointrt.Scene(hills_in_tiles, memory=1 << 30)
     points = {scene: np.concatenate([block["positions"] for block in scene.points(1000)]) for scene in (whole, tiles)}
-    order = {scene: np.lexsort(np.round((points[scene] - GRID)[:, :2] / 0.4).T) for scene in points}  # their lattice
+    order = {scene: np.lexsort(np.round((points[scene] - GRID)[:, :2] / 0.4).T) for scene in points}  # by lattice position
     np.testing.assert_allclose(points[tiles][order[tiles]], points[whole][order[whole]], atol=1e-3)
     hours = {scene: scene.sun_hours(PLACE, "2026-12-21", every=30)[order[scene]] for scene in points}
     assert (hours[tiles] == hours[whole]).mean() > 0.995 and 0 == hours[tiles].min() < hours[tiles].max()
@@ -74,7 +74,7 @@ def test_a_set_is_studied_as_the_file_is(hills, hills_in_tiles):
     assert len(np.unique(np.concatenate([block["tile_ids"] for block in blocks]))) >= 4
 
 
-def test_instances_of_scene_files_are_studied_where_they_stand(field, tmp_path):
+def test_studies_use_placed_instances(field, tmp_path):
     (tmp_path / "two.toml").write_text(f'[[instance]]\nfile = "{field}"\n[[instance]]\nfile = "{field}"\n'
                                        'translate = [0, 0, 5]\n')
     scene = pointrt.Scene(tmp_path / "two.toml")
@@ -103,12 +103,12 @@ def test_instances_of_scene_files_are_studied_where_they_stand(field, tmp_path):
     (dict(at=PLACE, date="2026-06-21", points=np.zeros((3, 3)), radii=np.zeros(2)), "radii must have the shape"),
     (dict(at=PLACE, date="2026-06-21", radii=1.0), "normals and radii need points"),
 ])
-def test_what_is_wrong_with_a_study(scene, arguments, text):
+def test_invalid_arguments(scene, arguments, text):
     with pytest.raises(ValueError, match=text):
         scene.sun_hours(**arguments)
 
 
-def test_points_and_observers_that_are_nowhere(scene):
+def test_points_and_observers_must_be_finite(scene):
     with pytest.raises(pointrt.Error, match="point 1: the position is not finite"):
         scene.sun_hours(PLACE, "2026-06-21", points=[[0, 0, 0], [0, np.nan, 0]])
     with pytest.raises(ValueError, match="finite"):
@@ -117,7 +117,7 @@ def test_points_and_observers_that_are_nowhere(scene):
         scene.visible_from([0, 0, 0], radius=0)
 
 
-def test_studies_are_the_same_in_parts(scene, monkeypatch):
+def test_results_do_not_depend_on_blocks(scene, monkeypatch):
     whole = scene.sky_view(directions=16), scene.visible_from(GRID + [3, 3, 30])
     monkeypatch.setattr("pointrt._studies._POINTS_AT_ONCE", 777)
     monkeypatch.setattr("pointrt._studies._RAYS_AT_ONCE", 3000)

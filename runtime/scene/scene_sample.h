@@ -21,7 +21,7 @@ struct SceneSample {
     std::vector<Vec3> sensors;        ///< positions of scanners
     std::vector<Vec3> zeros; ///< origins of the files' coordinates: a scanner's position in an unregistered scan
     bool oriented = false;
-    bool has_shapes = false; ///< shapes stand in the scene besides its scans
+    bool has_shapes = false; ///< the scene has shapes besides its scans
 };
 
 /// In scenes of fewer splats none is treated as a stray.

@@ -4,7 +4,7 @@
 
 #include "format/base/error.h"
 #include "preprocess/input/read.h"
-#include "preprocess/octree/carry_attributes.h"
+#include "preprocess/octree/splat_attributes.h"
 #include "preprocess/surface/estimate.h"
 #include "preprocess/surface/find_up.h"
 #include "tests/bench/compare_options.h"

@@ -51,8 +51,8 @@ private:
         const auto add = [&](ListCount& list, bool listed) { (empty ? list.empty : list.filled) += listed; };
         add(counts_.slab_box, true);
         add(counts_.disc_box, boundsMeet(disc_, reach_, box));
-        add(counts_.slab, discMeetsBox(disc_, grown));
-        add(counts_.disc, discMeetsBox(disc_, box));
+        add(counts_.slab, discOverlapsBox(disc_, grown));
+        add(counts_.disc, discOverlapsBox(disc_, box));
     }
 
     std::span<const std::uint32_t> nodes_;

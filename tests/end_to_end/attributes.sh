@@ -62,8 +62,8 @@ case_classes_are_chosen() {
     [ "$(jsonValue a.json points_filtered)" = 1000 ] || fail "the others were not counted"
     expectDone pointrt-bake -q scan.ply -o out/b.pro --drop-classes 0-2,7 --outliers keep
     [ "$(splatsOf out/b.pro)" = 1000 ] || fail "not all but those"
-    expectError 2 "--classes: '256' is no class" pointrt-bake scan.ply -o out/c.pro --classes 256
-    expectError 2 "--drop-classes: '5-3' is no class" pointrt-bake scan.ply -o out/c.pro --drop-classes 5-3
+    expectError 2 "--classes: '256' is not a class" pointrt-bake scan.ply -o out/c.pro --classes 256
+    expectError 2 "--drop-classes: '5-3' is not a class" pointrt-bake scan.ply -o out/c.pro --drop-classes 5-3
     expectError 2 "" pointrt-bake scan.ply -o out/c.pro --classes 2 --drop-classes 3
 }
 
@@ -78,7 +78,7 @@ case_bounds_thin_and_every() {
     thinned=$(splatsOf out/c.pro)
     # cells of edge e that a unit sphere meets: 1.5 * 4 pi / e^2 = 1885, of which 2000 points find the larger ones
     [ "$thinned" -gt 900 ] && [ "$thinned" -lt 1885 ] || fail "$thinned points are not one a cell"
-    expectError 2 "--bounds: 5 numbers" pointrt-bake scan.ply -o out/d.pro --bounds 1,2,3,4,5
+    expectError 2 "--bounds: needs 6 numbers .*, not 5" pointrt-bake scan.ply -o out/d.pro --bounds 1,2,3,4,5
     expectError 2 "in z the minimum 3 is above" pointrt-bake scan.ply -o out/d.pro --bounds 1,2,3,4,5,2
     expectError 2 "" pointrt-bake scan.ply -o out/d.pro --every 0
     expectError 2 "" pointrt-bake scan.ply -o out/d.pro --thin 0
@@ -93,11 +93,11 @@ case_transform_moves_and_turns() {
     awk -v low="$(jsonValue info.json bounds_min.1)" 'BEGIN { exit !(low > 1998.9 && low < 1999.1) }' || fail "not there"
     [ "$(jsonValue info.json up.2)" = 1 ] || [ "$(jsonValue info.json up.2)" = 1.0 ] || fail "up is not stored"
     printf '1 0 0\n' >short.txt
-    expectError 1 "short.txt: is no matrix" pointrt-bake scan.ply -o out/b.pro --transform short.txt
+    expectError 1 "short.txt: is not a 4x4 matrix" pointrt-bake scan.ply -o out/b.pro --transform short.txt
     printf '1 0 0 0 1 0 0 0 0 0 1 0 0 0 0 1\n' >flat.txt
-    expectError 1 "flat.txt: the matrix flattens space" pointrt-bake scan.ply -o out/b.pro --transform flat.txt
+    expectError 1 "flat.txt: the matrix is singular" pointrt-bake scan.ply -o out/b.pro --transform flat.txt
     printf '1 0 0 0 0 1 0 0 0 0 one 0 0 0 0 1\n' >word.txt
-    expectError 1 "word.txt:1: is no number" pointrt-bake scan.ply -o out/b.pro --transform word.txt
+    expectError 1 "word.txt:1: is not a number" pointrt-bake scan.ply -o out/b.pro --transform word.txt
 }
 
 case_up_of_the_command_line() {
@@ -108,7 +108,7 @@ case_up_of_the_command_line() {
         expectDone pointrt-info "out/up$up.pro"
         grep -Eq "^up +$up\$" stdout || fail "up is not $up"
     done
-    expectError 2 "--up: 'w' is none of" pointrt-bake scan.ply -o out/w.pro --up w
+    expectError 2 "--up: 'w' is not one of" pointrt-bake scan.ply -o out/w.pro --up w
 }
 
 case_a_folder_of_tiles() {

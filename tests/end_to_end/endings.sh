@@ -71,7 +71,8 @@ case_file_size_limit() {
     expectError 4 "out/a.ply: .*too large" bash -c "ulimit -f 8; exec pointrt-info scene.pro --export out/a.ply"
 }
 
-# From too little for the tool itself to enough: done, or one line.
+# From too little for the tool itself to enough: done, or one line, or a crash of the driver: Mesa does not check all of
+# its allocations.
 case_address_space_limit() {
     local limit
     sphere 3000 >sphere.xyz
@@ -80,9 +81,11 @@ case_address_space_limit() {
     for limit in 60000 120000 250000 400000 500000 600000 700000; do
         run bash -c "ulimit -v $limit; exec pointrt-view -q scene.pro --size 32x32 -o out/a.png"
         grep -q "cannot allocate memory for thread-local data" stderr && status=3 # the C library's own end, with 127
-        [ "$status" = 0 ] || [ "$status" = 3 ] || fail "exit status $status"
-        sed -i '/^double free\|^free(): \|^malloc(): \|^corrupted /d' stderr # its word before SIGABRT, about the driver
-        [ "$(wc -l <stderr)" = $((status / 3)) ] || fail "stderr is not one line"
+        case "$status" in
+        0 | 3) [ "$(wc -l <stderr)" = $((status / 3)) ] || fail "stderr is not one line" ;;
+        134 | 139) ! grep -q "pointrt-view: error: " stderr || fail "a crash is reported as an error" ;; # SIGABRT, SIGSEGV
+        *) fail "exit status $status" ;;
+        esac
         [ "$status" = 0 ] || [ -z "$(ls -A out)" ] || fail "left behind: $(ls -A out)"
         rm -f out/*
     done
@@ -101,7 +104,7 @@ case_a_file_that_appears_during_the_bake() {
     wait "$child" || status=$?
     cat stderr
     [ "$status" = 4 ] || fail "exit status $status"
-    grep -q "out/a.pro: exists already" stderr || fail "does not say why"
+    grep -q "out/a.pro: already exists" stderr || fail "does not say why"
     [ "$(cat out/a.pro)" = theirs ] || fail "replaced it"
     [ "$(ls -A out)" = a.pro ] || fail "left behind: $(ls -A out)"
 }
@@ -163,7 +166,7 @@ case_killed_without_nameless_files() {
     expectDone "${preload[@]}" pointrt-bake -q sphere.xyz -o out/a.pro
     expectScene out/a.pro
     [ "$(ls -A out | tr '\n' ' ')" = "a.pro a.pro.tmp-inusenow a.pro.tmp-notours " ] || fail "in out/: $(ls -A out)"
-    expectError 4 "exists already" "${preload[@]}" pointrt-bake -q sphere.xyz -o out/a.pro
+    expectError 4 "already exists" "${preload[@]}" pointrt-bake -q sphere.xyz -o out/a.pro
 }
 
 case_signals_end_a_bake() {

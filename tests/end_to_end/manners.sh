@@ -49,15 +49,15 @@ case_unknown_options_name_the_near_one() {
 case_slips() {
     local tool
     bakeSphere
-    expectUsage "no output is given: -o FILE.pro, did you mean -o out/a.pro\?" pointrt-bake scan.xyz out/a.pro
-    expectUsage "no output is given: -o FILE.pro" pointrt-bake scan.xyz
+    expectUsage "no output given; use -o FILE.pro, did you mean -o out/a.pro\?" pointrt-bake scan.xyz out/a.pro
+    expectUsage "no output given; use -o FILE.pro" pointrt-bake scan.xyz
     expectUsage "unexpected argument out/a.png, did you mean -o out/a.png\?" pointrt-view scan.pro out/a.png
     expectUsage "unexpected argument out/a.ply, did you mean --export out/a.ply\?" pointrt-info scan.pro out/a.ply
     expectUsage "unexpected argument more.pro" pointrt-info scan.pro more.pro
     expectUsage "-o: empty argument" pointrt-bake scan.xyz -o ""
     expectUsage "-o=out/a.pro: write -o VALUE, with a space and no =" pointrt-bake scan.xyz -o=out/a.pro
-    expectUsage "out/.pro: the output's name must end in .pro or .proset" pointrt-bake scan.xyz -o out/.pro
-    expectUsage "--seed: -1 is below 0" pointrt-bake scan.xyz -o out/a.pro --seed -1
+    expectUsage "out/.pro: the output name must end in .pro or .proset" pointrt-bake scan.xyz -o out/.pro
+    expectUsage "--seed: -1 is negative" pointrt-bake scan.xyz -o out/a.pro --seed -1
     expectUsage "unexpected argument more.pro" pointrt-info scan.pro -- more.pro
     expectError 1 "help: No such file" env -u DISPLAY -u WAYLAND_DISPLAY pointrt-view help
     expectUsage "--output: FILE missing" pointrt-bake scan.xyz --output
@@ -65,7 +65,7 @@ case_slips() {
         expectUsage "empty argument" "$tool" ""
         expectUsage "(is required|no SCENE given)" "$tool"
     done
-    expectUsage "-q and -v exclude each other" pointrt-bake scan.xyz -o out/a.pro -q -v
+    expectUsage "-q and -v cannot be combined" pointrt-bake scan.xyz -o out/a.pro -q -v
     expectUsage "out/a.e57: --export writes .ply, .las or .laz" pointrt-info scan.pro --export out/a.e57
 }
 
@@ -147,7 +147,7 @@ case_help_says_what_is_overwritten() {
         expectDone "$tool" --help
         tr -s ' \n' ' ' <stdout >"$tool.help"
     done
-    grep -q "one that is there is kept without -f" pointrt-bake.help || fail "pointrt-bake does not say it"
+    grep -q "existing output is kept unless -f is given" pointrt-bake.help || fail "pointrt-bake does not say it"
     grep -q "overwriting an existing file" pointrt-view.help || fail "pointrt-view does not say it"
     grep -q "one that is there is kept without -f" pointrt-info.help || fail "pointrt-info does not say it"
 }
@@ -203,10 +203,10 @@ case_nothing_lands_on_an_input() {
 # Found out before the work: what there is none of to bake would end with exit status 1.
 case_places_that_cannot_be_written() {
     bakeSphere
-    expectError 4 "/proc/x.pro: no file can be made in /proc\$" pointrt-bake missing.ply -o /proc/x.pro
-    expectError 4 "/proc/x.png: no file can be made in /proc\$" pointrt-view scan.pro -o /proc/x.png
-    expectError 4 "/proc/x.ply: no file can be made in /proc\$" pointrt-info scan.pro --export /proc/x.ply
-    expectError 4 "/proc/x.json: no file can be made in /proc\$" pointrt-bake missing.ply -o out/a.pro --stats /proc/x.json
+    expectError 4 "/proc/x.pro: cannot create files in /proc\$" pointrt-bake missing.ply -o /proc/x.pro
+    expectError 4 "/proc/x.png: cannot create files in /proc\$" pointrt-view scan.pro -o /proc/x.png
+    expectError 4 "/proc/x.ply: cannot create files in /proc\$" pointrt-info scan.pro --export /proc/x.ply
+    expectError 4 "/proc/x.json: cannot create files in /proc\$" pointrt-bake missing.ply -o out/a.pro --stats /proc/x.json
     expectError 4 "/sys/x.pro: .*" pointrt-bake missing.ply -o /sys/x.pro
     expectError 4 "out: it is a folder" pointrt-bake missing.ply -o out/a.pro --stats out
     expectError 4 "out/none/x.json: the folder does not exist" \
@@ -225,7 +225,7 @@ case_standard_output() {
     expectDone pointrt-info scan.pro --export -
     cmp stdout out/a.ply || fail "not the splats"
     [ ! -e - ] || fail "a file called -"
-    expectUsage "-o -: a .pro is mapped where it lies, so it must be a file: -o FILE.pro" pointrt-bake scan.xyz -o -
+    expectUsage "-o -: a .pro is memory-mapped, so it cannot go to standard output; use -o FILE.pro" pointrt-bake scan.xyz -o -
     expectUsage "-o - and --stats - exclude each other: .*" pointrt-view scan.pro -o - --stats -
     expectUsage "-o - and --bench exclude each other: .*" pointrt-view scan.pro -o - --bench 1
     expectUsage "-: --turntable needs %d or %0Nd.*" pointrt-view scan.pro -o - --turntable 3

@@ -52,7 +52,7 @@ case_an_interrupted_bake_says_that_it_goes_on() {
     hill 60000 >a.xyz
     run timeout -s INT 1 pointrt-bake -q a.xyz -o out/a.proset --tile-splats 1000
     [ "$status" = 124 ] || fail "exit status $status: it was not interrupted"
-    grep -q "interrupted; the same command goes on from here" stderr || fail "it does not say that it goes on"
+    grep -q "interrupted; run the same command to resume" stderr || fail "it does not say that it goes on"
     [ -e out/a.proset.work ] || fail "what was done is gone"
 }
 
@@ -89,14 +89,14 @@ case_killed_at_any_moment() {
 
 case_a_finished_set_stays() {
     bakeHills out/site.proset
-    expectError 4 "site.proset: is there already; --force overwrites it" \
+    expectError 4 "site.proset: already exists; --force overwrites it" \
         pointrt-bake -q a.xyz b.xyz -o out/site.proset --tile-splats 1000
     bakeHills out/site.proset/ --force --compact
     expectDone pointrt-info out/site.proset --verify
     [ "$(ls out)" = site.proset ] || fail "something was left: $(ls out)"
     mkdir -p out/other.proset
     echo precious >out/other.proset/file
-    expectError 4 "other.proset: is there, and is no tile set" \
+    expectError 4 "other.proset: exists and is not a tile set" \
         pointrt-bake -q a.xyz -o out/other.proset --tile-splats 1000 --force
 }
 
@@ -106,12 +106,12 @@ case_other_options_and_inputs_are_refused() {
         pointrt-bake -q a.xyz b.xyz -o out/site.proset --tile-splats 2000
     expectError 1 "site.proset.work: was started with 2 input files, not 1" \
         pointrt-bake -q a.xyz -o out/site.proset --tile-splats 1000
-    expectError 1 "the step split has not been done" \
+    expectError 1 "the step split has not been completed" \
         pointrt-bake -q a.xyz b.xyz -o out/site.proset --tile-splats 1000 --step block:0
     bakeHills out/site.proset --step split
     expectError 1 "site.proset.work: was started with a.xyz, not b.xyz; --force starts again" \
         pointrt-bake -q b.xyz a.xyz -o out/site.proset --tile-splats 1000
-    expectError 2 "there is no block 99" \
+    expectError 2 "block 99 is out of range" \
         pointrt-bake -q a.xyz b.xyz -o out/site.proset --tile-splats 1000 --step block:99
     echo "1 2 3" >>a.xyz
     rm -r out/site.proset.work
@@ -171,10 +171,10 @@ case_usage_of_detail() {
 
 case_usage() {
     hill 2000 >a.xyz
-    expectError 2 "--step is for tile sets" pointrt-bake -q a.xyz -o out/a.pro --step plan
-    expectError 2 "'sideways' is none of plan, split" pointrt-bake -q a.xyz -o out/a.proset --step sideways
-    expectError 2 "'block' names no block" pointrt-bake -q a.xyz -o out/a.proset --step block
-    expectError 2 "'much' is no size" pointrt-bake -q a.xyz -o out/a.proset --max-memory much
+    expectError 2 "--step applies only to tile sets" pointrt-bake -q a.xyz -o out/a.pro --step plan
+    expectError 2 "'sideways' is not one of plan, split" pointrt-bake -q a.xyz -o out/a.proset --step sideways
+    expectError 2 "'block' needs a block number" pointrt-bake -q a.xyz -o out/a.proset --step block
+    expectError 2 "invalid size 'much'" pointrt-bake -q a.xyz -o out/a.proset --max-memory much
     expectError 2 "below 512M" pointrt-bake -q a.xyz -o out/a.proset --max-memory 100M
     expectError 2 "--tile-splats" pointrt-bake -q a.xyz -o out/a.proset --tile-splats 10
     expectError 2 "reads its inputs twice" pointrt-bake -q - -o out/a.proset

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files of every version ever shipped: they open for ever, and the newest is what is written today.
+// Files that releases wrote open for ever, and today's writer gives the same bytes.
 #include <gtest/gtest.h>
 
 #include "file_bytes.h"
@@ -11,17 +11,18 @@ namespace {
 using namespace pointrt;
 using namespace pointrt::test;
 
-const std::string kTinyV10 = POINTRT_GOLDEN_DIR "/tiny_v1_0.pro";
+/// What pointrt-bake --compact of release 0.1.0 writes: without an index, stamped 1.0 here.
+const std::string kCompact = POINTRT_GOLDEN_DIR "/tiny_compact.pro";
 
-TEST(Golden, Version10Reads) {
-    const ProFile file(kTinyV10);
+TEST(Golden, CompactReads) {
+    const ProFile file(kCompact);
     EXPECT_EQ(file.info().version_major, 1u);
-    EXPECT_EQ(file.info().version_minor, 0u);
     EXPECT_EQ(file.info().splat_count, 5u);
     EXPECT_EQ(file.info().origin[2], 30.0);
     EXPECT_EQ(file.nodes()[8], 1u);
     EXPECT_EQ(file.refs()[0], 3u);
     EXPECT_EQ(file.order()[2], 7u);
+    EXPECT_EQ(file.index(), nullptr);
     EXPECT_EQ(file.metadata(), R"({"tool":"tiny_scene.h"})");
     const pro_splat splat = file.splat(3);
     EXPECT_NEAR(splat.position[2], 0.45f, 3e-7f);
@@ -31,30 +32,16 @@ TEST(Golden, Version10Reads) {
     EXPECT_EQ(file.splat(4).material, 1);
 }
 
-TEST(Golden, Version10VerifiesClean) { EXPECT_TRUE(findingsOf(readBytes(kTinyV10)).empty()); }
+TEST(Golden, CompactVerifiesClean) { EXPECT_TRUE(findingsOf(readBytes(kCompact)).empty()); }
 
 TEST(Golden, SameContentIsWrittenAsTheSameBytes) {
     const TemporaryFolder folder;
     tinyScene().write(folder.file("from_scene.pro"));
-    EXPECT_EQ(readBytes(folder.file("from_scene.pro")), readBytes(kTinyV10));
-    const ProFile golden(kTinyV10);
+    EXPECT_EQ(readBytes(folder.file("from_scene.pro")), readBytes(kCompact));
+    const ProFile golden(kCompact);
     writePro(folder.file("from_file.pro"), golden.info(), golden.view());
-    EXPECT_EQ(readBytes(folder.file("from_file.pro")), readBytes(kTinyV10));
+    EXPECT_EQ(readBytes(folder.file("from_file.pro")), readBytes(kCompact));
 }
-
-const std::string kTinyV11 = POINTRT_GOLDEN_DIR "/tiny_v1_1.pro";
-
-/// Its index is of a kind that is no longer read: what opens it makes one anew.
-TEST(Golden, Version11Reads) {
-    const ProFile file(kTinyV11);
-    EXPECT_EQ(file.info().version_minor, 1u);
-    EXPECT_EQ(file.nodes()[8], 1u);
-    EXPECT_EQ(file.index(), nullptr);
-    const ProFile traced(kTinyV11, PRO_OPEN_TRACE);
-    EXPECT_EQ(traced.nodes()[8], 1u);
-}
-
-TEST(Golden, Version11VerifiesClean) { EXPECT_TRUE(findingsOf(readBytes(kTinyV11)).empty()); }
 
 const std::string kTinyV14 = POINTRT_GOLDEN_DIR "/tiny_v1_4.pro";
 
@@ -77,7 +64,7 @@ TEST(Golden, Version14Reads) {
     EXPECT_EQ(index.slabs[3], 0x12345678u);
     EXPECT_EQ(index.near_splats[11], 0x01020304u);
     EXPECT_EQ(index.listed[4], 4u);
-    EXPECT_EQ(index.blending[1], 0xFFFFFFFEu); // two and one before the first of cell 2
+    EXPECT_EQ(index.blending[1], 0xFFFFFFFEu); // -2 and -1 from the first near splat of cell 2
 }
 
 TEST(Golden, Version14VerifiesClean) { EXPECT_TRUE(findingsOf(readBytes(kTinyV14)).empty()); }
@@ -91,7 +78,17 @@ TEST(Golden, SameIndexIsWrittenAsTheSameBytes) {
     writePro(folder.file("from_file.pro"), golden.info(), golden.view(), golden.index());
     EXPECT_EQ(readBytes(folder.file("from_file.pro")), readBytes(kTinyV14));
     writePro(folder.file("without.pro"), golden.info(), golden.view());
-    EXPECT_EQ(readBytes(folder.file("without.pro")), readBytes(kTinyV10)) << "without an index it is still version 1.0";
+    EXPECT_EQ(readBytes(folder.file("without.pro")), readBytes(kCompact));
+}
+
+TEST(Golden, TheIndexOfEarlierFormatsIsRefused) {
+    Bytes bytes = readBytes(kCompact);
+    storeAt(bytes, PRO_OFF_VERSION_MINOR, 1u);
+    storeAt(bytes, PRO_OFF_OLD_GRID, 20u);
+    fixHeaderChecksum(bytes);
+    const OpenResult opened = openCopy(bytes);
+    EXPECT_EQ(opened.message.finding, 1006u);
+    EXPECT_STREQ(opened.message.text, "written before pointrt 0.1.0 (format 1.1); bake the scan again");
 }
 
 } // namespace

@@ -81,7 +81,7 @@ TEST(Hostile, ExtraBytesAreRefused) {
 
 TEST(Hostile, EveryFlippedByteIsFound) {
     for (std::size_t i = 0; i < tiny().size(); ++i) {
-        if (i >= PRO_OFF_VERSION_MINOR && i < PRO_OFF_FILE_BYTES) continue; // any minor version is read
+        if (i >= PRO_OFF_VERSION_MINOR && i < PRO_OFF_FILE_BYTES) continue; // every minor version is read
         Bytes bytes = tiny();
         bytes[i] ^= std::byte{0x10};
         ASSERT_FALSE(findingsOf(bytes).empty()) << "byte " << i;
@@ -89,9 +89,11 @@ TEST(Hostile, EveryFlippedByteIsFound) {
 }
 
 TEST(Hostile, EveryHeaderWordAtExtremes) {
-    // words that may take these values: minor version, flags, low halves of doubles, and the frame's numbers in range
-    std::set<std::size_t> free_words = {PRO_OFF_VERSION_MINOR, PRO_OFF_FLAGS, PRO_OFF_RADIUS_STEP, PRO_OFF_BLEND_SLAB};
-    for (std::size_t offset = PRO_OFF_ORIGIN; offset < PRO_FIELDS_END_1_0; offset += 4) free_words.insert(offset);
+    // words that may take these values: minor version, flags, low halves of doubles, numbers in range, and those that
+    // only verify compares
+    std::set<std::size_t> free_words = {PRO_OFF_VERSION_MINOR, PRO_OFF_FLAGS,       PRO_OFF_RADIUS_STEP,
+                                        PRO_OFF_BLEND_SLAB,    PRO_OFF_INPUT_COUNT, PRO_OFF_NOISE};
+    for (std::size_t offset = PRO_OFF_ORIGIN; offset < PRO_OFF_OLD_GRID; offset += 4) free_words.insert(offset);
     for (std::size_t i = 0; i < loadAt(tiny(), PRO_OFF_SECTION_COUNT); ++i) {
         const std::size_t start = PRO_TABLE_OFFSET + i * PRO_SECTION_BYTES;
         free_words.insert(start + PRO_SEC_OFF_FLAGS);
@@ -123,7 +125,7 @@ TEST(Hostile, HeaderFields) {
     expectRefused(PRO_OFF_VERSION_MAJOR, 2u, 1003, PRO_UNSUPPORTED);
     expectRefused(PRO_OFF_VERSION_MAJOR, 0u, 1003, PRO_UNSUPPORTED);
     expectRefused(PRO_OFF_FILE_BYTES, ~std::uint64_t{0}, 1004);
-    expectRefused(PRO_FIELDS_END_1_0, 1u, 1006);
+    expectRefused(PRO_OFF_OLD_GRID, 1u, 1006);
     expectRefused(PRO_FIELDS_END, 1u, 1006);
     expectRefused(PRO_TABLE_OFFSET - 4, 1u, 1006);
     expectRefused(PRO_OFF_FLAGS, 8u, 1007);
@@ -215,7 +217,7 @@ TEST(Hostile, LaterMinorVersionsAreRead) {
     Bytes bytes = tiny();
     storeAt(bytes, PRO_OFF_VERSION_MINOR, 9u);
     storeAt(bytes, PRO_OFF_FLAGS, 0xFFu);
-    storeAt(bytes, PRO_FIELDS_END, 5u);                                              // a field of the future
+    storeAt(bytes, PRO_FIELDS_END, 5u);                                              // a field of a later version
     storeAt(bytes, word(PRO_KIND_MATL, PRO_MAT_SHININESS + 1), 1.5f);                // another
     storeAt(bytes, recordOf(bytes, PRO_KIND_NODE) + PRO_SEC_OFF_FLAGS + 4, 0x1234u); // and one in the table
     fixChecksums(bytes);

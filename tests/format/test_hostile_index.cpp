@@ -293,14 +293,13 @@ TEST(Index, FilesWithoutOneAreTracedFromTheirOctree) {
     pro_close(file);
 }
 
-TEST(Index, ReadersOfVersion10SeeAScene) {
-    Bytes bytes = indexed(); // what they do not know is skipped: unknown kinds, and bytes that were reserved
-    storeAt(bytes, PRO_OFF_VERSION_MINOR, 2u);
+TEST(Index, SectionsAreNotRequired) {
+    Bytes bytes = indexed();
     for (const std::uint32_t kind : kKinds) {
         EXPECT_EQ(loadAt(bytes, record(kind, PRO_SEC_OFF_FLAGS)), 0u) << "not required";
         storeAt(bytes, record(kind, PRO_SEC_OFF_KIND), 0x78787878u);
     }
-    for (std::size_t offset = PRO_FIELDS_END_1_0; offset < PRO_FIELDS_END; offset += 4) storeAt(bytes, offset, 0u);
+    for (std::size_t offset = PRO_OFF_GRID_SHIFT; offset < PRO_FIELDS_END; offset += 4) storeAt(bytes, offset, 0u);
     fixHeaderChecksum(bytes);
     EXPECT_EQ(openCopy(bytes).result, PRO_OK);
 }

@@ -49,7 +49,7 @@ struct Scene {
 };
 
 /// Five splats in five leaves of a tree of depth 2; leaf 3 is a border leaf (references only), leaf 1 has members and a
-/// reference. Cube edge 2 at (10, 20, 30). Every bit is fixed: golden/tiny_v1_0.pro holds this content.
+/// reference. Cube edge 2 at (10, 20, 30). golden/tiny_compact.pro holds these bytes.
 inline Scene tinyScene() {
     Scene scene;
     pro_info& info = scene.info;

@@ -23,7 +23,7 @@ TEST(ProMutator, MostMutantsPassTheHeader) {
     };
     int passed = 0, opened = 0;
     constexpr int kMutants = 3000;
-    for (const char* name : {"tiny_v1_0.pro", "tiny_v1_2.pro", "tiny_v1_4.pro", "tiny_v1_4_scan.pro"}) {
+    for (const char* name : {"tiny_compact.pro", "tiny_compact_scan.pro", "tiny_v1_4.pro", "tiny_v1_4_scan.pro"}) {
         std::vector<std::uint8_t> file = goldenFile(name);
         for (int i = 0; i < kMutants / 4; ++i) {
             const std::vector<std::uint8_t> mutant = fuzz::mutatePro(file, 1 << 18, random, flip);

@@ -47,7 +47,7 @@ pub struct ScanFacts {
     intensity_limits: Limits,
 }
 
-/// What a scan's facts point to. Neither is moved while the file is open: both are on the heap.
+/// Owns what a scan_e57_scan points to. Both are on the heap, so their addresses are stable while the file is open.
 struct Scan {
     cloud: PointCloud,
     name: CString,
@@ -64,7 +64,7 @@ pub struct E57File<'a> {
     coordinate_metadata: CString,
 }
 
-/// Without the crate's preamble: "reason: reason of that".
+/// "reason: cause", without the crate's preamble.
 fn reason(error: Error) -> String {
     let (text, source) = match error {
         Error::Invalid { desc, source } | Error::Read { desc, source } | Error::Internal { desc, source } => {
@@ -119,7 +119,7 @@ fn full_name_of(record: &Record) -> CString {
 
 const NO_LIMITS: Limits = Limits { are_there: false, least: 0.0, most: 0.0 };
 
-/// Where a type says nothing, whole numbers may be all of 64 bits.
+/// Integers without limits in their type have the range of 64 bits.
 fn limits_of_type(data_type: &RecordDataType) -> Option<(f64, f64)> {
     match *data_type {
         RecordDataType::Integer { min: i64::MIN, max: i64::MAX } => None,
@@ -153,8 +153,7 @@ impl Scan {
         Self { cloud, name, guid, columns, column_names }
     }
 
-    /// Of a column, as the scan gives them, or else as the column's type does. Those of a column of scaled numbers are
-    /// scaled as it is.
+    /// The limits of a column, from the scan or else from the column's type, scaled like the column.
     fn limits(&self, column: RecordName, least: &Option<RecordValue>, most: &Option<RecordValue>) -> Limits {
         let record = self.cloud.prototype.iter().find(|record| record.name == column);
         let given = |value: &Option<RecordValue>| value.as_ref()?.to_f64(&record?.data_type).ok();
@@ -210,8 +209,8 @@ fn u64_at(bytes: &[u8], at: usize) -> Result<u64, String> {
     Ok(u64::from_le_bytes(field.try_into().unwrap()))
 }
 
-/// The XML section, read here first: the crate makes room for as much as the header promises, and takes a wrong checksum
-/// for a file that is cut short.
+/// Reads the XML section before the crate does, which allocates as much as the header states and reports a wrong
+/// checksum as a truncated file.
 fn xml_of(bytes: &[u8]) -> Result<Vec<u8>, String> {
     const OFFSET_AT: usize = 24;
     const LENGTH_AT: usize = 32;
@@ -227,7 +226,7 @@ fn xml_of(bytes: &[u8]) -> Result<Vec<u8>, String> {
     Ok(xml)
 }
 
-/// Readers make room for as many points as a file promises: scans may share their bytes, or take none.
+/// Readers allocate for as many points as a file states, and scans may share their bytes or have none.
 fn check_points(clouds: &[PointCloud], file_bytes: usize) -> Result<(), String> {
     let bits: u128 = clouds.iter().map(bits_of).sum();
     if bits > 8 * file_bytes as u128 {

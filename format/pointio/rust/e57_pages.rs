@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-//! A file without its checksums. It is in pages of 1024 bytes, of which the last 4 are the CRC-32C of the others, most
-//! significant byte first. Offsets that count them are physical, others logical.
+//! A file without its checksums. It consists of pages of 1024 bytes, whose last 4 bytes are the big-endian CRC-32C of the
+//! others. Physical offsets include checksums, logical ones do not.
 const PAGE: usize = 1024;
 const PAYLOAD: usize = PAGE - 4;
 
 pub struct Pages<'a> {
     bytes: &'a [u8],
-    /// The page that was found good last: they are mostly read one after the other, in several pieces each.
+    /// The last page with a verified checksum: pages are mostly read in sequence, in several pieces.
     good: Option<usize>,
 }
 
@@ -15,12 +15,12 @@ impl<'a> Pages<'a> {
         Self { bytes, good: None }
     }
 
-    /// Logical bytes of all whole pages.
+    /// Logical bytes of all complete pages.
     pub fn len(&self) -> u64 {
         (self.bytes.len() / PAGE * PAYLOAD) as u64
     }
 
-    /// The logical offset of a physical one; None where no byte of a page is.
+    /// The logical offset of a physical one; None within a checksum or beyond the file.
     pub fn logical(&self, physical: u64) -> Option<u64> {
         let (page, inside) = (physical / PAGE as u64, physical % PAGE as u64);
         let at = page * PAYLOAD as u64 + inside;

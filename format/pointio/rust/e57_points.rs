@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //! The points of a scan: a compressed vector (ASTM E2807, 9.3), packets that hold a piece of each column's bit stream.
-//! The crate's own reader makes a value on the heap of each number: five to seven times slower, without bound where no column
-//! takes any bits, and it reads index packets as 16 bytes longer than they are.
+//! The crate's own reader puts every number on the heap, which is five to seven times slower, and unbounded if no column has
+//! any bits. It also reads index packets as 16 bytes too long.
 use std::ffi::{c_void, CString};
 
 use ::e57::{PointCloud, RecordDataType};
@@ -10,13 +10,13 @@ use crate::e57_pages::Pages;
 
 const SECTION_HEADER: usize = 32;
 const COMPRESSED_VECTOR: u8 = 1;
-/// Packets of kind 0 are an index, those of kind 2 are to be ignored.
+/// Kinds of packets: 0 is an index, 2 is ignored.
 const DATA_PACKET: u8 = 1;
 const IGNORED_PACKET: u8 = 2;
-/// 8 bytes from the last bit on, whichever byte it is in, are there to be read.
+/// Padding, so that 8 bytes can be read from any bit.
 const PADDING: usize = 8;
 
-/// What a column's bits stand for.
+/// The encoding of a column.
 #[derive(Clone, Copy)]
 enum Number {
     /// `least` and an unsigned number of up to `range`.
@@ -25,7 +25,7 @@ enum Number {
     Double,
 }
 
-/// What a column's numbers are, and the bits of each.
+/// The numbers of a column, and the bits of each.
 fn number_of(data_type: &RecordDataType) -> (Number, usize) {
     match *data_type {
         RecordDataType::Single { .. } => (Number::Single, 32),
@@ -37,13 +37,13 @@ fn number_of(data_type: &RecordDataType) -> (Number, usize) {
     }
 }
 
-/// Bits that the points of a scan take, as many as it promises.
+/// The bits of all points of a scan.
 pub fn bits_of(cloud: &PointCloud) -> u128 {
     let each: usize = cloud.prototype.iter().map(|record| number_of(&record.data_type).1).sum();
     u128::from(cloud.records) * each.max(1) as u128
 }
 
-/// One column's bits, of all packets one after the other, as far as they are not taken yet.
+/// The bits of one column from consecutive packets that have not been consumed.
 struct Stream {
     name: String,
     number: Number,
@@ -60,7 +60,7 @@ impl Stream {
         Self { name, number, width, bytes: vec![0; PADDING], size: 0, at: 0 }
     }
 
-    /// None: any number of them, which takes no bits.
+    /// None: any number of values, for columns without bits.
     fn available(&self) -> Option<usize> {
         (self.size * 8 - self.at).checked_div(self.width)
     }
@@ -80,7 +80,7 @@ impl Stream {
         u64::from_le_bytes(self.bytes[byte..byte + 8].try_into().unwrap())
     }
 
-    /// Numbers of up to 57 bits lie in 8 bytes wherever they start.
+    /// Numbers of up to 57 bits fit in 8 bytes at any bit offset.
     fn take_narrow(&mut self, least: i64, values: &mut [i64]) -> u64 {
         let mask = (1u64 << self.width) - 1;
         let mut largest = 0;
@@ -122,7 +122,7 @@ impl Stream {
         Ok(())
     }
 
-    /// SAFETY: `into` has room for `count` numbers of the stream's kind, which are there.
+    /// SAFETY: `into` has room for `count` numbers of the stream's kind, and the stream holds them.
     unsafe fn take(&mut self, count: usize, into: *mut c_void) -> Result<(), String> {
         if into.is_null() {
             self.at += count * self.width;
@@ -131,7 +131,7 @@ impl Stream {
         if let Number::Whole { least, range } = self.number {
             return self.take_whole(least, range, std::slice::from_raw_parts_mut(into.cast(), count));
         }
-        // reals start at whole bytes, and are little-endian as the machine is
+        // floats are byte-aligned and little-endian, like the machine
         let (from, size) = (self.at / 8, count * self.width / 8);
         std::ptr::copy_nonoverlapping(self.bytes[from..from + size].as_ptr(), into.cast(), size);
         self.at += count * self.width;
@@ -139,7 +139,7 @@ impl Stream {
     }
 }
 
-/// scan_e57_points of rust_abi.h: where reading of a scan stands.
+/// scan_e57_points of rust_abi.h: the state of reading a scan.
 pub struct Points<'a> {
     pages: Pages<'a>,
     at: u64, // the next packet, logical

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-//! What an XML section must not have before it is given to the parser, whose time grows with the square of a tag's
-//! attributes, whose memory with that of nested namespaces, and whose stack with the depth of elements.
+//! Limits of the XML section, checked before parsing: the parser takes quadratic time in the attributes of a tag, quadratic
+//! memory in nested namespaces, and stack in the depth of elements.
 
-/// Tags of E57 have a few attributes, and the root a namespace for each extension.
+/// Tags of E57 have a few attributes; the root has a namespace for each extension.
 const LONGEST_TAG: usize = 4096;
 const MOST_NAMESPACES: usize = 256;
-/// Elements within elements: those of E57 and its extensions are some ten deep.
+/// Nesting of elements, which is about ten in E57 and its extensions.
 const DEEPEST: usize = 256;
 
-/// The bytes up to and with `end`, or all.
+/// The number of bytes up to and including `end`, or all.
 fn length_to(text: &[u8], end: &[u8]) -> usize {
     text.windows(end.len()).position(|window| window == end).map_or(text.len(), |at| at + end.len())
 }
 
-/// Of a tag, whose attributes may hold a '>' in quotes.
+/// The length of a tag, whose attributes may contain '>' in quotes.
 fn tag_length(tag: &[u8]) -> usize {
     let mut quote = None;
     for (i, &byte) in tag.iter().enumerate() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-//! The border to C: errors become text in the caller's buffer, and no panic crosses it.
+//! The C boundary: errors become text in the caller's buffer, and panics do not cross it.
 use std::panic::{catch_unwind, set_hook, AssertUnwindSafe};
 use std::sync::Once;
 
@@ -10,7 +10,7 @@ pub struct ScanError {
 }
 
 impl ScanError {
-    /// Keeps what fits, whole characters, and ends it with a 0.
+    /// Copies as many complete characters as fit, and a terminating 0.
     fn set(&mut self, message: &str) {
         let mut length = message.len().min(self.text.len() - 1);
         while !message.is_char_boundary(length) {
@@ -21,13 +21,13 @@ impl ScanError {
     }
 }
 
-/// A panic prints nothing: guarded() tells of it.
+/// Panics print nothing; guarded() reports them.
 fn silence_panics() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| set_hook(Box::new(|_| {})));
 }
 
-/// Runs work; None, and why in error, where it fails or panics, as decoders do on broken data.
+/// Runs work. Returns None with the reason in error if it fails or panics, as decoders do on malformed data.
 pub fn guarded<T>(error: &mut ScanError, work: impl FnOnce() -> Result<T, String>) -> Option<T> {
     silence_panics();
     match catch_unwind(AssertUnwindSafe(work)) {

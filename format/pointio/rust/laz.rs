@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-//! The points of LAZ files, a chunk at a time: which bytes are a chunk is the caller's business.
+//! Compresses and decompresses the points of LAZ files chunk by chunk. Callers locate the chunks.
 use std::io::{Cursor, ErrorKind};
 use std::slice;
 
@@ -12,7 +12,7 @@ use laz::{LazItemType, LazVlr, LazVlrBuilder};
 
 use crate::guard::{guarded, ScanError};
 
-/// Their models take some 4 KiB for each byte: more of them than any scan has are refused.
+/// Limit of extra bytes, whose models take some 4 KiB for each byte; no scan has more.
 const MOST_EXTRA_BYTES: u16 = 1024;
 
 fn text(error: impl std::fmt::Display) -> String {
@@ -26,7 +26,7 @@ fn reason(error: std::io::Error) -> String {
     }
 }
 
-/// SAFETY: the caller's bytes, at least `bytes` of them, unchanged while the slice is used.
+/// SAFETY: points to at least `bytes` bytes that do not change while the slice is in use.
 unsafe fn bytes_of<'a>(data: *const u8, bytes: usize) -> &'a [u8] {
     if bytes == 0 {
         &[]
@@ -64,7 +64,7 @@ fn layers_of(item: LazItemType) -> usize {
     }
 }
 
-/// The decoder makes room for its layers before it reads them: sizes that the chunk cannot have are told first.
+/// The decoder allocates its layers before reading them, so impossible sizes are refused first.
 fn check_layers(vlr: &LazVlr, record_bytes: usize, chunk: &[u8]) -> Result<(), String> {
     let layers: usize = vlr.items().iter().map(|item| layers_of(item.item_type())).sum();
     let first = record_bytes + 4; // after the first point and the number of points

@@ -74,14 +74,14 @@ std::optional<nb::dict> nextPoints(ScenePointReader& reader, std::size_t most) {
 }
 
 /// Points and rules from Python.
-struct Asked {
+struct GivenPoints {
     StudyPoints points;
     StudyRules rules;
 };
 
-Asked asked(const Triples<double>& positions, const std::optional<Triples<float>>& normals,
-            const std::optional<Rows<float>>& radii, const std::optional<Rows<float>>& noise, bool both_sides,
-            const Vector& up, double radius) {
+GivenPoints givenPoints(const Triples<double>& positions, const std::optional<Triples<float>>& normals,
+                        const std::optional<Rows<float>>& radii, const std::optional<Rows<float>>& noise,
+                        bool both_sides, const Vector& up, double radius) {
     return {{{positions.data(), positions.size()}, numbersOf(normals), numbersOf(radii), numbersOf(noise)},
             {both_sides ? Sides::kBoth : Sides::kFront, up, radius}};
 }
@@ -90,20 +90,20 @@ void addLights(const TraceScene& scene, const Triples<double>& positions, const 
                const std::optional<Rows<float>>& radii, const std::optional<Rows<float>>& noise, bool both_sides,
                const Vector& up, double radius, const Triples<double>& directions, const Rows<double>& weights,
                const Results<double>& sums) {
-    const Asked is = asked(positions, normals, radii, noise, both_sides, up, radius);
+    const GivenPoints given = givenPoints(positions, normals, radii, noise, both_sides, up, radius);
     const Lights lights{{directions.data(), directions.data() + directions.size()},
                         {weights.data(), weights.data() + weights.size()}};
     const nb::gil_scoped_release others_go_on;
-    sumLights(scene, is.points, lights, is.rules, {sums.data(), sums.size()});
+    sumLights(scene, given.points, lights, given.rules, {sums.data(), sums.size()});
 }
 
 void findVisible(const TraceScene& scene, const Triples<double>& positions,
                  const std::optional<Triples<float>>& normals, const std::optional<Rows<float>>& radii,
                  const std::optional<Rows<float>>& noise, bool both_sides, const Vector& up, double radius,
                  const Vector& eye, double reach, const Results<std::uint8_t>& visible) {
-    const Asked is = asked(positions, normals, radii, noise, both_sides, up, radius);
+    const GivenPoints given = givenPoints(positions, normals, radii, noise, both_sides, up, radius);
     const nb::gil_scoped_release others_go_on;
-    testSight(scene, is.points, {eye, reach}, is.rules, {visible.data(), visible.size()});
+    testSight(scene, given.points, {eye, reach}, given.rules, {visible.data(), visible.size()});
 }
 
 } // namespace

@@ -128,8 +128,8 @@ class Scene(Studies):
             fields = [name for name in FIELDS if name != "tile_ids" or self.has_tiles]
         names = {_field(name) for name in fields}
         kinds = [self._kind_of(name) for name in attributes]
-        asked = names | ({"splat_ids", "instance_ids", "tile_ids"} if kinds else set())
-        found = {name: np.empty((len(rows), *_LAYOUT[name][1]), _LAYOUT[name][0]) for name in FIELDS if name in asked}
+        needed = names | ({"splat_ids", "instance_ids", "tile_ids"} if kinds else set())
+        found = {name: np.empty((len(rows), *_LAYOUT[name][1]), _LAYOUT[name][0]) for name in FIELDS if name in needed}
         for part in _parts(len(rows)):
             arrays = [found[name][part] if name in found else None for name in FIELDS]
             self._scene.cast_rays(rows[part], t_min, t_max, part.start, *arrays)

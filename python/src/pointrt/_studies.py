@@ -154,13 +154,13 @@ class Studies:
         eyes = _array(observers, "observers", np.float64)
         vector = _vector(up, "up") or _core.scan_up(self._paths[0])
         vector = np.asarray(vector) / np.linalg.norm(vector)
-        asked = self._points(points, normals, radii)
+        given = self._points(points, normals, radii)
         rules = self._both(sides), list(vector), 0.0
-        visible = np.empty((int(np.prod(eyes.shape[:-1])), len(asked)), np.uint8)
-        for part, rows in asked.blocks():
+        visible = np.empty((int(np.prod(eyes.shape[:-1])), len(given)), np.uint8)
+        for part, rows in given.blocks():
             for row, eye in zip(visible, eyes.reshape(-1, 3) + height * vector):
                 _core.find_visible(self._scene, *rows, *rules, list(eye), radius, row[part])
-        return visible.view(np.bool_).reshape(eyes.shape[:-1] + asked.shape)
+        return visible.view(np.bool_).reshape(eyes.shape[:-1] + given.shape)
 
     def _both(self, sides: str) -> bool:
         if sides not in ("auto", "front", "both"):

@@ -86,8 +86,8 @@ std::optional<ShownPicture> shownPicture(const ImageController& image) {
 } // namespace
 
 Window::Window(const Options& options)
-    : options_(options), session_(options.replay), host_(hostRequest(options, session_)), ui_(host_), meter_(Clock::now()),
-      editor_(work_), jobs_([this](const std::string& text, bool error) { notify(text, error); }),
+    : options_(options), session_(options.replay), host_(hostRequest(options, session_)), ui_(host_),
+      meter_(Clock::now()), editor_(work_), jobs_([this](const std::string& text, bool error) { notify(text, error); }),
       opener_(
           jobs_, [this](const std::string& text, bool error) { notify(text, error); },
           [this](const std::string& path, bool first) { return startLoad(path, first); }) {
@@ -167,7 +167,8 @@ void Window::execute(Action action) {
     if (const auto view = cameraForAction(action, work_.camera, view_.home)) return flyTo(*view);
     if (applyAction(work_, action)) return;
     if (action == Action::kCopyCamera) host_.setClipboard(cameraText(work_.camera));
-    if (action == Action::kPasteCamera) tryOrNotify("", [&] { flyTo(withCameraText(work_.camera, host_.clipboard())); });
+    if (action == Action::kPasteCamera)
+        tryOrNotify("", [&] { flyTo(withCameraText(work_.camera, host_.clipboard())); });
     if (action == Action::kPreviousFile) opener_.openNeighbour(work_.scene.path, -1);
     if (action == Action::kNextFile) opener_.openNeighbour(work_.scene.path, 1);
 }

@@ -174,8 +174,10 @@ void Window::showTiles(TileJob& job, const TileView& view) {
     for (const std::string& reason : tiles.missing) notify(reason + "; what a coarser tile has of it is shown", true);
     if (job.isFinalStep()) complete_for_ = view;
     const auto fits = [](const OpenedSet& set) { return set.cut.fits; };
-    if (job.isFinalStep() && !std::all_of(tiles.sets.begin(), tiles.sets.end(), fits) && !std::exchange(warned_coarse_, true))
-        notify("coarser than --detail " + plainText(loaded_->settings.detail) + " asks for: --memory gives more", false);
+    if (job.isFinalStep() && !std::all_of(tiles.sets.begin(), tiles.sets.end(), fits) &&
+        !std::exchange(warned_coarse_, true))
+        notify("coarser than --detail " + plainText(loaded_->settings.detail) + " asks for: --memory gives more",
+               false);
     const auto before = static_cast<double>(scene.instances.size());
     if (!applyTiles(host_.device(), scene, std::move(tiles))) return;
     uploadSceneTables(host_.device(), scene, loaded_->settings);

@@ -69,9 +69,9 @@ private:
 
     /// Of this frame, and of those to come.
     struct Input {
-        std::vector<InputEvent> pending;  ///< seen before its frame
+        std::vector<InputEvent> pending;      ///< seen before its frame
         std::vector<std::string> screenshots; ///< files that the next frame on the screen goes to
-        bool any = true;                ///< something was done in this frame
+        bool any = true;                      ///< something was done in this frame
     };
 
     Options options_;
@@ -85,7 +85,7 @@ private:
     SceneEditor editor_;
     std::unique_ptr<LoadedScene> loaded_;
     std::optional<TileView> complete_for_; ///< that the tiles on the device are all there for
-    double last_tile_request_s_ = 0;          ///< when tiles were asked for last, on the window's clock
+    double last_tile_request_s_ = 0;       ///< when tiles were asked for last, on the window's clock
     bool warned_coarse_ = false;
     ImageController image_;
     JobQueue jobs_; ///< after what they work on: they end first

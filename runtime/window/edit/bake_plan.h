@@ -9,7 +9,7 @@ namespace pointrt {
 
 struct BakePlan {
     std::vector<std::string> inputs;
-    std::string output;    ///< the .pro
+    std::string output;         ///< the .pro
     bool is_up_to_date = false; ///< baked from these inputs as they are now: it need only be opened
 };
 

@@ -88,7 +88,7 @@ JobStatus Job::status() const {
     status.can_cancel = can_cancel_ && !control_.stop_.stop_requested();
     if (control_.progress_)
         status.seconds_left = secondsLeft(*control_.progress_, seconds(control_.progress_time_ - control_.start_),
-                                           seconds(JobControl::Clock::now() - control_.start_));
+                                          seconds(JobControl::Clock::now() - control_.start_));
     return status;
 }
 

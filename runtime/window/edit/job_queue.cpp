@@ -13,7 +13,8 @@ JobQueue::~JobQueue() {
 
 bool JobQueue::start(JobKind kind, const JobStart& start) {
     for (std::size_t other = 0; other < kJobKinds; ++other)
-        if (kScheduling[static_cast<std::size_t>(kind)][other] != Scheduling::kConcurrent && has(static_cast<JobKind>(other)))
+        if (kScheduling[static_cast<std::size_t>(kind)][other] != Scheduling::kConcurrent &&
+            has(static_cast<JobKind>(other)))
             return false;
     slot(kind).running = start();
     return true;

@@ -22,9 +22,9 @@ constexpr std::size_t kJobKinds = static_cast<std::size_t>(JobKind::kCount);
 
 /// What becomes of work that is wanted while other work is under way.
 enum class Scheduling : std::uint8_t {
-    kConcurrent,  ///< both go on
-    kAfter,   ///< it must wait until the other one has ended
-    kReplaces ///< the other one is cancelled; it begins when that has ended
+    kConcurrent, ///< both go on
+    kAfter,      ///< it must wait until the other one has ended
+    kReplaces    ///< the other one is cancelled; it begins when that has ended
 };
 
 /// kScheduling[wanted][under way], columns as rows. The scene is loading's and relighting's alone; all else has what it
@@ -86,8 +86,8 @@ public:
     JobQueue(const JobQueue&) = delete;
     JobQueue& operator=(const JobQueue&) = delete;
 
-    /// Begins at once, or returns false with nothing done where kScheduling has other work, under way or waiting, before
-    /// it. Throws what start throws.
+    /// Begins at once, or returns false with nothing done where kScheduling has other work, under way or waiting,
+    /// before it. Throws what start throws.
     bool start(JobKind kind, const JobStart& start);
     /// Begins at a poll to come, the next one that kScheduling lets it; takes the place of one of its kind that waits.
     void enqueue(JobKind kind, JobStart start);

@@ -35,8 +35,8 @@ void resize(L& light, Change&& change) {
 
 /// A direction as a compass and a spirit level have it.
 struct Bearing {
-    double azimuth_deg = 0; ///< from north (defaultNorth, sun.h) by way of east, 0 to 360; 0 straight up and down
-    double elevation_deg = 0;  ///< over the horizon, -90 to 90
+    double azimuth_deg = 0;   ///< from north (defaultNorth, sun.h) by way of east, 0 to 360; 0 straight up and down
+    double elevation_deg = 0; ///< over the horizon, -90 to 90
 };
 /// direction: of any length; what is none counts as up. up: unit length.
 Bearing bearingOf(Vec3 direction, Vec3 up);

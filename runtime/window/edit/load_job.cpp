@@ -38,7 +38,7 @@ LoadJob::LoadJob(Device& device, const Options& options, double free_share)
 std::unique_ptr<LoadedScene> LoadJob::take() { return job_.state() == JobState::kDone ? std::move(loaded_) : nullptr; }
 
 SceneUpdateJob::SceneUpdateJob(Device& device, LoadedScene& loaded, const SceneDescription& description,
-                           const RenderSettings& settings)
+                               const RenderSettings& settings)
     : worker_(device), job_("Relighting", [this, &loaded, description, settings](JobControl& control) {
           updateScene(worker_.get(), loaded, description, settings, control);
       }) {}

@@ -45,7 +45,7 @@ private:
 class SceneUpdateJob {
 public:
     SceneUpdateJob(Device& device, LoadedScene& loaded, const SceneDescription& description,
-                 const RenderSettings& settings);
+                   const RenderSettings& settings);
 
     Job& job() { return job_; }
     const Job& job() const { return job_; }

@@ -6,7 +6,7 @@
 namespace pointrt {
 
 RequiredUpdate requiredUpdate(const DeviceScene& scene, Integrator integrator, const SceneDescription& description,
-                 const RenderSettings& settings) {
+                              const RenderSettings& settings) {
     if (!haveSamePlacements(scene.description, description)) return {UpdateKind::kReload, {}};
     const std::string sky_image = description.sky ? description.sky->image : std::string();
     if (settings.integrator != integrator || sky_image != scene.sky_image) return {UpdateKind::kPrograms, {}};

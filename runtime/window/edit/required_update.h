@@ -25,12 +25,12 @@ struct RequiredUpdate {
 /// What it takes until scene, for which programs of this integrator were built, is as description and settings say.
 /// Throws Error kBadInput as makeSceneRows does.
 RequiredUpdate requiredUpdate(const DeviceScene& scene, Integrator integrator, const SceneDescription& description,
-                 const RenderSettings& settings);
+                              const RenderSettings& settings);
 
 /// What is to be done about it in this frame.
 enum class UpdateStep : std::uint8_t {
-    kNothing, ///< it is done, or must wait until the user has let go
-    kUpload,  ///< the tables
+    kNothing,     ///< it is done, or must wait until the user has let go
+    kUpload,      ///< the tables
     kSceneUpdate, ///< the job that makes all of it
 };
 

@@ -15,7 +15,8 @@ namespace {
 constexpr double kExrShare = 0.7;
 
 Image8 withLegend(Image8 picture, const std::optional<Legend>& legend) {
-    if (legend) compositeLegend(drawLegend(*legend, {picture.width, picture.height}), {picture.pixels, picture.width, 0});
+    if (legend)
+        compositeLegend(drawLegend(*legend, {picture.width, picture.height}), {picture.pixels, picture.width, 0});
     return picture;
 }
 

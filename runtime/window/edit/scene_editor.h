@@ -14,15 +14,15 @@ namespace pointrt {
 /// A scene as it was opened.
 struct OpenedScene {
     SceneDescription file_scene; ///< as its file has it
-    SceneDescription resolved;    ///< with its surroundings
+    SceneDescription resolved;   ///< with its surroundings
     RenderSettings settings;
     Camera camera;               ///< the first
-    Vec3 resolved_for_eye;             ///< the eye that its surroundings were put up for, world frame
+    Vec3 resolved_for_eye;       ///< the eye that its surroundings were put up for, world frame
     Vec3 bounds_min, bounds_max; ///< of the scan, input coordinates
     SceneSample sample;          ///< of its scans
     StudioSubject subject;
     std::optional<Vec3> pivot; ///< what the camera was framed for; none: it was not framed
-    double pivot_offset = 0;          ///< of the camera, as ViewCamera has it
+    double pivot_offset = 0;   ///< of the camera, as ViewCamera has it
     double free_share = 1;     ///< of the picture's width, from the left: no panel covers it
     double scale = 1;          ///< input units in a render unit
 };
@@ -40,7 +40,9 @@ public:
     bool isOpen() const { return opened_.has_value(); }
 
     /// Takes note of what was asked for in a frame.
-    void noteRequests(const Requests& requests) { pending_edits_ = pending_edits_ || requests.scene_changed || requests.settings_changed; }
+    void noteRequests(const Requests& requests) {
+        pending_edits_ = pending_edits_ || requests.scene_changed || requests.settings_changed;
+    }
     /// True where edits are not yet on the device.
     bool hasPendingEdits() const { return pending_edits_; }
     void clearPendingEdits() { pending_edits_ = false; }

@@ -27,7 +27,8 @@ void applySettings(LoadedScene& loaded, const RenderSettings& settings) {
     loaded.tracer.shadows = settings.shadows;
 }
 
-void uploadScene(Device& device, LoadedScene& loaded, const SceneDescription& description, const RenderSettings& settings) {
+void uploadScene(Device& device, LoadedScene& loaded, const SceneDescription& description,
+                 const RenderSettings& settings) {
     if (!haveSamePlacements(loaded.scene.description, description))
         throw Error{ExitCode::kBadInput, description.path + ": other scans, or other places, take loading anew"};
     SceneDescription before = std::exchange(loaded.scene.description, description);
@@ -42,8 +43,8 @@ void uploadScene(Device& device, LoadedScene& loaded, const SceneDescription& de
 
 } // namespace
 
-void updateScene(Device& device, LoadedScene& loaded, const SceneDescription& description, const RenderSettings& settings,
-               JobControl& control) {
+void updateScene(Device& device, LoadedScene& loaded, const SceneDescription& description,
+                 const RenderSettings& settings, JobControl& control) {
     loaded.lacks_photons = false; // nor is it to be tried again where the user does not want to wait
     control.setDetail("materials and lights");
     uploadScene(device, loaded, description, settings);
@@ -59,7 +60,7 @@ void updateScene(Device& device, LoadedScene& loaded, const SceneDescription& de
 }
 
 void updateSceneTables(Device& device, LoadedScene& loaded, const SceneDescription& description,
-                  const RenderSettings& settings, SceneRows rows) {
+                       const RenderSettings& settings, SceneRows rows) {
     uploadSceneRows(device, loaded.scene, description, settings, std::move(rows));
     applySettings(loaded, settings);
     dropPhotons(loaded.tracer);

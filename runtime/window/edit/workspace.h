@@ -25,7 +25,7 @@ struct PickedPoint {
     double distance = 0;                              ///< from the eye
     double radius = 0;                                ///< of the splat; 0 on shapes
     std::optional<std::array<std::uint8_t, 3>> color; ///< sRGB, where the file has colours
-    std::string value;                               ///< that it is coloured by, in words; empty: by none
+    std::string value;                                ///< that it is coloured by, in words; empty: by none
 };
 
 /// What the window says of itself.
@@ -44,9 +44,9 @@ struct HudStats {
 
 /// Work that takes long: loading, baking, rendering to a file.
 struct JobStatus {
-    std::string title;                   ///< "Baking statue.ply"
+    std::string title;                  ///< "Baking statue.ply"
     std::string detail;                 ///< stage or count; may be empty
-    std::optional<double> progress;        ///< done, 0 to 1; empty: unknown
+    std::optional<double> progress;     ///< done, 0 to 1; empty: unknown
     std::optional<double> seconds_left; ///< empty: unknown
     bool can_cancel = true;
 };

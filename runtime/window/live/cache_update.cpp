@@ -24,7 +24,9 @@ gpu::vec3 directionThrough(const ViewProjection& view, std::uint32_t pixel) {
 
 /// Of a traced colour in the mean with what was there, in parts of 256.
 std::uint32_t blendWeight(std::uint32_t before, std::uint32_t now, const SampleBlending& blending) {
-    if ((before & (kPointInterpolated | kPointInvalid)) != 0 || (blending.camera_moves && (now & kPointViewDependent) != 0)) return 256;
+    if ((before & (kPointInterpolated | kPointInvalid)) != 0 ||
+        (blending.camera_moves && (now & kPointViewDependent) != 0))
+        return 256;
     const std::uint32_t most = blending.noisy ? kPointMaxSamples : kNoiselessSamples;
     return 256 / (std::min(sampleCount(before), most) + 1);
 }
@@ -41,7 +43,8 @@ std::uint32_t difference(std::uint32_t a, std::uint32_t b) {
 CachedPoint toCachedPoint(const ViewProjection& view, const TracedPixel& traced, std::uint32_t frame) {
     const std::uint32_t x = traced.pixel % view.size().width, y = traced.pixel / view.size().width;
     const gpu::vec3 direction = view.direction(x, y), origin = view.origin(x, y);
-    const std::uint32_t info = (frame & kPointFrameMask) | (traced.view_dependence > kRowPhases ? kPointViewDependent : 0);
+    const std::uint32_t info =
+        (frame & kPointFrameMask) | (traced.view_dependence > kRowPhases ? kPointViewDependent : 0);
     if (traced.distance < 0) return {direction, info | kPointIsSky, traced.color};
     const float steps = traced.distance / lengthOf(direction);
     return {{origin.x + steps * direction.x, origin.y + steps * direction.y, origin.z + steps * direction.z},

@@ -12,7 +12,7 @@ namespace pointrt {
 
 /// What the ray through a pixel's middle has met.
 struct TracedPixel {
-    std::uint32_t pixel = 0;  ///< of the pixel
+    std::uint32_t pixel = 0;   ///< of the pixel
     std::uint32_t color = 0;   ///< 0xAARRGGBB
     float distance = -1;       ///< along the ray to what is seen; negative: the sky
     float view_dependence = 0; ///< 0 to 1
@@ -21,9 +21,9 @@ struct TracedPixel {
 
 /// How samples add up to a point's colour.
 struct SampleBlending {
-    std::uint32_t frame = 0; ///< number
-    bool noisy = false;      ///< light comes by chance: one sample says little
-    bool camera_moves = false;      ///< the camera: what mirrors show is another thing each time
+    std::uint32_t frame = 0;   ///< number
+    bool noisy = false;        ///< light comes by chance: one sample says little
+    bool camera_moves = false; ///< the camera: what mirrors show is another thing each time
 };
 
 /// Each pixel at most once.

@@ -216,7 +216,8 @@ void resamplePoints(RenderCache& cache, const ViewProjection& view) {
             if (!point) continue;
             const gpu::vec3 direction = view.direction(x, y), origin = view.origin(x, y);
             const float depth = point->depth;
-            const gpu::vec3 position{origin.x + depth * direction.x, origin.y + depth * direction.y, origin.z + depth * direction.z};
+            const gpu::vec3 position{origin.x + depth * direction.x, origin.y + depth * direction.y,
+                                     origin.z + depth * direction.z};
             const bool sky = (point->info & kPointIsSky) != 0;
             points.set(pixel, {sky ? direction : position, point->info, cache.colors()[pixel]});
             aheads[pixel] = depth;

@@ -66,7 +66,9 @@ std::optional<PickResult> ImageController::findPick() {
     return pick ? std::optional(PickResult{*pick, request.centre}) : std::nullopt;
 }
 
-bool ImageController::mayWork() const { return !paused_ || moved_ || hasPendingRequest() || live_->progress().samples == 0; }
+bool ImageController::mayWork() const {
+    return !paused_ || moved_ || hasPendingRequest() || live_->progress().samples == 0;
+}
 
 bool ImageController::work() { return mayWork() && live_->work(moved_ ? kMovingBudget_s : kRestingBudget_s); }
 

@@ -32,7 +32,9 @@ void atomicMin(PixelKey& target, PixelKey key) {
 } // namespace
 
 // depths are above 0: their bits are in their order
-PixelKey makePixelKey(float depth, std::uint32_t point) { return PixelKey{std::bit_cast<std::uint32_t>(depth)} << 32 | point; }
+PixelKey makePixelKey(float depth, std::uint32_t point) {
+    return PixelKey{std::bit_cast<std::uint32_t>(depth)} << 32 | point;
+}
 
 void PointCloud::resize(std::size_t count) {
     x.resize(count);
@@ -145,7 +147,8 @@ void RenderCache::gatherRow(std::uint32_t tile_row) {
 }
 
 void RenderCache::invalidateLighting(bool shapes, std::uint32_t frame) {
-    constexpr std::uint32_t kErrorDecay = kPointIsSky | kPointViewDependent | kPointInterpolated | kPointOnShape | kPointInvalid;
+    constexpr std::uint32_t kErrorDecay =
+        kPointIsSky | kPointViewDependent | kPointInterpolated | kPointOnShape | kPointInvalid;
     const std::uint32_t old = (frame - kStaleLightAge) & kPointFrameMask;
     for (std::uint32_t i = 0; i < point_count_; ++i) {
         std::uint32_t& info = points_.info[i];

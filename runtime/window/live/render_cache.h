@@ -21,11 +21,11 @@ namespace pointrt {
 
 // What is known of a point: PointCloud::info. The rest are samples that its colour is the mean of, and below them the
 // frame in which it was traced.
-constexpr std::uint32_t kPointIsSky = 1u << 31;   ///< its place is a direction
-constexpr std::uint32_t kPointViewDependent = 1u << 30;  ///< mirrors and the like: it looks another way from elsewhere
-constexpr std::uint32_t kPointInterpolated = 1u << 29; ///< put between others, never traced
-constexpr std::uint32_t kPointOnShape = 1u << 28; ///< on a shape
-constexpr std::uint32_t kPointInvalid = 1u << 27;  ///< nowhere any more
+constexpr std::uint32_t kPointIsSky = 1u << 31;         ///< its place is a direction
+constexpr std::uint32_t kPointViewDependent = 1u << 30; ///< mirrors and the like: it looks another way from elsewhere
+constexpr std::uint32_t kPointInterpolated = 1u << 29;  ///< put between others, never traced
+constexpr std::uint32_t kPointOnShape = 1u << 28;       ///< on a shape
+constexpr std::uint32_t kPointInvalid = 1u << 27;       ///< nowhere any more
 constexpr std::uint32_t kPointSamplesShift = 16, kPointMaxSamples = 7, kPointFrameMask = 0xFFFF;
 
 /// A point that was seen, in render space.
@@ -104,10 +104,10 @@ private:
 
     PixelSize size_;
     PointCloud points_;
-    std::uint32_t point_count_ = 0;             ///< points that there ever were
-    std::uint32_t cursor_ = 0;           ///< where the search for one that can be spared goes on
+    std::uint32_t point_count_ = 0;        ///< points that there ever were
+    std::uint32_t cursor_ = 0;             ///< where the search for one that can be spared goes on
     std::vector<std::uint8_t> is_visible_; ///< of points
-    std::vector<PixelKey> keys_;         ///< of pixels
+    std::vector<PixelKey> keys_;           ///< of pixels
     std::vector<std::uint32_t> shown_;
     std::vector<std::vector<std::uint32_t>> empty_pixels_;
     std::vector<TileColorSum> tile_colors_;

@@ -110,7 +110,8 @@ ReprojectedFrame ReprojectionRenderer::renderFrame(const ReprojectionView& view,
     const Clock::time_point tracing = Clock::now();
     const std::vector<TracedPixel> traced = trace(view, chosen);
     const double traced_s = since(tracing);
-    if (!chosen.empty()) seconds_per_pixel_ = smoothed(seconds_per_pixel_, traced_s / static_cast<double>(chosen.size()));
+    if (!chosen.empty())
+        seconds_per_pixel_ = smoothed(seconds_per_pixel_, traced_s / static_cast<double>(chosen.size()));
 
     const SampleBlending blending{frame_, hasTrait(view.settings.integrator, INTEGRATOR_IS_STOCHASTIC), camera_moves};
     insertSamples(cache_, errors_, seen, blending, traced);
@@ -132,7 +133,8 @@ void ReprojectionRenderer::uploadPixelList(std::span<const std::uint32_t> number
 }
 
 /// What the listed pixels have hit, whose first hits are from first on.
-std::vector<TracedPixel> ReprojectionRenderer::readHits(std::span<const std::uint32_t> numbers, std::uint32_t first) const {
+std::vector<TracedPixel> ReprojectionRenderer::readHits(std::span<const std::uint32_t> numbers,
+                                                        std::uint32_t first) const {
     std::vector<gpu::vec4> hits(numbers.size() * FIRST_HIT_VECTORS);
     downloadBuffer(device_, tracer_.buffers.first_hits, hits.data(), hits.size() * sizeof(gpu::vec4),
                    std::uint64_t{first} * FIRST_HIT_VECTORS * sizeof(gpu::vec4));
@@ -166,7 +168,8 @@ void ReprojectionRenderer::readLight(const ReprojectionView& view, std::span<Tra
     });
 }
 
-std::vector<TracedPixel> ReprojectionRenderer::trace(const ReprojectionView& view, std::span<const std::uint32_t> numbers) {
+std::vector<TracedPixel> ReprojectionRenderer::trace(const ReprojectionView& view,
+                                                     std::span<const std::uint32_t> numbers) {
     if (numbers.empty()) return {};
     uploadPixelList(numbers);
     RenderSettings settings = view.settings;

@@ -11,8 +11,8 @@
 #include "runtime/render/band_tracer.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/render_settings.h"
-#include "runtime/window/live/render_cache.h"
 #include "runtime/window/live/cache_update.h"
+#include "runtime/window/live/render_cache.h"
 #include "runtime/window/live/sample_priority.h"
 
 namespace pointrt {
@@ -30,14 +30,14 @@ constexpr std::uint32_t kMaxListedPixels = 1u << 16;
 
 /// What became of a frame.
 struct ReprojectedFrame {
-    std::uint32_t traced = 0; ///< pixels
-    std::uint32_t disocclusions = 0;  ///< pixels without a point, but for gaps between those of a surface
+    std::uint32_t traced = 0;        ///< pixels
+    std::uint32_t disocclusions = 0; ///< pixels without a point, but for gaps between those of a surface
 };
 
 class ReprojectionRenderer {
 public:
-    /// tracer, whose film has room for size and kMaxListedPixels, and pixels, which get the picture, 0xAARRGGBB each, must
-    /// outlive it.
+    /// tracer, whose film has room for size and kMaxListedPixels, and pixels, which get the picture, 0xAARRGGBB each,
+    /// must outlive it.
     ReprojectionRenderer(Device& device, BandTracer& tracer, Buffer& pixels, PixelSize size);
 
     /// Nothing of it is of this scene or look.

@@ -24,7 +24,8 @@ constexpr std::uint32_t kNoiseFloor = 3;
 float priorityOf(std::uint32_t info, const SelectionParams& params) {
     const auto age = static_cast<float>((params.frame - info) & kPointFrameMask);
     const bool turns = params.camera_moves && (info & kPointViewDependent) != 0;
-    return age * (turns ? kViewDependentAging : 1.0f) + ((info & kPointInterpolated) != 0 ? kInterpolatedPriority : 0.0f);
+    return age * (turns ? kViewDependentAging : 1.0f) +
+           ((info & kPointInterpolated) != 0 ? kInterpolatedPriority : 0.0f);
 }
 
 /// Of a tile: what each of its pixels has on top, and what all of that is multiplied by.
@@ -33,7 +34,7 @@ struct TilePriority {
 };
 
 TilePriority tilePriority(const ErrorMap& errors, const SelectionParams& params, PixelSize size, std::uint32_t tile_x,
-                        std::uint32_t tile_y, std::uint32_t across) {
+                          std::uint32_t tile_y, std::uint32_t across) {
     const float x = (static_cast<float>(tile_x) + 0.5f) * TILE_SIDE - params.focus.x;
     const float y = (static_cast<float>(tile_y) + 0.5f) * TILE_SIDE - params.focus.y;
     const float radius = kFocusRadius * static_cast<float>(size.height);
@@ -58,8 +59,7 @@ using RowPriorities = std::vector<float>;
 class PixelSelector {
 public:
     PixelSelector(const RenderCache& cache, const ErrorMap& errors, const SelectionParams& params)
-        : cache_(cache), errors_(errors), attention_(params), size_(cache.size()),
-          across_(cache.tilesAcross()) {}
+        : cache_(cache), errors_(errors), attention_(params), size_(cache.size()), across_(cache.tilesAcross()) {}
 
     RowPriorities computeRow(std::uint32_t tile_row) const {
         RowPriorities row;
@@ -68,7 +68,8 @@ public:
             const TilePriority of_tile = tilePriority(errors_, attention_, size_, tile, tile_row, across_);
             visitTile(tile, tile_row, [&](std::uint32_t x, std::uint32_t y) {
                 const PixelKey key = cache_.keys()[y * size_.width + x];
-                const float own = key == kEmptyPixel ? kEmptyPriority : priorityOf(cache_.points().info[pointOf(key)], attention_);
+                const float own =
+                    key == kEmptyPixel ? kEmptyPriority : priorityOf(cache_.points().info[pointOf(key)], attention_);
                 row.push_back((own + of_tile.added) * of_tile.factor);
             });
         }
@@ -81,7 +82,8 @@ public:
         auto priority = row.begin();
         for (std::uint32_t tile = 0; tile < across_; ++tile)
             visitTile(tile, tile_row, [&](std::uint32_t x, std::uint32_t y) {
-                if (*priority++ * probability >= threshold(x, y, attention_.frame)) chosen.push_back(y * size_.width + x);
+                if (*priority++ * probability >= threshold(x, y, attention_.frame))
+                    chosen.push_back(y * size_.width + x);
             });
         return chosen;
     }
@@ -168,8 +170,9 @@ std::vector<std::uint32_t> selectPixels(const RenderCache& cache, const ErrorMap
     std::vector<std::vector<std::uint32_t>> chosen(down);
     forAll(down, [&](std::size_t row) { rows[row] = selector.computeRow(static_cast<std::uint32_t>(row)); });
     const float probability = probabilityFor(rows, params.count);
-    forAll(down,
-           [&](std::size_t row) { chosen[row] = selector.select(static_cast<std::uint32_t>(row), rows[row], probability); });
+    forAll(down, [&](std::size_t row) {
+        chosen[row] = selector.select(static_cast<std::uint32_t>(row), rows[row], probability);
+    });
     std::vector<std::uint32_t> all;
     for (const std::vector<std::uint32_t>& row : chosen) all.insert(all.end(), row.begin(), row.end());
     return all;

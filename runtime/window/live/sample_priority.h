@@ -12,10 +12,10 @@ namespace pointrt {
 
 /// What a frame's choice hangs on besides the points.
 struct SelectionParams {
-    PlaneVector focus;        ///< where the eye rests, pixels
-    std::uint32_t frame = 0;  ///< number
-    bool camera_moves = false;       ///< the camera: mirrors age faster
-    std::uint32_t count = 0; ///< pixels, on average
+    PlaneVector focus;         ///< where the eye rests, pixels
+    std::uint32_t frame = 0;   ///< number
+    bool camera_moves = false; ///< the camera: mirrors age faster
+    std::uint32_t count = 0;   ///< pixels, on average
 };
 
 /// Where traced colours were not those that were shown, by tiles.

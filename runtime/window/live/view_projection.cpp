@@ -15,7 +15,7 @@ gpu::vec4 affineRow(gpu::vec3 direction, float scale, gpu::vec3 from) {
 ViewProjection::ViewProjection(const gpu::FrameParams& frame)
     : size_{frame.picture_width, frame.picture_height}, eye_(frame.eye), right_(frame.right), up_(frame.up),
       forward_(affineRow(frame.forward, 1, frame.eye)), middle_{0.5f * static_cast<float>(size_.width),
-                                                               0.5f * static_cast<float>(size_.height)},
+                                                                0.5f * static_cast<float>(size_.height)},
       tan_half_fov_(frame.tan_half_fov), half_window_(frame.half_window), aspect_(frame.aspect) {
     across_ = affineRow(frame.right, middle_.x / aspect_, frame.eye);
     down_ = affineRow(frame.up, -middle_.y, frame.eye);

@@ -29,8 +29,8 @@ public:
         const float depth = dotOf(position, forward_, weight);
         const float half_height = weight * half_window_ + depth * tan_half_fov_;
         const float scale = half_height > 0 ? 1 / half_height : 0;
-        return {dotOf(position, across_, weight) * scale + middle_.x, dotOf(position, down_, weight) * scale + middle_.y,
-                half_height > 0 ? depth : 0};
+        return {dotOf(position, across_, weight) * scale + middle_.x,
+                dotOf(position, down_, weight) * scale + middle_.y, half_height > 0 ? depth : 0};
     }
 
     /// The ray through a pixel's middle goes from start, and one ahead for each of its length.

@@ -54,7 +54,8 @@ ViewportRenderer::~ViewportRenderer() { destroyDisplayPipeline(device_, display_
 
 void ViewportRenderer::fitFilm() {
     const PixelSize requested{view_.settings.width, view_.settings.height};
-    const std::uint64_t most = device_.limits.maxStorageBufferRange / (FILM_LAYERS * sizeof(gpu::vec4)) - kMaxListedPixels;
+    const std::uint64_t most =
+        device_.limits.maxStorageBufferRange / (FILM_LAYERS * sizeof(gpu::vec4)) - kMaxListedPixels;
     const PixelSize before = full_;
     full_ = withinFilm(requested, most);
     view_.settings.width = full_.width;
@@ -180,7 +181,9 @@ void ViewportRenderer::begin(Stage stage) {
     }
     if (stage == Stage::kIdle || stage == Stage::kFillCache || full_.width == 0) return;
     if (stage == Stage::kInteractive || stage == Stage::kCoarse) shows_full_frame_ = false;
-    size_ = stage == Stage::kInteractive ? preview_size_ : stage == Stage::kCoarse ? reduced(full_, kCoarseDivisor) : full_;
+    size_ = stage == Stage::kInteractive ? preview_size_
+            : stage == Stage::kCoarse    ? reduced(full_, kCoarseDivisor)
+                                         : full_;
     denoise_due_ = false;
     denoised_samples_ = 0;
     beginFilm();
@@ -249,7 +252,9 @@ void ViewportRenderer::traceSlice(double seconds_left) {
     // what does not fit in one go is handed over bounce by bounce
     const bool fits = speed().secondsFor(std::uint64_t{size_.width} * strip.sample.rows) <= seconds_left;
     const std::uint32_t bounces = std::max(view_.settings.bounces, 1u);
-    const bool done = renderer_.traceStrip(fits || stage_ == Stage::kInteractive ? bounces : strip.sample.pass == 0 ? 0 : 1);
+    const bool done = renderer_.traceStrip(fits || stage_ == Stage::kInteractive ? bounces
+                                           : strip.sample.pass == 0              ? 0
+                                                                                 : 1);
     slice_seconds_ += since(start);
     if (done) finishSlice(strip);
 }
@@ -262,8 +267,7 @@ bool ViewportRenderer::needsCacheFill() {
 }
 
 void ViewportRenderer::createReprojector() {
-    if (!reprojector_)
-        reprojector_.emplace(device_, tracer_, display_.pixels, PixelSize{full_.width, full_.height});
+    if (!reprojector_) reprojector_.emplace(device_, tracer_, display_.pixels, PixelSize{full_.width, full_.height});
 }
 
 void ViewportRenderer::fillCache() {
@@ -313,7 +317,8 @@ void ViewportRenderer::showRows(std::uint32_t first_row, std::uint32_t rows, std
     submitAndWait(device_, commands);
     const float share = shareShown(samples);
     if (share < 1) reprojector_->blendWithReprojection(range.first, range.count, share);
-    shows_full_frame_ = shows_full_frame_ || (isFullSize() && view_.look.shown == SHOWN_BEAUTY && first_row + rows == size_.height);
+    shows_full_frame_ =
+        shows_full_frame_ || (isFullSize() && view_.look.shown == SHOWN_BEAUTY && first_row + rows == size_.height);
     updates_.push_back({size_, first_row, rows});
 }
 
@@ -362,7 +367,8 @@ ViewportProgress ViewportRenderer::progress() const {
 
 /// Quick pictures are of another light, whatever their size.
 bool ViewportRenderer::isFullSize() const {
-    return size_ == full_ && stage_ != Stage::kInteractive && stage_ != Stage::kReprojection && stage_ != Stage::kCoarse;
+    return size_ == full_ && stage_ != Stage::kInteractive && stage_ != Stage::kReprojection &&
+           stage_ != Stage::kCoarse;
 }
 
 bool ViewportRenderer::isBetweenSamples() const {
@@ -377,8 +383,7 @@ std::optional<Pick> ViewportRenderer::pick(std::uint32_t x, std::uint32_t y) {
 Film ViewportRenderer::readFilm() { return renderer_.takeFilm(); }
 
 std::uint64_t ViewportRenderer::deviceBytes() const {
-    return pointrt::deviceBytes(tracer_) + pointrt::deviceBytes(display_) +
-           (reprojector_ ? reprojector_->bytes() : 0);
+    return pointrt::deviceBytes(tracer_) + pointrt::deviceBytes(display_) + (reprojector_ ? reprojector_->bytes() : 0);
 }
 
 } // namespace pointrt

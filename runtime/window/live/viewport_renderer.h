@@ -36,7 +36,7 @@ struct PictureUpdate {
 };
 
 struct ViewportProgress {
-    PixelSize size;          ///< that is traced now
+    PixelSize size;            ///< that is traced now
     std::uint32_t samples = 0; ///< of every pixel of the whole picture
     double share = 0;          ///< of the next sample
     bool resting = false;      ///< nothing is left to do
@@ -133,8 +133,8 @@ private:
     Viewport view_;
     std::optional<ReprojectionRenderer> reprojector_; ///< once one was asked for, of full_
     std::uint32_t reprojected_pixels_ = 0;            ///< traced of the last one
-    bool reprojection_current_ = false;                   ///< it is of this view, and look
-    bool mostly_reused_ = false;                   ///< little of it is new
+    bool reprojection_current_ = false;               ///< it is of this view, and look
+    bool mostly_reused_ = false;                      ///< little of it is new
     bool shows_full_frame_ = false; ///< what is on the screen is the light of last_camera_, in the picture's size
     Camera last_camera_;
     std::uint64_t film_pixels_ = 0;

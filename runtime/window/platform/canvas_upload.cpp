@@ -2,9 +2,9 @@
 #include <stdexcept>
 
 #include "runtime/gpu/program.h"
-#include "runtime/window/platform/upscale.h"
 #include "runtime/window/platform/frame_commands.h"
 #include "runtime/window/platform/presenter.h"
+#include "runtime/window/platform/upscale.h"
 
 namespace pointrt {
 namespace {

@@ -52,7 +52,8 @@ void recordBlit(VkCommandBuffer commands, const Image& from, VkExtent2D part, Vk
 void recordCanvas(VkCommandBuffer commands, const Image& canvas, const FrameTarget& target) {
     recordBarrier(commands);
     // the target's last use: as a frame (drawn on, read) or as the semaphore's wait tells, which ends at the copies
-    const ImageUse last{kColorAttachment.stages | kTransferDst.stages, kColorAttachment.access | kTransferDst.access, kColorAttachment.layout};
+    const ImageUse last{kColorAttachment.stages | kTransferDst.stages, kColorAttachment.access | kTransferDst.access,
+                        kColorAttachment.layout};
     recordImageBarrier(commands, target.image, discarded(last), kTransferDst);
     if (target.format != canvas.format || !sameSize(target.extent, canvas.extent))
         return recordBlit(commands, canvas, canvas.extent, target.image, target.extent);

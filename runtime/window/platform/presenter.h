@@ -24,8 +24,8 @@ struct Presenter {
     bool outdated = true;                       ///< the swapchain must be rebuilt before the next frame
     std::vector<VkFramebuffer> framebuffers;    ///< one a swapchain image
     Image canvas;                               ///< keeps the last picture; in use as kTransferSrc
-    Image low_res;                               ///< a smaller picture on its way to the canvas
-    Buffer host_upscaled;                            ///< the same on the host, where that is the device
+    Image low_res;                              ///< a smaller picture on its way to the canvas
+    Buffer host_upscaled;                       ///< the same on the host, where that is the device
     Image frame;                                ///< picture and UI where no window takes them
     VkFramebuffer framebuffer = VK_NULL_HANDLE; ///< of frame
     UiRenderer ui;

@@ -34,8 +34,8 @@ void uploadUiFont(Device& device, UiRenderer& ui);
 /// The framebuffer of an image, for recordUi. The caller destroys it.
 VkFramebuffer createUiFramebuffer(Device& device, const UiRenderer& ui, VkImageView view, VkExtent2D extent);
 
-/// Records data over what framebuffer, of extent pixels, holds: in use as kColorAttachment, before and after. Only after
-/// uploadUiFont; the frame recorded before must be done.
+/// Records data over what framebuffer, of extent pixels, holds: in use as kColorAttachment, before and after. Only
+/// after uploadUiFont; the frame recorded before must be done.
 void recordUi(Device& device, UiRenderer& ui, VkCommandBuffer commands, VkFramebuffer framebuffer, VkExtent2D extent,
               const ImDrawData& data);
 

@@ -37,7 +37,7 @@ void drawLens(Workspace& w) {
     if (ortho) return;
     double fov_deg = w.camera.fov_deg;
     if (sliderRow("Field of view", fov_deg, {1, 170}, "%.1f\xC2\xB0",
-                 "from top to bottom; what the view turns about keeps its size"))
+                  "from top to bottom; what the view turns about keeps its size"))
         w.camera = withFov(w.camera, fov_deg, true);
     if (ImGui::IsItemActive()) w.requests.dragging = true;
 }

@@ -63,7 +63,8 @@ void drawRange(Workspace& w) {
 
 void drawLegendChoice(Workspace& w) {
     int chosen = w.settings.legend ? (*w.settings.legend ? 2 : 0) : 1;
-    if (!reportEdit(w.requests, Edit::kLook, comboRow("Legend", chosen, kLegendLabels, "what the colours mean"))) return;
+    if (!reportEdit(w.requests, Edit::kLook, comboRow("Legend", chosen, kLegendLabels, "what the colours mean")))
+        return;
     w.settings.legend.reset();
     if (chosen != 1) w.settings.legend = chosen == 2;
 }

@@ -20,7 +20,7 @@ constexpr float kWidth = 440, kMargin = 12, kBarHeight = 6, kCancelWidth = 64;
 
 /// A window whose lower edge is at bottom; returns its upper edge, known from its last frame.
 float boxAbove(const char* name, FreeArea area, float bottom, ImGuiWindowFlags flags,
-              const std::function<void()>& content) {
+               const std::function<void()>& content) {
     const float width = std::min(kWidth * uiScale(), area.width);
     const BoxPlace place{ImVec2(area.width / 2, bottom), ImVec2(0.5f, 1)};
     return bottom - boxOnPicture(name, place, width, ImGuiWindowFlags_NoMove | flags, content);
@@ -105,8 +105,9 @@ void drawJobAndNotices(Workspace& w, FreeArea area) {
         if (!(opacity > 0)) continue;
         const std::string name = std::string("Notice ") + std::to_string(number++);
         ImGui::SetNextWindowBgAlpha(0.85f * opacity);
-        bottom = boxAbove(name.c_str(), area, bottom, ImGuiWindowFlags_NoInputs, [&] { drawNotice(*notice, opacity); }) -
-                 margin / 2;
+        bottom =
+            boxAbove(name.c_str(), area, bottom, ImGuiWindowFlags_NoInputs, [&] { drawNotice(*notice, opacity); }) -
+            margin / 2;
     }
 }
 

@@ -29,7 +29,7 @@ bool bearingRows(Workspace& w, Vec3& direction, const char* tip) {
     constexpr double steepest = 89.9;
     bool changed = noteScene(w, sliderRow("Azimuth", bearing.azimuth_deg, {0, 360}, kDegrees, tip));
     changed |= noteScene(w, sliderRow("Height", bearing.elevation_deg, {-steepest, steepest}, kDegrees,
-                                     "over the horizon; below 0 from underneath"));
+                                      "over the horizon; below 0 from underneath"));
     if (changed)
         direction = directionOf({bearing.azimuth_deg, std::clamp(bearing.elevation_deg, -steepest, steepest)}, up);
     return changed;
@@ -84,15 +84,15 @@ struct FieldRows {
             std::max(0.0, std::min(field.outer_deg, ConeField::kWidest)); // 0 where it is no number
         const double undimmed = std::clamp(field.inner_deg / field.outer_deg, 0.0, 1.0);
         if (noteScene(w, sliderRow("Cone", field.outer_deg, {ConeField::kNarrowest, ConeField::kWidest}, kDegrees,
-                                  "half of its opening angle")))
+                                   "half of its opening angle")))
             field.inner_deg = undimmed * field.outer_deg;
         noteScene(w, sliderRow("Full inside", field.inner_deg, {0, outer_deg}, kDegrees,
-                              "undimmed up to this angle; the rest of the cone is its soft edge"));
+                               "undimmed up to this angle; the rest of the cone is its soft edge"));
     }
 
     void operator()(const AngularRadiusField& field) const {
         noteScene(w, sliderRow("Softness", field.degrees, {0, AngularRadiusField::kWidest}, kDegrees,
-                              "angular radius: 0.27\xC2\xB0 is the real sun, more makes shadows softer"));
+                               "angular radius: 0.27\xC2\xB0 is the real sun, more makes shadows softer"));
     }
 
     void operator()(const RadiusField& field) const {
@@ -136,7 +136,7 @@ void drawLightValues(Workspace& w, LightDescription& light) {
     if (noteScene(w, colorRow("Colour", tint))) setTint(light, tint);
     double brightness = brightnessOf(light, sceneSize(w));
     if (noteScene(w, sliderRow("Brightness", brightness, {1e-3, 1e3, true}, "%.3f",
-                              "1: a white surface that faces it, one scene's diagonal away, shows white")))
+                               "1: a white surface that faces it, one scene's diagonal away, shows white")))
         setBrightness(light, brightness, sceneSize(w));
     std::visit([&](auto& kind) { drawFields(w, kind); }, light);
 }

@@ -30,7 +30,7 @@ void fieldRow(Workspace& w, const MaterialField& field, MaterialDescription& mat
     if (field.shown_with && !(material.*field.shown_with > 0)) return;
     if (const auto* number = std::get_if<float MaterialDescription::*>(&field.member))
         noteScene(w, sliderRow(field.label, material.**number, {field.low, field.high, field.logarithmic}, field.format,
-                              field.tip));
+                               field.tip));
     if (const auto* flag = std::get_if<bool MaterialDescription::*>(&field.member))
         noteScene(w, checkboxRow(field.label, material.**flag, field.tip));
     if (const auto* color = std::get_if<Color MaterialDescription::*>(&field.member))

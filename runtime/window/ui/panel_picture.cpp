@@ -33,7 +33,7 @@ void drawPicture(Workspace& w) {
         w.look.shown = static_cast<std::uint32_t>(shown);
     if (w.look.shown == SHOWN_DEPTH)
         note(sliderRow("Black at", w.look.depth_black, {1e-2 * sceneSize(w), 1e2 * sceneSize(w), true}, "%.4g",
-                      "distance from the eye, scene units"));
+                       "distance from the eye, scene units"));
     if (columnButton("Save picture", 1, false, "F12: PNG and EXR")) w.requests.screenshot = true;
 }
 

@@ -53,8 +53,8 @@ void drawRoom(Workspace& w) {
     if (!w.settings.room) return;
     std::uint32_t lamps = w.settings.lights.value_or(kRingLights);
     if (reportEdit(w.requests, Edit::kSettings,
-                 sliderRow("Lamps", lamps, sliderRange(rowOf<&RenderSettings::lights>().limits),
-                          "on a ring above the scan, the first over your left shoulder")))
+                   sliderRow("Lamps", lamps, sliderRange(rowOf<&RenderSettings::lights>().limits),
+                             "on a ring above the scan, the first over your left shoulder")))
         w.settings.lights = lamps;
 }
 

@@ -39,7 +39,7 @@ void sampleSky(Workspace& w) {
     }
     note(sliderRow("Strength", sky.strength, kStrengths, "%.3f", "multiplies all of the sky"));
     note(sliderRow("Ambient", sky.ambient, {0, 1}, "%.2f",
-                  "share of the sky's light in shadows; for direct light and mirrors, full light works it out"));
+                   "share of the sky's light in shadows; for direct light and mirrors, full light works it out"));
     if (changed) w.scene.sky = sky;
 }
 

@@ -25,7 +25,7 @@ struct Section {
     bool open;
 };
 constexpr Section kSections[] = {
-    {"Light", drawLights, true},     {"Sky", sampleSky, false},       {"Materials", drawMaterials, false},
+    {"Light", drawLights, true},     {"Sky", sampleSky, false},     {"Materials", drawMaterials, false},
     {"Room", drawRoom, true},        {"Render", drawRender, false}, {"Picture", drawPicture, true},
     {"Colours", drawColors, false},  {"Camera", drawCamera, false}, {"Views", drawViews, false},
     {"Measure", drawMeasure, false}, {"Output", drawOutput, false}, {"About", drawAbout, false},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What ends a process says why.
+// Processes end with a reason on stderr.
 #include "format/base/process.h"
 
 #include <fcntl.h>
@@ -9,6 +9,8 @@
 #include <unistd.h>
 
 #include <barrier>
+#include <csignal>
+#include <new>
 #include <string>
 #include <thread>
 #include <vector>
@@ -24,23 +26,23 @@ using format::MappedFile;
 
 constexpr std::size_t kPage = 4096;
 
-/// Maps a file of two pages, cuts it, reads the second one.
-int readBehindTheEnd(const std::string& path) {
+/// Maps a file of two pages, truncates it and reads the second page.
+int readPastTheEnd(const std::string& path) {
     prepareProcess("test-tool");
     MappedFile mapped;
     if (!mapped.map(path.c_str()) || truncate(path.c_str(), kPage) != 0) return 99;
     return static_cast<int>(mapped.bytes()[kPage]);
 }
 
-TEST(ProcessDeathTest, NamesTheFileThatWasCutShort) {
+TEST(ProcessDeathTest, NamesTheTruncatedFile) {
     const test::TemporaryFolder folder;
     const std::string path = folder.write("cut.pro", std::string(2 * kPage, 'x'));
-    EXPECT_EXIT(exit(readBehindTheEnd(path)), testing::ExitedWithCode(1),
-                "^test-tool: error: .*/cut\\.pro: was cut short while it was read, or its disk fails\n$");
+    EXPECT_EXIT(exit(readPastTheEnd(path)), testing::ExitedWithCode(1),
+                "^test-tool: error: .*/cut\\.pro: was truncated while being read, or its disk failed\n$");
 }
 
-/// The same on several threads at once, as a scan is read.
-int readTogetherBehindTheEnd(const std::string& path) {
+/// The same on several threads at once, as when a scan is read.
+int readPastTheEndOnAllThreads(const std::string& path) {
     prepareProcess("test-tool");
     MappedFile mapped;
     if (!mapped.map(path.c_str()) || truncate(path.c_str(), kPage) != 0) return 99;
@@ -56,17 +58,17 @@ int readTogetherBehindTheEnd(const std::string& path) {
     return 98;
 }
 
-TEST(ProcessDeathTest, NamesItOnceThoughAllThreadsReadIt) {
+TEST(ProcessDeathTest, NamesTheTruncatedFileOnceForAllThreads) {
     const test::TemporaryFolder folder;
     const std::string path = folder.write("cut.pro", std::string(2 * kPage, 'x'));
-    EXPECT_EXIT(exit(readTogetherBehindTheEnd(path)), testing::ExitedWithCode(1),
-                "^test-tool: error: .*/cut\\.pro: was cut short while it was read, or its disk fails\n$");
+    EXPECT_EXIT(exit(readPastTheEndOnAllThreads(path)), testing::ExitedWithCode(1),
+                "^test-tool: error: .*/cut\\.pro: was truncated while being read, or its disk failed\n$");
 }
 
 TEST(ProcessDeathTest, DoesNotBlameFilesForOtherErrors) {
     const test::TemporaryFolder folder;
     const std::string path = folder.write("shared", std::string(2 * kPage, 'x'));
-    const auto write_behind_the_end = [&] {
+    const auto write_past_the_end = [&] {
         prepareProcess("test-tool");
         const int file = open(path.c_str(), O_RDWR);
         void* const shared = mmap(nullptr, 2 * kPage, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
@@ -74,10 +76,10 @@ TEST(ProcessDeathTest, DoesNotBlameFilesForOtherErrors) {
         static_cast<volatile char*>(shared)[kPage] = 1;
         exit(0);
     };
-    EXPECT_EXIT(write_behind_the_end(), testing::KilledBySignal(SIGBUS), "");
+    EXPECT_EXIT(write_past_the_end(), testing::KilledBySignal(SIGBUS), "");
 }
 
-TEST(ProcessDeathTest, GivesClosedStreamsNoFile) {
+TEST(ProcessDeathTest, FilesDoNotGetTheNumbersOfClosedStreams) {
     const auto open_after_close = [] {
         close(STDOUT_FILENO);
         prepareProcess("test-tool");
@@ -87,7 +89,7 @@ TEST(ProcessDeathTest, GivesClosedStreamsNoFile) {
     EXPECT_EXIT(open_after_close(), testing::ExitedWithCode(7), "");
 }
 
-TEST(ProcessDeathTest, FailsWritesPastTheLimit) {
+TEST(ProcessDeathTest, WritesPastTheFileSizeLimitFail) {
     const test::TemporaryFolder folder;
     const std::string path = folder.file("large");
     const auto write_past_the_limit = [&] {
@@ -103,9 +105,34 @@ TEST(ProcessDeathTest, FailsWritesPastTheLimit) {
     EXPECT_EXIT(write_past_the_limit(), testing::ExitedWithCode(7), "");
 }
 
-TEST(MappedFile, CallsLackOfMemoryWhatItIs) {
+TEST(ProcessDeathTest, ReportsBadAllocOfOtherThreads) {
+    const auto throw_in_thread = [] {
+        prepareProcess("test-tool");
+        std::thread([] { throw std::bad_alloc(); }).join();
+    };
+    EXPECT_EXIT(throw_in_thread(), testing::ExitedWithCode(3), "^test-tool: error: out of memory\n$");
+}
+
+TEST(ProcessDeathTest, CrashesStayCrashes) {
+    const auto crash = [] {
+        const rlimit limit{rlim_t{1} << 47, RLIM_INFINITY}; // room for AddressSanitizer
+        setrlimit(RLIMIT_AS, &limit);
+        prepareProcess("test-tool");
+        signal(SIGSEGV, SIG_DFL); // AddressSanitizer has a handler
+        raise(SIGSEGV);
+    };
+    EXPECT_EXIT(crash(), testing::KilledBySignal(SIGSEGV), "^$");
+    const auto throw_in_thread = [] {
+        prepareProcess("test-tool");
+        signal(SIGABRT, SIG_DFL);
+        std::thread([] { throw 1; }).join();
+    };
+    EXPECT_EXIT(throw_in_thread(), testing::KilledBySignal(SIGABRT), "");
+}
+
+TEST(MappedFile, ReportsLackOfMemoryAsSuch) {
     const int file = memfd_create("vast", MFD_CLOEXEC);
-    ASSERT_EQ(ftruncate(file, off_t{1} << 50), 0) << "more than there are addresses";
+    ASSERT_EQ(ftruncate(file, off_t{1} << 50), 0) << "more than the address space";
     const std::string path = "/proc/self/fd/" + std::to_string(file);
     pro_file* opened = nullptr;
     EXPECT_EQ(pro_open(path.c_str(), 0, &opened, nullptr), PRO_OUT_OF_MEMORY);

@@ -60,7 +60,7 @@ TEST(DiscSection, MeetsCubesAsPolygonsDo) {
         PlainDisc wide = disc;
         wide.radius = 2 * disc.radius + 2;
         const double distance = distanceTo(section(wide, kCube), disc);
-        const bool meets = meetsCube(placed(disc), kHalf);
+        const bool meets = overlapsCube(placed(disc), kHalf);
         const bool near = distance<disc.radius*(1 - 1e-3), far = distance> disc.radius * (1 + 1e-3);
         met += near, missed += far;
         ASSERT_TRUE(meets || !near) << round;
@@ -96,8 +96,8 @@ TEST(DiscSection, KnowsTheCornerOfACube) {
     const Vec3 normal = normalize({1, 1, 1}), middle{third, third, third}, along = normalize({1, -1, 0});
     // beside the triangle, beyond one of its corners, from which the rim stays 1% away, or not
     const Vec3 corner{kHalf, kHalf - cut, kHalf}, center = corner + along * 0.3;
-    EXPECT_TRUE(meetsCube(placed(discOf(center, normal, 0.303)), kHalf));
-    EXPECT_FALSE(meetsCube(placed(discOf(center, normal, 0.297)), kHalf));
+    EXPECT_TRUE(overlapsCube(placed(discOf(center, normal, 0.303)), kHalf));
+    EXPECT_FALSE(overlapsCube(placed(discOf(center, normal, 0.297)), kHalf));
     EXPECT_NEAR(reachInCube(placed(discOf(middle, normal, 5)), toVector(along), kHalf), side / 2, 1e-5);
     EXPECT_NEAR(reachInCube(placed(discOf(middle, normal, 0.05)), toVector(along), kHalf), 0.05, 1e-6);
 }
@@ -105,7 +105,7 @@ TEST(DiscSection, KnowsTheCornerOfACube) {
 /// Where rounding might leave out what meets the cube, nothing is.
 TEST(DiscSection, TakesHugeDiscsForPlanes) {
     const PlainDisc huge = discOf({0, 0, 2 * kLargestRadius}, {1, 1, 0.01}, 2 * kLargestRadius - 1);
-    EXPECT_TRUE(meetsCube(placed(huge), kHalf));
+    EXPECT_TRUE(overlapsCube(placed(huge), kHalf));
     EXPECT_EQ(reachInCube(placed(huge), toVector(normalize({1, -1, 0})), kHalf), placed(huge).radius);
 }
 

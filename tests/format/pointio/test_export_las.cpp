@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// pointrt-info --export FILE.las and FILE.laz: every attribute where LAS has it, or as extra bytes.
+// pointrt-info --export FILE.las and FILE.laz: attributes in fields of LAS or in extra bytes.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -25,7 +25,7 @@ struct ExportLas : testing::Test {
     std::string bytes, records;
     LasFile file;
     std::vector<LasField> fields;
-    std::vector<std::uint32_t> order; ///< input index of each splat; none: they stand in input order
+    std::vector<std::uint32_t> order; ///< input index of each splat; empty: input order
 
     static int run(const std::string& arguments) {
         const int status = std::system((std::string(POINTRT_INFO) + " " + arguments).c_str());
@@ -70,7 +70,7 @@ std::string bytesOf(const Array& array) {
     return {reinterpret_cast<const char*>(array.data()), sizeof array};
 }
 
-TEST_F(ExportLas, AttributesComeOutToTheBit) {
+TEST_F(ExportLas, AttributesRoundTripToTheBit) {
     for (const std::string& path : {las, laz}) {
         if (path == laz && !hasLaz()) continue;
         test::Said said;
@@ -86,7 +86,7 @@ TEST_F(ExportLas, AttributesComeOutToTheBit) {
     }
 }
 
-TEST_F(ExportLas, PointsComeInInputOrder) {
+TEST_F(ExportLas, PointsAreInInputOrder) {
     test::Said said;
     order = {3, 0, 7, 1, 2};
     exportWith(said, "{}", las);
@@ -94,7 +94,7 @@ TEST_F(ExportLas, PointsComeInInputOrder) {
     EXPECT_EQ(valuesOf("classification"), bytesOf(wanted));
 }
 
-TEST_F(ExportLas, PositionsAreWithinTheScansSteps) {
+TEST_F(ExportLas, PositionsAreExactToPositionSteps) {
     test::Said said;
     exportWith(said, "{}", las);
     const ProFile scan(pro);
@@ -110,8 +110,8 @@ TEST_F(ExportLas, PositionsAreWithinTheScansSteps) {
         }
 }
 
-/// The scan came from a LAS file: its scale, version, records and extra bytes hold.
-TEST_F(ExportLas, TheSourcesHeaderIsTakenOver) {
+/// For a scan from a LAS file, scale, version, records and extra bytes are kept.
+TEST_F(ExportLas, TheSourceHeaderIsKept) {
     LasParts parts;
     parts.minor = 3;
     parts.format = 5;
@@ -138,8 +138,8 @@ TEST_F(ExportLas, TheSourcesHeaderIsTakenOver) {
     EXPECT_EQ(valuesOf("wide"), bytesOf(wide));
 }
 
-/// Ten bytes that nothing describes are three attributes of a scan, and one of its export.
-TEST_F(ExportLas, BytesWithoutAMeaningAreOneAgain) {
+/// Ten undescribed bytes become three attributes of a scan, which an export joins again.
+TEST_F(ExportLas, UndescribedBytesAreJoinedAgain) {
     LasParts parts;
     parts.points = {test::lasPoint(20, 0, 0, 0, 0) + "0123456789"};
     parts.records = {test::lasRecord("LASF_Spec", 4, test::extraBytes(0, "bare", 10))};
@@ -159,7 +159,7 @@ TEST_F(ExportLas, BytesWithoutAMeaningAreOneAgain) {
     EXPECT_EQ(records.substr(lasRecordBytes(file.header.point_format), 10), "\1\2\3\4\5\6\7\x8\t\n");
 }
 
-TEST_F(ExportLas, WhatDoesNotFitBecomesExtraBytes) {
+TEST_F(ExportLas, AttributesThatDoNotFitBecomeExtraBytes) {
     test::Said said;
     const std::array<float, 5> intensity{0.5f, 1, 2, 3, 4};
     const std::array<std::uint8_t, 5> number{1, 2, 3, 4, 9};
@@ -181,7 +181,7 @@ TEST_F(ExportLas, WhatDoesNotFitBecomesExtraBytes) {
     }());
 }
 
-TEST_F(ExportLas, WholeNumbersOfAnyTypeFit) {
+TEST_F(ExportLas, IntegersOfAnyTypeFitByRange) {
     test::Said said;
     const std::array<float, 5> intensity{0, 1, 2, 3, 65535};
     said.attributes.clear();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Headers, records and attributes of LAS files, against bytes made by hand.
+// Headers, records and attributes of LAS files, checked against handmade bytes.
 #include "format/pointio/las.h"
 
 #include <cmath>
@@ -49,7 +49,7 @@ std::string reasonOf(const std::string& bytes) {
     return "";
 }
 
-TEST(Las, EveryVersionAndFormatHasItsPointsWhereTheHeaderSays) {
+TEST(Las, PointsOfEveryVersionAndFormatAreLocated) {
     for (const std::uint8_t minor : {0, 1, 2, 3, 4})
         for (std::uint8_t format = 0; format <= 10; ++format) {
             LasParts parts;
@@ -98,7 +98,7 @@ TEST(Las, OldFormatsShareBytesBetweenAttributes) {
     EXPECT_EQ(valueOf<std::uint16_t>(fields, "rgb16", point, 2), 65535);
 }
 
-TEST(Las, NewFormatsHaveMoreOfEach) {
+TEST(Las, NewFormatsHaveWiderFields) {
     std::string point = lasPoint(38, 0, 0, 0, 0);
     put(point, 14, std::uint8_t{0b1111'1010});      // number of returns, return
     put(point, 15, std::uint8_t{0b1'0'10'1'0'1'0}); // edge, direction, channel, overlap, withheld, key point, synthetic
@@ -129,7 +129,7 @@ TEST(Las, NewFormatsHaveMoreOfEach) {
     EXPECT_EQ(valueOf<std::uint16_t>(fields, "nir", point), 40000);
 }
 
-/// Times and colours lie elsewhere in each format.
+/// Times and colours are at different offsets in each format.
 TEST(Las, EachFormatHasItsOwnTimeAndColours) {
     struct Place {
         int format, time, rgb, nir;
@@ -156,8 +156,8 @@ TEST(Las, EachFormatHasItsOwnTimeAndColours) {
     }
 }
 
-/// Every attribute put back gives every bit of the record again, wave packets apart.
-TEST(Las, PackingIsUnpackingBackwards) {
+/// Packing all attributes restores every bit of the record except wave packets.
+TEST(Las, PackingInvertsUnpacking) {
     for (std::uint8_t format = 0; format <= 10; ++format) {
         std::string point = lasPoint(kRecordBytes[format], 0, 0, 0, static_cast<std::uint8_t>(77 * format + 1));
         std::string back(point.size(), '\0');
@@ -216,7 +216,7 @@ TEST(Las, ExtraBytesOfEveryType) {
     EXPECT_TRUE(file.notes.empty());
 }
 
-TEST(Las, ScaledExtraBytesAreDoublesAndComeBack) {
+TEST(Las, ScaledExtraBytesAreDoublesAndRoundTrip) {
     std::string extra;
     put(extra, 0, std::int16_t{-321});
     LasParts parts;
@@ -236,7 +236,7 @@ TEST(Las, ScaledExtraBytesAreDoublesAndComeBack) {
     }
 }
 
-TEST(Las, ExtraBytesWithoutAMeaningAreKept) {
+TEST(Las, UndescribedExtraBytesAreKept) {
     LasParts parts;
     std::string bytes;
     LasFile file = withExtraBytes(parts, bytes, extraBytes(0, "bare", 2) + extraBytes(1, "bare"), "abcdefghi");
@@ -247,7 +247,7 @@ TEST(Las, ExtraBytesWithoutAMeaningAreKept) {
     EXPECT_EQ(valueOf<char>(fields, "ExtraBytes_2", parts.points[0], 1), 'i');
 }
 
-TEST(Las, ExtraBytesThatDoNotFitArePartOfTheRest) {
+TEST(Las, DescriptorsThatDoNotFitLeaveUndescribedBytes) {
     LasParts parts;
     std::string bytes;
     LasFile file = withExtraBytes(parts, bytes, extraBytes(10, "long") + extraBytes(1, "next"), "ab");
@@ -256,7 +256,7 @@ TEST(Las, ExtraBytesThatDoNotFitArePartOfTheRest) {
     EXPECT_EQ(fields.back().components, 2u);
 }
 
-TEST(Las, RecordsBehindThePoints) {
+TEST(Las, RecordsAfterThePoints) {
     LasParts parts;
     parts.minor = 4;
     parts.format = 6;
@@ -269,7 +269,7 @@ TEST(Las, RecordsBehindThePoints) {
     EXPECT_TRUE(findVlr(file, "b", 2)->extended);
 }
 
-TEST(Las, CountsOf32BitsHoldWhereThoseOf64AreMissing) {
+TEST(Las, CountsOf32BitsReplaceMissing64BitOnes) {
     LasParts parts;
     parts.minor = 4;
     parts.points = {lasPoint(20, 0, 0, 0, 0)};
@@ -281,7 +281,7 @@ TEST(Las, CountsOf32BitsHoldWhereThoseOf64AreMissing) {
     EXPECT_EQ(openLas(bytes).header.point_count, 1u);
 }
 
-TEST(Las, HeadersThatLieAreRefused) {
+TEST(Las, InconsistentHeadersAreRefused) {
     LasParts parts;
     parts.points = {lasPoint(20, 0, 0, 0, 0)};
     const auto with = [&](std::size_t at, auto number) {
@@ -301,7 +301,7 @@ TEST(Las, HeadersThatLieAreRefused) {
     EXPECT_EQ(with(94, std::uint16_t{226}), "has a header of 226 bytes; LAS has 227");
 }
 
-TEST(Las, RecordsThatAreCutShortAreTold) {
+TEST(Las, TruncatedRecordsGiveANote) {
     LasParts parts;
     parts.points = {lasPoint(20, 0, 0, 0, 0)};
     std::string bytes = parts.bytes();
@@ -309,7 +309,7 @@ TEST(Las, RecordsThatAreCutShortAreTold) {
     EXPECT_EQ(openLas(bytes).notes.size(), 1u);
 }
 
-TEST(Las, TheSourceHeaderComesBack) {
+TEST(Las, TheSourceHeaderRoundTrips) {
     LasParts parts;
     parts.minor = 4;
     parts.format = 6;
@@ -328,7 +328,8 @@ TEST(Las, TheSourceHeaderComesBack) {
     EXPECT_EQ(source->records[1].vlr.user_id, "me");
     EXPECT_EQ(source->records[1].data, std::string("\0\xff", 2));
     EXPECT_TRUE(source->records[2].vlr.extended);
-    EXPECT_EQ(parseLasSource(lasSourceHeader(file, true))->records.size(), 2u); // it has been moved
+    EXPECT_EQ(parseLasSource(lasSourceHeader(file, true))->records.size(),
+              2u); // moved points drop the coordinate system
     for (const char* text : {"", "{}", "[]", "{\"format\":\"las\",\"header\":\"TEFT\",\"vlrs\":[]}"})
         EXPECT_FALSE(parseLasSource(text)) << text;
 }

@@ -81,8 +81,8 @@ TEST(LasCrs, Wkt) {
     EXPECT_EQ(crsOfWkt(R"(GEOCCS["w",UNIT["metre",1]])").kind, Kind::kGeocentric);
 }
 
-/// Text that is no WKT, brackets that do not match, systems in systems without end.
-TEST(LasCrs, WktOfAnyKind) {
+/// Other text, unbalanced brackets, and very deep nesting.
+TEST(LasCrs, MalformedWkt) {
     for (const std::string text : {"", "]", "[[[", "PROJCS", "PROJCS[", "PROJCS[UNIT[", "PROJCS[UNIT[]]",
                                    "PROJCS[UNIT[,]]", "PROJCS[UNIT[\",\"]]", "PROJCS[UNIT[\"x\",-1]]", "\"PROJCS[]"})
         EXPECT_EQ(crsOfWkt(text).metres_per_unit, 0) << text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Packed points: every format there and back, chunks in all of their kinds, broken ones.
+// Compressed points: round trips of every format, all kinds of chunks, and malformed data.
 #include "format/pointio/laz.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 using test::put;
 using test::writeLas;
 
-/// Points that wander, with bytes that change now and then, as those of scans do.
+/// A random walk with occasionally changing bytes, like points of scans.
 std::vector<std::string> wanderingPoints(std::size_t bytes, std::size_t count) {
     std::mt19937 random(7);
     std::vector<std::string> points;
@@ -40,7 +40,7 @@ std::string joined(const std::vector<std::string>& points) {
     return all;
 }
 
-/// All records of a packed file.
+/// All records of a compressed file.
 std::string unpacked(const std::string& bytes) {
     const LasFile file = openLas(bytes);
     const LazLayout layout = lazLayout(file);
@@ -64,7 +64,7 @@ struct LazTest : testing::Test {
     }
 };
 
-TEST_F(LazTest, EveryFormatComesBack) {
+TEST_F(LazTest, EveryFormatRoundTrips) {
     for (std::uint8_t format = 0; format <= 10; ++format)
         for (const std::size_t extra : {0, 1, 7}) {
             const auto points = wanderingPoints(lasRecordBytes(format) + extra, 3000);
@@ -81,7 +81,7 @@ TEST_F(LazTest, PointsOfManyChunksAreInOrder) {
     EXPECT_EQ(unpacked(bytes), joined(points));
 }
 
-/// A file whose chunks vary in size, as COPC's: packed one by one, their table by hand.
+/// A file with chunks of variable size, as in COPC: compressed one by one, with a handmade table.
 std::string variableChunks(std::uint8_t format, const std::vector<std::vector<std::string>>& chunks) {
     std::vector<std::string> all;
     for (const auto& chunk : chunks) all.insert(all.end(), chunk.begin(), chunk.end());
@@ -115,7 +115,7 @@ TEST_F(LazTest, ChunksOfAnySize) {
     }
 }
 
-/// A writer that could not go back has put the place of the table at the end; one that was stopped, nowhere.
+/// Writers to a pipe put the offset of the chunk table at the end; interrupted writers leave none.
 TEST_F(LazTest, TablesElsewhereOrNowhere) {
     for (const std::uint8_t format : {1, 6}) {
         const auto points = wanderingPoints(lasRecordBytes(format), 50001);
@@ -144,13 +144,13 @@ std::string reasonOf(const std::string& bytes) {
     return "";
 }
 
-TEST_F(LazTest, PromisesOfBillionsAreRefusedAtOnce) {
+TEST_F(LazTest, BillionsOfPointsInAFewBytesAreRefused) {
     std::string bytes = writeLas(0, wanderingPoints(20, 100), true);
     put(bytes, 107, ~std::uint32_t{0});
     EXPECT_NE(reasonOf(bytes).find("promises 4294967295 points, more than its"), std::string::npos) << reasonOf(bytes);
 }
 
-TEST_F(LazTest, WhatIsPackedInAnotherWayIsTold) {
+TEST_F(LazTest, UnknownCompressorsAreNamed) {
     const std::string good = writeLas(0, wanderingPoints(20, 100), true);
     std::string bytes = good;
     bytes[bytes.find("laszip encoded")] = 'L';

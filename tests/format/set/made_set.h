@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A set with tiles that are there, for tests: a wavy sheet in 2 x 2 tiles of level 0 under a root of merged splats.
+// A set with tile files for tests: a wavy sheet in 2 x 2 tiles of level 0, under a root of merged splats.
 #pragma once
 
 #include <array>
@@ -13,15 +13,16 @@
 
 namespace pointrt::test {
 
-constexpr std::int64_t kCoreSteps = 1 << (PRO_POSITION_BITS - 1); ///< position steps of a tile to an edge of its core
+constexpr std::int64_t kCoreSteps =
+    1 << (PRO_POSITION_BITS - 1); ///< position steps of a tile along an edge of its core
 
-/// Its place counts a level's position steps from the lattice's origin.
+/// A splat located by position steps of its level from the origin of the lattice.
 struct LatticeSplat {
     std::array<std::int64_t, 3> code{};
     pro_splat splat{}; ///< all but the position; radius in cube units of its level
 };
 
-/// In the tile's cube; outside of [0, 1) where the cube does not hold it.
+/// Position in the cube of the tile; outside [0, 1) if the cube does not contain it.
 inline pro_splat splatInTile(const LatticeSplat& from, const TileCell& cell) {
     pro_splat splat = from.splat;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -37,7 +38,7 @@ inline bool isInCore(const LatticeSplat& splat, const TileCell& cell) {
     return true;
 }
 
-/// Whether the box around a disc of twice the radius meets the core, and the cube holds its centre.
+/// Whether the cube contains the centre, and the box around a disc of twice the radius intersects the core.
 inline bool reachesCore(const LatticeSplat& splat, const TileCell& cell) {
     const pro_splat at = splatInTile(splat, cell);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -47,11 +48,11 @@ inline bool reachesCore(const LatticeSplat& splat, const TileCell& cell) {
     return true;
 }
 
-/// Three quarters of the spacing of a sheet in 2 x 2 cores, or of one of half as many splats in one: a core's edge is
-/// half a cube's.
+/// Three quarters of the spacing of a sheet in 2 x 2 cores, or of half as many splats in one core, whose edge is half
+/// the edge of the cube.
 inline float sheetRadius(int side) { return 0.75f / static_cast<float>(side); }
 
-/// side x side splats of a level whose cores the sheet crosses cells x cells of.
+/// side x side splats of a level on which the sheet covers cells x cells cores.
 inline std::vector<LatticeSplat> sheet(int side, int cells, float radius) {
     std::vector<LatticeSplat> splats;
     const std::int64_t step = kCoreSteps * cells / side;
@@ -68,7 +69,7 @@ inline std::vector<LatticeSplat> sheet(int side, int cells, float radius) {
     return splats;
 }
 
-/// Writes the file of a tile: splats in its core and those that reach there.
+/// Writes the file of a tile: splats in its core and those that reach into it.
 inline void writeTile(const TileSet& set, SetTile& tile, const std::vector<LatticeSplat>& all,
                       const std::string& folder) {
     std::vector<pro_splat> stored;
@@ -94,7 +95,7 @@ inline void writeTile(const TileSet& set, SetTile& tile, const std::vector<Latti
     describeTile(folder, tile);
 }
 
-/// @param folder there, empty
+/// @param folder existing and empty
 /// @param side of the sheet in splats, a power of 2 from 4
 inline TileSet makeSet(const std::string& folder, int side = 16) {
     TileSet set;
@@ -114,7 +115,7 @@ inline TileSet makeSet(const std::string& folder, int side = 16) {
     set.tiles.push_back({.level = 1, .file = tileFileName(1, {}), .error = 0.25, .spacing = 16.0 / side});
     writeTile(set, set.tiles.back(), coarse, folder);
     set.bounds_min = {1000, 2000, 301.5};
-    set.bounds_max = {1008, 2008, 304.9}; // that of the merged sheet, which lies higher
+    set.bounds_max = {1008, 2008, 304.9}; // of the merged sheet, which is higher
     arrangeTiles(set);
     writeTileSet(set, folder);
     return set;

@@ -23,7 +23,7 @@ struct CoreSplats : testing::Test {
     }
 };
 
-TEST_F(CoreSplats, AreThoseOfTheFileButForWhatIsRepeated) {
+TEST_F(CoreSplats, AreThoseOfTheFileWithoutCopies) {
     for (const SetTile& tile : set.tiles) {
         const ProFile file = openTile(set, tile, folder.path, 0);
         const std::vector<pro_splat> splats = every(tile, 0, 1);
@@ -40,7 +40,7 @@ TEST_F(CoreSplats, AreThoseOfTheFileButForWhatIsRepeated) {
     }
 }
 
-TEST_F(CoreSplats, StepsPartThem) {
+TEST_F(CoreSplats, StepsPartitionThem) {
     const SetTile& tile = set.tiles.back();
     std::size_t all = 0;
     for (std::uint64_t first = 0; first < 7; ++first) all += every(tile, first, 7).size();
@@ -67,8 +67,8 @@ TEST_F(CoreSplats, OfAnotherFileAreRefused) {
     EXPECT_EQ(code(), ExitCode::kBadInput);
 }
 
-/// Its header_xxh3 is the one that set.json names, but nothing has compared the header with that.
-TEST_F(CoreSplats, AreNotLookedForBeyondTheFile) {
+/// header_xxh3 matches set.json, but the header does not match its checksum.
+TEST_F(CoreSplats, AreNotReadBeyondTheFile) {
     const SetTile& tile = set.tiles.back();
     const std::string path = tilePath(folder.path, tile);
     test::Bytes bytes = test::readBytes(path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// set.json as anybody may have made it: each rule has a set that breaks it, and no bytes crash, hang or fill memory.
+// Hostile set.json files: each rule has a set that breaks it, and no bytes crash, hang or exhaust memory.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -29,7 +29,7 @@ std::string goldenText() {
 struct HostileSet : testing::Test {
     test::TemporaryFolder folder;
 
-    /// "" for a set that is read, else the reason without the file's name.
+    /// "" if the set can be read, else the error without the file's name.
     std::string faultOf(const std::string& text) {
         const std::string path = "a.proset/set.json";
         try {
@@ -51,7 +51,7 @@ struct HostileSet : testing::Test {
     }
 };
 
-TEST_F(HostileSet, EveryMemberIsAskedForByName) {
+TEST_F(HostileSet, EveryMemberIsRequired) {
     const Json golden = Json::parse(goldenText());
     for (const auto& [key, value] : golden.items()) {
         EXPECT_EQ(faultOfChange([&](Json& json) { json.erase(key); }), key + " is missing");
@@ -67,7 +67,7 @@ TEST_F(HostileSet, EveryMemberIsAskedForByName) {
         }
 }
 
-TEST_F(HostileSet, UnknownMembersArePassedOver) {
+TEST_F(HostileSet, UnknownMembersAreIgnored) {
     EXPECT_EQ(faultOfChange([](Json& json) {
                   json["later"] = {{"a", {1, 2, {{"b", 3}}}}};
                   json["tiles"][2]["later"] = {1, 2, 3};
@@ -88,13 +88,13 @@ TEST_F(HostileSet, OtherVersionsAndFormatsAreRefused) {
                 }).starts_with("version 3, "));
 }
 
-/// What is wrong with the set, and what is said of it.
+/// A defect of a set, and its error.
 struct Fault {
     const char* said;
     std::function<void(TileSet&)> make;
 };
 
-/// Rules of check() in its order; sets are made wrong after their sums are right.
+/// Rules of check() in order. Sets are changed after their sums are computed.
 const std::vector<Fault> kFaults = {
     {"lattice: origin is not finite or beyond 1e30", [](TileSet& set) { set.lattice_origin[1] = 2e30; }},
     {"lattice: edge is not from 1e-30 to 1e30", [](TileSet& set) { set.edge = 0; }},
@@ -191,14 +191,14 @@ TEST_F(HostileSet, EveryRuleHasASetThatBreaksIt) {
     }
 }
 
-TEST_F(HostileSet, WhatIsReadIsCheckedAsWell) {
+TEST_F(HostileSet, SetsAreCheckedAfterReading) {
     EXPECT_EQ(faultOfChange([](Json& json) { json["tiles"][4]["error"] = 0.25; }),
               "tiles[4] 1-1-1-0: has an error as merged splats have, but no children");
     EXPECT_EQ(faultOfChange([](Json& json) { json["attributes"][0]["type"] = "uint17"; }),
               "attributes[0]: has an unknown type");
 }
 
-TEST_F(HostileSet, NumbersThatAreNoneAreRefused) {
+TEST_F(HostileSet, ValuesOfOtherTypesAreRefused) {
     const auto refused = [](const char* what, const std::function<void(TileSet&, double)>& put) {
         for (const double value : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
             TileSet set = test::smallSet();
@@ -223,7 +223,7 @@ TEST_F(HostileSet, NumbersThatAreNoneAreRefused) {
     refused("spacing", [](TileSet& set, double value) { set.tiles[1].spacing = value; });
 }
 
-TEST_F(HostileSet, WholeNumbersThatDoNotFitAreRefused) {
+TEST_F(HostileSet, IntegersOutOfRangeAreRefused) {
     const std::string cell = "tiles[1]: cell is not a whole number from -2147483648 to 2147483647";
     for (const char* value : {"2147483648", "-2147483649", "1.0", "1e400", "18446744073709551616", "null", "\"1\""}) {
         const std::string said = faultOfChange([&](Json& json) { json["tiles"][1]["cell"][2] = "PLACE"; });
@@ -237,7 +237,7 @@ TEST_F(HostileSet, WholeNumbersThatDoNotFitAreRefused) {
               "tiles[1]: splats is not a whole number from 0 to 18446744073709551615");
 }
 
-TEST_F(HostileSet, FilesLeadNowhereElse) {
+TEST_F(HostileSet, FilesStayInTheFolder) {
     for (const char* file :
          {"tiles/../x.pro", "../x.pro", "/etc/x.pro", "tiles//x.pro", "tiles/a/x.pro", "tiles/.pro", "tiles/.x.pro",
           "tiles/x.las", "x.pro", "", "tiles/x.pro/", "tiles/x y.pro", "tiles/x\ny.pro", "tiles/\xc3\xa4.pro"}) {
@@ -250,10 +250,10 @@ TEST_F(HostileSet, FilesLeadNowhereElse) {
     EXPECT_NE(faultOfChange([&](Json& json) { json["tiles"][2]["file"] = "tiles/a" + longest.substr(6); }), "");
 }
 
-TEST_F(HostileSet, CutAnywhereItIsRefused) {
+TEST_F(HostileSet, TruncatedFilesAreRefused) {
     const std::string whole = goldenText();
     ASSERT_EQ(faultOf(whole), "");
-    for (std::size_t bytes = 0; bytes + 2 < whole.size(); ++bytes) // without the last line's end it is whole
+    for (std::size_t bytes = 0; bytes + 2 < whole.size(); ++bytes) // the last line end is optional
         ASSERT_NE(faultOf(whole.substr(0, bytes)), "") << bytes;
     EXPECT_EQ(faultOf(""), "line 1 is not JSON");
     EXPECT_EQ(faultOf(whole.substr(0, whole.size() / 2)),
@@ -262,7 +262,7 @@ TEST_F(HostileSet, CutAnywhereItIsRefused) {
     EXPECT_NE(faultOf(whole + "x"), "");
 }
 
-TEST_F(HostileSet, NoChangedByteDoesHarm) {
+TEST_F(HostileSet, ChangedBytesDoNotCrash) {
     const std::string whole = goldenText();
     std::size_t refused = 0;
     for (std::size_t i = 0; i < whole.size(); ++i)
@@ -275,7 +275,7 @@ TEST_F(HostileSet, NoChangedByteDoesHarm) {
 }
 
 struct HostileSize : HostileSet {
-    /// Refused, within two seconds and a gigabyte.
+    /// Expects an error within a time limit and a gigabyte.
     void expectRefused(const char* what, const std::string& text) {
         const auto begin = std::chrono::steady_clock::now();
         EXPECT_NE(faultOf(text), "") << what;
@@ -292,7 +292,7 @@ struct HostileSize : HostileSet {
         return all;
     }
 
-    static constexpr int kSecondsMax = 60; ///< of a loaded machine with sanitizers; alone each takes under one
+    static constexpr int kSecondsMax = 60; ///< on a loaded machine with sanitizers; normally below one
 };
 
 TEST_F(HostileSize, IsBounded) {
@@ -326,7 +326,7 @@ TEST_F(HostileSize, AGigabyteIsNotRead) {
     }
 }
 
-TEST_F(HostileSet, MissingFoldersAndFilesAreSaid) {
+TEST_F(HostileSet, MissingFoldersAndFilesAreNamed) {
     const auto said = [&](const std::string& path) -> std::string {
         try {
             readTileSet(path);

@@ -20,7 +20,7 @@ struct OpenTile : testing::Test {
     SetTile& tile = set.tiles.back();
     std::string path = folder.file("tiles/0-1-1-0.pro");
 
-    /// What both ways of looking at the tile say of it, which is the same.
+    /// The error of requireTile and openTile, which must agree.
     std::string fault() {
         const auto said = [](const auto& body) -> std::string {
             try {
@@ -46,12 +46,12 @@ TEST_F(OpenTile, OpensEveryTileOfASet) {
     EXPECT_EQ(tile.splats, 64u);
 }
 
-TEST_F(OpenTile, RefusesAnotherTilesFile) {
+TEST_F(OpenTile, RefusesTheFileOfAnotherTile) {
     fs::copy_file(folder.file("tiles/0-0-0-0.pro"), path, fs::copy_options::overwrite_existing);
     EXPECT_NE(fault().find(path + ": is not the tile that set.json names (checksum "), std::string::npos) << fault();
 }
 
-TEST_F(OpenTile, RefusesFilesCutShortOrGrown) {
+TEST_F(OpenTile, RefusesTruncatedAndExtendedFiles) {
     const std::string whole = std::to_string(tile.bytes);
     fs::resize_file(path, tile.bytes - 1);
     EXPECT_EQ(fault(), path + ": is not the tile that set.json names (" + std::to_string(tile.bytes - 1) +
@@ -62,7 +62,7 @@ TEST_F(OpenTile, RefusesFilesCutShortOrGrown) {
     EXPECT_EQ(fault(), path + ": has 0 bytes, fewer than the header of a .pro file");
 }
 
-TEST_F(OpenTile, RefusesWhatIsNoFile) {
+TEST_F(OpenTile, RefusesMissingFilesAndOtherTypes) {
     fs::remove(path);
     EXPECT_EQ(fault(), path + ": No such file or directory");
     mkfifo(path.c_str(), 0600);
@@ -72,7 +72,7 @@ TEST_F(OpenTile, RefusesWhatIsNoFile) {
     EXPECT_EQ(fault(), path + ": is not a .pro file");
 }
 
-TEST_F(OpenTile, RefusesATileThatStandsElsewhere) {
+TEST_F(OpenTile, RefusesATileWithAnotherCube) {
     const std::string is_not = path + ": is not the tile that set.json names (";
     --tile.stored;
     EXPECT_EQ(fault(), is_not + std::to_string(tile.stored + 1) + " splats, not " + std::to_string(tile.stored) + ")");
@@ -89,11 +89,11 @@ TEST_F(OpenTile, RefusesATileThatStandsElsewhere) {
     EXPECT_EQ(fault(), is_not + "its cube is not two cores wide)");
 }
 
-TEST_F(OpenTile, RefusesWhatIsDamagedInside) {
+TEST_F(OpenTile, RefusesDamagedSections) {
     test::Bytes bytes = test::readBytes(path);
     test::storeAt(bytes, bytes.size() - 4096, std::uint32_t{0x12345678}); // in the last section
     test::writeBytes(path, bytes);
-    requireTile(set, tile, folder.path); // which reads the header only
+    requireTile(set, tile, folder.path); // reads only the header
     EXPECT_THROW(openTile(set, tile, folder.path, 0), Error);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// pointrt-info of sets, end to end.
+// pointrt-info on tile sets, end to end.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -75,7 +75,7 @@ TEST_F(SetInfo, Json) {
     EXPECT_EQ(json["stored_splats"], stored);
 }
 
-TEST_F(SetInfo, VerifyLooksAtEveryTile) {
+TEST_F(SetInfo, VerifyChecksEveryTile) {
     EXPECT_EQ(run("--verify").out, name + ": 5 tiles, no findings\n");
     EXPECT_EQ(run("--verify -q").out, "");
     std::filesystem::remove(tilePath(name, set.tiles[2]));

@@ -17,7 +17,7 @@ std::string fileText(const std::string& path) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-TEST(TileSet, IsReadAsItWasWrittenAndWrittenToTheSameBytes) {
+TEST(TileSet, RoundTripsToTheSameBytes) {
     const test::TemporaryFolder folder;
     writeTileSet(test::smallSet(), folder.path);
     const std::string bytes = fileText(folder.file("set.json"));
@@ -51,7 +51,7 @@ TEST(TileSet, MayHaveThousandsOfTiles) {
     for (const auto& children : childrenOf(read)) EXPECT_TRUE(children.empty() || children.size() == 8);
 }
 
-TEST(TileSet, ChildrenStandTogetherInTheirParentsOrder) {
+TEST(TileSet, ChildrenAreAdjacentInTheOrderOfParents) {
     const TileSet set = test::smallSet();
     const auto children = childrenOf(set);
     EXPECT_EQ(children[0], (std::vector<std::uint32_t>{1, 2, 3, 4}));
@@ -62,7 +62,7 @@ TEST(TileSet, ChildrenStandTogetherInTheirParentsOrder) {
     EXPECT_FALSE(findTile(set, 3, {0, 0, 0}).has_value());
 }
 
-/// Interleaves the bits as they are, as SPEC.md has it.
+/// Interleaves the bits, as in SPEC.md.
 bool comesFirst(const TileCell& a, const TileCell& b) {
     for (int bit = 31; bit >= 0; --bit)
         for (const std::size_t axis : {2, 1, 0}) {
@@ -97,7 +97,7 @@ TEST(TileSet, CoresOfNeighboursMeetAndCubesAreTwiceAsLarge) {
     EXPECT_EQ(parentOf({-1, 5, -4}), (TileCell{-1, 2, -2}));
 }
 
-TEST(TileSet, IsKnownByItsNameOrByItsFile) {
+TEST(TileSet, IsRecognizedByNameOrFile) {
     const test::TemporaryFolder folder;
     EXPECT_TRUE(isTileSet("a/b.proset"));
     EXPECT_TRUE(isTileSet("a/b.proset/"));

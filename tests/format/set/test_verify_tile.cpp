@@ -15,7 +15,7 @@ struct VerifyTile : testing::Test {
     SetTile& tile = set.tiles.back(); ///< 0-1-1-0
     std::vector<test::LatticeSplat> fine = test::sheet(16, 2, test::sheetRadius(16));
 
-    /// As lines, of all tiles.
+    /// The findings of all tiles as lines.
     std::string findings() {
         std::string lines;
         for (std::size_t i = 0; i < set.tiles.size(); ++i)
@@ -25,12 +25,12 @@ struct VerifyTile : testing::Test {
     }
 };
 
-TEST_F(VerifyTile, FindsNothingInAGoodSet) {
+TEST_F(VerifyTile, FindsNothingInAValidSet) {
     EXPECT_EQ(findings(), "");
     EXPECT_GT(tile.stored, tile.splats + 16) << "a row and a column of neighbours' splats";
 }
 
-TEST_F(VerifyTile, FindsRepeatsThatAreNotTheNeighboursSplats) {
+TEST_F(VerifyTile, FindsCopiesThatDifferFromTheNeighboursSplats) {
     for (test::LatticeSplat& each : fine)
         if (each.code[0] < test::kCoreSteps && each.code[1] > test::kCoreSteps) each.splat.color[1] ^= 1;
     test::writeTile(set, tile, fine, folder.path);
@@ -39,7 +39,7 @@ TEST_F(VerifyTile, FindsRepeatsThatAreNotTheNeighboursSplats) {
               "tiles/0-1-1-0.pro 0 lacks 8 splats of tiles/0-0-1-0.pro that cross its core\n");
 }
 
-TEST_F(VerifyTile, FindsRepeatsThatStandBeside) {
+TEST_F(VerifyTile, FindsDisplacedCopies) {
     for (test::LatticeSplat& each : fine)
         if (each.code[0] < test::kCoreSteps && each.code[1] > test::kCoreSteps) ++each.code[2];
     test::writeTile(set, tile, fine, folder.path);
@@ -48,22 +48,22 @@ TEST_F(VerifyTile, FindsRepeatsThatStandBeside) {
               "tiles/0-1-1-0.pro 0 lacks 8 splats of tiles/0-0-1-0.pro that cross its core\n");
 }
 
-TEST_F(VerifyTile, FindsMissingRepeats) {
+TEST_F(VerifyTile, FindsMissingCopies) {
     std::erase_if(fine, [&](const auto& each) { return !test::isInCore(each, {1, 1, 0}); });
     test::writeTile(set, tile, fine, folder.path);
     EXPECT_EQ(findings(), "tiles/0-1-1-0.pro 0 lacks 8 splats of tiles/0-1-0-0.pro that cross its core\n"
                           "tiles/0-1-1-0.pro 0 lacks 8 splats of tiles/0-0-1-0.pro that cross its core\n");
 }
 
-TEST_F(VerifyTile, FindsSplatsWhereNoTileIs) {
+TEST_F(VerifyTile, FindsSplatsInCellsWithoutATile) {
     fine.push_back(fine.back());
     fine.back().code[2] = test::kCoreSteps + 10;
     test::writeTile(set, tile, fine, folder.path);
     EXPECT_EQ(findings(), "tiles/0-1-1-0.pro 0 1 of its splats are in cells without a tile\n");
 }
 
-/// Where original splats of a coarser level stand, repeats of them are coded anew.
-TEST_F(VerifyTile, TakesSplatsFromWhereACoarserTileStands) {
+/// Copies from an original tile of a coarser level are re-encoded.
+TEST_F(VerifyTile, AcceptsSplatsFromACoarserOriginalTile) {
     set.levels.push_back(set.levels[1]);
     set.tiles.push_back({.level = 2, .file = tileFileName(2, {}), .error = 0.5});
     set.tiles.push_back({.level = 1, .cell = {1, 0, 0}, .file = tileFileName(1, {1, 0, 0})});
@@ -79,12 +79,12 @@ TEST_F(VerifyTile, TakesSplatsFromWhereACoarserTileStands) {
     fine.back().code[0] = 2 * test::kCoreSteps + 10;
     test::writeTile(set, set.tiles[6], fine, folder.path);
     EXPECT_EQ(findings(), "");
-    set.tiles[2].error = 0.25; // not original any more, by what set.json says
+    set.tiles[2].error = 0.25; // no longer original, according to set.json
     EXPECT_EQ(findings(), "tiles/0-1-1-0.pro 0 1 of its splats are in cells without a tile\n");
 }
 
-/// An original tile shows original splats of its neighbours, so nothing of a merged one beside it.
-TEST_F(VerifyTile, AsksForNoMergedSplatsInOriginalTiles) {
+/// An original tile has copies of original splats only, so none of a merged neighbour.
+TEST_F(VerifyTile, NeedsNoMergedSplatsInOriginalTiles) {
     set.levels.push_back(set.levels[1]);
     set.bounds_max = {1016, 2016, 316};
     set.tiles.push_back({.level = 2, .file = tileFileName(2, {}), .error = 0.5});
@@ -100,7 +100,7 @@ TEST_F(VerifyTile, AsksForNoMergedSplatsInOriginalTiles) {
     EXPECT_EQ(findings(), "");
 }
 
-TEST_F(VerifyTile, CountsWhatTheCoreHolds) {
+TEST_F(VerifyTile, CountsTheSplatsInTheCore) {
     ++tile.splats;
     EXPECT_EQ(findings(), "tiles/0-1-1-0.pro 0 its core holds 64 splats, not 65\n");
 }
@@ -111,7 +111,7 @@ TEST_F(VerifyTile, FindsSplatsBeyondTheBounds) {
                           "tiles/0-1-1-0.pro 0 its splats exceed the bounds in set.json\n");
 }
 
-TEST_F(VerifyTile, TellsWhatIsDamagedWithItsNumber) {
+TEST_F(VerifyTile, NumbersFindingsOfDamagedFiles) {
     const std::string path = tilePath(folder.path, tile);
     test::Bytes bytes = test::readBytes(path);
     bytes[test::loadAt<std::uint64_t>(bytes, test::recordOf(bytes, PRO_KIND_SPLT) + PRO_SEC_OFF_OFFSET)] ^=

@@ -7,7 +7,7 @@ for tool in x86_64-w64-mingw32-g++-posix wine; do
     command -v $tool >/dev/null || { echo "SKIPPED: no $tool here"; exit 77; }
 done
 repository=$1
-golden=$repository/tests/format/golden/tiny_v1_0.pro
+golden=$repository/tests/format/golden/tiny_compact.pro # what pro_write writes of it again
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/xxhash" # alone: the other headers beside it are this system's

@@ -12,7 +12,7 @@ namespace {
 
 using GridTest = InputTest;
 using Cells = std::vector<std::uint32_t>;
-constexpr std::uint32_t kNone = RangeGrid::kNoPoint, kOut = RangeGrid::kLeftOut;
+constexpr std::uint32_t kNone = RangeGrid::kNoPoint, kOut = RangeGrid::kFilteredOut;
 
 std::string ply(const std::string& vertices, int count, const std::string& cells, int rows, int columns) {
     return fmt::format(

@@ -40,10 +40,10 @@ TEST(DiscBox, AgreesWithDenseSampling) {
         const float distance = sampledDistance(disc, box);
         const float step = disc.radius * 0.04f; // spacing of the samples
         if (distance == 0.0f) {
-            EXPECT_TRUE(discMeetsBox(disc, box)) << i;
+            EXPECT_TRUE(discOverlapsBox(disc, box)) << i;
             ++met;
         } else if (distance > step) {
-            EXPECT_FALSE(discMeetsBox(disc, box)) << i;
+            EXPECT_FALSE(discOverlapsBox(disc, box)) << i;
             ++missed;
         }
     }
@@ -54,15 +54,15 @@ TEST(DiscBox, AgreesWithDenseSampling) {
 TEST(DiscBox, KnownCases) {
     const Box box{Vec3f(0, 0, 0), Vec3f(1, 1, 1)};
     const Vec3f z = Vec3f::UnitZ(), diagonal = Vec3f(1, 1, 1).normalized();
-    EXPECT_TRUE(discMeetsBox({Vec3f(0.5f, 0.5f, 0.5f), z, 0.01f}, box));  // inside
-    EXPECT_TRUE(discMeetsBox({Vec3f(1.5f, 0.5f, 0.5f), z, 0.51f}, box));  // rim reaches the face
-    EXPECT_FALSE(discMeetsBox({Vec3f(1.5f, 0.5f, 0.5f), z, 0.49f}, box)); // and here not
-    EXPECT_FALSE(discMeetsBox({Vec3f(0.5f, 0.5f, 1.1f), z, 0.5f}, box));  // floats above
-    EXPECT_FALSE(discMeetsBox({Vec3f(1.3f, 1.3f, 0.5f), z, 0.42f}, box)); // its box meets, it does not: edge at 0.424
-    EXPECT_TRUE(discMeetsBox({Vec3f(1.3f, 1.3f, 0.5f), z, 0.43f}, box));
-    EXPECT_FALSE(discMeetsBox({Vec3f(1.2f, 1.2f, 1.2f), diagonal, 0.9f}, box)); // its plane passes the corner by
+    EXPECT_TRUE(discOverlapsBox({Vec3f(0.5f, 0.5f, 0.5f), z, 0.01f}, box));  // inside
+    EXPECT_TRUE(discOverlapsBox({Vec3f(1.5f, 0.5f, 0.5f), z, 0.51f}, box));  // rim reaches the face
+    EXPECT_FALSE(discOverlapsBox({Vec3f(1.5f, 0.5f, 0.5f), z, 0.49f}, box)); // and here not
+    EXPECT_FALSE(discOverlapsBox({Vec3f(0.5f, 0.5f, 1.1f), z, 0.5f}, box));  // floats above
+    EXPECT_FALSE(discOverlapsBox({Vec3f(1.3f, 1.3f, 0.5f), z, 0.42f}, box)); // its box meets, it does not: edge at 0.424
+    EXPECT_TRUE(discOverlapsBox({Vec3f(1.3f, 1.3f, 0.5f), z, 0.43f}, box));
+    EXPECT_FALSE(discOverlapsBox({Vec3f(1.2f, 1.2f, 1.2f), diagonal, 0.9f}, box)); // its plane passes the corner by
     EXPECT_TRUE(
-        discMeetsBox({Vec3f(0.99f, 0.99f, 0.99f) + 0.4f * Vec3f(1, -1, 0), diagonal, 0.6f}, box)); // cuts the corner
+        discOverlapsBox({Vec3f(0.99f, 0.99f, 0.99f) + 0.4f * Vec3f(1, -1, 0), diagonal, 0.6f}, box)); // cuts the corner
 }
 
 } // namespace

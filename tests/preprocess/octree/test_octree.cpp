@@ -86,10 +86,10 @@ TEST_P(OctreeInvariants, HoldByBruteForce) {
             const bool in_list = listed.contains(s);
             // within rounding of touching either answer is right
             if (leaf.word == PRO_NODE_EMPTY) {
-                EXPECT_FALSE(discMeetsBox(discs[s], grown(box, -1e-6f))) << "a disc crosses an empty leaf";
-            } else if (discMeetsBox(discs[s], growBySlab(grown(box, -1e-6f), discs[s], kBlendSlab))) {
+                EXPECT_FALSE(discOverlapsBox(discs[s], grown(box, -1e-6f))) << "a disc crosses an empty leaf";
+            } else if (discOverlapsBox(discs[s], growBySlab(grown(box, -1e-6f), discs[s], kBlendSlab))) {
                 EXPECT_TRUE(in_list);
-            } else if (!discMeetsBox(discs[s], growBySlab(grown(box, 1e-6f), discs[s], kBlendSlab))) {
+            } else if (!discOverlapsBox(discs[s], growBySlab(grown(box, 1e-6f), discs[s], kBlendSlab))) {
                 EXPECT_FALSE(in_list);
             }
         }
@@ -153,9 +153,9 @@ float codedRadius(float radius, float least, float most) {
     const RadiusCoding coding = radiusCoding(least, most);
     const pro_splat splat{{0.5f, 0.5f, 0.5f}, {0, 0, 1}, radius, {0, 0, 0}, 0};
     std::array<std::uint32_t, PRO_SPLAT_WORDS> words;
-    pro_splat_encode(&splat, coding.most, coding.step, words.data());
+    pro_splat_encode(&splat, coding.max, coding.step, words.data());
     pro_splat decoded;
-    pro_splat_decode(words.data(), coding.most, coding.step, &decoded);
+    pro_splat_decode(words.data(), coding.max, coding.step, &decoded);
     return decoded.radius;
 }
 

@@ -50,7 +50,7 @@ TEST(Prune, KeepsMembersAndWhatCrosses) {
         for (std::uint32_t r = leaf.first_ref; r < leaf.first_ref + leaf.ref_count; ++r) {
             Disc disc = full.packed.discs[full.octree.refs[r]];
             disc.radius *= 0.98f; // all but a sliver
-            if (!discMeetsBox(disc, cellBox(leaf.cell))) continue;
+            if (!discOverlapsBox(disc, cellBox(leaf.cell))) continue;
             ++crossing;
             EXPECT_TRUE(kept.contains(full.octree.refs[r]));
         }

@@ -178,7 +178,7 @@ double spreadOf(const Cloud& cloud, std::uint32_t row, std::uint32_t column, std
     for (std::uint32_t r = row; r + 5 < row + size; ++r)
         for (std::uint32_t c = column; c + 5 < column + size; ++c) {
             const std::uint32_t cells[] = {grid.at(r, c), grid.at(r, c + 5), grid.at(r + 5, c)};
-            if (*std::max_element(cells, cells + 3) >= RangeGrid::kLeftOut) continue;
+            if (*std::max_element(cells, cells + 3) >= RangeGrid::kFilteredOut) continue;
             const auto at = [&](int i) -> Vec3d { return cloud.positions[cells[i]].cast<double>(); };
             normals.push_back((at(1) - at(0)).cross(at(2) - at(0)).normalized());
             mean += normals.back();

@@ -21,7 +21,7 @@ std::string picture(const Cloud& cloud, const Flags& flags) {
     for (std::uint32_t row = 0; row < cloud.grids[0].rows; ++row) {
         for (std::uint32_t column = 0; column < cloud.grids[0].columns; ++column) {
             const std::uint32_t cell = cloud.grids[0].at(row, column);
-            text += cell >= RangeGrid::kLeftOut ? ' ' : flags.empty() || flags[cell] == 0 ? '.' : '#';
+            text += cell >= RangeGrid::kFilteredOut ? ' ' : flags.empty() || flags[cell] == 0 ? '.' : '#';
         }
         text += '\n';
     }
@@ -42,7 +42,7 @@ TEST(Silhouettes, SurroundAHoleButNotTheFrame) {
 TEST(Silhouettes, LeftOutSamplesAreNotHoles) {
     Cloud cloud = wallWithAHole();
     std::replace(cloud.grids[0].point_of_cell.begin(), cloud.grids[0].point_of_cell.end(), RangeGrid::kNoPoint,
-                 RangeGrid::kLeftOut);
+                 RangeGrid::kFilteredOut);
     EXPECT_TRUE(flagSilhouettes(cloud).empty());
 }
 

@@ -114,7 +114,7 @@ TEST_F(CameraListErrors, OfTransforms) {
     expectJson(matrix("[[-1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]"), "its axes are mirrored");
 }
 
-TEST_F(CameraListErrors, EveryPrefixOfBinaryOnes) {
+TEST_F(CameraListErrors, EveryPrefixOfBinaryFiles) {
     const std::string cameras = packedCameras(), images = packedImages();
     folder.write("images.bin", images);
     for (std::size_t size = 0; size < cameras.size(); ++size) {

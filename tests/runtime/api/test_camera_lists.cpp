@@ -70,7 +70,7 @@ TEST_F(CameraLists, Transforms) {
     expectColmap(shots);
 }
 
-TEST_F(CameraLists, FramesHaveTheirOwnWords) {
+TEST_F(CameraLists, FramesOverrideTheFile) {
     const auto shots =
         readJson(R"({"w": 640, "h": 480, "fl_x": 500, "frames": [{"file_path": "one", "w": 100.0, "h": 50,
         "fl_x": 80, "cx": 51, "transform_matrix": )" +
@@ -80,7 +80,7 @@ TEST_F(CameraLists, FramesHaveTheirOwnWords) {
     expectPose(shots[0].pose);
 }
 
-TEST_F(CameraLists, AnglesAndSizesOfNerfsOwnScenes) {
+TEST_F(CameraLists, AnglesAndSizesOfOriginalNerfScenes) {
     const std::string text = R"({"camera_angle_x": 1.5707963267948966, "frames": [{"file_path": "./train/r_0",
         "transform_matrix": )" +
                              kTransformPose + "}]}";
@@ -92,7 +92,7 @@ TEST_F(CameraLists, AnglesAndSizesOfNerfsOwnScenes) {
     EXPECT_EQ(shots[0].lens.cy, 300);
 }
 
-TEST_F(CameraLists, WhatWasAppliedIsTakenOff) {
+TEST_F(CameraLists, UndoesAppliedTransforms) {
     // ns-process-data turns COLMAP's world: x, y, z to x, z, -y; then moves it here. Its camera goes with it.
     const auto shots = readJson(R"({"w": 640, "h": 480, "fl_x": 500,
         "applied_transform": [[1, 0, 0, 10], [0, 0, 1, 20], [0, -1, 0, 30]],
@@ -123,12 +123,12 @@ TEST_F(CameraLists, AreTheSameWhenReadAgain) {
     }
 }
 
-TEST_F(CameraLists, OffsetsKeepFloatsFine) {
+TEST_F(CameraLists, OffsetsPreserveFloatPrecision) {
     EXPECT_EQ(offsetFor({-100, 0, 0}, {8000, 10, 10}), Vec3{});
     EXPECT_EQ(offsetFor({500000, 4500000, 100}, {500101, 4500100, 140}), (Vec3{500051, 4500050, 120}));
 }
 
-TEST_F(CameraLists, NamesAreThoseOfFilesOfOurs) {
+TEST_F(CameraLists, ShotNamesAreUniqueRelativePaths) {
     const auto names = [](const std::vector<std::string>& given) {
         std::vector<CameraShot> shots;
         for (const std::string& name : given) shots.push_back({name, "", {}, {}, {}, {}});

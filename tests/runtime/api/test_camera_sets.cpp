@@ -83,7 +83,7 @@ protected:
     TemporaryFolder folder;
 };
 
-TEST_F(CameraSets, HoldWhatIsThere) {
+TEST_F(CameraSets, ContainTheSelectedLayers) {
     ASSERT_EQ(
         run("-q --cameras list.json -o set --spp 1 --layers rgb,albedo,depth,normal,instance,exr --depth-unit 0.001"),
         0)
@@ -110,7 +110,7 @@ TEST_F(CameraSets, HoldWhatIsThere) {
     }
 }
 
-TEST_F(CameraSets, FilmsAreThoseOfTheLibrary) {
+TEST_F(CameraSets, FilmsAgreeWithTheLibrary) {
     ASSERT_EQ(run("-q --cameras list.json -o set --spp 2 --layers exr"), 0) << text(".err");
     const ExrPicture film = readExr(folder.file("set/exr/more/b.exr"), ExrKind::kFilm);
     const TraceDevice device;
@@ -126,7 +126,7 @@ TEST_F(CameraSets, FilmsAreThoseOfTheLibrary) {
     }
 }
 
-TEST_F(CameraSets, TheListThatIsWrittenGivesTheSamePictures) {
+TEST_F(CameraSets, TheWrittenListReproducesThePictures) {
     ASSERT_EQ(run("-q --cameras list.json -o set --spp 2"), 0) << text(".err");
     ASSERT_EQ(run("-q --cameras set -o again --spp 2"), 0) << text(".err");
     EXPECT_EQ(text("set/transforms.json"), text("again/transforms.json"));
@@ -141,7 +141,7 @@ TEST_F(CameraSets, TheListThatIsWrittenGivesTheSamePictures) {
     EXPECT_NE(list.find("-4500064.0"), std::string::npos) << list;
 }
 
-TEST_F(CameraSets, WhatIsRefused) {
+TEST_F(CameraSets, RefuseInvalidOptions) {
     folder.write("far.json", R"({"fl_x": 50, "w": 40, "h": 30, "frames": [{"file_path": "a",
         "transform_matrix": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}]})");
     folder.write("bent.json", R"({"fl_x": 50, "w": 40, "h": 30, "k1": 0.1, "frames": [{"file_path": "a",

@@ -52,7 +52,7 @@ std::array<double, 2> pixelOf(const PinholeCamera& camera, Vector place) {
     return {camera.cx + camera.fx * in_camera[0] / in_camera[2], camera.cy + camera.fy * in_camera[1] / in_camera[2]};
 }
 
-TEST(MachineCameras, DepthsAreThoseOfThePlane) {
+TEST(MachineCameras, DepthsAgreeWithAPlane) {
     const TemporaryFolder folder;
     writeScan(folder.file("plane.pro"), planeSplats(40, 0.5f), {}); // at z = 164
     const TraceDevice device;
@@ -69,7 +69,7 @@ TEST(MachineCameras, DepthsAreThoseOfThePlane) {
         }
 }
 
-TEST(MachineCameras, APointIsInItsPixel) {
+TEST(MachineCameras, PointsProjectToTheirPixels) {
     const TemporaryFolder folder;
     const GridPlace place{{500058, 4500052, 156}, 16};
     // discs of 0.1 m that face the sky
@@ -99,7 +99,7 @@ TEST(MachineCameras, APointIsInItsPixel) {
     }
 }
 
-TEST(MachineCameras, ACentredOneIsThatOfAFieldOfView) {
+TEST(MachineCameras, CentredPinholesAgreeWithAFieldOfView) {
     const Camera looked =
         frameCamera({.eye = Vec3{1, 2, 3}, .target = Vec3{1, 2, 9}, .up = Vec3{0, -1, 0}, .fov_deg = 50}, {0, 0, 0},
                     {10, 10, 10}, 2);
@@ -112,7 +112,7 @@ TEST(MachineCameras, ACentredOneIsThatOfAFieldOfView) {
     EXPECT_NEAR(machine.fov_deg, 50, 1e-12);
 }
 
-TEST(MachineCameras, SmallErrorsOfRotationsAreTakenOff) {
+TEST(MachineCameras, SmallRotationErrorsAreCorrected) {
     CameraPose pose;
     pose.right = {0.9996, 2e-4, 0};
     pose.forward = {3e-4, 0, 1.0004};
@@ -122,7 +122,7 @@ TEST(MachineCameras, SmallErrorsOfRotationsAreTakenOff) {
     EXPECT_NEAR(length(camera.up), 1, 1e-15);
 }
 
-TEST(MachineCameras, WhatIsNoCamera) {
+TEST(MachineCameras, RefusesInvalidCameras) {
     const PinholeLens lens{50, 50, 50, 50};
     const auto camera = [](const CameraPose& pose, const PinholeLens& with) {
         return pinholeCamera(pose, with, {100, 100});

@@ -78,7 +78,7 @@ TEST_F(PictureErrors, OfPictures) {
     expectError(Kind::kBadUsage, "last row", [&] { one.render(camera, 5, 5, {"rgba"}); });
 }
 
-TEST_F(PictureErrors, GivenUpItGoesOn) {
+TEST_F(PictureErrors, RendersAgainAfterCancellation) {
     PictureRenderer one = renderer({{"spp", "1000"}});
     int asked = 0;
     expectError(Kind::kCannotRun, "rendering was cancelled",

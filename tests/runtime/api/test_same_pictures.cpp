@@ -18,7 +18,7 @@ protected:
     }
 };
 
-TEST_F(SamePictures, WithNothingSaid) {
+TEST_F(SamePictures, WithDefaults) {
     expectSame(rendered({"ball.pro"}, {}, LookAt{}, 60, 60), viewed("ball.pro --size 60x60"));
 }
 

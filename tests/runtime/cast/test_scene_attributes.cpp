@@ -15,7 +15,7 @@ namespace {
 
 using Kind = TraceError::Kind;
 
-const std::string kTiny = POINTRT_GOLDEN_DIR "/tiny_v1_2.pro"; // see tests/format/tiny_attributes.h
+const std::string kTiny = POINTRT_GOLDEN_DIR "/tiny_compact_scan.pro"; // see tests/format/tiny_attributes.h
 
 template <typename Number>
 std::vector<Number> read(const TraceScene& scene, const std::string& name, const std::vector<std::uint32_t>& splats,

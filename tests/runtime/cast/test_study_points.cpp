@@ -121,9 +121,9 @@ TEST_F(StudyScenes, UpAndNorth_FollowThePlacement) {
     EXPECT_EQ(scanUp(turnedScene()), (std::array<double, 3>{0, 0, 1})); // the file has no up
     const auto sceneOf = [&](const std::string& instance, const std::string& head = "") {
         return folder.write("up.toml",
-                            head + "[[instance]]\nfile = \"" POINTRT_GOLDEN_DIR "/tiny_v1_2.pro\"\n" + instance);
+                            head + "[[instance]]\nfile = \"" POINTRT_GOLDEN_DIR "/tiny_compact_scan.pro\"\n" + instance);
     };
-    const std::array<double, 3> own = scanUp(POINTRT_GOLDEN_DIR "/tiny_v1_2.pro");
+    const std::array<double, 3> own = scanUp(POINTRT_GOLDEN_DIR "/tiny_compact_scan.pro");
     const std::array<double, 3> turned = scanUp(sceneOf("rotate = { axis = [0, 0, 1], degrees = 90 }\n"));
     EXPECT_NEAR(turned[0], -own[1], 1e-6);
     EXPECT_NEAR(turned[1], own[0], 1e-6);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// NumPy's files as tests write and read them, after NEP 1 and PKWARE's APPNOTE and by no code of ours.
+// NumPy files for tests, implemented independently from NEP 1 and PKWARE's APPNOTE.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace pointrt::test {
 
-/// The bytes of an .npy whose header has this text, spaces around it as they come.
+/// The bytes of an .npy file with this header text.
 inline std::string arrayBytes(const std::string& dict, const void* numbers, std::size_t bytes) {
     const std::string text = dict + "   \n";
     return std::string("\x93NUMPY\x01\x00", 8) + static_cast<char>(text.size() & 0xFF) +
@@ -25,7 +25,7 @@ std::string rayArray(const std::vector<Number>& numbers) {
                       numbers.data(), numbers.size() * sizeof(Number));
 }
 
-/// An array as it was read: the header's text without the spaces at its end, and the numbers.
+/// A parsed array: the header text without trailing spaces, and the numbers.
 struct ReadArray {
     std::string header, data;
 
@@ -64,7 +64,7 @@ inline std::uint32_t checksumOf(const std::string& bytes) {
     return ~sum;
 }
 
-/// Members of a zip file by way of its list, stored ones with 64 bit sizes; throws where anything disagrees.
+/// The members of a zip file by its central directory, stored with Zip64 sizes; throws on inconsistencies.
 inline std::map<std::string, std::string> zipMembers(const std::string& zip) {
     const auto require = [](bool holds, const char* what) {
         if (!holds) throw std::runtime_error(what);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs pointrt-rays as users do, in a folder with a plane to cast rays at.
+// Runs pointrt-rays in a folder with a plane to cast rays at.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ protected:
         return {std::istreambuf_iterator<char>(file), {}};
     }
 
-    /// words: of a shell, in the folder.
+    /// Runs shell words in the folder.
     Outcome run(const std::string& words) const {
         const std::string command = "cd '" + folder.path.string() + "' && " + words + " >.out 2>.err";
         const int status = std::system(command.c_str());
@@ -41,7 +41,7 @@ protected:
     }
     Outcome cast(const std::string& words) const { return run(POINTRT_RAYS " cast plane.pro " + words); }
 
-    /// That it ends like this, with one line, and leaves no file, nor changes out.npz.
+    /// Expects this exit code, a single error line, no new files and an unchanged out.npz.
     void expectRefused(int code, const std::string& reason, const std::string& words) const {
         folder.write("out.npz", "precious");
         const std::size_t before = folder.entries();
@@ -56,7 +56,7 @@ protected:
     TemporaryFolder folder;
 };
 
-/// Straight down onto the plane from 36 m above, in lengths of 2, and one beside it.
+/// One ray straight down onto the plane from 36 m above, with a direction of length 2, and one miss.
 inline const std::vector<double> kTwoRays{500064, 4500064, 200, 0, 0, -2, 500064, 4500064, 200, 0, 0, 1};
 
 } // namespace pointrt::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scans of known shape at coordinates of a national grid, written through format/ alone.
+// Scans of known shape in coordinates of a national grid, written with format/ only.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace pointrt::test {
 
-/// A cube of 128 m in UTM zone 33 north; the edge is a power of two, so that cube units come to metres exactly.
+/// A cube of 128 m in UTM zone 33N; its edge is a power of two, so cube units convert to metres exactly.
 struct GridPlace {
     std::array<double, 3> origin{500000, 4500000, 100};
     double edge = 128;
@@ -24,8 +24,7 @@ struct GridPlace {
     }
 };
 
-/// Splats of a plane at this height, side x side of them over the cube from margin to 1 - margin, their discs
-/// overlapping; normals up.
+/// side x side overlapping splats of a level plane at this height, from margin to 1 - margin of the cube.
 inline std::vector<pro_splat> planeSplats(std::size_t side, float height, float margin = 0.1f) {
     std::vector<pro_splat> splats;
     const float step = (1 - 2 * margin) / static_cast<float>(side);
@@ -40,7 +39,7 @@ inline std::vector<pro_splat> planeSplats(std::size_t side, float height, float 
     return splats;
 }
 
-/// A sphere around the cube's middle by the Fibonacci lattice, normals outwards, discs overlapping.
+/// Overlapping splats of a sphere around the centre of the cube on a Fibonacci lattice, with normals outwards.
 inline std::vector<pro_splat> sphereSplats(std::size_t count, float radius) {
     std::vector<pro_splat> splats;
     const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
@@ -57,7 +56,7 @@ inline std::vector<pro_splat> sphereSplats(std::size_t count, float radius) {
     return splats;
 }
 
-/// Writes the splats as a .pro that stands at place.
+/// Writes the splats as a .pro located at place.
 inline void writeScan(const std::string& path, const std::vector<pro_splat>& splats, const GridPlace& place) {
     Scene scene = sceneOf(splats);
     scene.info.flags |= PRO_FLAG_ORIENTED;

@@ -15,7 +15,7 @@
 
 namespace pointrt::test {
 
-/// Hits of some rays, all of their arrays.
+/// All arrays of hits.
 struct SceneHits {
     explicit SceneHits(std::size_t count)
         : t_hit(count), positions(3 * count), splat_ids(count), instance_ids(count), tile_ids(count),
@@ -47,7 +47,7 @@ inline Vec3 directionOf(const std::vector<double>& rays, std::size_t i) {
     return {rays[6 * i + 3], rays[6 * i + 4], rays[6 * i + 5]};
 }
 
-/// Rays in all directions from all over a box around a place, many of them from within what stands there.
+/// Random rays from within a box around a place, many of them from inside the object there.
 inline std::vector<double> raysAround(Vec3 center, double half, std::size_t count, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit(-1, 1);
@@ -59,7 +59,7 @@ inline std::vector<double> raysAround(Vec3 center, double half, std::size_t coun
     return rays;
 }
 
-/// Attribute "number" is each point's own.
+/// With an attribute "number" that is unique for each point.
 struct SphereInTiles {
     static constexpr double kRadius = 40;
     static constexpr std::size_t kSplats = 20000;
@@ -83,7 +83,7 @@ struct SphereInTiles {
     TemporaryFolder folder;
     TileSet set;
     double splat_radius = 0;
-    std::vector<Vec3> points; ///< by their number
+    std::vector<Vec3> points; ///< by "number"
 };
 
 } // namespace pointrt::test

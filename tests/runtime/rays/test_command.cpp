@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// pointrt-rays cast on good input: each way in and out.
+// pointrt-rays cast end to end: all inputs and outputs.
 #include <cmath>
 #include <limits>
 
@@ -8,7 +8,7 @@
 namespace pointrt::test {
 namespace {
 
-constexpr double kHeight = 100 + 128 * (0.5 + 0.5 * 0x1p-21); // of the plane, as positions are stored
+constexpr double kHeight = 100 + 128 * (0.5 + 0.5 * 0x1p-21); // of the plane, at the stored precision
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST_F(CastCommand, AnArrayBecomesArrays) {
@@ -51,7 +51,7 @@ TEST_F(CastCommand, TextBecomesText) {
     EXPECT_EQ(text("any.csv"), "hit\n1\n0\n");
 }
 
-TEST_F(CastCommand, PointsThatWereHitBecomeACloud) {
+TEST_F(CastCommand, HitsBecomeAPointCloud) {
     std::vector<double> rays(kTwoRays);
     rays.insert(rays.end(), kTwoRays.begin(), kTwoRays.end());
     folder.write("rays.npy", rayArray(rays));
@@ -70,7 +70,7 @@ TEST_F(CastCommand, PointsThatWereHitBecomeACloud) {
     EXPECT_EQ(wordAt<std::uint32_t>(cloud, header.size() + 2 * kRow - 4), 2u);
 }
 
-TEST_F(CastCommand, StreamsComeAndGo) {
+TEST_F(CastCommand, StandardStreamsWork) {
     folder.write("rays.npy", rayArray(kTwoRays));
     const Outcome records = cast("--rays - -o - <rays.npy");
     ASSERT_EQ(records.code, 0) << records.err;
@@ -88,7 +88,7 @@ TEST_F(CastCommand, StreamsComeAndGo) {
               "hit\n1\n");
 }
 
-TEST_F(CastCommand, AnArrayOfTextIsAsLongAsItBecame) {
+TEST_F(CastCommand, TextRaysGiveAnArrayOfTheirNumber) {
     folder.write("rays.csv", "500064,4500064,200,0,0,-2\n500064,4500064,200,0,0,1\n");
     ASSERT_EQ(cast("--rays rays.csv -o out.npy --any").code, 0);
     const ReadArray any = readArray(text("out.npy"));
@@ -96,13 +96,13 @@ TEST_F(CastCommand, AnArrayOfTextIsAsLongAsItBecame) {
     EXPECT_EQ(any.data, std::string("\x01\x00", 2));
 }
 
-TEST_F(CastCommand, FloatsAreRaysToo) {
+TEST_F(CastCommand, FloatRaysWork) {
     folder.write("rays.npy", rayArray(std::vector<float>(kTwoRays.begin(), kTwoRays.end())));
     ASSERT_EQ(cast("--rays rays.npy -o out.csv").code, 0);
     EXPECT_NE(text("out.csv").find(",500064,4500064,164.0000"), std::string::npos);
 }
 
-TEST_F(CastCommand, NoRaysAreAnAnswerToo) {
+TEST_F(CastCommand, NoRaysGiveEmptyResults) {
     folder.write("rays.npy", rayArray(std::vector<double>()));
     ASSERT_EQ(cast("--rays rays.npy -o out.npz").code, 0);
     EXPECT_EQ(readArray(zipMembers(text("out.npz")).at("positions.npy")).header,
@@ -111,7 +111,7 @@ TEST_F(CastCommand, NoRaysAreAnAnswerToo) {
     EXPECT_EQ(text("out.csv"), "hit\n");
 }
 
-TEST_F(CastCommand, LimitsCount) {
+TEST_F(CastCommand, LimitsApply) {
     folder.write("rays.npy", rayArray(kTwoRays));
     ASSERT_EQ(cast("--rays rays.npy --any -o out.csv --t-max 17.9").code, 0);
     EXPECT_EQ(text("out.csv"), "hit\n0\n0\n");
@@ -129,9 +129,9 @@ TEST_F(CastCommand, SeveralScansAreNumbered) {
               (std::vector<std::uint32_t>{1, 0}));
 }
 
-TEST_F(CastCommand, AttributesComeAlong) {
-    folder.write("rays.csv", "10.5 20.75 31 0 0 -1\n0 0 0 1 0 0\n"); // onto splat 0 of the tiny scene, and nowhere
-    const std::string words = POINTRT_RAYS " cast " POINTRT_GOLDEN_DIR "/tiny_v1_2.pro --rays rays.csv ";
+TEST_F(CastCommand, AttributesAreWritten) {
+    folder.write("rays.csv", "10.5 20.75 31 0 0 -1\n0 0 0 1 0 0\n"); // splat 0 of the tiny scene, and a miss
+    const std::string words = POINTRT_RAYS " cast " POINTRT_GOLDEN_DIR "/tiny_compact_scan.pro --rays rays.csv ";
     ASSERT_EQ(run(words + "-o out.npz --attributes classification,rgb16,gps_time").code, 0);
     const auto members = zipMembers(text("out.npz"));
     EXPECT_EQ(readArray(members.at("classification.npy")).as<std::uint8_t>(), (std::vector<std::uint8_t>{2, 0}));
@@ -163,11 +163,11 @@ TEST_F(CastCommand, MemoryDoesNotGrowWithTheRays) {
         const std::string report = text("stats.json");
         return std::stod(report.substr(report.find("\"peak_rss_bytes\": ") + 18));
     };
-    const double few = peak(22), many = peak(66); // two blocks and a part, six and a part
+    const double few = peak(22), many = peak(66); // two and six full blocks, and a partial one
     EXPECT_LT(many, few + 16e6) << "44 million numbers more are 106 MB";
 }
 
-TEST_F(CastCommand, ReportsSayWhatWasDone) {
+TEST_F(CastCommand, ReportsHaveCountsAndTimes) {
     folder.write("rays.npy", rayArray(kTwoRays));
     const Outcome result = cast("--rays rays.npy -o out.npz --stats - -v");
     ASSERT_EQ(result.code, 0);
@@ -178,7 +178,7 @@ TEST_F(CastCommand, ReportsSayWhatWasDone) {
     EXPECT_NE(result.err.find("2 rays, 1 hits; "), std::string::npos) << result.err;
 }
 
-TEST_F(CastCommand, HelpAndVersionAreThere) {
+TEST_F(CastCommand, HelpAndVersionArePrinted) {
     for (const char* words : {"--help", "cast --help", "--version", "cast --version"}) {
         const Outcome result = run(std::string(POINTRT_RAYS " ") + words);
         EXPECT_EQ(result.code, 0) << words;

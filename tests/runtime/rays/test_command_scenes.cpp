@@ -42,7 +42,7 @@ TEST_F(CastSets, TilesAreAColumn) {
               std::string::npos);
 }
 
-TEST_F(CastSets, SceneFilesAreScenes) {
+TEST_F(CastSets, SceneFilesAreCast) {
     folder.write("scene.toml", "[[instance]]\nfile = \"ball.proset\"\n[[instance]]\nfile = \"plane.pro\"\n");
     folder.write("rays.csv", "500000 4500000 300 0 0 -1\n500090 4500090 300 0 0 -1\n");
     ASSERT_EQ(run(POINTRT_RAYS " cast scene.toml --rays rays.csv -o out.npz").code, 0);
@@ -53,7 +53,7 @@ TEST_F(CastSets, SceneFilesAreScenes) {
                   POINTRT_RAYS " cast scene.toml --rays rays.csv -o out.npz");
 }
 
-TEST_F(CastSets, WhatIsWrongIsOneLine) {
+TEST_F(CastSets, ErrorsAreOneLine) {
     const std::string rest = " --rays rays.npy -o out.npz";
     expectRefused(2, "--memory: \"much\" is not a size such as 2G, 500M or a number of bytes (see --help)",
                   POINTRT_RAYS " cast ball.proset --memory much" + rest);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// pointrt-rays sun and viewshed as users meet them.
+// pointrt-rays sun and viewshed end to end.
 #include <cstring>
 #include <sstream>
 
@@ -8,14 +8,14 @@
 namespace pointrt::test {
 namespace {
 
-/// plane.pro, and tower.pro, a box over it.
+/// plane.pro, and tower.pro, a box above it.
 class StudyCommand : public CastCommand {
 protected:
     StudyCommand() {
         std::vector<pro_splat> box;
         for (pro_splat splat : planeSplats(20, 0.6f, 0.4f)) {
             box.push_back(splat);
-            splat.normal[2] = 0; // walls of the plane through its height, turned about the middle
+            splat.normal[2] = 0; // walls: the plane rotated about its middle
             const float x = splat.position[0], y = splat.position[1];
             for (const float side : {0.4f, 0.6f}) {
                 pro_splat wall = splat;
@@ -32,7 +32,7 @@ protected:
     Outcome sun(const std::string& words) const { return run(POINTRT_RAYS " sun " + words); }
     Outcome viewshed(const std::string& words) const { return run(POINTRT_RAYS " viewshed " + words); }
 
-    /// Lines of a CSV by their words.
+    /// The fields of each line of a CSV file.
     std::vector<std::vector<std::string>> table(const std::string& name) const {
         std::istringstream lines(text(name));
         std::vector<std::vector<std::string>> rows;
@@ -80,7 +80,7 @@ TEST_F(StudyCommand, SeveralScansShadeEachOtherAndAreNumbered) {
     EXPECT_GT(shaded, 20u);
 }
 
-TEST_F(StudyCommand, ListedPointsAreAnswered) {
+TEST_F(StudyCommand, PointsOfAListGetResults) {
     // in the open, under the roof, and looking away from the sun
     folder.write("list.csv", "x,y,z,nx,ny,nz\n500064,4500110,164.5,0,0,1\n500064,4500064,165,0,0,1\n"
                              "500064,4500110,164.5,0,0,-1\n");
@@ -97,7 +97,7 @@ TEST_F(StudyCommand, ListedPointsAreAnswered) {
 }
 
 TEST_F(StudyCommand, PointsOfScanFilesKeepTheirColumns) {
-    // each point again with its disc: the same hours as of the scan's own
+    // the scan's points as a file, with their discs: the same hours
     ASSERT_EQ(sun("plane.pro tower.pro" + kDay + "--every 60 -q -o own.ply").code, 0);
     ASSERT_EQ(sun("plane.pro tower.pro --points own.ply" + kDay + "--every 60 -q -o again.ply").code, 0);
     EXPECT_EQ(text("again.ply"), text("own.ply"));
@@ -116,11 +116,11 @@ TEST_F(StudyCommand, PointsOfScanFilesKeepTheirColumns) {
         EXPECT_NEAR(std::stod(rows[i][0]), std::stod(table("own.csv")[i][0]), 1e-4);
     }
     ASSERT_EQ(sun("plane.pro --points own.las" + kDay + "--every 60 -q -o again.las").code, 0);
-    EXPECT_EQ(text("again.las").size(), text("own.las").size()); // the old hours are gone
+    EXPECT_EQ(text("again.las").size(), text("own.las").size()); // the old hours are replaced
 }
 
-TEST_F(StudyCommand, AttributesStayAndAnOldResultIsReplaced) {
-    const std::string tiny = POINTRT_GOLDEN_DIR "/tiny_v1_2.pro";
+TEST_F(StudyCommand, AttributesAreKeptAndOldResultsReplaced) {
+    const std::string tiny = POINTRT_GOLDEN_DIR "/tiny_compact_scan.pro";
     ASSERT_EQ(sun(tiny + kDay + "--every 60 -q -o out.ply").code, 0);
     EXPECT_NE(text("out.ply").find("element vertex 5\n"), std::string::npos);
     EXPECT_NE(text("out.ply").find("property uchar classification\n"), std::string::npos);
@@ -133,8 +133,8 @@ TEST_F(StudyCommand, AttributesStayAndAnOldResultIsReplaced) {
     EXPECT_EQ(stream.out, text("out.ply"));
 }
 
-TEST_F(StudyCommand, ViewshedTellsWhoSeesWhat) {
-    // one high over the open ground, one within the tower, both by 1 m up
+TEST_F(StudyCommand, ViewshedListsWhatObserversSee) {
+    // one high above open ground, one inside the tower, both raised by 1 m
     const Outcome result = viewshed("plane.pro tower.pro --from 500020,4500064,179 --from 500064,4500064,168 "
                                     "--height 1 -o out.csv --stats stats.json");
     ASSERT_EQ(result.code, 0) << result.err;

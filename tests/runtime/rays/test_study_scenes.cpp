@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// pointrt-rays sun and viewshed on tile sets and scene files, beside the same points in one file.
+// pointrt-rays sun and viewshed on tile sets and scene files, compared with the same points in one file.
 #include <map>
 #include <sstream>
 
@@ -51,7 +51,7 @@ protected:
     static inline SphereInTiles* ball = nullptr;
 };
 
-/// How many rows say something else in a column; rows of whole are in the order of "number", which file points are not.
+/// The number of rows that differ in a column. Matches rows by "number", because the order of points differs.
 std::size_t differences(const std::vector<std::map<std::string, double>>& tiles,
                         const std::vector<std::map<std::string, double>>& whole, const std::string& column,
                         const std::vector<Vec3>& points) {
@@ -71,7 +71,7 @@ TEST_F(StudyOfSets, PointsHaveTheHoursThatTheyHaveInOneFile) {
     const Rows whole = table("sun ball.pro" + kDay), tiles = table("sun ball.proset" + kDay);
     ASSERT_EQ(whole.size(), SphereInTiles::kSplats);
     ASSERT_EQ(tiles.size(), SphereInTiles::kSplats);
-    // radii and positions are rounded apart: so are a few rays that graze the ball
+    // radii and positions are rounded differently, which affects a few rays that graze the ball
     EXPECT_LE(differences(tiles, whole, "sun_hours", ball->points), SphereInTiles::kSplats / 200);
     const Rows streamed = table("sun ball.proset --memory " + std::to_string(2 * ball->largestTile()) + kDay);
     EXPECT_TRUE(streamed == tiles);
@@ -88,7 +88,7 @@ TEST_F(StudyOfSets, ObserversSeeWhatTheySeeInOneFile) {
 }
 
 TEST_F(StudyOfSets, InstancesOfSceneFilesShadeEachOther) {
-    // a roof of the same plane 30 m over it, of half its size
+    // a roof 30 m above the plane: the same plane at half its size
     folder.write("scene.toml", "[[instance]]\nfile = \"plane.pro\"\n[[instance]]\nfile = \"plane.pro\"\nscale = 0.5\n"
                                "translate = [250032, 2250032, 112]\n[[instance]]\nfile = \"ball.proset\"\n"
                                "translate = [1000, 0, 0]\n");

@@ -155,7 +155,7 @@ TEST(Camera, RefusesHeightsThatShowNothing) {
     }
 }
 
-TEST(Camera, RefusesWhatHasNoAnswer) {
+TEST(Camera, RefusesInvalidRequests) {
     CameraRequest same, no_up, flat, full;
     same.eye = same.target = kCentre;
     no_up.up = Vec3{0, 0, 0};

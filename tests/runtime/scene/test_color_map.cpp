@@ -38,7 +38,7 @@ TEST(ColorMap, HasThePublishedColours) {
     expectMap(ColorMap::kGrey, 0x000000, 0x808080, 0xffffff);
 }
 
-TEST(ColorMap, IsGreyWhereThereIsNoNumber) {
+TEST(ColorMap, MissingValuesAreGrey) {
     for (const auto& [name, map] : kColorMapNames) {
         const ColorScale scale(map, {0, 1});
         for (const double none :
@@ -47,7 +47,7 @@ TEST(ColorMap, IsGreyWhereThereIsNoNumber) {
     }
 }
 
-TEST(ColorMap, OfARangeOfOneNumberHasThreeColours) {
+TEST(ColorMap, EmptyRangesHaveThreeColours) {
     const ColorScale scale(ColorMap::kGrey, {5, 5});
     EXPECT_EQ(scale(4.9), hex(0x000000));
     EXPECT_EQ(scale(5), hex(0x808080));
@@ -66,7 +66,7 @@ TEST(ColorMap, HasAColourForEachClass) {
     EXPECT_EQ(className(23), "class 23");
 }
 
-TEST(ColorMap, BeginsAnewAfterTheLastScan) {
+TEST(ColorMap, ScanColoursRepeat) {
     const ColorScale scans(ColorMap::kScans, {});
     constexpr std::size_t kColors = 19; // of Kelly's 22 without white, black and grey
     EXPECT_EQ(scans.colors().size(), kColors);
@@ -102,7 +102,7 @@ TEST(Legend, HasRoundNumbers) {
         EXPECT_LE(ticksOf(range).size(), 13u) << range.low;
 }
 
-TEST(Legend, ListsWhatIsThere) {
+TEST(Legend, ListsValuesInUse) {
     const double classes[] = {2, 6, 64};
     const Legend legend = listLegend("classification", ColorMap::kClasses, classes);
     EXPECT_TRUE(legend.bar.empty());

@@ -23,7 +23,7 @@ SceneDescription studio(Vec3 eye, bool around_eye) {
     return scene;
 }
 
-TEST(Studio, WhatLiesFlatAtTheBottomIsAboveTheFloor) {
+TEST(Studio, FlatDiscsAtTheBottomAreAboveTheFloor) {
     const SceneDescription scene = studio({0, -10, 0}, false);
     ASSERT_EQ(scene.shapes.size(), 1u);
     const double gap = kLow.z - scene.shapes[0].center.z;
@@ -44,7 +44,7 @@ double lampOn(const PointLight& lamp, Vec3 place) {
     return double{lamp.intensity[1]} / (away * away);
 }
 
-TEST(Studio, AmongWallsTheLampHangsBelowTheCeilingAndAboveTheEye) {
+TEST(Studio, InRoomsTheLampIsBetweenEyeAndCeiling) {
     const Vec3 eye{0.5, -0.5, 0};
     const SceneDescription scene = studio(eye, true);
     ASSERT_EQ(scene.lights.size(), 1u);

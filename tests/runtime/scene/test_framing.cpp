@@ -95,7 +95,7 @@ Camera completed(const FramedRequest& framed, double aspect) {
     return frameCamera(framed.camera, {-100, -100, -100}, {100, 100, 100}, aspect);
 }
 
-TEST(Framing, FillsThePartOfThePictureThatIsFree) {
+TEST(Framing, FillsTheFreePartOfThePicture) {
     Scene scene = ball();
     for (int i = 0; i < 12; ++i) scene.add({40.0 + 5 * i, -30.0 - i, 60}, kY); // strays
     for (const bool ortho : {false, true})
@@ -113,7 +113,7 @@ TEST(Framing, FillsThePartOfThePictureThatIsFree) {
             }
 }
 
-TEST(Framing, ManyStraysDoNotCountEither) {
+TEST(Framing, IgnoresManyStrays) {
     Scene scene = ball();
     for (int i = 0; i < 120; ++i) scene.add(300.0 * Vec3{scene.share(), scene.share(), scene.share()}, kY); // 2%
     const Frame frame = frameOf(scene.sample, completed(frameScene({}, scene.sample, kY, {1, 1}, true), 1), 1, 5);
@@ -131,14 +131,14 @@ void expectFramed(const SceneSample& sample, Vec3 up, double reach) {
     EXPECT_NEAR((frame.bottom + frame.top) / 2, 0.5, 0.02);
 }
 
-TEST(Framing, TipsAreOfTheTree) {
+TEST(Framing, KeepsSparseConnectedTips) {
     Scene scene;
     scene.addRectangle({-6, -6, 0}, 12.0 * kX, 12.0 * kY, 8000);
     for (int i = 1; i <= 40; ++i) scene.add({0, 0, 0.4 * i}, kX); // 0.5% of all is 16 high
     expectFramed(scene.sample, kZ, 100);
 }
 
-TEST(Framing, FringesAreNotOfTheStreet) {
+TEST(Framing, DropsSparseFringes) {
     Scene scene;
     scene.addRectangle({-10, -4, 0}, 20.0 * kX, 8.0 * kY, 6000);
     scene.addRectangle({-60, -70, 0}, 120.0 * kX, 60.0 * kY, 100);
@@ -146,14 +146,14 @@ TEST(Framing, FringesAreNotOfTheStreet) {
     expectFramed(scene.sample, kZ, 10.8);
 }
 
-TEST(Framing, WhatLiesApartIsShownWhereItIsMuch) {
+TEST(Framing, KeepsLargeSeparateParts) {
     Scene scene = ball();
     const Vec3 apart{3, 0, 0};
     for (int i = 0; i < 1000; ++i) scene.add(apart + scene.sample.splats[static_cast<std::size_t>(i)].position, kY);
     expectFramed(scene.sample, kY, 100);
 }
 
-TEST(Framing, DiscsOfTinyScansAreWhole) {
+TEST(Framing, ShowsWholeDiscsOfTinyScans) {
     for (const bool ortho : {false, true}) {
         Scene scene;
         for (int i = 0; i < 4; ++i) scene.add({double(i % 2), double(i / 2), 0}, kZ, 0.3 + 0.4 * i);
@@ -181,7 +181,7 @@ TEST(Framing, TinyScansHaveNoStrays) {
     expectFramed(scene.sample, kZ, 100);
 }
 
-TEST(Framing, BoxesGoAroundDiscs) {
+TEST(Framing, DiscBoundsEncloseDiscs) {
     Scene scene;
     scene.add({1, 2, 3}, kZ, 0.5);
     scene.add({2, 2, 3}, normalize(kY + kZ), std::sqrt(2.0));
@@ -192,7 +192,7 @@ TEST(Framing, BoxesGoAroundDiscs) {
     EXPECT_EQ(middles.high, (Vec3{2, 2, 3}));
 }
 
-TEST(Framing, LooksWhereItIsTold) {
+TEST(Framing, KeepsGivenEyesAndTargets) {
     CameraRequest eye, target;
     eye.eye = Vec3{3, 0, 0};
     target.target = Vec3{3, 0, 0};
@@ -203,7 +203,7 @@ TEST(Framing, LooksWhereItIsTold) {
     EXPECT_EQ(frameScene({}, has_shapes.sample, kY, {}, true).camera, CameraRequest{});
 }
 
-TEST(Framing, WordsAreSides) {
+TEST(Framing, StandardViewsAreSides) {
     constexpr struct {
         StandardView view;
         Vec3 y_up, z_up; ///< where the eye is
@@ -226,7 +226,7 @@ TEST(Framing, WordsAreSides) {
     EXPECT_GT(dot(upIn(StandardView::kTop, kZ), kY), 0.99) << "north is up on a map";
 }
 
-TEST(Framing, TargetsAreSeenFromTheSideThatIsNamed) {
+TEST(Framing, StandardViewsApplyToGivenTargets) {
     CameraRequest request;
     request.target = Vec3{0.5, 0.25, 0};
     for (const auto& [name, view] : kStandardViewNames) {
@@ -248,7 +248,7 @@ TEST(Framing, TargetsAreSeenFromTheSideThatIsNamed) {
         << "a view is overruled by an eye";
 }
 
-TEST(Framing, ScannersAreAsked) {
+TEST(Framing, SensorViewUsesScannerPositions) {
     CameraRequest request;
     request.view = StandardView::kSensor;
     try {
@@ -262,7 +262,7 @@ TEST(Framing, ScannersAreAsked) {
     EXPECT_EQ(frameScene(request, scene.sample, kZ, {}, true).camera.eye, scene.sample.sensors[0]);
 }
 
-TEST(DefaultView, ObjectsAreSeenFromTheFrontLevel) {
+TEST(DefaultView, ObjectsFromTheFrontHorizontally) {
     EXPECT_EQ(chooseView(ball().sample, kY).side, kZ);
     EXPECT_EQ(chooseView(ball().sample, kZ).side, -1.0 * kY);
 }
@@ -283,7 +283,7 @@ TEST(DefaultView, SitesFromThreeQuartersAbove) {
     EXPECT_FALSE(choice.eye);
 }
 
-TEST(DefaultView, RoomsFromWithin) {
+TEST(DefaultView, RoomsFromInside) {
     for (const bool oriented : {true, false})
         for (const bool known : {true, false}) {
             Scene scene = room();
@@ -309,7 +309,7 @@ bool isBehindCupboard(Vec3 eye, Vec3 place) {
     return false;
 }
 
-TEST(DefaultView, RoomsFromWhereAScannerStoodThatNobodyTellsOf) {
+TEST(DefaultView, RoomsFromAnUnrecordedScannerPosition) {
     const Vec3 stood{0.8, 0.9, 1.3};
     Scene scene = room();
     scene.addRectangle({2.5, 1.8, 0}, 1.4 * kY, 2.5 * kZ, 500);
@@ -330,7 +330,7 @@ TEST(DefaultView, NoEyeIsInADisc) {
     EXPECT_TRUE(chooseView(scene.sample, kZ).eye);
 }
 
-TEST(DefaultView, NoPlateIsBeforeTheEye) {
+TEST(DefaultView, NoObstacleIsInFrontOfTheEye) {
     Scene scene = room();
     const std::optional<Vec3> free = chooseView(scene.sample, kZ).eye;
     ASSERT_TRUE(free);
@@ -340,13 +340,13 @@ TEST(DefaultView, NoPlateIsBeforeTheEye) {
     EXPECT_GT(length(*eye - scene.sample.splats.back().position), 1.3);
 }
 
-TEST(DefaultView, NobodyStandsWithinAStatue) {
+TEST(DefaultView, StatuesAreNotSeenFromInside) {
     Scene scene = ball();
     scene.sample.sensors = {{0, 0, 4}, {4, 0, 0}, {0, 0, -4}, {-4, 0, 0}};
     EXPECT_FALSE(chooseView(scene.sample, kY).eye);
 }
 
-TEST(DefaultView, FramesFromWhereTheCameraStood) {
+TEST(DefaultView, RangeImagesFromTheirScanner) {
     Scene scene;
     scene.addRectangle({-2, -1.5, -3}, 4.0 * kX, 3.0 * kY, 4000);
     scene.sample.sensors = {{0, 0, 0}};

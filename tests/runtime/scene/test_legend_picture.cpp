@@ -70,7 +70,7 @@ TEST(LegendPicture, IsTheSameRowByRow) {
     EXPECT_EQ(parts, whole);
 }
 
-TEST(LegendPicture, DrawsLettersAsTheyAre) {
+TEST(LegendPicture, DrawsTheGlyphsOfTheFont) {
     Legend legend;
     legend.title = "I"; // a bar between two serifs in 6x13: rows 2 to 10, the bar in the third column
     const LegendPicture drawn = drawLegend(legend, {100, 100});

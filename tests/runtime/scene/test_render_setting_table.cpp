@@ -84,7 +84,7 @@ std::vector<std::string> limitWords(const OneOf<Named>& choices) {
     return {words.begin(), words.end()};
 }
 
-TEST(RenderSettingTable, IsWhatHelpSays) {
+TEST(RenderSettingTable, AgreesWithHelp) {
     forEachRenderSetting([](const auto& row) {
         const std::string option = row.command_line.option, help = helpOf(option);
         EXPECT_FALSE(help.empty()) << option;
@@ -98,7 +98,7 @@ TEST(RenderSettingTable, IsWhatHelpSays) {
     });
 }
 
-TEST(RenderSettingTable, IsWhatTheDocumentationOfSceneFilesSays) {
+TEST(RenderSettingTable, AgreesWithTheDocumentationOfSceneFiles) {
     std::map<std::string, std::string> defaults = writtenDefaults();
     forEachRenderSetting([&](const auto& row) {
         const std::string key = row.scene_file.key;
@@ -176,7 +176,7 @@ std::string sceneSaying(const InSceneFile& place, const std::string& value) {
     return place.table == FileTable::kScene ? line : "[render]\n" + line;
 }
 
-TEST(RenderSettingTable, CommandLineAndSceneFilesTakeTheSame) {
+TEST(RenderSettingTable, CommandLineAndSceneFilesAcceptTheSameValues) {
     forEachRenderSetting([](const auto& row) {
         for (const std::string& text : extremes(row.limits)) {
             const RenderChoices choices = said(row.command_line.option, text);
@@ -200,7 +200,7 @@ TEST(RenderSettingTable, CommandLineAndSceneFilesTakeTheSame) {
     });
 }
 
-TEST(RenderSettingTable, SaysAllThatSettingsHave) {
+TEST(RenderSettingTable, ChoicesReproduceSettings) {
     RenderSettings settings;
     settings.room = Room::kMatte;
     settings.lights = 5;

@@ -28,12 +28,12 @@ void expectVector(Vec3 v, double x, double y, double z) {
 
 // Meeus, Astronomical Algorithms, example 25.a: declination -7.78507 on 1992-10-13 at 0 h; at the pole it is the
 // height.
-TEST(Sun, StandsAtThePoleWhereMeeusHasIt) {
+TEST(Sun, AgreesWithMeeusAtThePole) {
     EXPECT_NEAR(sunPosition(utc(1992, 10, 13, 0), 90, 0).elevation_deg, -7.78507, 0.001);
 }
 
 // Reda and Andreas, Solar Position Algorithm, NREL/TP-560-34302, table A5.1: 12:30:30 at UTC-7; without refraction.
-TEST(Sun, StandsWhereTheSolarPositionAlgorithmHasIt) {
+TEST(Sun, AgreesWithTheSolarPositionAlgorithm) {
     expectSun(sunPosition(utc(2003, 10, 17, 19, 30.5), 39.742476, -105.1786), 39.872046, 194.340241, 0.01);
 }
 
@@ -49,7 +49,7 @@ TEST(Sun, AgreesWithErfaAllOverTheWorld) {
 }
 
 // The same source: apparent less true height at 1013.25 hPa, 10 degrees Celsius, 0.55 micrometres.
-TEST(Sun, IsLiftedByTheAir) {
+TEST(Sun, IsRaisedByRefraction) {
     EXPECT_NEAR(refraction(10.5197), 0.0836, 0.005);
     EXPECT_NEAR(refraction(39.8723), 0.0194, 0.005);
     EXPECT_NEAR(refraction(89), 0, 0.001);

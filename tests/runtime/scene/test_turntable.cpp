@@ -21,7 +21,7 @@ std::string refusal(const std::string& path, bool turntable) {
     return "";
 }
 
-TEST(Turntable, GoesCounterclockwiseAroundTheAxis) {
+TEST(Turntable, RotatesCounterclockwiseAboutTheAxis) {
     CameraRequest request;
     request.eye = Vec3{2, 5, 1};
     request.target = Vec3{2, 1, -3};
@@ -34,7 +34,7 @@ TEST(Turntable, GoesCounterclockwiseAroundTheAxis) {
     EXPECT_EQ(quarter.fov_deg, camera.fov_deg);
 }
 
-TEST(Turntable, BeginsWithTheCameraItselfAndComesBack) {
+TEST(Turntable, StartsWithTheCameraAndReturnsToIt) {
     const Camera camera = frameCamera({}, {0, 0, 0}, {1, 2, 3}, 1);
     const TurntableAxis axis{{0.5, 1, 1.5}, normalize(Vec3{1, 2, 3})};
     const Camera first = turntableCamera(camera, axis, 0, 7);

@@ -36,7 +36,7 @@ TEST(Upright, AxesHaveNames) {
     EXPECT_EQ(axisName({0, 0.5, 0.5}), "");
 }
 
-TEST(Upright, AScanThatSaysNothingIsAsItWas) {
+TEST(Upright, ScansWithoutAnUpAreUnchanged) {
     for (const auto& fallback : {std::optional<Vec3>(), std::optional(kY)}) {
         const Stood stood = stand({}, {}, {{}, fallback});
         EXPECT_EQ(stood.scene.up, fallback);
@@ -61,7 +61,7 @@ TEST(Upright, AScanWithItsUpAlongYIsSeenAsAnyOther) {
     EXPECT_EQ(stood.framed(), frameCamera({}, {-1, -2, -3}, {1, 2, 3}, 1));
 }
 
-TEST(Upright, WhatIsSaidCounts) {
+TEST(Upright, GivenUpsTakePrecedence) {
     SceneDescription said;
     said.up = kX;
     EXPECT_EQ(stand(said, {}, {kZ, kY}).scene.up, kX);
@@ -75,7 +75,7 @@ TEST(Upright, WhatIsSaidCounts) {
     EXPECT_EQ(filed.camera, camera);
 }
 
-TEST(Upright, ViewsWithoutAnUpStandAsTheSceneDoes) {
+TEST(Upright, ViewsWithoutAnUpUseTheScenes) {
     SceneDescription scene;
     scene.views = {{"plain", {}}, {"tilted", {}}};
     scene.views[1].camera.up = kX;

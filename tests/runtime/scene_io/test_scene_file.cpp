@@ -67,7 +67,7 @@ TEST_F(SceneFile, ReadsTheWholeFile) {
     EXPECT_EQ(scene.instances[0].path, path("statue.pro"));
 }
 
-TEST_F(SceneFile, LeavesOpenWhatItDoesNotSay) {
+TEST_F(SceneFile, LeavesMissingKeysUnset) {
     const SceneDescription scene = parseMore("");
     EXPECT_FALSE(scene.up || scene.sky);
     EXPECT_EQ(scene.render, RenderChoices{});
@@ -86,7 +86,7 @@ TEST_F(SceneFile, ReadsParallelProjection) {
     EXPECT_FALSE(parseMore("[camera]\nfov = 20").camera.ortho);
 }
 
-TEST_F(SceneFile, CameraStandsAsTheSceneDoes) {
+TEST_F(SceneFile, CameraUsesTheScenesUp) {
     expectVector(*parseMore("up = [0, 0, 1]").camera.up, 0, 0, 1);
     expectVector(*parseMore("up = [0, 0, 1]\n[camera]\nup = [1, 0, 0]").camera.up, 1, 0, 0);
 }
@@ -120,7 +120,7 @@ TEST_F(SceneFile, OverridesMaterials) {
     EXPECT_EQ(scene.materials[instance.overrides[1].material].name, "b");
 }
 
-TEST_F(SceneFile, OverridesByWhatScansSayOfPoints) {
+TEST_F(SceneFile, OverridesByAttributes) {
     const SceneDescription scene =
         parse("[material.a]\n[[instance]]\nfile = 'statue.pro'\n"
               "[[instance.override]]\nattribute = 'class'\nvalues = [6, -2.5]\nmaterial = 'a'\n"
@@ -132,7 +132,7 @@ TEST_F(SceneFile, OverridesByWhatScansSayOfPoints) {
     EXPECT_EQ(numbers(1), (MaterialOverride::Numbers{"rgb16.1", {{1, 1e300}}}));
 }
 
-TEST_F(SceneFile, StandsOnAxesToo) {
+TEST_F(SceneFile, AcceptsAxisNamesForUp) {
     EXPECT_FALSE(parseMore("up = 'auto'").up);
     const SceneDescription plain = parseMore("up = [0, 0, 2]"),
                            scene = parseMore("up = 'z'\n[camera]\nfov = 30\n[[view]]\nname = 'a'");
@@ -186,7 +186,7 @@ TEST_F(SceneFile, ReadsMaterials) {
     expectColor(materialNamed(scene, "t").absorption, 0, std::log(2.0) / 2, std::log(4.0) / 2);
 }
 
-TEST_F(SceneFile, TakesSplatsColorsWhereNoneIsGiven) {
+TEST_F(SceneFile, UsesSplatColoursByDefault) {
     const SceneDescription scene = parseMore("[material.a]\n[material.b]\ncolor = [0.5, 0.5, 0.5]\n"
                                              "[material.c]\nsplat_color = false\n[material.d]\nkind = 'mirror'\n"
                                              "[material.e]\ncolor = [0.5, 0.5, 0.5]\nsplat_color = true\n");
@@ -316,7 +316,7 @@ TEST_F(SceneFile, ReadsDiscLights) {
     EXPECT_FALSE(aimed.seen_by_camera);
 }
 
-TEST_F(SceneFile, PutsTheSunWhereItIs) {
+TEST_F(SceneFile, PlacesTheSunByTimeAndPlace) {
     const std::string place = "latitude = 39.742476\nlongitude = -105.1786\nirradiance = 2\n";
     const std::string when = "[[light]]\ntype = 'sun'\ntime = 2003-10-17T12:30:30-07:00\n" + place;
     // NREL/TP-560-34302, table A5.1: 39.87 over the horizon, 0.02 more as seen, azimuth 194.34
@@ -355,7 +355,7 @@ TEST_F(SceneFile, ReadsTheSky) {
     expectColor(sky.zenith, 0.46, 0.52, 0.62);
 }
 
-TEST_F(SceneFile, ReadsAllThatDecidesThePicture) {
+TEST_F(SceneFile, ReadsRenderSettings) {
     const SceneDescription scene =
         parseMore("staged_for = [1, 2, 3]\n[render]\nseed=7\ndenoise='off'\nexposure=-1.5\nlights=4\nshadows=false\n"
                   "caustics=false\nblend=false\nreflectivity=0.25");
@@ -385,7 +385,7 @@ TEST_F(SceneFile, ReadsViews) {
     EXPECT_EQ(scene.views[1].camera.ortho_height, 2.5);
 }
 
-TEST_F(SceneFile, TakesMatricesAsTheyAre) {
+TEST_F(SceneFile, KeepsMatricesUnchanged) {
     const SceneDescription scene =
         parse("[[instance]]\nfile='statue.pro'\nrotate={ matrix=[[0, 0, 1], [1, 0, 0], [0, 1, 0]] }\n"
               "[[shape]]\ntype='disc'\ncenter=[1, 2, 3]\naxes=[[0, 2, 0], [0, 0, 2], [1, 0, 0]]\nbackdrop=true");

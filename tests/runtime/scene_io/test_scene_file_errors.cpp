@@ -15,7 +15,7 @@
 namespace pointrt {
 namespace {
 
-TEST_F(SceneFile, RefusesUnknownKeysByTheNearestOne) {
+TEST_F(SceneFile, SuggestsTheNearestKey) {
     EXPECT_EQ(refusal("[material.a]\n\ncolour = [1, 1, 1]"),
               "scene.toml:3: key \"material.a.colour\": unknown key \"colour\", did you mean \"color\"?");
     EXPECT_EQ(refusal("[[light]]\n[[light]]\n"), "scene.toml:1: key \"light[0]\": \"type\" is missing");
@@ -109,7 +109,7 @@ TEST_F(SceneFile, RefusesBrokenGeometry) {
               "scene.toml:4: key \"light[0].target\": must be another point than \"position\"");
 }
 
-TEST_F(SceneFile, RefusesMaterialsThatMakeNoSense) {
+TEST_F(SceneFile, RefusesInvalidMaterials) {
     EXPECT_EQ(refusal("[material.a]\nkind = 'wood'"),
               "scene.toml:2: key \"material.a.kind\": \"wood\" is not one of matte, metal, plastic, mirror, glass");
     const std::string glass = "[material.a]\nkind = 'glass'\n";
@@ -136,7 +136,7 @@ TEST_F(SceneFile, RefusesMaterialsThatMakeNoSense) {
               "second in red, green or blue");
 }
 
-TEST_F(SceneFile, RefusesNumbersThatMakeNoSense) {
+TEST_F(SceneFile, RefusesInvalidAttributeOverrides) {
     const std::string over = "[material.a]\n[[instance]]\nfile = 'statue.pro'\n[[instance.override]]\nmaterial = 'a'\n";
     const std::string place = "scene.toml:6: key \"instance[0].override[0].", by_class = over + "attribute = 'class'\n";
     EXPECT_EQ(refusal(over + "values = [1]"), place + "values\": has no effect without \"attribute\"");
@@ -150,13 +150,12 @@ TEST_F(SceneFile, RefusesNumbersThatMakeNoSense) {
     EXPECT_EQ(refusal("up = 'Z'"),
               "scene.toml:1: key \"up\": \"Z\" is no direction such as [0, 0, 1], and none of auto, x, "
               "y, z, -x, -y, -z");
-    EXPECT_EQ(
-        refusal("[render]\ncolor_map = 'jet'"),
-        "scene.toml:2: key \"render.color_map\": \"jet\" is not one of viridis, magma, inferno, plasma, cividis, turbo, "
-        "grey, classes, scans");
+    EXPECT_EQ(refusal("[render]\ncolor_map = 'jet'"), "scene.toml:2: key \"render.color_map\": \"jet\" is not one of "
+                                                      "viridis, magma, inferno, plasma, cividis, turbo, "
+                                                      "grey, classes, scans");
 }
 
-TEST_F(SceneFile, RefusesLightsThatMakeNoSense) {
+TEST_F(SceneFile, RefusesInvalidLights) {
     const std::string point = "[[light]]\ntype = 'point'\nposition = [0, 0, 0]\n", sun = "[[light]]\ntype = 'sun'\n";
     EXPECT_EQ(refusal(point), "scene.toml:1: key \"light[0]\": \"intensity\" or \"power\" is missing");
     EXPECT_EQ(refusal(point + "power = 1\nintensity = 1"),
@@ -203,7 +202,7 @@ std::string repeated(const std::string& text, int times) {
     return all;
 }
 
-TEST_F(SceneFile, HoldsItsLimits) {
+TEST_F(SceneFile, EnforcesLimits) {
     const std::string instance = "[[instance]]\nfile = 'statue.pro'\n";
     EXPECT_EQ(parse(repeated(instance, 254)).instances.size(), 254u);
     EXPECT_EQ(refusal(repeated(instance, 255)),
@@ -226,7 +225,7 @@ TEST_F(SceneFile, HoldsItsLimits) {
               "scene.toml:28: key \"instance[0].override[8]\": an instance has at most 8 colour ranges");
 }
 
-TEST_F(SceneFile, NamesTheLineOfBadToml) {
+TEST_F(SceneFile, ReportsTheLineOfInvalidToml) {
     EXPECT_EQ(refusal("up = [0,\n1,\n0\nroom = 'none'").substr(0, 14), "scene.toml:4: ");
     EXPECT_EQ(refusal("a = 1\na = 2").substr(0, 14), "scene.toml:2: ");
     EXPECT_EQ(refusal("\n\nup = [1e999, 0, 0]").substr(0, 14), "scene.toml:3: ");
@@ -234,7 +233,7 @@ TEST_F(SceneFile, NamesTheLineOfBadToml) {
 }
 
 // Of these toml++'s tables of white space know nothing: it promises its compiler that nobody asks them.
-TEST_F(SceneFile, RefusesLettersWhereNoneAre) {
+TEST_F(SceneFile, RefusesUnexpectedUnicode) {
     for (const char* text :
          {"\u00e9 = 1", "up = \u00e9", "up = 1 \u00e9", "up = [\u0416]", "[\u00e9]", "\u3001 = 1", "\ufe70 = 1"})
         EXPECT_TRUE(refusal(text).starts_with("scene.toml:1: ")) << text;
@@ -253,7 +252,7 @@ TEST_F(SceneFile, SurvivesDeepNesting) {
     EXPECT_EQ(scene.instances.size(), 1u);
 }
 
-TEST_F(SceneFile, RefusesWhatIsNoSmallFile) {
+TEST_F(SceneFile, RefusesFoldersAndLargeFiles) {
     auto reading = [](const std::string& path) -> std::string {
         try {
             readSceneFile(path);
@@ -321,18 +320,18 @@ TEST_F(SceneFile, SurvivesMutations) {
     EXPECT_LT(parsed, tries * 9 / 10);
 }
 
-TEST_F(SceneFile, RefusesWholeNumbersThatNoDoubleHolds) {
+TEST_F(SceneFile, RefusesIntegersBeyondDoublePrecision) {
     EXPECT_EQ(refusal("[camera]\nfov = 9223372036854775807"),
               "scene.toml:2: key \"camera.fov\": is 9.223372037e+18, must be from 0.001 to 179.999");
 }
 
-TEST_F(SceneFile, RefusesViewsThatCannotBeToldApart) {
+TEST_F(SceneFile, RefusesDuplicateViewNames) {
     EXPECT_EQ(refusal("[[view]]\nname = 'a'\n[[view]]\nname = 'a'"),
               "scene.toml:4: key \"view[1].name\": is also the name of another view");
     EXPECT_EQ(refusal("[[view]]\nfov = 30"), "scene.toml:1: key \"view[0]\": \"name\" is missing");
 }
 
-TEST_F(SceneFile, RefusesMatricesThatAreNoRotation) {
+TEST_F(SceneFile, RefusesMatricesOtherThanRotations) {
     const auto rotated = [&](const std::string& matrix) {
         return refusal("[[instance]]\nfile='statue.pro'\nrotate={ matrix=" + matrix + " }");
     };
@@ -343,7 +342,7 @@ TEST_F(SceneFile, RefusesMatricesThatAreNoRotation) {
     EXPECT_NE(rotated("[[1, 0, 0], [0, 1, 0], [0, 0, 1]], degrees=1").find("excludes"), std::string::npos);
 }
 
-TEST_F(SceneFile, RefusesAxesThatAreNotTheShapes) {
+TEST_F(SceneFile, RefusesAxesThatDoNotFitTheShape) {
     const auto shape = [&](const std::string& type, const std::string& axes) {
         return refusal("[[shape]]\ntype='" + type + "'\ncenter=[0, 0, 0]\naxes=" + axes);
     };

@@ -253,7 +253,7 @@ protected:
     }
 };
 
-TEST_F(SceneWrite, RandomScenesComeBackToTheBit) {
+TEST_F(SceneWrite, RandomScenesSurviveARoundTripBitIdentical) {
     for (std::uint32_t seed = 0; seed < 500; ++seed) {
         const SceneDescription scene = RandomScene(seed, folder_.string()).scene();
         const SceneDescription read = again(scene);
@@ -263,7 +263,7 @@ TEST_F(SceneWrite, RandomScenesComeBackToTheBit) {
     }
 }
 
-TEST_F(SceneWrite, TheExampleComesBack) {
+TEST_F(SceneWrite, TheExampleSurvivesARoundTrip) {
     std::filesystem::copy_file(POINTRT_EXAMPLE_SCENE, folder_ / "example.toml");
     const SceneDescription scene = readSceneFile(path("example.toml"));
     writeSceneFile(path("again.toml"), scene);
@@ -272,7 +272,7 @@ TEST_F(SceneWrite, TheExampleComesBack) {
     EXPECT_TRUE(again(first) == first);
 }
 
-TEST_F(SceneWrite, WritesWhatPeopleWouldWhereThatSaysAll) {
+TEST_F(SceneWrite, PrefersReadableKeysIfExact) {
     const SceneDescription scene = parse("up = [0, 0, 3]\n[[shape]]\ntype = 'disc'\ncenter = [1, 2, 3]\n"
                                          "normal = [3, 4, 5]\nradius = 0.7\n"
                                          "[[shape]]\ntype = 'box'\nmin = [0, 0, 0]\nmax = [1, 2, 3]\n"
@@ -292,7 +292,7 @@ TEST_F(SceneWrite, NumbersAreShortAndExact) {
     EXPECT_EQ(tomlOf(std::string("a\"b\\c\n")), "\"a\\\"b\\\\c\\u000a\"");
 }
 
-TEST_F(SceneWrite, MaterialsGetNamesThatTellThemApart) {
+TEST_F(SceneWrite, MaterialsGetUniqueNames) {
     SceneDescription scene = oneScan();
     scene.materials.resize(5);
     for (std::uint32_t m = 0; m < 5; ++m) {
@@ -325,7 +325,7 @@ TEST_F(SceneWrite, FindsFilesOfOtherFolders) {
     EXPECT_EQ(pathFrom("", "b/c.pro"), "b/c.pro");
 }
 
-TEST_F(SceneWrite, LeavesNothingWhereItFails) {
+TEST_F(SceneWrite, LeavesNoFileOnFailure) {
     EXPECT_NE(refusalToWrite(path("none/scene.toml"), oneScan()).find("none/scene.toml: the folder does not exist"),
               std::string::npos);
     SceneDescription scene = oneScan();
@@ -400,7 +400,7 @@ TEST_F(SceneWrite, ASavedRunShowsTheSamePicture) {
     }
 }
 
-TEST_F(SceneWrite, OwnedSurroundingsAreNotPutUpTwice) {
+TEST_F(SceneWrite, OwnedSurroundingsAreNotAddedTwice) {
     for (const bool room : {false, true}) {
         Options options;
         if (room) options.choices.room = Room::kMatte;

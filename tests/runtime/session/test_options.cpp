@@ -58,7 +58,7 @@ TEST(Options, HasTheDefaultsOfTheContract) {
     EXPECT_FALSE(options.list_devices || options.quiet || options.verbose);
 }
 
-TEST(Options, ProfilesWhatIsRenderedToTheEnd) {
+TEST(Options, ProfileNeedsOutputOrBench) {
     EXPECT_FALSE(parse({"a.pro", "-o", "a.png"}).profile);
     EXPECT_TRUE(parse({"a.pro", "-o", "a.png", "--profile"}).profile);
     EXPECT_TRUE(parse({"a.pro", "--bench", "2", "--profile"}).profile);
@@ -178,7 +178,7 @@ TEST(Options, TakesTheLastOfARepeatedOption) {
     EXPECT_EQ(parse({"a.pro", "-o", "a.png", "--spp", "2", "--spp", "8"}).choices.spp, 8u);
 }
 
-TEST(Options, TakesWhatGoesWithOneKindOfImage) {
+TEST(Options, ResumeNeedsExrAndExposureNeedsPng) {
     EXPECT_TRUE(parse({"a.pro", "-o", "a.exr", "--resume"}).resume);
     EXPECT_EQ(parse({"a.pro", "-o", "a.png", "--exposure", "-1.5"}).choices.exposure, -1.5f);
     EXPECT_EQ(refusal({"--resume"}), "--resume: needs -o FILE.exr");
@@ -202,7 +202,7 @@ TEST(Options, ListsDevicesWithoutAScene) {
     EXPECT_EQ(refusal({"--device", "list"}), "--device list cannot be combined with other options");
 }
 
-TEST(Options, UnitsAreOfLayersThatAreWritten) {
+TEST(Options, DepthUnitNeedsTheDepthLayer) {
     EXPECT_EQ(refusal({"--cameras", "list.json", "-o", "set", "--layers", "rgb", "--depth-unit", "0.001"}),
               "--depth-unit: needs the depth layer, which --layers omits");
     EXPECT_EQ(refusal({"--cameras", "list.json", "-o", "set", "--layers", "rgb,depth", "--depth-unit", "0.001"}), "");
@@ -238,14 +238,14 @@ TEST(Options, RefusesBadValuesByName) {
     EXPECT_EQ(refusal({"-o", "a.jpeg"}), "a.jpeg: image files must end in .png or .exr");
 }
 
-TEST(Options, RefusesWhatItDoesNotKnow) {
+TEST(Options, RefusesUnknownArguments) {
     EXPECT_TRUE(contains(refusal({"--frobnicate"}), "frobnicate"));
     EXPECT_TRUE(contains(refusal({"second.pro"}), "second.pro"));
     EXPECT_NE(refusal({"--spp"}), "");
     EXPECT_NE(refusal({"-q", "-v"}), "");
 }
 
-TEST(Options, ThumbnailsAreSmallPngsInLittleTime) {
+TEST(Options, ThumbnailsAreSmallPngsWithATimeLimit) {
     const Options options = parse({"a.pro", "-o", "a.thumb", "--thumbnail", "128"});
     EXPECT_TRUE(writesPng(options));
     EXPECT_EQ(options.choices.size, (PixelSize{128, 128}));
@@ -259,7 +259,7 @@ TEST(Options, ThumbnailsAreSmallPngsInLittleTime) {
     EXPECT_THROW(parse({"a.pro", "-o", "a.png", "--thumbnail", "128", "--size", "8x8"}), Error);
 }
 
-TEST(Options, RefusesToDoNothing) {
+TEST(Options, RefusesIncompleteCommandLines) {
     EXPECT_THROW(parse({}), Error);
     EXPECT_THROW(parse({"-o", "a.png"}), Error);
     EXPECT_THROW(parse({"a.pro", "--offscreen"}), Error);

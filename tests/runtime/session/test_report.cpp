@@ -56,13 +56,13 @@ TEST(Report, HasTheKeysOfTheContract) {
     EXPECT_EQ(json.size(), 16u);
 }
 
-TEST(Report, TakesTheMiddleOfOddCounts) {
+TEST(Report, ReportsTheMedian) {
     Report report = testReport();
     report.frame_ms = {30, 10, 20};
     EXPECT_EQ(nlohmann::json::parse(reportJson(report))["frame_ms"]["median"], 20);
 }
 
-TEST(Report, HasNoNumbersThatAreNone) {
+TEST(Report, WritesNullForNonFiniteNumbers) {
     Report report = testReport();
     report.noise = std::numeric_limits<double>::infinity(); // one sample a pixel
     report.rays = {};                                       // a film that was complete
@@ -81,7 +81,7 @@ PassProfile testProfile() {
     return profile;
 }
 
-TEST(ProfileReport, NamesWhatNothingAccountsFor) {
+TEST(ProfileReport, ReportsUnaccountedTime) {
     Report report = testReport();
     report.profile = profileJson(testProfile());
     const nlohmann::json json = nlohmann::json::parse(reportJson(report));
@@ -101,7 +101,7 @@ TEST(ProfileReport, NamesWhatNothingAccountsFor) {
     EXPECT_EQ(profile["unaccounted_ms"], 10); // 100 - 8 - 70 - 12
 }
 
-TEST(ProfileReport, ShowsWhatTookMostFirst) {
+TEST(ProfileReport, ListsTheSlowestPassFirst) {
     const std::string table = profileTable(testProfile());
     EXPECT_LT(table.find("shade"), table.find("trace"));
     EXPECT_NE(table.find("17500.0"), std::string::npos) << "ns a lane: 70 ms over 4000\n" << table;

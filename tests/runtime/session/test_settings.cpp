@@ -28,7 +28,7 @@ SceneDescription talkativeScene() {
     return scene;
 }
 
-TEST(Settings, AreTheSceneFilesWhereTheCommandLineIsSilent) {
+TEST(Settings, ComeFromTheSceneFileUnlessGiven) {
     const RenderSettings settings = resolveSettings({}, talkativeScene());
     EXPECT_EQ(settings.camera.eye->y, 2);
     EXPECT_EQ(settings.camera.target->y, 5);
@@ -40,7 +40,7 @@ TEST(Settings, AreTheSceneFilesWhereTheCommandLineIsSilent) {
     EXPECT_EQ(settings.height, 600u);
 }
 
-TEST(Settings, OfTheLookAreTheSceneFilesToo) {
+TEST(Settings, ColourSettingsComeFromTheSceneFileToo) {
     RenderSettings settings = resolveSettings({}, talkativeScene());
     EXPECT_EQ(settings.seed, 5u);
     EXPECT_FALSE(settings.shadows || settings.caustics || settings.blend);
@@ -78,7 +78,7 @@ std::string refusalOf(const Options& options, const SceneDescription& scene) {
     return "";
 }
 
-TEST(Settings, ColorsOfNoColoringAreRefused) {
+TEST(Settings, ColourOptionsNeedColorBy) {
     const auto refusal = [](const RenderChoices& said, const SceneDescription& scene) {
         Options options;
         options.choices = said;
@@ -104,7 +104,7 @@ TEST(Settings, ColorsOfNoColoringAreRefused) {
     EXPECT_EQ(refusal(bare, {}), "");
 }
 
-TEST(Settings, LookFromTheViewThatIsNamed) {
+TEST(Settings, UseTheNamedView) {
     SceneDescription scene = talkativeScene();
     scene.path = "a.toml";
     Options options;
@@ -130,7 +130,7 @@ TEST(Settings, LookFromTheViewThatIsNamed) {
     EXPECT_EQ(resolveSettings({}, scene).camera.eye->y, 2) << "no view was asked for";
 }
 
-TEST(Settings, AreTheCommandLinesWhereItSpeaks) {
+TEST(Settings, CommandLineOverridesTheSceneFile) {
     Options options;
     options.choices.integrator = Integrator::kDepth;
     options.choices.bounces = 1;
@@ -149,7 +149,7 @@ TEST(Settings, AreTheCommandLinesWhereItSpeaks) {
     EXPECT_EQ(settings.height, 20u);
 }
 
-TEST(Settings, TakeTheProjectionThatWasSaidLast) {
+TEST(Settings, CommandLineOverridesTheProjection) {
     SceneDescription parallel;
     parallel.camera.ortho = true;
     parallel.camera.ortho_height = 3;
@@ -166,7 +166,7 @@ TEST(Settings, TakeTheProjectionThatWasSaidLast) {
     }
 }
 
-TEST(Settings, AreDefaultsWhereNothingIsSaid) {
+TEST(Settings, AreDefaultsUnlessGiven) {
     const RenderSettings settings = resolveSettings({}, {}), defaults;
     EXPECT_EQ(settings.integrator, Integrator::kPhong);
     EXPECT_EQ(settings.spp, defaults.spp);
@@ -175,7 +175,7 @@ TEST(Settings, AreDefaultsWhereNothingIsSaid) {
     EXPECT_FALSE(settings.camera.eye || settings.camera.target || settings.camera.up);
 }
 
-TEST(Settings, LeaveSamplesToLimitsUnlessTheCommandLineCountsThem) {
+TEST(Settings, LimitsRaiseSamplesToTheMaximumUnlessGiven) {
     Options options;
     options.limits.noise = 0.1;
     EXPECT_EQ(resolveSettings(options, talkativeScene()).spp, kMaxSpp);
@@ -183,7 +183,7 @@ TEST(Settings, LeaveSamplesToLimitsUnlessTheCommandLineCountsThem) {
     EXPECT_EQ(resolveSettings(options, talkativeScene()).spp, 7u);
 }
 
-TEST(Settings, DenoiseWhatIsNoisy) {
+TEST(Settings, DenoiseNoisyPngs) {
     Options options;
     options.output = "a.png";
     RenderSettings settings;
@@ -206,7 +206,7 @@ TEST(Settings, DenoiseWhatIsNoisy) {
     EXPECT_FALSE(wantsDenoising(options, settings, scene, 4));
 }
 
-TEST(Settings, KeepDataAsTheyAreUnlessAsked) {
+TEST(Settings, DoNotDenoiseExrsByDefault) {
     Options options;
     options.output = "a.exr";
     RenderSettings settings;

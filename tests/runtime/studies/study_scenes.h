@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grounds and boxes of discs, and studies of them, at coordinates of a national grid.
+// Studies of grounds and boxes of discs, in coordinates of a national grid.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 
 namespace pointrt::test {
 
-/// A level rectangle or wall: points spacing apart, from corner on along two edges, half a step inside of them.
+/// A level rectangle or wall: a grid of points along two edges from corner, half a spacing inside.
 struct Sheet {
     std::array<double, 3> corner, along, across; ///< cube units; the edges lie along axes
     std::array<float, 3> normal;
@@ -37,7 +37,7 @@ inline void addSheet(std::vector<pro_splat>& splats, const Sheet& sheet, double 
         }
 }
 
-/// Four walls and a roof on the ground at low.
+/// Four walls and a roof above the ground at low.
 inline void addBox(std::vector<pro_splat>& splats, std::array<double, 3> low, std::array<double, 3> size,
                    double spacing, double radius) {
     const auto [x, y, z] = low;
@@ -49,7 +49,7 @@ inline void addBox(std::vector<pro_splat>& splats, std::array<double, 3> low, st
     addSheet(splats, {{x, y, z + h}, {w, 0, 0}, {0, d, 0}, {0, 0, 1}}, spacing, radius);
 }
 
-/// Each test's messages of the validation layer fail it.
+/// Fails tests on messages of the validation layers.
 class Study : public testing::Test {
 protected:
     void TearDown() override { EXPECT_EQ(validationMessages(), messages_); }

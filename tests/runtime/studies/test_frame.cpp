@@ -97,7 +97,7 @@ TEST_F(Frame, WithoutASystemNorthIsWhatSceneFilesTake) {
 }
 
 TEST_F(Frame, WithoutProjNorthMustBeGiven) {
-    if (isProjInstalled()) GTEST_SKIP() << "SKIPPED: PROJ is installed";
+    if (isProjInstalled()) return; // GridFrame tests this
     try {
         studyFrame(file("EPSG:2056"), {47, 8});
         FAIL();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files of simulated scanners: what they say, and what is said to those that are none.
+// Sensor files, beam tables and trajectories: their content, and errors.
 #include <gtest/gtest.h>
 
 #include "pointrt/lidar.hpp"
@@ -15,7 +15,7 @@ class LidarFiles : public testing::Test {
 protected:
     LidarSensorFile read(const std::string& text) { return readLidarSensor(folder.write("sensor.toml", text)); }
 
-    /// What is said, without the folder, of a sensor file with this text.
+    /// The error of a sensor file with this text, without the folder.
     std::string refusal(const std::string& text) {
         return refusalOf([&] { read(text); });
     }
@@ -41,7 +41,7 @@ private:
     }
 };
 
-TEST_F(LidarFiles, ASpinningSensorHasAllItSays) {
+TEST_F(LidarFiles, ASpinningSensorIsReadCompletely) {
     const LidarSensorFile file = read("[spinning]\nbeams = 3\nlowest_deg = -20\nhighest_deg = 10\nrotation_hz = 20\n"
                                       "step_deg = 0.5\nstart_deg = 90\nclockwise = true\n"
                                       "[range]\nmin_m = 0.5\nmax_m = 100\nnoise_m = 0.02\nnoise_per_m = 0.001\n"
@@ -81,7 +81,7 @@ TEST_F(LidarFiles, ASpinningSensorHasAllItSays) {
     EXPECT_EQ(file.trajectory[0].rotation, lidarRotation(90, 0, 0));
 }
 
-TEST_F(LidarFiles, OtherPatternsAndWhereTheyStand) {
+TEST_F(LidarFiles, OtherPatternsAndPosesAreRead) {
     folder.write("beams.csv", "elevation_deg;azimuth_deg;delay_s\n# two\n-10;20;0\n\n+5;-7;0.01\r\n");
     folder.write("drive.csv", "T X Y Z QX QY QZ QW speed\n1 2 3 4 0 0 0 1 9\n1.5 6 7 8 0 0 2 0 9\n");
     const LidarSensorFile table =
@@ -112,7 +112,7 @@ TEST_F(LidarFiles, OtherPatternsAndWhereTheyStand) {
     EXPECT_EQ(angles[0].rotation, lidarRotation(10, 20, 30));
 }
 
-TEST_F(LidarFiles, PatternsThatAreNoneAreToldByTheirLine) {
+TEST_F(LidarFiles, InvalidPatternsAreNamedByTheirLine) {
     const std::string tables = "spinning, flash, oscillating, table";
     EXPECT_EQ(refusal(kRange), "sensor.toml:1: a sensor must have a pattern, one of the tables " + tables);
     EXPECT_EQ(refusal(kRange + kFlash + "[table]\n"),

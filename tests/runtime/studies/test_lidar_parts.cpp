@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of the simulated scanner, each against its formula.
+// Parts of the simulated scanner, checked against formulas.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,8 +19,8 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 double azimuthOf(Vec3 d) { return std::atan2(d.y, d.x) * kDegrees; }
 double elevationOf(Vec3 d) { return std::asin(d.z) * kDegrees; }
 
-/// The three vectors of Random123's kat_vectors file, philox4x32 with 10 rounds.
-TEST(LidarPhilox, GivesTheAuthorsNumbers) {
+/// The three vectors for philox4x32 with 10 rounds in Random123's kat_vectors file.
+TEST(LidarPhilox, MatchesTheReferenceVectors) {
     using Words = std::array<std::uint32_t, 4>;
     EXPECT_EQ(philox({0, 0, 0, 0}, {0, 0}), (Words{0x6627E8D5, 0xE169C58D, 0xBC57AC4C, 0x9B00DBD8}));
     EXPECT_EQ(philox({~0u, ~0u, ~0u, ~0u}, {~0u, ~0u}), (Words{0x408F276D, 0x41C83B0E, 0xA20BC7C6, 0x6D5451FD}));
@@ -28,7 +28,7 @@ TEST(LidarPhilox, GivesTheAuthorsNumbers) {
               (Words{0xD16CFE09, 0x94FDCCEB, 0x5001E420, 0x24126EA1}));
 }
 
-TEST(LidarPhilox, IsEvenAndGaussian) {
+TEST(LidarPhilox, IsUniformAndGaussian) {
     const LidarRandom random(7);
     constexpr int kCount = 100000;
     double mean = 0, square = 0, normal = 0, variance = 0;
@@ -60,7 +60,7 @@ TEST(LidarPhilox, DiffersBySeedPulsePurposeAndNumber) {
     EXPECT_NE(one, random.gaussian(5, LidarDraw::kFootprint, 0));
 }
 
-TEST(LidarPattern, SpinningBeamsHaveTheirElevationsAndTurn) {
+TEST(LidarPattern, SpinningBeamsHaveTheirElevationsAndRotate) {
     const LidarPattern pattern = LidarSpinning{{-25, -1.5, 3}, 20, 0.5, 10, false};
     EXPECT_DOUBLE_EQ(firingTimes(pattern).cycle_s, 0.05);
     for (std::uint64_t k = 0; k < 3 * 2000; ++k) {
@@ -76,7 +76,7 @@ TEST(LidarPattern, SpinningBeamsHaveTheirElevationsAndTurn) {
     EXPECT_NEAR(azimuthOf(other.direction), -10, 1e-12);
 }
 
-/// Pixels of a pinhole camera lie evenly on a plane before it.
+/// Pixels of a pinhole camera are evenly spaced on a plane in front of it.
 TEST(LidarPattern, FlashPixelsAreThoseOfAPinholeCamera) {
     const LidarPattern pattern = LidarFlash{4, 3, 90, 60, 30};
     for (std::uint64_t k = 0; k < 12; ++k) {
@@ -115,20 +115,20 @@ TEST(LidarPattern, ATableIsFiredRowByRow) {
     EXPECT_NEAR(length(third.direction - Vec3{0, std::sqrt(0.5), std::sqrt(0.5)}), 0, 1e-15);
 }
 
-TEST(LidarTrajectory, AnglesTurnAsTheySay) {
+TEST(LidarTrajectory, YawPitchRollFollowTheirDefinition) {
     const auto turned = [](double yaw, double pitch, double roll, Vec3 v) {
         return ScannerPose{{}, lidarRotation(yaw, pitch, roll)}.rotated(v);
     };
     EXPECT_NEAR(length(turned(90, 0, 0, {1, 0, 0}) - Vec3{0, 1, 0}), 0, 1e-15);
-    EXPECT_NEAR(length(turned(0, 90, 0, {1, 0, 0}) - Vec3{0, 0, -1}), 0, 1e-15); // the front sinks
-    EXPECT_NEAR(length(turned(0, 0, 90, {0, 1, 0}) - Vec3{0, 0, 1}), 0, 1e-15);  // the left side rises
+    EXPECT_NEAR(length(turned(0, 90, 0, {1, 0, 0}) - Vec3{0, 0, -1}), 0, 1e-15); // lowers the front
+    EXPECT_NEAR(length(turned(0, 0, 90, {0, 1, 0}) - Vec3{0, 0, 1}), 0, 1e-15);  // raises the left side
     EXPECT_NEAR(length(turned(90, 90, 0, {1, 0, 0}) - Vec3{0, 0, -1}), 0, 1e-15);
     EXPECT_NEAR(length(turned(90, 0, 90, {0, 1, 0}) - Vec3{0, 0, 1}), 0, 1e-15);
 }
 
-TEST(LidarTrajectory, PositionsGoStraightAndRotationsTheShorterWay) {
+TEST(LidarTrajectory, PositionsAreLinearAndRotationsTakeTheShorterArc) {
     const std::array<double, 4> from = lidarRotation(170, 0, 0);
-    std::array<double, 4> to = lidarRotation(-150, 0, 0); // 40 degrees on
+    std::array<double, 4> to = lidarRotation(-150, 0, 0); // 40 degrees further
     for (double& each : to) each *= -3;                   // the same rotation
     const ScannerPath path({{10, {0, 0, 0}, from}, {14, {8, 4, -4}, to}, {15, {8, 4, 0}, to}});
     const ScannerPose quarter = path.at(11), end = path.at(14);
@@ -141,8 +141,8 @@ TEST(LidarTrajectory, PositionsGoStraightAndRotationsTheShorterWay) {
     EXPECT_EQ(path.at(99).position, (Vec3{8, 4, 0}));
 }
 
-/// Angles at one speed, where mixing quaternions evenly would hurry in the middle.
-TEST(LidarTrajectory, LargeTurnsAreEven) {
+/// Constant angular speed, where linear interpolation of quaternions would be faster in the middle.
+TEST(LidarTrajectory, LargeRotationsHaveConstantSpeed) {
     const ScannerPath path({{0, {}, lidarRotation(0, 0, 0)}, {1, {}, lidarRotation(0, 0, 170)}});
     for (int i = 0; i <= 17; ++i) {
         const Vec3 left = path.at(i / 17.0).rotated({0, 1, 0});
@@ -160,7 +160,7 @@ TEST(BeamFootprint, HoldsEqualSharesOfAGaussianBeam) {
         std::size_t within = 0;
         for (std::size_t i = 0; i < kRays; ++i)
             within += length(cross(axis, spot.ray(around, i))) <= circle * half_angle ? 1 : 0;
-        // the integral of exp(-2 r^2) r dr, of that to r = 1
+        // the integral of exp(-2 r^2) r dr, relative to that up to r = 1
         const double expected = (1 - std::exp(-2 * circle * circle)) / (1 - std::exp(-2.0));
         EXPECT_NEAR(static_cast<double>(within) / kRays, expected, 1.0 / kRays) << circle;
     }
@@ -169,11 +169,11 @@ TEST(BeamFootprint, HoldsEqualSharesOfAGaussianBeam) {
         ASSERT_NEAR(length(spot.ray(around, i)), 1, 1e-14);
         sum = sum + spot.ray(around, i) * (1.0 / kRays);
     }
-    EXPECT_LT(length(cross(axis, sum)), 0.01 * half_angle); // to no side more than to the other
+    EXPECT_LT(length(cross(axis, sum)), 0.01 * half_angle); // symmetric about the axis
     EXPECT_EQ(BeamFootprint(1, 1).ray(around, 0), axis);
 }
 
-TEST(LidarReturns, AreWhatLiesApartByMoreThanTheResolution) {
+TEST(LidarReturns, AreSplitAtGapsWiderThanTheResolution) {
     std::vector<RayEcho> touches{{10.5, 1, 1, 3, 0}, {20, 2, 1, 4, 0}, {10, 3, 1, 1, 0}, {10.9, 0, 1, 2, 0}};
     std::vector<LidarReturn> returns;
     findReturns(touches, 0.5, returns);

@@ -16,7 +16,7 @@ LidarPoints simulate(const TraceScene& scene, const LidarSensor& sensor, const L
     return all;
 }
 
-TEST(LidarScenes, ASetIsSeenAsItsWhole) {
+TEST(LidarScenes, ATileSetMeasuresLikeOneFile) {
     const SphereInTiles ball;
     const TraceDevice device;
     const TraceScene whole(device, {ball.whole()}), tiles(device, {ball.tiles()}, {.memory = ball.largestTile()});
@@ -40,7 +40,7 @@ TEST(LidarScenes, ASetIsSeenAsItsWhole) {
     }
 }
 
-TEST(LidarScenes, ShapesSendBackTheirValue) {
+TEST(LidarScenes, ShapesReflectTheConstantValue) {
     const TemporaryFolder folder;
     std::ofstream(folder.file("shapes.toml"))
         << "[[shape]]\ntype = \"disc\"\ncenter = [0, 0, 0]\nnormal = [0, 0, 1]\nradius = 5\n";
@@ -48,7 +48,7 @@ TEST(LidarScenes, ShapesSendBackTheirValue) {
     const TraceScene scene(device, {folder.file("shapes.toml")});
     LidarSensor sensor;
     sensor.pattern = LidarTable{{{0, -90, 0, 0}}, 1};
-    sensor.max_range_m = 20; // so that power 1 is at 10 m
+    sensor.max_range_m = 20; // power is 1 at 10 m
     sensor.reflectance = {LidarReflectance::Source::kColor, 0.25, "", 0};
     LidarRun run;
     run.trajectory = {{0, {1, 1, 10}, {0, 0, 0, 1}}};

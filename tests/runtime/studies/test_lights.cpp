@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sun over days and the sky as directions. Where the sun stands at an instant is
-// tests/runtime/scene/test_sun.cpp's.
+// Directions of the sun over days, and of the sky. tests/runtime/scene/test_sun.cpp tests the position of the sun.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,13 +17,12 @@ double hoursOf(GeoPlace place, CalendarDate first, CalendarDate last, double eve
     return sumOf(sunLights({place, first, last, every_min, {}}, {}));
 }
 
-/// Degrees over the horizon of light k.
+/// Elevation of light k in degrees.
 double elevationOf(const Lights& lights, std::size_t k) {
     return std::asin(lights.directions[3 * k + 2]) * 180 / std::numbers::pi;
 }
 
-/// Hours between the rise and the set of the centre, which the air lifts by 34 minutes of arc: the almanacs'
-/// convention.
+/// Hours between rise and set of the centre, with refraction of 34 arc minutes as in almanacs.
 double dayLength(double latitude_deg, double declination_deg) {
     constexpr double kDegree = std::numbers::pi / 180;
     const double a = latitude_deg * kDegree, d = declination_deg * kDegree;
@@ -32,7 +30,7 @@ double dayLength(double latitude_deg, double declination_deg) {
     return 2 * std::acos(cosine) / kDegree / 15;
 }
 
-TEST(SunLights, DaysAreAsLongAsTheyAre) {
+TEST(SunLights, DaysHaveTheirAstronomicalLength) {
     constexpr double kObliquity = 23.436; // the declination of the solstices
     EXPECT_NEAR(hoursOf({0, 0}, {2026, 3, 20}, {2026, 3, 20}), dayLength(0, 0), 0.03);
     EXPECT_NEAR(hoursOf({47.37, 8.54}, {2026, 6, 21}, {2026, 6, 21}), dayLength(47.37, kObliquity), 0.03);
@@ -42,7 +40,7 @@ TEST(SunLights, DaysAreAsLongAsTheyAre) {
     EXPECT_EQ(hoursOf({80, 20}, {2026, 12, 21}, {2026, 12, 21}), 0);
 }
 
-TEST(SunLights, WeightsAreTheStretchesAndTheLastOneMayBeShort) {
+TEST(SunLights, WeightsAreTheIntervalsAndTheLastOneMayBeShort) {
     const Lights polar = sunLights({{80, 20}, {2026, 6, 21}, {2026, 6, 22}, 7, {}}, {});
     EXPECT_EQ(polar.weights.size(), 412u); // 2880 / 7 = 411.4
     EXPECT_NEAR(polar.weights[0], 7.0 / 60, 1e-12);
@@ -50,13 +48,14 @@ TEST(SunLights, WeightsAreTheStretchesAndTheLastOneMayBeShort) {
     EXPECT_NEAR(sumOf(polar), 48, 1e-9);
 }
 
-TEST(SunLights, StandInTheSouthAtNoonAndTurnWithNorth) {
+TEST(SunLights, AreInTheSouthAtNoonAndRotateWithNorth) {
     const SunStudy study{{47.37, 8.54}, {2026, 6, 21}, {2026, 6, 21}, 1, {}};
     const Lights sun = sunLights(study, {});
     std::size_t highest = 0;
     for (std::size_t k = 0; k < sun.weights.size(); ++k)
         if (elevationOf(sun, k) > elevationOf(sun, highest)) highest = k;
-    EXPECT_NEAR(elevationOf(sun, highest), 90 - 47.37 + 23.43, 0.03); // the solstice's declination, and some refraction
+    EXPECT_NEAR(elevationOf(sun, highest), 90 - 47.37 + 23.43,
+                0.03); // declination at the solstice, and some refraction
     EXPECT_NEAR(sun.directions[3 * highest], 0, 0.01);
     EXPECT_LT(sun.directions[3 * highest + 1], 0);
     EXPECT_GT(sun.directions[0], 0.5) << "it rises in the east";
@@ -67,11 +66,11 @@ TEST(SunLights, StandInTheSouthAtNoonAndTurnWithNorth) {
     EXPECT_NEAR(upright.directions[3 * highest + 1], sun.directions[3 * highest + 2], 1e-12);
 }
 
-TEST(SunLights, DaysBeginWhereTheZoneSays) {
+TEST(SunLights, DaysBeginAtMidnightOfTheUtcOffset) {
     EXPECT_EQ(utcOffsetOf({0, 8.54}), 1);
     EXPECT_EQ(utcOffsetOf({0, -123}), -8);
     EXPECT_EQ(utcOffsetOf({0, 7.4}), 0);
-    // at UTC a day in Auckland begins in the middle of the sunshine, and has parts of two of the sun's days
+    // a UTC day in Auckland begins during daylight and contains parts of two solar days
     const SunStudy day{{-36.85, 174.76}, {2026, 3, 20}, {2026, 3, 20}, 30, {}};
     SunStudy utc = day;
     utc.utc_offset_h = 0;
@@ -91,7 +90,7 @@ std::string refusalOf(const SunStudy& study) {
     return "";
 }
 
-TEST(SunLights, WhatIsNoPlaceOrDateIsRefused) {
+TEST(SunLights, InvalidPlacesAndDatesAreRefused) {
     const SunStudy good{{47, 8}, {2026, 2, 28}, {2026, 3, 1}, 15, {}};
     EXPECT_EQ(refusalOf(good), "");
     const auto with = [&](auto change) {
@@ -115,7 +114,7 @@ TEST(SunLights, WhatIsNoPlaceOrDateIsRefused) {
     EXPECT_EQ(with([](SunStudy& s) { s.utc_offset_h = 25; }), "the UTC offset must be from -24 to 24 hours");
 }
 
-TEST(SkyLights, AreUpAndEvenOverTheDisc) {
+TEST(SkyLights, AreUpAndUniformOnTheUnitDisc) {
     const Lights sky = skyLights(256, {});
     ASSERT_EQ(sky.weights.size(), 256u);
     EXPECT_NEAR(sumOf(sky), 1, 1e-12);
@@ -126,14 +125,14 @@ TEST(SkyLights, AreUpAndEvenOverTheDisc) {
         EXPECT_GT(d[2], 0);
         mean_up += d[2] / 256;
     }
-    EXPECT_NEAR(mean_up, 2.0 / 3, 0.002); // of directions that are as many as their cosine
+    EXPECT_NEAR(mean_up, 2.0 / 3, 0.002); // the mean cosine of a cosine-weighted hemisphere
     EXPECT_EQ(sky.directions, skyLights(256, {}).directions);
     EXPECT_THROW(skyLights(0, {}), TraceError);
     EXPECT_THROW(skyLights(65537, {}), TraceError);
 }
 
-/// The sky over a round basin whose horizon stands at an angle is the cosine's square of the whole.
-TEST(SkyLights, CountWhatTheFormulaOfABasinSays) {
+/// The sky view factor of a round basin is the squared cosine of the elevation of its horizon.
+TEST(SkyLights, GiveTheSkyViewFactorOfABasin) {
     const Lights sky = skyLights(4096, {});
     for (const double horizon_deg : {10.0, 30.0, 45.0, 70.0}) {
         double open = 0;

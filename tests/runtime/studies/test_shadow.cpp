@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shadow of a tower on level ground, hour by hour, against the formula.
+// Hourly shadows of a tower on level ground, checked against the gnomon formula.
 #include "tests/runtime/studies/study_scenes.h"
 
 namespace pointrt::test {
 namespace {
 
 constexpr double kGround = 0.25, kSpacing = 0.8 / 160, kHeight = 0.15; // cube units: 0.64 m and 19.2 m
-constexpr double kLow = 0.48, kHigh = 0.52;                            // of the tower's sides: 5.12 m
+constexpr double kLow = 0.48, kHigh = 0.52;                            // edges of the tower: 5.12 m
 
-/// Whether a place of the ground is in the tower's shadow: some part of the way to the tower's top, seen from above,
-/// lies within the walls.
+/// Whether a place on the ground is in the tower's shadow: the ray to the sun crosses the tower's footprint below its
+/// top.
 bool isShaded(double x, double y, const double* sun) {
     const double dx = sun[0] / sun[2] * kHeight, dy = sun[1] / sun[2] * kHeight;
     double from = 0, to = 1;
@@ -27,7 +27,7 @@ bool isShaded(double x, double y, const double* sun) {
     return from <= to;
 }
 
-/// -1 where the answer changes within a point's spacing, else 0 or 1.
+/// 0 or 1, or -1 if the answer changes within the point spacing.
 int surely(double x, double y, const double* sun) {
     const bool here = isShaded(x, y, sun);
     for (int k = 0; k < 16; ++k) {
@@ -42,18 +42,18 @@ protected:
     Shadow() {
         std::vector<pro_splat> splats;
         addSheet(splats, {{0.1, 0.1, kGround}, {0.8, 0, 0}, {0, 0.8, 0}, {0, 0, 1}}, kSpacing, 0.8 * kSpacing);
-        // discs of the walls end a fifth of a spacing beyond the edges
+        // discs of the walls extend beyond the edges by a fifth of the spacing
         addBox(splats, {kLow, kLow, kGround}, {kHigh - kLow, kHigh - kLow, kHeight}, kSpacing / 2, 0.36 * kSpacing);
         path = scan("tower.pro", splats);
         points = scanPoints(path);
     }
 
-    /// Cube units of a point's coordinate.
+    /// The coordinate of a point in cube units.
     double cube(std::size_t point, std::size_t axis) const {
         const GridPlace place;
         return (points.positions[3 * point + axis] - place.origin[axis]) / place.edge;
     }
-    /// Of the ground, outside of the tower.
+    /// Whether the point is on the ground outside the tower.
     bool isGround(std::size_t i) const {
         const bool inside = cube(i, 0) > kLow - kSpacing && cube(i, 0) < kHigh + kSpacing &&
                             cube(i, 1) > kLow - kSpacing && cube(i, 1) < kHigh + kSpacing;
@@ -64,7 +64,7 @@ protected:
     ScanPoints points;
 };
 
-TEST_F(Shadow, FollowsTheGnomonOverTheDay) {
+TEST_F(Shadow, FollowsTheGnomonFormulaOverTheDay) {
     const TraceScene scene(device, {path});
     const GeoPlace place{47, 15}; // the central meridian of UTM zone 33
     const StudyFrame frame = studyFrame(path, place);
@@ -110,7 +110,7 @@ TEST_F(Shadow, HoursAreTheSumOfTheInstants) {
     }
 }
 
-TEST_F(Shadow, WallsAreLitOnTheirSunnySideAlone) {
+TEST_F(Shadow, WallsAreLitOnTheirSunnySideOnly) {
     const TraceScene scene(device, {path});
     std::vector<double> lit(points.radii.size());
     sumLights(scene, points.rows(), lightFrom(towards(30, 180)), {}, lit); // from the south

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who sees what over a wall on level ground, against the formula.
+// Visibility over a wall on level ground, checked against the formula.
 #include "tests/runtime/studies/study_scenes.h"
 
 namespace pointrt::test {
@@ -12,7 +12,7 @@ protected:
     Sight() {
         std::vector<pro_splat> splats;
         addSheet(splats, {{0.1, 0.1, kGround}, {0.8, 0, 0}, {0, 0.8, 0}, {0, 0, 1}}, kSpacing, 0.8 * kSpacing);
-        // a wall across all of the ground, two sheets that are 4 spacings apart
+        // a wall across the ground: two sheets 4 spacings apart
         for (const double x : {kWall, kWall + 4 * kSpacing})
             addSheet(splats, {{x, 0.1, kGround}, {0, 0.8, 0}, {0, 0, kHeight}, {x > kWall ? 1.0f : -1.0f, 0, 0}},
                      kSpacing / 2, 0.36 * kSpacing);
@@ -40,10 +40,10 @@ protected:
     ScanPoints points;
 };
 
-TEST_F(Sight, EndsBehindTheWallAsTheFormulaSays) {
+TEST_F(Sight, ShadowOfTheWallMatchesTheFormula) {
     const double up = 0.1;
     const auto visible = seenFrom({eyeAt(0.2, 0.5, kGround + up)});
-    // the line over the wall's far edge comes down again there
+    // where the line of sight over the far edge of the wall reaches the ground
     const double far_edge = kWall + 4 * kSpacing;
     const double hidden_to = 0.2 + (far_edge - 0.2) * up / (up - kHeight);
     std::size_t before = 0, behind = 0, beyond = 0;
@@ -67,7 +67,7 @@ TEST_F(Sight, EndsBehindTheWallAsTheFormulaSays) {
     EXPECT_EQ(beyond, 0u);
 }
 
-TEST_F(Sight, FromHighUpTheGroundBeyondIsSeenAgain) {
+TEST_F(Sight, HighObserversSeeTheGroundBeyondTheWall) {
     const double up = 0.5;
     const auto visible = seenFrom({eyeAt(0.2, 0.5, kGround + up)});
     const double far_edge = kWall + 4 * kSpacing, hidden_to = 0.2 + (far_edge - 0.2) * up / (up - kHeight);
@@ -81,7 +81,7 @@ TEST_F(Sight, FromHighUpTheGroundBeyondIsSeenAgain) {
     EXPECT_GT(beyond, 3000u);
 }
 
-TEST_F(Sight, OneSideOfAWallIsSeen) {
+TEST_F(Sight, OnlyTheNearSideOfAWallIsSeen) {
     const auto visible = seenFrom({eyeAt(0.2, 0.5, kGround + 0.02)});
     for (std::size_t i = 0; i < visible.size(); ++i) {
         const float nx = points.normals[3 * i];
@@ -90,7 +90,7 @@ TEST_F(Sight, OneSideOfAWallIsSeen) {
     }
 }
 
-TEST_F(Sight, WhatIsFarOrWithinSeesLittle) {
+TEST_F(Sight, RadiusAndEnclosedObserversLimitSight) {
     const auto near = seenFrom({eyeAt(0.2, 0.5, kGround + 0.1), 0.15 * place.edge});
     for (std::size_t i = 0; i < near.size(); ++i) {
         const double distance = std::hypot(cube(i, 0) - 0.2, cube(i, 1) - 0.5, cube(i, 2) - kGround - 0.1);
@@ -106,12 +106,12 @@ TEST_F(Sight, WhatIsFarOrWithinSeesLittle) {
     }
 }
 
-TEST_F(Sight, AnEyeOnAPointSeesIt) {
+TEST_F(Sight, AnObserverAtAPointSeesIt) {
     const std::array<double, 3> eye{points.positions[0], points.positions[1], points.positions[2]};
     EXPECT_EQ(seenFrom({eye})[0], 1);
 }
 
-TEST_F(Sight, ObserversThatAreNoneAreRefused) {
+TEST_F(Sight, InvalidObserversAreRefused) {
     EXPECT_THROW(seenFrom({{0, std::nan(""), 0}}), TraceError);
     EXPECT_THROW(seenFrom({{0, 0, 0}, 0}), TraceError);
     EXPECT_THROW(seenFrom({{0, 0, 0}, std::nan("")}), TraceError);

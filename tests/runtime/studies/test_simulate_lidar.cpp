@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What simulated scanners measure of planes and discs, against formulas.
+// Simulated measurements of planes and discs, checked against formulas.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,11 +18,11 @@ namespace {
 constexpr double kRadians = std::numbers::pi / 180;
 constexpr std::size_t kSide = 80;
 constexpr double kSplatRadius = 128 * 0.8 / kSide; // of planeSplats
-/// Of a plane at half of the cube, as positions are stored, and a scanner over its middle.
+/// The plane in the middle of the cube, at the stored precision, and a scanner above its centre.
 constexpr double kGround = 100 + 128 * (0.5 + 0.5 * 0x1p-21), kAbove = 10;
 constexpr std::array<double, 3> kPlace{500064, 4500064, kGround + kAbove};
 
-/// Where a ray meets a splat as the file has it.
+/// Where a ray intersects a splat as stored.
 double rangeTo(const pro_splat& splat, Vec3 origin, Vec3 direction) {
     const GridPlace place;
     const auto center = place.world(splat.position);
@@ -30,7 +30,7 @@ double rangeTo(const pro_splat& splat, Vec3 origin, Vec3 direction) {
     return dot(normal, Vec3{center[0], center[1], center[2]} - origin) / dot(normal, direction);
 }
 
-/// Straight down, again and again.
+/// Fires straight down repeatedly.
 LidarSensor plummet(double pulse_hz = 1000) {
     LidarSensor sensor;
     sensor.pattern = LidarTable{{{0, -90, 0, 0}}, pulse_hz};
@@ -74,7 +74,7 @@ private:
     std::optional<TraceScene> plane_;
 };
 
-TEST_F(Lidar, AGroundIsAtTheRangesAndIncidencesOfItsFormulas) {
+TEST_F(Lidar, RangesAndIncidencesOfAPlaneMatchTheFormulas) {
     LidarSensor sensor;
     const std::vector<double> elevations{-90, -75, -60, -45, -30, -20, 10};
     sensor.pattern = LidarSpinning{elevations, 10, 2, 0, false};
@@ -84,7 +84,7 @@ TEST_F(Lidar, AGroundIsAtTheRangesAndIncidencesOfItsFormulas) {
     run.duration_s = {};
     const LidarPoints points = simulate(plane(), sensor, run);
     EXPECT_EQ(points.pulses_done, 180u * 7);
-    ASSERT_EQ(points.size(), 180u * 6); // what looks up sees nothing
+    ASSERT_EQ(points.size(), 180u * 6); // upward beams hit nothing
     const ProFile file(folder.file("plane.pro"));
     const Vec3 origin{kPlace[0], kPlace[1], kPlace[2]};
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -96,7 +96,7 @@ TEST_F(Lidar, AGroundIsAtTheRangesAndIncidencesOfItsFormulas) {
         ASSERT_NEAR(points.ranges[i], rangeTo(file.splat(points.splat_ids[i]), origin, direction), 1e-4 * kSplatRadius);
         ASSERT_EQ(points.rings[i], ring);
         ASSERT_EQ(points.pulses[i], i / 6 * 7 + ring);
-        // normals are rounded: what a disc leaves its plane by is seen aslant
+        // normals are rounded, which tilts the discs
         ASSERT_NEAR(points.ranges[i], range, 1e-3 * kSplatRadius / down) << i;
         ASSERT_NEAR(p.x, kPlace[0] + range * std::cos(elevations[ring] * kRadians) * std::cos(azimuth), 2e-3) << i;
         ASSERT_NEAR(p.y, kPlace[1] + range * std::cos(elevations[ring] * kRadians) * std::sin(azimuth), 2e-3) << i;
@@ -111,7 +111,7 @@ TEST_F(Lidar, AGroundIsAtTheRangesAndIncidencesOfItsFormulas) {
     }
 }
 
-TEST_F(Lidar, NoiseHasItsMeanItsWidthAndItsGrowth) {
+TEST_F(Lidar, NoiseHasItsMeanDeviationAndGrowth) {
     LidarSensor sensor = plummet(40000);
     sensor.range_noise_m = 0.03;
     sensor.range_noise_per_m = 0.002;
@@ -133,7 +133,7 @@ TEST_F(Lidar, NoiseHasItsMeanItsWidthAndItsGrowth) {
         ASSERT_NEAR(positionOf(points, i).z, kGround + kAbove - points.ranges[i], 1e-8);
 }
 
-TEST_F(Lidar, BlocksDoNotChangeAnything) {
+TEST_F(Lidar, ResultsDoNotDependOnBlocks) {
     LidarSensor sensor = plummet();
     sensor.pattern = LidarSpinning{{-80, -40, -20}, 5, 1, 0, true};
     sensor.divergence_mrad = 20;
@@ -154,7 +154,7 @@ TEST_F(Lidar, BlocksDoNotChangeAnything) {
     EXPECT_NE(simulate(plane(), sensor, run).pulses, at_once.pulses);
 }
 
-TEST_F(Lidar, PulsesAreDroppedAsOftenAsSaid) {
+TEST_F(Lidar, PulsesAreDroppedWithTheGivenProbability) {
     LidarSensor sensor = plummet(20000);
     sensor.drop_probability = 0.25;
     const LidarPoints points = simulate(plane(), sensor, standing());
@@ -163,7 +163,7 @@ TEST_F(Lidar, PulsesAreDroppedAsOftenAsSaid) {
     EXPECT_EQ(simulate(plane(), sensor, standing()).size(), 0u);
 }
 
-TEST_F(Lidar, WeakReturnsAreNotNoticed) {
+TEST_F(Lidar, WeakReturnsAreNotDetected) {
     LidarSensor sensor = plummet();
     std::vector<double> elevations;
     for (int i = 0; i <= 70; ++i) elevations.push_back(-90 + i);
@@ -171,7 +171,7 @@ TEST_F(Lidar, WeakReturnsAreNotNoticed) {
     sensor.detection_threshold = 0.2;
     LidarRun run = standing(0.1);
     const LidarPoints points = simulate(plane(), sensor, run);
-    const double lowest = std::asin(std::cbrt(0.2)) / kRadians; // powers are the sine's cube
+    const double lowest = std::asin(std::cbrt(0.2)) / kRadians; // power is the cube of the sine
     const auto seen = std::count_if(elevations.begin(), elevations.end(), [&](double e) { return -e > lowest; });
     EXPECT_EQ(points.size(), static_cast<std::size_t>(seen));
     sensor.range_corrected = true;
@@ -181,7 +181,7 @@ TEST_F(Lidar, WeakReturnsAreNotNoticed) {
         EXPECT_NEAR(corrected.intensities[i], 4096 * std::sin(-elevations[i] * kRadians), 2);
 }
 
-/// A disc 50 m below the scanner, 5 m over the ground.
+/// A disc 50 m below the scanner, 5 m above the ground.
 class LidarAndDisc : public Lidar {
 protected:
     static constexpr double kHeight = 50, kGap = 5;
@@ -192,7 +192,7 @@ protected:
         splats.push_back({{0.5f, 0.5f, level}, {0, 0, 1}, 0.008f, {200, 200, 200}, 0});
         const std::string path = scan("disc.pro", splats);
         const ProFile file(path);
-        while (file.splat(number).position[2] < level - 0.01f) ++number; // they lie in their leaves' order
+        while (file.splat(number).position[2] < level - 0.01f) ++number; // splats are in leaf order
         const pro_splat disc = file.splat(number);
         radius = 128 * static_cast<double>(disc.radius);
         for (int axis = 0; axis < 3; ++axis)
@@ -200,7 +200,7 @@ protected:
         scene.emplace(device, std::vector{path});
     }
 
-    /// Straight down, aside of the disc's middle by this.
+    /// Fires straight down at this distance from the centre of the disc.
     LidarRun aside(double distance, double duration_s = 0.02) const {
         LidarRun run = standing(duration_s);
         run.trajectory[0].position = {center[0] + distance, center[1], center[2] + kHeight};
@@ -221,11 +221,11 @@ protected:
         constexpr int kRings = 4000;
         double share = 0;
         for (int i = 0; i < kRings; ++i) {
-            // each ring holds as much, as its radius is where the power inside comes to that share
+            // rings of equal power: each radius encloses its share of the power
             const double inside = (i + 0.5) / kRings,
                          angle = 0.04 * std::sqrt(-0.5 * std::log1p(inside * std::expm1(-2)));
             const double r = kHeight * std::tan(angle);
-            // arc of a circle of radius r, distance from the disc's middle, that lies in the disc
+            // the arc of a circle of radius r that lies in the disc, by its distance from the disc's centre
             const double cosine = (r * r + distance * distance - radius * radius) / (2 * r * std::max(distance, 1e-9));
             share += std::acos(std::clamp(cosine, -1.0, 1.0)) / std::numbers::pi / kRings;
         }
@@ -238,7 +238,7 @@ protected:
     std::uint32_t number = 0;
 };
 
-TEST_F(LidarAndDisc, ABeamOverAnEdgeIsTwoReturnsWithTheirShares) {
+TEST_F(LidarAndDisc, ABeamAcrossAnEdgeGivesTwoReturnsWithTheirShares) {
     for (const double distance : {0.0, 0.5 * radius, radius}) {
         const LidarPoints points = simulate(*scene, wideBeam(), aside(distance));
         ASSERT_EQ(points.size(), 40u) << distance;
@@ -249,19 +249,19 @@ TEST_F(LidarAndDisc, ABeamOverAnEdgeIsTwoReturnsWithTheirShares) {
             ASSERT_EQ(points.numbers_of_returns[i + 1], 2);
             ASSERT_EQ(points.splat_ids[i], number);
             ASSERT_NE(points.splat_ids[i + 1], number);
-            // nearly: rays at the rim of the cone go 0.08% farther
+            // approximately: rays at the rim of the cone are 0.08% longer
             EXPECT_NEAR(points.ranges[i], kHeight, 1e-3 * kHeight);
             EXPECT_NEAR(points.ranges[i + 1], kHeight + kGap, 1e-3 * kHeight);
             const double first = static_cast<double>(points.powers[i]);
             const double second = static_cast<double>(points.powers[i + 1]) * std::pow((kHeight + kGap) / kHeight, 2);
-            // the disc's rim is told to a hundredth of its radius
+            // the rim of the disc is exact to a hundredth of its radius
             EXPECT_NEAR(first / (first + second), shareOf(distance), 0.015) << distance;
             EXPECT_NEAR(first + second, 1, 2e-3);
         }
     }
 }
 
-TEST_F(LidarAndDisc, FirstLastAndStrongestAreOne) {
+TEST_F(LidarAndDisc, FirstLastAndStrongestKeepOneReturn) {
     LidarSensor sensor = wideBeam();
     const auto only = [&](LidarKept kept) {
         sensor.kept = kept;
@@ -281,7 +281,7 @@ TEST_F(LidarAndDisc, FirstLastAndStrongestAreOne) {
     EXPECT_EQ(simulate(*scene, sensor, aside(0, 0.001)).size(), 1u);
 }
 
-TEST_F(LidarAndDisc, RangesEndWhereTheyAreSaidTo) {
+TEST_F(LidarAndDisc, RangesAreLimited) {
     LidarSensor sensor = wideBeam();
     sensor.rays = 1;
     sensor.max_range_m = 49.9;
@@ -295,7 +295,7 @@ TEST_F(LidarAndDisc, RangesEndWhereTheyAreSaidTo) {
     EXPECT_EQ(simulate(*scene, sensor, aside(3, 0.001)).size(), 1u);
 }
 
-TEST_F(Lidar, LengthsAreMetresOfWhateverUnitTheScanHas) {
+TEST_F(Lidar, SensorLengthsAreMetresInAnyUnitOfTheScan) {
     LidarSensor sensor = plummet();
     LidarRun run = standing(0.001);
     run.metres_per_unit = 0.3048;
@@ -309,7 +309,7 @@ TEST_F(Lidar, LengthsAreMetresOfWhateverUnitTheScanHas) {
     EXPECT_NEAR(static_cast<double>(points.powers[0]), 1, 1e-3);
 }
 
-TEST_F(Lidar, AFlightDrawsAZigzag) {
+TEST_F(Lidar, AnOscillatingMirrorInFlightDrawsAZigzag) {
     LidarSensor sensor;
     sensor.pattern = LidarOscillating{40, 10, 2000, false};
     sensor.max_range_m = 200;
@@ -337,7 +337,7 @@ TEST_F(Lidar, AFlightDrawsAZigzag) {
     EXPECT_NEAR(positionOf(part, 0).y, 4500064, 2e-3);
 }
 
-TEST_F(Lidar, SurfacesAreAsBrightAsTheirColorsOrTheirNumbers) {
+TEST_F(Lidar, ReflectancesComeFromColorsOrAttributes) {
     std::vector<pro_splat> splats = planeSplats(2, 0.5f);
     splats[1].color[0] = 255, splats[1].color[1] = 0, splats[1].color[2] = 0;
     Scene colored = sceneOf(splats);
@@ -347,13 +347,13 @@ TEST_F(Lidar, SurfacesAreAsBrightAsTheirColorsOrTheirNumbers) {
     std::vector<float> seen(4);
     const TraceScene scene(device, {folder.file("colored.pro")});
     ReflectanceLookup(scene, {}).lookUp({ids, none, {}}, seen);
-    std::sort(seen.begin(), seen.end()); // splats of a file lie in their leaves' order
+    std::sort(seen.begin(), seen.end()); // splats are in leaf order
     EXPECT_FLOAT_EQ(seen[0], 0.2126f);
     EXPECT_NEAR(static_cast<double>(seen[3]), std::pow((200 / 255.0 + 0.055) / 1.055, 2.4), 1e-6);
     ReflectanceLookup(scene, {LidarReflectance::Source::kConstant, 0.25, "", 0}).lookUp({ids, none, {}}, seen);
     EXPECT_EQ(seen, std::vector<float>(4, 0.25f));
 
-    const TraceScene numbered(device, {POINTRT_GOLDEN_DIR "/tiny_v1_2.pro"}); // tests/format/tiny_attributes.h
+    const TraceScene numbered(device, {POINTRT_GOLDEN_DIR "/tiny_compact_scan.pro"}); // tests/format/tiny_attributes.h
     const std::vector<std::uint32_t> some{3, 1, 0, kNoHit}, first{0, 0, 0, kNoHit};
     ReflectanceLookup(numbered, {}).lookUp({some, first, {}}, seen);
     EXPECT_EQ(seen, (std::vector<float>{300.0f / 65535, 1, 0, 0}));
@@ -371,7 +371,7 @@ TEST_F(Lidar, SurfacesAreAsBrightAsTheirColorsOrTheirNumbers) {
     }
 }
 
-/// What simulateLidar says to a sensor and a run that are none.
+/// The error of simulateLidar for an invalid sensor or run.
 std::string refusalOf(const LidarSensor& sensor, const LidarRun& run) {
     try {
         lidarPulseCount(sensor, run);
@@ -382,7 +382,7 @@ std::string refusalOf(const LidarSensor& sensor, const LidarRun& run) {
     return "nothing was thrown";
 }
 
-TEST(LidarCheck, SensorsThatAreNoneAreToldByTheirMember) {
+TEST(LidarCheck, InvalidSensorsAreNamedByTheirMember) {
     const double nan = std::nan("");
     const auto refusal = [](auto change) {
         LidarSensor sensor = plummet();
@@ -426,7 +426,7 @@ TEST(LidarCheck, SensorsThatAreNoneAreToldByTheirMember) {
               "a run of 1.000000 s fires more pulses than can be counted");
 }
 
-TEST(LidarCheck, RunsThatAreNoneAreTold) {
+TEST(LidarCheck, InvalidRunsAreRefused) {
     const double nan = std::nan("");
     const auto refusal = [](auto change) {
         LidarRun run = standing();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Surfaces do not shade themselves, however they scatter and whichever way their normals point.
+// Surfaces do not shade themselves, with any scatter and orientation of normals.
 #include <random>
 
 #include "tests/runtime/studies/study_scenes.h"
@@ -7,10 +7,9 @@
 namespace pointrt::test {
 namespace {
 
-constexpr double kInside = 0.15; // cube units: points that far from the rim of the ground are looked at
+constexpr double kInside = 0.15; // cube units: only points this far from the rim of the ground are checked
 
-/// Level ground whose discs stand off it by scatter radii and lean by up to lean_deg; a share of normals is turned
-/// round.
+/// Level ground whose discs scatter by this many radii and tilt by up to lean_deg; some normals are flipped.
 std::vector<pro_splat> roughGround(double scatter, double lean_deg, double turned) {
     std::mt19937 random(1);
     std::normal_distribution<double> gauss;
@@ -35,7 +34,7 @@ struct Share {
 
 class Surface : public Study {
 protected:
-    /// Of the points inside of the rim.
+    /// Statistics of the points away from the rim.
     Share litShare(const std::vector<pro_splat>& splats, std::array<double, 3> light, Sides sides) {
         const std::string path = scan("ground.pro", splats);
         const TraceScene scene(device, {path});
@@ -59,7 +58,7 @@ protected:
 TEST_F(Surface, GroundDoesNotShadeItself) {
     for (const double elevation : {85.0, 40.0, 15.0, 6.0}) {
         EXPECT_EQ(litShare(roughGround(0, 0, 0), towards(elevation, 100), Sides::kFront).lit, 1) << elevation;
-        // what is as rough as that has shadows of its own where the sun stands lower than its slopes
+        // ground this rough casts real shadows if the sun is lower than its slopes
         EXPECT_GT(litShare(roughGround(0.2, 8, 0), towards(elevation, 100), Sides::kBoth).lit,
                   elevation > 8 ? 0.999 : 0.95)
             << elevation;
@@ -67,20 +66,20 @@ TEST_F(Surface, GroundDoesNotShadeItself) {
     EXPECT_EQ(litShare(roughGround(0, 0, 0), towards(2, 100), Sides::kFront).lit, 1);
 }
 
-TEST_F(Surface, ScatterThatNobodyCleanedOffDoesNotHideGroundFromALowSun) {
-    // as a bake leaves points a third of a radius off the ground without cleaning: normals fitted to many lean little
+TEST_F(Surface, UncleanedScatterDoesNotShadeGroundAtLowSun) {
+    // a bake without cleaning leaves points a third of a radius off the ground, with nearly level normals
     for (const double elevation : {10.0, 6.0, 4.0})
         EXPECT_GT(litShare(roughGround(0.33, 1.5, 0), towards(elevation, 100), Sides::kFront).lit, 0.99) << elevation;
 }
 
-TEST_F(Surface, NormalsThatAreTurnedRoundCountWhereTheyAreTrusted) {
+TEST_F(Surface, FlippedNormalsMatterForOneSidedPoints) {
     const std::vector<pro_splat> ground = roughGround(0.1, 5, 0.5);
     EXPECT_GT(litShare(ground, towards(40, 100), Sides::kBoth).lit, 0.999);
     EXPECT_NEAR(litShare(ground, towards(40, 100), Sides::kFront).lit, 0.5, 0.03);
     EXPECT_EQ(litShare(roughGround(0, 0, 1), towards(40, 100), Sides::kFront).lit, 0);
 }
 
-TEST_F(Surface, AScatteredSurfaceIsOneAsFarAsItsNoiseIsKnown) {
+TEST_F(Surface, KnownNoiseExtendsTheSelfIntersectionDistance) {
     std::vector<pro_splat> splats = roughGround(0.9, 10, 0);
     const std::string path = scan("noisy.pro", splats);
     const TraceScene scene(device, {path});
@@ -110,7 +109,7 @@ TEST_F(Surface, ABallIsLitOnOneHalf) {
         for (std::size_t i = 0; i < lit.size(); ++i) {
             const float* n = points.normals.data() + 3 * i;
             const double cosine = n[0] * light[0] + n[1] * light[1] + n[2] * light[2];
-            // by both sides what lies within 8 radii of the terminator's other side looks over it
+            // with both sides, points within 8 radii beyond the terminator are lit
             const double reach = sides == Sides::kFront ? 0.01 : 8.0 * points.radii[i] / (0.3 * 128);
             if (std::abs(cosine) > reach) wrong += (lit[i] > 0) != (cosine > 0);
         }
@@ -118,8 +117,8 @@ TEST_F(Surface, ABallIsLitOnOneHalf) {
     }
 }
 
-TEST_F(Surface, SkyOfAnOpenPlaceIsOneAndOfABasinTheFormulas) {
-    // a round basin: a wall of 0.2 around the middle at 0.2, so that the sky begins at 45 degrees
+TEST_F(Surface, SkyViewIsOneInTheOpenAndTheFormulaInABasin) {
+    // a round basin: a wall of height 0.2 at distance 0.2, so the horizon is at 45 degrees
     std::vector<pro_splat> splats;
     const double radius = 0.2, height = 0.2, spacing = 0.004;
     for (double z = spacing / 2; z < height; z += spacing)
@@ -142,7 +141,7 @@ TEST_F(Surface, SkyOfAnOpenPlaceIsOneAndOfABasinTheFormulas) {
     EXPECT_NEAR(sky[1], 1, 1e-9);
 }
 
-TEST_F(Surface, WhatIsWrongWithPointsIsToldByTheirNumber) {
+TEST_F(Surface, InvalidPointsAreNamedByTheirIndex) {
     const TraceScene scene(device, {scan("ground.pro", planeSplats(10, 0.5f))});
     std::vector<double> positions{0, 0, 0, std::nan(""), 0, 0}, sums(2);
     const Lights light = lightFrom({0, 0, 1});

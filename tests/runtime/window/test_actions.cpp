@@ -60,8 +60,9 @@ TEST(Actions, NoKeyIsForgotten) {
         Workspace work;
         const bool own = control.action == Action::kCopyCamera || control.action == Action::kPasteCamera ||
                          control.action == Action::kPreviousFile || control.action == Action::kNextFile;
-        EXPECT_EQ(
-            int{applyAction(work, control.action)} + int{cameraForAction(control.action, camera, camera).has_value()} + int{own}, 1)
+        EXPECT_EQ(int{applyAction(work, control.action)} +
+                      int{cameraForAction(control.action, camera, camera).has_value()} + int{own},
+                  1)
             << control.press;
     }
 }

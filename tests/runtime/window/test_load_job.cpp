@@ -239,7 +239,7 @@ TEST_F(LoadJobTest, PicksTellTheNumberOfTheirColour) {
         const auto loaded = loadText("[render]\ncolor_by = '" + std::string(word) + "'\n" + kSaid);
         Pick pick;
         pick.splat = splat;
-        return describePick(loaded->scene, pick).number;
+        return describePick(loaded->scene, pick).value;
     };
     EXPECT_EQ(told("class", 2), "classification 6, building");
     EXPECT_EQ(told("gps_time", 0), "gps_time 1000000000.25");

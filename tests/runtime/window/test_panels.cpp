@@ -31,7 +31,7 @@ Workspace litScan() {
 PickedPoint pick(Vec3 position) {
     PickedPoint point;
     point.splat = 7;
-    point.owner = "scans/bust.pro";
+    point.source = "scans/bust.pro";
     point.position = position;
     point.normal = {0, 0, 1};
     point.radius = 0.01;

@@ -88,8 +88,9 @@ TEST(Recording, SaysWhereAndWhyItIsWrong) {
               "a.rec:1: \"99999x1\" is not WxH with 1 to 16384 pixels each");
     EXPECT_EQ(refusalOfLine("5 quit\n4 quit"), "a.rec:3: frame 4 comes after 5");
     EXPECT_EQ(refusalOfLine("x quit"), "a.rec:2: \"x\" is not a whole number from 0 to 10000000");
-    EXPECT_EQ(refusalOfLine("1 jump"), "a.rec:2: \"jump\" is not one of key, text, button, cursor, wheel, resize, drop, "
-                                       "close, screenshot, wait, quit");
+    EXPECT_EQ(refusalOfLine("1 jump"),
+              "a.rec:2: \"jump\" is not one of key, text, button, cursor, wheel, resize, drop, "
+              "close, screenshot, wait, quit");
     EXPECT_EQ(refusalOfLine("1 key down Foo"), "a.rec:2: no key is called \"Foo\"");
     EXPECT_EQ(refusalOfLine("1 key sideways A"), "a.rec:2: \"sideways\" is neither down nor up");
     EXPECT_EQ(refusalOfLine("1 button down thumb"), "a.rec:2: no button is called \"thumb\"");

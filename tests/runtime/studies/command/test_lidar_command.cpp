@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// pointrt-rays lidar as users run it: the sensors of docs/, each kind of file, and what is wrong.
+// pointrt-rays lidar end to end: the sensors of docs/, every output format, and errors.
 #include <cmath>
 #include <sstream>
 
@@ -9,14 +9,14 @@ namespace pointrt::test {
 namespace {
 
 const std::string kSensors = POINTRT_DOCS "/sensors/";
-const std::string kMiddle = " --pose 500064,4500064,166 "; // 2 m over the plane
+const std::string kMiddle = " --pose 500064,4500064,166 "; // 2 m above the plane
 
 /// pointrt-rays lidar in the folder of plane.pro.
 class LidarCommand : public CastCommand {
 protected:
     Outcome lidar(const std::string& words) const { return run(POINTRT_RAYS " lidar plane.pro " + words); }
 
-    /// Rows of a text file by the names of its first line.
+    /// Columns of a text file by name.
     struct Rows {
         std::vector<std::string> names;
         std::vector<std::vector<double>> rows;
@@ -52,7 +52,7 @@ TEST_F(LidarCommand, TheSensorsOfTheDocsRun) {
     EXPECT_EQ(points.names, (std::vector<std::string>{"x", "y", "z", "intensity", "return_number", "number_of_returns",
                                                       "gps_time", "ring", "range", "power", "incidence_deg", "pulse",
                                                       "splat_id", "instance_id"}));
-    // of 32 beams, 22 look down by enough to meet the plane within its 51 m: 1% of their 39600 pulses is dropped
+    // 22 of 32 beams hit the plane within its 51 m; 1% of their 39600 pulses are dropped
     EXPECT_NEAR(static_cast<double>(points.rows.size()), 0.99 * 22 * 1800, 2500);
     for (const double z : points.column("z")) ASSERT_NEAR(z, 164, 0.1);
     for (const double range : points.column("range")) ASSERT_GT(range, 3.5);
@@ -65,14 +65,14 @@ TEST_F(LidarCommand, TheSensorsOfTheDocsRun) {
     ASSERT_EQ(lidar("--sensor " + kSensors + "flash.toml" + kMiddle + "-o flash.csv").code, 0);
     EXPECT_EQ(rows("flash.csv").column("ring").back(), 47);
     ASSERT_EQ(lidar("--sensor " + kSensors + "table.toml" + kMiddle + "-o table.csv").code, 0);
-    EXPECT_EQ(rows("table.csv").rows.size(), 48u); // all of them look down
+    EXPECT_EQ(rows("table.csv").rows.size(), 48u); // all beams point down
 }
 
-TEST_F(LidarCommand, EachKindOfFileHoldsThePoints) {
+TEST_F(LidarCommand, EveryFormatHoldsThePoints) {
     const std::string words = "--sensor " + kSensors + "flash.toml" + kMiddle + "--seed 3 -q -o ";
     ASSERT_EQ(lidar(words + "scan.csv").code, 0);
     const std::size_t count = rows("scan.csv").rows.size();
-    ASSERT_GT(count, 1000u); // of 3072, those that look down
+    ASSERT_GT(count, 1000u); // the downward ones of 3072
     ASSERT_EQ(lidar(words + "scan.ply --stats stats.json").code, 0);
     const std::string ply = text("scan.ply");
     EXPECT_NE(ply.find("element vertex " + std::to_string(count) + "\n"), std::string::npos);

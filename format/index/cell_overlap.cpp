@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "format/index/cell_meeting.h"
+#include "format/index/cell_overlap.h"
 
 #include <algorithm>
 #include <array>
@@ -13,10 +13,10 @@ namespace pointrt {
 
 namespace {
 
-/// The boxes by axis for all cells, then planes and spheres of what is left.
-class BrickMeeting {
+/// Tests bounding boxes axis by axis for all cells, then planes and spheres for the remaining cells.
+class BrickOverlap {
 public:
-    BrickMeeting(const CellDisc& disc, const Vector& offset, float slack) : disc_(disc), half_(0.5f + slack) {
+    BrickOverlap(const CellDisc& disc, const Vector& offset, float slack) : disc_(disc), half_(0.5f + slack) {
         for (std::uint32_t axis = 0; axis < 3; ++axis)
             for (std::uint32_t k = 0; k < PRO_BRICK_SIDE; ++k) {
                 const float distance = disc.center[axis] - offset[axis] - (static_cast<float>(k) + 0.5f);
@@ -30,28 +30,28 @@ public:
     }
 
     CellSets cells() const {
-        CellSets met;
+        CellSets sets;
         const float slab = disc_.slab, radius_squared = disc_.radius * disc_.radius;
         const std::uint64_t disc_box = boxed(0.0f);
-        for (std::uint64_t left = boxed(slab); left != 0; left &= left - 1) {
-            const auto cell = static_cast<std::uint32_t>(std::countr_zero(left));
+        for (std::uint64_t rest = boxed(slab); rest != 0; rest &= rest - 1) {
+            const auto cell = static_cast<std::uint32_t>(std::countr_zero(rest));
             const std::uint32_t x = cell & 3, y = cell >> 2 & 3, z = cell >> 4;
             const float along = std::fabs(along_[0][x] + along_[1][y] + along_[2][z]);
             const float beyond = beyond_[0][x] + beyond_[1][y] + beyond_[2][z];
             const bool by_slab = along <= widest_ + slab && beyond <= radius_squared + slab * slab;
             const bool by_disc = (disc_box >> cell & 1) != 0 && along <= widest_ && beyond <= radius_squared;
-            met.by_slab |= std::uint64_t{by_slab} << cell;
-            met.by_disc |= std::uint64_t{by_disc && (beyond == 0 || meets(x, y, z))} << cell;
+            sets.by_slab |= std::uint64_t{by_slab} << cell;
+            sets.by_disc |= std::uint64_t{by_disc && (beyond == 0 || overlaps(x, y, z))} << cell;
         }
-        return met;
+        return sets;
     }
 
 private:
-    bool meets(std::uint32_t x, std::uint32_t y, std::uint32_t z) const {
-        return meetsCube({{distance_[0][x], distance_[1][y], distance_[2][z]}, disc_.normal, disc_.radius}, half_);
+    bool overlaps(std::uint32_t x, std::uint32_t y, std::uint32_t z) const {
+        return overlapsCube({{distance_[0][x], distance_[1][y], distance_[2][z]}, disc_.normal, disc_.radius}, half_);
     }
 
-    /// Where the bounding box reaches: the bits of each axis, spread over the other two.
+    /// The cells that the bounding box overlaps: bits per axis, replicated along the other two.
     std::uint64_t boxed(float slab) const {
         constexpr std::uint64_t kAlong[3] = {0x1111111111111111u, 0x000F000F000F000Fu, 0x000000000000FFFFu};
         std::uint64_t all = ~std::uint64_t{0};
@@ -73,7 +73,7 @@ private:
 
 } // namespace
 
-bool mayMeet(const CellDisc& disc, const CellBox& box, float slab) {
+bool mayOverlap(const CellDisc& disc, const CellBox& box, float slab) {
     const float half = box.half_edge + box.slack;
     float along = 0, widest = 0, beyond = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -87,12 +87,12 @@ bool mayMeet(const CellDisc& disc, const CellBox& box, float slab) {
     return std::fabs(along) <= half * widest + slab && beyond <= disc.radius * disc.radius + slab * slab;
 }
 
-bool meets(const CellDisc& disc, const CellBox& box) {
-    return mayMeet(disc, box, 0.0f) && meetsCube(placedIn(disc, box), box.half_edge + box.slack);
+bool overlaps(const CellDisc& disc, const CellBox& box) {
+    return mayOverlap(disc, box, 0.0f) && overlapsCube(placedIn(disc, box), box.half_edge + box.slack);
 }
 
-CellSets cellsMet(const CellDisc& disc, const Vector& offset, float slack) {
-    return BrickMeeting(disc, offset, slack).cells();
+CellSets overlappedCells(const CellDisc& disc, const Vector& offset, float slack) {
+    return BrickOverlap(disc, offset, slack).cells();
 }
 
 } // namespace pointrt

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "preprocess/octree/carry_attributes.h"
+#include "preprocess/octree/splat_attributes.h"
 
 namespace pointrt {
 namespace {
@@ -13,7 +13,7 @@ Attribute bytes(const std::string& name, std::uint32_t components, const std::ve
 TEST(CarryAttributes, FollowTheSplats) {
     std::vector<Attribute> attributes{bytes("a", 1, {10, 11, 12, 13}),
                                       bytes("b", 3, {0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9})};
-    const std::vector<Attribute> carried = carryAttributes(attributes, {3, 1});
+    const std::vector<Attribute> carried = gatherAttributes(attributes, {3, 1});
     ASSERT_EQ(carried.size(), 2u);
     EXPECT_EQ(carried[0].values, (std::vector<char>{13, 11}));
     EXPECT_EQ(carried[1].values, (std::vector<char>{7, 8, 9, 1, 2, 3}));
@@ -23,11 +23,11 @@ TEST(CarryAttributes, FollowTheSplats) {
 TEST(CarryAttributes, SplatsThatFillGapsFollowAPoint) {
     PackedSplats splats;
     splats.input_index = {3, 102, 0, 100, 99};
-    EXPECT_EQ(pointsOfSplats(splats), splats.input_index) << "none of them fills a gap";
+    EXPECT_EQ(sourcePoints(splats), splats.input_index) << "none of them fills a gap";
     splats.input_count = 100;
     splats.filled_from = {7, 8, 9};
     splats.filled = 2;
-    EXPECT_EQ(pointsOfSplats(splats), (std::vector<std::uint32_t>{3, 9, 0, 7, 99}));
+    EXPECT_EQ(sourcePoints(splats), (std::vector<std::uint32_t>{3, 9, 0, 7, 99}));
 }
 
 TEST(CarryAttributes, OfEverySize) {
@@ -36,7 +36,7 @@ TEST(CarryAttributes, OfEverySize) {
         std::vector<char> values;
         for (std::size_t i = 0; i < 5 * size; ++i) values.push_back(static_cast<char>(i));
         std::vector<Attribute> attributes{{"a", type, 1, values}};
-        const std::vector<Attribute> carried = carryAttributes(attributes, {4, 0});
+        const std::vector<Attribute> carried = gatherAttributes(attributes, {4, 0});
         EXPECT_EQ(std::string(carried[0].values.begin(), carried[0].values.end()),
                   std::string(values.end() - std::ptrdiff_t(size), values.end()) +
                       std::string(values.begin(), values.begin() + std::ptrdiff_t(size)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "preprocess/octree/carry_attributes.h"
+#include "preprocess/octree/splat_attributes.h"
 
 #include <algorithm>
 #include <set>
@@ -15,9 +15,9 @@ namespace pointrt {
 namespace {
 
 static_assert(static_cast<int>(Scalar::kI8) + 1 == PRO_TYPE_I8 && static_cast<int>(Scalar::kF64) + 1 == PRO_TYPE_F64,
-              "types of attributes are numbered as those of the file");
+              "Scalar and PRO_TYPE_* have the same order");
 
-/// A name that a file can hold, and that is not taken.
+/// A valid and unused name for the file.
 std::string fittingName(const std::string& name, const std::set<std::string>& taken) {
     const std::string plain = name.empty() ? "unnamed" : printable(name, std::string::npos);
     return uniqueName(plain, PRO_ATTRIBUTE_NAME_MAX, [&](const std::string& each) { return taken.contains(each); });
@@ -36,20 +36,22 @@ void fitAttributes(Cloud& cloud) {
     const std::string file = cloud.scans.empty() ? "" : cloud.scans.front().name;
     if (cloud.attributes.size() > PRO_ATTRIBUTE_MAX) {
         cloud.notes.push_back({file, "has " + std::to_string(cloud.attributes.size()) + " attributes; the first " +
-                                         std::to_string(PRO_ATTRIBUTE_MAX) + " are kept, --attributes chooses others"});
+                                         std::to_string(PRO_ATTRIBUTE_MAX) +
+                                         " are kept; choose others with --attributes"});
         cloud.attributes.resize(PRO_ATTRIBUTE_MAX);
     }
     std::set<std::string> taken;
     for (Attribute& attribute : cloud.attributes) {
         const std::string name = fittingName(attribute.name, taken);
         if (name != attribute.name)
-            cloud.notes.push_back({file, "attribute '" + printable(attribute.name, 80) + "' is called '" + name + "'"});
+            cloud.notes.push_back(
+                {file, "attribute '" + printable(attribute.name, 80) + "' is renamed to '" + name + "'"});
         attribute.name = name;
         taken.insert(name);
     }
 }
 
-std::vector<std::uint32_t> pointsOfSplats(const PackedSplats& splats) {
+std::vector<std::uint32_t> sourcePoints(const PackedSplats& splats) {
     std::vector<std::uint32_t> points = splats.input_index;
     if (splats.filled == 0) return points;
     for (std::uint32_t& point : points)
@@ -57,16 +59,16 @@ std::vector<std::uint32_t> pointsOfSplats(const PackedSplats& splats) {
     return points;
 }
 
-std::vector<Attribute> carryAttributes(std::vector<Attribute>& attributes,
-                                       const std::vector<std::uint32_t>& point_of_splat) {
-    std::vector<Attribute> carried;
+std::vector<Attribute> gatherAttributes(std::vector<Attribute>& attributes,
+                                        const std::vector<std::uint32_t>& point_of_splat) {
+    std::vector<Attribute> gathered;
     for (Attribute& attribute : attributes) {
-        Attribute& to = carried.emplace_back(Attribute{attribute.name, attribute.type, attribute.components, {}});
+        Attribute& to = gathered.emplace_back(Attribute{attribute.name, attribute.type, attribute.components, {}});
         to.values.resize(point_of_splat.size() * attribute.bytesEach());
         gather(attribute, point_of_splat, to.values.data());
         std::vector<char>().swap(attribute.values);
     }
-    return carried;
+    return gathered;
 }
 
 std::vector<pro_attribute> attributeViews(const std::vector<Attribute>& attributes) {

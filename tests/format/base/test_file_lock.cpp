@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// A lock that another process has is told from a place that has no locks.
+#include "format/base/file_lock.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "tests/support/temporary_folder.h"
+
+namespace pointrt::format {
+namespace {
+
+TEST(FileLock, OnlyWouldBlockMeansTaken) {
+    EXPECT_EQ(lockResultOf(0), LockResult::kLocked);
+    EXPECT_EQ(lockResultOf(EWOULDBLOCK), LockResult::kTaken);
+    for (const int error : {ENOLCK, EOPNOTSUPP, ENOSYS, EINVAL, EROFS, EACCES, EBADF})
+        EXPECT_EQ(lockResultOf(error), LockResult::kUnsupported) << error;
+}
+
+TEST(FileLock, ReasonsDiffer) {
+    EXPECT_EQ(lockFailure(EWOULDBLOCK), "in use by another process");
+    EXPECT_EQ(lockFailure(ENOLCK), "cannot be locked (No locks available); use a file system that supports file locks");
+}
+
+TEST(FileLock, IsTakenUntilTheDescriptorIsClosed) {
+    const test::TemporaryFolder folder;
+    const auto openFolder = [&] { return open(folder.path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); };
+    const int first = openFolder(), second = openFolder();
+    EXPECT_EQ(tryLock(first), LockResult::kLocked);
+    EXPECT_EQ(tryLock(second), LockResult::kTaken);
+    EXPECT_EQ(errno, EWOULDBLOCK);
+    close(first);
+    EXPECT_EQ(tryLock(second), LockResult::kLocked);
+    close(second);
+    EXPECT_EQ(tryLock(second), LockResult::kUnsupported) << "closed";
+}
+
+} // namespace
+} // namespace pointrt::format
