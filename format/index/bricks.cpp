@@ -374,7 +374,7 @@ std::vector<Part> buildParts(const pro_info& info, const pro_view& view, const E
 } // namespace
 
 Bricks buildBricks(const pro_info& info, const pro_view& view, EntryGrid& grid, const IndexOptions& given) {
-    IndexOptions options = wanted;
+    IndexOptions options = given;
     options.limits.listed = std::min(given.limits.listed, kListedMin + kListedPerSplat * info.splat_count);
     double reported = 0; // with another grid the work starts again, but progress must not
     if (given.progress) options.progress = [&](double share) { given.progress(reported = std::max(reported, share)); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// C++20 over pro.h: spans, and exceptions instead of results.
+// C++20 interface to .pro files on top of pro.h, with spans and exceptions.
 #pragma once
 
 #include <array>
@@ -16,13 +16,13 @@
 
 namespace pointrt {
 
-/// What a pro_result becomes here. what() is "FILE: reason".
+/// Thrown for every pro_result but PRO_OK. what() is "FILE: reason".
 struct ProError : std::runtime_error {
     pro_result result; ///< never PRO_OK
     ProError(pro_result why, const std::string& text) : std::runtime_error(text), result(why) {}
 };
 
-/// Throws ProError with "FILE: text (finding NNNN)" unless result is PRO_OK.
+/// Throws ProError "FILE: text (finding NNNN)" unless result is PRO_OK.
 inline void checkPro(pro_result result, const std::string& path, const pro_message& message) {
     if (result == PRO_OK) return;
     std::string text = path + ": " + (message.text[0] ? message.text : pro_result_name(result));
@@ -30,11 +30,11 @@ inline void checkPro(pro_result result, const std::string& path, const pro_messa
     throw ProError(result, text);
 }
 
-/// A mapped and validated .pro file. Moves, does not copy; spans live as long as it does.
+/// A mapped and validated .pro file, movable but not copyable. Spans are valid during its lifetime.
 class ProFile {
 public:
-    /// Throws ProError when the file cannot be read or has a finding.
-    /// @param open_flags PRO_OPEN_*; with PRO_OPEN_TRACE spans of what was not read are empty
+    /// Throws ProError if the file cannot be read or has a finding.
+    /// @param open_flags PRO_OPEN_*; with PRO_OPEN_TRACE the spans of sections not read are empty
     explicit ProFile(const std::string& path, std::uint32_t open_flags = 0) {
         pro_file* file = nullptr;
         pro_message message{};
@@ -53,60 +53,60 @@ public:
     const pro_view& view() const { return view_; }
 
     std::span<const std::uint32_t> nodes() const { return {view_.nodes, view_.nodes ? info_.node_count : 0}; }
-    /// PRO_LEAF_WORDS a leaf.
+    /// PRO_LEAF_WORDS per leaf.
     std::span<const std::uint32_t> leaves() const {
         return {view_.leaves, view_.leaves ? std::size_t{info_.leaf_count} * PRO_LEAF_WORDS : 0};
     }
     std::span<const std::uint32_t> refs() const { return {view_.refs, view_.refs ? info_.ref_count : 0}; }
-    /// PRO_SPLAT_WORDS a splat.
+    /// PRO_SPLAT_WORDS per splat.
     std::span<const std::uint32_t> splats() const {
         return {view_.splats, std::size_t{info_.splat_count} * PRO_SPLAT_WORDS};
     }
-    /// PRO_MATERIAL_FLOATS a row.
+    /// PRO_MATERIAL_FLOATS per row.
     std::span<const float> materials() const {
         return {view_.materials, std::size_t{info_.material_count} * PRO_MATERIAL_FLOATS};
     }
-    /// Input index of each splat; empty where the file does not say.
+    /// Input index of each splat; empty if the file has none.
     std::span<const std::uint32_t> order() const { return {view_.order, view_.order ? info_.splat_count : 0}; }
     /// UTF-8 JSON, or empty.
     std::string_view metadata() const { return {view_.metadata, view_.metadata_bytes}; }
-    /// The tracing index; nullptr where the file has none.
+    /// The tracing index; nullptr if the file has none.
     const pro_index* index() const { return has_index_ ? &index_ : nullptr; }
-    /// How the scan lies in the world, as far as is known.
+    /// The frame of the scan in the world; unknown values are 0.
     const pro_world& world() const { return world_; }
-    /// How the splats came of the input's points, as far as is known.
+    /// How the splats were made from the points of the input; unknown values are 0.
     const pro_sampling& sampling() const { return sampling_; }
-    /// Noise of each splat, in 1 / PRO_NOISE_STEPS of its radius; empty where the scan is clean.
+    /// Noise of each splat in steps of its radius / PRO_NOISE_STEPS; empty if the scan is clean.
     std::span<const std::uint8_t> noise() const { return {sampling_.noise, sampling_.noise ? info_.splat_count : 0}; }
-    /// What the scan says of each splat besides position, normal and colour.
+    /// Extra attributes besides position, normal and colour.
     const std::vector<pro_attribute>& attributes() const { return attributes_; }
-    /// nullptr where there is none of that name.
+    /// nullptr if there is no attribute of this name.
     const pro_attribute* attribute(std::string_view name) const {
         for (const pro_attribute& each : attributes_)
             if (name == each.name) return &each;
         return nullptr;
     }
-    /// The whole file, page aligned.
+    /// All bytes of the file, page aligned.
     std::span<const std::byte> bytes() const {
         std::size_t size = 0;
         const void* data = pro_bytes(file_.get(), &size);
         return {static_cast<const std::byte*>(data), size};
     }
 
-    /// In cube units: position and radius have those of the input. @param index below info().splat_count
+    /// A splat in cube units; see position and radius for input units. @param index below info().splat_count
     pro_splat splat(std::size_t index) const {
         pro_splat result;
         pro_splat_decode(view_.splats + index * PRO_SPLAT_WORDS, info_.radius_max, info_.radius_step, &result);
         return result;
     }
-    /// Where a splat of this file lies, in input coordinates.
+    /// The centre of a splat of this file in input coordinates.
     std::array<double, 3> position(const pro_splat& splat) const {
         std::array<double, 3> at{};
         for (std::size_t axis = 0; axis < 3; ++axis)
             at[axis] = info_.origin[axis] + info_.scale * double{splat.position[axis]};
         return at;
     }
-    /// A splat's radius in input units.
+    /// The radius of a splat of this file in input units.
     double radius(const pro_splat& splat) const { return info_.scale * double{splat.radius}; }
 
 private:
@@ -123,7 +123,7 @@ private:
     std::vector<pro_attribute> attributes_;
 };
 
-/// pro_write_indexed; throws ProError (PRO_CANNOT_WRITE) with "FILE: reason" when the file cannot be written.
+/// pro_write_indexed; throws ProError "FILE: reason".
 /// @param index may be null
 inline void writePro(const std::string& path, const pro_info& info, const pro_view& view,
                      const pro_index* index = nullptr) {

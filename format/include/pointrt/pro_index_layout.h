@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tracing index: the entry grid, its bricks and their cells, made of the octree by format/index and kept in a
-// .pro's optional sections. Valid in C99, C++ and GLSL.
+// The tracing index: the entry grid, its bricks and their cells, built from the octree by format/index and stored in
+// optional sections of a .pro. Valid in C99, C++ and GLSL.
 #ifndef POINTRT_PRO_INDEX_LAYOUT_H
 #define POINTRT_PRO_INDEX_LAYOUT_H
 
-// A word of the entry grid or of a brick is empty or filled. In an empty one nibble k, 1 to 15, says how large a cube,
-// in edges of its cell, is empty at least that has the cell in its corner and extends towards octant k (bit 0 of k: x
-// rising, bit 1: y, bit 2: z): PRO_SKIP_FARTHEST for 15, else the float with the bits (nibble << PRO_SKIP_SHIFT) +
-// PRO_SKIP_BIAS, which is 1, 1.25, 1.5, 1.75, 2, 2.5 and so on, with 3 bits of precision, up to 10. So a grid word's
-// cubes may end inside a brick, at a border of its cells. The low nibble of a filled word is 0.
+// A word of the entry grid or of a brick is empty or filled. Nibble k of an empty word, 1 to 15, is the size of an
+// empty cube that has the cell in its corner and extends towards octant k (bit 0 of k: increasing x, bit 1: y, bit 2:
+// z). In cell edges it is PRO_SKIP_FARTHEST for 15, else the float with the bits (nibble << PRO_SKIP_SHIFT) +
+// PRO_SKIP_BIAS: 1, 1.25, 1.5, 1.75, 2, 2.5 and so on, with 3 bits of precision, up to 10. So the cubes of a grid word
+// may end inside a brick, at a border of its cells. The low nibble of a filled word is 0.
 #define PRO_SKIP_BITS 4u
 #define PRO_SKIP_MASK 15u
 #define PRO_SKIP_SHIFT 21u
@@ -18,7 +18,7 @@
 // A filled grid word names its brick: brick << PRO_GRID_BRICK_SHIFT.
 #define PRO_GRID_BRICK_SHIFT 4u
 
-// A brick: the words of 4 x 4 x 4 cells, x fastest; behind all bricks follow groups of 8 words, for cells with too many
+// A brick: the words of 4 x 4 x 4 cells, x fastest. After all bricks come groups of 8 words for cells with too many
 // splats. A filled word names a cell, or with PRO_CELL_INNER the group of its halves: index << PRO_CELL_INDEX_SHIFT.
 #define PRO_BRICK_SIDE 4
 #define PRO_BRICK_BITS 2u // log2 of that
@@ -27,38 +27,37 @@
 #define PRO_CELL_INNER 16u
 #define PRO_CELL_INDEX_SHIFT 5u
 
-// A cell: the run of near splats whose discs cross it, and the splats that only blend there, each by the signed number
-// of near splats from the run's first one to it, 16 bits, two to a word from the low half up.
+// A cell: the run of near splats whose discs cross it, and the splats that only blend there, as signed 16-bit offsets
+// from the first near splat of the run, two per word from the low half up.
 #define PRO_CELL_WORDS 4u
 #define PRO_CELL_FIRST 0u // near splat
-#define PRO_CELL_COUNT 1u // near splats in the low half; in the high half, as half float, position codes to an edge
+#define PRO_CELL_COUNT 1u // near splats in the low half; position codes per edge in the high half, as a half float
 #define PRO_CELL_COUNT_MASK 0xFFFFu
 #define PRO_CELL_CODES_SHIFT 16u
-#define PRO_CELL_BLENDING 2u       // the first of those numbers, even
-#define PRO_CELL_BLENDING_COUNT 3u // of them, in the low half; above, where the middle is that near splats count from
+#define PRO_CELL_BLENDING 2u       // the first of these offsets, even
+#define PRO_CELL_BLENDING_COUNT 3u // their count in the low half; the offset of the middle above
 #define PRO_CELL_BLENDING_MASK 0xFFFFu
 #define PRO_CELL_LISTED_MAX 0x7FFF // splats that a cell lists
 
-// From the cell's middle to that of its near splats, by each axis in half edges of the cell: signed codes x, y, z from
-// this bit on.
+// The offset from the centre of the cell to the middle of its near splats, in half edges of the cell: signed codes x,
+// y, z from this bit on.
 #define PRO_CELL_OFFSET_SHIFT 16
 #define PRO_CELL_OFFSET_BITS 5
 #define PRO_CELL_OFFSET_MAX 15
 
-// Two planes that hold the parts of discs in a cell, in a word of their own. From the low bits up: their normal x, y, z
-// as signed codes of 6 bits, then the least and the greatest height along it, signed codes of 7 bits: from the cell's
-// centre, in PRO_SLAB_STEPS to an edge if the normal's codes were divided by PRO_SLAB_NORMAL_MAX.
+// A word with two planes that enclose the parts of discs in a cell. From the low bits up: their normal x, y, z as
+// signed codes of 6 bits, then the smallest and the largest height along it from the cell's centre as signed codes of 7
+// bits, PRO_SLAB_STEPS per edge if the codes of the normal are divided by PRO_SLAB_NORMAL_MAX.
 #define PRO_SLAB_NORMAL_BITS 6
 #define PRO_SLAB_NORMAL_MAX 31
 #define PRO_SLAB_HEIGHT_BITS 7
 #define PRO_SLAB_HEIGHT_MAX 63
 #define PRO_SLAB_STEPS 63.0f
 
-// A near splat: a disc that rays are tested against, beside those of neighbouring cells, two to a texel. From the high
-// bits down, word 0: position x, y, z as signed codes from a middle that those cells share, then the high bits of the
-// radius code; word 1: normal x, y, z as signed codes, the largest of them 127 or -127, then the low bits of the radius
-// code. The squared radius in position codes is a float: its upper bits, from an exponent of -13 on, are the radius
-// code.
+// A near splat: a disc for ray tests, two per texel, next to those of neighbouring cells. From the high bits down, word
+// 0: position x, y, z as signed codes from a middle that these cells share, then the high bits of the radius code; word
+// 1: normal x, y, z as signed codes, the largest of them 127 or -127, then the low bits of the radius code. The radius
+// code is the upper bits of a float, from an exponent of -13 on: the squared radius in position codes.
 #define PRO_NEAR_WORDS 2u
 #define PRO_NEAR_POSITION_BITS 10
 #define PRO_NEAR_POSITION_MAX 511

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * The layout of a .pro file: the one place that knows an offset, a shift or a mask.
- * Valid in C99, C++ and GLSL; format/SPEC.md explains every field.
+ * The layout of a .pro file: every offset, shift and mask. Valid in C99, C++ and GLSL; format/SPEC.md explains the
+ * fields.
  *
  *   byte 0        header, PRO_HEADER_BYTES long (section table at PRO_TABLE_OFFSET)
  *   byte 4096 k   sections, each starting on PRO_SECTION_ALIGNMENT:
@@ -12,20 +12,19 @@
  *                   MATL  float[material_count][16]
  *                   ORDR  uint32[splat_count]     input index of each splat
  *                   META  bytes                   UTF-8 JSON, provenance
- *                 and, since 1.4, all or none of the tracing index (pro_index_layout.h):
+ *                 and, all or none of them, the tracing index (pro_index_layout.h):
  *                   ENTR  uint32[]                entry grid, x fastest
  *                   BRKS  uint32[][8]             bricks of 64 words, then groups of 8
  *                   CELS  uint32[][4]             listed cells
  *                   SLBS  uint32[]                two planes around each listed cell's discs
  *                   DSCS  uint32[][4]             near splats, two to an element
- *                   DSPL  uint32[][2]             the splat that each of those is, two to an element
- *                   BLDS  int16[][2]              what only blends in each listed cell
- *                 since 1.3:
- *                   NOIS  uint8[splat_count]      how far the surface around each splat scatters
- *                 and, since 1.2, what scans say beside their points:
- *                   SENS  double[][4]             where the scanner stood, for each scan
+ *                   DSPL  uint32[][2]             the splat of each near splat, two to an element
+ *                   BLDS  int16[][2]              splats that only blend in each listed cell
+ *                 and, all optional:
+ *                   NOIS  uint8[splat_count]      noise of the surface around each splat
+ *                   SENS  double[][4]             scanner position of each scan
  *                   ATTD  bytes[][64]             name, type and range of each attribute
- *                   ATTR  number[splat_count][]   the values of one, as often as ATTD has records
+ *                   ATTR  number[splat_count][]   the values of an attribute, one section per record
  *
  * All values are little-endian. Positions and lengths are in units of the cube edge ("cube units"):
  * input coordinate = origin + scale * cube coordinate, with origin and scale in double.
@@ -36,7 +35,7 @@
 #define PRO_VERSION_MAJOR 1
 #define PRO_VERSION_MINOR 4
 
-/* 0x89 "PRO" CR LF 0x1A LF: not text, and broken by transfers that treat it as text. */
+/* 0x89 "PRO" CR LF 0x1A LF: not text, and damaged by transfers that treat it as text. */
 #define PRO_MAGIC_WORD0 0x4F525089u
 #define PRO_MAGIC_WORD1 0x0A1A0A0Du
 #define PRO_HEADER_BYTES 4096
@@ -59,31 +58,28 @@
 #define PRO_OFF_MATERIAL_COUNT 64 /* uint32, 1 to 256 */
 #define PRO_OFF_RADIUS_MAX 68     /* float, cube units */
 #define PRO_OFF_RADIUS_STEP 72    /* float, octaves per radius code */
-#define PRO_OFF_BLEND_SLAB 76     /* float, half height of a splat's blending slab over its radius */
+#define PRO_OFF_BLEND_SLAB 76     /* float, half the height of a splat's blending slab over its radius */
 #define PRO_OFF_ORIGIN 80         /* double[3], input coordinates of the cube's lowest corner */
 #define PRO_OFF_SCALE 104         /* double, cube edge in input units */
 #define PRO_OFF_BOUNDS_MIN 112    /* double[3], splat centres, input coordinates */
 #define PRO_OFF_BOUNDS_MAX 136    /* double[3] */
-#define PRO_OFF_OLD_GRID 160      /* 36 bytes: of the index that 1.1 to 1.3 have, which is passed over; 0 since 1.4 */
-#define PRO_OFF_UP 196            /* float[3], since 1.2 like METRES: which way is up, unit length; 0 where not known */
-#define PRO_OFF_METRES 208        /* double, metres to an input unit; 0 where not known */
-#define PRO_OFF_INPUT_COUNT 216   /* uint32, since 1.3 like what follows: points of the input; 0 where not known */
-#define PRO_OFF_FILLED_COUNT 220  /* uint32, splats that fill gaps between points */
-#define PRO_OFF_NOISE 224         /* float, median of NOIS in input units; 0 without it */
-#define PRO_OFF_GRID_SHIFT 228    /* uint32, since 1.4 like what follows; 0 without an index */
-#define PRO_OFF_GRID_ORIGIN 232   /* uint32[3], lowest cell */
-#define PRO_OFF_GRID_SIZE 244     /* uint32[3], cells */
-#define PRO_OFF_GRID_UNEVEN 256   /* uint32, 0 or 1 */
-#define PRO_OFF_BRICK_COUNT 260   /* uint32 */
+#define PRO_OFF_OLD_GRID 160 /* 36 bytes, 0: files from before release 0.1.0 have an older index here and are refused  \
+                              */
+#define PRO_OFF_UP 196       /* float[3], up direction, unit length; 0: unknown */
+#define PRO_OFF_METRES 208   /* double, metres per input unit; 0: unknown */
+#define PRO_OFF_INPUT_COUNT 216  /* uint32, points in the input; 0: unknown */
+#define PRO_OFF_FILLED_COUNT 220 /* uint32, splats that fill gaps between points */
+#define PRO_OFF_NOISE 224        /* float, median of NOIS in input units; 0 without it */
+#define PRO_OFF_GRID_SHIFT 228   /* uint32; this and the following fields are 0 without an index */
+#define PRO_OFF_GRID_ORIGIN 232  /* uint32[3], lowest cell */
+#define PRO_OFF_GRID_SIZE 244    /* uint32[3], cells */
+#define PRO_OFF_GRID_UNEVEN 256  /* uint32, 0 or 1 */
+#define PRO_OFF_BRICK_COUNT 260  /* uint32 */
 #define PRO_FIELDS_END 264
-#define PRO_FIELDS_END_1_0 160 /* of version 1.0 */
-#define PRO_FIELDS_END_1_1 196 /* of version 1.1 */
-#define PRO_FIELDS_END_1_2 216 /* of version 1.2 */
-#define PRO_FIELDS_END_1_3 228 /* of version 1.3 */
 
 #define PRO_FLAG_COLOR 1u    /* splat colours come from the input */
-#define PRO_FLAG_ORIENTED 2u /* normals point to the outside, as far as the bake can tell */
-#define PRO_FLAG_PRUNED 4u   /* references that make no difference were left out */
+#define PRO_FLAG_ORIENTED 2u /* normals point outwards, as far as the bake can determine */
+#define PRO_FLAG_PRUNED 4u   /* unnecessary references were dropped */
 #define PRO_FLAGS_KNOWN 7u
 
 /* Section table: PRO_OFF_SECTION_COUNT records of PRO_SECTION_BYTES. */
@@ -98,7 +94,7 @@
 #define PRO_SEC_OFF_XXH3 32   /* uint64, XXH3-64 of the section's bytes */
 #define PRO_SEC_OFF_FLAGS 40  /* uint32, PRO_SECTION_REQUIRED or 0 */
 
-#define PRO_SECTION_REQUIRED 1u /* a reader that does not know the kind must refuse the file */
+#define PRO_SECTION_REQUIRED 1u /* readers that do not support the kind must refuse the file */
 
 /* Four ASCII characters, the first in the lowest byte. */
 #define PRO_KIND_NODE 0x45444F4Eu
@@ -124,7 +120,7 @@
  * NODE: one word. 0 is an empty leaf; with PRO_NODE_INNER set the other bits are the number of the
  * group that holds the 8 children (words 8g to 8g+7); anything else is the leaf's index plus 1.
  * Group 0 holds the root in slot 0 and seven zeros, so that every group is 32-byte aligned.
- * The k-th inner node in array order (k from 0) names group k+1: the tree cannot have cycles.
+ * The k-th inner node in array order (k from 0) names group k+1, so the tree cannot have cycles.
  * Slot of a child: bit 0 is its upper half in x, bit 1 in y, bit 2 in z.
  */
 #define PRO_NODE_INNER 0x80000000u
@@ -133,9 +129,9 @@
 #define PRO_GROUP_SIZE 8u
 
 /*
- * LEAF: four words. Leaves stand in Morton order of their cells; members are the splats
+ * LEAF: four words. Leaves are in Morton order of their cells; members are the splats
  * first_member .. +member_count, references the REFS words first_ref .. +ref_count, and both ranges
- * of a leaf follow those of the leaf before it.
+ * of a leaf follow those of the previous leaf.
  */
 #define PRO_LEAF_WORDS 4u
 #define PRO_LEAF_FIRST_MEMBER 0u
@@ -175,35 +171,35 @@
 #define PRO_MAX_DEPTH PRO_POSITION_BITS
 
 /* The entry grid's cells are cubes of the octree. */
-#define PRO_GRID_SHIFT_MIN 7u            /* log2 of their edge in position steps: a brick's cells keep 32 of them */
-#define PRO_GRID_WORDS_MAX 0x1000000u    /* 2^24: a texel buffer of what devices the viewer takes holds them */
-#define PRO_INDEX_HALVINGS_MAX 12u       /* groups below a brick's cell, at most */
-#define PRO_INDEX_LISTED_MAX 0x7FFFFFFFu /* near splats, and numbers of what blends, at most */
+#define PRO_GRID_SHIFT_MIN 7u            /* log2 of their edge in position steps: the cells of a brick keep 32 */
+#define PRO_GRID_WORDS_MAX 0x1000000u    /* 2^24: fits the texel buffers of all devices that the viewer supports */
+#define PRO_INDEX_HALVINGS_MAX 12u       /* maximum number of groups above a cell */
+#define PRO_INDEX_LISTED_MAX 0x7FFFFFFFu /* maximum number of near splats, and of blending numbers */
 
-/* MATL: 16 floats a row, linear light. Unlisted floats are reserved and 0. */
+/* MATL: 16 floats per row, linear light. Unlisted floats are reserved and 0. */
 #define PRO_MATERIAL_FLOATS 16u
 #define PRO_MAT_BASE_COLOR 0u   /* 3 floats, multiplies the splat's colour */
 #define PRO_MAT_REFLECTIVITY 3u /* 0 matte to 1 perfect mirror */
 #define PRO_MAT_SPECULAR 4u     /* weight of the Phong highlight, 0 to 1 */
 #define PRO_MAT_SHININESS 5u    /* Phong exponent, 1 to 1000 */
 
-/* NOIS: a byte a splat, the standard deviation of the surface around it, in steps of this many to its radius. */
+/* NOIS: one byte per splat, the standard deviation of the surface around it, in 1/32 of its radius. */
 #define PRO_NOISE_STEPS 32.0f
 #define PRO_NOISE_CODE_MAX 255u
 
-/* SENS: four doubles a scan: where the scanner stood, in input coordinates, and 1; or zeros where that is not known. */
+/* SENS: four doubles per scan: the scanner's position in input coordinates and 1; zeros: unknown. */
 #define PRO_SENSOR_DOUBLES 4u
 
-/* ATTD: a record an attribute; the k-th section ATTR of the table has the values of the k-th. */
+/* ATTD: one record per attribute; the k-th ATTR section in the table has the values of the k-th. */
 #define PRO_ATTRIBUTE_BYTES 64u
 #define PRO_ATTRIBUTE_MAX 32u
 #define PRO_ATTRIBUTE_NAME_MAX 31u
-#define PRO_ATTR_OFF_NAME 0        /* UTF-8, ended by a 0, and zeros up to 32 bytes */
+#define PRO_ATTR_OFF_NAME 0        /* UTF-8, padded with zeros to 32 bytes */
 #define PRO_ATTR_OFF_TYPE 32       /* uint32, PRO_TYPE_* */
-#define PRO_ATTR_OFF_COMPONENTS 36 /* uint32, numbers of a splat, 1 to 4 */
+#define PRO_ATTR_OFF_COMPONENTS 36 /* uint32, numbers per splat, 1 to 4 */
 #define PRO_ATTR_OFF_RESERVED 40   /* 8 bytes, 0 */
-#define PRO_ATTR_OFF_LOW 48        /* double, the least finite value of all components; 0 where there is none */
-#define PRO_ATTR_OFF_HIGH 56       /* double, the greatest */
+#define PRO_ATTR_OFF_LOW 48        /* double, the smallest finite value of all components; 0 if there is none */
+#define PRO_ATTR_OFF_HIGH 56       /* double, the largest, likewise */
 #define PRO_ATTRIBUTE_COMPONENTS_MAX 4u
 
 #define PRO_TYPE_I8 1u

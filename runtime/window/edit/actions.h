@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What keys do to the workspace: what they show, and what they ask for.
+// Actions of keys on the workspace.
 #pragma once
 
 #include "runtime/window/edit/workspace.h"
@@ -7,7 +7,7 @@
 
 namespace pointrt {
 
-/// False, with nothing done, where the action is of something else: the camera, the clipboard, other files.
+/// Returns false and does nothing if the action is not the workspace's: camera, clipboard, other files.
 bool applyAction(Workspace& work, Action action);
 
 } // namespace pointrt

@@ -20,7 +20,7 @@ void bake(const BakePlan& plan, const std::string& baker, JobControl& control) {
     const ToolResult end =
         runTool(arguments, name, control, [&](const std::string& line) { return parseBakeProgress(line, control); });
     if (control.cancelled()) {
-        // all that one killed while it wrote can leave: format/base/atomic_file.cpp
+        // a killed pointrt-bake can leave only this file: format/base/atomic_file.cpp
         unlink((plan.output + ".tmp-" + std::to_string(end.id)).c_str());
         throw JobCancelled{};
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// pointrt-bake at work behind the window.
+// Runs pointrt-bake in the background.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace pointrt {
 
-/// Runs baker -o plan.output on plan.inputs. Cancelled, it leaves nothing half-written: pointrt-bake is asked to end
-/// (SIGTERM) and made to after three seconds; one that was writing its file by then finishes it.
+/// Runs baker -o plan.output on plan.inputs. Leaves no partial file when cancelled: pointrt-bake gets SIGTERM, and
+/// SIGKILL after three seconds; if it was already renaming its output, that file stays.
 class BakeJob {
 public:
     explicit BakeJob(const BakePlan& plan, const std::string& baker = findBakeTool());
 
     Job& job() { return job_; }
     const Job& job() const { return job_; }
-    /// The .pro, which is there once the job is done.
+    /// The .pro, complete once the job is done.
     const std::string& output() const { return output_; }
 
 private:
@@ -25,7 +25,7 @@ private:
     Job job_;
 };
 
-/// A line "progress SHARE STAGE RATE" of pointrt-bake --progress lines, told to control; false where it is no such
+/// Parses a line "progress SHARE STAGE RATE" of pointrt-bake --progress lines into control. Returns false for any other
 /// line.
 bool parseBakeProgress(const std::string& line, JobControl& control);
 

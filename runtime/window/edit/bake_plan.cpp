@@ -35,7 +35,7 @@ fs::file_time_type modificationTime(const std::string& path) {
     return time;
 }
 
-/// A whole .pro of these inputs as they are now.
+/// True if path is a complete .pro baked from the current inputs.
 bool isUpToDate(const std::vector<std::string>& inputs, fs::file_time_type newest, const std::string& path) {
     try {
         if (modificationTime(path) < newest) return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What becomes of scans that are dropped on the window: the .pro beside them, baked where it is not there yet.
+// Where to bake the scans that are dropped on the window, and whether they have been baked before.
 #pragma once
 
 #include <string>
@@ -10,18 +10,18 @@ namespace pointrt {
 struct BakePlan {
     std::vector<std::string> inputs;
     std::string output;         ///< the .pro
-    bool is_up_to_date = false; ///< baked from these inputs as they are now: it need only be opened
+    bool is_up_to_date = false; ///< already baked from the current inputs: only needs opening
 };
 
-/// Beside the first input and named after it: statue.pro for statue.ply. Nothing is ever overwritten: where that is
-/// something else, or older than an input, it is statue.1.pro and so on. Throws Error kBadInput where an input is
-/// no file, kCannotWrite where its folder cannot be written.
+/// The output is beside the first input and named after it: statue.pro for statue.ply. Never overwrites a file: if
+/// statue.pro is something else or older than an input, the output is statue.1.pro and so on. Throws Error kBadInput if
+/// an input is not a file, kCannotWrite if the folder is not writable.
 BakePlan planBake(const std::vector<std::string>& inputs);
 
-/// The path of pointrt-bake: in folder, else in one of search_path's (as PATH has them). Throws Error kCannotRun with
-/// where it was looked for.
+/// Finds pointrt-bake in folder, or else in search_path (a list as in PATH). Throws Error kCannotRun, which lists the
+/// places searched.
 std::string findBakeTool(const std::string& folder, const std::string& search_path);
-/// The same beside our own program, else in PATH.
+/// Searches beside the running program, then in PATH.
 std::string findBakeTool();
 
 } // namespace pointrt

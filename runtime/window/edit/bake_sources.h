@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a .pro comes from, as its metadata has it.
+// The inputs of a .pro, from its metadata.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace pointrt {
 
-/// The names, without folders, of the files that a .pro with this metadata was baked from, in their order. Nothing
-/// where the metadata does not say: it may be anyone's, and any bytes.
+/// Names, without folders, of the files that a .pro was baked from, in order. None if the metadata, which is untrusted,
+/// does not list them.
 std::optional<std::vector<std::string>> bakeSources(std::string_view metadata);
 
 } // namespace pointrt

@@ -20,7 +20,7 @@ extern char** environ;
 namespace pointrt {
 namespace {
 
-/// posix_spawn's two kinds of parameters, freed in any case.
+/// Owns posix_spawn's file actions and attributes.
 struct SpawnPlan {
     posix_spawn_file_actions_t files;
     posix_spawnattr_t attributes;
@@ -30,7 +30,7 @@ struct SpawnPlan {
         posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
         posix_spawn_file_actions_adddup2(&files, output, STDOUT_FILENO);
         posix_spawn_file_actions_adddup2(&files, output, STDERR_FILENO);
-        // this thread may hold signals back, which the program must not inherit
+        // this thread may block signals, which the child must not inherit
         sigset_t none;
         sigemptyset(&none);
         posix_spawnattr_init(&attributes);
@@ -68,7 +68,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& arguments) {
         fail(error);
     }
     output_ = pipe_ends[0];
-    // what it leaves running may keep the pipe open after it has ended
+    // grandchildren may keep the pipe open after the child has ended
     fcntl(output_, F_SETFL, O_NONBLOCK);
 }
 

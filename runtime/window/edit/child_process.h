@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Another program at work, and what it says.
+// A child process and its output.
 #pragma once
 
 #include <sys/types.h>
@@ -11,20 +11,20 @@
 
 namespace pointrt {
 
-/// A program that was started. Whoever destroys it while it runs ends it at once (SIGKILL).
+/// The destructor kills it (SIGKILL) if it is still running.
 class ChildProcess {
 public:
-    /// Starts arguments[0], a path, with these arguments, without a shell: any bytes but 0 may be in them. It reads
-    /// nothing; what it writes to standard output and error is read here. Throws Error kCannotRun "PATH: reason".
+    /// Runs arguments[0], a path, with these arguments, without a shell, so they may contain any byte but 0. Its
+    /// standard input is empty; its standard output and error are read here. Throws Error kCannotRun "PATH: reason".
     explicit ChildProcess(const std::vector<std::string>& arguments);
     ~ChildProcess();
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
 
-    /// What it has written, of which some is waited for up to patience; "" where there is none. It sleeps for patience
-    /// where nothing more can come.
+    /// Returns new output, waiting for some until the timeout; "" if there is none. After the end of the output it just
+    /// sleeps.
     std::string read(std::chrono::milliseconds timeout);
-    /// The status of waitpid once it has ended.
+    /// The status of waitpid, once the process has ended.
     std::optional<int> waitStatus();
     void signal(int number);
     pid_t id() const { return id_; }

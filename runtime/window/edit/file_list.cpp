@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-/// The digits that text begins with, without leading zeros; text loses them all.
+/// Removes the leading digits from text and returns them without leading zeros.
 std::string_view takeNumber(std::string_view& text) {
     const auto length = std::find_if_not(text.begin(), text.end(), isDigit) - text.begin();
     std::string_view digits = text.substr(0, static_cast<std::size_t>(length));
@@ -22,7 +22,7 @@ std::string_view takeNumber(std::string_view& text) {
     return digits;
 }
 
-/// By value, however many digits there are.
+/// Compares digit strings of any length by value.
 std::strong_ordering compareNumbers(std::string_view a, std::string_view b) {
     return a.size() != b.size() ? a.size() <=> b.size() : a.compare(b) <=> 0;
 }
@@ -71,7 +71,7 @@ std::string neighbourFile(const std::string& path, int step) {
     const bool found = at != files.end() && *at == name;
     const auto count = static_cast<std::ptrdiff_t>(files.size());
     if (count == 0) return {};
-    // a file that is gone stood between two others
+    // a deleted file lies between two others
     const std::ptrdiff_t from = at - files.begin() - (!found && step > 0 ? 1 : 0);
     const std::string& next = files[static_cast<std::size_t>(((from + step) % count + count) % count)];
     return next == name ? std::string() : next;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What becomes of files that the user opens or drops: scenes are loaded, scans are baked first.
+// Opens files that the user names or drops: loads scenes, bakes scans first.
 #pragma once
 
 #include <functional>
@@ -12,20 +12,21 @@ namespace pointrt {
 
 class FileOpener {
 public:
-    /// Begins to load a scene. first: none was begun before.
+    /// Starts loading a scene. first: true in the first call.
     using StartLoad = std::function<StartedJob(const std::string& path, bool first)>;
 
-    /// jobs must outlive it. tell: to whom it reports what it has not done, and why.
+    /// jobs must outlive it. notify: receives errors and remarks.
     FileOpener(JobQueue& jobs, JobQueue::Notify notify, StartLoad load);
 
-    /// Loads a scene in place of what is being loaded.
+    /// Loads a scene, instead of one that is still loading.
     void open(const std::string& path);
-    /// Does the same with what the command line names, or bakes it first where it is a scan. Where that fails, Error is
-    /// thrown, from here or from JobQueue::poll: there is nothing else to show.
+    /// The same for the file of the command line, which is baked first if it is a scan. Errors are thrown, from here or
+    /// from JobQueue::poll, because there is nothing else to show.
     void openNamed(const std::string& path);
-    /// Opens the first where it is a scene; else all are scans, which are baked together unless they have been.
+    /// Opens the first file if it is a scene. Otherwise all are scans, which are baked together unless they have been
+    /// before.
     void drop(const std::vector<std::string>& paths);
-    /// Opens the scene step files after path in its folder, where there is another one.
+    /// Opens the scene step files after path in its folder, if there is another one.
     void openNeighbour(const std::string& path, int step);
 
 private:

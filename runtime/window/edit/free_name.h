@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names for files that the window writes beside others.
+// Unused names for files the window writes.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace pointrt {
 
-/// "statue-1", the first number for which there is no file with one of the endings in the working directory; stem is
-/// that of path, or "picture" where it has none. Throws Error kCannotWrite where there are 9999 of them.
+/// "statue-1", with the first number for which the working directory has no file with one of the endings. The stem is
+/// that of path, or "picture" if path is empty. Throws Error kCannotWrite if all numbers up to 9999 are taken.
 std::string freeName(const std::string& path, const std::vector<std::string>& endings);
 
 } // namespace pointrt

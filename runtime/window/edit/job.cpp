@@ -9,7 +9,7 @@
 namespace pointrt {
 namespace {
 
-// Before that starting up is most of what was seen of the work.
+// Earlier, start-up time would dominate the estimate.
 constexpr double kMinSeconds = 0.5, kMinShare = 0.02;
 
 double seconds(std::chrono::steady_clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
@@ -33,7 +33,7 @@ void JobControl::throwIfCancelled() const {
 }
 
 Job::Job(std::string title, Work work, bool can_cancel) : title_(std::move(title)), can_cancel_(can_cancel) {
-    // the thread waits until stop_ is set, by which it is told to end
+    // holds the thread back until stop_ is set
     const std::lock_guard lock(control_.mutex_);
     thread_ = std::jthread([this, body = std::move(work)] { run(body); });
     control_.stop_ = thread_.get_stop_token();
@@ -96,9 +96,9 @@ void throwIfFailed(const Job& job) {
     if (job.state() == JobState::kFailed) throw Error{job.errorCode(), job.error()};
 }
 
-std::optional<double> secondsLeft(double share, double said_s, double now_s) {
-    if (now_s < kMinSeconds || share < kMinShare || !(said_s > 0)) return std::nullopt;
-    return std::max(0.0, said_s * (1 - share) / share - (now_s - said_s));
+std::optional<double> secondsLeft(double share, double reported_s, double now_s) {
+    if (now_s < kMinSeconds || share < kMinShare || !(reported_s > 0)) return std::nullopt;
+    return std::max(0.0, reported_s * (1 - share) / share - (now_s - reported_s));
 }
 
 } // namespace pointrt

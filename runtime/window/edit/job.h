@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Work that takes long, on a thread of its own, while the window goes on.
+// Long tasks on their own threads, while the window stays responsive.
 #pragma once
 
 #include <chrono>
@@ -14,27 +14,27 @@
 
 namespace pointrt {
 
-/// Thrown out of work that is cancelled.
+/// Thrown by work to end a cancelled job.
 struct JobCancelled {};
 
 enum class JobState { kRunning, kDone, kFailed, kCancelled };
 
-/// What work says of itself, from its thread.
+/// Used by the work, on its thread, to report progress and to check for cancellation.
 class JobControl {
 public:
-    /// detail: stage or count, may be empty.
+    /// detail: stage or count; may be empty.
     void setDetail(const std::string& detail);
-    /// done: 0 to 1. It never goes back: less than before changes nothing.
+    /// done: 0 to 1. Never decreases: smaller values are ignored.
     void setProgress(double done);
     bool cancelled() const { return stop_.stop_requested(); }
-    /// Throws JobCancelled where the user has had enough.
+    /// Throws JobCancelled if the user has cancelled the job.
     void throwIfCancelled() const;
 
 private:
     friend class Job;
     using Clock = std::chrono::steady_clock;
 
-    mutable std::mutex mutex_; ///< guards all below but stop_
+    mutable std::mutex mutex_; ///< guards everything below except stop_
     std::string detail_, error_;
     std::optional<double> progress_;
     Clock::time_point start_ = Clock::now(), progress_time_;
@@ -43,25 +43,25 @@ private:
     std::stop_token stop_;
 };
 
-/// A piece of work under way. Nothing that it throws leaves its thread.
+/// A running or finished job. Catches all exceptions of its work.
 class Job {
 public:
     using Work = std::function<void(JobControl&)>;
 
-    /// Starts work. what: "Baking statue.ply". Work that fails throws; where it throws Error, that is its reason.
+    /// Starts work. title: "Baking statue.ply". Work fails by throwing; the text of an Error becomes the job's error.
     Job(std::string title, Work work, bool can_cancel = true);
-    /// Cancels, and waits until the work has noticed.
+    /// Cancels the work and waits for it to end.
     ~Job() = default;
     Job(const Job&) = delete;
     Job& operator=(const Job&) = delete;
 
-    /// Asks the work to end; it does when it next looks.
+    /// Requests cancellation; the work ends at its next check.
     void cancel() { thread_.request_stop(); }
     JobState state() const;
     bool ended() const { return state() != JobState::kRunning; }
-    /// Why it failed; empty unless it did.
+    /// Why it failed; empty otherwise.
     std::string error() const;
-    /// What a program that ends with that error says.
+    /// The exit code for that error.
     ExitCode errorCode() const;
     JobStatus status() const;
 
@@ -72,14 +72,14 @@ private:
     const std::string title_;
     const bool can_cancel_;
     JobControl control_;
-    std::jthread thread_; ///< last: the others outlive it
+    std::jthread thread_; ///< last, so that it ends before the others are destroyed
 };
 
-/// Throws its error where it failed.
+/// Throws the job's error if it failed.
 void throwIfFailed(const Job& job);
 
-/// What is left at now_s of work of which share was done at said_s, if it goes on as it did; seconds since its start.
-/// Nothing while that would be a mere guess.
-std::optional<double> secondsLeft(double share, double said_s, double now_s);
+/// Estimated seconds left at now_s, if share was done at reported_s and the speed stays the same; both in seconds since
+/// the start. None while it is too early to tell.
+std::optional<double> secondsLeft(double share, double reported_s, double now_s);
 
 } // namespace pointrt

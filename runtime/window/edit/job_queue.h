@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The work behind the window: what may be under way beside what, what is shown of it, and what comes after.
+// The window's background jobs: which may run at the same time, which wait, and which one is displayed.
 #pragma once
 
 #include <array>
@@ -15,20 +15,20 @@
 
 namespace pointrt {
 
-/// One of a kind at a time. The first one of these that is under way is the one that users see, and cancel.
-/// But for tiles, which come all the time.
+/// At most one job of each kind runs. The display shows, and Cancel cancels, the first running one in this order, never
+/// tiles, which are loaded all the time.
 enum class JobKind : std::uint8_t { kLoad, kSceneUpdate, kBake, kTurntable, kSave, kTiles, kCount };
 constexpr std::size_t kJobKinds = static_cast<std::size_t>(JobKind::kCount);
 
-/// What becomes of work that is wanted while other work is under way.
+/// How a new job is scheduled while another one runs.
 enum class Scheduling : std::uint8_t {
-    kConcurrent, ///< both go on
-    kAfter,      ///< it must wait until the other one has ended
-    kReplaces    ///< the other one is cancelled; it begins when that has ended
+    kConcurrent, ///< runs beside it
+    kAfter,      ///< waits until it has ended
+    kReplaces    ///< cancels it, and starts when it has ended
 };
 
-/// kScheduling[wanted][under way], columns as rows. The scene is loading's and relighting's alone; all else has what it
-/// needs of it.
+/// kScheduling[new][running], rows and columns in the order of JobKind. Loading and updating the scene need exclusive
+/// access to it; the other jobs have their own copies.
 constexpr std::array<std::array<Scheduling, kJobKinds>, kJobKinds> kScheduling = [] {
     using enum Scheduling;
     return std::array<std::array<Scheduling, kJobKinds>, kJobKinds>{{
@@ -40,7 +40,7 @@ constexpr std::array<std::array<Scheduling, kJobKinds>, kJobKinds> kScheduling =
         /* tiles     */ {kAfter, kAfter, kConcurrent, kConcurrent, kConcurrent, kAfter},
     }};
 }();
-/// One of each kind, and no two kinds that disagree on going on beside each other. False where a kind has no row.
+/// At most one job of each kind, and a symmetric kConcurrent. False if a row is missing.
 constexpr bool isConsistent(const decltype(kScheduling)& meetings) {
     for (std::size_t a = 0; a < kJobKinds; ++a)
         for (std::size_t b = 0; b < kJobKinds; ++b) {
@@ -51,15 +51,15 @@ constexpr bool isConsistent(const decltype(kScheduling)& meetings) {
 }
 static_assert(isConsistent(kScheduling));
 
-/// A job that has been started, and what is to happen when it has ended.
+/// A running job and its callbacks.
 struct StartedJob {
-    std::shared_ptr<void> owner; ///< what the job is part of
+    std::shared_ptr<void> owner; ///< keeps the job alive
     Job* job = nullptr;
-    std::function<void()> done;            ///< once it is done: not after an error or a cancel
-    std::function<void(const Job&)> ended; ///< before that, in whatever state; may throw in place of an error's telling
+    std::function<void()> done;            ///< after success only
+    std::function<void(const Job&)> ended; ///< before done, in any final state; may throw instead of reporting an error
 };
 
-/// work: what has a job(), such as LoadJob. done may empty it. Both callbacks may be empty.
+/// work: an object with a job(), such as LoadJob. done may move from it. Both callbacks may be empty.
 template <typename Work>
 StartedJob startedJob(std::unique_ptr<Work> work, std::function<void(Work&)> done,
                       std::function<void(const Job&)> ended = {}) {
@@ -71,37 +71,37 @@ StartedJob startedJob(std::unique_ptr<Work> work, std::function<void(Work&)> don
             std::move(ended)};
 }
 
-/// Makes a job at the moment when it may begin.
+/// Creates a job when it may start.
 using JobStart = std::function<StartedJob()>;
 
-/// Callbacks run within poll, on the caller's thread; they may start more.
+/// Callbacks run in poll, on the caller's thread. They may start further jobs.
 class JobQueue {
 public:
     using Notify = std::function<void(const std::string& text, bool error)>;
 
-    /// tell: to whom errors and cancelled jobs are reported.
+    /// notify: receives errors and cancellations.
     explicit JobQueue(Notify tell) : notify_(std::move(tell)) {}
-    /// Cancels all, and waits for it; nothing is called back.
+    /// Cancels all jobs and waits for them, without callbacks.
     ~JobQueue();
     JobQueue(const JobQueue&) = delete;
     JobQueue& operator=(const JobQueue&) = delete;
 
-    /// Begins at once, or returns false with nothing done where kScheduling has other work, under way or waiting,
-    /// before it. Throws what start throws.
+    /// Starts a job now. Returns false and does nothing if kScheduling puts it after a running or waiting job. Throws
+    /// what start throws.
     bool start(JobKind kind, const JobStart& start);
-    /// Begins at a poll to come, the next one that kScheduling lets it; takes the place of one of its kind that waits.
+    /// Starts a job at the first poll at which kScheduling allows it. Replaces a waiting job of the same kind.
     void enqueue(JobKind kind, JobStart start);
 
-    /// Calls back for what has ended, then begins what has waited for it. Throws what callbacks and starts throw.
+    /// Runs the callbacks of ended jobs, then starts waiting ones. Throws what these throw.
     void poll();
 
-    /// Under way or waiting.
+    /// Running or waiting.
     bool has(JobKind kind) const;
     bool any() const;
-    /// Of what is under way; of the kind, or of the one that users see.
+    /// Status of the running job of a kind, or of the displayed one.
     std::optional<JobStatus> status(JobKind kind) const;
     std::optional<JobStatus> status() const;
-    /// Cancels the one that users see, where it can be.
+    /// Cancels the displayed job, if possible.
     void cancel();
 
 private:

@@ -12,10 +12,10 @@ namespace {
 
 using std::numbers::pi;
 
-/// The most that scene files take.
+/// Limit of scene files.
 constexpr double kMaxLight = 1e12;
 
-/// Irradiance a unit of reach squared away, by the light's number.
+/// Irradiance times reach squared, per unit of the light's emission.
 double irradiancePerUnit(const EmissionField& emission, double reach) {
     switch (emission.quantity) {
     case EmissionField::Quantity::kIntensity:
@@ -76,7 +76,7 @@ Bearing bearingOf(Vec3 direction, Vec3 up) {
     if (!(size > 0) || !std::isfinite(size)) return {0, 90};
     const Vec3 unit = direction * (1 / size), north = defaultNorth(up);
     const double ahead = dot(unit, north), east = dot(unit, cross(north, up)), level = std::hypot(ahead, east);
-    constexpr double none = 1e-9; // rounding's share of straight up
+    constexpr double none = 1e-9; // rounding error of straight up
     const double azimuth = level > none ? std::atan2(east, ahead) / kDegree : 0;
     return {azimuth < 0 ? azimuth + 360 : azimuth, std::atan2(dot(unit, up), level) / kDegree};
 }
@@ -86,7 +86,7 @@ Vec3 directionOf(Bearing bearing, Vec3 up) {
 }
 
 LightDescription newLight(std::size_t kind, const LitScene& scene) {
-    // half a right angle to the left, as far above, and two radii from the middle: outside of the scan
+    // 45 degrees to the left and as far up, at twice the scene's radius: outside the scan
     const Vec3 towards = normalize(scene.eye_back - scene.eye_right + scene.eye_up);
     const double distance = 2 * scene.radius;
     LightDescription light =

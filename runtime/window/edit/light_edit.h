@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lights as users handle them: a tint, a brightness that means the same for every kind, a bearing.
+// Lights as the panel presents them: tint, a brightness comparable across kinds, azimuth and elevation.
 #pragma once
 
 #include "runtime/scene/scene_description.h"
 
 namespace pointrt {
 
-/// What the light gives, in its own unit: intensity, irradiance or radiance.
+/// The light's emission in its own unit: intensity, irradiance or radiance.
 Color& emissionOf(LightDescription& light);
 const Color& emissionOf(const LightDescription& light);
 
-/// The colour of its light, brightest channel 1; white where it gives none.
+/// The emission scaled to a maximum channel of 1; white if the light is off.
 Color tintOf(const LightDescription& light);
-/// Keeps the brightest channel. tint: 0 to 1 each; black counts as white.
+/// Keeps the maximum channel. tint: 0 to 1 each; black counts as white.
 void setTint(LightDescription& light, Color tint);
 
-/// What a white surface that faces it gives back as radiance, from reach away (suns: from anywhere): 1 shows white.
-/// reach: world units, above 0. Lamps with a size count as far smaller than reach.
+/// Radiance of a white surface facing the light at distance reach (suns: at any distance); 1 is displayed as white.
+/// reach: world units, above 0. Assumes that the light is much smaller than reach.
 double brightnessOf(const LightDescription& light, double reach);
-/// Keeps the tint. brightness: from 0 up; the light's own number stays within what scene files take.
+/// Keeps the tint. brightness: 0 or more; the emission is clamped to the limits of scene files.
 void setBrightness(LightDescription& light, double brightness, double reach);
 
-/// The colour times factor, within what scene files take.
+/// color * factor, clamped to the limits of scene files.
 Color scaledColor(const Color& color, double factor);
 
-/// What change() makes of the light's size, as bright as before.
+/// Runs change(), which resizes the light, and keeps its brightness.
 template <Light L, typename Change>
 void resize(L& light, Change&& change) {
     const double seen_before = light.emission().seen_area;
@@ -33,22 +33,23 @@ void resize(L& light, Change&& change) {
     emission.value = scaledColor(emission.value, seen_before / emission.seen_area);
 }
 
-/// A direction as a compass and a spirit level have it.
+/// A direction as azimuth and elevation.
 struct Bearing {
-    double azimuth_deg = 0;   ///< from north (defaultNorth, sun.h) by way of east, 0 to 360; 0 straight up and down
-    double elevation_deg = 0; ///< over the horizon, -90 to 90
+    double azimuth_deg = 0;   ///< clockwise from north (defaultNorth, sun.h), 0 to 360; 0 straight up or down
+    double elevation_deg = 0; ///< above the horizon, -90 to 90
 };
-/// direction: of any length; what is none counts as up. up: unit length.
+/// direction: any length; zero counts as up. up: unit length.
 Bearing bearingOf(Vec3 direction, Vec3 up);
 Vec3 directionOf(Bearing bearing, Vec3 up);
 
-/// The scene that a light is made for: a sphere around it, and from where it is looked at.
+/// What newLight places a light for: the scene's bounding sphere, and the camera's axes.
 struct LitScene {
     Vec3 centre, up;                  ///< up: unit length
     double radius = 1;                ///< above 0
     Vec3 eye_right, eye_up, eye_back; ///< orthonormal
 };
-/// A light of this kind, by number, above the viewer's left shoulder, turned to the scene, of brightness 0.7 there.
+/// A light of this kind (by index) above the viewer's left shoulder, aimed at the scene's centre, of brightness 0.7
+/// there.
 LightDescription newLight(std::size_t kind, const LitScene& scene);
 
 } // namespace pointrt

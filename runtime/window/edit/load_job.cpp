@@ -21,7 +21,7 @@ std::unique_ptr<LoadedScene> load(Device& owner, Device& worker, const Options& 
     LoadRequest request = loadRequest(options, describeScene(options));
     request.free_share = free_share;
     request.roots_alone = true;
-    request.size = TracerSize{kSliceLanes, 1}; // films as large as the window come with its first picture
+    request.size = TracerSize{kSliceLanes, 1}; // the first picture allocates films of the window's size
     std::unique_ptr<LoadedScene> loaded = loadScene(owner, worker, request, stage);
     control.throwIfCancelled();
     return loaded;

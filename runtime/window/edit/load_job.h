@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loading and refurnishing a scene behind the window.
+// Jobs that load a scene, or update it after edits.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace pointrt {
 
-/// A device for one job's thread.
+/// A worker device for a job's thread.
 class JobDevice {
 public:
     explicit JobDevice(Device& owner) : device_(workerDevice(owner)) {}
@@ -24,24 +24,24 @@ private:
     Device device_;
 };
 
-/// Loads options.scene. free_share: LoadRequest's. To be started where no other thread uses device, which must outlive
-/// it and what it has loaded.
+/// Loads options.scene. free_share: see LoadRequest. Start it while no other thread uses device, which must outlive the
+/// job and the loaded scene.
 class LoadJob {
 public:
     LoadJob(Device& device, const Options& options, double free_share = 1);
 
     Job& job() { return job_; }
     const Job& job() const { return job_; }
-    /// What it has loaded, once; null unless it is done.
+    /// The loaded scene, once; null unless the job is done.
     std::unique_ptr<LoadedScene> take();
 
 private:
     JobDevice worker_;
-    std::unique_ptr<LoadedScene> loaded_; ///< the thread's until the job has ended
-    Job job_;                             ///< last: ends before the others go
+    std::unique_ptr<LoadedScene> loaded_; ///< owned by the thread until the job has ended
+    Job job_;                             ///< last, so that it ends before the others are destroyed
 };
 
-/// Furnishes loaded anew: see refurnish. loaded is the job's alone until it has ended.
+/// Runs updateScene. The job has exclusive access to loaded until it has ended.
 class SceneUpdateJob {
 public:
     SceneUpdateJob(Device& device, LoadedScene& loaded, const SceneDescription& description,

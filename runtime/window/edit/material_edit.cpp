@@ -9,7 +9,7 @@
 namespace pointrt {
 namespace {
 
-/// Materials made here are called so, and a number.
+/// Names of materials created here begin so, followed by a number.
 constexpr const char* kScanName = "scan";
 
 bool isNamed(const SceneDescription& scene, const std::string& name) {
@@ -23,7 +23,7 @@ std::string freeName(const SceneDescription& scene) {
     return name;
 }
 
-/// One that was made here before and that nobody uses any more, or a new one.
+/// A material created here earlier that nothing uses any more, or a new one.
 std::optional<std::uint32_t> spareMaterial(SceneDescription& scene, InstanceRange range) {
     for (std::uint32_t m = 0; m < scene.materials.size(); ++m)
         if (scene.materials[m].name.starts_with(kScanName) && !usedBeside(scene, range, m)) return m;
@@ -33,7 +33,7 @@ std::optional<std::uint32_t> spareMaterial(SceneDescription& scene, InstanceRang
     return static_cast<std::uint32_t>(scene.materials.size() - 1);
 }
 
-/// The material of the first instance, if it is for the range alone.
+/// The first instance's material, if only the range uses it.
 std::optional<std::uint32_t> ownMaterial(const SceneDescription& scene, InstanceRange range) {
     const auto material = scene.instances[range.first].material;
     if (!material || *material >= scene.materials.size() || usedBeside(scene, range, *material)) return std::nullopt;

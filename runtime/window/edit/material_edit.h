@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Materials of scans as the panel changes them: what others use stays as it is.
+// Editing the materials of scans without changing materials that other objects use.
 #pragma once
 
 #include <cstddef>
@@ -10,23 +10,23 @@
 
 namespace pointrt {
 
-/// The instances first to first + count, which must be there; count above 0.
+/// Instances [first, first + count), which must exist; count above 0.
 struct InstanceRange {
     std::size_t first = 0, count = 1;
 };
 
-/// True where an instance outside of range, a part of an instance or a shape uses material.
+/// True if an instance outside range, a part of any instance, or a shape uses material.
 bool usedBeside(const SceneDescription& scene, InstanceRange range, std::uint32_t material);
 
-/// True where any shape uses material.
+/// True if a shape uses material.
 bool usedByShapes(const SceneDescription& scene, std::uint32_t material);
 
-/// A material of this kind that keeps the scan's colours, where the kind has colours.
+/// A default material of this kind, with the scan's own colours if the kind has colours.
 MaterialDescription freshMaterial(MaterialKind kind);
 
-/// Gives the instances a material of this kind that nobody else uses, or without a kind what their files say; one that
-/// they alone had becomes it, another is left alone. False, and nothing is done, when scene files hold no more
-/// materials.
+/// Gives the instances an unshared material of this kind, or their files' materials if kind is none. Modifies their
+/// material if nothing else uses it, otherwise adds one. Returns false and changes nothing if the scene has the maximum
+/// number of materials.
 bool setScanMaterial(SceneDescription& scene, InstanceRange range, std::optional<MaterialKind> kind);
 
 } // namespace pointrt

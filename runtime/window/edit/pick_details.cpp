@@ -12,14 +12,14 @@
 namespace pointrt {
 namespace {
 
-/// The inverse of a rotation with orthonormal rows.
+/// Applies the inverse rotation (its rows are orthonormal).
 Vec3 unrotated(const Placement& placement, Vec3 v) {
     return v.x * placement.rotation[0] + v.y * placement.rotation[1] + v.z * placement.rotation[2];
 }
 
-/// With the digits that the file has, if need be.
+/// With as many digits as the file's type has.
 std::string shortText(double number, const pro_attribute& attribute) {
-    constexpr int kFloatDigits = 7, kDoubleDigits = 15, kHeightDigits = 9; // a height is known to 21 bits
+    constexpr int kFloatDigits = 7, kDoubleDigits = 15, kHeightDigits = 9; // heights are stored in 21 bits
     const int digits = !attribute.values                ? kHeightDigits
                        : attribute.type == PRO_TYPE_F32 ? kFloatDigits
                                                         : kDoubleDigits;
@@ -28,7 +28,7 @@ std::string shortText(double number, const pro_attribute& attribute) {
     return text;
 }
 
-/// "classification 6, building" of what the splat is coloured by.
+/// "classification 6, building": the value that the splat is coloured by.
 std::string numberText(const DeviceScene& scene, const Pick& pick, std::size_t place) {
     const std::string& word = scene.paint.request.color_by;
     const auto numbers = numbersFor(placedScans(scene, scene.description).at(place), word, scene.paint.request.up);
@@ -48,7 +48,7 @@ pro_splat splatOf(const DeviceScan& file, std::uint32_t number) {
     return splat;
 }
 
-/// What was picked, a moment ago: it is there. Tiles of a set have one number.
+/// The picked instance, which still exists. All tiles of a set have the same number.
 const Instance& pickedInstance(const DeviceScene& scene, const Pick& pick) {
     return *std::find_if(scene.instances.begin(), scene.instances.end(),
                          [&](const Instance& each) { return each.number == pick.owner && each.tile == pick.tile; });

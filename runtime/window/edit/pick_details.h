@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a picked point is, in the words of the scan it is of.
+// Properties of a picked point, in its scan's coordinates.
 #pragma once
 
 #include "runtime/device_scene/device_scene.h"
@@ -8,7 +8,7 @@
 
 namespace pointrt {
 
-/// position and normal as the file has them, before the scene placed it; of shapes, as the scene has them.
+/// Position and normal are in the file's coordinates for scans, in the scene's for shapes.
 PickedPoint describePick(const DeviceScene& scene, const Pick& pick);
 
 } // namespace pointrt

@@ -20,7 +20,7 @@ RequiredUpdate requiredUpdate(const DeviceScene& scene, Integrator integrator, c
 UpdateStep nextUpdateStep(UpdateKind rework, bool dragging, bool lacks_photons) {
     if (rework == UpdateKind::kTables) return UpdateStep::kUpload;
     if (dragging || (rework == UpdateKind::kNothing && !lacks_photons)) return UpdateStep::kNothing;
-    return UpdateStep::kSceneUpdate; // where it takes a reload, that says so
+    return UpdateStep::kSceneUpdate; // for kReload the job fails with a message
 }
 
 } // namespace pointrt

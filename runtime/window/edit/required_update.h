@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an edit makes necessary.
+// Which parts of the scene on the device an edit invalidates.
 #pragma once
 
 #include <cstdint>
@@ -9,33 +9,32 @@
 
 namespace pointrt {
 
-/// The cheapest that will do comes first.
+/// In order of cost.
 enum class UpdateKind : std::uint8_t {
     kNothing,
-    kTables,   ///< rows of materials, shapes and lights: a few milliseconds
-    kPrograms, ///< other programs, another picture of the sky or splats painted anew as well: a job's
-    kReload    ///< other scans, or other places: nothing that is there will do
+    kTables,   ///< tables of materials, shapes and lights: a few milliseconds
+    kPrograms, ///< shader programs, the sky's image or splat colours as well: needs a job
+    kReload    ///< scans or their placement: the scene must be reloaded
 };
 
 struct RequiredUpdate {
     UpdateKind kind = UpdateKind::kNothing;
-    SceneRows rows; ///< where they are all it takes: kTables
+    SceneRows rows; ///< for kTables
 };
 
-/// What it takes until scene, for which programs of this integrator were built, is as description and settings say.
-/// Throws Error kBadInput as makeSceneRows does.
+/// The update that brings scene, with its programs for this integrator, to description and settings. Throws Error
+/// kBadInput as makeSceneRows does.
 RequiredUpdate requiredUpdate(const DeviceScene& scene, Integrator integrator, const SceneDescription& description,
                               const RenderSettings& settings);
 
-/// What is to be done about it in this frame.
+/// What to do in this frame.
 enum class UpdateStep : std::uint8_t {
-    kNothing,     ///< it is done, or must wait until the user has let go
-    kUpload,      ///< the tables
-    kSceneUpdate, ///< the job that makes all of it
+    kNothing,     ///< nothing to do, or wait until the user releases the mouse
+    kUpload,      ///< upload the tables now
+    kSceneUpdate, ///< start the job that updates everything
 };
 
-/// dragging: more of the same edit is to come, and must not wait for a job. lacks_photons: tables were uploaded
-/// without.
+/// dragging: the edit continues and must not wait for a job. lacks_photons: tables were uploaded without new photons.
 UpdateStep nextUpdateStep(UpdateKind rework, bool dragging, bool lacks_photons);
 
 } // namespace pointrt

@@ -11,7 +11,7 @@
 namespace pointrt {
 namespace {
 
-/// Of the time that it takes, packing the EXR is the most.
+/// Compressing the EXR takes most of the time.
 constexpr double kExrShare = 0.7;
 
 Image8 withLegend(Image8 picture, const std::optional<Legend>& legend) {

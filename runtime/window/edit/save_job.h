@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A picture on its way to files, behind the window: to filter, pack and write it takes a second.
+// Writes a picture to files in the background: filtering, compressing and writing take about a second.
 #pragma once
 
 #include <string>
@@ -14,27 +14,27 @@
 
 namespace pointrt {
 
-/// How the PNG is made of the film; the EXR holds it as it is.
+/// How to make the PNG from the film. The EXR stores the film itself.
 struct SaveOptions {
     float exposure = 0; ///< stops
     bool denoise = false;
-    std::optional<Legend> legend; ///< to lie on it
+    std::optional<Legend> legend; ///< drawn on the PNG
 };
 
 class SaveJob {
 public:
-    /// Writes name.exr and name.png. To be started where no other thread uses device.
+    /// Writes name.exr and name.png. Start it while no other thread uses device.
     SaveJob(Device& device, const std::string& name, SavedFilm saved, SaveOptions look);
 
     Job& job() { return job_; }
     const Job& job() const { return job_; }
-    /// For people: what there is now.
+    /// A message about the files written.
     const std::string& summary() const { return summary_; }
 
 private:
     std::string summary_;
     JobDevice worker_;
-    Job job_; ///< last: ends before the others go
+    Job job_; ///< last, so that it ends before the others are destroyed
 };
 
 } // namespace pointrt

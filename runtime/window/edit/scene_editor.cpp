@@ -25,7 +25,7 @@ bool isUsed(const SceneDescription& scene, std::uint32_t material) {
            std::any_of(scene.instances.begin(), scene.instances.end(), of_instance);
 }
 
-/// Materials at the end of the list that nothing is of: those of a room that was taken down.
+/// Removes unused materials at the end of the list: those of a former room.
 void dropUnused(SceneDescription& scene, std::size_t fewest) {
     while (scene.materials.size() > fewest && !isUsed(scene, static_cast<std::uint32_t>(scene.materials.size() - 1)))
         scene.materials.pop_back();
@@ -72,11 +72,11 @@ void SceneEditor::updateSurroundings() {
 }
 
 void SceneEditor::rebuildSurroundings() {
-    // left to the rule, hard lamps are not filtered: it would blur what mirrors show
+    // the automatic choice does not denoise hard lights, because that would blur mirror images
     const bool by_rule =
         work_.settings.denoise == DenoiseChoice::kAuto && work_.denoise == isNoisy(work_.settings, opened_->resolved);
     storeRoomLights();
-    if (work_.settings.lights != current_light_count_) // another number of them: no longer those there were
+    if (work_.settings.lights != current_light_count_) // the stored lights have the old number
         std::erase_if(room_lights_, [&](const RoomLights& each) { return each.room == work_.settings.room; });
     current_room_ = work_.settings.room;
     current_light_count_ = work_.settings.lights;
@@ -109,7 +109,7 @@ void SceneEditor::setUp(Vec3 up, ViewCamera& home, double aspect) {
     request.target = centre;
     request.up = up;
     double pivot_offset = 0;
-    if (!opened_->sample.splats.empty()) { // framed anew, with the lens that home has
+    if (!opened_->sample.splats.empty()) { // reframe, with home's lens
         request.eye.reset();
         request.target.reset();
         request.ortho_height.reset();
@@ -122,7 +122,7 @@ void SceneEditor::setUp(Vec3 up, ViewCamera& home, double aspect) {
     opened_->file_scene.up = work_.scene_up = up;
     opened_->resolved_for_eye = cameraOf(home).eye;
     opened_->camera = cameraOf(home);
-    opened_->resolved = work_.scene; // lamps that were changed are not kept
+    opened_->resolved = work_.scene; // edited lights are discarded
     room_lights_.clear();
     rebuildSurroundings();
     pending_edits_ = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene as the panels edit it, and what stands around it.
+// The edited scene and its surroundings (room, floor, lamps).
 #pragma once
 
 #include <optional>
@@ -11,51 +11,49 @@
 
 namespace pointrt {
 
-/// A scene as it was opened.
+/// A scene as opened.
 struct OpenedScene {
-    SceneDescription file_scene; ///< as its file has it
-    SceneDescription resolved;   ///< with its surroundings
+    SceneDescription file_scene; ///< as in its file
+    SceneDescription resolved;   ///< with surroundings
     RenderSettings settings;
-    Camera camera;               ///< the first
-    Vec3 resolved_for_eye;       ///< the eye that its surroundings were put up for, world frame
-    Vec3 bounds_min, bounds_max; ///< of the scan, input coordinates
-    SceneSample sample;          ///< of its scans
+    Camera camera;               ///< initial
+    Vec3 resolved_for_eye;       ///< eye that the surroundings were made for, world frame
+    Vec3 bounds_min, bounds_max; ///< of the scans, input coordinates
+    SceneSample sample;          ///< of the scans
     StudioSubject subject;
-    std::optional<Vec3> pivot; ///< what the camera was framed for; none: it was not framed
-    double pivot_offset = 0;   ///< of the camera, as ViewCamera has it
-    double free_share = 1;     ///< of the picture's width, from the left: no panel covers it
-    double scale = 1;          ///< input units in a render unit
+    std::optional<Vec3> pivot; ///< centre that the camera was framed on; none if it was not framed automatically
+    double pivot_offset = 0;   ///< see ViewCamera
+    double free_share = 1;     ///< share of the picture's width, from the left, that no panel covers
+    double scale = 1;          ///< input units per render unit
 };
 
-/// Edits a workspace's scene, settings and denoise where that takes more than writing a number, which panels do
-/// themselves. Knows which of all that is on the device.
+/// Makes the edits that are more than setting a value in the workspace, which panels do themselves, and tracks whether
+/// the device is up to date.
 class SceneEditor {
 public:
     /// work must outlive it.
     explicit SceneEditor(Workspace& work) : work_(work) {}
 
-    /// Puts the scene in the workspace, with the view and look that it begins with, in place of the one there was.
-    /// samples: a pixel, at which its picture is done.
+    /// Replaces the scene in the workspace, with its initial view and look. samples: target per pixel.
     void open(OpenedScene opened, std::uint32_t samples);
     bool isOpen() const { return opened_.has_value(); }
 
-    /// Takes note of what was asked for in a frame.
+    /// Records the edits requested in a frame.
     void noteRequests(const Requests& requests) {
         pending_edits_ = pending_edits_ || requests.scene_changed || requests.settings_changed;
     }
-    /// True where edits are not yet on the device.
+    /// True if the device does not have the edits yet.
     bool hasPendingEdits() const { return pending_edits_; }
     void clearPendingEdits() { pending_edits_ = false; }
 
-    /// Where the settings ask for another room, or another number of its lamps, than stands there: puts it up in place
-    /// of that, with the lamps that the user had in it last. A scene file's own are in every room.
+    /// Rebuilds the surroundings if the settings' room or number of lamps has changed, with the user's last lights for
+    /// that room. Lights from a scene file are used in every room.
     void updateSurroundings();
-    /// Puts the scan on another side: what stands around it begins anew, for the view that home becomes. aspect: of
-    /// the picture, width over height.
+    /// Changes the up axis: resets the surroundings, and reframes home. aspect: of the picture, width over height.
     void setUp(Vec3 up, ViewCamera& home, double aspect);
 
 private:
-    /// What the user made of a room's lamps, to find it again.
+    /// The user's lights in a room, to restore them later.
     struct RoomLights {
         std::optional<Room> room;
         std::vector<LightDescription> lights;
@@ -67,7 +65,7 @@ private:
     bool hasFileLights() const { return !opened_->file_scene.lights.empty() || opened_->file_scene.sky; }
 
     Workspace& work_;
-    std::optional<OpenedScene> opened_; ///< staged: when its surroundings were put up last
+    std::optional<OpenedScene> opened_; ///< resolved: when the surroundings were last rebuilt
     std::optional<Room> current_room_;
     std::optional<std::uint32_t> current_light_count_;
     std::vector<RoomLights> room_lights_;

@@ -8,10 +8,10 @@
 namespace pointrt {
 namespace {
 
-/// What of it is done where photons are to be cast, after programs were built.
+/// Progress when programs are built and photons are next.
 constexpr double kPhotonsShare = 0.6;
 
-/// Whether the scene has become one for other programs.
+/// Rebuilds the programs if the scene needs others.
 bool rebuildPrograms(Device& device, LoadedScene& loaded) {
     const ProgramKinds kinds = kindsOf(loaded.scene, loaded.settings);
     if (kinds == loaded.program_kinds) return false;
@@ -45,11 +45,11 @@ void uploadScene(Device& device, LoadedScene& loaded, const SceneDescription& de
 
 void updateScene(Device& device, LoadedScene& loaded, const SceneDescription& description,
                  const RenderSettings& settings, JobControl& control) {
-    loaded.lacks_photons = false; // nor is it to be tried again where the user does not want to wait
+    loaded.lacks_photons = false; // do not retry if the user cancels
     control.setDetail("materials and lights");
     uploadScene(device, loaded, description, settings);
     dropPhotons(loaded.tracer);
-    // not to be cancelled: rows, programs and bindings belong together
+    // not cancellable: tables, programs and bindings must match
     control.setDetail("programs");
     if (rebuildPrograms(device, loaded)) control.setProgress(kPhotonsShare);
     rebind(device, loaded.tracer);

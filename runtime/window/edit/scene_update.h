@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A loaded scene lit anew while it is looked at: other lights, materials, surroundings.
+// Updates a loaded scene after edits of lights, materials and surroundings.
 #pragma once
 
 #include "runtime/device_scene/scene_rows.h"
@@ -8,14 +8,14 @@
 
 namespace pointrt {
 
-/// Furnishes loaded for description, which has its surroundings, and settings: rows, and, where it takes others,
-/// programs and photons. Nobody else may use loaded meanwhile; pictures of it start over. Throws Error kBadInput where
-/// a picture of the sky cannot be read or description names other files or places, with nothing changed. Cancelled, it
-/// leaves photons out, for good, and nothing else.
+/// Brings loaded to description (with surroundings) and settings: tables, and if needed programs and photons. Needs
+/// exclusive access to loaded; pictures of it must start over. Throws Error kBadInput and changes nothing if a sky
+/// image cannot be read or description has other scans or placements. If cancelled, the scene stays without photons
+/// until the next edit.
 void updateScene(Device& device, LoadedScene& loaded, const SceneDescription& description,
                  const RenderSettings& settings, JobControl& control);
 
-/// The same in a few milliseconds and without photons, where rows are all that is new: see Rework::kTables.
+/// The fast path for UpdateKind::kTables: tables only, without photons, in a few milliseconds.
 void updateSceneTables(Device& device, LoadedScene& loaded, const SceneDescription& description,
                        const RenderSettings& settings, SceneRows rows);
 

@@ -10,7 +10,7 @@
 namespace pointrt {
 namespace {
 
-/// "view 1", the first number for which there is no view.
+/// "view 1", with the first unused number.
 std::string freeViewName(const std::vector<NamedView>& views) {
     for (int number = 1;; ++number) {
         const std::string name = "view " + std::to_string(number);
@@ -31,7 +31,7 @@ SceneDescription sceneAsShown(const Workspace& work, PixelSize size) {
     settings.exposure = work.look.exposure;
     settings.camera = requestOf(work.camera);
     SceneDescription scene = work.scene;
-    scene.up = sceneUp(work.scene, work.settings); // not that of the camera as it is now
+    scene.up = sceneUp(work.scene, work.settings); // not the current camera's
     ownSurroundings(scene, settings);
     return describeRun(std::move(scene), settings, settings.camera.eye.value());
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is on the screen as a scene that can be saved.
+// The displayed scene as a scene description, to save it.
 #pragma once
 
 #include "runtime/window/edit/workspace.h"
@@ -7,10 +7,10 @@
 
 namespace pointrt {
 
-/// What renders the picture on the screen, of that size, headless.
+/// A description that renders the displayed picture, of this size, headless.
 SceneDescription sceneAsShown(const Workspace& work, PixelSize size);
 
-/// Keeps the view in the scene, under work.view_name or a number that is free, in place of one that has this name.
+/// Saves the camera as a view named work.view_name, or "view N" if that is empty. Replaces a view of the same name.
 void saveView(Workspace& work);
 
 } // namespace pointrt

@@ -6,11 +6,11 @@
 namespace pointrt {
 namespace {
 
-/// A step's files: a fifth of a second from memory, two from a slow disk.
+/// Size of a step's files: 0.2 seconds from the page cache, two from a slow disk.
 constexpr std::uint64_t kStepBytes = 64 << 20;
-/// So long it goes on to load tiles that the camera may be past: those without an index take a second or more each.
+/// Time limit of a step, because the camera may have moved on: a tile without an index takes a second or more.
 constexpr double kStep_s = 0.5;
-/// Levels have four times as many splats as the next coarser one: so a step is about a level.
+/// A level has four times as many splats as the next coarser one, so a step is about a level.
 constexpr double kStepShare = 0.25;
 constexpr double kLeastShare = kStepShare * kStepShare * kStepShare;
 
@@ -44,7 +44,7 @@ void TileJob::work(TileLoadRequest request) {
     chooseTiles(request);
     target_tiles_ = tilesOf(request.sets);
     is_final_step_ = chooseNextCut(request);
-    request.on_all_cores = false; // the window has work for the others
+    request.on_all_cores = false; // the window needs the other cores
     request.time_limit_s = kStep_s;
     loaded_.tiles = loadTiles(worker_.get(), std::move(request));
     is_final_step_ &= loaded_.tiles.complete;

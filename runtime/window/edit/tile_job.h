@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tiles for what the window shows, loaded behind it.
+// Loads tiles for the current view in the background.
 #pragma once
 
 #include "runtime/device_scene/scene_tiles.h"
@@ -8,9 +8,9 @@
 
 namespace pointrt {
 
-/// Loads a step towards the tiles that order asks for: coarse ones first, so that something is seen of all of them
-/// soon; what takes long, such as building indices, ends it with what is there by then. To be started where no other
-/// thread uses device, which must outlive it.
+/// Loads the next step towards the requested cut, coarse tiles first, so that everything is visible early. A step that
+/// takes long, such as one that builds indices, ends early with the tiles loaded so far. Start it while no other thread
+/// uses device, which must outlive it.
 class TileJob {
 public:
     TileJob(Device& device, TileLoadRequest request);
@@ -18,15 +18,15 @@ public:
     TileJob& operator=(const TileJob&) = delete;
 
     Job& job() { return job_; }
-    /// What it has loaded, once; when it is done.
+    /// The loaded tiles, once the job is done.
     LoadedTiles take();
-    /// True where that is all that was asked for; else another step follows.
+    /// True if the requested cut is complete; otherwise another step follows.
     bool isFinalStep() const { return is_final_step_; }
-    /// Tiles of all that was asked for.
+    /// Number of tiles in the requested cut.
     std::size_t targetTiles() const { return target_tiles_; }
 
 private:
-    /// What nobody has taken goes from the device with it.
+    /// Destroys tiles that were never taken.
     struct OwnedTiles {
         Device& device;
         LoadedTiles tiles;
@@ -35,15 +35,15 @@ private:
     void work(TileLoadRequest request);
 
     JobDevice worker_;
-    OwnedTiles loaded_; ///< the thread's until the job has ended
+    OwnedTiles loaded_; ///< owned by the thread until the job has ended
     bool is_final_step_ = false;
     std::size_t target_tiles_ = 0;
-    Job job_; ///< last: ends before the others go
+    Job job_; ///< last, so that it ends before the others are destroyed
 };
 
-/// Chooses the cuts of the next step: the finest of a few, each with a quarter of the memory of the one before, that
-/// take no more than some 64 MiB of files, and where those are there already the next finer one. True where that is the
-/// finest.
+/// Chooses the cut of the next step: the finest that loads at most about 64 MiB of files, out of cuts for the full
+/// memory, a quarter of it, and so on; the next finer one if all its tiles are resident. Returns true for the finest
+/// cut.
 bool chooseNextCut(TileLoadRequest& request);
 
 } // namespace pointrt

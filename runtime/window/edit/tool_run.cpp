@@ -13,13 +13,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// How soon a cancelled tool is asked to end, and how long it may take over it.
+/// How soon a cancelled tool gets SIGTERM, and how long it has to exit.
 constexpr std::chrono::milliseconds kPoll{50};
 constexpr std::chrono::seconds kGrace{3};
-/// More than any line that is worth showing.
+/// Longer lines are cut.
 constexpr std::size_t kLongestLine = 4096;
 
-/// The lines that a program has written: progress is passed on, the last of the others is kept.
+/// Splits output into lines; keeps the last one that is not progress.
 class OutputReader {
 public:
     explicit OutputReader(const std::function<bool(const std::string&)>& on_line) : on_line_(on_line) {}
@@ -35,7 +35,7 @@ public:
         }
     }
 
-    /// Without the tool's name; the last word counts even without an end of line.
+    /// Without the tool's name. A last line without a line feed counts.
     std::string lastLine(const std::string& name) const {
         const std::string prefix = name + ": error: ", line = line_.empty() ? last_ : line_;
         return line.starts_with(prefix) ? line.substr(prefix.size()) : line;
@@ -46,7 +46,7 @@ private:
     std::string line_, last_;
 };
 
-/// Until it has ended. Asks it to when the control says so.
+/// Waits for the child to exit; terminates it when the job is cancelled.
 int waitForExit(ChildProcess& child, OutputReader& reader, const JobControl& control) {
     std::optional<Clock::time_point> terminated_at;
     std::optional<int> status;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Another tool of ours at work for a job.
+// Runs another pointrt tool for a job.
 #pragma once
 
 #include <sys/types.h>
@@ -13,24 +13,24 @@
 namespace pointrt {
 
 struct ToolResult {
-    int wait_status = 0;   ///< as waitpid has it
-    pid_t id = 0;          ///< of the process there was
-    std::string last_line; ///< of what it said, without its name and progress
+    int wait_status = 0;   ///< of waitpid
+    pid_t id = 0;          ///< of the process
+    std::string last_line; ///< last line of output that was not progress, without the tool's name
 };
 
-/// Runs arguments[0], the path of the tool called name, to its end; each line that it writes goes to tell, which says
-/// whether it was progress. Cancelled, the tool is asked to end (SIGTERM) and made to after three seconds. Throws Error
+/// Runs arguments[0], the path of the tool called name, to its end. Passes each line of output to on_line, which
+/// returns whether it was progress. If cancelled, the tool gets SIGTERM, and SIGKILL after three seconds. Throws Error
 /// as ChildProcess does.
 ToolResult runTool(const std::vector<std::string>& arguments, const std::string& name, const JobControl& control,
                    const std::function<bool(const std::string& line)>& on_line);
 
-/// Why a tool called name that ended so has failed, in its own words where it has left any.
+/// Why the tool called name failed, in its own words if it printed any.
 std::string describeFailure(const ToolResult& end, const std::string& name);
 
-/// What a tool of ours says by its exit status, kCannotRun where it says nothing.
+/// The tool's exit status as an exit code; kCannotRun if it is not one of ours.
 ExitCode exitCodeOf(const ToolResult& end);
 
-/// So that no program takes a path for an option or a list.
+/// Prefixes a path so that it cannot be taken for an option.
 std::string safeArgument(const std::string& path);
 
 } // namespace pointrt

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A scene file for as long as this lives.
+/// A scene file in a temporary folder, deleted by the destructor.
 class TemporarySceneFile {
 public:
     explicit TemporarySceneFile(const SceneDescription& scene) {
@@ -39,7 +39,7 @@ private:
     fs::path folder_;
 };
 
-/// "progress SHARE DETAIL" of pointrt-view --progress lines.
+/// Parses "progress SHARE DETAIL" of pointrt-view --progress lines.
 bool parseProgress(const std::string& line, JobControl& control) {
     double share = 0;
     int detail = 0;

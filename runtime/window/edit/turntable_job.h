@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A turntable rendered behind the window, by a pointrt-view of its own: pictures are those of the command line.
+// Renders a turntable in the background with a pointrt-view process, so that pictures equal those of the command line.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@ namespace pointrt {
 
 class TurntableJob {
 public:
-    /// Renders so many pictures of scene to pattern (turntable.h), on the device with this selector. Creates pattern's
-    /// folder where it is not there. Throws Error kBadUsage or kCannotWrite for a pattern that will not do.
+    /// Renders pictures frames of scene to pattern (turntable.h) on the selected device. Creates pattern's folder.
+    /// Throws Error kBadUsage or kCannotWrite for an unusable pattern.
     TurntableJob(const SceneDescription& scene, const std::string& pattern, std::uint32_t pictures,
                  const std::string& device);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the window's panels show and change: plain data between the user interface and what does the work. Panels write
-// here what the user wants; the window (window.cpp) reads it once a frame, does it, and fills in what has come of it.
+// State shared by the panels and the window, as plain data. Panels write the user's requests; the window (window.cpp)
+// reads them once per frame, executes them and fills in the results.
 #pragma once
 
 #include <array>
@@ -17,81 +17,81 @@
 
 namespace pointrt {
 
-/// What was under the cursor. Positions and lengths in the scan's own coordinates.
+/// A picked point. Positions and lengths in the scan's own coordinates.
 struct PickedPoint {
     std::uint32_t splat = 0;
-    std::string source; ///< the file or shape that it is of
+    std::string source; ///< name of the file or shape
     Vec3 position, normal;
     double distance = 0;                              ///< from the eye
-    double radius = 0;                                ///< of the splat; 0 on shapes
-    std::optional<std::array<std::uint8_t, 3>> color; ///< sRGB, where the file has colours
-    std::string value;                                ///< that it is coloured by, in words; empty: by none
+    double radius = 0;                                ///< of the splat; 0 for shapes
+    std::optional<std::array<std::uint8_t, 3>> color; ///< sRGB; none if the file has no colours
+    std::string value;                                ///< the value it is coloured by, as text; empty: none
 };
 
-/// What the window says of itself.
+/// Statistics shown in the corner.
 struct HudStats {
     std::string device;
     std::uint64_t splats = 0, device_bytes = 0;
     std::uint32_t samples = 0, target_samples = 0;
-    double sample_share = 0;                             ///< of the sample under way
-    bool resting = false;                                ///< the picture has all its samples
-    std::uint32_t picture_width = 0, picture_height = 0; ///< what is traced now, pixels
-    double frame_ms = 0;                                 ///< a recent mean
+    double sample_share = 0;                             ///< progress of the current sample, 0 to 1
+    bool resting = false;                                ///< all samples are done
+    std::uint32_t picture_width = 0, picture_height = 0; ///< being traced, pixels
+    double frame_ms = 0;                                 ///< recent mean
     double mrays_per_second = 0;
-    std::size_t tiles = 0, target_tiles = 0; ///< of sets: on the device, and for the camera as it is
+    std::size_t tiles = 0, target_tiles = 0; ///< of tile sets: on the device, and in the cut for the camera
     bool tiles_loading = false;
 };
 
-/// Work that takes long: loading, baking, rendering to a file.
+/// State of a job, for display.
 struct JobStatus {
     std::string title;                  ///< "Baking statue.ply"
     std::string detail;                 ///< stage or count; may be empty
-    std::optional<double> progress;     ///< done, 0 to 1; empty: unknown
-    std::optional<double> seconds_left; ///< empty: unknown
+    std::optional<double> progress;     ///< 0 to 1; none: unknown
+    std::optional<double> seconds_left; ///< none: unknown
     bool can_cancel = true;
 };
 
-/// A line that is shown for a few seconds.
+/// A message shown for a few seconds.
 struct Notice {
     std::string text;
     bool error = false;
     double until_s = 0; ///< on the window's clock
 };
 
-/// What the user asked for in this frame; done, and set back, by the window.
+/// The user's requests in this frame. The window executes and resets them.
 struct Requests {
-    bool scene_changed = false;    ///< scene's lights, materials, shapes or sky were edited
+    bool scene_changed = false;    ///< lights, materials, shapes or sky were edited
     bool settings_changed = false; ///< settings were edited (integrator, bounces, room, shadows, caustics...)
-    bool look_changed = false;     ///< look or denoise: the same light is shown another way
-    bool dragging = false;         ///< an edit is under way: more of the same is to come
-    std::optional<Vec3> up;        ///< the scan stands on another side: an axis
+    bool look_changed = false;     ///< look or denoise: show the same light another way
+    bool dragging = false;         ///< an edit is in progress: more of the same follows
+    std::optional<Vec3> up;        ///< new up axis
     bool save_scene = false, screenshot = false, save_view = false, home = false, quit = false;
     bool cancel_job = false;
-    std::optional<std::size_t> go_to_view, delete_view; ///< of scene.views
-    std::optional<std::uint32_t> turntable_pictures;    ///< render so many to turntable_path
+    std::optional<std::size_t> go_to_view, delete_view; ///< indices into scene.views
+    std::optional<std::uint32_t> turntable_pictures;    ///< number of frames to render to turntable_path
 };
 
 struct Workspace {
-    SceneDescription scene; ///< with all that stands around the scan, as it is lit now
+    SceneDescription scene; ///< with surroundings, as displayed
     RenderSettings settings;
     std::uint32_t target_samples = 256;
     Look look;
     bool denoise = true;
     ViewCamera camera;
-    Vec3 scene_up{0, 1, 0};    ///< what rooms stand on; unit length
-    Vec3 scene_min, scene_max; ///< bounds of the scan, input coordinates
+    Vec3 scene_up{0, 1, 0};    ///< unit length
+    Vec3 scene_min, scene_max; ///< of the scans, input coordinates
     bool paused = false;
     bool show_panel = true, show_cheat_sheet = false, show_hud = true;
     bool pin_measurement = false;
     std::vector<PickedPoint> picks;       ///< the last two, oldest first
-    std::vector<std::string> color_words; ///< for settings.color_by
-    std::optional<Legend> legend;         ///< of the colours on the device
+    std::vector<std::string> color_words; ///< choices for settings.color_by
+    std::optional<Legend> legend;         ///< of the current colours
     HudStats hud;
     std::optional<JobStatus> job;
     std::vector<Notice> notices;
     std::string turntable_path = "turntable/%04d.png";
-    std::string view_name; ///< for the next saved view; empty: it gets a number
-    std::string title;     ///< of the file
+    std::string view_name; ///< for the next saved view; empty: "view N"
+    std::string title;     ///< the file's name
     double time_s = 0;     ///< the window's clock
     Requests requests;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What commands do to the camera.
+// Effects of commands on the camera.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,10 @@
 
 namespace pointrt {
 
-/// Where camera stands after a drag or a turn of the wheel; nothing where the command is no such thing. size: of the
-/// window.
+/// The camera after a drag or a turn of the wheel; none for other commands. size: of the window.
 std::optional<ViewCamera> cameraAfter(const Command& command, const ViewCamera& camera, ViewSize size);
 
-/// Where an action takes camera, in a flight; nothing where it takes it nowhere. home: where the window began.
+/// Where an action flies the camera to; none if it is not a camera action. home: the initial camera.
 std::optional<ViewCamera> cameraForAction(Action action, const ViewCamera& camera, const ViewCamera& home);
 
 } // namespace pointrt

@@ -16,7 +16,7 @@
 namespace pointrt {
 namespace {
 
-constexpr std::size_t kMaxText = 4096; // ten numbers of at most 24 characters, and much white space
+constexpr std::size_t kMaxText = 4096; // ten numbers of at most 24 characters, and generous white space
 
 using Words = std::map<std::string, std::string>;
 
@@ -31,7 +31,7 @@ std::string plain(Vec3 v) { return plain(v.x) + "," + plain(v.y) + "," + plain(v
 
 bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
-/// What white space parts; next to a comma it parts nothing.
+/// Splits at white space, except next to a comma.
 std::vector<std::string> wordsOf(const std::string& text) {
     std::vector<std::string> words;
     bool parted = true;
@@ -48,7 +48,7 @@ std::vector<std::string> wordsOf(const std::string& text) {
     return words;
 }
 
-/// Of a bearable length, on one line.
+/// Quoted and shortened for a message.
 std::string shown(const std::string& word) { return "\"" + printable(word, 40) + "\""; }
 
 Words optionsOf(const std::string& text) {
@@ -68,7 +68,7 @@ Words optionsOf(const std::string& text) {
     return options;
 }
 
-/// parse(value of name), or fallback where it is not given.
+/// Parses the value of an option; fallback if it is missing.
 template <typename Value, typename Parse>
 Value valueOf(const Words& options, const char* name, Value fallback, Parse parse) {
     const auto found = options.find(name);
@@ -81,7 +81,7 @@ Value valueOf(const Words& options, const char* name, Value fallback, Parse pars
 }
 
 CameraRequest requestedBy(const Words& options, const ViewCamera& view) {
-    const auto height = [](const std::string& word) { return parseRealAbove(word, 0, 1e12); }; // as --ortho takes it
+    const auto height = [](const std::string& word) { return parseRealAbove(word, 0, 1e12); }; // the limits of --ortho
     CameraRequest request = requestOf(view);
     request.eye = valueOf(options, "--eye", *request.eye, parseVector);
     request.target = valueOf(options, "--target", *request.target, parseVector);
@@ -93,7 +93,7 @@ CameraRequest requestedBy(const Words& options, const ViewCamera& view) {
     return request;
 }
 
-/// True where up is no axis: the view goes along that of view, and up only tells how the picture is turned.
+/// True if the new view is along view's up axis, so that up is only a roll of the picture.
 bool rollsOnly(const ViewCamera& view, const CameraRequest& request) {
     ViewCamera there = view;
     there.eye = *request.eye;
@@ -112,7 +112,7 @@ std::string cameraText(const ViewCamera& view) {
 
 ViewCamera withCameraText(const ViewCamera& view, const std::string& text) {
     const CameraRequest request = requestedBy(optionsOf(text), view);
-    const Vec3 half = Vec3{1, 1, 1} * (view.scene_radius / std::sqrt(3.0)); // a cube in the scene's sphere
+    const Vec3 half = Vec3{1, 1, 1} * (view.scene_radius / std::sqrt(3.0)); // a cube inscribed in the scene's sphere
     const Vec3 low = view.scene_centre - half, high = view.scene_centre + half;
     try {
         const Camera camera = frameCamera(request, low, high, 1);

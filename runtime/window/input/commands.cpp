@@ -19,7 +19,7 @@ constexpr FlyKey kFlyKeys[] = {{Action::kFlyForward, {0, 0, 1}}, {Action::kFlyBa
                                {Action::kFlyRight, {1, 0, 0}},   {Action::kFlyLeft, {-1, 0, 0}},
                                {Action::kFlyUp, {0, 1, 0}},      {Action::kFlyDown, {0, -1, 0}}};
 
-/// Ctrl + S saves: with Ctrl no key flies.
+/// With Ctrl no key flies: Ctrl + S saves.
 Vec3 heldDirection(const ControlState& state) {
     Vec3 direction;
     if (state.ui_wants_keyboard || isHeld(state, Key::kControl)) return direction;
@@ -63,7 +63,7 @@ void dragTo(ControlState& state, Commands& commands) {
         commands.emplace_back(OrbitCommand{dx, dy});
 }
 
-/// True where a press now is the second of two.
+/// Whether a press now completes a double click.
 bool endsDoubleClick(const ControlState& state, double time_s) {
     if (!state.last_click) return false;
     const double waited_s = time_s - state.last_click->time_s;
@@ -72,7 +72,7 @@ bool endsDoubleClick(const ControlState& state, double time_s) {
 }
 
 void press(ControlState& state, MouseButton button, double time_s, Commands& commands) {
-    // Its release was lost, outside of the window: it begins anew.
+    // a second press of the same button: its release outside the window was lost
     if (state.drag && state.drag->button != button) return;
     Drag drag{button, state.x, state.y};
     drag.with_shift = isHeld(state, Key::kShift);

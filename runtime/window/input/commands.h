@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From what the user does to what is meant: drags, clicks and keys as commands, by the table of controls.h.
+// Translates input events to commands, using the table of controls.h.
 #pragma once
 
 #include <bitset>
@@ -13,7 +13,7 @@
 
 namespace pointrt {
 
-/// Lengths and places in window units, y down, as CursorEvent has them.
+/// Lengths and positions in window units, y down, as in CursorEvent.
 struct OrbitCommand {
     double dx = 0, dy = 0;
 };
@@ -24,7 +24,7 @@ struct LookCommand {
 struct PanCommand {
     double dx = 0, dy = 0;
 };
-/// steps above 0: nearer.
+/// steps: positive zooms in.
 struct ZoomCommand {
     double steps = 0, x = 0, y = 0;
 };
@@ -34,50 +34,50 @@ struct PickCommand {
 struct CentreCommand {
     double x = 0, y = 0;
 };
-/// From now on until the next one: x right, y up, z ahead, each -1, 0 or 1.
+/// Sets the direction of flight until the next FlyCommand: x right, y up, z forward, each -1, 0 or 1.
 struct FlyCommand {
     Vec3 direction;
 };
 
-/// An Action is one of those that happen at once.
+/// An Action is a command that takes effect at once.
 using Command = std::variant<OrbitCommand, LookCommand, PanCommand, ZoomCommand, PickCommand, CentreCommand, FlyCommand,
                              Action, DropEvent, ResizeEvent>;
 
 constexpr double kDoubleClick_s = 0.4;     // between the two presses
-constexpr double kDoubleClickDistance = 4; // window units between them
-constexpr double kDragThreshold = 3;       // window units from the press: a hand is not that still
-constexpr double kMaxWheelSteps = 100;     // in one event; some drivers send the turns of a second at once
-constexpr std::size_t kKeys = 512;         // more than Key names
+constexpr double kDoubleClickDistance = 4; // between them, window units
+constexpr double kDragThreshold = 3;       // from the press, window units: hands shake
+constexpr double kMaxWheelSteps = 100;     // in one event; some drivers merge a second's worth
+constexpr std::size_t kKeys = 512;         // more than the values of Key
 
-/// Where a button went down, and what it does until it goes up.
+/// A button that is held, and what dragging it does.
 struct Drag {
     MouseButton button = MouseButton::kLeft;
-    double x = 0, y = 0; ///< of the press, then of the last move that counted
+    double x = 0, y = 0; ///< of the press, then of the last movement used
     bool with_shift = false;
     bool moving = false;       ///< past the threshold
-    bool on_ui = false;        ///< began on the panel: none of ours
-    bool second_click = false; ///< has centred already
+    bool on_ui = false;        ///< started on a panel: ignored here
+    bool second_click = false; ///< has centred the view already
 };
 
 struct ControlState {
-    /// To be set before each event, as Dear ImGui says. Drags keep the owner they began with.
+    /// Set before each event from Dear ImGui's flags. A drag belongs to where it started.
     bool ui_wants_mouse = false, ui_wants_keyboard = false;
 
-    double x = 0, y = 0; ///< of the cursor
+    double x = 0, y = 0; ///< cursor position
     std::bitset<kKeys> held;
-    std::optional<Drag> drag; ///< one at a time: a second button is nobody's meanwhile
+    std::optional<Drag> drag; ///< one at a time: other buttons are ignored meanwhile
     struct Click {
         double x = 0, y = 0, time_s = 0;
     };
-    std::optional<Click> last_click; ///< which another one makes double
-    Vec3 flying;                     ///< as the last FlyCommand had it
+    std::optional<Click> last_click; ///< candidate for a double click
+    Vec3 flying;                     ///< direction of the last FlyCommand
 };
 
-/// What event, at time_s of any steady clock, means after those before it. Keys that repeat do nothing again.
+/// The commands for event at time_s, in seconds of any steady clock. Key repeats are ignored.
 std::vector<Command> interpret(ControlState& state, const InputEvent& event, double time_s);
 
-/// To be called when the window loses the keyboard, or a dialogue took its events: nothing is held or dragged any more.
-/// Flying ends; a press without its release is no click.
+/// Call it when the window loses the keyboard focus or a dialogue has taken events. Releases all keys and buttons:
+/// flying stops, and a pending press is not a click.
 std::vector<Command> releaseAll(ControlState& state);
 
 } // namespace pointrt

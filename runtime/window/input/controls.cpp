@@ -15,7 +15,7 @@ std::size_t widestPress() {
     return widest;
 }
 
-/// What Markdown shows as code is plain elsewhere.
+/// Removes Markdown's backquotes.
 std::string withoutQuotes(std::string text) {
     std::erase(text, '`');
     return text;

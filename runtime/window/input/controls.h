@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the user can press and what it does: the one table that input, the cheat sheet and docs/WINDOW.md come from.
+// The table of all controls. Input handling, the cheat sheet and docs/WINDOW.md are made from it.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 namespace pointrt {
 
 enum class Action : std::uint8_t {
-    // With the mouse or while held; commands.h turns these into commands with numbers.
+    // Continuous; commands.h turns these into commands with values.
     kOrbit,
     kPan,
     kZoom,
@@ -22,7 +22,7 @@ enum class Action : std::uint8_t {
     kFlyRight,
     kFlyDown,
     kFlyUp,
-    // At once.
+    // Immediate.
     kHome,
     kFrontView,
     kRightView,
@@ -40,8 +40,8 @@ enum class Action : std::uint8_t {
     kNextFile,
     kPanel,
     kCheatSheet,
-    kBack, ///< closes the cheat sheet, else cancels a job, else quits
-    kQuit, ///< the window's own button
+    kBack, ///< closes the cheat sheet, or else cancels the job, or else quits
+    kQuit, ///< the window's close button
 };
 
 enum class Gesture : std::uint8_t {
@@ -56,11 +56,11 @@ enum class Gesture : std::uint8_t {
 };
 
 struct Control {
-    const char* press; ///< "": another way to do what the row above it does, which names both
+    const char* press; ///< "": an alternative to the row above, which names both
     const char* group;
     const char* does;
     Gesture gesture;
-    Key key; ///< kUnknown where the gesture has none
+    Key key; ///< kUnknown if the gesture has none
     bool with_control;
     Action action;
 };
@@ -78,7 +78,7 @@ constexpr Control flyKey(const char* press, const char* does, char letter, Actio
     return {press, "Camera", does, Gesture::kHeldKey, keyOf(letter), false, action};
 }
 
-/// Grouped; rows of one group are neighbours.
+/// Rows of a group must be adjacent.
 constexpr Control kControls[] = {
     mouseControl("left drag", "Camera", "turn about the middle of the picture", Gesture::kLeftDrag, Action::kOrbit),
     mouseControl("right drag, Shift + left drag", "Camera", "move the picture", Gesture::kRightDrag, Action::kPan),
@@ -117,12 +117,12 @@ constexpr Control kControls[] = {
                Action::kBack),
 };
 
-/// The row for a gesture and, for keys, a key with or without Ctrl; null where there is none.
+/// The row of a gesture and, for keys, a key with or without Ctrl; null if there is none.
 const Control* findControl(Gesture gesture, Key key = Key::kUnknown, bool with_control = false);
 
-/// As docs/WINDOW.md has it: lines that end in \n.
+/// The table in docs/WINDOW.md; lines end in \n.
 std::string markdownTable();
-/// As a terminal shows it: groups, and columns padded with spaces.
+/// For terminals: groups, with columns padded by spaces.
 std::string helpText();
 
 } // namespace pointrt

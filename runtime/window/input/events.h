@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a user does to a window, as plain data: from a real window, or from a recording.
+// Input events of a window or a recording, as plain data.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace pointrt {
 
-/// Keys that mean something here. Letters and digits are themselves ('A' to 'Z', '0' to '9').
+/// Keys with a meaning here. Letters and digits are their ASCII codes ('A' to 'Z', '0' to '9').
 enum class Key : std::uint16_t {
     kUnknown = 0,
     kSpace = ' ',
@@ -39,7 +39,7 @@ enum class MouseButton : std::uint8_t { kLeft, kRight, kMiddle };
 
 struct KeyEvent {
     Key key = Key::kUnknown;
-    bool down = true; ///< again, while a key is held and repeats
+    bool down = true; ///< true again for each key repeat
 };
 /// A typed character, for text fields.
 struct TextEvent {
@@ -49,7 +49,7 @@ struct ButtonEvent {
     MouseButton button = MouseButton::kLeft;
     bool down = true;
 };
-/// Where the cursor is, in window units from the upper left corner, y down; it may lie outside.
+/// Cursor position in window units from the upper left corner, y down. It may be outside the window.
 struct CursorEvent {
     double x = 0, y = 0;
 };
@@ -57,7 +57,7 @@ struct CursorEvent {
 struct WheelEvent {
     double x = 0, y = 0;
 };
-/// Window units; pixels are scale times as many. 0 x 0: minimised.
+/// Window units; scale is pixels per unit. 0 x 0: minimised.
 struct ResizeEvent {
     std::uint32_t width = 0, height = 0;
     double scale = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The window's frames, what is recorded of them and what is replayed into them.
+// The window's clock, and recording and replay of its input.
 #pragma once
 
 #include <chrono>
@@ -12,27 +12,28 @@
 
 namespace pointrt {
 
-/// Of replays and recordings, and of what moves by itself.
+/// Frame time of replays and recordings.
 constexpr double kReplayFrame_s = 1.0 / 30;
 
 class RecordReplay {
 public:
-    /// replay: path of what is to be replayed; empty: nothing is. Throws Error kBadInput as readRecording does.
+    /// replay: path of a recording to replay; empty: none. Throws Error kBadInput as readRecording does.
     explicit RecordReplay(const std::string& replay);
-    /// From now on; throws Error kCannotWrite.
+    /// Records from now on. Throws Error kCannotWrite.
     void startRecording(const std::string& path, const ResizeEvent& window) { recorder_ = openRecording(path, window); }
 
     bool isReplaying() const { return replay_.has_value(); }
-    /// The replay's, at the start.
+    /// Initial size of the replayed window.
     const ResizeEvent& window() const { return replay_->window(); }
     /// The replay's next frame.
     ReplayFrame next(const PictureState& picture) { return replay_->next(picture); }
 
-    /// Seconds since the start. Replays go by their frames, so that the same recording does the same on any machine.
+    /// Seconds since the start. In a replay it advances by kReplayFrame_s per frame, so that a recording gives the same
+    /// result on every machine.
     double now() const;
-    /// How long a frame counts that took so long.
+    /// Duration of a frame for animations.
     double frameSeconds(double passed_s) const { return replay_ ? kReplayFrame_s : passed_s; }
-    /// The events of a frame have been handled.
+    /// Call it after a frame's events have been handled.
     void endFrame() { ++frame_; }
     void recordStep(const RecordedStep& step);
 

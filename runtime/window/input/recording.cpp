@@ -20,14 +20,14 @@ using Steps = std::vector<RecordedStep>;
 
 [[noreturn]] void fail(const std::string& reason) { throw std::invalid_argument(reason); }
 
-/// Of a bearable length, on one line.
+/// Quoted and shortened for a message.
 std::string shown(const std::string& word) { return "\"" + printable(word, 40) + "\""; }
 
-/// The words after frame and kind, taken one after the other.
+/// Takes the words after frame and kind, one by one.
 struct Arguments {
     const Words& words;
     std::size_t next;
-    std::string usage; ///< for the message where there are too few or too many
+    std::string usage; ///< for messages
 
     bool isDone() const { return next == words.size(); }
 
@@ -53,7 +53,7 @@ bool takeDown(Arguments& arguments) {
     return word == "down";
 }
 
-/// "WxH scale S"; a size of 0x0 is a minimised window's.
+/// "WxH scale S"; 0x0 is a minimised window.
 ResizeEvent takeSize(Arguments& arguments) {
     const std::string word = arguments.word();
     ResizeEvent size;
@@ -100,7 +100,7 @@ ScreenshotStep takeScreenshot(Arguments& arguments) {
     return {name};
 }
 
-/// A step in its place: GCC 12 mistakes moves of variants for uses of what their other alternatives would hold.
+/// Constructs a step in place: GCC 12 warns falsely about uninitialised alternatives when variants are moved.
 template <typename Event>
 void add(Steps& steps, Event event) {
     steps.emplace_back(std::in_place_type<InputEvent>, std::in_place_type<Event>, std::move(event));
@@ -183,7 +183,7 @@ void addEvents(const Words& words, Recording& recording) {
     for (RecordedStep& step : steps) recording.events.push_back({frame, std::move(step)});
 }
 
-/// Takes the next line off text.
+/// Removes and returns the first line of text.
 std::string_view takeLine(std::string_view& text) {
     const std::size_t end = text.find('\n');
     const std::string_view line = text.substr(0, end);
@@ -218,7 +218,7 @@ Recording readRecording(const std::string& path) {
     const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
     std::string text;
     char block[65536];
-    // A pipe or a device has no size to ask for.
+    // pipes and devices have no known size
     while (file && text.size() <= kMaxRecordingBytes) {
         const std::size_t count = std::fread(block, 1, sizeof block, file.get());
         text.append(block, count);

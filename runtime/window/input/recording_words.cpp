@@ -22,7 +22,7 @@ constexpr NamedKey kNamedKeys[] = {
     {"Up", Key::kUp},           {"Down", Key::kDown},       {"Home", Key::kHome},
     {"End", Key::kEnd},         {"PageUp", Key::kPageUp},   {"PageDown", Key::kPageDown},
     {"Shift", Key::kShift},     {"Control", Key::kControl}, {"Alt", Key::kAlt},
-    {"Quote", keyOf('"')},      {"Hash", keyOf('#')}, // words cannot have these
+    {"Quote", keyOf('"')},      {"Hash", keyOf('#')}, // not allowed in words
 };
 constexpr const char* kButtonNames[] = {"left", "right", "middle"}; // in MouseButton's order
 
@@ -33,11 +33,11 @@ bool isSame(std::string_view a, std::string_view b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
 }
 
-/// Keys are the capital ones of the printable characters.
+/// Printable ASCII except lower-case letters, quotes and hashes.
 bool isKey(char c) { return c > ' ' && c <= '~' && !(c >= 'a' && c <= 'z') && c != '"' && c != '#'; }
 
 bool isCharacter(std::uint32_t code_point) {
-    return code_point <= 0x10FFFF && !(code_point >= 0xD800 && code_point <= 0xDFFF); // halves of UTF-16 pairs
+    return code_point <= 0x10FFFF && !(code_point >= 0xD800 && code_point <= 0xDFFF); // UTF-16 surrogates
 }
 
 std::string escapedByte(unsigned char byte) {
@@ -45,13 +45,13 @@ std::string escapedByte(unsigned char byte) {
     return {'\\', 'x', kDigits[byte >> 4], kDigits[byte & 15]};
 }
 
-/// A character that is no line break nor anything else a terminal acts on.
+/// No line break, and no control character that affects terminals.
 bool isPrintable(std::uint32_t code_point) {
     const bool breaks_lines = code_point == 0x2028 || code_point == 0x2029;
     return code_point >= 0x20 && !(code_point >= 0x7F && code_point < 0xA0) && !breaks_lines;
 }
 
-/// The byte after a backslash at text[at], which ends behind the escape.
+/// The byte of the escape at text[at]; moves at behind it.
 char unescaped(std::string_view text, std::size_t& at) {
     const char kind = at + 1 < text.size() ? text[at + 1] : '\0';
     at += 2;
@@ -70,7 +70,7 @@ char unescaped(std::string_view text, std::size_t& at) {
     throw std::invalid_argument(R"(a string has the escapes \\ \" \n \r \t \xHH and no other)");
 }
 
-/// The string whose opening quote is text[at], which ends behind the closing one.
+/// The quoted string at text[at]; moves at behind it.
 std::string takeString(std::string_view text, std::size_t& at) {
     std::string bytes;
     ++at;
@@ -129,7 +129,7 @@ std::optional<std::uint32_t> takeCodePoint(std::string_view& bytes) {
         if (byte >> 6 != 2) return {};
         code_point = code_point << 6 | (byte & 0x3Fu);
     }
-    constexpr std::uint32_t kMin[] = {0, 0, 0x80, 0x800, 0x10000}; // with as many bytes
+    constexpr std::uint32_t kMin[] = {0, 0, 0x80, 0x800, 0x10000}; // smallest code point of each length
     if (!isCharacter(code_point) || code_point < kMin[count]) return {};
     bytes.remove_prefix(count);
     return code_point;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words of a recording: names of keys and buttons, and strings in quotes.
+// Tokens of recordings: names of keys and buttons, and quoted strings.
 #pragma once
 
 #include <optional>
@@ -11,20 +11,20 @@
 
 namespace pointrt {
 
-/// "A", "F12", "PageUp"; "Unknown" for what has no name.
+/// "A", "F12", "PageUp"; "Unknown" for unnamed keys.
 std::string keyName(Key key);
-/// Large and small letters alike; nothing where no key is called name.
+/// Ignores case; none for unknown names.
 std::optional<Key> keyNamed(std::string_view name);
 
 const char* buttonName(MouseButton button);
 std::optional<MouseButton> buttonNamed(std::string_view name);
 
-/// Takes the next character of UTF-8 off bytes, which is not empty. Nothing, and bytes as it was, where it is none.
+/// Removes the first UTF-8 character from bytes, which must not be empty. None, and bytes unchanged, if it is invalid.
 std::optional<std::uint32_t> takeCodePoint(std::string_view& bytes);
-/// In UTF-8; U+FFFD for what is no character.
+/// UTF-8 of a code point; U+FFFD if it is invalid.
 std::string utf8Of(std::uint32_t code_point);
 
-/// bytes in quotes, on one line of valid UTF-8, whatever they are.
+/// Any bytes as a quoted string: valid UTF-8 on one line.
 std::string quotedText(std::string_view bytes);
 
 struct RecordingWord {
@@ -32,7 +32,7 @@ struct RecordingWord {
     bool in_quotes = false;
 };
 
-/// The words of a line up to its comment. Throws std::invalid_argument with the reason.
+/// The tokens of a line, without its comment. Throws std::invalid_argument with the reason.
 std::vector<RecordingWord> recordingWords(std::string_view line);
 
 } // namespace pointrt

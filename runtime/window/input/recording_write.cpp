@@ -12,7 +12,7 @@
 namespace pointrt {
 namespace {
 
-/// value within the limits, exactly; not a number: 0.
+/// value clamped to the limits, round-tripping; NaN becomes 0.
 std::string plain(double value, double low, double high) {
     char text[32];
     const double within = std::clamp(std::isnan(value) ? 0 : value, low, high);
@@ -21,7 +21,7 @@ std::string plain(double value, double low, double high) {
 
 const char* downOrUp(bool down) { return down ? " down " : " up "; }
 
-/// "WxH scale S"; a window without area is minimised, unless it must have some.
+/// "WxH scale S". A side of 0 means minimised and becomes 0x0; least 1 prevents it.
 std::string sizeText(const ResizeEvent& size, std::uint32_t least) {
     std::uint32_t width = std::clamp(size.width, least, kMaxWindowSide);
     std::uint32_t height = std::clamp(size.height, least, kMaxWindowSide);
@@ -43,7 +43,7 @@ struct EventText {
         return "wheel " + plain(event.x, -kMaxWheel, kMaxWheel) + " " + plain(event.y, -kMaxWheel, kMaxWheel);
     }
     std::string operator()(const ResizeEvent& event) const { return "resize " + sizeText(event, 0); }
-    /// "" where nothing that can be opened was dropped.
+    /// "" if no dropped path can be recorded.
     std::string operator()(const DropEvent& event) const {
         std::string text;
         std::size_t count = 0;

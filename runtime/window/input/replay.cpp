@@ -16,7 +16,7 @@ ReplayFrame Replay::next(const PictureState& picture) {
         if (const auto* wait = std::get_if<WaitStep>(&step)) {
             wanted_samples_ = wait->samples;
             ++event_;
-            return frame; // what follows, even in this frame, comes after it
+            return frame; // later events, even of this frame, wait
         }
     }
     ++frame_;

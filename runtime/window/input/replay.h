@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording as a user: hands out its events frame by frame.
+// Replays a recording frame by frame.
 #pragma once
 
 #include <optional>
@@ -10,29 +10,29 @@
 
 namespace pointrt {
 
-/// What a recording asks for in a frame.
+/// Events and requests of a frame.
 struct ReplayFrame {
     std::vector<InputEvent> events;
-    std::vector<std::string> screenshots; ///< to be taken of this frame, with the user interface
+    std::vector<std::string> screenshots; ///< to take of this frame, with the user interface
     bool quit = false;
 };
 
-/// Of the window's picture, for waiting.
+/// State of the window's picture, to wait for.
 struct PictureState {
-    std::uint32_t samples = 0; ///< of every pixel
-    bool grows = false;        ///< more are to come
-    bool busy = false;         ///< a job is at work, or the picture is not shown yet
+    std::uint32_t samples = 0; ///< per pixel
+    bool grows = false;        ///< more samples follow
+    bool busy = false;         ///< a job is running, or the picture is not shown yet
 };
 
 class Replay {
 public:
     explicit Replay(Recording recording) : recording_(std::move(recording)) {}
 
-    /// At the start.
+    /// Initial size.
     const ResizeEvent& window() const { return recording_.window; }
 
-    /// The next frame's. While the recording waits for samples, and there are more to come, or for a job, frames are
-    /// empty and do not count. After the last event the window is to close.
+    /// The next frame. While the recording waits for samples or for a job, frames are empty and not counted. Sets quit
+    /// after the last event.
     ReplayFrame next(const PictureState& picture);
 
 private:

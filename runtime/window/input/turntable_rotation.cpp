@@ -16,7 +16,7 @@ Attitude attitudeOf(const ViewCamera& view) {
     const ViewAxes axes = axesOf(view);
     const Vec3 axis = normalize(view.up);
     const Vec3 level = cross(axis, axes.right);
-    // Near the poles the picture's right may have come from a slanted heading.
+    // near the poles, right may come from a tilted heading
     const Vec3 right = normalize(axes.right - axis * dot(axes.right, axis));
     return {right, std::atan2(dot(axes.forward, axis), dot(axes.forward, level))};
 }
@@ -25,7 +25,7 @@ Vec3 forwardOf(const Attitude& attitude, Vec3 axis) {
     return cross(axis, attitude.right) * std::cos(attitude.elevation) + axis * std::sin(attitude.elevation);
 }
 
-Vec3 rotated(Vec3 v, Vec3 axis, double radians) { // Rodrigues
+Vec3 rotated(Vec3 v, Vec3 axis, double radians) { // Rodrigues' formula
     return v * std::cos(radians) + cross(axis, v) * std::sin(radians) + axis * (dot(axis, v) * (1 - std::cos(radians)));
 }
 

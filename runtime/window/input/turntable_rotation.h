@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// Directions of view as two angles about an axis: no roll.
+// Turntable rotation: view directions as two angles about an axis, without roll.
 #pragma once
 
 #include "runtime/window/input/view_camera.h"
 
 namespace pointrt {
 
-/// up with the same direction, and a length whose square neither overflows nor vanishes; most are left as they are.
+/// up with its length normalised if its square would overflow or underflow; otherwise unchanged.
 Vec3 usableAxis(Vec3 up);
 
 struct Attitude {
-    Vec3 right;           ///< unit, at right angles to the axis
-    double elevation = 0; ///< radians that the view looks up from the horizon
+    Vec3 right;           ///< unit length, perpendicular to the axis
+    double elevation = 0; ///< of the view direction above the horizon, radians
 };
 
 Attitude attitudeOf(const ViewCamera& view);
-/// Unit direction of view about the unit axis.
+/// View direction (unit length) about the unit axis.
 Vec3 forwardOf(const Attitude& attitude, Vec3 axis);
-/// v turned about the unit axis, counterclockwise seen with the axis pointing at you.
+/// v rotated about the unit axis, counterclockwise when the axis points at the viewer.
 Vec3 rotated(Vec3 v, Vec3 axis, double radians);
 
-/// view with its eye at distance from pivot in direction attitude.
+/// view with its eye at distance from pivot, looking along attitude.
 ViewCamera placed(ViewCamera view, Vec3 pivot, double distance, const Attitude& attitude);
 
 } // namespace pointrt

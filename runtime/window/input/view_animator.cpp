@@ -6,7 +6,7 @@
 namespace pointrt {
 namespace {
 
-/// After a frame that took long, nobody is to be somewhere else.
+/// Limit for slow frames, so that the camera does not jump.
 constexpr double kMaxSeconds = 0.1;
 
 } // namespace

@@ -12,25 +12,26 @@ namespace pointrt {
 namespace {
 
 constexpr double kRadian = std::numbers::pi / 180;
-/// Nearer to straight up or down, level is lost in the rounding of eye and pivot; nobody sees the rest.
+/// Closer to the poles, rounding of eye and pivot would destroy the horizontal direction. The difference is invisible.
 constexpr double kSteepest = (90 - 0.1) * kRadian;
-/// Below half the angle that orbits keep from the poles only standard views and cameras from elsewhere are.
+/// Half of the sine at which orbiting stops: only standard views and external cameras are closer to a pole.
 const double kPoleSine = std::cos(kSteepest) / 2;
-/// Far above rounding, far below what is visible.
+/// Well above rounding, well below what is visible.
 constexpr double kTiltSine = 1e-6;
 
 constexpr double kMinRadii = 1e-4, kMaxRadii = 1e3; // distance from the pivot
-/// From the scene's centre. An orthographic eye is a radius more than as far again, within frameCamera's 1e4.
+/// Maximum distance from the scene's centre. An orthographic eye can be that far again plus a radius, within
+/// frameCamera's 1e4.
 constexpr double kReachRadii = 4e3;
-/// In coordinates this many times as large, a hundred thousand doubles lie between eye and pivot: an angle of 1e-5.
+/// Relative to the coordinates: leaves 1e5 doubles between eye and pivot, an angular resolution of 1e-5.
 constexpr double kMinOfCoordinate = 2e-11;
 
 constexpr double kStepsToHalve = 4;
 constexpr double kRadiiPerSecond = 0.5;
-/// Near things are passed slowly: a street in a city of 10 km cannot be flown through at 2.5 km a second.
+/// Limits the speed near objects: half a radius per second would be 2.5 km/s in a city of 10 km.
 constexpr double kPivotsPerSecond = 1;
 constexpr double kFlyStepsPerSecond = 4; // orthographic
-constexpr double kStandingShare = 1e-9;  // more than rounding: a view that does not move stays as it is, to the bit
+constexpr double kStandingShare = 1e-9;  // more than rounding, so that a view at rest stays bit-identical
 
 double leastDistance(const ViewCamera& view) {
     return std::max(kMinRadii * view.scene_radius, kMinOfCoordinate * length(view.scene_centre));
@@ -38,7 +39,7 @@ double leastDistance(const ViewCamera& view) {
 
 double tangent(const ViewCamera& view) { return std::tan(verticalHalfAngle(view.fov_deg)); }
 
-/// From the pivot; orthographic views stand where perspective ones would show the same height.
+/// The distance at which a perspective view shows the same height as view.
 double perspectiveDistance(const ViewCamera& view) { return heightAtPivot(view) / (2 * tangent(view)); }
 
 bool isNearPole(Vec3 forward, Vec3 up) { return length(cross(forward, up)) < kPoleSine * length(up); }
@@ -47,15 +48,15 @@ double extent(const ViewCamera& view) {
     return std::max(length(view.eye - view.scene_centre), length(view.pivot - view.scene_centre));
 }
 
-/// after, unless it left what frameCamera takes (NaN too). Who comes from farther may stay there.
+/// Returns after, or before if after exceeds frameCamera's limits or is NaN. Views that start outside may stay there.
 ViewCamera withinReach(const ViewCamera& before, const ViewCamera& after) {
     const double limit = std::max(extent(before), kReachRadii * before.scene_radius);
     const bool eye_within = length(after.eye - after.scene_centre) <= limit;
     return eye_within && length(after.pivot - after.scene_centre) <= limit ? after : before;
 }
 
-/// Orthographic rays begin at the eye: from here, none begins within the scene, however it is turned, and no farther
-/// away: walls of a room stand there.
+/// Orthographic rays start at the eye. At this distance it is outside the scene from every direction, but not beyond
+/// the walls of a room.
 ViewCamera withEyeOutside(ViewCamera view) {
     const double least = length(view.pivot - view.scene_centre) + view.scene_radius;
     const bool stands_right = std::abs(distanceToPivot(view) - least) <= kStandingShare * least;
@@ -70,22 +71,22 @@ ViewCamera translated(const ViewCamera& view, Vec3 by) {
     return withinReach(view, withEyeOutside(after));
 }
 
-/// attitude as the cursor turns it by these angles.
+/// attitude after a drag by these angles.
 Attitude rotatedBy(const Attitude& attitude, Vec3 axis, double right_angle, double up_angle) {
     return {rotated(attitude.right, axis, -right_angle),
             std::clamp(attitude.elevation + up_angle, -kSteepest, kSteepest)};
 }
 
-/// Level, as frameCamera's view is when nothing says where to look along the axis.
+/// The horizontal front direction, as in frameCamera.
 Vec3 frontOf(Vec3 axis) {
     const Vec3 minus_z{0, 0, -1}, plus_y{0, 1, 0};
     const Vec3 wanted = length(cross(minus_z, axis)) < kTiltSine ? plus_y : minus_z;
     return normalize(wanted - axis * dot(wanted, axis));
 }
 
-/// Where the eye truly stands, and looks.
+/// The true eye and target, without pivot_offset.
 ViewCamera unoffsetView(ViewCamera view) {
-    if (view.pivot_offset == 0) return view; // to the bit
+    if (view.pivot_offset == 0) return view; // bit-identical
     const Vec3 right = axesOf(view).right * (view.pivot_offset * heightAtPivot(view));
     view.eye = view.eye + right;
     view.pivot = view.pivot + right;
@@ -107,7 +108,7 @@ ViewCamera viewOf(const Camera& camera, Vec3 target, Vec3 bounds_min, Vec3 bound
     view.eye = camera.eye;
     const Vec3 to_target = target - camera.eye;
     const double ahead = dot(to_target, camera.forward);
-    const bool on_line = length(to_target - camera.forward * ahead) <= 1e-9 * ahead; // but for rounding
+    const bool on_line = length(to_target - camera.forward * ahead) <= 1e-9 * ahead; // up to rounding
     const double reach = ahead > leastDistance(view) ? ahead : view.scene_radius;
     view.pivot = on_line && ahead == reach ? target : camera.eye + camera.forward * reach;
     const Vec3 axis = usableAxis(up);
@@ -203,7 +204,7 @@ ViewCamera panned(const ViewCamera& view, ViewSize size, double dx, double dy) {
 ViewCamera zoomed(const ViewCamera& view, ViewSize size, double steps, double x, double y) {
     if (!std::isfinite(steps)) return view;
     const double distance = perspectiveDistance(view);
-    // Who comes from outside of the limits stays there, but goes no farther.
+    // views outside the limits may stay but not go farther
     const double least = std::min(distance, leastDistance(view));
     const double most = std::max(distance, kMaxRadii * view.scene_radius);
     const double scale = std::clamp(distance * std::exp2(-steps / kStepsToHalve), least, most) / distance;
@@ -260,7 +261,7 @@ ViewCamera standardView(const ViewCamera& view, StandardView which) {
         return withAttitude(view, {right, -90 * kRadian});
     case StandardView::kBottom:
         return withAttitude(view, {right, 90 * kRadian});
-    case StandardView::kIso: // as far up as to both sides
+    case StandardView::kIso: // equal angles to all three axes
         return withAttitude(view, {normalize(right + front), -std::atan(std::sqrt(0.5))});
     case StandardView::kSensor:
         break;

@@ -11,7 +11,7 @@ namespace {
 
 double mixed(double from, double to, double share) { return from + (to - from) * share; }
 
-/// Equal factors in equal times: sizes in the picture change evenly.
+/// Geometric interpolation: sizes in the picture change at a constant rate.
 double mixedSize(double from, double to, double share) { return from * std::pow(to / from, share); }
 
 Attitude mixedAttitude(const Attitude& from, const Attitude& to, Vec3 axis, double share) {
@@ -19,7 +19,7 @@ Attitude mixedAttitude(const Attitude& from, const Attitude& to, Vec3 axis, doub
     return {rotated(from.right, axis, angle * share), mixed(from.elevation, to.elevation, share)};
 }
 
-/// from with to's axis and projection.
+/// from, with to's axis and projection.
 ViewCamera departure(const ViewFlight& flight) {
     const bool same_projection = (flight.from.ortho_height > 0) == (flight.to.ortho_height > 0);
     ViewCamera from = same_projection ? flight.from : orthoToggled(flight.from);

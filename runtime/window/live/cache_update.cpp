@@ -8,10 +8,10 @@
 namespace pointrt {
 namespace {
 
-/// From here on a pixel counts as a mirror.
-constexpr float kRowPhases = 0.05f;
-/// Samples that the mean goes over where light does not come by chance: soft shadows are smoothed, and what was carried
-/// there wrongly is half gone at once.
+/// View dependence from which a pixel counts as a mirror.
+constexpr float kMirrorThreshold = 0.05f;
+/// Maximum samples to average where light is noise-free: this smooths soft shadows, and halves the error of a wrongly
+/// reprojected colour at once.
 constexpr std::uint32_t kNoiselessSamples = 1;
 
 std::uint32_t sampleCount(std::uint32_t info) { return info >> kPointSamplesShift & kPointMaxSamples; }
@@ -22,7 +22,7 @@ gpu::vec3 directionThrough(const ViewProjection& view, std::uint32_t pixel) {
     return view.direction(pixel % view.size().width, pixel / view.size().width);
 }
 
-/// Of a traced colour in the mean with what was there, in parts of 256.
+/// Weight of a new sample in the mean, in units of 1/256.
 std::uint32_t blendWeight(std::uint32_t before, std::uint32_t now, const SampleBlending& blending) {
     if ((before & (kPointInterpolated | kPointInvalid)) != 0 ||
         (blending.camera_moves && (now & kPointViewDependent) != 0))
@@ -44,7 +44,7 @@ CachedPoint toCachedPoint(const ViewProjection& view, const TracedPixel& traced,
     const std::uint32_t x = traced.pixel % view.size().width, y = traced.pixel / view.size().width;
     const gpu::vec3 direction = view.direction(x, y), origin = view.origin(x, y);
     const std::uint32_t info =
-        (frame & kPointFrameMask) | (traced.view_dependence > kRowPhases ? kPointViewDependent : 0);
+        (frame & kPointFrameMask) | (traced.view_dependence > kMirrorThreshold ? kPointViewDependent : 0);
     if (traced.distance < 0) return {direction, info | kPointIsSky, traced.color};
     const float steps = traced.distance / lengthOf(direction);
     return {{origin.x + steps * direction.x, origin.y + steps * direction.y, origin.z + steps * direction.z},
@@ -53,7 +53,7 @@ CachedPoint toCachedPoint(const ViewProjection& view, const TracedPixel& traced,
 }
 
 float depthAlongView(const ViewProjection& view, const TracedPixel& traced) {
-    // the way goes one ahead for each of its length
+    // each length of the direction advances the depth by 1
     return traced.distance < 0 ? kSkyDepth : traced.distance / lengthOf(directionThrough(view, traced.pixel));
 }
 
@@ -69,7 +69,7 @@ void insertSamples(RenderCache& cache, ErrorMap& errors, const ViewProjection& v
         const std::uint32_t samples = share == 256 ? 1 : std::min(sampleCount(before) + 1, kPointMaxSamples);
         point.info |= samples << kPointSamplesShift;
         point.color = mixColors(shown, each.color, share);
-        // what comes by chance differs each time
+        // noise is not an error
         if (known && !blending.noisy) errors.record(x, y, difference(shown, each.color));
         cache.insert(each.pixel, depthAlongView(view, each), point);
         TileColorSum& tile = cache.tileColors()[y / TILE_SIDE * cache.tilesAcross() + x / TILE_SIDE];

@@ -17,7 +17,7 @@ std::string percentilesJson(const Percentiles& p) {
     return text;
 }
 
-/// Of a new frame's time in the mean that the window shows: a second's worth at 30 frames a second.
+/// Weight of a frame in the displayed mean: about the last second at 30 frames per second.
 constexpr double kMeanShare = 1.0 / 30;
 
 double secondsBetween(FrameMeter::Time from, FrameMeter::Time to) {
@@ -44,13 +44,13 @@ Percentiles percentilesOf(std::vector<double> values_ms) {
 
 double FrameMeter::begin(Time now) {
     const double passed_s = secondsBetween(frame_, now);
-    frame_ = looked_ = now;
+    frame_ = polled_ = now;
     return std::max(1e-4, passed_s);
 }
 
 void FrameMeter::refine(Time now) {
-    report.resting_ms.push_back(1e3 * secondsBetween(looked_, now));
-    looked_ = now;
+    report.resting_ms.push_back(1e3 * secondsBetween(polled_, now));
+    polled_ = now;
 }
 
 void FrameMeter::end(Time now, const std::optional<ShownPicture>& picture) {
@@ -63,7 +63,7 @@ void FrameMeter::end(Time now, const std::optional<ShownPicture>& picture) {
         moved_ = now;
         report.clean_s = -1;
     } else if (!picture->resting) {
-        report.resting_ms.push_back(1e3 * secondsBetween(looked_, now));
+        report.resting_ms.push_back(1e3 * secondsBetween(polled_, now));
     }
     if (report.clean_s < 0 && picture->samples >= kCleanSamples) report.clean_s = secondsBetween(moved_, now);
 }

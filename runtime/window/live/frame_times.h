@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long the window's frames take, for its report.
+// Frame times of the window, for its report.
 #pragma once
 
 #include <chrono>
@@ -10,56 +10,56 @@
 
 namespace pointrt {
 
-/// Milliseconds, of at least one value but for all zeros of none.
+/// Milliseconds; all zero if there are no values.
 struct Percentiles {
     std::size_t count = 0;
     double median = 0, p95 = 0, p99 = 0, most = 0;
 };
 
-/// By the nearest rank.
+/// By the nearest-rank method.
 Percentiles percentilesOf(std::vector<double> values_ms);
 
-/// What the window tells at its end.
+/// The report that the window writes when it closes.
 struct WindowReport {
     std::string device;
     std::uint32_t width = 0, height = 0; ///< pixels, at the end
-    /// Frames in which the view changed: from the input's arrival to its picture's display.
+    /// Frames in which the view changed: from input to display.
     std::vector<double> moving_ms;
-    std::vector<double> resting_ms;    ///< frames in which the picture got finer
-    std::vector<double> moving_pixels; ///< of those pictures
-    double first_picture_s = -1;       ///< from the process's start to the first picture of the scene
-    double clean_s = -1; ///< from the last change of the view to kCleanSamples samples of every pixel; -1: never
+    std::vector<double> resting_ms;    ///< frames in which the picture was refined
+    std::vector<double> moving_pixels; ///< traced, in each frame of moving_ms
+    double first_picture_s = -1;       ///< from the start of the process to the first picture
+    double clean_s = -1; ///< from the last change of the view to kCleanSamples samples per pixel; -1: never
 };
 
-/// What counts as a clean picture: the samples that headless runs take.
+/// Samples of a clean picture: the default of headless runs.
 constexpr std::uint32_t kCleanSamples = 4;
 
-/// A frame's picture, as far as times go.
+/// A frame's picture, for the statistics.
 struct ShownPicture {
-    bool moved = false, resting = false; ///< the view changed in this frame; all samples are there
-    std::uint32_t samples = 0;           ///< of every pixel
-    double pixels = 0;                   ///< that are traced
+    bool moved = false, resting = false; ///< moved: the view changed in this frame; resting: all samples are done
+    std::uint32_t samples = 0;           ///< per pixel
+    double pixels = 0;                   ///< traced
 };
 
-/// Takes the times of the window's frames; they come from the caller.
+/// Measures the window's frames. The caller supplies the times.
 class FrameMeter {
 public:
     using Time = std::chrono::steady_clock::time_point;
 
-    explicit FrameMeter(Time start) : frame_(start), looked_(start), moved_(start) {}
-    /// Input was looked for. Returns the seconds since the frame before, above 0.
+    explicit FrameMeter(Time start) : frame_(start), polled_(start), moved_(start) {}
+    /// Input was polled at now. Returns the seconds since the previous frame, above 0.
     double begin(Time now);
     Time frameBegin() const { return frame_; }
-    /// The picture got finer, and input is looked for again, within a frame.
+    /// The picture was refined and input polled again, within a frame.
     void refine(Time now);
-    /// The frame is on the screen; picture: nothing where there is none yet.
+    /// The frame was presented. picture: none before the first one.
     void end(Time now, const std::optional<ShownPicture>& picture);
 
     double meanFrame_ms() const { return mean_ms_; }
-    WindowReport report; ///< device, size and first picture are the caller's to fill in
+    WindowReport report; ///< the caller fills in device, size and first picture
 
 private:
-    Time frame_, looked_, moved_; ///< when the frame began, input was looked for, the view changed
+    Time frame_, polled_, moved_; ///< of the frame's start, the last poll, the last change of the view
     double mean_ms_ = 0;
 };
 

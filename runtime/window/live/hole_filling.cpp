@@ -11,20 +11,20 @@
 namespace pointrt {
 namespace {
 
-/// Of two depths on one surface, no more than this apart within a pixel.
+/// Neighbouring depths within this ratio belong to one surface.
 constexpr float kSameSurfaceRatio = 1.03f;
-/// Of the points around a hole, the farthest ones.
+/// The farthest points around an empty pixel.
 struct SurroundingPoints {
     std::uint32_t red = 0, green = 0, blue = 0, count = 0;
-    float depth = 0, nearest = kSkyDepth, farthest = 0; ///< a sum; of all
-    std::uint32_t sides = 0;                            ///< where, a bit each of the 3 x 3 places, row by row
-    std::uint32_t point = 0;                            ///< one of them
+    float depth = 0, nearest = kSkyDepth, farthest = 0; ///< depth: the sum; nearest and farthest: of all neighbours
+    std::uint32_t sides = 0; ///< where points were found: a bit for each of the 3 x 3 positions, by row
+    std::uint32_t point = 0; ///< index of one of them
 };
 
-/// Those that are so far from a pixel, in eight directions.
-class Neighbours {
+/// Samples the eight pixels at a given distance around a pixel.
+class NeighborSampler {
 public:
-    explicit Neighbours(const RenderCache& cache) : cache_(cache), size_(cache.size()) {}
+    explicit NeighborSampler(const RenderCache& cache) : cache_(cache), size_(cache.size()) {}
 
     SurroundingPoints adjacent(std::uint32_t x, std::uint32_t y) const {
         SurroundingPoints found;
@@ -32,13 +32,14 @@ public:
         return found;
     }
 
-    /// The mean of the four beside a pixel, where all are there and on one surface: what most gaps are, told soonest.
+    /// The mean of the four direct neighbours if all are on one surface. Most gaps are of this kind, and this is the
+    /// fastest test.
     std::optional<std::uint32_t> interpolateOnSurface(std::uint32_t x, std::uint32_t y) const {
         if (x == 0 || y == 0 || x + 1 >= size_.width || y + 1 >= size_.height) return std::nullopt;
         const std::uint32_t at = y * size_.width + x;
         const std::array<std::uint32_t, 4> four{at - 1, at + 1, at - size_.width, at + size_.width};
         float nearest = kSkyDepth, farthest = 0;
-        std::array<std::uint32_t, 3> sum{2, 2, 2}; // half of four, for rounding
+        std::array<std::uint32_t, 3> sum{2, 2, 2}; // half of the divisor, to round
         for (std::uint32_t pixel : four) {
             const PixelKey key = cache_.keys()[pixel];
             if (key == kEmptyPixel) return std::nullopt;
@@ -51,11 +52,11 @@ public:
         return packColor(sum[0] / 4, sum[1] / 4, sum[2] / 4);
     }
 
-    /// Adds those so far from a pixel.
-    void addRing(SurroundingPoints& found, std::uint32_t x, std::uint32_t y, std::uint32_t far) const {
-        const std::uint32_t left = x >= far ? x - far : x, right = x + far < size_.width ? x + far : x;
+    /// Adds the eight pixels at distance radius.
+    void addRing(SurroundingPoints& found, std::uint32_t x, std::uint32_t y, std::uint32_t radius) const {
+        const std::uint32_t left = x >= radius ? x - radius : x, right = x + radius < size_.width ? x + radius : x;
         std::uint32_t direction = 0;
-        const std::uint32_t above = y >= far ? y - far : y, below = y + far < size_.height ? y + far : y;
+        const std::uint32_t above = y >= radius ? y - radius : y, below = y + radius < size_.height ? y + radius : y;
         for (std::uint32_t at_y : {above, y, below})
             for (std::uint32_t at_x : {left, x, right}) addNeighbor(found, at_y * size_.width + at_x, direction++);
     }
@@ -67,7 +68,7 @@ private:
         const float depth = depthOf(key);
         found.nearest = std::min(found.nearest, depth);
         if (depth * kSameSurfaceRatio < found.farthest) return;
-        if (depth > found.farthest * kSameSurfaceRatio) // well behind those before it
+        if (depth > found.farthest * kSameSurfaceRatio) // well behind the points so far
             found = {0, 0, 0, 0, 0, found.nearest, found.farthest, 0, 0};
         found.farthest = std::max(found.farthest, depth);
         const std::array<std::uint32_t, 3> c = channelsOf(cache_.colors()[pixel]);
@@ -88,7 +89,7 @@ std::uint32_t colorOf(const SurroundingPoints& found) {
     return packColor(found.red / found.count, found.green / found.count, found.blue / found.count);
 }
 
-/// They are all of one surface, which goes on from one side of the hole to the other.
+/// True if all points are on one surface, and two of them face each other across the pixel.
 bool isContinuous(const SurroundingPoints& found) {
     constexpr std::uint32_t kPlaces = 9;
     std::uint32_t turned = 0;
@@ -96,7 +97,7 @@ bool isContinuous(const SurroundingPoints& found) {
     return (found.sides & turned) != 0 && found.nearest * kSameSurfaceRatio >= found.farthest;
 }
 
-/// Smooth means of a coarse grid, a colour for each tile.
+/// Smoothed mean colour of each tile.
 class TileMeans {
 public:
     explicit TileMeans(const RenderCache& cache)
@@ -108,7 +109,7 @@ public:
         });
     }
 
-    /// Between those of the four tiles whose middles are around a pixel.
+    /// Bilinear interpolation between the centres of the four nearest tiles.
     std::uint32_t at(std::uint32_t x, std::uint32_t y) const {
         const auto along = [](std::uint32_t pixel, std::uint32_t tiles) {
             return std::clamp((static_cast<float>(pixel) + 0.5f) / TILE_SIDE - 0.5f, 0.0f,
@@ -124,7 +125,7 @@ public:
     }
 
 private:
-    /// Of a tile and those around it, the wider the fewer colours there are.
+    /// The mean over the smallest neighbourhood of tiles that has any colours.
     std::uint32_t meanOf(std::uint32_t x, std::uint32_t y) const {
         constexpr std::uint32_t kWidest = 4;
         for (std::uint32_t reach = 0; reach <= kWidest; ++reach) {
@@ -144,37 +145,37 @@ private:
     std::vector<std::uint32_t> colors_;
 };
 
-/// Where no surface goes on, those so far are looked at as well, pixels: what comes to light in a frame is seldom wider
-/// than twice that. Where a tile has fewer points than an eighth of its pixels, there is seldom one at all.
+/// Further rings to search for background, pixels: a disocclusion is seldom wider than twice that in one frame. Tiles
+/// with points in fewer than an eighth of their pixels use the tile means, since neighbours are rare.
 constexpr std::array<std::uint32_t, 2> kFarRings{3, 7};
 constexpr std::uint32_t kMinPointsInTile = TILE_PIXELS / 8;
 
 } // namespace
 
 std::uint32_t fillHoles(RenderCache& cache) {
-    const Neighbours neighbours(cache);
+    const NeighborSampler neighbors(cache);
     const TileMeans means(cache);
     const std::uint32_t width = cache.size().width;
     const auto fill = [&](std::uint32_t pixel, std::uint32_t& gaps) {
         const std::uint32_t x = pixel % width, y = pixel / width;
         const std::uint32_t known = cache.tileColors()[y / TILE_SIDE * cache.tilesAcross() + x / TILE_SIDE].count;
         if (known < kMinPointsInTile) return means.at(x, y);
-        if (const std::optional<std::uint32_t> color = neighbours.interpolateOnSurface(x, y)) {
+        if (const std::optional<std::uint32_t> color = neighbors.interpolateOnSurface(x, y)) {
             ++gaps;
             return *color;
         }
-        SurroundingPoints found = neighbours.adjacent(x, y);
+        SurroundingPoints found = neighbors.adjacent(x, y);
         if (isContinuous(found)) {
             ++gaps;
             return colorOf(found);
         }
-        for (std::uint32_t far : kFarRings) neighbours.addRing(found, x, y, far);
+        for (std::uint32_t radius : kFarRings) neighbors.addRing(found, x, y, radius);
         return found.count > 0 ? colorOf(found) : means.at(x, y);
     };
-    std::vector<std::uint32_t> gaps(cache.disocclusions().size());
-    // holes have no points, so that none is filled by another one
-    forAll(cache.disocclusions().size(), [&](std::size_t row) {
-        for (std::uint32_t pixel : cache.disocclusions()[row])
+    std::vector<std::uint32_t> gaps(cache.emptyPixels().size());
+    // filling reads only pixels with points, so the order does not matter
+    forAll(cache.emptyPixels().size(), [&](std::size_t row) {
+        for (std::uint32_t pixel : cache.emptyPixels()[row])
             if (cache.isEmpty(pixel)) cache.colors()[pixel] = fill(pixel, gaps[row]);
     });
     return std::accumulate(gaps.begin(), gaps.end(), 0u);
@@ -182,19 +183,20 @@ std::uint32_t fillHoles(RenderCache& cache) {
 
 namespace {
 
-/// What a pixel is given.
+/// The point to put at a pixel's centre.
 struct ResampledPoint {
     float depth = 0;
     std::uint32_t info = 0;
 };
 
-/// None where it is not on or between points of a surface.
-std::optional<ResampledPoint> resampled(const RenderCache& cache, const Neighbours& neighbours, std::uint32_t pixel) {
+/// None if the pixel is neither on a surface nor in a gap of one.
+std::optional<ResampledPoint> resampled(const RenderCache& cache, const NeighborSampler& neighbors,
+                                        std::uint32_t pixel) {
     const PixelKey key = cache.keys()[pixel];
     const std::vector<std::uint32_t>& infos = cache.points().info;
     if (key != kEmptyPixel) return ResampledPoint{depthOf(key), infos[pointOf(key)]};
     const std::uint32_t width = cache.size().width;
-    const SurroundingPoints found = neighbours.adjacent(pixel % width, pixel / width);
+    const SurroundingPoints found = neighbors.adjacent(pixel % width, pixel / width);
     if (!isContinuous(found)) return std::nullopt;
     return ResampledPoint{found.depth / static_cast<float>(found.count), infos[found.point] | kPointInterpolated};
 }
@@ -202,7 +204,7 @@ std::optional<ResampledPoint> resampled(const RenderCache& cache, const Neighbou
 } // namespace
 
 void resamplePoints(RenderCache& cache, const ViewProjection& view) {
-    const Neighbours neighbours(cache);
+    const NeighborSampler neighbors(cache);
     const PixelSize size = cache.size();
     const std::size_t pixels = cache.keys().size();
     PointCloud points;
@@ -212,7 +214,7 @@ void resamplePoints(RenderCache& cache, const ViewProjection& view) {
         const auto y = static_cast<std::uint32_t>(row);
         for (std::uint32_t x = 0; x < size.width; ++x) {
             const std::uint32_t pixel = y * size.width + x;
-            const std::optional<ResampledPoint> point = resampled(cache, neighbours, pixel);
+            const std::optional<ResampledPoint> point = resampled(cache, neighbors, pixel);
             if (!point) continue;
             const gpu::vec3 direction = view.direction(x, y), origin = view.origin(x, y);
             const float depth = point->depth;

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// What pixels show in which no point lies.
+// Filling of pixels that no cached point projects to.
 #pragma once
 
 #include "runtime/window/live/render_cache.h"
 
 namespace pointrt {
 
-/// A hole shows the mean of the farthest points beside it, for that is what comes to light behind edges; between points
-/// of one surface that is the surface. Far from all points it shows the means of the tiles around. It stays a hole.
-/// Returns how many lie between points of one surface.
+/// Gives each empty pixel a colour: the mean of its farthest neighbours, since disocclusions reveal background. Gaps
+/// within one surface get that surface's colour, and pixels far from all points the mean of the tiles around. The
+/// pixels stay empty. Returns the number of gaps within a surface.
 std::uint32_t fillHoles(RenderCache& cache);
 
-/// Makes the picture's points one a pixel again, in its middle, where too many of its pixels lie between them: holes on
-/// a surface get points of it, by guess.
+/// Resamples the cache to one point per pixel centre, for when gaps have become too many. Gaps within a surface get
+/// interpolated points.
 void resamplePoints(RenderCache& cache, const ViewProjection& view);
 
 } // namespace pointrt

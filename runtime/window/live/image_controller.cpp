@@ -7,10 +7,11 @@
 namespace pointrt {
 namespace {
 
-/// Of a frame at 30 a second, what tracing may take; the rest is the interface's and the display's, and a reserve.
-constexpr double kMovingBudget_s = 0.015;
-/// Nobody waits for a picture that gets finer, but the next input must not wait long for it either.
-constexpr double kRestingBudget_s = 0.018;
+/// Tracing time in a frame while the view moves, at 30 frames per second: the rest is for the interface, the display,
+/// and a reserve.
+constexpr double kPreviewBudget_s = 0.015;
+/// The same at rest: longer, but the next input must not wait noticeably.
+constexpr double kRefineBudget_s = 0.018;
 
 PixelSize sizeOf(const Viewport& view) { return {view.settings.width, view.settings.height}; }
 
@@ -39,7 +40,7 @@ void ImageController::close() {
 }
 
 std::optional<PickResult> ImageController::update(const ImageRequest& request) {
-    if (!live_) live_.emplace(*device_, *tracer_, kMovingBudget_s);
+    if (!live_) live_.emplace(*device_, *tracer_, kPreviewBudget_s);
     moved_ = false;
     paused_ = request.paused;
     const ImageChange change = changeOf(shown_, request, pending_restart_.has_value());
@@ -57,7 +58,7 @@ std::optional<PickResult> ImageController::update(const ImageRequest& request) {
     return findPick();
 }
 
-/// Between slices: a pick borrows the tracer's buffers.
+/// Only between slices: a pick uses the tracer's buffers.
 std::optional<PickResult> ImageController::findPick() {
     if (!pick_ || !live_->isBetweenSlices()) return std::nullopt;
     const PickRequest request = *std::exchange(pick_, std::nullopt);
@@ -70,7 +71,7 @@ bool ImageController::mayWork() const {
     return !paused_ || moved_ || hasPendingRequest() || live_->progress().samples == 0;
 }
 
-bool ImageController::work() { return mayWork() && live_->work(moved_ ? kMovingBudget_s : kRestingBudget_s); }
+bool ImageController::work() { return mayWork() && live_->work(moved_ ? kPreviewBudget_s : kRefineBudget_s); }
 
 Film ImageController::takeFilm() {
     film_requested_ = false;

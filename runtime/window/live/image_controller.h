@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which picture the window shows: its size and look, when it starts over, and what is taken out of it.
+// Decides when the window's picture starts over, and takes picks and films from it.
 #pragma once
 
 #include <cstdint>
@@ -9,26 +9,26 @@
 
 namespace pointrt {
 
-/// What is to be on the screen.
+/// The picture to show.
 struct ImageRequest {
-    Viewport view;             ///< settings but for first hits, which the window always wants; size and spp count
-    bool look_changed = false; ///< or denoise: the same light is to be shown another way
+    Viewport view;             ///< without first_hits, which the window always enables; with size and spp
+    bool look_changed = false; ///< look or denoise: show the same light another way
     bool paused = false;
 };
 
-/// What becomes of the picture there is.
+/// What happens to the current picture.
 enum class ImageChange : std::uint8_t { kNone, kLook, kStartOver };
 
-/// shown: what the picture there is was begun for. restart: what it shows has changed.
+/// shown: the view of the current picture. restart: the scene has changed.
 ImageChange changeOf(const std::optional<Viewport>& shown, const ImageRequest& request, bool restart);
 
-/// A place on the picture, in parts of its width and height, and what it is for.
+/// A position on the picture to pick, and why.
 struct PickRequest {
-    double x = 0, y = 0; ///< 0 to 1 within the picture
-    bool centre = false; ///< to turn about, else to measure
+    double x = 0, y = 0; ///< 0 to 1 across the picture
+    bool centre = false; ///< centre the view there; otherwise measure
 };
 
-/// A pick that has hit something.
+/// A pick that hit something.
 struct PickResult {
     Pick pick;
     bool centre = false;
@@ -36,45 +36,45 @@ struct PickResult {
 
 class ImageController {
 public:
-    /// From the next update on pictures are of tracer's scene; see ViewportRenderer.
+    /// Renders tracer's scene from the next update on; see ViewportRenderer.
     void open(Device& device, BandTracer& tracer);
-    /// Frees what it has of the tracer.
+    /// Frees everything that uses the tracer.
     void close();
 
-    /// The scene has changed, and the tracer with it. change: as for ViewportRenderer::setView.
+    /// The scene, and the tracer with it, have changed. change: see ViewportRenderer::setView.
     void restart(ViewChange change) {
         if (pending_restart_ != ViewChange::kAll) pending_restart_ = change;
     }
-    /// ViewportRenderer::expect.
+    /// See ViewportRenderer::scaleCost.
     void scaleCost(double times) {
         if (live_) live_->scaleCost(times);
     }
-    /// Makes the picture one of request; its look counts as taken note of. After open, and while nobody else uses the
-    /// tracer. Then finds what was picked, where that can be done by now.
+    /// Starts or restyles the picture as request says, then resolves a pending pick if possible. After open, and only
+    /// while nothing else uses the tracer.
     std::optional<PickResult> update(const ImageRequest& request);
-    /// In place of update, while the tracer is somebody else's.
+    /// Replaces update in frames in which the tracer is in use elsewhere.
     void skipFrame() { moved_ = false; }
-    /// True where the last update was of something that moves.
+    /// Whether the last update started the picture over.
     bool moved() const { return moved_; }
-    /// Works for a frame's time. False where there was nothing to do, or pause lets it rest: paused, only what the user
-    /// waits for goes on: a first picture, one to be saved, and a slice that a pick waits for.
+    /// Works for a frame's time. Returns false if there is nothing to do or the picture is paused. When paused, it
+    /// still completes what the user waits for: a first picture, one to save, a slice before a pick.
     bool work();
     bool mayWork() const;
 
     void pick(const PickRequest& request) { pick_ = request; }
     void requestFilm() { film_requested_ = true; }
     bool isFilmRequested() const { return film_requested_; }
-    /// True where takeFilm has one to give: every pixel has the same number of samples.
+    /// Whether takeFilm can return a film: all pixels have the same number of samples.
     bool isFilmReady() const { return film_requested_ && live_->isBetweenSamples(); }
-    /// The film that was wanted, and is no longer.
+    /// Returns the requested film and completes the request.
     Film takeFilm();
-    /// Something that was asked for is still to come.
+    /// Whether a requested film or pick is still outstanding.
     bool hasPendingRequest() const { return film_requested_ || pick_; }
 
     /// None before the first update.
     ViewportRenderer* live() { return live_ ? &*live_ : nullptr; }
     const ViewportRenderer* live() const { return live_ ? &*live_ : nullptr; }
-    /// The picture's, on the screen.
+    /// Size of the displayed picture.
     PixelSize size() const;
 
 private:

@@ -12,17 +12,17 @@
 namespace pointrt {
 namespace {
 
-/// Two points in neighbouring pixels lie this much of their distance apart before one is behind the other: more than
-/// floors seen at a slant.
+/// A neighbouring pixel whose depth is smaller by more than this factor occludes a point. Floors seen at a grazing
+/// angle stay below it.
 constexpr float kOccludedDepthRatio = 1.02f;
-/// What was traced before the light changed counts as this many frames old.
+/// Points traced before the light changed count as at least this many frames old.
 constexpr std::uint32_t kStaleLightAge = 64;
-/// Points in a pixel's number of points: besides those that are shown, some that are hidden or beside the picture.
+/// Points per pixel, in quarters: enough for the visible ones and some that are hidden or outside the frame.
 constexpr std::size_t kPointsOf4 = 5;
-/// Points that a thread takes at once, and projects side by side.
+/// Points per task of a thread; points projected together, for SIMD.
 constexpr std::size_t kChunk = 1u << 14, kSideBySide = 64;
 
-/// The lowest of all threads' keys stays, whatever their order.
+/// Lowers target to key. The result does not depend on the order of the threads.
 void atomicMin(PixelKey& target, PixelKey key) {
     const std::atomic_ref<PixelKey> lowest(target);
     PixelKey current = lowest.load(std::memory_order_relaxed);
@@ -31,7 +31,7 @@ void atomicMin(PixelKey& target, PixelKey key) {
 
 } // namespace
 
-// depths are above 0: their bits are in their order
+// positive floats sort like their bit patterns
 PixelKey makePixelKey(float depth, std::uint32_t point) {
     return PixelKey{std::bit_cast<std::uint32_t>(depth)} << 32 | point;
 }
@@ -82,12 +82,12 @@ void RenderCache::gatherAllRows() {
         for (std::uint32_t pixel : row) keys_[pixel] = kEmptyPixel;
 }
 
-/// count points from first on.
+/// Projects count points starting at first.
 void RenderCache::project(const ViewProjection& view, std::size_t first, std::size_t count) {
     const auto width = static_cast<float>(size_.width), height = static_cast<float>(size_.height);
     std::array<ViewProjection::Projected, kSideBySide> seen;
     for (std::size_t block = first; block < first + count; block += kSideBySide) {
-        // there are points to the end of the block: the cloud's size is a multiple
+        // reading past the last point is safe: the capacity is a multiple of the block
         for (std::size_t i = 0; i < kSideBySide; ++i) {
             const std::size_t at = block + i;
             const float weight = (points_.info[at] & kPointIsSky) != 0 ? 0.0f : 1.0f;
@@ -105,7 +105,7 @@ void RenderCache::project(const ViewProjection& view, std::size_t first, std::si
     }
 }
 
-/// A point behind a surface whose own points have left a gap: most pixels around are well before it.
+/// True for a point behind a surface that it is seen through: most of its neighbours are clearly nearer.
 bool RenderCache::isOccluded(std::uint32_t x, std::uint32_t y, PixelKey key) const {
     if (x == 0 || y == 0 || x + 1 >= size_.width || y + 1 >= size_.height) return false;
     const PixelKey* at = &keys_[y * size_.width + x];
@@ -114,14 +114,14 @@ bool RenderCache::isOccluded(std::uint32_t x, std::uint32_t y, PixelKey key) con
     const auto before = [&](const PixelKey* other) { return depthOf(*other) * kOccludedDepthRatio < depth ? 1 : 0; };
     const int adjacent = before(at - 1) + before(at + 1) + before(at - w) + before(at + w);
     if (adjacent < 2) return false;
-    constexpr int kMost = 5; // of 8, that a straight edge of something before it may take
+    constexpr int kMost = 5; // of 8, at most, are nearer beside a straight edge of an occluder
     return adjacent + before(at - w - 1) + before(at - w + 1) + before(at + w - 1) + before(at + w + 1) > kMost;
 }
 
-/// What the points show that have come to lie in a row of tiles.
+/// Collects the visible points and the empty pixels of a row of tiles.
 void RenderCache::gatherRow(std::uint32_t tile_row) {
-    std::vector<std::uint32_t>& disocclusions = empty_pixels_[tile_row];
-    disocclusions.clear();
+    std::vector<std::uint32_t>& empty_pixels = empty_pixels_[tile_row];
+    empty_pixels.clear();
     TileColorSum* tiles = &tile_colors_[std::size_t{tile_row} * tilesAcross()];
     std::fill(tiles, tiles + tilesAcross(), TileColorSum{});
     const std::uint32_t end = std::min((tile_row + 1) * TILE_SIDE, size_.height);
@@ -130,7 +130,7 @@ void RenderCache::gatherRow(std::uint32_t tile_row) {
             const std::uint32_t pixel = y * size_.width + x;
             const PixelKey key = keys_[pixel];
             if (key == kEmptyPixel || isOccluded(x, y, key)) {
-                disocclusions.push_back(pixel);
+                empty_pixels.push_back(pixel);
                 shown_[pixel] = 0xFF000000;
                 continue;
             }
@@ -152,7 +152,7 @@ void RenderCache::invalidateLighting(bool shapes, std::uint32_t frame) {
     const std::uint32_t old = (frame - kStaleLightAge) & kPointFrameMask;
     for (std::uint32_t i = 0; i < point_count_; ++i) {
         std::uint32_t& info = points_.info[i];
-        // samples are of another light: the next one replaces them
+        // a sample count of 0: the next sample replaces the colour
         const std::uint32_t age = (frame - info) & kPointFrameMask;
         info = (info & kErrorDecay) | (age < kStaleLightAge ? old : info & kPointFrameMask);
         if (shapes && (info & kPointOnShape) != 0) info |= kPointInvalid;
@@ -167,12 +167,12 @@ void RenderCache::setVisibleColors(const std::vector<std::uint32_t>& colors) {
     gatherAllRows();
 }
 
-/// A new one while there is room, then one that the picture does not show.
+/// An unused slot, or else one whose point is not visible.
 std::uint32_t RenderCache::allocatePoint() {
     if (point_count_ < points_.size()) return point_count_++;
     do {
         cursor_ = (cursor_ + 1) % point_count_;
-    } while (is_visible_[cursor_] != 0); // there are more points than pixels
+    } while (is_visible_[cursor_] != 0); // terminates: there are more slots than pixels
     return cursor_;
 }
 

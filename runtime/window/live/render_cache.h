@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A picture that goes along with the camera: points of the scene with their colours on the screen, put where they lie
-// in the picture to come, the nearest before the others. Points are never resampled: each keeps its place and its
-// colour until it is traced anew, hidden or not, so that nothing blurs however long things move (Walter, Drettakis,
-// Parker, Interactive Rendering using the Render Cache, 1999).
+// A render cache (Walter, Drettakis, Parker, Interactive Rendering using the Render Cache, 1999): coloured points of
+// earlier frames, reprojected into each new view with a depth test. Points are never resampled on the screen: each
+// keeps its position and colour until it is traced again, visible or not, so a long movement does not blur the picture.
 //
-// It lives on the host: software devices, the ones too slow to trace a whole picture in a frame, take three times as
-// long for the same.
+// The cache lives on the host: software devices, which are the ones too slow to trace a full frame in time, need three
+// times as long to do this on the device.
 #pragma once
 
 #include <array>
@@ -19,22 +18,22 @@
 
 namespace pointrt {
 
-// What is known of a point: PointCloud::info. The rest are samples that its colour is the mean of, and below them the
-// frame in which it was traced.
-constexpr std::uint32_t kPointIsSky = 1u << 31;         ///< its place is a direction
-constexpr std::uint32_t kPointViewDependent = 1u << 30; ///< mirrors and the like: it looks another way from elsewhere
-constexpr std::uint32_t kPointInterpolated = 1u << 29;  ///< put between others, never traced
+// PointCloud::info holds these flags, then the number of samples averaged into the colour, and in the low bits the
+// frame in which the point was traced.
+constexpr std::uint32_t kPointIsSky = 1u << 31;         ///< position is a direction
+constexpr std::uint32_t kPointViewDependent = 1u << 30; ///< mirror or glossy: its colour changes with the view
+constexpr std::uint32_t kPointInterpolated = 1u << 29;  ///< filled in between neighbours, never traced
 constexpr std::uint32_t kPointOnShape = 1u << 28;       ///< on a shape
-constexpr std::uint32_t kPointInvalid = 1u << 27;       ///< nowhere any more
+constexpr std::uint32_t kPointInvalid = 1u << 27;       ///< removed, must not be reprojected
 constexpr std::uint32_t kPointSamplesShift = 16, kPointMaxSamples = 7, kPointFrameMask = 0xFFFF;
 
-/// A point that was seen, in render space.
+/// A traced point in render space.
 struct CachedPoint {
     gpu::vec3 position{};
     std::uint32_t info = 0, color = 0; ///< 0xAARRGGBB
 };
 
-/// Their arrays.
+/// Cached points, structure of arrays.
 struct PointCloud {
     std::vector<float> x, y, z;
     std::vector<std::uint32_t> info, color;
@@ -45,50 +44,51 @@ struct PointCloud {
     CachedPoint at(std::size_t i) const { return {{x[i], y[i], z[i]}, info[i], color[i]}; }
 };
 
-/// Sums of a tile's colours.
+/// Sum of the colours in one tile.
 struct TileColorSum {
     std::uint32_t red = 0, green = 0, blue = 0, count = 0;
 };
 
-/// What a pixel shows: how far ahead of the eye it is, and the point's number. Ordered by depth.
+/// What a pixel shows: depth in the high word, point index in the low one, so that keys sort by depth.
 using PixelKey = std::uint64_t;
 constexpr PixelKey kEmptyPixel = ~PixelKey{0};
 PixelKey makePixelKey(float depth, std::uint32_t point);
-/// Of a pixel without a point: NaN, which is neither before nor behind anything.
+/// NaN for an empty pixel, which compares neither nearer nor farther than anything.
 inline float depthOf(PixelKey key) { return std::bit_cast<float>(static_cast<std::uint32_t>(key >> 32)); }
 inline std::uint32_t pointOf(PixelKey key) { return static_cast<std::uint32_t>(key); }
-/// How far the sky is.
+/// Depth of the sky.
 constexpr float kSkyDepth = 1e30f;
 
 class RenderCache {
 public:
-    /// Nothing but holes. size: at least 1 x 1.
+    /// All pixels empty. size: at least 1 x 1.
     explicit RenderCache(PixelSize size);
 
     PixelSize size() const { return size_; }
-    /// Nothing but holes again.
+    /// Empties all pixels.
     void clear();
-    /// All points to where view sees them. Those that are seen through gaps of a nearer surface are not shown.
+    /// Projects all points into view. Points seen through gaps in a nearer surface are hidden.
     void reproject(const ViewProjection& view);
-    /// The light has changed, and where shapes have too, what lies on them is gone.
+    /// Marks all colours as outdated. shapes: shapes have changed as well, which removes the points on them.
     void invalidateLighting(bool shapes, std::uint32_t frame);
-    /// Shown colours become those of their points. Of those that are hidden the colours are not known: they go.
+    /// Sets the colours of the visible points from a picture, and removes the hidden ones, whose new colours are
+    /// unknown.
     void setVisibleColors(const std::vector<std::uint32_t>& colors);
-    /// Puts a point in place of the one that pixel shows, or of none.
+    /// Replaces the point that pixel shows, or adds one to an empty pixel.
     void insert(std::uint32_t pixel, float depth, const CachedPoint& point);
-    /// As if points were all there is, one a pixel, ahead of the eye by so much.
+    /// Replaces all points: one per pixel, at these depths.
     void replace(PointCloud points, const std::vector<float>& depth);
 
     const std::vector<PixelKey>& keys() const { return keys_; }
     const PointCloud& points() const { return points_; }
-    /// What is shown, 0xAARRGGBB each; of holes black, until they are filled.
+    /// The picture, 0xAARRGGBB per pixel. Empty pixels are black until fillHoles.
     std::vector<std::uint32_t>& colors() { return shown_; }
     const std::vector<std::uint32_t>& colors() const { return shown_; }
-    /// Pixels without a point when the picture was carried, by rows of tiles.
-    const std::vector<std::vector<std::uint32_t>>& disocclusions() const { return empty_pixels_; }
+    /// Pixels that were empty after reproject, by row of tiles.
+    const std::vector<std::vector<std::uint32_t>>& emptyPixels() const { return empty_pixels_; }
     std::uint32_t emptyPixelCount() const;
     bool isEmpty(std::uint32_t pixel) const { return keys_[pixel] == kEmptyPixel; }
-    /// Of what points show, by tiles.
+    /// Colour sums of the visible points, by tile.
     std::vector<TileColorSum>& tileColors() { return tile_colors_; }
     const std::vector<TileColorSum>& tileColors() const { return tile_colors_; }
     std::uint32_t tilesAcross() const { return (size_.width + TILE_SIDE - 1) / TILE_SIDE; }
@@ -104,23 +104,23 @@ private:
 
     PixelSize size_;
     PointCloud points_;
-    std::uint32_t point_count_ = 0;        ///< points that there ever were
-    std::uint32_t cursor_ = 0;             ///< where the search for one that can be spared goes on
-    std::vector<std::uint8_t> is_visible_; ///< of points
-    std::vector<PixelKey> keys_;           ///< of pixels
+    std::uint32_t point_count_ = 0;        ///< slots used so far
+    std::uint32_t cursor_ = 0;             ///< where the search for a replaceable point continues
+    std::vector<std::uint8_t> is_visible_; ///< by point
+    std::vector<PixelKey> keys_;           ///< by pixel
     std::vector<std::uint32_t> shown_;
     std::vector<std::vector<std::uint32_t>> empty_pixels_;
     std::vector<TileColorSum> tile_colors_;
 };
 
-/// A colour's channels, red first.
+/// Channels of a packed colour, red first.
 inline std::array<std::uint32_t, 3> channelsOf(std::uint32_t word) {
     return {word >> 16 & 255, word >> 8 & 255, word & 255};
 }
 inline std::uint32_t packColor(std::uint32_t red, std::uint32_t green, std::uint32_t blue) {
     return 0xFF000000 | red << 16 | green << 8 | blue;
 }
-/// a, and share of 256 parts of b in its place.
+/// a * (256 - share) + b * share, in units of 1/256.
 std::uint32_t mixColors(std::uint32_t a, std::uint32_t b, std::uint32_t share);
 
 } // namespace pointrt

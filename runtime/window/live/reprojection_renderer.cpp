@@ -20,28 +20,28 @@ using Clock = std::chrono::steady_clock;
 
 double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// Of a new measurement in an estimate. Slower than before is believed sooner than faster: see pace.cpp.
+/// Weight of a new measurement in an estimate. Slowdowns count more than speedups: see trace_speed.cpp.
 double smoothed(double before, double measured) {
-    constexpr double kShareOfSlower = 0.6, kShareOfFaster = 0.3;
-    return before + (measured > before ? kShareOfSlower : kShareOfFaster) * (measured - before);
+    constexpr double kSlowdownWeight = 0.6, kSpeedupWeight = 0.3;
+    return before + (measured > before ? kSlowdownWeight : kSpeedupWeight) * (measured - before);
 }
 
-/// Fewer are no picture, however slow the tracer is.
+/// Traced per frame at least: fewer do not make a picture.
 constexpr double kMinPixels = 512;
-/// Of a frame's time, what is traced at least, whatever all else takes.
+/// Share of a frame's time that always goes to tracing.
 constexpr double kMinTracedShare = 0.3;
-/// Chances may come to this much more pixels than are wanted.
+/// The random selection may exceed the requested count by this factor.
 constexpr double kCountMargin = 1.125;
 
-/// Of a picture, gaps between points of its surfaces that take too long to fill: where points lie as by chance, one a
-/// pixel, a sixth of the pixels have none, and a fifth after a zoom by a tenth.
+/// Share of gaps that take too long to fill. With one randomly placed point per pixel on average a sixth of the pixels
+/// are empty, and a fifth after zooming in by a tenth.
 constexpr double kMaxGapShare = 0.2;
 
 bool sameShapes(const std::vector<gpu::Shape>& a, const std::vector<gpu::Shape>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(gpu::Shape)) == 0;
 }
 
-/// The pixels of rows first to end, tile by tile.
+/// The pixels of rows [first, end), tile by tile.
 std::vector<std::uint32_t> pixelsOfRows(PixelSize size, std::uint32_t first, std::uint32_t end) {
     std::vector<std::uint32_t> numbers;
     for (std::uint32_t top = first; top < end; top += TILE_SIDE)
@@ -68,7 +68,7 @@ void ReprojectionRenderer::clear() {
 void ReprojectionRenderer::invalidateLighting() {
     const bool shapes = !sameShapes(shapes_, tracer_.scene->shape_rows);
     cache_.invalidateLighting(shapes, frame_);
-    if (shapes) camera_.reset(); // what is gone is seen when the picture is carried
+    if (shapes) camera_.reset(); // removed points leave empty pixels after the next reprojection
     shapes_ = tracer_.scene->shape_rows;
 }
 
@@ -122,7 +122,7 @@ ReprojectedFrame ReprojectionRenderer::renderFrame(const ReprojectionView& view,
     return {static_cast<std::uint32_t>(chosen.size()), cache_.emptyPixelCount() - gaps};
 }
 
-/// x | y << 16 of each, in rows that are whole.
+/// Uploads x | y << 16 of each pixel, padded to complete rows.
 void ReprojectionRenderer::uploadPixelList(std::span<const std::uint32_t> numbers) {
     const std::uint32_t width = cache_.size().width;
     std::vector<std::uint32_t> places;
@@ -132,7 +132,7 @@ void ReprojectionRenderer::uploadPixelList(std::span<const std::uint32_t> number
     uploadBuffer(device_, tracer_.buffers.pixel_list, places.data(), places.size() * sizeof(std::uint32_t));
 }
 
-/// What the listed pixels have hit, whose first hits are from first on.
+/// Reads the first hits of the listed pixels, stored from index first on.
 std::vector<TracedPixel> ReprojectionRenderer::readHits(std::span<const std::uint32_t> numbers,
                                                         std::uint32_t first) const {
     std::vector<gpu::vec4> hits(numbers.size() * FIRST_HIT_VECTORS);
@@ -147,7 +147,7 @@ std::vector<TracedPixel> ReprojectionRenderer::readHits(std::span<const std::uin
     return traced;
 }
 
-/// The colours of the listed pixels, from the film's first ones.
+/// Reads the colours of the listed pixels, stored at the start of the film.
 void ReprojectionRenderer::readLight(const ReprojectionView& view, std::span<TracedPixel> traced) const {
     constexpr std::uint32_t kLayers[] = {LAYER_DIRECT, LAYER_INDIRECT, LAYER_CAUSTIC};
     std::vector<gpu::vec4> sums(traced.size()), layer(traced.size());
@@ -173,7 +173,7 @@ std::vector<TracedPixel> ReprojectionRenderer::trace(const ReprojectionView& vie
     if (numbers.empty()) return {};
     uploadPixelList(numbers);
     RenderSettings settings = view.settings;
-    settings.seed += frame_; // other random numbers each time
+    settings.seed += frame_; // new random numbers in each frame
     const auto count = static_cast<std::uint32_t>(numbers.size());
     BandSample sample = openPixelList(device_, tracer_, settings, view.camera, count, {kMaxListedPixels, 0});
     RayCounts rays;
@@ -188,12 +188,12 @@ bool ReprojectionRenderer::fillCache(const ReprojectionView& view) {
     const PixelSize size = cache_.size();
     if (filled_rows_ == 0) pending_fill_ = CacheFill{{}, std::vector<float>(cache_.keys().size())};
     pending_fill_.points.resize(cache_.keys().size());
-    // whole tiles where that many rows fit
+    // whole rows of tiles if they fit
     const std::uint32_t fitting = std::max(kMaxListedPixels / size.width / TILE_SIDE * TILE_SIDE, 1u);
     const std::uint32_t end = std::min(filled_rows_ + fitting, size.height);
     const std::vector<std::uint32_t> numbers = pixelsOfRows(size, filled_rows_, end);
     uploadPixelList(numbers);
-    const std::uint32_t beyond = size.width * size.height; // of the film's own first hits
+    const std::uint32_t beyond = size.width * size.height; // after the film's own first hits
     const auto count = static_cast<std::uint32_t>(numbers.size());
     BandSample sample = openPixelList(device_, tracer_, view.settings, view.camera, count, {kMaxListedPixels, beyond});
     sample.only_first_hits = true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The picture while things move, on devices that cannot trace all of it in a frame's time: the last one is carried
-// along, and what is new, wrong or old is traced as far as the time goes.
+// Rendering while the view moves, on devices that cannot trace a full frame in time: the last frame is reprojected, and
+// the frame's time goes to pixels that are disoccluded, wrong or old.
 #pragma once
 
 #include <cstdint>
@@ -17,48 +17,48 @@
 
 namespace pointrt {
 
-/// What a moving picture shows.
+/// The view to render.
 struct ReprojectionView {
-    RenderSettings settings; ///< width, height: the picture's
+    RenderSettings settings; ///< width, height: of the full frame
     Camera camera;
     double exposure = 0;                 ///< stops
-    double focus_x = 0.5, focus_y = 0.5; ///< where the eye rests, in parts of the picture
+    double focus_x = 0.5, focus_y = 0.5; ///< attention point, as fractions of the picture
 };
 
-/// Pixels that the film and the first hits on the device must have besides the picture's: listed pixels go there.
+/// Extra pixels in the device's film and first hits, beyond the full frame's, that hold the pixels traced in one frame.
 constexpr std::uint32_t kMaxListedPixels = 1u << 16;
 
-/// What became of a frame.
+/// Statistics of a frame.
 struct ReprojectedFrame {
     std::uint32_t traced = 0;        ///< pixels
-    std::uint32_t disocclusions = 0; ///< pixels without a point, but for gaps between those of a surface
+    std::uint32_t disocclusions = 0; ///< empty pixels except gaps within a surface
 };
 
 class ReprojectionRenderer {
 public:
-    /// tracer, whose film has room for size and kMaxListedPixels, and pixels, which get the picture, 0xAARRGGBB each,
-    /// must outlive it.
+    /// tracer and pixels must outlive it. tracer's film has room for size plus kMaxListedPixels. pixels receives the
+    /// picture, 0xAARRGGBB each.
     ReprojectionRenderer(Device& device, BandTracer& tracer, Buffer& pixels, PixelSize size);
 
-    /// Nothing of it is of this scene or look.
+    /// Discards all points: the scene or the look has changed.
     void clear();
-    /// The scene has changed but for its scans: what shapes have moved is gone, and what is known of light is old.
+    /// Lights, materials or shapes have changed: points on moved shapes are removed, all colours become old.
     void invalidateLighting();
-    /// pixels hold another picture of the last view, all of it: the next frame goes on from there.
+    /// Takes the colours from pixels, which hold a full picture of the last view.
     void readBackColors();
 
-    /// Carries the picture, or nothing, to view and traces of it what fits in so many seconds, all in all. The tracer
-    /// is idle, and its film is given up. pixels hold the picture then.
+    /// Reprojects the last frame to view, if there is one, and traces as many pixels as fit in seconds in all. The
+    /// tracer must be idle; its film is overwritten. The result is in pixels.
     ReprojectedFrame renderFrame(const ReprojectionView& view, double seconds);
 
-    /// Finds the places of all that view shows, in slices of as many rows as fit in the list. True when it is done. The
-    /// film stays.
+    /// Traces the first hits of all of view into the cache, in slices of as many rows as fit in the list; true when
+    /// complete. The film is kept.
     bool fillCache(const ReprojectionView& view);
-    /// Whether there is a picture from that camera to be carried along.
+    /// Whether the cache holds the picture of that camera.
     bool isValidFor(const Camera& camera) const { return camera_ == camera; }
     bool isFilled() const { return filled_rows_ >= cache_.size().height; }
 
-    /// Puts share of pixels, count of them from first on, over the moving picture, into pixels.
+    /// Blends the pixels [first, first + count) over the reprojected picture with weight share.
     void blendWithReprojection(std::uint32_t first, std::uint32_t count, float share);
 
     std::uint64_t bytes() const { return cache_.bytes(); }
@@ -71,9 +71,9 @@ private:
     void uploadPixelList(std::span<const std::uint32_t> numbers);
     ViewProjection projectionFor(const ReprojectionView& view) const;
 
-    /// Of a view, as far as it has come.
+    /// A fill in progress.
     struct CacheFill {
-        PointCloud points; ///< one a pixel
+        PointCloud points; ///< one per pixel
         std::vector<float> depth;
     };
 
@@ -83,11 +83,11 @@ private:
     RenderCache cache_;
     ErrorMap errors_;
     CacheFill pending_fill_;
-    std::optional<Camera> camera_;   ///< the picture's; none where there is none
-    std::vector<gpu::Shape> shapes_; ///< the scene's when it was made
+    std::optional<Camera> camera_;   ///< of the cached picture; none: the cache is empty
+    std::vector<gpu::Shape> shapes_; ///< of the cached picture
     std::uint32_t frame_ = 0, filled_rows_ = 0;
-    double seconds_per_pixel_ = 1e-6; ///< a first guess: two cores on a scan of a million points
-    double overhead_s_ = 0.01;        ///< of a frame, but for tracing; likewise
+    double seconds_per_pixel_ = 1e-6; ///< initial guess: two cores, a million splats
+    double overhead_s_ = 0.01;        ///< of a frame, besides tracing; initial guess
 };
 
 } // namespace pointrt

@@ -10,17 +10,17 @@
 namespace pointrt {
 namespace {
 
-// In frames of age: what is seen for the first time, what was guessed, what was found wrong around by a full step from
-// black to white. Of mirrors, while the camera moves, each frame of age counts for so many.
+// Priorities in frames of age: of empty pixels, of interpolated points, and of points near an error of a full step from
+// black to white. While the camera moves, view-dependent points age this much faster.
 constexpr float kEmptyPriority = 1500, kInterpolatedPriority = 150, kErrorPriority = 3000, kViewDependentAging = 8;
-/// Where the eye rests all counts so much more, within this part of the picture's height.
+/// Gain at the attention point, and its radius as a fraction of the picture's height.
 constexpr float kFocusGain = 2, kFocusRadius = 0.2f;
-/// Of what was wrong, what is still believed a frame later, and of the tiles beside.
+/// Share of an error that remains a frame later, and that neighbouring tiles get.
 constexpr float kErrorDecay = 0.85f, kErrorSpread = 0.5f;
-/// Steps of 255 that are no error: rounding, and the noise of soft light.
+/// Differences in steps of 255 that are no error: rounding, and noise of soft light.
 constexpr std::uint32_t kNoiseFloor = 3;
 
-/// Of what a point is.
+/// Priority of a point, from its info.
 float priorityOf(std::uint32_t info, const SelectionParams& params) {
     const auto age = static_cast<float>((params.frame - info) & kPointFrameMask);
     const bool turns = params.camera_moves && (info & kPointViewDependent) != 0;
@@ -28,7 +28,7 @@ float priorityOf(std::uint32_t info, const SelectionParams& params) {
            ((info & kPointInterpolated) != 0 ? kInterpolatedPriority : 0.0f);
 }
 
-/// Of a tile: what each of its pixels has on top, and what all of that is multiplied by.
+/// Added to the priority of each pixel of a tile, and the factor of the sum.
 struct TilePriority {
     float added = 0, factor = 1;
 };
@@ -42,50 +42,49 @@ TilePriority tilePriority(const ErrorMap& errors, const SelectionParams& params,
             1 + kFocusGain / (1 + (x * x + y * y) / (radius * radius))};
 }
 
-/// Thresholds in (0, 1] that lie evenly over the picture and, frame by frame, over each pixel's time: R2's and the
-/// golden ratio's sequences (Roberts, The Unreasonable Effectiveness of Quasirandom Sequences, 2018), in units of
-/// 2^-32.
+/// Thresholds in (0, 1], evenly distributed over the picture and, for each pixel, over the frames: the R2 and golden
+/// ratio sequences (Roberts, The Unreasonable Effectiveness of Quasirandom Sequences, 2018), in units of 2^-32.
 float threshold(std::uint32_t x, std::uint32_t y, std::uint32_t frame) {
     const std::uint32_t at = x * 0xC13FA9A9u + y * 0x91E10DA6u + frame * 0x9E3779B9u;
     return (static_cast<float>(at >> 8) + 1) * 0x1p-24f;
 }
 
-/// A picture's rows take turns: each frame looks at one of so many, which takes as much less time.
+/// Each frame considers one row of pixels in four, which takes a quarter of the time.
 constexpr std::uint32_t kRowPhases = 4;
 
-/// The urgency of the pixels of a row of tiles whose turn it is, tile by tile.
+/// Priorities of the considered pixels in a row of tiles, tile by tile.
 using RowPriorities = std::vector<float>;
 
 class PixelSelector {
 public:
     PixelSelector(const RenderCache& cache, const ErrorMap& errors, const SelectionParams& params)
-        : cache_(cache), errors_(errors), attention_(params), size_(cache.size()), across_(cache.tilesAcross()) {}
+        : cache_(cache), errors_(errors), params_(params), size_(cache.size()), across_(cache.tilesAcross()) {}
 
     RowPriorities computeRow(std::uint32_t tile_row) const {
         RowPriorities row;
         row.reserve(std::size_t{size_.width} * TILE_SIDE / kRowPhases);
         for (std::uint32_t tile = 0; tile < across_; ++tile) {
-            const TilePriority of_tile = tilePriority(errors_, attention_, size_, tile, tile_row, across_);
+            const TilePriority of_tile = tilePriority(errors_, params_, size_, tile, tile_row, across_);
             visitTile(tile, tile_row, [&](std::uint32_t x, std::uint32_t y) {
                 const PixelKey key = cache_.keys()[y * size_.width + x];
                 const float own =
-                    key == kEmptyPixel ? kEmptyPriority : priorityOf(cache_.points().info[pointOf(key)], attention_);
+                    key == kEmptyPixel ? kEmptyPriority : priorityOf(cache_.points().info[pointOf(key)], params_);
                 row.push_back((own + of_tile.added) * of_tile.factor);
             });
         }
         return row;
     }
 
-    /// chance: of a pixel of urgency 1.
+    /// probability: of a pixel of priority 1.
     std::vector<std::uint32_t> select(std::uint32_t tile_row, const RowPriorities& row, float probability) const {
-        std::vector<std::uint32_t> chosen;
+        std::vector<std::uint32_t> selected;
         auto priority = row.begin();
         for (std::uint32_t tile = 0; tile < across_; ++tile)
             visitTile(tile, tile_row, [&](std::uint32_t x, std::uint32_t y) {
-                if (*priority++ * probability >= threshold(x, y, attention_.frame))
-                    chosen.push_back(y * size_.width + x);
+                if (*priority++ * probability >= threshold(x, y, params_.frame))
+                    selected.push_back(y * size_.width + x);
             });
-        return chosen;
+        return selected;
     }
 
 private:
@@ -93,22 +92,22 @@ private:
     void visitTile(std::uint32_t tile, std::uint32_t tile_row, Visit visit) const {
         const std::uint32_t end_x = std::min((tile + 1) * TILE_SIDE, size_.width);
         const std::uint32_t end_y = std::min((tile_row + 1) * TILE_SIDE, size_.height);
-        // the sequence's next turn is never beside the last one's row
-        const std::uint32_t phase = attention_.frame * 2 % kRowPhases + attention_.frame / 2 % 2;
+        // consecutive phases are never adjacent rows
+        const std::uint32_t phase = params_.frame * 2 % kRowPhases + params_.frame / 2 % 2;
         for (std::uint32_t y = tile_row * TILE_SIDE + phase; y < end_y; y += kRowPhases)
             for (std::uint32_t x = tile * TILE_SIDE; x < end_x; ++x) visit(x, y);
     }
 
     const RenderCache& cache_;
     const ErrorMap& errors_;
-    const SelectionParams& attention_;
+    const SelectionParams& params_;
     PixelSize size_;
     std::uint32_t across_;
 };
 
-/// With which so many pixels are chosen: what is urgent enough is chosen for certain, and no more than once.
+/// The probability per priority that selects count pixels on average; pixels that reach 1 are selected once.
 float probabilityFor(const std::vector<RowPriorities>& rows, std::uint32_t count) {
-    constexpr int kTries = 3; // each finds some more that are certain
+    constexpr int kTries = 3; // each iteration finds more pixels that reach 1
     float probability = 0;
     for (int i = 0; i < kTries; ++i) {
         const float limit = probability > 0 ? 1 / probability : std::numeric_limits<float>::max();
@@ -167,14 +166,14 @@ std::vector<std::uint32_t> selectPixels(const RenderCache& cache, const ErrorMap
     const PixelSelector selector(cache, errors, params);
     const std::uint32_t down = cache.tilesDown();
     std::vector<RowPriorities> rows(down);
-    std::vector<std::vector<std::uint32_t>> chosen(down);
+    std::vector<std::vector<std::uint32_t>> selected(down);
     forAll(down, [&](std::size_t row) { rows[row] = selector.computeRow(static_cast<std::uint32_t>(row)); });
     const float probability = probabilityFor(rows, params.count);
     forAll(down, [&](std::size_t row) {
-        chosen[row] = selector.select(static_cast<std::uint32_t>(row), rows[row], probability);
+        selected[row] = selector.select(static_cast<std::uint32_t>(row), rows[row], probability);
     });
     std::vector<std::uint32_t> all;
-    for (const std::vector<std::uint32_t>& row : chosen) all.insert(all.end(), row.begin(), row.end());
+    for (const std::vector<std::uint32_t>& row : selected) all.insert(all.end(), row.begin(), row.end());
     return all;
 }
 

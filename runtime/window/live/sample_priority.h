@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which pixels of a carried picture are traced in a frame: what is new, wrong or old comes first, and what the eye
-// rests on (Dayal, Woolley, Watson, Luebke, Adaptive Frameless Rendering, 2005).
+// Selects the pixels to trace in a frame by priority: disoccluded, wrong or old ones first, and those near the
+// attention point (Dayal, Woolley, Watson, Luebke, Adaptive Frameless Rendering, 2005).
 #pragma once
 
 #include <cstdint>
@@ -10,22 +10,21 @@
 
 namespace pointrt {
 
-/// What a frame's choice hangs on besides the points.
+/// Parameters of the selection.
 struct SelectionParams {
-    PlaneVector focus;         ///< where the eye rests, pixels
+    PlaneVector focus;         ///< attention point, pixels
     std::uint32_t frame = 0;   ///< number
-    bool camera_moves = false; ///< the camera: mirrors age faster
-    std::uint32_t count = 0;   ///< pixels, on average
+    bool camera_moves = false; ///< view-dependent points age faster
+    std::uint32_t count = 0;   ///< pixels to select, on average
 };
 
-/// Where traced colours were not those that were shown, by tiles.
+/// Where traced colours differed from the reprojected ones, by tile.
 class ErrorMap {
 public:
     explicit ErrorMap(PixelSize size);
-    /// A pixel was off by so many of 255 steps.
+    /// The colour of a pixel was off by steps of 255.
     void record(std::uint32_t x, std::uint32_t y, std::uint32_t steps);
-    /// A frame goes by: what was wrong is remembered for a while, in the tiles around too, for edges of shadows move
-    /// on.
+    /// Decays the errors and spreads them to neighbouring tiles, since shadow edges move.
     void advanceFrame();
     /// 0 to 255.
     float at(std::uint32_t tile) const { return errors_[tile]; }
@@ -36,8 +35,8 @@ private:
     std::vector<float> errors_, recorded_;
 };
 
-/// Numbers of the pixels to be traced, those near each other one after the other: chances are in proportion to how
-/// urgent they are. The same for the same picture and attention.
+/// Indices of the pixels to trace, neighbours together. The probability of a pixel is proportional to its priority.
+/// Deterministic.
 std::vector<std::uint32_t> selectPixels(const RenderCache& cache, const ErrorMap& errors,
                                         const SelectionParams& params);
 

@@ -9,14 +9,13 @@
 namespace pointrt {
 namespace {
 
-/// Of a new measurement in the estimate. Slower than before is believed sooner than faster: a frame that comes late is
-/// worse than a coarse one.
-constexpr double kShareOfSlower = 0.6, kShareOfFaster = 0.3;
-/// Edges are divided by powers of this, the fourth root of 2: two steps halve or double the area.
+/// Weight of a new measurement. Slowdowns count more than speedups: a late frame is worse than a coarse one.
+constexpr double kSlowdownWeight = 0.6, kSpeedupWeight = 0.3;
+/// Resolutions are divided by powers of the fourth root of 2: two steps halve the area.
 constexpr double kSizeStep = 1.189207115002721;
-/// Below this the picture says nothing any more, however slow the tracer is.
+/// Limit of the reduction: coarser pictures are useless, however slow the tracer.
 constexpr double kMaxDivisor = 16;
-/// Share of the time that the next finer size may take at most to be chosen again.
+/// A finer size must fit in this share of the time to be chosen again (hysteresis).
 constexpr double kComfort = 0.75;
 
 } // namespace
@@ -24,7 +23,7 @@ constexpr double kComfort = 0.75;
 void TraceSpeed::addMeasurement(std::uint64_t pixels, double seconds) {
     if (pixels == 0 || !(seconds > 0)) return;
     const double measured = seconds / static_cast<double>(pixels);
-    const double share = !known_ ? 1 : measured > seconds_per_pixel_ ? kShareOfSlower : kShareOfFaster;
+    const double share = !known_ ? 1 : measured > seconds_per_pixel_ ? kSlowdownWeight : kSpeedupWeight;
     seconds_per_pixel_ += share * (measured - seconds_per_pixel_);
     known_ = true;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much of a picture can be traced in a given time, learnt from what was traced before.
+// Estimates the tracer's speed, and from it how much of a picture fits in a given time.
 #pragma once
 
 #include <cstdint>
@@ -8,31 +8,31 @@
 
 namespace pointrt {
 
-/// The speed of the tracer on the scene as it is seen.
+/// The tracer's speed for the current view.
 class TraceSpeed {
 public:
-    /// So many pixels took that long, for a sample each.
+    /// Records that one sample of each of pixels took this long.
     void addMeasurement(std::uint64_t pixels, double seconds);
 
-    /// From here on a pixel takes so many times as long: the scene has become another one.
+    /// The cost of a pixel has changed by this factor, because the scene has.
     void scaleCost(double times) { seconds_per_pixel_ *= times; }
 
-    /// Seconds for a sample of so many pixels.
+    /// Predicted seconds for one sample of each of pixels.
     double secondsFor(std::uint64_t pixels) const { return static_cast<double>(pixels) * seconds_per_pixel_; }
 
-    /// Rows of a picture so many pixels wide that fit in the time: a multiple of the tracer's tiles, at least one tile.
+    /// Rows of this width that fit in the time: a multiple of TILE_SIDE, at least one row of tiles.
     std::uint32_t rowsFor(double seconds, std::uint32_t width) const;
 
-    /// The size, of the same shape as full, in which a whole picture fits in the time. It keeps to last, the size that
-    /// was chosen before, as long as that is nearly right: a picture that changes its grain at every frame flickers.
+    /// The largest size with full's aspect ratio that fits in the time. Keeps last, the previous choice, while it is
+    /// nearly right: a resolution that changes with every frame flickers.
     PixelSize previewSize(double seconds, PixelSize full, PixelSize last) const;
 
 private:
-    double seconds_per_pixel_ = 1e-6; ///< a first guess: two cores on a scan of a million points
+    double seconds_per_pixel_ = 1e-6; ///< initial guess: two cores, a million splats
     bool known_ = false;
 };
 
-/// full divided by divisor (1 or more), rounded up.
+/// full / divisor (at least 1), rounded up.
 PixelSize reduced(PixelSize full, double divisor);
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where points of the scene lie in a picture, and what lies in the middle of its pixels.
+// World to pixel and pixel to ray, for one camera and frame size.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +13,18 @@ struct PlaneVector {
     float x = 0, y = 0;
 };
 
-/// shaders/lib/camera_ray.glsl, both ways: the camera in render space, of pictures of a size.
+/// Both directions of shaders/lib/camera_ray.glsl on the host, in render space.
 class ViewProjection {
 public:
-    /// frame: of the whole picture.
+    /// frame: parameters of the full frame.
     explicit ViewProjection(const gpu::FrameParams& frame);
 
-    /// Where a place is seen.
+    /// A projected point.
     struct Projected {
         float x = 0, y = 0; ///< pixels from the upper left corner; finite
-        float depth = 0;    ///< of the eye, along the middle of what is seen; at most 0: not at all
+        float depth = 0;    ///< along the view direction, from the eye; 0 or less: not visible
     };
-    /// weight: 1, or 0 for a direction: of what is at no distance.
+    /// weight: 1 for a position, 0 for a direction (a point at infinity).
     Projected project(gpu::vec3 position, float weight) const {
         const float depth = dotOf(position, forward_, weight);
         const float half_height = weight * half_window_ + depth * tan_half_fov_;
@@ -33,7 +33,7 @@ public:
                 dotOf(position, down_, weight) * scale + middle_.y, half_height > 0 ? depth : 0};
     }
 
-    /// The ray through a pixel's middle goes from start, and one ahead for each of its length.
+    /// The ray through a pixel's centre. Each length of its direction advances the depth by 1.
     gpu::vec3 origin(std::uint32_t x, std::uint32_t y) const { return pointOnPlane(eye_, half_window_, x, y); }
     gpu::vec3 direction(std::uint32_t x, std::uint32_t y) const {
         return pointOnPlane({forward_.x, forward_.y, forward_.z}, tan_half_fov_, x, y);
@@ -48,7 +48,7 @@ private:
 
     PixelSize size_;
     gpu::vec3 eye_, right_, up_;
-    gpu::vec4 forward_, across_, down_; ///< w: what they give at the world's origin
+    gpu::vec4 forward_, across_, down_; ///< w: offset at the world's origin
     PlaneVector middle_;
     float tan_half_fov_, half_window_, aspect_;
 };

@@ -14,30 +14,31 @@ namespace {
 
 using Seconds = std::chrono::duration<double>;
 
-/// The coarse picture that comes first when things rest is this much smaller: a quarter of the pixels.
+/// Resolution divisor of the first picture after a movement: a quarter of the pixels.
 constexpr double kCoarseDivisor = 2;
-/// So long nothing must move before finer pictures begin: longer than between two turns of a wheel.
+/// Time without movement before refinement starts: longer than between two clicks of a mouse wheel.
 constexpr double kRest_s = 0.12;
-/// A slice is begun only where this much time is left: handing it to the device costs about a millisecond.
+/// Minimum time left to start another slice: submitting one takes about a millisecond.
 constexpr double kMin_s = 0.002;
-/// Of the time left, a slice is planned to take this share, so that a wrong guess is no late frame.
+/// Share of the remaining time to plan a slice for, so that a misprediction does not delay the frame.
 constexpr double kPlanned = 0.8;
-/// What enlarging a coarse picture takes, which a carried one does not want.
+/// Time to upscale a preview, which a reprojected frame does not need.
 constexpr double kUpscale_s = 0.002;
-/// Where more of a carried picture is new than that, tracing does not keep up: a coarse one tells more, unless that has
-/// less than a pixel for each of the film's tiles. Then carried points do, which add up frame by frame.
+/// Maximum disoccluded share of a reprojected frame. Beyond it tracing does not keep up and a coarse preview shows
+/// more, unless the preview has less than one pixel per tile of the film: then points are accumulated from frame to
+/// frame.
 constexpr double kMaxNewShare = 0.35;
-/// From so many samples on nothing of the carried picture is mixed with them: clean ones are shown as they are.
+/// Samples from which the film is clean and shown unblended.
 constexpr std::uint32_t kCleanBlendSamples = kCleanSamples;
-/// Of the picture, what the film's samples make up until then: the first ones are noisy, and the carried picture is
-/// not, but they are right.
+/// Weight of each sample in the blend from the reprojected picture to the film: first samples are right but noisy, the
+/// reprojected picture is smooth.
 constexpr float kBlendPerSample = 0.4f;
 
 double since(std::chrono::steady_clock::time_point start) {
     return Seconds(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The largest size of this shape whose film can be bound.
+/// The largest size with this aspect ratio whose film fits in a storage buffer.
 PixelSize withinFilm(PixelSize size, std::uint64_t most_pixels) {
     double divisor = 1;
     PixelSize fitting = size;
@@ -102,19 +103,19 @@ void ViewportRenderer::restart(bool moving) {
     begin(moving ? Stage::kInteractive : Stage::kRefine);
 }
 
-/// Of a coarse picture that fits in a frame's time.
+/// Whether a preview that fits in the frame's time would be too small to be useful.
 bool ViewportRenderer::previewIsTiny() const {
     return TILE_PIXELS * std::uint64_t{preview_size_.width} * preview_size_.height <
            std::uint64_t{full_.width} * full_.height;
 }
 
-/// Light that takes too long to be traced whole in a frame is carried along.
+/// Whether to reproject: for shaded views that take too long to trace in full.
 bool ViewportRenderer::shouldReproject() const {
     return view_.look.shown == SHOWN_BEAUTY && usesLights(view_.settings.integrator) &&
            preview_speed_.previewSize(preview_budget_s_, full_, preview_size_) != full_;
 }
 
-/// Where the last picture is known, and on the screen.
+/// Whether the last picture is cached and on the screen.
 bool ViewportRenderer::canReproject() const {
     return shouldReproject() && shows_full_frame_ && reprojector_ && reprojector_->isValidFor(last_camera_);
 }
@@ -123,7 +124,7 @@ ReprojectionView ViewportRenderer::reprojectionView() const {
     return {view_.settings, view_.camera, view_.look.exposure, view_.focus_x, view_.focus_y};
 }
 
-/// The frame's picture, and then finer ones of the same view until it rests.
+/// Renders the reprojected frame, and improves it until the view has rested for kRest_s.
 bool ViewportRenderer::workReprojection(double seconds) {
     if (reprojection_current_ && since(moved_) >= kRest_s) {
         begin(Stage::kRefine);
@@ -139,7 +140,7 @@ bool ViewportRenderer::workReprojection(double seconds) {
 }
 
 void ViewportRenderer::setLook(const Look& look, bool denoise) {
-    if (look != view_.look) reprojection_current_ = shows_full_frame_ = false; // those colours are another look's
+    if (look != view_.look) reprojection_current_ = shows_full_frame_ = false; // cached colours belong to the old look
     view_.look = look;
     view_.denoise = denoise;
     if (full_.width == 0) return;
@@ -157,13 +158,13 @@ void ViewportRenderer::setLook(const Look& look, bool denoise) {
 void ViewportRenderer::setSamples(std::uint32_t spp) {
     const std::uint32_t before = std::exchange(view_.settings.spp, spp);
     if (before == spp) return;
-    // a single sample is one through the pixel's centre
+    // a single sample goes through the pixel's centre
     if (before == 1 || spp == 1) return restart(false);
     if (isFullSize()) renderer_.setSamples(spp);
     if (stage_ == Stage::kIdle && renderer_.samples() < spp) stage_ = Stage::kRefine;
 }
 
-/// All rows that have samples, but those under way.
+/// Shows all rows that have samples, except the strip being traced.
 void ViewportRenderer::showFilm() {
     const std::uint32_t done = renderer_.rowsDone(), samples = renderer_.samples();
     const std::uint32_t under_way = renderer_.strip() ? renderer_.strip()->sample.rows : 0;
@@ -189,7 +190,7 @@ void ViewportRenderer::begin(Stage stage) {
     beginFilm();
 }
 
-/// All of it is one band, in the window's film on the device. Quick pictures are of one sample.
+/// The frame is a single band, whose film stays on the device. Previews have one sample.
 void ViewportRenderer::beginFilm() {
     const bool quick = stage_ == Stage::kInteractive || stage_ == Stage::kCoarse;
     RenderPlan plan{view_.settings, view_.camera, {size_.height, size_.height}, quick};
@@ -201,16 +202,16 @@ void ViewportRenderer::beginFilm() {
     renderer_.begin(plan, job);
 }
 
-/// Where to go from a stage that is done.
+/// Chooses the stage after a completed one.
 void ViewportRenderer::next() {
-    if (stage_ == Stage::kInteractive) return; // until it rests: work()
+    if (stage_ == Stage::kInteractive) return; // work() leaves it when the view rests
     if (stage_ == Stage::kCoarse) return begin(Stage::kRefine);
     if (stage_ == Stage::kRefine && needsCacheFill()) return begin(Stage::kFillCache);
     if (stage_ == Stage::kRefine && denoisesNow()) return begin(Stage::kDenoising);
     stage_ = renderer_.samples() < view_.settings.spp ? Stage::kRefine : Stage::kIdle;
 }
 
-/// At sample counts that are powers of two: in between the picture hardly changes.
+/// Denoises at sample counts that are powers of two: in between the picture hardly changes.
 bool ViewportRenderer::denoisesNow() const {
     const std::uint32_t samples = renderer_.samples();
     return showsDenoised() && renderer_.hasFirstHits() && samples >= 2 && samples < kCleanSamplesOfLight &&
@@ -249,7 +250,7 @@ void ViewportRenderer::traceSlice(double seconds_left) {
     }
     const Clock::time_point start = Clock::now();
     const Strip strip = *renderer_.strip();
-    // what does not fit in one go is handed over bounce by bounce
+    // what does not fit in one submission is submitted bounce by bounce
     const bool fits = speed().secondsFor(std::uint64_t{size_.width} * strip.sample.rows) <= seconds_left;
     const std::uint32_t bounces = std::max(view_.settings.bounces, 1u);
     const bool done = renderer_.traceStrip(fits || stage_ == Stage::kInteractive ? bounces
@@ -259,7 +260,7 @@ void ViewportRenderer::traceSlice(double seconds_left) {
     if (done) finishSlice(strip);
 }
 
-/// As soon as there is a picture: what moves then is carried along.
+/// The cache is filled once there is a picture, so that the next movement can reproject it.
 bool ViewportRenderer::needsCacheFill() {
     if (!shouldReproject() || renderer_.samples() == 0) return false;
     createReprojector();
@@ -288,18 +289,17 @@ void ViewportRenderer::finishSlice(const Strip& strip) {
     traced_seconds_ += slice_seconds_;
     const RayCounts rays = renderer_.takeRays();
     rays_ += rays.primary + rays.shadow + rays.secondary;
-    // where the denoiser is at work, the picture in between is its last one
+    // with the denoiser on, its last picture stays until the next
     if (sample == 0 || !showsDenoised() || sample >= kCleanSamplesOfLight) showRows(strip.first_row, rows, sample + 1);
     if (renderer_.rowsDone() == 0) finishSample();
 }
 
 void ViewportRenderer::finishSample() {
-    if (renderer_.samples() == kCleanSamplesOfLight && view_.denoise) showFilm(); // from here on as it is
+    if (renderer_.samples() == kCleanSamplesOfLight && view_.denoise) showFilm(); // from here on undenoised
     next();
 }
 
-/// Whether the film of this stage needs first hits. The whole picture has them for the denoiser and for files, others
-/// only where they are looked at.
+/// Whether this stage needs first hits: full frames for the denoiser and for files, previews only to display them.
 bool ViewportRenderer::needsHits() const {
     const bool looked_at = needsFirstHits(view_.look);
     return looked_at || (stage_ == Stage::kRefine && (view_.denoise || view_.settings.first_hits));
@@ -322,7 +322,7 @@ void ViewportRenderer::showRows(std::uint32_t first_row, std::uint32_t rows, std
     updates_.push_back({size_, first_row, rows});
 }
 
-/// Of rows of so many samples, where the rest is the carried picture: from one to the other nothing jumps.
+/// Weight of the film in the blend with the reprojected picture, which avoids a jump.
 float ViewportRenderer::shareShown(std::uint32_t samples) const {
     const bool mixes = stage_ == Stage::kRefine && reprojection_current_ && mostly_reused_ &&
                        samples < std::min(kCleanBlendSamples, view_.settings.spp);
@@ -365,7 +365,7 @@ ViewportProgress ViewportRenderer::progress() const {
     return progress;
 }
 
-/// Quick pictures are of another light, whatever their size.
+/// Previews have different light, whatever their size.
 bool ViewportRenderer::isFullSize() const {
     return size_ == full_ && stage_ != Stage::kInteractive && stage_ != Stage::kReprojection &&
            stage_ != Stage::kCoarse;

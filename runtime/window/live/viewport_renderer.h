@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a window shows of a progressive renderer: coarse while things move, finer as soon as they rest, and denoised. It
-// works in slices of a few milliseconds, so that whoever draws the window is never kept waiting.
+// The window's renderer: a preview while the view moves, progressive refinement when it rests, then denoising. It works
+// in slices of a few milliseconds, so that the window stays responsive.
 #pragma once
 
 #include <chrono>
@@ -17,77 +17,77 @@
 
 namespace pointrt {
 
-/// All that the picture depends on but the scene.
+/// Everything the picture depends on, except the scene.
 struct Viewport {
-    RenderSettings settings; ///< width, height: of the whole picture; spp: samples after which it rests
+    RenderSettings settings; ///< width, height: full frame; spp: target samples
     Camera camera;
     Look look;
     bool denoise = false;
-    double focus_x = 0.5, focus_y = 0.5; ///< where the eye rests, in parts of the picture
+    double focus_x = 0.5, focus_y = 0.5; ///< attention point, as fractions of the picture
 };
 
-/// What another view is another of.
+/// What has changed since the last view: the camera; lights, materials or shapes (kScene); or everything.
 enum class ViewChange : std::uint8_t { kCamera, kScene, kAll };
 
-/// Rows of DisplayPipeline::pixels that are new.
+/// Changed rows of DisplayPipeline::pixels.
 struct PictureUpdate {
-    PixelSize size; ///< of the picture they are rows of; smaller than the window's while things move
+    PixelSize size; ///< of the picture; a preview is smaller than the window
     std::uint32_t first_row = 0, rows = 0;
 };
 
 struct ViewportProgress {
-    PixelSize size;            ///< that is traced now
-    std::uint32_t samples = 0; ///< of every pixel of the whole picture
-    double share = 0;          ///< of the next sample
-    bool resting = false;      ///< nothing is left to do
-    bool denoising = false;    ///< the picture of these samples is being filtered
+    PixelSize size;            ///< being traced
+    std::uint32_t samples = 0; ///< per pixel of the full frame
+    double share = 0;          ///< progress of the next sample, 0 to 1
+    bool resting = false;      ///< all done
+    bool denoising = false;    ///< the denoiser is running
     double mrays_per_second = 0;
-    std::uint64_t traced = 0; ///< pixels of the moving picture, the others were carried along; 0: all of size
+    std::uint64_t traced = 0; ///< pixels traced of a reprojected frame; 0: the frame is not reprojected
 };
 
-/// Of the tracers that it works with: what a fast device does in a frame, for 130 MB of states.
+/// Path states of the tracer: what a fast device traces in a frame, 130 MB.
 constexpr std::uint32_t kSliceLanes = 1u << 18;
 
 class ViewportRenderer {
 public:
-    /// tracer, whose scene is furnished and which takes kSliceLanes, must outlive it. A picture of something that moves
-    /// is made as fine as that budget allows.
+    /// tracer must outlive it; its scene is uploaded and it has kSliceLanes path states. preview_budget_s: time for a
+    /// frame while the view moves.
     ViewportRenderer(Device& device, BandTracer& tracer, double preview_budget_s);
     ~ViewportRenderer();
     ViewportRenderer(const ViewportRenderer&) = delete;
     ViewportRenderer& operator=(const ViewportRenderer&) = delete;
 
-    /// Starts over. moving: more views are to come soon, so that the next picture is to be there at once. change: what
-    /// of the last picture may not be carried along; kScene where the scene has changed but for its scans.
+    /// Starts over. moving: more changes are expected soon, so show a preview first. change: what has changed, which
+    /// limits what can be reprojected.
     void setView(const Viewport& view, bool moving, ViewChange change = ViewChange::kCamera);
-    /// Another look at the same light: nothing is traced again unless it must be.
+    /// Shows the same light another way. Traces again only if the film lacks a needed layer.
     void setLook(const Look& look, bool denoise);
-    /// Starts over: the scene has changed, and the tracer with it.
+    /// Starts over because the scene, and the tracer with it, have changed.
     void restart(bool moving);
-    /// A pixel of the scene is to take so many times as long, now that that is another one.
+    /// The cost of a pixel has changed by this factor.
     void scaleCost(double times) {
         preview_speed_.scaleCost(times);
         refine_speed_.scaleCost(times);
     }
-    /// How many samples it goes on to.
+    /// Sets the target samples.
     void setSamples(std::uint32_t spp);
 
-    /// Works for about so many seconds, less where nothing is left to do. False where there was nothing, for now.
+    /// Works for about seconds. Returns false if there is nothing to do for now.
     bool work(double seconds);
-    /// What has become new since clearUpdates.
+    /// Changed rows since clearUpdates.
     const std::vector<PictureUpdate>& updates() const { return updates_; }
     void clearUpdates() { updates_.clear(); }
-    /// True where what is new must be shown before the work goes on: what follows has another size.
+    /// True if the updates must be shown before work goes on, because the next ones have another size.
     bool mustShow() const;
     const Buffer& pixels() const { return display_.pixels; }
 
     ViewportProgress progress() const;
-    /// The splat under a pixel of the whole picture, none where there is none. Between slices only: see canPick.
+    /// The splat under a pixel of the full frame, if any. Only if isBetweenSlices.
     std::optional<Pick> pick(std::uint32_t x, std::uint32_t y);
     bool isBetweenSlices() const { return !renderer_.strip().has_value(); }
-    /// True where every pixel of the whole picture has the same number of samples, at least one.
+    /// True if all pixels of the full frame have the same number of samples, at least one.
     bool isBetweenSamples() const;
-    /// The whole picture as headless runs have it, with first hits where they were asked for; isBetweenSamples.
+    /// The full frame as headless runs write it, with first hits if requested. Only if isBetweenSamples.
     Film readFilm();
     std::uint64_t deviceBytes() const;
     const Viewport& view() const { return view_; }
@@ -131,19 +131,19 @@ private:
     double preview_budget_s_;
     DisplayPipeline display_;
     Viewport view_;
-    std::optional<ReprojectionRenderer> reprojector_; ///< once one was asked for, of full_
-    std::uint32_t reprojected_pixels_ = 0;            ///< traced of the last one
-    bool reprojection_current_ = false;               ///< it is of this view, and look
-    bool mostly_reused_ = false;                      ///< little of it is new
-    bool shows_full_frame_ = false; ///< what is on the screen is the light of last_camera_, in the picture's size
+    std::optional<ReprojectionRenderer> reprojector_; ///< of size full_, created on demand
+    std::uint32_t reprojected_pixels_ = 0;            ///< traced in its last frame
+    bool reprojection_current_ = false;               ///< it shows this view and look
+    bool mostly_reused_ = false;                      ///< little of it is disoccluded
+    bool shows_full_frame_ = false;                   ///< the screen shows last_camera_'s light at full resolution
     Camera last_camera_;
     std::uint64_t film_pixels_ = 0;
     Stage stage_ = Stage::kIdle;
     Clock::time_point moved_{};
     PixelSize full_, size_, preview_size_;
     TraceSpeed preview_speed_, refine_speed_;
-    std::uint32_t denoised_samples_ = 0; ///< of the denoiser's result, 0: none of this view
-    bool denoise_due_ = false;           ///< after the next sample, whatever its number
+    std::uint32_t denoised_samples_ = 0; ///< in the denoised picture; 0: none for this view
+    bool denoise_due_ = false;           ///< denoise after the next sample, whatever its number
     std::uint32_t denoise_step_ = 0;
     double slice_seconds_ = 0, denoise_step_seconds_ = 0;
     std::uint64_t rays_ = 0;

@@ -125,11 +125,11 @@ TEST(RenderCache, FindsWhatComesToLight) {
     const float strip = 0.25f * (pixelsPerUnit(kCardAhead) - pixelsPerUnit(kWallAhead)); // 6
     ASSERT_NEAR(strip, 6, 1e-4);
     const std::uint32_t y = kSize.height / 2;
-    std::uint32_t disocclusions = 0, card = 0;
+    std::uint32_t emptyPixels = 0, card = 0;
     for (std::uint32_t x = 20; x < kSize.width - 20; ++x) {
         const std::uint32_t pixel = y * kSize.width + x;
         if (cache.isEmpty(pixel)) {
-            ++disocclusions;
+            ++emptyPixels;
             EXPECT_FALSE(seesCard(moved, pixel));
             EXPECT_TRUE(seesCard(moved, pixel - 7)) << "beside the card's right edge";
         } else {
@@ -137,7 +137,7 @@ TEST(RenderCache, FindsWhatComesToLight) {
             EXPECT_EQ(cache.colors()[pixel] == kCard, seesCard(moved, pixel)) << x;
         }
     }
-    EXPECT_EQ(disocclusions, 6u);
+    EXPECT_EQ(emptyPixels, 6u);
     EXPECT_EQ(card, 48u);
     fillHoles(cache);
     for (std::uint32_t x = 20; x < kSize.width - 20; ++x)
@@ -226,8 +226,8 @@ TEST(ChoosePixels, TakesWhatIsNewFirstAndTheRestInTurn) {
     ErrorMap errors(kSize);
     RenderCache cache = pictureFromZero(errors);
     cache.reproject(viewFrom(0.25f));
-    const std::uint32_t disocclusions = cache.emptyPixelCount();
-    ASSERT_GT(disocclusions, 500u);
+    const std::uint32_t emptyPixels = cache.emptyPixelCount();
+    ASSERT_GT(emptyPixels, 500u);
     std::vector<int> times(kSize.width * kSize.height);
     std::uint32_t chosen = 0;
     for (std::uint32_t frame = 1; frame <= 40; ++frame)
