@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "format/base/whole_number.h"
+#include "format/base/json_integer.h"
 #include "format/pointio/base64.h"
 #include "format/pointio/bytes.h"
 
@@ -38,7 +38,7 @@ Json recordJson(const LasVlr& vlr) {
 LasSource::Record recordOf(const Json& json) {
     LasSource::Record record;
     record.vlr.user_id = json.at("user_id").get<std::string>();
-    record.vlr.record_id = wholeNumber<std::uint16_t>(json.at("record_id"));
+    record.vlr.record_id = jsonInteger<std::uint16_t>(json.at("record_id"));
     record.vlr.description = json.at("description").get<std::string>();
     record.vlr.extended = json.at("extended").get<bool>();
     record.data = fromBase64(json.at("data").get<std::string>()).value();

@@ -7,10 +7,10 @@
 #include <string_view>
 
 #include "format/base/error.h"
+#include "format/base/json_integer.h"
 #include "format/base/mapped_file.h"
 #include "format/base/number_type.h"
 #include "format/base/printable.h"
-#include "format/base/whole_number.h"
 #include "format/set/set_fault.h"
 #include "format/set/set_words.h"
 #include "format/set/tile_set.h"
@@ -46,7 +46,7 @@ double numberOf(const Json& object, const char* key) {
 
 template <typename Whole>
 Whole asWhole(const Json& value, const char* key) {
-    const std::optional<Whole> number = wholeNumberIn<Whole>(value);
+    const std::optional<Whole> number = optionalJsonInteger<Whole>(value);
     if (!number)
         throw SetFault(std::string(key) + " is not a whole number from " +
                        std::to_string(std::numeric_limits<Whole>::min()) + " to " +
@@ -144,7 +144,7 @@ std::vector<Element> readList(const Json& json, const char* key, const Read& rea
 }
 
 void requireVersion(const Json& version) {
-    const auto number = wholeNumberIn<std::uint64_t>(version);
+    const auto number = optionalJsonInteger<std::uint64_t>(version);
     if (!number) throw SetFault("version is not a whole number");
     if (*number != kTileSetVersion)
         throw SetFault("version " + version.dump() + ", but only " + std::to_string(kTileSetVersion) +

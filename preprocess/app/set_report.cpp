@@ -73,7 +73,7 @@ std::string summaryLine(const SetReport& report) {
     if (!report.done) {
         std::string steps;
         for (const SetStepReport& each : report.steps) steps += (steps.empty() ? "" : ", ") + each.step;
-        return fmt::format("{} of {} points in {} tiles and {} blocks, {:.2f} s",
+        return fmt::format("{}: {} points in {} tiles and {} blocks, {:.2f} s",
                            steps.empty() ? "nothing left to do" : steps + " done", plan.points, plan.tiles.size(),
                            plan.blocks(), report.seconds_total);
     }

@@ -13,7 +13,7 @@
 
 #include "format/base/atomic_file.h"
 #include "format/base/error.h"
-#include "format/base/whole_number.h"
+#include "format/base/json_integer.h"
 #include "preprocess/tiles/checksum.h"
 #include "preprocess/tiles/plan.h"
 #include "preprocess/tiles/plan_check.h"
@@ -33,7 +33,7 @@ Json vectorJson(const Vec3d& vector) { return {vector.x(), vector.y(), vector.z(
 template <typename Value>
 Value take(const Json& json, const char* name) {
     if constexpr (std::integral<Value> && !std::same_as<Value, bool>)
-        return wholeNumber<Value>(json.at(name));
+        return jsonInteger<Value>(json.at(name));
     else
         return json.at(name).get<Value>();
 }
@@ -164,10 +164,10 @@ Json tilesJson(const std::vector<PlanTile>& tiles) {
 std::vector<PlanTile> tilesOf(const Json& json) {
     std::vector<PlanTile> tiles;
     for (const Json& each : json)
-        tiles.push_back({wholeNumber<std::uint32_t>(each.at(0)),
-                         {wholeNumber<std::int32_t>(each.at(1)), wholeNumber<std::int32_t>(each.at(2)),
-                          wholeNumber<std::int32_t>(each.at(3))},
-                         wholeNumber<std::uint64_t>(each.at(4)),
+        tiles.push_back({jsonInteger<std::uint32_t>(each.at(0)),
+                         {jsonInteger<std::int32_t>(each.at(1)), jsonInteger<std::int32_t>(each.at(2)),
+                          jsonInteger<std::int32_t>(each.at(3))},
+                         jsonInteger<std::uint64_t>(each.at(4)),
                          each.at(5).get<double>()});
     return tiles;
 }
@@ -251,7 +251,7 @@ SetPlan planOf(const Json& json) {
         plan.notes.push_back(
             {take<std::string>(each, "file"), take<std::string>(each, "text"), take<std::size_t>(each, "more_files")});
     for (const Json& each : json.at("first_tile_of_block"))
-        plan.first_tile_of_block.push_back(wholeNumber<std::uint32_t>(each));
+        plan.first_tile_of_block.push_back(jsonInteger<std::uint32_t>(each));
     plan.tiles = tilesOf(json.at("tiles"));
     return plan;
 }

@@ -10,7 +10,7 @@
 
 #include "format/base/atomic_file.h"
 #include "format/base/error.h"
-#include "format/base/whole_number.h"
+#include "format/base/json_integer.h"
 #include "preprocess/tiles/bucket_writer.h"
 #include "preprocess/tiles/measure_statistics.h"
 
@@ -48,11 +48,11 @@ std::optional<Mark> readMark(const SetPlan& plan) {
     const Json json = Json::parse(stream, nullptr, false);
     try {
         Mark mark;
-        mark.place.file = wholeNumber<std::size_t>(json.at("file"));
-        mark.place.scan = wholeNumber<std::size_t>(json.at("scan"));
-        mark.place.kept = wholeNumber<std::uint64_t>(json.at("kept"));
-        mark.place.seen = wholeNumber<std::uint64_t>(json.at("seen"));
-        for (const Json& each : json.at("bytes")) mark.bytes.push_back(wholeNumber<std::uint64_t>(each));
+        mark.place.file = jsonInteger<std::size_t>(json.at("file"));
+        mark.place.scan = jsonInteger<std::size_t>(json.at("scan"));
+        mark.place.kept = jsonInteger<std::uint64_t>(json.at("kept"));
+        mark.place.seen = jsonInteger<std::uint64_t>(json.at("seen"));
+        for (const Json& each : json.at("bytes")) mark.bytes.push_back(jsonInteger<std::uint64_t>(each));
         if (mark.place.file > plan.inputs.size() || mark.place.scan > plan.scans.size()) return std::nullopt;
         return mark;
     } catch (const Json::exception&) {

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "format/base/whole_number.h"
+#include "format/base/json_integer.h"
 #include "pointrt/pro_layout.h"
 #include "preprocess/tiles/build_tile.h"
 
@@ -58,7 +58,7 @@ std::optional<SetTile> findTileRow(const SetFolders& folders, const TileKey& til
     try {
         const Json said = Json::parse(metadataOf(file, header, row.bytes)).at("tile");
         if (said.at("level") != row.level || said.at("cell") != row.cell) return std::nullopt;
-        row.splats = wholeNumber<decltype(row.splats)>(said.at("splats"));
+        row.splats = jsonInteger<decltype(row.splats)>(said.at("splats"));
         row.error = said.at("error");
         row.spacing = said.at("spacing");
     } catch (const Json::exception&) {

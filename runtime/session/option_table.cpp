@@ -51,8 +51,8 @@ Vec3 parseUp(const std::string& text) {
     try {
         return parseVector(text);
     } catch (const std::invalid_argument&) {
-        throw std::invalid_argument("\"" + text +
-                                    "\" is not one of auto, x, y, z, -x, -y, -z, and not X,Y,Z with three finite numbers");
+        throw std::invalid_argument(
+            "\"" + text + "\" is not one of auto, x, y, z, -x, -y, -z, and not X,Y,Z with three finite numbers");
     }
 }
 

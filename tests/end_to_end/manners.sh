@@ -149,7 +149,7 @@ case_help_says_what_is_overwritten() {
     done
     grep -q "existing output is kept unless -f is given" pointrt-bake.help || fail "pointrt-bake does not say it"
     grep -q "overwriting an existing file" pointrt-view.help || fail "pointrt-view does not say it"
-    grep -q "one that is there is kept without -f" pointrt-info.help || fail "pointrt-info does not say it"
+    grep -q "Let --export overwrite an existing file" pointrt-info.help || fail "pointrt-info does not say it"
 }
 
 case_a_scan_is_no_scene() {

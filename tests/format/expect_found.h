@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A lie in a sound file, and whether it is found.
+// Checks that a wrong value in a valid file is found.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,7 +10,8 @@
 
 namespace pointrt::test {
 
-/// Of a file with one value changed: that pro_verify has the finding, and that pro_open refuses it with that, or opens.
+/// Changes one value of a file. Expects that pro_verify reports the finding, and pro_open refuses the file with it, or
+/// opens it.
 template <typename T>
 void expectFound(const Bytes& sound, std::size_t offset, T value, std::uint32_t finding, bool opens = false) {
     Bytes bytes = sound;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files as bytes to damage.
+// Reads and modifies the bytes of files.
 #pragma once
 
 #include <algorithm>
@@ -49,7 +49,7 @@ void storeAt(Bytes& bytes, std::size_t offset, const T& value) {
     std::memcpy(bytes.data() + offset, &value, sizeof value);
 }
 
-/// Offset of the table's record of a kind.
+/// Offset of the record of a kind in the section table.
 inline std::size_t recordOf(const Bytes& bytes, std::uint32_t kind) {
     for (std::size_t i = 0; i < loadAt(bytes, PRO_OFF_SECTION_COUNT); ++i) {
         const std::size_t record = PRO_TABLE_OFFSET + i * PRO_SECTION_BYTES;
@@ -67,7 +67,7 @@ inline void fixHeaderChecksum(Bytes& bytes) {
             XXH3_64bits(bytes.data() + PRO_OFF_SECTION_COUNT, PRO_HEADER_BYTES - PRO_OFF_SECTION_COUNT));
 }
 
-/// Every checksum, so that the checks behind them are reached. The section table must be intact.
+/// Corrects all checksums, so that later checks are reached. The section table must be intact.
 inline void fixChecksums(Bytes& bytes) {
     for (std::size_t i = 0; i < loadAt(bytes, PRO_OFF_SECTION_COUNT); ++i) {
         const std::size_t record = PRO_TABLE_OFFSET + i * PRO_SECTION_BYTES;
@@ -83,7 +83,7 @@ struct OpenResult {
     pro_message message;
 };
 
-/// From a brick's word to its cells, as a tracer would go on.
+/// Follows a word of a brick to its cells, as a tracer would.
 inline std::uint64_t touchWord(const pro_index& index, std::uint32_t word, std::uint64_t& walked) {
     if (++walked > 1000000) throw std::logic_error("a walk without end");
     if ((word & PRO_SKIP_MASK) != 0) return 0;
@@ -121,7 +121,7 @@ inline std::uint64_t touchIndex(const pro_info& info, const pro_view& view, cons
     return sum + info.splat_count;
 }
 
-/// Follows every index a view offers, as a renderer would, so that a sanitizer sees the one that is out of range.
+/// Follows every index in a view, as a renderer would, so that a sanitizer detects those out of range.
 inline std::uint64_t touchEverything(const pro_info& info, const pro_view& view) {
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < info.node_count && view.nodes; ++i) {
@@ -162,7 +162,8 @@ inline std::uint64_t touchSaid(const pro_info& info, const pro_file* file) {
     return static_cast<std::uint64_t>(sum);
 }
 
-/// Opens a copy in a heap block of the exact size, so that AddressSanitizer sees one byte over; also verifies it.
+/// Opens a copy in a heap block of the exact size, so that AddressSanitizer detects reads past the end; also verifies
+/// it.
 inline OpenResult openCopy(const Bytes& bytes, std::uint32_t open_flags = 0) {
     const std::unique_ptr<std::byte[]> copy(new std::byte[bytes.size()]);
     std::copy(bytes.begin(), bytes.end(), copy.get());
@@ -187,7 +188,7 @@ inline OpenResult openCopy(const Bytes& bytes, std::uint32_t open_flags = 0) {
     return opened;
 }
 
-/// Finding numbers of a full verification, in the order met.
+/// Numbers of all findings of a verification, in order.
 inline std::vector<std::uint32_t> findingsOf(const Bytes& bytes) {
     std::vector<std::uint32_t> numbers;
     const auto report = [](const pro_message* finding, void* user) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A plain octree over any splats, for tests that need more than the tiny scene. Not fast, not pruned: every leaf refers
-// to each splat whose disc, thickened by the blending slab, may meet it (by bounding boxes, so never too few).
+// Builds a simple octree over any splats, for tests that need more than the tiny scene. Slow and unpruned: every leaf
+// refers to each splat whose blending slab may overlap it (by bounding boxes, so none is missed).
 #pragma once
 
 #include <algorithm>
@@ -13,20 +13,20 @@
 namespace pointrt::test {
 
 struct BuildOptions {
-    std::size_t members_max = 8; ///< a cell with more centres is split, above max_depth
+    std::size_t members_max = 8; ///< cells with more centres are split, down to max_depth
     std::uint32_t max_depth = 12;
     float blend_slab = 0.5f;
     float radius_max = 0.25f, radius_step = 0.03125f; ///< cube units, octaves
 };
 
-/// A cell on its way to becoming a node; lists are splat numbers of the input.
+/// A cell before it becomes a node; lists are indices of input splats.
 struct BuildCell {
     std::array<std::uint32_t, 3> corner{}; ///< in units of its own edge
     std::uint32_t depth = 0;
     std::vector<std::uint32_t> members, references;
 };
 
-/// Half the edges of the box around a thickened disc.
+/// Half extents of the bounding box of a disc's slab.
 inline std::array<float, 3> halfExtent(const pro_splat& splat, float slab) {
     std::array<float, 3> half;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -82,15 +82,15 @@ inline void numberLeaves(Scene& scene, const std::vector<BuildCell>& cells, std:
     scene.refs.insert(scene.refs.end(), cell.references.begin(), cell.references.end());
 }
 
-/// A valid scene of the splats, positions in [0, 1), one plain material, cube edge 1 at 0. Throws std::bad_alloc only;
-/// more than 65535 members or references in a leaf is a wrong choice of options and writing then fails.
+/// A valid scene of the splats (positions in [0, 1)) with one material and a cube of edge 1 at 0. Throws std::bad_alloc
+/// only. Writing fails if options lead to more than 65535 members or references in a leaf.
 inline Scene sceneOf(std::vector<pro_splat> splats, const BuildOptions& options = {}) {
     Scene scene;
     scene.info.radius_max = options.radius_max;
     scene.info.radius_step = options.radius_step;
     scene.info.blend_slab = options.blend_slab;
     scene.info.scale = 1;
-    for (pro_splat& splat : splats) { // as readers will see it
+    for (pro_splat& splat : splats) { // as readers decode it
         std::uint32_t words[PRO_SPLAT_WORDS];
         pro_splat_encode(&splat, options.radius_max, options.radius_step, words);
         pro_splat_decode(words, options.radius_max, options.radius_step, &splat);
@@ -104,13 +104,13 @@ inline Scene sceneOf(std::vector<pro_splat> splats, const BuildOptions& options 
         if (cells[i].members.size() <= options.members_max || cells[i].depth >= options.max_depth) continue;
         scene.nodes[i] = PRO_NODE_INNER | static_cast<std::uint32_t>(cells.size() / PRO_GROUP_SIZE);
         std::vector<BuildCell> children = splitCell(cells[i], splats, options.blend_slab);
-        cells[i].members.clear(); // handed down, kept once
+        cells[i].members.clear(); // moved to the children
         std::move(children.begin(), children.end(), std::back_inserter(cells));
         scene.nodes.resize(cells.size(), PRO_NODE_EMPTY);
     }
     numberLeaves(scene, cells, 0);
     const std::vector<std::uint32_t> refs = scene.refs;
-    std::vector<std::uint32_t> place(splats.size()); // in the file, of each input splat
+    std::vector<std::uint32_t> place(splats.size()); // of each input splat in the file
     for (std::uint32_t i = 0; i < scene.order.size(); ++i) {
         place[scene.order[i]] = i;
         scene.addSplat(splats[scene.order[i]]);

@@ -42,19 +42,19 @@ TEST(Attributes, GoldenVerifiesClean) { EXPECT_TRUE(findingsOf(readBytes(kCompac
 TEST(Attributes, SameContentIsWrittenAsTheSameBytes) {
     const TemporaryFolder folder;
     Scene scene = tinyScene();
-    Said said;
-    said.indexed = false;
-    ASSERT_EQ(said.write(scene, folder.file("a.pro")), PRO_OK);
+    TinyScan scan;
+    scan.indexed = false;
+    ASSERT_EQ(scan.write(scene, folder.file("a.pro")), PRO_OK);
     EXPECT_EQ(readBytes(folder.file("a.pro")), readBytes(kCompactScan));
 }
 
 TEST(Attributes, WithoutThemTheBytesAreThoseOfAFileThatNeverHadThem) {
     const TemporaryFolder folder;
     Scene scene = tinyScene();
-    Said said;
-    said.world = {};
-    said.attributes.clear();
-    ASSERT_EQ(said.write(scene, folder.file("a.pro")), PRO_OK);
+    TinyScan scan;
+    scan.world = {};
+    scan.attributes.clear();
+    ASSERT_EQ(scan.write(scene, folder.file("a.pro")), PRO_OK);
     EXPECT_EQ(readBytes(folder.file("a.pro")), readBytes(POINTRT_GOLDEN_DIR "/tiny_v1_4.pro"));
 }
 
@@ -68,54 +68,54 @@ TEST(Attributes, TracersReadThemToo) {
 struct AttributeWriter : testing::Test {
     TemporaryFolder folder;
     Scene scene = tinyScene();
-    Said said;
+    TinyScan scan;
     pro_message message{};
 
     std::uint32_t refusedWith() {
-        EXPECT_EQ(said.write(scene, folder.file("a.pro"), &message), PRO_BAD_ARGUMENT) << message.text;
+        EXPECT_EQ(scan.write(scene, folder.file("a.pro"), &message), PRO_BAD_ARGUMENT) << message.text;
         EXPECT_FALSE(std::filesystem::exists(folder.file("a.pro")));
         return message.finding;
     }
 };
 
 TEST_F(AttributeWriter, RefusesNames) {
-    std::memset(said.attributes[1].name, 0, sizeof said.attributes[1].name);
+    std::memset(scan.attributes[1].name, 0, sizeof scan.attributes[1].name);
     EXPECT_EQ(refusedWith(), 9201u);
-    std::strcpy(said.attributes[1].name, "intensity");
+    std::strcpy(scan.attributes[1].name, "intensity");
     EXPECT_EQ(refusedWith(), 9201u);
-    std::strcpy(said.attributes[1].name, "a\nb");
+    std::strcpy(scan.attributes[1].name, "a\nb");
     EXPECT_EQ(refusedWith(), 9201u);
-    std::strcpy(said.attributes[1].name, "\xC3");
+    std::strcpy(scan.attributes[1].name, "\xC3");
     EXPECT_EQ(refusedWith(), 9201u);
 }
 
 TEST_F(AttributeWriter, RefusesTypes) {
-    said.attributes[0].type = 11;
+    scan.attributes[0].type = 11;
     EXPECT_EQ(refusedWith(), 9202u);
-    said.attributes[0].type = PRO_TYPE_U16;
-    said.attributes[0].components = 5;
+    scan.attributes[0].type = PRO_TYPE_U16;
+    scan.attributes[0].components = 5;
     EXPECT_EQ(refusedWith(), 9202u);
 }
 
 TEST_F(AttributeWriter, RefusesWorlds) {
-    said.world.up[2] = 2;
+    scan.world.up[2] = 2;
     EXPECT_EQ(refusedWith(), 1016u);
-    said.world.up[2] = -1;
-    said.world.metres_per_unit = -1;
+    scan.world.up[2] = -1;
+    scan.world.metres_per_unit = -1;
     EXPECT_EQ(refusedWith(), 1017u);
-    said.world.metres_per_unit = 0;
-    said.sensors[3] = 0.5;
+    scan.world.metres_per_unit = 0;
+    scan.sensors[3] = 0.5;
     EXPECT_EQ(refusedWith(), 9301u);
 }
 
 TEST_F(AttributeWriter, RefusesTooMany) {
-    while (said.attributes.size() <= PRO_ATTRIBUTE_MAX) {
-        const std::string name = std::to_string(said.attributes.size());
-        said.add(name.c_str(), PRO_TYPE_U8, 1, said.classification.data());
+    while (scan.attributes.size() <= PRO_ATTRIBUTE_MAX) {
+        const std::string name = std::to_string(scan.attributes.size());
+        scan.add(name.c_str(), PRO_TYPE_U8, 1, scan.classification.data());
     }
     EXPECT_EQ(refusedWith(), 0u);
-    said.attributes.resize(PRO_ATTRIBUTE_MAX);
-    EXPECT_EQ(said.write(scene, folder.file("a.pro"), &message), PRO_OK) << message.text;
+    scan.attributes.resize(PRO_ATTRIBUTE_MAX);
+    EXPECT_EQ(scan.write(scene, folder.file("a.pro"), &message), PRO_OK) << message.text;
 }
 
 const Bytes& golden() {
@@ -144,11 +144,11 @@ TEST(HostileAttributes, RecordsAndHeader) {
     expectFound(golden(), sectionOf(golden(), PRO_KIND_SENS), kNan, 9301);
 }
 
-TEST(HostileAttributes, SectionsThatAreNotThere) {
+TEST(HostileAttributes, MissingSections) {
     constexpr std::uint32_t kUnknown = 0x58585858u;
     expectFound(golden(), recordOf(golden(), PRO_KIND_ATTD), kUnknown, 2014);
     expectFound(golden(), recordOf(golden(), PRO_KIND_ATTR), kUnknown, 2014);
-    Bytes none = golden(); // neither is fine: another version's file
+    Bytes none = golden(); // a file without both is valid
     storeAt(none, recordOf(none, PRO_KIND_ATTD), kUnknown);
     for (int i = 0; i < 5; ++i) storeAt(none, recordOf(none, PRO_KIND_ATTR), kUnknown);
     fixChecksums(none);
@@ -164,7 +164,7 @@ TEST(HostileAttributes, EveryWordOfTheHeaderTableAndRecords) {
                 Bytes bytes = golden();
                 storeAt(bytes, offset, value);
                 fixHeaderChecksum(bytes);
-                openCopy(bytes, PRO_OPEN_SKIP_CHECKSUMS); // AddressSanitizer looks on
+                openCopy(bytes, PRO_OPEN_SKIP_CHECKSUMS); // for AddressSanitizer
             }
     };
     tryAll(0, last);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The worst-case errors that SPEC.md states.
+// The codec keeps to the worst-case errors in SPEC.md.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ pro_splat roundTrip(const pro_splat& splat, float radius_max, float radius_step)
     return decoded;
 }
 
-/// Angle by the chord, which stays exact for small angles.
+/// Angle from the chord, which is exact for small angles, too.
 double angleDeg(const float a[3], const float b[3]) {
     const double chord = std::hypot(double{a[0]} - b[0], double{a[1]} - b[1], double{a[2]} - b[2]);
     return 2 * std::asin(chord / 2) * kDegPerRad;
@@ -46,7 +46,7 @@ TEST(Codec, PositionsStayWithinHalfAStep) {
 }
 
 TEST(Codec, PositionsNeverLeaveTheirStep) {
-    // floor(x * 2^21) is kept: a centre stays in its octree cell at every depth
+    // floor(x * 2^21) does not change: a centre stays in its octree cell at every depth
     for (const std::uint32_t code : {0u, 1u, 2047u, 2048u, 0x155555u, 0x1FFFFEu, 0x1FFFFFu}) {
         const float low = static_cast<float>(code) * PRO_POSITION_STEP;
         for (const float at : {low, std::nextafter(low + PRO_POSITION_STEP, 0.0f)}) {
@@ -74,7 +74,7 @@ TEST(Codec, NormalsStayWithinTheStatedAngle) {
     constexpr int kCount = 400000;
     for (int i = 0; i < kCount; ++i) {
         pro_splat splat = splatAt(0.5f, 0.5f, 0.5f);
-        const bool corner = i % 2 == 0; // the worst place of the octahedral map is at its face centres
+        const bool corner = i % 2 == 0; // the octahedral map is worst at its face centres
         for (float& component : splat.normal) component = corner ? 1 + 0.01f * gauss(random) : gauss(random);
         if (corner && i % 4 == 0) splat.normal[2] = -splat.normal[2];
         const float length = std::hypot(splat.normal[0], splat.normal[1], splat.normal[2]);
@@ -86,7 +86,7 @@ TEST(Codec, NormalsStayWithinTheStatedAngle) {
         worst = std::max(worst, angle);
         sum += corner ? 0 : angle;
     }
-    EXPECT_GE(worst, 0.95 * kNormalErrorDeg) << "SPEC.md may state less";
+    EXPECT_GE(worst, 0.95 * kNormalErrorDeg) << "SPEC.md could state less";
     EXPECT_LE(sum / (kCount / 2), kNormalMeanDeg);
 }
 
@@ -130,7 +130,7 @@ TEST(Codec, RadiiAtTheEndsOfTheScale) {
     EXPECT_EQ(radiusOf(0.25f, 0.125f), 0.25f);
     EXPECT_EQ(radiusOf(7.0f, 0.125f), 0.5f) << "above the largest: clamped";
     EXPECT_EQ(radiusOf(0.01f, 0.0f), 0.5f) << "a single radius";
-    EXPECT_EQ(radiusOf(0.0f, 0.125f), 0.5f * std::exp2(-255 * 0.125f)) << "the smallest there is";
+    EXPECT_EQ(radiusOf(0.0f, 0.125f), 0.5f * std::exp2(-255 * 0.125f)) << "the smallest code";
 }
 
 TEST(Codec, ColorsAndMaterialsAreExact) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Damaged and hostile files: refused with the right finding, never read out of bounds (run with AddressSanitizer).
+// Damaged and hostile files are refused with the right finding and never read out of bounds (by AddressSanitizer).
 #include <gtest/gtest.h>
 
 #include <sys/stat.h>
@@ -32,7 +32,7 @@ bool has(const std::vector<std::uint32_t>& findings, std::uint32_t number) {
     return std::find(findings.begin(), findings.end(), number) != findings.end();
 }
 
-/// Changes one value of the tiny file, fixes the checksums, and wants exactly this refused.
+/// Changes one value of the tiny file, fixes the checksums, and expects this finding.
 template <typename T>
 void expectRefused(std::size_t offset, T value, std::uint32_t finding, pro_result result = PRO_INVALID) {
     Bytes bytes = tiny();
@@ -61,11 +61,11 @@ TEST(Hostile, EveryPrefixIsRefused) {
     }
 }
 
-TEST(Hostile, EveryPrefixIsRefusedEvenWhenItsHeaderAgrees) {
+TEST(Hostile, EveryPrefixIsRefusedEvenIfItsHeaderAgrees) {
     for (std::size_t size = PRO_HEADER_BYTES; size < tiny().size(); size += 16) {
         Bytes prefix(tiny().begin(), tiny().begin() + static_cast<std::ptrdiff_t>(size));
         storeAt(prefix, PRO_OFF_FILE_BYTES, std::uint64_t{size});
-        // whole but for the padding of the last section is whole
+        // only the padding of the last section may be missing
         const auto last = recordOf(tiny(), PRO_KIND_META);
         const auto end = loadAt<std::uint64_t>(tiny(), last + PRO_SEC_OFF_OFFSET) +
                          loadAt<std::uint64_t>(tiny(), last + PRO_SEC_OFF_LENGTH);
@@ -108,7 +108,7 @@ TEST(Hostile, EveryHeaderWordAtExtremes) {
             storeAt(bytes, offset, value);
             fixHeaderChecksum(bytes);
             const OpenResult opened = openCopy(bytes, PRO_OPEN_SKIP_CHECKSUMS);
-            // a META section that is unknown, shorter by a stride or gone is still a good file
+            // a file with an unknown, shorter or missing META section is still valid
             const std::size_t meta = recordOf(tiny(), PRO_KIND_META), order = recordOf(tiny(), PRO_KIND_ORDR);
             if (!free_words.contains(offset) && offset != meta && offset != order) {
                 ASSERT_NE(opened.result, PRO_OK) << "offset " << offset << " value " << value;
@@ -246,7 +246,7 @@ TEST(Hostile, NodeWords) {
     expectRefused(word(PRO_KIND_NODE, 9), kInner | 1u, 3002); // another
     expectRefused(word(PRO_KIND_NODE, 9), 0xFFFFFFFFu, 3002);
     expectRefused(word(PRO_KIND_NODE, 0), 0u, 3003);
-    expectRefused(word(PRO_KIND_NODE, 16), kInner | 3u, 3004); // one group more than there is
+    expectRefused(word(PRO_KIND_NODE, 16), kInner | 3u, 3004); // one group too many
     expectRefused(word(PRO_KIND_NODE, 8), 6u, 3005);
     expectRefused(word(PRO_KIND_NODE, 8), 0x7FFFFFFFu, 3005);
     expectRefused(word(PRO_KIND_NODE, 8), 2u, 3007);
@@ -254,7 +254,7 @@ TEST(Hostile, NodeWords) {
     expectRefused(PRO_OFF_MAX_DEPTH, 1u, 3006);
 }
 
-TEST(Hostile, EveryNodeWordIsBound) {
+TEST(Hostile, EveryNodeWordIsChecked) {
     for (std::size_t i = 0; i < 24; ++i)
         for (const std::uint32_t value : {0u, 1u, 2u, 3u, 4u, 5u, 6u, 0x7FFFFFFFu, 0x80000000u, 0x80000001u,
                                           0x80000002u, 0x80000003u, 0xFFFFFFFFu}) {
@@ -291,7 +291,7 @@ TEST(Hostile, LeafWords) {
     expectRefused(leaf(4, PRO_LEAF_COUNTS), 2u, 4005);
 }
 
-TEST(Hostile, EveryLeafWordIsBound) {
+TEST(Hostile, EveryLeafWordIsChecked) {
     for (std::size_t i = 0; i < 5 * PRO_LEAF_WORDS; ++i)
         for (const std::uint32_t value : {0u, 1u, 2u, 3u, 4u, 5u, 6u, 0x10000u, 0x20000u, 0x7FFFFFFFu, 0xFFFFFFFFu}) {
             Bytes bytes = tiny();
@@ -308,7 +308,7 @@ TEST(Hostile, References) {
             expectRefused(word(PRO_KIND_REFS, i), value, 4006);
 }
 
-TEST(Hostile, WhatOnlyVerifyFinds) {
+TEST(Hostile, FindingsOfVerifyOnly) {
     const auto expectFound = [](std::size_t offset, auto value, std::uint32_t finding) {
         Bytes bytes = tiny();
         storeAt(bytes, offset, value);
@@ -347,7 +347,7 @@ TEST(Hostile, Materials) {
 
 TEST(Hostile, Order) {
     expectRefused(word(PRO_KIND_ORDR, 0), 0u, 7001);
-    Bytes above = tiny(); // beyond splat_count only verify compares
+    Bytes above = tiny(); // values from splat_count on are compared by verify only
     storeAt(above, word(PRO_KIND_ORDR, 0), 7u);
     fixChecksums(above);
     EXPECT_EQ(openCopy(above).result, PRO_OK);
@@ -367,7 +367,7 @@ TEST(Hostile, MetadataUtf8) {
         EXPECT_FALSE(found(good)) << good;
     for (const char* bad : {"\x80", "\xC0\x80", "\xC3", "\xE0\x9F\xBF", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xF5\x80"})
         EXPECT_TRUE(found(bad));
-    EXPECT_TRUE(found(std::string(22, 'a') + "\xE2")) << "cut off at the end";
+    EXPECT_TRUE(found(std::string(22, 'a') + "\xE2")) << "truncated at the end";
 }
 
 TEST(Hostile, ManyBrokenPlacesAreOneFinding) {
@@ -397,7 +397,7 @@ TEST(Hostile, RandomDamageNeverReadsOutOfBounds) {
         fixHeaderChecksum(bytes);
         opened += openCopy(bytes, PRO_OPEN_SKIP_CHECKSUMS).result == PRO_OK;
     }
-    EXPECT_GT(opened, 100) << "the damage should not always be refused at once";
+    EXPECT_GT(opened, 100) << "some damage must pass the first checks";
 }
 
 TEST(Hostile, WrongArguments) {

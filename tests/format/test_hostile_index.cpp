@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Damaged and hostile tracing indexes: refused with the right finding, and what is not refused leads nowhere outside.
+// Damaged and hostile tracing indexes are refused with the right finding, or stay in bounds.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -38,7 +38,7 @@ void expectFinding(const Bytes& bytes, std::uint32_t finding) {
     EXPECT_TRUE(has(findingsOf(bytes), finding));
 }
 
-/// Changes one value, fixes the checksums, and wants exactly this refused.
+/// Changes one value, fixes the checksums, and expects this finding.
 template <typename T>
 void expectRefused(std::size_t offset, T value, std::uint32_t finding) {
     SCOPED_TRACE("offset " + std::to_string(offset) + " value " + std::to_string(value));
@@ -71,7 +71,7 @@ TEST(HostileIndex, EveryFlippedByteIsFound) {
     };
     expectFound(PRO_OFF_OLD_GRID, PRO_OFF_UP);
     expectFound(PRO_OFF_GRID_SHIFT, PRO_FIELDS_END + 4);
-    for (const std::uint32_t kind : kKinds) { // with the first of its padding
+    for (const std::uint32_t kind : kKinds) { // and the first padding bytes
         expectFound(recordOf(indexed(), kind), recordOf(indexed(), kind) + PRO_SECTION_BYTES);
         const auto length = loadAt<std::uint64_t>(indexed(), record(kind, PRO_SEC_OFF_LENGTH));
         expectFound(sectionOf(indexed(), kind), sectionOf(indexed(), kind) + length + 4);
@@ -80,14 +80,14 @@ TEST(HostileIndex, EveryFlippedByteIsFound) {
 
 TEST(HostileIndex, Frame) {
     for (const std::uint32_t shift : {0u, PRO_GRID_SHIFT_MIN - 1, PRO_POSITION_BITS, 22u, ~0u})
-        expectRefused(PRO_OFF_GRID_SHIFT, shift, 1015); // at PRO_POSITION_BITS two cells are too many
+        expectRefused(PRO_OFF_GRID_SHIFT, shift, 1015); // at PRO_POSITION_BITS two cells do not fit
     expectRefused(PRO_OFF_GRID_ORIGIN, 1u, 1015);
     expectRefused(PRO_OFF_GRID_ORIGIN + 8, ~0u, 1015);
     expectRefused(PRO_OFF_GRID_UNEVEN, 2u, 1015);
     expectRefused(PRO_OFF_GRID_SIZE, 0u, 2009);
     expectRefused(PRO_OFF_GRID_SIZE + 4, 2u, 2009);
     expectRefused(PRO_OFF_GRID_SIZE + 8, ~0u, 2009);
-    expectRefused(PRO_OFF_GRID_UNEVEN, 0u, 2009); // yet there are groups
+    expectRefused(PRO_OFF_GRID_UNEVEN, 0u, 2009); // but there are groups
     for (const std::uint32_t bricks : {0u, 2u, 0x10000000u, ~0u}) {
         Bytes bytes = indexed();
         storeAt(bytes, PRO_OFF_BRICK_COUNT, bricks);
@@ -96,7 +96,7 @@ TEST(HostileIndex, Frame) {
     }
 }
 
-/// With the tiny scene, for this finding.
+/// The writer refuses the index for the tiny scene with this finding.
 void expectWriterRefuses(Index& index, std::uint32_t finding) {
     Scene scene = tinyScene();
     const pro_view view = scene.view();
@@ -146,7 +146,7 @@ TEST(HostileIndex, SectionCounts) {
         fixHeaderChecksum(bytes);
         expectFinding(bytes, 2009);
     }
-    for (const std::uint32_t kind : {PRO_KIND_SLBS, PRO_KIND_DSPL}) { // those of CELS and DSCS
+    for (const std::uint32_t kind : {PRO_KIND_SLBS, PRO_KIND_DSPL}) { // their counts are those of CELS and DSCS
         Bytes bytes = indexed();
         const auto stride = loadAt(indexed(), record(kind, PRO_SEC_OFF_STRIDE));
         storeAt(bytes, record(kind, PRO_SEC_OFF_COUNT), std::uint64_t{2});
@@ -160,7 +160,7 @@ TEST(HostileIndex, GridWords) {
     expectRefused(word(PRO_KIND_ENTR, 1), 1u << PRO_GRID_BRICK_SHIFT, 9101);
     expectRefused(word(PRO_KIND_ENTR, 1), 0xFFFFFFF0u, 9101);
     expectRefused(word(PRO_KIND_ENTR, 0), 0u, 9101);           // named twice
-    expectRefused(word(PRO_KIND_ENTR, 1), kNothingNear, 9101); // named never
+    expectRefused(word(PRO_KIND_ENTR, 1), kNothingNear, 9101); // never named
     expectRefused(word(PRO_KIND_ENTR, 0), 0x10111111u, 9102);
     expectRefused(word(PRO_KIND_ENTR, 0), 1u, 9102);
 }
@@ -173,17 +173,18 @@ TEST(HostileIndex, BrickWords) {
         expectRefused(word(PRO_KIND_BRKS, 8 * PRO_GROUP_WORDS), cellWord(cell == 2 ? 0 : cell), 9103);
     }
     expectRefused(word(PRO_KIND_BRKS, 3), cellWord(4), 9103);
-    expectRefused(word(PRO_KIND_BRKS, 2), kNothingNear, 9103); // no word for cell 3
-    expectRefused(word(PRO_KIND_BRKS, 1), kNothingNear, 9103); // nor for groups
+    expectRefused(word(PRO_KIND_BRKS, 2), kNothingNear, 9103); // cell 3 is not named
+    expectRefused(word(PRO_KIND_BRKS, 1), kNothingNear, 9103); // groups are not named
     for (const std::uint32_t group : {0u, 7u, 8u, 10u, 0x7FFFFFFu})
         expectRefused(word(PRO_KIND_BRKS, 1), groupWord(group), 9103);
-    expectRefused(word(PRO_KIND_BRKS, 3), groupWord(9), 9103); // twice
+    expectRefused(word(PRO_KIND_BRKS, 3), groupWord(9), 9103); // named twice
 }
 
-TEST(HostileIndex, GroupsCannotHangAWalk) {
-    expectRefused(word(PRO_KIND_BRKS, 8 * PRO_GROUP_WORDS), groupWord(9), 9103);     // a cycle that meets cell 1 again
-    expectRefused(word(PRO_KIND_BRKS, 9 * PRO_GROUP_WORDS), groupWord(9), 9104);     // one that meets none
-    expectRefused(word(PRO_KIND_BRKS, 9 * PRO_GROUP_WORDS + 3), groupWord(8), 9103); // no cycle, but a group twice
+TEST(HostileIndex, TraversalsOfGroupsEnd) {
+    expectRefused(word(PRO_KIND_BRKS, 8 * PRO_GROUP_WORDS), groupWord(9), 9103); // a cycle with cell 1
+    expectRefused(word(PRO_KIND_BRKS, 9 * PRO_GROUP_WORDS), groupWord(9), 9104); // a cycle without cells
+    expectRefused(word(PRO_KIND_BRKS, 9 * PRO_GROUP_WORDS + 3), groupWord(8),
+                  9103); // no cycle, but a group named twice
     EXPECT_EQ(openCopy(bytesOf(deepIndex(PRO_INDEX_HALVINGS_MAX))).result, PRO_OK);
     const TemporaryFolder folder;
     Scene scene = tinyScene();
@@ -202,7 +203,7 @@ TEST(HostileIndex, Cells) {
     };
     constexpr std::uint32_t kOne = 0x3C00u << PRO_CELL_CODES_SHIFT;
     expectRefused(cell(0, PRO_CELL_FIRST), 6u, 9109);
-    expectRefused(cell(2, PRO_CELL_FIRST), 4u, 9109); // the last of three is past the end
+    expectRefused(cell(2, PRO_CELL_FIRST), 4u, 9109); // the last of three is out of range
     expectRefused(cell(1, PRO_CELL_FIRST), 0xFFFFFFFEu, 9109);
     expectRefused(cell(3, PRO_CELL_COUNT), kOne, 9109);
     expectRefused(cell(3, PRO_CELL_COUNT), kOne | 3, 9109);
@@ -218,8 +219,8 @@ TEST(HostileIndex, ListedSplats) {
             expectRefused(word(PRO_KIND_DSPL, i), splat, 9107);
 }
 
-/// Cells 1 and 2 have numbers 0 and 2, 3 of the four: they start at near splats 1 and 2 of 6.
-TEST(HostileIndex, WhatBlends) {
+/// Cell 1 has number 0 and cell 2 has numbers 2 and 3 of the four; they start at near splats 1 and 2 of 6.
+TEST(HostileIndex, BlendingSplats) {
     const auto cell = [](std::size_t index, std::size_t field) {
         return word(PRO_KIND_CELS, PRO_CELL_WORDS * index + field);
     };
@@ -227,7 +228,7 @@ TEST(HostileIndex, WhatBlends) {
     expectRefused(cell(1, PRO_CELL_BLENDING), 1u, 9111);
     expectRefused(cell(1, PRO_CELL_BLENDING), 4u, 9111);
     expectRefused(cell(1, PRO_CELL_BLENDING), 0xFFFFFFFEu, 9111);
-    expectRefused(cell(2, PRO_CELL_BLENDING_COUNT), kOffset | 3, 9111); // more than there are
+    expectRefused(cell(2, PRO_CELL_BLENDING_COUNT), kOffset | 3, 9111); // too many
     expectRefused(cell(2, PRO_CELL_BLENDING_COUNT), kOffset, 9111);     // numbers of no cell
     expectRefused(cell(0, PRO_CELL_BLENDING_COUNT), kOffset | 0xFFFF, 9111);
     expectRefused(word(PRO_KIND_BLDS, 0), 0xFFFEu, 9111); // 2 before cell 1's first, which is 1
@@ -236,7 +237,7 @@ TEST(HostileIndex, WhatBlends) {
     expectRefused(word(PRO_KIND_BLDS, 1), 0x00040000u, 9111);
 }
 
-TEST(HostileIndex, RandomDamageNeverLeadsOutside) {
+TEST(HostileIndex, RandomDamageStaysInBounds) {
     std::mt19937 random(12);
     const std::uint32_t extremes[] = {0, 1, 16, 0x11111111, 0x7FFFFFFF, 0x80000000, 0xFFFFFFF0, 0xFFFFFFFF};
     const std::size_t first = sectionOf(indexed(), PRO_KIND_ENTR);
@@ -255,10 +256,10 @@ TEST(HostileIndex, RandomDamageNeverLeadsOutside) {
         opened += openCopy(bytes, PRO_OPEN_SKIP_CHECKSUMS | (round % 2 ? 0u : std::uint32_t{PRO_OPEN_TRACE})).result ==
                   PRO_OK;
     }
-    EXPECT_GT(opened, 100) << "the damage should not always be refused at once";
+    EXPECT_GT(opened, 100) << "some damage must pass the first checks";
 }
 
-TEST(Index, TracersNeedNoOctree) {
+TEST(Index, TracersDoNotReadTheOctree) {
     Bytes bytes = indexed();
     for (const std::uint32_t kind : {PRO_KIND_NODE, PRO_KIND_LEAF, PRO_KIND_REFS, PRO_KIND_ORDR, PRO_KIND_META})
         storeAt(bytes, sectionOf(bytes, kind), 0xFFFFFFFFu);

@@ -62,7 +62,7 @@ TEST_F(Info, Json) {
     EXPECT_EQ(json["version"], "1.0");
     EXPECT_EQ(json["file_bytes"], std::filesystem::file_size(pro));
     EXPECT_EQ(json["splats"], 5);
-    EXPECT_EQ(json["nodes"], 17) << "the root's padding is left out";
+    EXPECT_EQ(json["nodes"], 17) << "without the padding of the root";
     EXPECT_EQ(json["filled_leaves"], 5);
     EXPECT_EQ(json["border_leaves"], 1);
     EXPECT_EQ(json["empty_leaves"], 10);
@@ -107,7 +107,7 @@ TEST_F(Info, Index) {
         << text;
 }
 
-TEST_F(Info, MetadataThatIsNoJsonIsAString) {
+TEST_F(Info, MetadataThatIsNotJsonIsAString) {
     for (const std::string& hostile : {std::string("not json \x1b[31m"), std::string(100000, '[')}) {
         Scene scene = tinyScene();
         scene.metadata = hostile;
@@ -177,7 +177,7 @@ TEST_F(Info, UnwritableOutputIsExitFour) {
     }
 }
 
-/// The vertices' bytes behind a header that must be exactly this.
+/// The bytes of the vertices, after a header that must be exactly this.
 std::string vertices(const std::string& file, bool color) {
     std::string header = "ply\nformat binary_little_endian 1.0\ncomment splats of a .pro file: oriented discs\n"
                          "element vertex 5\nproperty double x\nproperty double y\nproperty double z\n"

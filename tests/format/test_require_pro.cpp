@@ -18,7 +18,7 @@ using namespace pointrt::test;
 struct RequirePro : testing::Test {
     TemporaryFolder folder;
 
-    /// What is said of path, without the folder's name; "" where nothing is.
+    /// The error for path without the name of the folder; "" if there is none.
     std::string refusal(const std::string& path, const std::string& aside = "") {
         try {
             requirePro(path, aside);
@@ -36,7 +36,7 @@ struct RequirePro : testing::Test {
     }
 };
 
-TEST_F(RequirePro, NamesWhatItLooksLikeAndTheBake) {
+TEST_F(RequirePro, NamesTheKindAndTheBakeCommand) {
     EXPECT_EQ(refusalOf("a.ply", "ply\nformat ascii 1.0\n"),
               "a.ply: not a .pro file but PLY; bake it first: pointrt-bake a.ply -o a.pro");
     EXPECT_EQ(refusal(folder.file("a.ply"), ", as the window does"),
@@ -53,7 +53,7 @@ TEST_F(RequirePro, NamesWhatItLooksLikeAndTheBake) {
               "f.pro: not a .pro file but PLY; bake it first: pointrt-bake f.pro -o SCENE.pro");
 }
 
-TEST_F(RequirePro, NamesWhatNobodyBakes) {
+TEST_F(RequirePro, NamesKindsThatCannotBeBaked) {
     EXPECT_EQ(refusalOf("a.png", "\x89PNG\r\n"), "a.png: not a .pro file but a PNG picture");
     EXPECT_EQ(refusalOf("a.toml", "[camera]"), "a.toml: not a .pro file but a scene file, which pointrt-view takes");
     EXPECT_EQ(refusal(folder.path.string()), folder.path.string() + ": is a folder, not a .pro file");
@@ -70,7 +70,7 @@ TEST_F(RequirePro, NamesTheProBesideAScan) {
     EXPECT_EQ(refusalOf("a.ply", "ply\n"), "a.ply: not a .pro file but PLY; did you mean a.pro?");
 }
 
-TEST_F(RequirePro, LeavesTheRestToTheReader) {
+TEST_F(RequirePro, LeavesOtherErrorsToTheReader) {
     tinyScene().write(folder.file("a.pro"));
     std::filesystem::copy(folder.file("a.pro"), folder.file("of.any.name"));
     EXPECT_EQ(refusal(folder.file("a.pro")), "");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is written is what is read.
+// Files read back as they were written.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -65,7 +65,7 @@ TEST(RoundTrip, TinyScene) {
     EXPECT_NEAR(file.splat(1).position[0], 0.4f, 1e-6f);
 }
 
-TEST(RoundTrip, OriginInANationalGridLosesNothing) {
+TEST(RoundTrip, OriginInANationalGridIsExact) {
     const TemporaryFolder folder;
     Scene scene = tinyScene();
     const double origin[3] = {500000.123456789, 4500000.987654321, -12.5};
@@ -120,7 +120,7 @@ TEST(RoundTrip, SameContentSameBytes) {
 TEST(RoundTrip, DepthTwentyOneOpens) {
     const TemporaryFolder folder;
     std::vector<pro_splat> splats = randomSplats(2, 1e-6f);
-    for (int axis = 0; axis < 3; ++axis) { // neighbours at the finest step
+    for (int axis = 0; axis < 3; ++axis) { // neighbouring positions at the finest step
         splats[0].position[axis] = 1000.5f * PRO_POSITION_STEP;
         splats[1].position[axis] = 1001.5f * PRO_POSITION_STEP;
     }

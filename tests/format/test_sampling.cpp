@@ -20,10 +20,10 @@ const std::string kTinyScan = POINTRT_GOLDEN_DIR "/tiny_v1_4_scan.pro";
 struct Sampled {
     std::array<std::uint8_t, 5> noise{10, 0, 255, 32, 1};
     pro_sampling sampling{6, 1, 0, noise.data()};
-    Said said;
+    TinyScan scan;
     Scene scene = tinyScene();
 
-    Sampled() { said.sampling = &sampling; }
+    Sampled() { scan.sampling = &sampling; }
     Sampled(const Sampled&) = delete;
 };
 
@@ -33,7 +33,7 @@ TEST(Sampling, GoldenReads) {
     EXPECT_EQ(file.sampling().filled_count, 1u);
     ASSERT_EQ(file.noise().size(), 5u);
     EXPECT_EQ(file.noise()[2], 255);
-    // radii 0.25, 0.1, 0.05, 0.2 and 0.15 of an edge of 2: the middle one of 0.156, 0, 0.797, 0.4 and 0.009
+    // radii 0.25, 0.1, 0.05, 0.2 and 0.15 with an edge of 2: the median of 0.156, 0, 0.797, 0.4 and 0.009
     EXPECT_FLOAT_EQ(file.sampling().noise_median, 10.0f / 32 * 0.25f * 2);
     EXPECT_EQ(file.world().metres_per_unit, 0.3048) << "all else is present as well";
     EXPECT_EQ(file.attributes().size(), 5u);
@@ -44,7 +44,7 @@ TEST(Sampling, GoldenVerifiesClean) { EXPECT_TRUE(findingsOf(readBytes(kTinyScan
 TEST(Sampling, SameContentIsWrittenAsTheSameBytes) {
     const TemporaryFolder folder;
     Sampled sampled;
-    ASSERT_EQ(sampled.said.write(sampled.scene, folder.file("a.pro")), PRO_OK);
+    ASSERT_EQ(sampled.scan.write(sampled.scene, folder.file("a.pro")), PRO_OK);
     EXPECT_EQ(readBytes(folder.file("a.pro")), readBytes(kTinyScan));
 }
 
@@ -52,8 +52,8 @@ TEST(Sampling, CleanScansHaveNoSampling) {
     const TemporaryFolder folder;
     Sampled sampled;
     sampled.sampling = {6, 0, 0.5f, nullptr};
-    sampled.said.indexed = false;
-    ASSERT_EQ(sampled.said.write(sampled.scene, folder.file("a.pro")), PRO_OK);
+    sampled.scan.indexed = false;
+    ASSERT_EQ(sampled.scan.write(sampled.scene, folder.file("a.pro")), PRO_OK);
     const ProFile file(folder.file("a.pro"));
     EXPECT_EQ(file.sampling().input_count, 0u);
 }
@@ -62,13 +62,13 @@ TEST(Sampling, NoiseAndFilledSplatsAreIndependent) {
     const TemporaryFolder folder;
     Sampled sampled;
     sampled.sampling = {6, 1, 0, nullptr};
-    sampled.said.indexed = false;
-    ASSERT_EQ(sampled.said.write(sampled.scene, folder.file("filled.pro")), PRO_OK);
+    sampled.scan.indexed = false;
+    ASSERT_EQ(sampled.scan.write(sampled.scene, folder.file("filled.pro")), PRO_OK);
     const ProFile filled(folder.file("filled.pro"));
     EXPECT_EQ(filled.sampling().noise, nullptr);
     EXPECT_EQ(filled.sampling().noise_median, 0.0f);
     sampled.sampling = {0, 0, 0, sampled.noise.data()};
-    ASSERT_EQ(sampled.said.write(sampled.scene, folder.file("noisy.pro")), PRO_OK);
+    ASSERT_EQ(sampled.scan.write(sampled.scene, folder.file("noisy.pro")), PRO_OK);
     EXPECT_EQ(ProFile(folder.file("noisy.pro")).noise()[3], 32);
     EXPECT_TRUE(findingsOf(readBytes(folder.file("filled.pro"))).empty());
     EXPECT_TRUE(findingsOf(readBytes(folder.file("noisy.pro"))).empty());
@@ -81,13 +81,13 @@ TEST(Sampling, TracersReadItToo) {
     EXPECT_EQ(file.noise()[0], 10);
 }
 
-TEST(Sampling, WriterRefusesCountsThatContradict) {
+TEST(Sampling, WriterRefusesContradictoryCounts) {
     const TemporaryFolder folder;
     Sampled sampled;
     pro_message message{};
     for (const pro_sampling& wrong : {pro_sampling{6, 6, 0, nullptr}, pro_sampling{0, 1, 0, nullptr}}) {
         sampled.sampling = wrong;
-        EXPECT_EQ(sampled.said.write(sampled.scene, folder.file("a.pro"), &message), PRO_BAD_ARGUMENT);
+        EXPECT_EQ(sampled.scan.write(sampled.scene, folder.file("a.pro"), &message), PRO_BAD_ARGUMENT);
         EXPECT_EQ(message.finding, 1018u) << message.text;
     }
 }
@@ -153,7 +153,7 @@ TEST(SamplingInfo, PrintsNoiseAndFilledSplats) {
     EXPECT_EQ(clean["filled"], 0);
 }
 
-TEST(SamplingInfo, ExportsLeaveFilledSplatsOut) {
+TEST(SamplingInfo, ExportsOmitFilledSplats) {
     const TemporaryFolder folder;
     printed(folder, kTinyScan + " --export " + folder.file("a.ply"));
     const Bytes ply = readBytes(folder.file("a.ply"));

@@ -12,24 +12,24 @@ using pointrt::durationText;
 using pointrt::leftText;
 using pointrt::TimeLeft;
 
-constexpr double kStep_s = 0.1; // between two redrawings
+constexpr double kStep_s = 0.1; // between two redraws
 
-TEST(TimeLeft, SaysNothingInTheFirstSeconds) {
+TEST(TimeLeft, IsUnknownInTheFirstSeconds) {
     TimeLeft left;
     EXPECT_EQ(left.update(0, 0), std::nullopt);
     EXPECT_EQ(left.update(1, 0.5), std::nullopt);
-    EXPECT_EQ(left.update(60, 0.001), std::nullopt) << "of a thousandth nothing can be told";
+    EXPECT_EQ(left.update(60, 0.001), std::nullopt) << "too little to extrapolate";
     EXPECT_EQ(left.update(70, std::nan("")), std::nullopt);
     EXPECT_TRUE(left.update(80, 0.1));
 }
 
-TEST(TimeLeft, IsRightOfWorkThatGoesOnEvenly) {
+TEST(TimeLeft, IsExactForEvenWork) {
     TimeLeft left;
     for (double t = 0; t <= 100; t += kStep_s) EXPECT_NEAR(left.update(t, t / 100).value_or(100 - t), 100 - t, 1e-6);
 }
 
-/// Of 100 s the first half of the work takes 20.
-TEST(TimeLeft, IsDrawnToTheTruthWithoutJumps) {
+/// The first half of the work takes 20 of 100 s.
+TEST(TimeLeft, ApproachesTheTruthWithoutJumps) {
     TimeLeft left;
     std::optional<double> before;
     for (double t = 0; t <= 100; t += kStep_s) {
@@ -42,14 +42,14 @@ TEST(TimeLeft, IsDrawnToTheTruthWithoutJumps) {
     EXPECT_NEAR(*before, 0, 1);
 }
 
-TEST(TimeLeft, NeverSaysLessThanNothing) {
+TEST(TimeLeft, IsNeverNegative) {
     TimeLeft left;
     EXPECT_TRUE(left.update(10, 0.9));
     EXPECT_GE(*left.update(100, 0.9), 0);
     EXPECT_EQ(*TimeLeft().update(10, 1.5), 0);
 }
 
-TEST(TimeLeft, SpellsDurations) {
+TEST(TimeLeft, FormatsDurations) {
     EXPECT_EQ(durationText(0.2), "1 s");
     EXPECT_EQ(durationText(185), "3 min 05 s");
     EXPECT_EQ(durationText(7800), "2 h 10 min");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writing that fails leaves nothing behind, and says why.
+// Failed writes leave nothing behind and give a reason.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sched.h>
@@ -47,7 +47,7 @@ TEST(Writer, ReplacesAFileAndLeavesNothingElse) {
     EXPECT_EQ(ProFile(folder.file("a.pro")).info().splat_count, 5u);
 }
 
-TEST(Writer, AnOpenFileStaysWhatItWas) {
+TEST(Writer, AnOpenFileKeepsItsContent) {
     const TemporaryFolder folder;
     ASSERT_EQ(tryWrite(folder.file("a.pro")).result, PRO_OK);
     const ProFile before(folder.file("a.pro"));
@@ -58,7 +58,7 @@ TEST(Writer, AnOpenFileStaysWhatItWas) {
     EXPECT_EQ(ProFile(folder.file("a.pro")).metadata(), "{}");
 }
 
-TEST(Writer, NeitherFoldersNorDevicesAreReplaced) {
+TEST(Writer, FoldersAndDevicesAreNotReplaced) {
     const TemporaryFolder folder;
     EXPECT_EQ(tryWrite(folder.path.string()).result, PRO_CANNOT_WRITE);
     EXPECT_EQ(tryWrite("/dev/null").result, PRO_CANNOT_WRITE);
@@ -100,8 +100,8 @@ TEST(Writer, ContentThatWouldNotOpenIsRefused) {
     EXPECT_EQ(pro_write("a.pro", nullptr, nullptr, nullptr), PRO_BAD_ARGUMENT);
 }
 
-/// A file system of 64 KiB, mounted in a child process of its own mount namespace, so that nothing outlives the test.
-/// The child's exit status is the result of body, or 77 where mounting is not allowed.
+/// Runs body with a file system of 64 KiB in a child process with its own mount namespace, so that nothing outlives the
+/// test. Returns the result of body, or 77 if mounting is not allowed.
 template <typename Body>
 int onTinyDisk(const TemporaryFolder& folder, Body&& body) {
     const pid_t child = fork();
@@ -133,7 +133,7 @@ TEST(Writer, FullDisk) {
 }
 
 TEST(Writer, FileSizeLimit) {
-    // as a full disk, without root: the kernel stops the file at the limit
+    // like a full disk, but without root: the kernel stops the file at the limit
     const TemporaryFolder folder;
     const pid_t child = fork();
     if (child == 0) {
@@ -150,10 +150,10 @@ TEST(Writer, FileSizeLimit) {
 }
 
 TEST(Writer, KilledLeavesNothing) {
-    // the limit's signal kills the writer half way: only a file without a name vanishes then
+    // the signal of the limit kills the writer half way; only an unnamed file vanishes then
     const TemporaryFolder folder;
     const int probe = open(folder.path.c_str(), O_TMPFILE | O_WRONLY, 0600);
-    if (probe < 0) GTEST_SKIP() << "NOT TESTED: this file system has no nameless files";
+    if (probe < 0) GTEST_SKIP() << "NOT TESTED: this file system has no unnamed files";
     close(probe);
     const pid_t child = fork();
     if (child == 0) {

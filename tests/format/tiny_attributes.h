@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What scans say beside their points, for the tiny scene: one attribute of each kind that a reader could get wrong.
+// Attributes, sensors, up and units for the tiny scene: one attribute of each kind that a reader could get wrong.
 #pragma once
 
 #include <array>
@@ -12,9 +12,9 @@
 
 namespace pointrt::test {
 
-struct Said {
+struct TinyScan {
     pro_world world{};
-    std::array<double, 8> sensors{1.5, -2.5, 1e6, 1, 0, 0, 0, 0}; ///< of two scans, the second not known
+    std::array<double, 8> sensors{1.5, -2.5, 1e6, 1, 0, 0, 0, 0}; ///< two scans, the second without a known sensor
     std::array<std::uint16_t, 5> intensity{0, 65535, 7, 300, 12};
     std::array<std::uint8_t, 5> classification{2, 2, 6, 5, 2};
     std::array<double, 5> gps_time{1e9 + 0.25, std::numeric_limits<double>::quiet_NaN(), 3, -4.5, 5};
@@ -24,7 +24,7 @@ struct Said {
     const pro_sampling* sampling = nullptr;
     bool indexed = true;
 
-    Said() {
+    TinyScan() {
         world.up[2] = 1;
         world.metres_per_unit = 0.3048;
         world.sensor_count = 2;
@@ -35,7 +35,7 @@ struct Said {
         add("rgb16", PRO_TYPE_U16, 3, rgb16.data());
         add("größe in einer Einheit, 31 By", PRO_TYPE_I64, 1, wide.data());
     }
-    Said(const Said&) = delete;
+    TinyScan(const TinyScan&) = delete;
 
     void add(std::string_view name, std::uint32_t type, std::uint32_t components, const void* values) {
         pro_attribute attribute{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tiny tracing index, by hand: not of any splats, but every rule of the format is met.
+// A tiny handmade tracing index: it satisfies every rule of the format, but does not belong to any splats.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,8 @@ struct Index {
         return frame;
     }
 
-    /// A cell of count near splats from first on; blending of the row's first ones are listed besides.
+    /// Adds a cell with count near splats from first on; blending_count splats from the start of the row only blend in
+    /// it.
     void addCell(std::uint32_t first, std::uint32_t count, std::uint32_t blending_count) {
         constexpr std::uint32_t kHalfOne = 0x3C00, kOffset = 3u << PRO_CELL_OFFSET_SHIFT;
         cells.insert(cells.end(), {first, count | kHalfOne << PRO_CELL_CODES_SHIFT,
@@ -45,7 +46,7 @@ struct Index {
             blending.push_back(number(k) | (k + 1 < blending_count ? number(k + 1) << 16 : 0u));
     }
 
-    /// A row of these splats.
+    /// Adds a row of these splats.
     void finish(std::vector<std::uint32_t> row) {
         listed = std::move(row);
         near_splats.assign(listed.size() * PRO_NEAR_WORDS, 0x01020304);
@@ -59,13 +60,13 @@ struct Index {
     }
 };
 
-constexpr std::uint32_t kNothingNear = 0x11111111; ///< an empty word that skips one cell
+constexpr std::uint32_t kNothingNear = 0x11111111; ///< an empty word with skips of one cell
 
 inline std::uint32_t cellWord(std::uint32_t cell) { return cell << PRO_CELL_INDEX_SHIFT; }
 inline std::uint32_t groupWord(std::uint32_t group) { return group << PRO_CELL_INDEX_SHIFT | PRO_CELL_INNER; }
 
-/// A grid of two cells, the second of them brick 0. Its word 0 is cell 0, word 1 group 9, word 2 cell 3; in group 9
-/// word 0 is cell 1 and word 1 group 8, where word 0 is cell 2.
+/// A grid of two cells, the second with brick 0. Words 0, 1 and 2 of the brick are cell 0, group 9 and cell 3; words 0
+/// and 1 of group 9 are cell 1 and group 8; word 0 of group 8 is cell 2.
 inline Index tinyIndex() {
     Index index;
     index.frame.shift = PRO_POSITION_BITS - 1;
@@ -89,7 +90,7 @@ inline Index tinyIndex() {
     return index;
 }
 
-/// One brick cell halved this often.
+/// An index with one brick cell, halved this many times.
 inline Index deepIndex(std::uint32_t halvings) {
     Index index = tinyIndex();
     const std::uint32_t first = PRO_BRICK_WORDS / PRO_GROUP_WORDS;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The content of a .pro file that tests can hold, change and write; and one tiny valid example.
+// The content of a .pro file for tests to change and write, and a tiny valid example.
 #pragma once
 
 #include <cstdint>
@@ -48,7 +48,7 @@ struct Scene {
     }
 };
 
-/// Five splats in five leaves of a tree of depth 2; leaf 3 is a border leaf (references only), leaf 1 has members and a
+/// Five splats in five leaves of a tree of depth 2. Leaf 3 is a border leaf (references only), leaf 1 has members and a
 /// reference. Cube edge 2 at (10, 20, 30). golden/tiny_compact.pro holds these bytes.
 inline Scene tinyScene() {
     Scene scene;

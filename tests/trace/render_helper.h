@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "runtime/image/film.h"
-#include "runtime/render/kernel_form.h"
 #include "runtime/render/frame_params.h"
+#include "runtime/render/kernel_form.h"
 #include "runtime/scene/render_settings.h"
 #include "runtime/scene/scene_description.h"
 

@@ -166,7 +166,8 @@ TEST_P(Forms, FusedPicturesAreTheSameEachTime) {
     const Film first = renderScene(allLights(ball.path), settings, KernelForm::kMegakernel).film;
     for (int i = 0; i < 2; ++i)
         EXPECT_EQ(renderScene(allLights(ball.path), settings, KernelForm::kMegakernel).film.rgba, first.rgba);
-    EXPECT_EQ(renderScene(allLights(ball.path), settings, KernelForm::kMegakernel, 16).film.rgba, first.rgba) << "in steps";
+    EXPECT_EQ(renderScene(allLights(ball.path), settings, KernelForm::kMegakernel, 16).film.rgba, first.rgba)
+        << "in steps";
 }
 
 /// Frames are cut into few rows where they take long: what is seen may not depend on time.

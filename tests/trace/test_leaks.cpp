@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays that leave blended surfaces as shaders/shade/shade_surface.comp.glsl makes them, on bodies whose surface is known:
-// none may hit the patch that it left (acne), none may go through a surface (leak).
+// Rays that leave blended surfaces as shaders/shade/shade_surface.comp.glsl makes them, on bodies whose surface is
+// known: none may hit the patch that it left (acne), none may go through a surface (leak).
 #include <gtest/gtest.h>
 
 #include <algorithm>

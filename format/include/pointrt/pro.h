@@ -104,7 +104,7 @@ typedef struct pro_world {
 typedef struct pro_sampling {
     uint32_t input_count;  /* points in the input, as order numbers them; 0: unknown */
     uint32_t filled_count; /* splats that fill gaps between points: their order is input_count or above */
-    float noise_median;    /* of noise, input units, found by the writer; 0 without NOIS */
+    float noise_median;    /* median of noise in input units, set by the writer; 0 without NOIS */
     const uint8_t* noise;  /* [splat_count]: standard deviation of the surface around a splat in steps of its
                               radius / PRO_NOISE_STEPS; NULL without NOIS: clean */
 } pro_sampling;

@@ -63,10 +63,11 @@
 #define PRO_OFF_SCALE 104         /* double, cube edge in input units */
 #define PRO_OFF_BOUNDS_MIN 112    /* double[3], splat centres, input coordinates */
 #define PRO_OFF_BOUNDS_MAX 136    /* double[3] */
-#define PRO_OFF_OLD_GRID 160 /* 36 bytes, 0: files from before release 0.1.0 have an older index here and are refused  \
-                              */
-#define PRO_OFF_UP 196       /* float[3], up direction, unit length; 0: unknown */
-#define PRO_OFF_METRES 208   /* double, metres per input unit; 0: unknown */
+#define PRO_OFF_OLD_GRID                                                                                               \
+    160                    /* 36 bytes, 0: files from before release 0.1.0 have an older index here and are refused    \
+                            */
+#define PRO_OFF_UP 196     /* float[3], up direction, unit length; 0: unknown */
+#define PRO_OFF_METRES 208 /* double, metres per input unit; 0: unknown */
 #define PRO_OFF_INPUT_COUNT 216  /* uint32, points in the input; 0: unknown */
 #define PRO_OFF_FILLED_COUNT 220 /* uint32, splats that fill gaps between points */
 #define PRO_OFF_NOISE 224        /* float, median of NOIS in input units; 0 without it */

@@ -119,8 +119,8 @@ struct StudyFrame {
 /// The frame of a .pro file, a tile set or a scene file. up: as given, else as scanUp. north: as given (its horizontal
 /// part); else from the coordinate system of the file, or of the first instance with one, with grid north corrected to
 /// true north by the meridian convergence at place, which PROJ computes for any projected system; else the default of
-/// scene files: +Y, or -Z if Y is up. Throws kBadInput for the file, kBadUsage for an invalid place, a place more than 6
-/// degrees outside the system's area of use, and for vectors that are not finite, zero or parallel, and kCannotRun if
+/// scene files: +Y, or -Z if Y is up. Throws kBadInput for the file, kBadUsage for an invalid place, a place more than
+/// 6 degrees outside the system's area of use, and for vectors that are not finite, zero or parallel, and kCannotRun if
 /// PROJ (libproj.so.25, opened at run time) is needed and not installed.
 StudyFrame studyFrame(const std::string& path, GeoPlace place, std::optional<std::array<double, 3>> up = {},
                       std::optional<std::array<double, 3>> north = {});

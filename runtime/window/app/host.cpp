@@ -59,7 +59,7 @@ std::vector<InputEvent> Host::poll(double timeout_s) {
 }
 
 void Host::resize(const ResizeEvent& size) {
-    // the desktop answers with an event of its own, which says what has become of it
+    // the desktop reports the actual size in an event
     if (desktop_ && size.width > 0 && size.height > 0) return pointrt::setSize(*desktop_, size.width, size.height);
     if (!desktop_) applySize(size);
 }

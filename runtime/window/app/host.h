@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where frames go and input comes from: a window of the desktop, or memory alone.
+// A desktop window or an offscreen target: device, presentation, input and clipboard.
 #pragma once
 
 #include <optional>
@@ -14,18 +14,18 @@
 namespace pointrt {
 
 struct HostRequest {
-    std::string device; ///< as in DeviceRequest
+    std::string device; ///< see DeviceRequest
     bool verbose = false;
-    bool offscreen = false;                   ///< no window: nothing is shown, and input comes from elsewhere
+    bool offscreen = false;                   ///< no window; input comes from a replay
     std::uint32_t width = 1280, height = 720; ///< window units
-    double scale = 1;                         ///< pixels in a window unit, where there is no window to tell
+    double scale = 1;                         ///< pixels per window unit when offscreen
     std::string title;
 };
 
-/// Owns window, device and presenter, and frees them in order.
+/// Owns the window, the device and the presenter, and destroys them in order.
 class Host {
 public:
-    /// Throws Error kCannotRun where there is no GLFW, display, driver or device.
+    /// Throws Error kCannotRun if GLFW, a display, a driver or a device is missing.
     explicit Host(const HostRequest& request);
     ~Host();
     Host(const Host&) = delete;
@@ -34,15 +34,15 @@ public:
     Device& device() { return device_; }
     Presenter& presenter() { return presenter_; }
     ResizeEvent size() const { return size_; }
-    /// Of the picture, at least 1 x 1; the last one while minimised.
+    /// Size of the picture, at least 1 x 1; the last one while minimised.
     PixelSize pixels() const { return pixels_; }
     bool minimised() const { return size_.width == 0 || size_.height == 0; }
-    /// How large the user wants text: 1 on ordinary screens.
+    /// Text scale of the desktop: 1 on ordinary screens.
     float textScale() const;
 
-    /// What the user did, waiting up to so long for something.
+    /// New events, waiting up to timeout_s for the first one.
     std::vector<InputEvent> poll(double timeout_s);
-    /// Input from elsewhere may change the size: the window follows.
+    /// Resizes the window to a replayed size.
     void resize(const ResizeEvent& size);
 
     std::string clipboard();

@@ -10,7 +10,7 @@
 namespace pointrt {
 
 UserInterface::UserInterface(Host& host) : host_(host), context_(ImGui::CreateContext()) {
-    ImGui::GetIO().IniFilename = nullptr; // the window leaves no files behind
+    ImGui::GetIO().IniFilename = nullptr; // write no configuration file
     setUpUiInput();
     host_.useClipboardForUi();
     fitText();
@@ -18,7 +18,7 @@ UserInterface::UserInterface(Host& host) : host_(host), context_(ImGui::CreateCo
 
 UserInterface::~UserInterface() { ImGui::DestroyContext(context_); }
 
-/// Fonts as large as the screen wants them.
+/// Remakes the fonts when the screen's scale changes.
 void UserInterface::fitText() {
     if (host_.size().scale == text_scale_) return;
     text_scale_ = host_.size().scale;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dear ImGui over a host: what it makes of input, and what it draws.
+// The user interface of a host: Dear ImGui's input and drawing.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@ struct ImGuiContext;
 
 namespace pointrt {
 
-/// Holds Dear ImGui's context for as long as it lives.
+/// Owns the Dear ImGui context.
 class UserInterface {
 public:
     /// host must outlive it.
@@ -22,13 +22,13 @@ public:
     UserInterface(const UserInterface&) = delete;
     UserInterface& operator=(const UserInterface&) = delete;
 
-    /// What event means that is not the panels' own.
+    /// Feeds event to the panels; returns the commands of an event they do not use.
     std::vector<Command> handleEvent(const InputEvent& event, double now_s);
     bool isDragging() const { return controls_.drag.has_value(); }
 
-    /// Lets the panels draw, and write to work what the user asks for. seconds: since the frame before.
+    /// Draws the panels, which write the user's requests to work. seconds: since the last frame.
     void draw(Workspace& work, double seconds);
-    /// What was drawn, over the picture, to the screen.
+    /// Presents the picture with the panels on top.
     void present();
     /// Writes the same to a PNG.
     void savePng(const std::string& path);
@@ -40,7 +40,7 @@ private:
     ImGuiContext* context_;
     UiInput input_;
     ControlState controls_;
-    double text_scale_ = 0; ///< that the fonts are made for
+    double text_scale_ = 0; ///< of the current fonts
 };
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames: from what the user does to who does it.
+// The frame loop: input, commands and requests.
 #include "runtime/window/app/window.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Without anything to do the window looks for input this often: jobs and notices move on.
+/// Poll interval when idle, for jobs and notices.
 constexpr double kIdle_s = 0.1;
 constexpr double kNotice_s = 6;
 
@@ -45,7 +45,7 @@ HostRequest hostRequest(const Options& options, const RecordReplay& tape) {
     return request;
 }
 
-/// True where the scene on the device is about to be another one.
+/// True if the scene on the device is being replaced or updated.
 bool changesScene(const JobQueue& jobs) { return jobs.has(JobKind::kLoad) || jobs.has(JobKind::kSceneUpdate); }
 
 ViewSize viewSize(const Host& host) {
@@ -57,7 +57,7 @@ PixelSize pictureSize(const Host& host) { return {host.pixels().width, host.pixe
 
 double aspectOf(ViewSize size) { return size.width / size.height; }
 
-/// live: null while there is nothing to tell of it.
+/// live: null if it must not be used now.
 void fillHud(Workspace& work, Host& host, const LoadedScene* loaded, const ViewportRenderer* live) {
     HudStats& hud = work.hud;
     hud.device = host.device().name;
@@ -102,7 +102,7 @@ void Window::notify(const std::string& text, bool error) {
                      printable(text, std::string::npos).c_str());
 }
 
-/// What goes wrong is told, after subject.
+/// Runs body; reports an error as a notice, after subject.
 void Window::tryOrNotify(const std::string& subject, const std::function<void()>& body) {
     try {
         body();
@@ -111,12 +111,11 @@ void Window::tryOrNotify(const std::string& subject, const std::function<void()>
     }
 }
 
-/// How long to wait for input: not at all where there is work, as long as the eye does not notice where something is
-/// shown that moves by itself.
+/// How long to wait for input: not at all while there is work, one frame while something on the screen moves by itself.
 double Window::inputTimeout() const {
     const bool traces =
         image_.live() && !jobs_.has(JobKind::kSceneUpdate) && image_.mayWork() && !image_.live()->progress().resting;
-    // a replay does not wait for the eye, but while it loads, drawing would take time that people's loading has
+    // a replay need not be displayed smoothly, but drawing while it loads would slow down the loading
     const bool hurries = session_.isReplaying() && image_.live();
     if (hurries || traces || view_.moves() || input_.any || image_.hasPendingRequest()) return 0;
     return work_.job || !work_.notices.empty() || ui_.isDragging() ? kReplayFrame_s : kIdle_s;
@@ -126,7 +125,7 @@ std::vector<InputEvent> Window::collectInput() {
     std::vector<InputEvent> events = std::exchange(input_.pending, {});
     if (events.empty()) events = host_.poll(inputTimeout());
     if (!session_.isReplaying()) return events;
-    // a replayed window listens to its own size alone
+    // in a replay only size changes of the real window count
     std::erase_if(events, [](const InputEvent& event) { return !std::holds_alternative<ResizeEvent>(event); });
     ReplayFrame replayed = session_.next(pictureState());
     for (InputEvent& event : replayed.events) {
@@ -175,18 +174,18 @@ void Window::execute(Action action) {
 
 void Window::handleRequests() {
     const Requests requests = std::exchange(work_.requests, {});
-    work_.requests.look_changed = requests.look_changed; // updatePicture's
+    work_.requests.look_changed = requests.look_changed; // updatePicture resets it
     const double aspect = aspectOf(viewSize(host_));
     if (requests.up && loaded_) {
         if (changesScene(jobs_)) {
-            notify("not while a scene is being loaded or relit", true);
+            notify("wait until the scene has been loaded or updated", true);
         } else {
             editor_.setUp(*requests.up, view_.home, aspect);
             flyTo(view_.home);
         }
     }
     editor_.noteRequests(requests);
-    // while tiles come the scene is left as it is: they are there in a moment
+    // edits wait for tiles to load, which takes a moment
     if (loaded_ && !changesScene(jobs_) && !jobs_.has(JobKind::kTiles)) editScene(requests.dragging);
     quit_ |= requests.quit;
     if (requests.cancel_job) jobs_.cancel();
@@ -196,7 +195,7 @@ void Window::handleRequests() {
         tryOrNotify("", [&] {
             const std::string path = freeName(work_.scene.path, {".toml"}) + ".toml";
             writeSceneFile(path, sceneAsShown(work_, pictureSize(host_)));
-            notify("saved " + path + "; pointrt-view " + path + " -o picture.png renders it", false);
+            notify("saved " + path + "; render it with pointrt-view " + path + " -o picture.png", false);
         });
     if (requests.screenshot && loaded_) image_.requestFilm();
     if (requests.turntable_pictures && loaded_) tryOrNotify("", [&] { renderTurntable(*requests.turntable_pictures); });
@@ -224,11 +223,11 @@ bool Window::frame() {
     session_.endFrame();
     const bool changed_scene = changesScene(jobs_);
     jobs_.poll();
-    // a replay must not go on before what has ended here
+    // a replay must wait here too
     if (changed_scene && !changesScene(jobs_)) session_.recordStep(WaitStep{1});
     work_.job = jobs_.status();
     work_.camera = view_.advanced(work_.camera, session_.now(), seconds);
-    if (host_.minimised()) { // nobody sees it: go on slowly
+    if (host_.minimised()) { // not visible: idle
         input_.pending = host_.poll(kIdle_s);
         return !quit_;
     }
@@ -245,7 +244,7 @@ bool Window::frame() {
     meter_.end(Clock::now(), shownPicture(image_));
     for (const std::string& name : std::exchange(input_.screenshots, {})) ui_.savePng(name + ".png");
     return !quit_ || jobs_.has(JobKind::kSave) ||
-           (image_.isFilmRequested() && image_.live()); // who asked for a picture gets it
+           (image_.isFilmRequested() && image_.live()); // finish a requested picture
 }
 
 void Window::run() {

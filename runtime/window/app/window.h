@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// pointrt-view's window.
+// The window of pointrt-view.
 #pragma once
 
 #include "runtime/session/options.h"
 
 namespace pointrt {
 
-/// Shows options.scene until the user, or the recording that options.replay names, closes the window. Throws Error:
-/// kCannotRun without a display or device, kBadInput for a recording or, at the start, a scene that cannot be read.
+/// Shows options.scene until the user closes the window, or the recording options.replay does. Throws Error: kCannotRun
+/// without a display or device, kBadInput for an invalid recording or an initial scene that cannot be read.
 void runWindow(const Options& options);
 
 } // namespace pointrt

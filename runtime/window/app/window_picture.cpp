@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the scene to the picture on the screen and to files.
+// Loading scenes, tiles, the picture, and saving it.
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -26,12 +26,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// As long as nothing happens, the interface is drawn this often.
+/// Interval of redrawing the interface while there is no input.
 constexpr double kRedraw_s = 0.1;
 constexpr std::size_t kPicks = 2;
-/// Of the memory for tiles what a cut takes: the rest is for those that come while it is shown.
+/// Share of the tile memory for the cut; the rest is for tiles that load while it is shown.
 constexpr double kCutShare = 0.8;
-/// While the camera moves tiles are chosen this often.
+/// Interval of tile selection while the camera moves.
 constexpr double kTilesEvery_s = 0.2;
 
 OpenedScene openedScene(const LoadedScene& loaded) {
@@ -40,7 +40,7 @@ OpenedScene openedScene(const LoadedScene& loaded) {
             loaded.aside,     loaded.free_share,        loaded.scene.space.scale};
 }
 
-/// Of the window's width, what the panel leaves.
+/// Share of the window's width beside the panel.
 double freeShare(Host& host) {
     const double width = std::max(1.0, double(host.size().width));
     return 1 - double(panelWidth(float(width), host.textScale())) / width;
@@ -56,12 +56,12 @@ ImageRequest imageRequest(const Workspace& work, PixelSize pixels) {
     return request;
 }
 
-/// Brings what is new of the picture to the presenter's canvas. False where there is nothing.
+/// Copies the picture's changed rows to the canvas. Returns false if nothing has changed.
 bool uploadPicture(Host& host, ImageController& image) {
     ViewportRenderer& live = *image.live();
     if (live.updates().empty()) return false;
     const PixelSize canvas{host.pixels().width, host.pixels().height};
-    if (canvas != image.size()) { // the window has changed meanwhile: its picture comes with the next frame
+    if (canvas != image.size()) { // the window was resized: its picture comes with the next frame
         live.clearUpdates();
         return false;
     }
@@ -83,7 +83,7 @@ bool uploadPicture(Host& host, ImageController& image) {
 StartedJob Window::startLoad(const std::string& path, bool first) {
     Options options = options_;
     options.scene = path;
-    if (loaded_) { // what the command line says of the camera is of its scene
+    if (loaded_) { // camera options are for the scene of the command line only
         options.camera = {};
         options.up_axis.reset();
         options.view.clear();
@@ -91,7 +91,7 @@ StartedJob Window::startLoad(const std::string& path, bool first) {
     }
     options.choices.size = host_.pixels();
     host_.setTitle(std::filesystem::path(path).filename().string() + " - pointrt");
-    // of files that are dropped on an empty window there may be others; not of what the command line names
+    // a failure ends the program for the command line's file; after a dropped file the window stays
     return startedJob<LoadJob>(
         std::make_unique<LoadJob>(host_.device(), options, freeShare(host_)),
         [this](LoadJob& load) { showLoaded(load.take()); }, first ? throwIfFailed : std::function<void(const Job&)>());
@@ -115,7 +115,7 @@ void Window::showColors() {
     work_.legend = loaded_->scene.paint.legend;
 }
 
-/// Brings the scene on the device to what the panels say.
+/// Brings the scene on the device up to date with the edits.
 void Window::editScene(bool dragging) {
     editor_.updateSurroundings();
     RequiredUpdate update;
@@ -143,7 +143,7 @@ bool Window::needsTiles() const {
     return loaded_ && !loaded_->scene.sets.empty() && complete_for_ != TileView{cameraOf(work_.camera), host_.pixels()};
 }
 
-/// What the camera wants of sets, as soon as nobody else has the scene.
+/// Starts loading the next tiles for the camera once no other job uses the scene.
 void Window::requestTiles() {
     if (!needsTiles() || session_.now() - last_tile_request_s_ < kTilesEvery_s) return;
     const TileView view{cameraOf(work_.camera), host_.pixels()};
@@ -161,22 +161,23 @@ void Window::requestTiles() {
             std::make_unique<TileJob>(host_.device(), makeTileLoadRequest(loaded_->scene, request)),
             [this, view](TileJob& job) { showTiles(job, view); },
             [this, view](const Job& job) {
-                if (job.state() == JobState::kFailed) complete_for_ = view; // once is enough
+                if (job.state() == JobState::kFailed) complete_for_ = view; // do not retry
             });
     });
 }
 
-/// In place of those before.
+/// Replaces the tiles on the device.
 void Window::showTiles(TileJob& job, const TileView& view) {
     DeviceScene& scene = loaded_->scene;
     work_.hud.target_tiles = job.targetTiles();
     LoadedTiles tiles = job.take();
-    for (const std::string& reason : tiles.missing) notify(reason + "; what a coarser tile has of it is shown", true);
+    for (const std::string& reason : tiles.missing) notify(reason + "; showing a coarser tile instead", true);
     if (job.isFinalStep()) complete_for_ = view;
     const auto fits = [](const OpenedSet& set) { return set.cut.fits; };
     if (job.isFinalStep() && !std::all_of(tiles.sets.begin(), tiles.sets.end(), fits) &&
         !std::exchange(warned_coarse_, true))
-        notify("coarser than --detail " + plainText(loaded_->settings.detail) + " asks for: --memory gives more",
+        notify("showing coarser tiles than --detail " + plainText(loaded_->settings.detail) +
+                   " requests; raise --memory",
                false);
     const auto before = static_cast<double>(scene.instances.size());
     if (!applyTiles(host_.device(), scene, std::move(tiles))) return;
@@ -184,7 +185,7 @@ void Window::showTiles(TileJob& job, const TileView& view) {
     addPrograms(host_.device(), scene, loaded_->settings, loaded_->tracer.programs);
     rebind(host_.device(), loaded_->tracer);
     image_.restart(ViewChange::kScene);
-    // each tile is asked for each ray
+    // every ray tests every tile
     image_.scaleCost(static_cast<double>(scene.instances.size()) / before);
 }
 
@@ -205,7 +206,7 @@ void Window::updatePicture() {
     if (image_.isFilmReady() && !jobs_.has(JobKind::kSave)) tryOrNotify("", [&] { saveFilm(); });
 }
 
-/// While nobody does anything the interface needs no drawing, and the picture gets all the time; input is looked for as
+/// While there is no input the interface is not redrawn, so that the picture gets all the time. Input is polled as
 /// often as ever.
 void Window::refineWithoutRedraw() {
     const ViewportRenderer& live = *image_.live();
@@ -220,7 +221,7 @@ void Window::refineWithoutRedraw() {
     }
 }
 
-/// What was on the screen, to files beside each other.
+/// Saves the displayed picture as PNG and EXR.
 void Window::saveFilm() {
     const Viewport view = image_.live()->view();
     const std::uint32_t samples = image_.live()->progress().samples;
@@ -234,7 +235,7 @@ void Window::saveFilm() {
             std::make_unique<SaveJob>(host_.device(), name, std::move(saved), look),
             [this](SaveJob& save) { notify(save.summary(), false); },
             [this](const Job& job) {
-                if (quit_) throwIfFailed(job); // nobody would see a notice
+                if (quit_) throwIfFailed(job); // a notice would not be seen
             });
     });
 }

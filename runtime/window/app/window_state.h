@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The window: what its parts say to each other. Frames and what the user does: window.cpp; scene and picture:
-// window_picture.cpp.
+// The window's state. window.cpp: frames and input; window_picture.cpp: scene and picture.
 #pragma once
 
 #include <functional>
@@ -25,7 +24,7 @@
 
 namespace pointrt {
 
-/// What tiles are chosen for.
+/// What tiles are selected for.
 struct TileView {
     Camera camera;
     PixelSize size;
@@ -38,7 +37,7 @@ public:
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    /// Until it is closed.
+    /// Runs until the window is closed.
     void run();
 
 private:
@@ -67,11 +66,11 @@ private:
     void saveFilm();
     void renderTurntable(std::uint32_t pictures);
 
-    /// Of this frame, and of those to come.
+    /// Input of this frame and for later ones.
     struct Input {
-        std::vector<InputEvent> pending;      ///< seen before its frame
-        std::vector<std::string> screenshots; ///< files that the next frame on the screen goes to
-        bool any = true;                      ///< something was done in this frame
+        std::vector<InputEvent> pending;      ///< polled in an earlier frame
+        std::vector<std::string> screenshots; ///< names of PNGs to write of the next frame
+        bool any = true;                      ///< this frame had events
     };
 
     Options options_;
@@ -84,11 +83,11 @@ private:
     FrameMeter meter_;
     SceneEditor editor_;
     std::unique_ptr<LoadedScene> loaded_;
-    std::optional<TileView> complete_for_; ///< that the tiles on the device are all there for
-    double last_tile_request_s_ = 0;       ///< when tiles were asked for last, on the window's clock
+    std::optional<TileView> complete_for_; ///< the view whose tiles are all on the device
+    double last_tile_request_s_ = 0;       ///< on the window's clock
     bool warned_coarse_ = false;
     ImageController image_;
-    JobQueue jobs_; ///< after what they work on: they end first
+    JobQueue jobs_; ///< after the members that jobs use, so that jobs end first
     FileOpener opener_;
     bool quit_ = false;
 };

@@ -27,7 +27,7 @@ void bake(const BakePlan& plan, const std::string& baker, JobControl& control) {
     if (end.wait_status != 0) throw Error{exitCodeOf(end), describeFailure(end, name)};
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(plan.output, ignored))
-        throw Error{ExitCode::kCannotRun, name + " ended well, but there is no " + plan.output};
+        throw Error{ExitCode::kCannotRun, name + " succeeded but did not write " + plan.output};
 }
 
 std::string titleOf(const BakePlan& plan) {

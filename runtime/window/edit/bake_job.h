@@ -10,7 +10,7 @@
 namespace pointrt {
 
 /// Runs baker -o plan.output on plan.inputs. Leaves no partial file when cancelled: pointrt-bake gets SIGTERM, and
-/// SIGKILL after three seconds; if it was already renaming its output, that file stays.
+/// SIGKILL after three seconds; if it is already writing its output, it finishes it.
 class BakeJob {
 public:
     explicit BakeJob(const BakePlan& plan, const std::string& baker = findBakeTool());

@@ -56,7 +56,7 @@ bool pathExists(const std::string& path) {
 void requireWritable(const std::string& folder) {
     const std::string where = folder.empty() ? "." : folder;
     if (access(where.c_str(), W_OK) != 0)
-        throw Error{ExitCode::kCannotWrite, where + ": cannot write the .pro there: " + std::strerror(errno)};
+        throw Error{ExitCode::kCannotWrite, where + ": cannot write a .pro here: " + std::strerror(errno)};
 }
 
 bool isProgram(const std::string& path) {
@@ -90,7 +90,7 @@ std::string findBakeTool(const std::string& folder, const std::string& search_pa
         if (end > at && isProgram(path)) return path;
         at = end + 1;
     }
-    throw Error{ExitCode::kCannotRun, std::string(kBakeTool) + " bakes scans, but is neither in " + folder +
+    throw Error{ExitCode::kCannotRun, std::string(kBakeTool) + ", which bakes scans, is neither in " + folder +
                                           " nor in PATH (" + search_path + ")"};
 }
 

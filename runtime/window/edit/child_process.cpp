@@ -58,7 +58,7 @@ int spawn(pid_t& id, const std::vector<std::string>& arguments, int output) {
 ChildProcess::ChildProcess(const std::vector<std::string>& arguments) {
     std::array<int, 2> pipe_ends{};
     const auto fail = [&](int error) {
-        throw Error{ExitCode::kCannotRun, arguments.front() + ": cannot be started: " + std::strerror(error)};
+        throw Error{ExitCode::kCannotRun, arguments.front() + ": cannot start: " + std::strerror(error)};
     };
     if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0) fail(errno);
     const int error = spawn(id_, arguments, pipe_ends[1]);
@@ -111,7 +111,7 @@ void ChildProcess::signal(int number) {
 std::string describeExit(int wait_status) {
     if (WIFEXITED(wait_status)) return "ended with status " + std::to_string(WEXITSTATUS(wait_status));
     const int number = WTERMSIG(wait_status);
-    return "was ended by signal " + std::to_string(number) + " (" + strsignal(number) + ")";
+    return "was killed by signal " + std::to_string(number) + " (" + strsignal(number) + ")";
 }
 
 } // namespace pointrt

@@ -35,7 +35,7 @@ private:
     std::optional<int> status_;
 };
 
-/// "ended with status 3", "was ended by signal 9 (Killed)".
+/// "ended with status 3", "was killed by signal 9 (Killed)".
 std::string describeExit(int wait_status);
 
 } // namespace pointrt

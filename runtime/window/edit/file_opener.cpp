@@ -38,13 +38,13 @@ void FileOpener::drop(const std::vector<std::string>& paths) {
     } catch (const Error& error) {
         return notify_(error.what(), true);
     }
-    if (paths.size() > 1) notify_("opening the first of " + std::to_string(paths.size()) + " files", false);
+    if (paths.size() > 1) notify_("opening only the first of " + std::to_string(paths.size()) + " files", false);
     open(paths.front());
 }
 
 void FileOpener::bake(const std::vector<std::string>& scans, const std::function<void(const Job&)>& ended) {
     if (const auto other = jobs_.status(JobKind::kBake))
-        return notify_("one scan after the other: " + other->title + " is under way", true);
+        return notify_(other->title + " is still running; bake one scan at a time", true);
     const BakePlan plan = planBake(scans);
     if (plan.is_up_to_date) return open(plan.output);
     jobs_.start(JobKind::kBake, [&] {

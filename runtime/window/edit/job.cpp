@@ -53,7 +53,7 @@ void Job::run(const Work& work) {
     } catch (const std::exception& error) {
         end(JobState::kFailed, error.what());
     } catch (...) {
-        end(JobState::kFailed, "something unknown went wrong");
+        end(JobState::kFailed, "unknown error");
     }
 }
 

@@ -41,11 +41,11 @@ constexpr std::array<std::array<Scheduling, kJobKinds>, kJobKinds> kScheduling =
     }};
 }();
 /// At most one job of each kind, and a symmetric kConcurrent. False if a row is missing.
-constexpr bool isConsistent(const decltype(kScheduling)& meetings) {
+constexpr bool isConsistent(const decltype(kScheduling)& table) {
     for (std::size_t a = 0; a < kJobKinds; ++a)
         for (std::size_t b = 0; b < kJobKinds; ++b) {
-            const bool beside = meetings[a][b] == Scheduling::kConcurrent;
-            if (beside != (meetings[b][a] == Scheduling::kConcurrent) || (beside && a == b)) return false;
+            const bool concurrent = table[a][b] == Scheduling::kConcurrent;
+            if (concurrent != (table[b][a] == Scheduling::kConcurrent) || (concurrent && a == b)) return false;
         }
     return true;
 }
@@ -80,7 +80,7 @@ public:
     using Notify = std::function<void(const std::string& text, bool error)>;
 
     /// notify: receives errors and cancellations.
-    explicit JobQueue(Notify tell) : notify_(std::move(tell)) {}
+    explicit JobQueue(Notify notify) : notify_(std::move(notify)) {}
     /// Cancels all jobs and waits for them, without callbacks.
     ~JobQueue();
     JobQueue(const JobQueue&) = delete;

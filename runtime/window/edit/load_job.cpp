@@ -39,7 +39,7 @@ std::unique_ptr<LoadedScene> LoadJob::take() { return job_.state() == JobState::
 
 SceneUpdateJob::SceneUpdateJob(Device& device, LoadedScene& loaded, const SceneDescription& description,
                                const RenderSettings& settings)
-    : worker_(device), job_("Relighting", [this, &loaded, description, settings](JobControl& control) {
+    : worker_(device), job_("Updating the scene", [this, &loaded, description, settings](JobControl& control) {
           updateScene(worker_.get(), loaded, description, settings, control);
       }) {}
 

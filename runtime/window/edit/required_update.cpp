@@ -17,9 +17,9 @@ RequiredUpdate requiredUpdate(const DeviceScene& scene, Integrator integrator, c
     return {UpdateKind::kTables, std::move(rows)};
 }
 
-UpdateStep nextUpdateStep(UpdateKind rework, bool dragging, bool lacks_photons) {
-    if (rework == UpdateKind::kTables) return UpdateStep::kUpload;
-    if (dragging || (rework == UpdateKind::kNothing && !lacks_photons)) return UpdateStep::kNothing;
+UpdateStep nextUpdateStep(UpdateKind kind, bool dragging, bool lacks_photons) {
+    if (kind == UpdateKind::kTables) return UpdateStep::kUpload;
+    if (dragging || (kind == UpdateKind::kNothing && !lacks_photons)) return UpdateStep::kNothing;
     return UpdateStep::kSceneUpdate; // for kReload the job fails with a message
 }
 

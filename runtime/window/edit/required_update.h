@@ -35,6 +35,6 @@ enum class UpdateStep : std::uint8_t {
 };
 
 /// dragging: the edit continues and must not wait for a job. lacks_photons: tables were uploaded without new photons.
-UpdateStep nextUpdateStep(UpdateKind rework, bool dragging, bool lacks_photons);
+UpdateStep nextUpdateStep(UpdateKind kind, bool dragging, bool lacks_photons);
 
 } // namespace pointrt

@@ -30,12 +30,13 @@ void applySettings(LoadedScene& loaded, const RenderSettings& settings) {
 void uploadScene(Device& device, LoadedScene& loaded, const SceneDescription& description,
                  const RenderSettings& settings) {
     if (!haveSamePlacements(loaded.scene.description, description))
-        throw Error{ExitCode::kBadInput, description.path + ": other scans, or other places, take loading anew"};
-    SceneDescription before = std::exchange(loaded.scene.description, description);
+        throw Error{ExitCode::kBadInput,
+                    description.path + ": scans or their placements have changed; reload the scene"};
+    SceneDescription old = std::exchange(loaded.scene.description, description);
     try {
         uploadSceneTables(device, loaded.scene, settings);
     } catch (...) {
-        loaded.scene.description = std::move(before);
+        loaded.scene.description = std::move(old);
         throw;
     }
     applySettings(loaded, settings);

@@ -23,7 +23,7 @@ class TemporarySceneFile {
 public:
     explicit TemporarySceneFile(const SceneDescription& scene) {
         std::string folder = (fs::temp_directory_path() / "pointrt-XXXXXX").string();
-        if (!mkdtemp(folder.data())) throw Error{ExitCode::kCannotWrite, folder + ": cannot make a folder"};
+        if (!mkdtemp(folder.data())) throw Error{ExitCode::kCannotWrite, folder + ": cannot create a temporary folder"};
         folder_ = folder;
         writeSceneFile(path(), scene);
     }

@@ -76,7 +76,7 @@ Value valueOf(const Words& options, const char* name, Value fallback, Parse pars
     try {
         return parse(found->second);
     } catch (const std::invalid_argument&) {
-        fail(std::string(name) + ": " + shown(found->second) + " is not its value");
+        fail(std::string(name) + ": invalid value " + shown(found->second));
     }
 }
 

@@ -121,8 +121,8 @@ struct Interpreter {
         if (state.drag) dragTo(state, commands);
     }
     void operator()(const WheelEvent& event) const {
-        const bool turns = std::isfinite(event.y) && event.y != 0;
-        if (!turns || state.ui_wants_mouse || findControl(Gesture::kWheel) == nullptr) return;
+        const bool has_turned = std::isfinite(event.y) && event.y != 0;
+        if (!has_turned || state.ui_wants_mouse || findControl(Gesture::kWheel) == nullptr) return;
         const double steps = std::clamp(event.y, -kMaxWheelSteps, kMaxWheelSteps);
         commands.emplace_back(ZoomCommand{steps, state.x, state.y});
     }

@@ -30,7 +30,7 @@ const Control* findControl(Gesture gesture, Key key, bool with_control) {
 }
 
 std::string markdownTable() {
-    std::string table = "| | press | to |\n|---|---|---|\n";
+    std::string table = "| | input | action |\n|---|---|---|\n";
     std::string_view group;
     for (const Control& control : kControls) {
         if (!isShown(control)) continue;

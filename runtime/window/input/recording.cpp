@@ -32,16 +32,16 @@ struct Arguments {
     bool isDone() const { return next == words.size(); }
 
     const RecordingWord& take(bool in_quotes) {
-        if (isDone() || words[next].in_quotes != in_quotes) fail("is not as in: " + usage);
+        if (isDone() || words[next].in_quotes != in_quotes) fail("does not match: " + usage);
         return words[next++];
     }
     std::string word() { return take(false).text; }
     std::string string() { return take(true).text; }
     void requireWord(const char* expected) {
-        if (word() != expected) fail("is not as in: " + usage);
+        if (word() != expected) fail("does not match: " + usage);
     }
     void requireDone() const {
-        if (!isDone()) fail("is not as in: " + usage);
+        if (!isDone()) fail("does not match: " + usage);
     }
 };
 
@@ -49,7 +49,7 @@ double takeReal(Arguments& arguments, double low, double high) { return parseRea
 
 bool takeDown(Arguments& arguments) {
     const std::string word = arguments.word();
-    if (word != "down" && word != "up") fail(shown(word) + " is neither down nor up");
+    if (word != "down" && word != "up") fail(shown(word) + " must be down or up");
     return word == "down";
 }
 
@@ -69,7 +69,7 @@ KeyEvent takeKey(Arguments& arguments) {
     const bool down = takeDown(arguments);
     const std::string name = arguments.word();
     const std::optional<Key> key = keyNamed(name);
-    if (!key) fail("no key is called " + shown(name));
+    if (!key) fail("unknown key " + shown(name));
     return {*key, down};
 }
 
@@ -77,7 +77,7 @@ ButtonEvent takeButton(Arguments& arguments) {
     const bool down = takeDown(arguments);
     const std::string name = arguments.word();
     const std::optional<MouseButton> button = buttonNamed(name);
-    if (!button) fail("no button is called " + shown(name));
+    if (!button) fail("unknown button " + shown(name));
     return {*button, down};
 }
 
@@ -96,7 +96,7 @@ ScreenshotStep takeScreenshot(Arguments& arguments) {
     const bool plain = name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-") ==
                        std::string::npos;
     if (!plain || name[0] == '.' || name.size() > kMaxNameBytes)
-        fail(shown(name) + " is no name of letters, digits, . _ - for a picture");
+        fail(shown(name) + " is not a picture name (letters, digits, . _ -)");
     return {name};
 }
 
@@ -147,19 +147,19 @@ const Kind kKinds[] = {
 };
 
 const Kind& kindNamed(const std::string& name) {
-    std::string known;
+    std::string names;
     for (const Kind& kind : kKinds) {
         if (name == kind.name) return kind;
-        known += (known.empty() ? "" : ", ") + std::string(kind.name);
+        names += (names.empty() ? "" : ", ") + std::string(kind.name);
     }
-    fail(shown(name) + " is not one of " + known);
+    fail(shown(name) + " is not one of " + names);
 }
 
 ResizeEvent headerOf(const Words& words) {
     Arguments arguments{words, 0, "pointrt-recording 1 window WxH scale S"};
-    if (arguments.word() != "pointrt-recording") fail("no recording: it begins with pointrt-recording");
+    if (arguments.word() != "pointrt-recording") fail("not a recording: it must begin with pointrt-recording");
     const std::string version = arguments.word();
-    if (version != "1") fail("version " + shown(version) + ", this program reads 1");
+    if (version != "1") fail("unsupported version " + shown(version) + " (this program reads 1)");
     arguments.requireWord("window");
     const ResizeEvent window = takeSize(arguments);
     arguments.requireDone();
@@ -171,7 +171,7 @@ void addEvents(const Words& words, Recording& recording) {
     Arguments arguments{words, 0, "FRAME KIND ..."};
     const std::uint32_t frame = parseCount(arguments.word(), 0, kMaxRecordedFrame);
     if (!recording.events.empty() && frame < recording.events.back().frame)
-        fail("frame " + std::to_string(frame) + " comes after " + std::to_string(recording.events.back().frame));
+        fail("frame " + std::to_string(frame) + " follows frame " + std::to_string(recording.events.back().frame));
     const std::string name = arguments.word();
     const Kind& kind = kindNamed(name);
     arguments.usage = kind.usage;
@@ -194,7 +194,7 @@ std::string_view takeLine(std::string_view& text) {
 } // namespace
 
 Recording parseRecording(std::string_view text, const std::string& path) {
-    if (text.size() > kMaxRecordingBytes) throw Error{ExitCode::kBadInput, path + ": more than 64 MiB"};
+    if (text.size() > kMaxRecordingBytes) throw Error{ExitCode::kBadInput, path + ": larger than 64 MiB"};
     Recording recording;
     bool has_header = false;
     for (std::size_t number = 1; !text.empty(); ++number) {
@@ -210,7 +210,7 @@ Recording parseRecording(std::string_view text, const std::string& path) {
             throw Error{ExitCode::kBadInput, path + ":" + std::to_string(number) + ": " + error.what()};
         }
     }
-    if (!has_header) throw Error{ExitCode::kBadInput, path + ": no recording: it is empty"};
+    if (!has_header) throw Error{ExitCode::kBadInput, path + ": not a recording: the file is empty"};
     return recording;
 }
 

@@ -3,18 +3,18 @@
 //
 //     pointrt-recording 1 window 1280x720 scale 1
 //     # frame, what, how
-// 0 wait 4                  until the picture has 4 samples per pixel
+//     0 wait 4                  until the picture has 4 samples per pixel
 //     1 cursor 640 360
 //     1 button down left        or up; left, right, middle
 //     2 cursor 700 365.5
 //     3 button up left
 //     4 wheel 0 -1
-// 5 key down F12            or up; A, 7, Space, Escape, Shift, PageUp ... any character; # is Hash, " is Quote
-// 5 text "a"                typed text of one or more characters
+//     5 key down F12            or up; A, 7, Space, Escape, Shift, PageUp ... any character; # is Hash, " is Quote
+//     5 text "a"                typed text of one or more characters
 //     6 resize 640x480 scale 2
 //     7 drop "/scans/a b.pro" "c.ply"
-// 8 screenshot turned       letters, digits, . _ -; not starting with a dot
-// 9 quit                    or close: the window's close button
+//     8 screenshot turned       letters, digits, . _ -; not starting with a dot
+//     9 quit                    or close: the window's close button
 //
 // Frame numbers must not decrease. Strings have the escapes \\ \" \n \r \t and \xHH (a byte).
 #pragma once

@@ -67,7 +67,7 @@ char unescaped(std::string_view text, std::size_t& at) {
             return static_cast<char>(value);
         }
     }
-    throw std::invalid_argument(R"(a string has the escapes \\ \" \n \r \t \xHH and no other)");
+    throw std::invalid_argument(R"(invalid escape; strings have \\ \" \n \r \t \xHH)");
 }
 
 /// The quoted string at text[at]; moves at behind it.

@@ -61,16 +61,16 @@ void insertSamples(RenderCache& cache, ErrorMap& errors, const ViewProjection& v
                    std::span<const TracedPixel> traced) {
     for (const TracedPixel& each : traced) {
         const std::uint32_t width = cache.size().width, x = each.pixel % width, y = each.pixel / width;
-        const bool known = !cache.isEmpty(each.pixel);
+        const bool has_point = !cache.isEmpty(each.pixel);
         const std::uint32_t shown = cache.colors()[each.pixel];
-        const std::uint32_t before = known ? cache.points().info[pointOf(cache.keys()[each.pixel])] : kPointInvalid;
+        const std::uint32_t before = has_point ? cache.points().info[pointOf(cache.keys()[each.pixel])] : kPointInvalid;
         CachedPoint point = toCachedPoint(view, each, blending.frame);
         const std::uint32_t share = blendWeight(before, point.info, blending);
         const std::uint32_t samples = share == 256 ? 1 : std::min(sampleCount(before) + 1, kPointMaxSamples);
         point.info |= samples << kPointSamplesShift;
         point.color = mixColors(shown, each.color, share);
         // noise is not an error
-        if (known && !blending.noisy) errors.record(x, y, difference(shown, each.color));
+        if (has_point && !blending.noisy) errors.record(x, y, difference(shown, each.color));
         cache.insert(each.pixel, depthAlongView(view, each), point);
         TileColorSum& tile = cache.tileColors()[y / TILE_SIDE * cache.tilesAcross() + x / TILE_SIDE];
         const std::array<std::uint32_t, 3> c = channelsOf(each.color);

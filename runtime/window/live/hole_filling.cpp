@@ -158,8 +158,8 @@ std::uint32_t fillHoles(RenderCache& cache) {
     const std::uint32_t width = cache.size().width;
     const auto fill = [&](std::uint32_t pixel, std::uint32_t& gaps) {
         const std::uint32_t x = pixel % width, y = pixel / width;
-        const std::uint32_t known = cache.tileColors()[y / TILE_SIDE * cache.tilesAcross() + x / TILE_SIDE].count;
-        if (known < kMinPointsInTile) return means.at(x, y);
+        const std::uint32_t point_count = cache.tileColors()[y / TILE_SIDE * cache.tilesAcross() + x / TILE_SIDE].count;
+        if (point_count < kMinPointsInTile) return means.at(x, y);
         if (const std::optional<std::uint32_t> color = neighbors.interpolateOnSurface(x, y)) {
             ++gaps;
             return *color;

@@ -23,8 +23,8 @@ constexpr std::uint32_t kNoiseFloor = 3;
 /// Priority of a point, from its info.
 float priorityOf(std::uint32_t info, const SelectionParams& params) {
     const auto age = static_cast<float>((params.frame - info) & kPointFrameMask);
-    const bool turns = params.camera_moves && (info & kPointViewDependent) != 0;
-    return age * (turns ? kViewDependentAging : 1.0f) +
+    const bool view_dependent = params.camera_moves && (info & kPointViewDependent) != 0;
+    return age * (view_dependent ? kViewDependentAging : 1.0f) +
            ((info & kPointInterpolated) != 0 ? kInterpolatedPriority : 0.0f);
 }
 

@@ -9,19 +9,19 @@
 namespace pointrt {
 namespace {
 
-void requireEnlargement(VkExtent2D canvas, std::uint32_t width, std::uint32_t height) {
+void requireUpscalable(VkExtent2D canvas, std::uint32_t width, std::uint32_t height) {
     if (width == 0 || height == 0 || width > canvas.width || height > canvas.height)
-        throw std::logic_error("a picture to be enlarged is empty or larger than the canvas");
+        throw std::logic_error("a picture to upscale is empty or larger than the canvas");
 }
 
-/// Enlarges pixels, which the host reads, and records the copy.
-void enlargeOnHost(Device& device, Presenter& presenter, VkCommandBuffer commands, const Buffer& pixels,
+/// Scales pixels, which are host-visible, on the host and records the copy to the canvas.
+void upscaleOnHost(Device& device, Presenter& presenter, VkCommandBuffer commands, const Buffer& pixels,
                    PixelGrid size) {
     const VkExtent2D canvas = presenter.canvas.extent;
     const std::uint64_t bytes = std::uint64_t(canvas.width) * canvas.height * 4;
     if (presenter.host_upscaled.bytes != bytes) {
         destroyBuffer(device, presenter.host_upscaled);
-        presenter.host_upscaled = createBuffer(device, "enlarged picture", bytes, 0, MemoryHome::kHost);
+        presenter.host_upscaled = createBuffer(device, "upscaled picture", bytes, 0, MemoryHome::kHost);
     }
     upscale(static_cast<const std::uint32_t*>(pixels.mapped), size,
             static_cast<std::uint32_t*>(presenter.host_upscaled.mapped), {canvas.width, canvas.height});
@@ -46,8 +46,8 @@ void recordUploadRows(VkCommandBuffer commands, const Presenter& presenter, cons
 void recordUploadScaled(VkCommandBuffer commands, const Presenter& presenter, const Buffer& pixels, std::uint32_t width,
                         std::uint32_t height) {
     const VkExtent2D canvas = presenter.canvas.extent;
-    requireEnlargement(canvas, width, height);
-    // The last column and row once more: interpolation at the edge reads one pixel beyond it.
+    requireUpscalable(canvas, width, height);
+    // repeat the last column and row, because interpolation at the edge reads one pixel further
     const auto w = static_cast<std::int32_t>(width), h = static_cast<std::int32_t>(height);
     const VkBufferImageCopy regions[] = {
         rectangleCopy({}, width, {}, {width, height}), rectangleCopy({w - 1, 0}, width, {w, 0}, {1, height}),
@@ -63,10 +63,10 @@ void recordUploadScaled(VkCommandBuffer commands, const Presenter& presenter, co
 
 void uploadScaled(Device& device, Presenter& presenter, const Buffer& pixels, std::uint32_t width,
                   std::uint32_t height) {
-    requireEnlargement(presenter.canvas.extent, width, height);
+    requireUpscalable(presenter.canvas.extent, width, height);
     const VkCommandBuffer commands = beginCommands(device);
     if (device.type == VK_PHYSICAL_DEVICE_TYPE_CPU && pixels.mapped)
-        enlargeOnHost(device, presenter, commands, pixels, {width, height});
+        upscaleOnHost(device, presenter, commands, pixels, {width, height});
     else
         recordUploadScaled(commands, presenter, pixels, width, height);
     submitAndWait(device, commands);

@@ -51,7 +51,8 @@ void recordBlit(VkCommandBuffer commands, const Image& from, VkExtent2D part, Vk
 
 void recordCanvas(VkCommandBuffer commands, const Image& canvas, const FrameTarget& target) {
     recordBarrier(commands);
-    // the target's last use: as a frame (drawn on, read) or as the semaphore's wait tells, which ends at the copies
+    // wait for the target's last use: as an attachment, or through the acquire semaphore, which is waited for at
+    // transfers
     const ImageUse last{kColorAttachment.stages | kTransferDst.stages, kColorAttachment.access | kTransferDst.access,
                         kColorAttachment.layout};
     recordImageBarrier(commands, target.image, discarded(last), kTransferDst);

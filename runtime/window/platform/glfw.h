@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// GLFW without linking to it, as vulkan.h does with Vulkan: the viewer starts where there is none, and needs it for
-// windows only.
+// GLFW, loaded at run time like Vulkan (vulkan.h): the viewer starts without it and needs it only for windows.
 #pragma once
 
 #include "runtime/gpu/vulkan.h"
 
-// The header declares the functions that take Vulkan types when these are known.
+// Included after Vulkan's types, so that GLFW declares the functions that take them.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 namespace pointrt {
 
-/// Every function of GLFW 3.3 that is called; add a name here to use one more.
+/// All functions of GLFW 3.3 in use; add a name here to use another one.
 #define POINTRT_GLFW_FUNCTIONS(X)                                                                                      \
     X(glfwCreateStandardCursor)                                                                                        \
     X(glfwCreateWindow)                                                                                                \
@@ -57,8 +56,7 @@ struct Glfw {
 #undef POINTRT_DECLARE_GLFW
 };
 
-/// The functions; the library is opened by the first call. Throws Error kCannotRun where there is none, or an older
-/// one.
+/// The functions. The first call loads the library. Throws Error kCannotRun if it is missing or too old.
 const Glfw& glfw();
 
 } // namespace pointrt

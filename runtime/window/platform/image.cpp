@@ -11,7 +11,7 @@ namespace {
 
 constexpr VkImageUsageFlags kTransfer = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
 
-/// Device memory among the allowed types (a bit each), or any of them.
+/// A device-local type among the allowed ones (a bit each), or else any of them.
 std::uint32_t imageMemoryType(const Device& device, std::uint32_t allowed) {
     std::uint32_t any = 0;
     for (std::uint32_t i = device.memory.memoryTypeCount; i-- > 0;) {
@@ -54,7 +54,7 @@ Image createImage(Device& device, const char* what, VkFormat format, VkExtent2D 
     const std::uint32_t limit = device.limits.maxImageDimension2D;
     if (extent.width > limit || extent.height > limit)
         throw Error{ExitCode::kCannotRun,
-                    "cannot " + action + ": the device's images end at " + sizeText({limit, limit})};
+                    "cannot " + action + ": the device's largest image is " + sizeText({limit, limit})};
     Image image;
     image.format = format;
     image.extent = extent;
@@ -62,7 +62,7 @@ Image createImage(Device& device, const char* what, VkFormat format, VkExtent2D 
     createHandle(device, image, usage, action.c_str());
     nameObject(device, VK_OBJECT_TYPE_IMAGE, image.handle, what);
     allocateMemory(device, image, action.c_str());
-    // an image that is only copied takes no view
+    // images used only for transfers need no view
     if (usage & ~kTransfer) image.view = createView(device, image.handle, format, swizzle);
     return image;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Device images for the window: the picture, the UI's font, a frame that is no window's.
+// Device images for the window: the canvas, the UI's font, the offscreen frame.
 #pragma once
 
 #include <cstdint>
@@ -17,16 +17,16 @@ struct Image {
     VkExtent2D extent{};
 };
 
-/// what names the image in messages. usage gets the transfer bits besides the given ones; the view passes channels on
-/// as swizzle says. Throws Error kCannotRun: out of memory, or larger than the device's largest image.
+/// what: for messages. usage: besides transfers, which are always allowed. swizzle: of the view. Throws Error
+/// kCannotRun if memory runs out or extent exceeds the device's limit.
 Image createImage(Device& device, const char* what, VkFormat format, VkExtent2D extent, VkImageUsageFlags usage,
                   VkComponentMapping swizzle = {});
 void destroyImage(Device& device, Image& image);
 
-/// A view of all of a colour image.
+/// A view of a whole colour image.
 VkImageView createView(Device& device, VkImage image, VkFormat format, VkComponentMapping swizzle = {});
 
-/// Where an image is used: by which stages, for what, and in which layout.
+/// A use of an image: pipeline stages, access and layout.
 struct ImageUse {
     VkPipelineStageFlags stages;
     VkAccessFlags access;
@@ -44,10 +44,10 @@ constexpr ImageUse kSampled{VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, VK_ACCESS_SHA
                             VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
 constexpr ImageUse kPresentSrc{VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, 0, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR};
 
-/// from, with what the image held given up.
+/// The same use, with the old contents discarded.
 constexpr ImageUse discarded(ImageUse from) { return {from.stages, from.access, VK_IMAGE_LAYOUT_UNDEFINED}; }
 
-/// Uses recorded before see the image as from, later ones as to.
+/// Transitions image from one use to another.
 void recordImageBarrier(VkCommandBuffer commands, VkImage image, ImageUse from, ImageUse to);
 
 constexpr VkImageSubresourceLayers kColorLayer{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};

@@ -46,7 +46,7 @@ Key keyFromGlfw(int key, const char* name) {
     if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12)
         return static_cast<Key>(static_cast<int>(Key::kF1) + key - GLFW_KEY_F1);
     if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) return static_cast<Key>('0' + key - GLFW_KEY_KP_0);
-    // The printable keys of GLFW are the characters of the US layout.
+    // GLFW's printable keys are the characters of the US layout
     if (key < GLFW_KEY_SPACE || key > GLFW_KEY_GRAVE_ACCENT) return Key::kUnknown;
     constexpr char kToUpper = 'a' - 'A';
     if (name && isLetter(name[0]) && name[1] == 0) return keyOf(name[0] >= 'a' ? name[0] - kToUpper : name[0]);

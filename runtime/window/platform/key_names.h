@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// GLFW's keys as ours.
+// Translation of GLFW's keys.
 #pragma once
 
 #include "runtime/window/input/events.h"
 
 namespace pointrt {
 
-/// The key that GLFW calls key and, with the user's keyboard layout, name (null where it has none). Letters follow the
-/// layout, so that Ctrl+C is where the user has C; the keypad's digits are digits.
+/// key: GLFW's code; name: from the keyboard layout, null if it has none. Letters follow the layout, so that Ctrl+C is
+/// where the user expects it; keys of the keypad are digits.
 Key keyFromGlfw(int key, const char* name);
 
 } // namespace pointrt

@@ -15,18 +15,18 @@ namespace {
 std::string lastError() {
     const char* text = nullptr;
     glfw().glfwGetError(&text);
-    return text ? text : "no reason given";
+    return text ? text : "unknown reason";
 }
 
 [[noreturn]] void failWithoutWindow(const std::string& reason) {
-    throw Error{ExitCode::kCannotRun, "cannot open a window: " + reason + "; give -o FILE to render without one"};
+    throw Error{ExitCode::kCannotRun, "cannot open a window: " + reason + "; render without one with -o FILE"};
 }
 
 PlatformInbox& inboxOf(GLFWwindow* window) {
     return *static_cast<PlatformInbox*>(glfw().glfwGetWindowUserPointer(window));
 }
 
-/// Appends event, in place of the last one where it overtakes that.
+/// Appends event, replacing a last event that it supersedes.
 template <typename Event>
 void push(GLFWwindow* window, Event event) {
     constexpr bool kOvertakes = std::is_same_v<Event, CursorEvent> || std::is_same_v<Event, ResizeEvent>;
@@ -67,7 +67,7 @@ void onDrop(GLFWwindow* window, int count, const char** paths) {
     push(window, DropEvent{std::vector<std::string>(paths, paths + count)});
 }
 
-/// Also the last size again, where that is all that can be told of a change.
+/// Also sent for iconification and changes of scale, which are in the event.
 void onSize(GLFWwindow* window) { push(window, sizeOf(window)); }
 
 void setCallbacks(GLFWwindow* window) {
@@ -164,7 +164,7 @@ void setSize(PlatformWindow& window, std::uint32_t width, std::uint32_t height) 
 void setCursor(PlatformWindow& window, CursorShape shape) {
     if (window.cursor == shape) return;
     GLFWcursor*& cursor = window.cursors[static_cast<std::size_t>(shape)];
-    // a theme may lack a shape: null is the arrow
+    // null, for shapes that the theme lacks, is the arrow
     if (!cursor) cursor = glfw().glfwCreateStandardCursor(glfwShape(shape));
     glfw().glfwSetCursor(window.handle, cursor);
     window.cursor = shape;
@@ -182,7 +182,7 @@ void setClipboardText(PlatformWindow& window, const std::string& text) {
 void requestPresentation(const PlatformWindow&, DeviceRequest& request) {
     std::uint32_t count = 0;
     const char** names = glfw().glfwGetRequiredInstanceExtensions(&count);
-    if (!names) failWithoutWindow("Vulkan knows no way to this display (" + lastError() + ")");
+    if (!names) failWithoutWindow("Vulkan cannot present to this display (" + lastError() + ")");
     request.graphics = true;
     request.instance_extensions.assign(names, names + count);
     request.can_present = [](VkInstance instance, VkPhysicalDevice physical, std::uint32_t family) {
@@ -193,7 +193,7 @@ void requestPresentation(const PlatformWindow&, DeviceRequest& request) {
 VkSurfaceKHR createSurface(PlatformWindow& window, const Device& device) {
     VkSurfaceKHR surface = VK_NULL_HANDLE;
     check(glfw().glfwCreateWindowSurface(device.instance, window.handle, nullptr, &surface),
-          "show pictures in the window");
+          "create a surface for the window");
     return surface;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A window of the desktop (X11 or Wayland, as GLFW gives them): input, clipboard, cursor and a Vulkan surface.
-// All of it from the thread that runs main, but for wakePlatform.
+// A desktop window (X11 or Wayland, through GLFW): input, clipboard, cursor and a Vulkan surface. Main thread only,
+// except wakePlatform.
 #pragma once
 
 #include <array>
@@ -21,36 +21,36 @@ namespace pointrt {
 enum class CursorShape : std::uint8_t { kArrow, kText, kHand, kCross, kResizeX, kResizeY };
 constexpr std::size_t kCursorShapes = 6;
 
-/// What a window's callbacks leave for the next poll.
+/// Events collected by the window's callbacks until the next poll.
 struct PlatformInbox {
     std::vector<InputEvent> events;
 };
 
 struct PlatformWindow {
     GLFWwindow* handle = nullptr;
-    std::unique_ptr<PlatformInbox> inbox; ///< at a fixed address, which the callbacks know
+    std::unique_ptr<PlatformInbox> inbox; ///< on the heap: the callbacks hold its address
     std::array<GLFWcursor*, kCursorShapes> cursors{};
     CursorShape cursor = CursorShape::kArrow;
 };
 
-/// Opens a window of width x height window units. Throws Error kCannotRun with what is missing: GLFW, a display, or
-/// Vulkan for it. One window at a time.
+/// Opens a window of width x height window units. Throws Error kCannotRun if GLFW, a display, or Vulkan support for it
+/// is missing. One window at a time.
 PlatformWindow createPlatformWindow(std::uint32_t width, std::uint32_t height, const std::string& title);
-/// After its surface is destroyed.
+/// Destroy its surface first.
 void destroyPlatformWindow(PlatformWindow& window);
 
-/// What happened since the last call, waiting up to timeout_seconds for something (0: not at all). Cursor movements and
-/// sizes that the next event overtakes are left out.
+/// Events since the last call. Waits up to timeout_seconds for the first one (0: does not wait). Merges consecutive
+/// cursor movements and size changes.
 std::vector<InputEvent> pollEvents(PlatformWindow& window, double timeout_seconds = 0);
-/// Ends the wait of pollEvents. From any thread, while there is a window.
+/// Ends the wait in pollEvents. From any thread, while a window exists.
 void wakePlatform();
 
-/// The size as an event, 0 x 0 while minimised; the first size does not come by pollEvents.
+/// The size as an event, 0 x 0 while minimised. pollEvents does not report the initial size.
 ResizeEvent windowSize(const PlatformWindow& window);
-/// The size in pixels, also while minimised.
+/// The size in pixels, even while minimised.
 PixelSize framebufferSize(const PlatformWindow& window);
-/// How large the user wants text: 1 on ordinary screens, about 2 on HiDPI ones. Not the ratio of pixels to window
-/// units: on X11 that is 1 on both.
+/// The desktop's text scale: 1 on ordinary screens, about 2 on HiDPI. Not the ratio of pixels to window units, which is
+/// always 1 on X11.
 float contentScale(const PlatformWindow& window);
 bool isMinimised(const PlatformWindow& window);
 
@@ -58,13 +58,13 @@ void setTitle(PlatformWindow& window, const std::string& title);
 void setSize(PlatformWindow& window, std::uint32_t width, std::uint32_t height);
 void setCursor(PlatformWindow& window, CursorShape shape);
 
-/// Empty when it holds no text.
+/// Empty if the clipboard holds no text.
 std::string clipboardText(PlatformWindow& window);
 void setClipboardText(PlatformWindow& window, const std::string& text);
 
-/// Adds to request what a device for window takes: extensions, graphics, and a queue that reaches its display.
+/// Adds to request what presenting to window needs: extensions, graphics, and a queue that can present.
 void requestPresentation(const PlatformWindow& window, DeviceRequest& request);
-/// Throws Error kCannotRun where the driver refuses. createPresenter takes it over.
+/// Throws Error kCannotRun if the driver fails. createPresenter takes ownership.
 VkSurfaceKHR createSurface(PlatformWindow& window, const Device& device);
 
 } // namespace pointrt

@@ -25,7 +25,7 @@ void destroyCanvas(Device& device, Presenter& presenter) {
     destroyImage(device, presenter.canvas);
 }
 
-/// The UI is drawn with one pipeline, on the window's images as well as on the frame.
+/// Swapchain images and the offscreen frame share a format, because they share the UI's pipeline.
 VkFormat frameFormat(const Presenter& presenter) {
     return presenter.surface ? presenter.swapchain.format : kCanvasFormat;
 }
@@ -40,11 +40,11 @@ void createFrameObjects(Device& device, Presenter& presenter) {
     check(vkCreateFence(device.handle, &fence, nullptr, &presenter.done), "create a fence");
 }
 
-/// What depends on the window's size. The new canvas starts as old, stretched, or black where there is none.
+/// Creates everything that depends on the window's size. The new canvas shows old scaled, or black without old.
 void createCanvas(Device& device, Presenter& presenter, VkExtent2D extent, const Image* old) {
     presenter.canvas = createImage(device, "canvas", kCanvasFormat, extent, 0);
-    // a border of one pixel, for interpolation at the edge
-    presenter.low_res = createImage(device, "coarse picture", kCanvasFormat, {extent.width + 1, extent.height + 1}, 0);
+    // one more pixel each way, for interpolation at the edge
+    presenter.low_res = createImage(device, "preview image", kCanvasFormat, {extent.width + 1, extent.height + 1}, 0);
     presenter.frame = createImage(device, "frame", frameFormat(presenter), extent, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
     presenter.framebuffer = createUiFramebuffer(device, presenter.ui, presenter.frame.view, extent);
     const VkCommandBuffer commands = beginCommands(device);
@@ -83,7 +83,7 @@ void recordFrame(Device& device, Presenter& presenter, VkCommandBuffer commands,
     recordImageBarrier(commands, target.image, last, target.end);
 }
 
-/// Submits the frame's commands, between the semaphores of swapchain image, where there is one.
+/// Submits the frame, synchronised with a swapchain image if there is one.
 void submitFrame(Device& device, Presenter& presenter, const std::uint32_t* image) {
     check(vkEndCommandBuffer(presenter.commands), "record a frame");
     const VkPipelineStageFlags first_use = VK_PIPELINE_STAGE_TRANSFER_BIT;
@@ -109,9 +109,9 @@ void rebuild(Device& device, Presenter& presenter) {
     presenter.outdated = false;
 }
 
-/// An image of the window as it is now; none where it shows nothing.
+/// The next swapchain image, rebuilding if needed; none if the window shows nothing.
 std::optional<std::uint32_t> nextImage(Device& device, Presenter& presenter) {
-    // twice, for a window whose size changes between the two calls
+    // again if the window's size changes between the two calls
     for (int attempt = 0; attempt < 2; ++attempt) {
         if (presenter.outdated || !presenter.swapchain.handle) rebuild(device, presenter);
         if (!presenter.swapchain.handle) return {};

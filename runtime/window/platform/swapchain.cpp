@@ -12,18 +12,18 @@
 namespace pointrt {
 namespace {
 
-// Three frames of a 30 Hz screen: more means that nobody looks at the window.
+// Three frames at 30 Hz: after that nobody is looking at the window.
 constexpr std::uint64_t kAcquireNanoseconds = 100'000'000;
 constexpr VkImageUsageFlags kUsage = VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
 
-/// check, in words for what happens to windows.
+/// check, with a message of its own for lost surfaces.
 void checkWindow(VkResult result, const char* what) {
     if (result == VK_ERROR_SURFACE_LOST_KHR)
-        throw Error{ExitCode::kCannotRun, "the window is gone: its display took it away (VK_ERROR_SURFACE_LOST_KHR)"};
+        throw Error{ExitCode::kCannotRun, "the display connection was lost (VK_ERROR_SURFACE_LOST_KHR)"};
     check(result, what);
 }
 
-/// What list, one of Vulkan's functions that do, tells of a surface.
+/// Calls a Vulkan enumeration function for a surface.
 template <typename Item>
 std::vector<Item> listOf(Device& device, VkSurfaceKHR surface, const char* what,
                          VkResult (*list)(VkPhysicalDevice, VkSurfaceKHR, std::uint32_t*, Item*)) {
@@ -39,10 +39,11 @@ VkFormat chooseFormat(Device& device, VkSurfaceKHR surface) {
     for (VkFormat wanted : {VK_FORMAT_B8G8R8A8_UNORM, VK_FORMAT_R8G8B8A8_UNORM})
         for (const VkSurfaceFormatKHR& format : formats)
             if (format.format == wanted && format.colorSpace == VK_COLOR_SPACE_SRGB_NONLINEAR_KHR) return wanted;
-    throw Error{ExitCode::kCannotRun, "the window takes no 8-bit colours from " + device.name};
+    throw Error{ExitCode::kCannotRun, "the window has no 8-bit colour format on " + device.name};
 }
 
-/// Mailbox never waits and never tears. Without it a GPU keeps to the screen's rate; a CPU has no time to wait.
+/// Mailbox neither waits nor tears. Without it GPUs use vertical synchronisation; CPU devices have no time to wait for
+/// it.
 VkPresentModeKHR choosePresentMode(Device& device, VkSurfaceKHR surface) {
     const auto modes =
         listOf(device, surface, "list the present modes of a window", vkGetPhysicalDeviceSurfacePresentModesKHR);
@@ -56,9 +57,9 @@ VkPresentModeKHR choosePresentMode(Device& device, VkSurfaceKHR surface) {
 VkSurfaceCapabilitiesKHR capabilitiesOf(Device& device, VkSurfaceKHR surface) {
     VkSurfaceCapabilitiesKHR capabilities;
     checkWindow(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device.physical, surface, &capabilities),
-                "ask for the size of a window");
+                "query the size of a window");
     if ((capabilities.supportedUsageFlags & kUsage) != kUsage)
-        throw Error{ExitCode::kCannotRun, "pictures cannot be copied to this window by " + device.name};
+        throw Error{ExitCode::kCannotRun, device.name + " cannot copy pictures to this window"};
     return capabilities;
 }
 
@@ -73,7 +74,7 @@ VkExtent2D extentFor(const VkSurfaceCapabilitiesKHR& capabilities, VkExtent2D wa
 VkCompositeAlphaFlagBitsKHR compositeAlpha(const VkSurfaceCapabilitiesKHR& capabilities) {
     const VkCompositeAlphaFlagsKHR flags = capabilities.supportedCompositeAlpha;
     if (flags & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR) return VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR;
-    return static_cast<VkCompositeAlphaFlagBitsKHR>(flags & (~flags + 1)); // the lowest
+    return static_cast<VkCompositeAlphaFlagBitsKHR>(flags & (~flags + 1)); // the lowest bit
 }
 
 std::uint32_t imageCount(const VkSurfaceCapabilitiesKHR& capabilities) {
@@ -150,7 +151,7 @@ void destroySwapchain(Device& device, Swapchain& swapchain) {
 
 void rebuildSwapchain(Device& device, Swapchain& swapchain, VkExtent2D wanted) {
     {
-        // No fence tells when the screen is done with a semaphore; an idle queue does.
+        // no fence signals when presentation is done with a semaphore, but an idle queue implies it
         const auto lock = lockQueue(device);
         check(vkQueueWaitIdle(device.queue), "wait for the device");
     }
@@ -175,7 +176,8 @@ std::optional<std::uint32_t> acquireImage(Device& device, const Swapchain& swapc
                                                   swapchain.acquired, VK_NULL_HANDLE, &image);
     if (result == VK_SUCCESS || result == VK_SUBOPTIMAL_KHR) return image;
     outdated = result == VK_ERROR_OUT_OF_DATE_KHR;
-    if (!outdated && result != VK_TIMEOUT && result != VK_NOT_READY) checkWindow(result, "get an image of the window");
+    if (!outdated && result != VK_TIMEOUT && result != VK_NOT_READY)
+        checkWindow(result, "acquire an image of the window");
     return {};
 }
 
@@ -189,7 +191,7 @@ bool presentImage(Device& device, const Swapchain& swapchain, std::uint32_t imag
     const auto lock = lockQueue(device);
     const VkResult result = vkQueuePresentKHR(device.queue, &info);
     if (result == VK_SUBOPTIMAL_KHR || result == VK_ERROR_OUT_OF_DATE_KHR) return false;
-    checkWindow(result, "show a picture in the window");
+    checkWindow(result, "present a picture in the window");
     return true;
 }
 

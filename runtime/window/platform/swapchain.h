@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The images of a window, and their way to the screen.
+// The window's swapchain.
 #pragma once
 
 #include <cstdint>
@@ -10,36 +10,35 @@
 
 namespace pointrt {
 
-/// The images that a surface shows in turn. handle is null while the window has no pixels (minimised).
+/// handle is null while the window has no pixels (minimised).
 struct Swapchain {
-    VkSurfaceKHR surface = VK_NULL_HANDLE; ///< the caller's
+    VkSurfaceKHR surface = VK_NULL_HANDLE; ///< not owned
     VkSwapchainKHR handle = VK_NULL_HANDLE;
-    VkFormat format =
-        VK_FORMAT_UNDEFINED; ///< 8-bit UNORM, BGRA where there is a choice: pixels are sRGB-encoded already
+    VkFormat format = VK_FORMAT_UNDEFINED; ///< 8-bit UNORM, BGRA if available: pixels are already sRGB-encoded
     VkExtent2D extent{};
     VkPresentModeKHR present_mode = VK_PRESENT_MODE_FIFO_KHR;
     std::vector<VkImage> images;
     std::vector<VkImageView> views;
-    std::vector<VkSemaphore> drawn; ///< one an image: it may be presented
+    std::vector<VkSemaphore> drawn; ///< one per image, signalled when it may be presented
     VkSemaphore acquired = VK_NULL_HANDLE;
 };
 
-/// Picks format and present mode; rebuildSwapchain makes the images. Throws Error kCannotRun when the surface takes no
-/// 8-bit colours.
+/// Chooses format and present mode; rebuildSwapchain creates the images. Throws Error kCannotRun if the surface has no
+/// 8-bit format.
 Swapchain createSwapchain(Device& device, VkSurfaceKHR surface);
-/// Leaves the surface to its owner. Nothing of it may be in use.
+/// Does not destroy the surface. The swapchain must be idle.
 void destroySwapchain(Device& device, Swapchain& swapchain);
 
-/// Images for the surface as it is now, of the size wanted where the surface leaves that open (Wayland); waits until
-/// the old ones are out of use. Throws Error kCannotRun (surface or device lost).
+/// Creates images for the surface's current size, or of the wanted size if the surface allows any (Wayland). Waits
+/// until the old images are idle. Throws Error kCannotRun (surface or device lost).
 void rebuildSwapchain(Device& device, Swapchain& swapchain, VkExtent2D wanted);
 
-/// The next image to draw on, once swapchain.acquired is signalled. None when the swapchain must be rebuilt (then
-/// outdated becomes true) or all images are on their way (hidden windows). Throws Error kCannotRun (surface or device
-/// lost).
+/// Acquires the next image, ready when swapchain.acquired is signalled. None if the swapchain must be rebuilt (sets
+/// outdated), or if no image is free (hidden windows). Throws Error kCannotRun (surface or device lost).
 std::optional<std::uint32_t> acquireImage(Device& device, const Swapchain& swapchain, bool& outdated);
 
-/// Shows image once drawn[image] is signalled. False when the swapchain should be rebuilt. Throws as acquireImage.
+/// Presents image once drawn[image] is signalled. Returns false if the swapchain should be rebuilt. Throws as
+/// acquireImage.
 bool presentImage(Device& device, const Swapchain& swapchain, std::uint32_t image);
 
 } // namespace pointrt

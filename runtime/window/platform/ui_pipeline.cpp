@@ -14,7 +14,7 @@
 namespace pointrt {
 namespace {
 
-/// The image keeps what it holds; its owner takes care of layouts and of what comes before and after.
+/// Loads and keeps the attachment's contents. The caller handles layouts and synchronisation.
 VkRenderPass createPass(Device& device, VkFormat format) {
     VkAttachmentDescription color{};
     color.format = format;
@@ -92,7 +92,7 @@ VkShaderModule createModule(Device& device, std::span<const std::uint32_t> spirv
     return shader;
 }
 
-/// Colours over what is there, as straight alpha; the image's own alpha stays whole.
+/// Straight alpha over opaque contents; the attachment's alpha stays 1.
 VkPipelineColorBlendAttachmentState alphaBlending() {
     VkPipelineColorBlendAttachmentState blend{};
     blend.blendEnable = VK_TRUE;
@@ -115,7 +115,7 @@ VkPipelineShaderStageCreateInfo stageOf(VkShaderStageFlagBits stage, VkShaderMod
     return info;
 }
 
-/// The pipeline's fixed parts, which point at one another: filled in place, never copied.
+/// Fixed-function state. Its members point to one another, so it must not be copied.
 struct PipelineState {
     VkVertexInputBindingDescription binding{0, sizeof(ImDrawVert), VK_VERTEX_INPUT_RATE_VERTEX};
     VkVertexInputAttributeDescription attributes[3] = {

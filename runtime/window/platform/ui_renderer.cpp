@@ -13,7 +13,7 @@
 namespace pointrt {
 namespace {
 
-/// Grows buffer to bytes, with half as many more so that a growing panel does not do it every frame.
+/// Grows buffer to at least bytes, half as much again so that a growing panel does not reallocate every frame.
 void reserve(Device& device, Buffer& buffer, const char* what, std::uint64_t bytes, VkBufferUsageFlags usage) {
     if (buffer.bytes >= bytes) return;
     destroyBuffer(device, buffer);
@@ -53,7 +53,7 @@ void recordState(const UiRenderer& ui, VkCommandBuffer commands, VkExtent2D exte
     vkCmdPushConstants(commands, ui.layout, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof push, &push);
 }
 
-/// The pixels that a command may touch; empty outside the image.
+/// A draw command's clip rectangle in pixels; empty if it is outside the image.
 VkRect2D scissorOf(const ImDrawCmd& command, const ImDrawData& data, VkExtent2D extent) {
     const auto clip = [](float position, float origin, float scale, std::uint32_t end) {
         return static_cast<std::int32_t>(std::clamp((position - origin) * scale, 0.0f, static_cast<float>(end)));
@@ -85,7 +85,7 @@ void recordTriangles(VkCommandBuffer commands, VkExtent2D extent, const ImDrawDa
     }
 }
 
-/// Copies coverage, a byte a texel, to the new font image.
+/// Uploads coverage, one byte per texel, to the new font image.
 void uploadCoverage(Device& device, UiRenderer& ui, const void* coverage) {
     const VkExtent2D extent = ui.font.extent;
     const std::uint64_t bytes = std::uint64_t(extent.width) * extent.height;
@@ -123,7 +123,7 @@ void uploadUiFont(Device& device, UiRenderer& ui) {
     io.Fonts->GetTexDataAsAlpha8(&coverage, &width, &height);
     destroyImage(device, ui.font);
     const VkExtent2D extent{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
-    // white, as far as a glyph covers the texel
+    // white, with coverage as alpha
     const VkComponentMapping white{VK_COMPONENT_SWIZZLE_ONE, VK_COMPONENT_SWIZZLE_ONE, VK_COMPONENT_SWIZZLE_ONE,
                                    VK_COMPONENT_SWIZZLE_R};
     ui.font = createImage(device, "font image", VK_FORMAT_R8_UNORM, extent, VK_IMAGE_USAGE_SAMPLED_BIT, white);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dear ImGui's triangles on top of an image, with one pipeline.
+// Draws Dear ImGui's triangles over an image.
 #pragma once
 
 #include "runtime/gpu/device.h"
@@ -10,7 +10,7 @@ struct ImDrawData;
 
 namespace pointrt {
 
-/// What drawing the UI takes. One frame is drawn at a time: recordUi writes the buffers that the last one read.
+/// Vulkan objects to draw the UI. One frame at a time: recordUi overwrites the buffers of the previous one.
 struct UiRenderer {
     VkRenderPass pass = VK_NULL_HANDLE;
     VkSampler sampler = VK_NULL_HANDLE;
@@ -23,19 +23,19 @@ struct UiRenderer {
     Buffer vertices, indices;
 };
 
-/// A renderer for images of format. device was asked for graphics. Throws Error kCannotRun where the driver refuses.
+/// For images of this format. device was requested with graphics. Throws Error kCannotRun if the driver fails.
 UiRenderer createUiRenderer(Device& device, VkFormat format);
 void destroyUiRenderer(Device& device, UiRenderer& ui);
 
-/// Uploads the font atlas of the current ImGui context and tells ImGui what this renderer can do. Again after every
-/// change of the atlas; not while a frame is being drawn.
+/// Uploads the font atlas of the current ImGui context and sets ImGui's backend flags. Repeat after each change of the
+/// atlas, while no frame is in flight.
 void uploadUiFont(Device& device, UiRenderer& ui);
 
-/// The framebuffer of an image, for recordUi. The caller destroys it.
+/// A framebuffer for recordUi, owned by the caller.
 VkFramebuffer createUiFramebuffer(Device& device, const UiRenderer& ui, VkImageView view, VkExtent2D extent);
 
-/// Records data over what framebuffer, of extent pixels, holds: in use as kColorAttachment, before and after. Only
-/// after uploadUiFont; the frame recorded before must be done.
+/// Records drawing data over the contents of framebuffer, which is in kColorAttachment before and after. Requires
+/// uploadUiFont; the previous frame must have finished.
 void recordUi(Device& device, UiRenderer& ui, VkCommandBuffer commands, VkFramebuffer framebuffer, VkExtent2D extent,
               const ImDrawData& data);
 

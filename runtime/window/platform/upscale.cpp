@@ -8,7 +8,7 @@
 namespace pointrt {
 namespace {
 
-/// A pixel whose channels have 16 bits each, so that one multiplication scales all four.
+/// A pixel with 16 bits per channel, so that one multiplication scales all four.
 using WidePixel = std::uint64_t;
 constexpr WidePixel kChannels = 0x00ff00ff00ff00ff;
 
@@ -22,13 +22,13 @@ std::uint32_t narrow(WidePixel wide) {
     return static_cast<std::uint32_t>(halves | halves >> 16);
 }
 
-/// share of 256 parts are b's. Sums stay below 2^16: 255 * 256 + 128.
+/// Linear interpolation in units of 1/256. Sums stay below 2^16: 255 * 256 + 128.
 WidePixel blend(WidePixel a, WidePixel b, std::uint32_t share) {
     constexpr WidePixel kHalf = 0x0080008000800080;
     return (a * (256 - share) + b * share + kHalf) >> 8 & kChannels;
 }
 
-/// Where an output pixel reads along an axis: at first and the pixel after it.
+/// The two input pixels of an output pixel along an axis, and the weight of the second.
 struct Tap {
     std::uint32_t first, second, share;
 };

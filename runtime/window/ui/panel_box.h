@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Boxes on the picture, beside the panel.
+// Boxes over the picture.
 #pragma once
 
 #include <imgui.h>
@@ -8,12 +8,12 @@
 
 namespace pointrt {
 
-/// Where a box stands; the pivot's part of it (0, 0: its upper left corner) is at this place.
+/// Position of a box: at is where its pivot lies (0, 0: its upper left corner).
 struct BoxPlace {
     ImVec2 at, pivot;
 };
 
-/// A box without a title, as high as its content. Returns its height, known from its last frame.
+/// A box without a title, as high as its content. Returns its height in the last frame.
 float boxOnPicture(const char* name, const BoxPlace& place, float width, ImGuiWindowFlags flags,
                    const std::function<void()>& content);
 

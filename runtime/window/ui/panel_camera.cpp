@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The camera.
+// The Camera section.
 #include <imgui.h>
 
 #include <string>
@@ -19,12 +19,12 @@ void drawStandardViews(Workspace& w) {
     ImGui::SameLine();
     if (columnButton("Top", 4, false, "7")) w.camera = standardView(w.camera, StandardView::kTop);
     ImGui::SameLine();
-    if (columnButton("Behind", 4, false, "9: from the opposite side")) w.camera = oppositeView(w.camera);
+    if (columnButton("Opposite", 4, false, "9: the opposite side")) w.camera = oppositeView(w.camera);
     if (columnButton("Left", 4, false)) w.camera = standardView(w.camera, StandardView::kLeft);
     ImGui::SameLine();
     if (columnButton("Back", 4, false)) w.camera = standardView(w.camera, StandardView::kBack);
     ImGui::SameLine();
-    if (columnButton("Below", 4, false)) w.camera = standardView(w.camera, StandardView::kBottom);
+    if (columnButton("Bottom", 4, false)) w.camera = standardView(w.camera, StandardView::kBottom);
     ImGui::SameLine();
     if (columnButton("Iso", 4, false, "from the right, the front and above"))
         w.camera = standardView(w.camera, StandardView::kIso);
@@ -32,12 +32,12 @@ void drawStandardViews(Workspace& w) {
 
 void drawLens(Workspace& w) {
     bool ortho = w.camera.ortho_height > 0;
-    if (checkboxRow("Orthographic", ortho, "5: no perspective, lengths can be compared"))
+    if (checkboxRow("Orthographic", ortho, "5: parallel projection, so that lengths compare"))
         w.camera = orthoToggled(w.camera);
     if (ortho) return;
     double fov_deg = w.camera.fov_deg;
     if (sliderRow("Field of view", fov_deg, {1, 170}, "%.1f\xC2\xB0",
-                  "from top to bottom; what the view turns about keeps its size"))
+                  "vertical; objects at the orbit centre keep their size"))
         w.camera = withFov(w.camera, fov_deg, true);
     if (ImGui::IsItemActive()) w.requests.dragging = true;
 }
@@ -49,11 +49,11 @@ void drawCamera(Workspace& w) {
     drawLens(w);
     const double size = sceneSize(w);
     valueRow("Eye", pointText(w.camera.eye, size).c_str());
-    valueRow("Looks at", pointText(w.camera.pivot, size).c_str());
-    valueRow("From", (lengthText(distanceToPivot(w.camera), size) + " away").c_str());
-    if (columnButton("Home", 2, false, "Home: the view at the start")) w.requests.home = true;
+    valueRow("Target", pointText(w.camera.pivot, size).c_str());
+    valueRow("Distance", lengthText(distanceToPivot(w.camera), size).c_str());
+    if (columnButton("Home", 2, false, "Home: the initial view")) w.requests.home = true;
     ImGui::SameLine();
-    if (columnButton("Copy as text", 2, false, "Ctrl + C: as options of pointrt-view"))
+    if (columnButton("Copy as text", 2, false, "Ctrl + C: copy the camera as pointrt-view options"))
         ImGui::SetClipboardText(cameraText(w.camera).c_str());
 }
 

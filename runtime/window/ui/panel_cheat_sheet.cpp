@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All controls, from the one table of them.
+// The list of all controls.
 #include <imgui.h>
 
 #include <algorithm>
@@ -13,9 +13,9 @@
 namespace pointrt {
 namespace {
 
-/// Of the design: a column of presses and what they do.
+/// Design units: columns for keys and descriptions.
 constexpr float kPressWidth = 120, kDoesWidth = 250, kMargin = 16;
-/// Two columns stand side by side: the camera's, and all others.
+/// The camera's controls are in the first of two columns.
 constexpr const char* kFirstGroup = "Camera";
 
 std::string plain(const char* text) {
@@ -40,7 +40,7 @@ void drawGroupName(const char* group) {
     ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_CheckMark), "%s", group);
 }
 
-/// The rows whose group is the first one, or those whose is not.
+/// Rows of the first group, or of all others.
 void drawColumn(const char* id, bool first) {
     const ImGuiTableFlags fixed = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoHostExtendX;
     if (!ImGui::BeginTable(id, 2, fixed)) return;
@@ -60,7 +60,7 @@ void drawColumn(const char* id, bool first) {
 
 void drawCheatSheet(Workspace& w, FreeArea area) {
     const float column = (kPressWidth + kDoesWidth + 2 * kMargin) * uiScale();
-    if (area.width < column) area.width = ImGui::GetIO().DisplaySize.x; // then over the panel
+    if (area.width < column) area.width = ImGui::GetIO().DisplaySize.x; // wider than the free area: overlap the panel
     const bool wide = area.width > 2 * column;
     ImGui::SetNextWindowPos(ImVec2(area.width / 2, area.height / 2), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
     ImGui::SetNextWindowSizeConstraints(ImVec2(1, 1), ImVec2(area.width, area.height));

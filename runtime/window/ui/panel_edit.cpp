@@ -7,10 +7,10 @@
 namespace pointrt {
 namespace {
 
-/// Of ImGui's fallback window, which every context has, whatever is shown.
+/// Storage of ImGui's fallback window, which always exists.
 ImGuiStorage& storage() { return ImGui::FindWindowByName("Debug##Default")->StateStorage; }
 
-/// The edits that were under way at the end of the last frame.
+/// Edits in progress at the end of the last frame.
 int& activeEdits() { return storedInt("edits under way", 0); }
 
 bool& flagOf(Requests& requests, Edit edit) {

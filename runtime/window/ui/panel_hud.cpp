@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Figures in the corner of the picture.
+// Statistics in the corner of the picture.
 #include <imgui.h>
 
 #include <algorithm>
@@ -14,10 +14,10 @@
 namespace pointrt {
 namespace {
 
-/// Of the design.
+/// Design units.
 constexpr float kMargin = 10, kWidth = 236, kPickWidth = 300, kBarHeight = 3;
 
-/// The part of the wanted samples that is there, 0 to 1.
+/// Progress towards the target samples, 0 to 1.
 float sampleShare(const HudStats& hud) {
     if (hud.target_samples == 0) return 0;
     const double done = hud.samples + (std::isfinite(hud.sample_share) ? hud.sample_share : 0);
@@ -31,7 +31,7 @@ void drawSamples(const Workspace& w) {
     ImGui::ProgressBar(sampleShare(w.hud), ImVec2(-1, kBarHeight * uiScale()), "");
 }
 
-/// Names of devices are long, and end in what matters least.
+/// Device names are long, and their ends matter least.
 void drawDevice(const HudStats& hud) {
     constexpr int most = 34;
     ImGui::TextDisabled("%.*s%s", most, hud.device.c_str(), hud.device.size() > most ? "..." : "");
@@ -49,7 +49,7 @@ void drawStats(const Workspace& w) {
     ImGui::Text("%.3g ms   %.3g Mrays/s   %s", hud.frame_ms, hud.mrays_per_second, bytesText(hud.device_bytes).c_str());
 }
 
-/// A box that lets the mouse through, from top down; returns where it ends.
+/// A box without mouse input, below top; returns its lower edge.
 float drawBox(const char* name, float top, float width, const std::function<void()>& content) {
     constexpr ImGuiWindowFlags through = ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBringToFrontOnFocus;
     ImGui::SetNextWindowBgAlpha(0.6f);
@@ -62,7 +62,7 @@ float drawBox(const char* name, float top, float width, const std::function<void
 void drawHud(const Workspace& w, FreeArea area) {
     const float margin = kMargin * uiScale(), width = area.width / uiScale() - kMargin;
     if (width < kWidth) return;
-    const float bottom = drawBox("Figures", margin, kWidth, [&] { drawStats(w); });
+    const float bottom = drawBox("Statistics", margin, kWidth, [&] { drawStats(w); });
     if (!w.picks.empty() && width >= kPickWidth) drawBox("Pick", bottom + margin, kPickWidth, [&] { drawLastPick(w); });
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Work that takes long, and lines that are shown for a few seconds.
+// The running job and notices.
 #include <imgui.h>
 
 #include <algorithm>
@@ -15,10 +15,10 @@
 namespace pointrt {
 namespace {
 
-/// Of the design.
+/// Design units.
 constexpr float kWidth = 440, kMargin = 12, kBarHeight = 6, kCancelWidth = 64;
 
-/// A window whose lower edge is at bottom; returns its upper edge, known from its last frame.
+/// A window whose lower edge is at bottom; returns its upper edge in the last frame.
 float boxAbove(const char* name, FreeArea area, float bottom, ImGuiWindowFlags flags,
                const std::function<void()>& content) {
     const float width = std::min(kWidth * uiScale(), area.width);
@@ -26,7 +26,7 @@ float boxAbove(const char* name, FreeArea area, float bottom, ImGuiWindowFlags f
     return bottom - boxOnPicture(name, place, width, ImGuiWindowFlags_NoMove | flags, content);
 }
 
-/// A part of the bar that goes from one end to the other, twice in three seconds and a bit.
+/// An indeterminate progress bar: a part that moves across in 1.6 seconds.
 void drawMovingBar(double time_s) {
     constexpr double period_s = 1.6;
     constexpr float part = 0.25f;
@@ -77,11 +77,11 @@ void drawJob(Workspace& w) {
     if (!state.empty()) dimText(state.c_str());
 }
 
-/// 1, and towards 0 in the last of its time.
+/// 1, fading to 0 at the end.
 float opacityOf(const Notice& notice, double time_s) {
     constexpr double fade_s = 0.6;
     const double left = (notice.until_s - time_s) / fade_s;
-    return left > 0 ? static_cast<float>(std::min(left, 1.0)) : 0; // no number: gone
+    return left > 0 ? static_cast<float>(std::min(left, 1.0)) : 0; // NaN: 0
 }
 
 void drawNotice(const Notice& notice, float opacity) {
@@ -113,7 +113,7 @@ void drawJobAndNotices(Workspace& w, FreeArea area) {
 
 void drawEmptyState(const Workspace& w, FreeArea area) {
     if (!w.scene.instances.empty() || !w.scene.shapes.empty() || w.job) return;
-    constexpr const char* text = "Drop a .pro or a scan here";
+    constexpr const char* text = "Drop a .pro or scan file here";
     const float size = 1.6f * ImGui::GetFontSize();
     const ImVec2 extent = ImGui::GetFont()->CalcTextSizeA(size, area.width, area.width, text);
     ImGui::GetBackgroundDrawList()->AddText(ImGui::GetFont(), size,

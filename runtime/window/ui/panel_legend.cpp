@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the scans' colours mean, on the picture.
+// The legend of the scans' colours.
 #include <imgui.h>
 
 #include <algorithm>
@@ -11,13 +11,13 @@
 namespace pointrt {
 namespace {
 
-/// Of the design.
+/// Design units.
 constexpr float kMargin = 10, kBarWidth = 18, kBarHeight = 170, kTickWidth = 5, kSwatch = 11, kWidth = 200;
 constexpr ImU32 kTickColor = IM_COL32(255, 255, 255, 200);
 
 ImU32 packed(Srgb8 color) { return IM_COL32(color[0], color[1], color[2], 255); }
 
-/// A piece for each colour would be finer than pixels.
+/// Drawn as one rectangle per colour, less than a pixel high.
 void drawBar(ImDrawList& list, ImVec2 corner, const Legend& legend) {
     const float scale = uiScale(), piece = kBarHeight * scale / static_cast<float>(legend.bar.size());
     for (std::size_t i = 0; i < legend.bar.size(); ++i) {

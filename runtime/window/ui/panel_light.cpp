@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The list of lights.
+// The Light section: the list of lights.
 #include <imgui.h>
 
 #include <algorithm>
@@ -16,10 +16,10 @@
 namespace pointrt {
 namespace {
 
-/// Rows of the list before it scrolls.
+/// Rows before the list scrolls.
 constexpr int kMaxRows = 5;
 
-/// Lamps with a size are shapes as well, and a sky's image is a light.
+/// Area lights count as shapes too, and a sky image counts as a light.
 bool isRoomFor(const SceneDescription& scene, bool surface) {
     const std::size_t sky = scene.sky && !scene.sky->image.empty() ? 1 : 0;
     if (scene.lights.size() + sky >= MAX_LIGHTS) return false;
@@ -59,7 +59,7 @@ void drawSwatch(const LightDescription& light) {
 
 void drawList(Workspace& w) {
     const int count = static_cast<int>(w.scene.lights.size());
-    if (count == 0) return dimText("No lights: only the sky shines.");
+    if (count == 0) return dimText("No lights, only the sky.");
     const float row = ImGui::GetTextLineHeightWithSpacing();
     const float height = row * static_cast<float>(std::min(count, kMaxRows)) + 2 * ImGui::GetStyle().WindowPadding.y -
                          ImGui::GetStyle().ItemSpacing.y;
@@ -78,7 +78,7 @@ void drawList(Workspace& w) {
     ImGui::EndChild();
 }
 
-/// Lamps with a surface, then what gets harder and harder.
+/// Area lights first, then the others, softest first.
 std::array<std::size_t, kLightKinds> kindsBySoftness() {
     std::array<std::size_t, kLightKinds> kinds;
     std::iota(kinds.begin(), kinds.end(), std::size_t{0});
@@ -105,7 +105,7 @@ void drawButtons(Workspace& w) {
     drawAddMenu(w);
     ImGui::SameLine();
     ImGui::BeginDisabled(!any || !isRoomFor(w.scene, surface));
-    if (columnButton("Copy", 3, false, "another light like the chosen one"))
+    if (columnButton("Copy", 3, false, "duplicate the selected light"))
         addLight(w, LightDescription(w.scene.lights[selected]));
     ImGui::EndDisabled();
     ImGui::SameLine();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The values of one light.
+// Properties of a light.
 #include <imgui.h>
 
 #include <algorithm>
@@ -16,20 +16,20 @@ namespace {
 
 bool noteScene(Workspace& w, bool changed) { return reportEdit(w.requests, Edit::kScene, changed); }
 
-/// Lengths of lamps, from a thousandth of the scene to ten scenes.
+/// Range of lamp sizes: 1/1000 of the scene to ten times the scene.
 SliderRange sizesIn(const Workspace& w) { return {1e-3 * sceneSize(w), 10 * sceneSize(w), true}; }
 
 constexpr const char* kSize = "%.4g";
 constexpr const char* kDegrees = "%.1f\xC2\xB0";
 
-/// A direction by compass and level; straight up and down, where the compass fails, are left out.
+/// Azimuth and elevation of a direction. The poles, where azimuth is undefined, are excluded.
 bool bearingRows(Workspace& w, Vec3& direction, const char* tip) {
     const Vec3 up = sceneUpright(w);
     Bearing bearing = bearingOf(direction, up);
     constexpr double steepest = 89.9;
     bool changed = noteScene(w, sliderRow("Azimuth", bearing.azimuth_deg, {0, 360}, kDegrees, tip));
-    changed |= noteScene(w, sliderRow("Height", bearing.elevation_deg, {-steepest, steepest}, kDegrees,
-                                      "over the horizon; below 0 from underneath"));
+    changed |= noteScene(w, sliderRow("Elevation", bearing.elevation_deg, {-steepest, steepest}, kDegrees,
+                                      "above the horizon; negative: below it"));
     if (changed)
         direction = directionOf({bearing.azimuth_deg, std::clamp(bearing.elevation_deg, -steepest, steepest)}, up);
     return changed;
@@ -44,10 +44,10 @@ Vec3 towardsPivot(const Workspace& w, Vec3 from, Vec3 otherwise) {
     return length(ahead) > 1e-9 * sceneSize(w) ? normalize(ahead) : otherwise;
 }
 
-constexpr const char* kFaceTip = "where its face looks, from north by way of east; both sides shine";
-constexpr const char* kSizeTip = "scene units; larger is softer, as bright as before";
+constexpr const char* kFaceTip = "direction the lamp faces, clockwise from north; it shines on both sides";
+constexpr const char* kSizeTip = "scene units; a larger lamp is softer but no brighter";
 
-/// A row, or a few, for each value of a light, by what it is.
+/// Rows for each property of a light, by its type.
 template <Light L>
 struct FieldRows {
     Workspace& w;
@@ -55,44 +55,43 @@ struct FieldRows {
     Vec3* sunward = nullptr;
 
     void operator()(const PositionField& field) const {
-        noteScene(w, pointRow("Position", field.value, sceneSize(w), "in the scan's own coordinates"));
-        const char* tip = field.turns ? "to where the camera is, looking the same way" : "to where the camera is";
-        if (aimButton(w, "Bring it here", tip, Aimable<L> ? 2 : 1)) {
+        noteScene(w, pointRow("Position", field.value, sceneSize(w), "in the scan's coordinates"));
+        const char* tip = field.turns ? "move it to the camera, facing the same way" : "move it to the camera";
+        if (aimButton(w, "Move here", tip, Aimable<L> ? 2 : 1)) {
             field.value = w.camera.eye;
             if constexpr (Aimable<L>)
                 if (field.turns) light.face(axesOf(w.camera).forward, sceneUpright(w));
         }
         if constexpr (Aimable<L>) {
             ImGui::SameLine();
-            if (aimButton(w, "Aim", "at the middle of the picture", 2))
+            if (aimButton(w, "Aim", "point it at the centre of the view", 2))
                 light.face(towardsPivot(w, field.value, light.facing()), sceneUpright(w));
         }
     }
 
     void operator()(const AimField& field) const {
         static_assert(Aimable<L>, "a light that points somewhere has facing() and face()");
-        bearingRows(w, field.value, field.flat ? kFaceTip : "where it points, from north by way of east");
+        bearingRows(w, field.value, field.flat ? kFaceTip : "direction it points, clockwise from north");
     }
 
     void operator()(const SunwardField& field) {
-        bearingRows(w, field.value, "where it stands, from north by way of east");
+        bearingRows(w, field.value, "direction of the sun, clockwise from north");
         sunward = &field.value;
     }
 
     void operator()(const ConeField& field) const {
-        const double outer_deg =
-            std::max(0.0, std::min(field.outer_deg, ConeField::kWidest)); // 0 where it is no number
+        const double outer_deg = std::max(0.0, std::min(field.outer_deg, ConeField::kWidest)); // 0 for NaN
         const double undimmed = std::clamp(field.inner_deg / field.outer_deg, 0.0, 1.0);
         if (noteScene(w, sliderRow("Cone", field.outer_deg, {ConeField::kNarrowest, ConeField::kWidest}, kDegrees,
-                                   "half of its opening angle")))
+                                   "half the opening angle")))
             field.inner_deg = undimmed * field.outer_deg;
-        noteScene(w, sliderRow("Full inside", field.inner_deg, {0, outer_deg}, kDegrees,
-                               "undimmed up to this angle; the rest of the cone is its soft edge"));
+        noteScene(w, sliderRow("Inner cone", field.inner_deg, {0, outer_deg}, kDegrees,
+                               "full brightness up to this angle; the rest of the cone is a soft edge"));
     }
 
     void operator()(const AngularRadiusField& field) const {
         noteScene(w, sliderRow("Softness", field.degrees, {0, AngularRadiusField::kWidest}, kDegrees,
-                               "angular radius: 0.27\xC2\xB0 is the real sun, more makes shadows softer"));
+                               "angular radius; the sun has 0.27\xC2\xB0, more gives softer shadows"));
     }
 
     void operator()(const RadiusField& field) const {
@@ -116,10 +115,10 @@ struct FieldRows {
     }
 
     void operator()(const VisibleField& field) const {
-        noteScene(w, checkboxRow("Visible", field.value, "whether the lamp itself is in the picture"));
+        noteScene(w, checkboxRow("Visible", field.value, "show the lamp itself in the picture"));
     }
 
-    void operator()(const EmissionField&) const {} // above all rows, for every light alike
+    void operator()(const EmissionField&) const {} // drawn above, for all lights alike
 };
 
 template <Light L>
@@ -136,7 +135,7 @@ void drawLightValues(Workspace& w, LightDescription& light) {
     if (noteScene(w, colorRow("Colour", tint))) setTint(light, tint);
     double brightness = brightnessOf(light, sceneSize(w));
     if (noteScene(w, sliderRow("Brightness", brightness, {1e-3, 1e3, true}, "%.3f",
-                               "1: a white surface that faces it, one scene's diagonal away, shows white")))
+                               "1: a white surface facing the light, one scene diagonal away, appears white")))
         setBrightness(light, brightness, sceneSize(w));
     std::visit([&](auto& kind) { drawFields(w, kind); }, light);
 }

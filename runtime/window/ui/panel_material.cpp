@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What things are made of: the scan, and what stands around it.
+// The Materials section: materials of scans and shapes.
 #include <imgui.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ std::string fileName(const InstanceDescription& instance) {
     return std::filesystem::path(instance.path).filename().string();
 }
 
-/// One of the scene's files by its number, or all of them by 0.
+/// The chosen instance (stored as 1-based index), or all (0).
 InstanceRange chosenInstances(const SceneDescription& scene) {
     const auto count = scene.instances.size();
     if (count == 1) return {0, 1};
@@ -49,7 +49,7 @@ InstanceRange chosenInstances(const SceneDescription& scene) {
     return chosen == 0 ? InstanceRange{0, count} : InstanceRange{static_cast<std::size_t>(chosen) - 1, 1};
 }
 
-/// The material that all of them have; none where they are as scanned or differ.
+/// The material of all instances in range; none if they differ or have their files' materials.
 std::optional<std::uint32_t> sharedMaterial(const SceneDescription& scene, InstanceRange range) {
     const auto material = scene.instances[range.first].material;
     for (std::size_t i = 1; i < range.count; ++i)
@@ -61,9 +61,9 @@ void drawScan(Workspace& w) {
     const InstanceRange range = chosenInstances(w.scene);
     auto material = sharedMaterial(w.scene, range);
     int kind = material ? 1 + static_cast<int>(w.scene.materials[*material].kind) : 0;
-    if (noteScene(w, comboRow("The scan is", kind, kScanKinds, "what all of it is made of, whatever the file says"))) {
-        const auto wanted = kind == 0 ? std::nullopt : std::optional(static_cast<MaterialKind>(kind - 1));
-        setScanMaterial(w.scene, range, wanted);
+    if (noteScene(w, comboRow("Material", kind, kScanKinds, "material of the whole scan, in place of the file's"))) {
+        const auto new_kind = kind == 0 ? std::nullopt : std::optional(static_cast<MaterialKind>(kind - 1));
+        setScanMaterial(w.scene, range, new_kind);
         material = sharedMaterial(w.scene, range);
     }
     if (material) drawMaterialValues(w, w.scene.materials[*material]);
@@ -86,7 +86,7 @@ void drawShapeMaterial(Workspace& w, std::uint32_t number) {
 } // namespace
 
 void drawMaterials(Workspace& w) {
-    if (w.scene.instances.empty() && w.scene.shapes.empty()) dimText("Nothing is open.");
+    if (w.scene.instances.empty() && w.scene.shapes.empty()) dimText("No scene is open.");
     if (!w.scene.instances.empty()) drawScan(w);
     for (std::uint32_t m = 0; m < w.scene.materials.size(); ++m)
         if (usedByShapes(w.scene, m)) drawShapeMaterial(w, m);

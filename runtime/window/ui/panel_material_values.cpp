@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The values that a kind of material has.
+// Properties of a material.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,8 @@ namespace {
 
 bool noteScene(Workspace& w, bool changed) { return reportEdit(w.requests, Edit::kScene, changed); }
 
-/// What is left of white light after a tenth of the scene, which says more than a number per length.
+/// Edits absorption as the colour of white light after a tenth of the scene's size, which is easier to judge than
+/// absorption per length.
 void tintRow(Workspace& w, const MaterialField& field, Color& absorption) {
     const double depth = 0.1 * sceneSize(w);
     constexpr double darkest = 1e-3;
@@ -40,8 +41,8 @@ void fieldRow(Workspace& w, const MaterialField& field, MaterialDescription& mat
 } // namespace
 
 void drawMaterialValues(Workspace& w, MaterialDescription& material) {
-    noteScene(w, colorRow("Colour", material.color, "what it reflects; of glass, what it lets through"));
-    noteScene(w, checkboxRow("Own colours", material.splat_color, "multiplied by the colours of the scan"));
+    noteScene(w, colorRow("Colour", material.color, "reflected colour; for glass, transmitted colour"));
+    noteScene(w, checkboxRow("Scan colours", material.splat_color, "multiply by the colours of the scan"));
     for (const MaterialField* field : fieldsOf(material.kind)) fieldRow(w, *field, material);
 }
 

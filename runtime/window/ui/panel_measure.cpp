@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What was picked, and how far apart.
+// The Measure section: picked points and distances.
 #include <imgui.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace pointrt {
 namespace {
 
-/// Three decimals: a sixteenth of a degree.
+/// Three decimals: 1/16 of a degree.
 std::string normalText(Vec3 normal) {
     constexpr double unit_with_three_decimals = 10;
     return pointText(normal, unit_with_three_decimals);
@@ -45,7 +45,7 @@ void colorRowOf(const PickedPoint& pick) {
 
 void drawPick(const Workspace& w, const PickedPoint& pick) {
     const double size = sceneSize(w);
-    valueRow("Of", sourceText(pick).c_str());
+    valueRow("Source", sourceText(pick).c_str());
     valueRow("Position", pointText(pick.position, size).c_str());
     valueRow("Normal", normalText(pick.normal).c_str());
     colorRowOf(pick);
@@ -59,18 +59,18 @@ std::string pickLine(const PickedPoint& pick, double size) {
            "\tcolour " + colorText(pick) + (pick.value.empty() ? "" : "\t" + pick.value) + "\n";
 }
 
-/// Between the last two, of which both must be there.
+/// Distance between the last two picks, which must exist.
 std::string distanceText(const Workspace& w) {
     const double apart = length(w.picks.back().position - w.picks[w.picks.size() - 2].position);
     return lengthText(apart, sceneSize(w));
 }
 
-/// The picks as lines of a text.
+/// The picks as text, one per line.
 std::string measureText(const Workspace& w) {
     std::string text;
     for (const PickedPoint& pick : w.picks) text += pickLine(pick, sceneSize(w));
     if (w.picks.size() < 2) return text;
-    return text + "apart " + distanceText(w) + "\n";
+    return text + "point to point " + distanceText(w) + "\n";
 }
 
 } // namespace
@@ -78,21 +78,21 @@ std::string measureText(const Workspace& w) {
 void drawLastPick(const Workspace& w) {
     drawPick(w, w.picks.back());
     if (w.picks.size() < 2) return;
-    valueRow("Apart", distanceText(w).c_str());
+    valueRow("Point to point", distanceText(w).c_str());
 }
 
 void drawMeasure(Workspace& w) {
-    if (w.picks.empty()) return dimText("Click a point of the picture.");
+    if (w.picks.empty()) return dimText("Click a point in the picture.");
     const PickedPoint& last = w.picks.back();
     ImGui::TextDisabled("Last pick");
     drawPick(w, last);
     if (w.picks.size() > 1) {
         const PickedPoint& before = w.picks[w.picks.size() - 2];
-        ImGui::TextDisabled("The one before");
+        ImGui::TextDisabled("Previous pick");
         drawPick(w, before);
         ImGui::Separator();
-        valueRow("Apart", distanceText(w).c_str());
-        checkboxRow("Keep it", w.pin_measurement, "M: the line stays while you look on");
+        valueRow("Point to point", distanceText(w).c_str());
+        checkboxRow("Keep line", w.pin_measurement, "M: keep the line on the picture");
     }
     if (columnButton("Copy as text", 1)) ImGui::SetClipboardText(measureText(w).c_str());
 }

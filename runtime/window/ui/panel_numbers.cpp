@@ -22,7 +22,7 @@ int decimalsFor(double size) {
 }
 
 std::string lengthText(double value, double size) {
-    constexpr double widest = 1e12; // beyond, digits say less than the exponent
+    constexpr double widest = 1e12; // beyond this the exponent says more than digits
     if (!(std::abs(value) < widest)) return formatted("%.*g", 4, value);
     return formatted("%.*f", decimalsFor(size), value);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers as people read them.
+// Number formatting.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 
 namespace pointrt {
 
-/// Decimals that tell a 10,000th of size from nothing: 0 to 9.
+/// Decimals to resolve 1e-4 of size: 0 to 9.
 int decimalsFor(double size);
 /// A length or coordinate in a scene of this size.
 std::string lengthText(double value, double size);
-/// Three of them.
+/// Three coordinates.
 std::string pointText(Vec3 point, double size);
 /// "12 345 678"
 std::string countText(std::uint64_t count);
-/// "1.2 GB", powers of 1000.
+/// "1.2 GB", in powers of 1000.
 std::string bytesText(std::uint64_t bytes);
 
 } // namespace pointrt

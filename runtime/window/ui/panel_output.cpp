@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What leaves the window: scene files, turntables; and what the window can tell of itself.
+// The Output and About sections.
 #include <imgui.h>
 
 #include <algorithm>
@@ -12,27 +12,27 @@
 namespace pointrt {
 namespace {
 
-constexpr int kPictures = 36; // one every 10 degrees
+constexpr int kPictures = 36; // one per 10 degrees
 constexpr std::uint32_t kMaxPictures = 3600;
 static_assert(kMaxPictures <= kMaxTurntable);
 
 } // namespace
 
 void drawOutput(Workspace& w) {
-    if (columnButton("Save scene", 1, false, "Ctrl + S: a file that pointrt-view renders to the same picture"))
+    if (columnButton("Save scene", 1, false, "Ctrl + S: save a scene file that renders this picture with pointrt-view"))
         w.requests.save_scene = true;
     ImGui::TextDisabled("Turntable");
     auto pictures = static_cast<std::uint32_t>(std::max(1, storedInt("turntable pictures", kPictures)));
-    if (sliderRow("Pictures", pictures, {1, kMaxPictures, true}, "for one turn about the upright axis"))
+    if (sliderRow("Pictures", pictures, {1, kMaxPictures, true}, "for one turn about the up axis"))
         storedInt("turntable pictures", kPictures) = static_cast<int>(pictures);
-    textRow("Files", w.turntable_path, "turntable/%04d.png", "%04d stands for the picture's number");
+    textRow("Files", w.turntable_path, "turntable/%04d.png", "%04d is replaced by the picture's number");
     ImGui::BeginDisabled(w.job.has_value() || w.turntable_path.empty());
     if (columnButton("Render turntable", 1)) w.requests.turntable_pictures = pictures;
     ImGui::EndDisabled();
 }
 
 void drawAbout(Workspace& w) {
-    checkboxRow("Figures", w.show_hud, "device, samples and speed, in the upper left corner");
+    checkboxRow("Statistics", w.show_hud, "device, samples and speed in the upper left corner");
     if (columnButton("All controls", 1, w.show_cheat_sheet, "H")) w.show_cheat_sheet = !w.show_cheat_sheet;
     if (!w.hud.device.empty()) dimText(w.hud.device.c_str());
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts that drawUi (panel_ui.h) is made of.
+// The parts of drawUi (panel_ui.h).
 #pragma once
 
 #include "runtime/scene/render_setting_table.h"
@@ -8,19 +8,19 @@
 
 namespace pointrt {
 
-/// Length of the diagonal of the scan's bounds, input units; 1 where they are none or absurd.
+/// Diagonal of the scan's bounds, input units; 1 if they are empty or absurd.
 double sceneSize(const Workspace& w);
-/// What the scene stands on: unit length.
+/// The up direction, unit length.
 Vec3 sceneUpright(const Workspace& w);
 
-/// What a slider may take of a setting (render_setting_table.h).
+/// The slider range for a setting's limits (render_setting_table.h).
 constexpr SliderRange sliderRange(CountRange range, bool logarithmic = false) {
     return {static_cast<double>(range.low), static_cast<double>(range.high), logarithmic};
 }
 
-/// Sections of the panel, each within its header.
+/// Sections of the panel, below their headers.
 void drawLights(Workspace& w);
-void sampleSky(Workspace& w);
+void drawSky(Workspace& w);
 void drawMaterials(Workspace& w);
 void drawRoom(Workspace& w);
 void drawRender(Workspace& w);
@@ -32,11 +32,11 @@ void drawMeasure(Workspace& w);
 void drawOutput(Workspace& w);
 void drawAbout(Workspace& w);
 
-/// The values of one light.
+/// Properties of one light.
 void drawLightValues(Workspace& w, LightDescription& light);
-/// Where a sun stands, by place and time. towards: unit vector to it.
+/// Sets a sun by place and time. towards: unit vector to the sun.
 void drawSunByDate(Workspace& w, Vec3& towards);
-/// The values that this material's kind has.
+/// Properties of a material, by its kind.
 void drawMaterialValues(Workspace& w, MaterialDescription& material);
 
 /// The part of the window that the panel leaves free, window units from the upper left corner.
@@ -44,16 +44,16 @@ struct FreeArea {
     float width = 1, height = 1;
 };
 
-/// On the picture.
+/// Over the picture:
 void drawPickMarks(const Workspace& w);
-/// The figures in the upper left corner, and the last pick below; what is wider than the area is left out.
+/// Statistics and the last pick, upper left corner. Boxes wider than area are omitted.
 void drawHud(const Workspace& w, FreeArea area);
-/// Rows about the last of w.picks, which must be there.
+/// Properties of the last of w.picks, which must not be empty.
 void drawLastPick(const Workspace& w);
-/// What the scans' colours mean, where they are coloured; lower left corner.
+/// The legend of the current colours, if any, lower left corner.
 void drawLegendBox(const Workspace& w, FreeArea area);
 void drawCheatSheet(Workspace& w, FreeArea area);
-/// The work under way, above it what there is to say; middle of the lower edge.
+/// The running job, with notices above it, at the middle of the lower edge.
 void drawJobAndNotices(Workspace& w, FreeArea area);
 void drawEmptyState(const Workspace& w, FreeArea area);
 

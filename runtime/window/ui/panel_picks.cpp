@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Marks on the picture where points were picked.
+// Markers on the picture at picked points.
 #include <imgui.h>
 
 #include <cmath>
@@ -11,11 +11,11 @@
 namespace pointrt {
 namespace {
 
-/// Light lines on dark ones can be seen on any picture.
+/// Light lines on dark ones are visible on any picture.
 constexpr ImU32 kLight = IM_COL32(255, 255, 255, 235), kDark = IM_COL32(0, 0, 0, 150);
 constexpr ImU32 kLine = IM_COL32(125, 190, 235, 235);
 
-/// Nothing where the point is behind the eye or so far to the side that no float holds it well.
+/// None if the point is behind the eye, or too far outside for float precision.
 std::optional<ImVec2> onScreen(const Workspace& w, Vec3 point) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const auto at = projected(w.camera, {static_cast<double>(window.x), static_cast<double>(window.y)}, point);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the light that was found is shown.
+// The Picture section.
 #include <imgui.h>
 
 #include <array>
@@ -17,7 +17,7 @@ constexpr auto kShown = [] {
     return labels;
 }();
 
-/// Of the exposures that there are, those that a slider is fine enough for.
+/// Exposures for which a slider is precise enough.
 constexpr SliderRange kExposures{-8, 8};
 static_assert(rowOf<&RenderSettings::exposure>().limits.low <= kExposures.low &&
               kExposures.high <= rowOf<&RenderSettings::exposure>().limits.high);
@@ -26,14 +26,14 @@ static_assert(rowOf<&RenderSettings::exposure>().limits.low <= kExposures.low &&
 
 void drawPicture(Workspace& w) {
     const auto note = [&](bool changed) { return reportEdit(w.requests, Edit::kLook, changed); };
-    note(sliderRow("Exposure", w.look.exposure, kExposures, "%+.2f stops", "one stop more is twice as bright"));
-    note(checkboxRow("Denoise", w.denoise, "smooths what the samples so far leave noisy"));
+    note(sliderRow("Exposure", w.look.exposure, kExposures, "%+.2f stops", "one stop doubles the brightness"));
+    note(checkboxRow("Denoise", w.denoise, "filter the noise of unfinished pictures"));
     int shown = static_cast<int>(w.look.shown);
-    if (note(comboRow("Show", shown, kShown, "the picture, or one of the parts it is made of")))
+    if (note(comboRow("Show", shown, kShown, "the picture, or one of its layers")))
         w.look.shown = static_cast<std::uint32_t>(shown);
     if (w.look.shown == SHOWN_DEPTH)
         note(sliderRow("Black at", w.look.depth_black, {1e-2 * sceneSize(w), 1e2 * sceneSize(w), true}, "%.4g",
-                       "distance from the eye, scene units"));
+                       "distance from the eye shown as black, scene units"));
     if (columnButton("Save picture", 1, false, "F12: PNG and EXR")) w.requests.screenshot = true;
 }
 

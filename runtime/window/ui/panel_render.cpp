@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How light is followed.
+// The Render section.
 #include <imgui.h>
 
 #include <algorithm>
@@ -25,19 +25,19 @@ void drawRender(Workspace& w) {
     const auto note = [&](bool changed) { return reportEdit(w.requests, Edit::kSettings, changed); };
     int integrator = static_cast<int>(settings.integrator);
     if (note(comboRow("Light", integrator, kLabels,
-                      "direct light: quick; with mirrors: reflections and glass as well; full light: also what "
-                      "surfaces throw on each other")))
+                      "direct light: fast; with mirrors: adds reflection and refraction; full light: adds light "
+                      "scattered between surfaces")))
         settings.integrator = static_cast<Integrator>(integrator);
     ImGui::BeginDisabled(!hasTrait(settings.integrator, INTEGRATOR_HAS_BOUNCES));
     note(sliderRow("Bounces", settings.bounces, sliderRange(rowOf<&RenderSettings::bounces>().limits, true),
-                   "turns that light may take on its way"));
-    note(checkboxRow("Caustics", settings.caustics, "light bundled by glass and mirrors"));
+                   "maximum number of bounces of a path"));
+    note(checkboxRow("Caustics", settings.caustics, "light focused by glass and mirrors"));
     ImGui::EndDisabled();
     note(checkboxRow("Shadows", settings.shadows));
-    note(checkboxRow("Blend", settings.blend, "points melt into a smooth surface; off: each is a flat disc"));
+    note(checkboxRow("Blend", settings.blend, "blend splats into a smooth surface; off: flat discs"));
     reportEdit(w.requests, Edit::kLook,
                sliderRow("Samples", w.target_samples, sliderRange(rowOf<&RenderSettings::spp>().limits, true),
-                         "a pixel, until the picture is done"));
+                         "per pixel, when the picture is finished"));
     reportEdit(w.requests, Edit::kLook, checkboxRow("Pause", w.paused, "Space"));
 }
 

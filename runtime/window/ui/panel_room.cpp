@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands around the scan.
+// The Room section: surroundings and up axis.
 #include <imgui.h>
 
 #include <iterator>
@@ -22,7 +22,7 @@ void roomButton(Workspace& w, const char* name, std::optional<Room> room, const 
     if (columnButton(name, 4, w.settings.room == room, tip)) setRoom(w, room);
 }
 
-/// Scanners mostly call up Z, modellers Y.
+/// In most scans Z is up, in most models Y.
 void drawUp(Workspace& w) {
     const struct {
         const char* name;
@@ -34,7 +34,7 @@ void drawUp(Workspace& w) {
         if (!first) ImGui::SameLine();
         first = false;
         const bool stands = length(w.scene_up - side.axis) < 1e-6;
-        if (columnButton(side.name, static_cast<int>(std::size(sides)), stands, "the side that the scan stands on"))
+        if (columnButton(side.name, static_cast<int>(std::size(sides)), stands, "up axis of the scan"))
             w.requests.up = side.axis;
     }
 }
@@ -47,14 +47,14 @@ void drawRoom(Workspace& w) {
     ImGui::SameLine();
     roomButton(w, "Matte", Room::kMatte, "a grey room with lamps");
     ImGui::SameLine();
-    roomButton(w, "Mirror", Room::kMirror, "walls of mirrors, with lamps");
+    roomButton(w, "Mirror", Room::kMirror, "a room of mirrors with lamps");
     ImGui::SameLine();
     roomButton(w, "None", Room::kNone, "lamps only");
     if (!w.settings.room) return;
     std::uint32_t lamps = w.settings.lights.value_or(kRingLights);
     if (reportEdit(w.requests, Edit::kSettings,
                    sliderRow("Lamps", lamps, sliderRange(rowOf<&RenderSettings::lights>().limits),
-                             "on a ring above the scan, the first over your left shoulder")))
+                             "number of lamps on a ring above the scan, the first over your left shoulder")))
         w.settings.lights = lamps;
 }
 

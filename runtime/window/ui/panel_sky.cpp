@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The light from all around.
+// The Sky section.
 #include <imgui.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr SliderRange kStrengths{1e-3, 1e3, true};
 
-/// Colours of light may be above 1, which stays in the brightest of them.
+/// A colour picker for light, whose channels may exceed 1: the maximum is kept.
 bool lightRow(const char* name, Color& color, const char* tip) {
     const float most = std::max({1.0f, color[0], color[1], color[2]});
     Color shown = {color[0] / most, color[1] / most, color[2] / most};
@@ -25,7 +25,7 @@ bool lightRow(const char* name, Color& color, const char* tip) {
 
 } // namespace
 
-void sampleSky(Workspace& w) {
+void drawSky(Workspace& w) {
     SkyDescription sky = w.scene.sky.value_or(SkyDescription{});
     bool changed = false;
     const auto note = [&](bool edited) { changed |= reportEdit(w.requests, Edit::kScene, edited); };
@@ -35,11 +35,11 @@ void sampleSky(Workspace& w) {
         note(lightRow("Below", sky.ground, "the colour straight down"));
     } else {
         valueRow("Picture", std::filesystem::path(sky.image).filename().string().c_str());
-        note(sliderRow("Turned", sky.rotation_deg, {-360, 360}, "%.1f\xC2\xB0", "about the upright axis"));
+        note(sliderRow("Rotation", sky.rotation_deg, {-360, 360}, "%.1f\xC2\xB0", "about the up axis"));
     }
-    note(sliderRow("Strength", sky.strength, kStrengths, "%.3f", "multiplies all of the sky"));
+    note(sliderRow("Strength", sky.strength, kStrengths, "%.3f", "multiplies the sky's light"));
     note(sliderRow("Ambient", sky.ambient, {0, 1}, "%.2f",
-                   "share of the sky's light in shadows; for direct light and mirrors, full light works it out"));
+                   "share of the sky's light in shadows; full light computes it instead"));
     if (changed) w.scene.sky = sky;
 }
 

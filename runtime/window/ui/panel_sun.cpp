@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sun by place, date and time.
+// The sun's direction from place, date and time.
 #include <imgui.h>
 
 #include <chrono>
@@ -13,7 +13,7 @@
 namespace pointrt {
 namespace {
 
-/// Where and when, as the panel keeps it. Begins in Greenwich, on the afternoon of a midsummer day.
+/// Place and time in the panel. Initially Greenwich, a midsummer afternoon.
 struct SunDate {
     float latitude_deg, longitude_deg, hour;
     int day_of_year, year;
@@ -60,8 +60,8 @@ bool dateRows(Requests& requests, SunDate& date) {
     std::snprintf(hour, sizeof hour, "%02d:%02d UTC", static_cast<int>(date.hour),
                   static_cast<int>(60 * (date.hour - static_cast<float>(static_cast<int>(date.hour)))));
     const auto note = [&](bool changed) { return reportEdit(requests, Edit::kScene, changed); };
-    bool changed = note(sliderRow("Latitude", date.latitude_deg, {-90, 90}, "%.2f\xC2\xB0", "north is above 0"));
-    changed |= note(sliderRow("Longitude", date.longitude_deg, {-180, 180}, "%.2f\xC2\xB0", "east is above 0"));
+    bool changed = note(sliderRow("Latitude", date.latitude_deg, {-90, 90}, "%.2f\xC2\xB0", "north is positive"));
+    changed |= note(sliderRow("Longitude", date.longitude_deg, {-180, 180}, "%.2f\xC2\xB0", "east is positive"));
     auto year = static_cast<std::uint32_t>(date.year), day_of_year = static_cast<std::uint32_t>(date.day_of_year);
     changed |= note(sliderRow("Year", year, {1900, 2100}));
     pushRow("Day", "of the year");
@@ -69,7 +69,7 @@ bool dateRows(Requests& requests, SunDate& date) {
     changed |= note(ImGui::SliderScalar("##value", ImGuiDataType_U32, &day_of_year, &first, &last, day,
                                         ImGuiSliderFlags_AlwaysClamp));
     popRow();
-    changed |= note(sliderRow("Hour", date.hour, {0, 24}, hour, "universal time: your clock's less its time zone"));
+    changed |= note(sliderRow("Hour", date.hour, {0, 24}, hour, "UTC: local time minus the time zone"));
     date.year = static_cast<int>(year);
     date.day_of_year = static_cast<int>(day_of_year);
     return changed;
@@ -78,18 +78,19 @@ bool dateRows(Requests& requests, SunDate& date) {
 } // namespace
 
 void drawSunByDate(Workspace& w, Vec3& towards) {
-    if (!ImGui::TreeNode("By place and date")) return;
+    if (!ImGui::TreeNode("Place and date")) return;
     SunDate date = storedDate();
     bool changed = dateRows(w.requests, date);
-    changed |= reportEdit(w.requests, Edit::kScene, ImGui::Button("Put the sun there", ImVec2(-1, 0)));
+    changed |= reportEdit(w.requests, Edit::kScene, ImGui::Button("Set the sun", ImVec2(-1, 0)));
     storeDate(date);
     const SunPosition position = positionAt(date);
     const Vec3 up = sceneUpright(w);
     if (changed && position.elevation_deg > 0) towards = normalize(sunDirection(position, up, defaultNorth(up)));
     if (position.elevation_deg > 0)
-        ImGui::TextDisabled("%.1f\xC2\xB0 high, azimuth %.1f\xC2\xB0", position.elevation_deg, position.azimuth_deg);
+        ImGui::TextDisabled("elevation %.1f\xC2\xB0, azimuth %.1f\xC2\xB0", position.elevation_deg,
+                            position.azimuth_deg);
     else
-        dimText("It is night: the sun stays where it was.");
+        dimText("The sun is below the horizon then; it stays where it was.");
     ImGui::TreePop();
 }
 

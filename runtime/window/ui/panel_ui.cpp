@@ -14,9 +14,9 @@
 namespace pointrt {
 namespace {
 
-/// Of the design.
+/// Design units.
 constexpr float kPanelWidth = 300;
-/// A narrow window keeps some picture.
+/// Narrow windows keep some of the picture.
 constexpr float kMaxWindowShare = 0.6f;
 
 struct Section {
@@ -25,7 +25,7 @@ struct Section {
     bool open;
 };
 constexpr Section kSections[] = {
-    {"Light", drawLights, true},     {"Sky", sampleSky, false},     {"Materials", drawMaterials, false},
+    {"Light", drawLights, true},     {"Sky", drawSky, false},       {"Materials", drawMaterials, false},
     {"Room", drawRoom, true},        {"Render", drawRender, false}, {"Picture", drawPicture, true},
     {"Colours", drawColors, false},  {"Camera", drawCamera, false}, {"Views", drawViews, false},
     {"Measure", drawMeasure, false}, {"Output", drawOutput, false}, {"About", drawAbout, false},
@@ -60,7 +60,7 @@ float panelWidth(float window_width, float scale) {
 
 double sceneSize(const Workspace& w) {
     const double size = length(w.scene_max - w.scene_min);
-    constexpr double smallest = 1e-9, largest = 1e13; // what scene files can hold
+    constexpr double smallest = 1e-9, largest = 1e13; // limits of scene files
     return size > smallest && size < largest ? size : 1;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Views to come back to.
+// The Views section: saved views.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -13,26 +13,27 @@
 namespace pointrt {
 namespace {
 
-/// Of the design.
-constexpr float kGoWidth = 34, kForgetWidth = 58;
+/// Design units.
+constexpr float kGoWidth = 34, kDeleteWidth = 58;
 
 bool isFreeName(const SceneDescription& scene, const std::string& name) {
     return !name.empty() && std::none_of(scene.views.begin(), scene.views.end(),
                                          [&](const NamedView& view) { return view.name == name; });
 }
 
-/// A name to change, and what to do with the view. What is typed counts as soon as it is a name.
+/// A row with the view's name, which can be edited, and buttons. A typed name applies as soon as it is unused and not
+/// empty.
 void drawView(Workspace& w, std::size_t number) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x, scale = uiScale();
     ImGui::PushID(static_cast<int>(number));
     if (ImGui::Button("Go", ImVec2(kGoWidth * scale, 0))) w.requests.go_to_view = number;
     ImGui::SameLine(0, gap);
-    ImGui::SetNextItemWidth(std::max(1.0f, ImGui::GetContentRegionAvail().x - kForgetWidth * scale - gap));
+    ImGui::SetNextItemWidth(std::max(1.0f, ImGui::GetContentRegionAvail().x - kDeleteWidth * scale - gap));
     std::string name = w.scene.views[number].name;
     if (ImGui::InputText("##name", &name) && isFreeName(w.scene, name)) w.scene.views[number].name = name;
-    tooltip("click to give it another name");
+    tooltip("click to rename");
     ImGui::SameLine(0, gap);
-    if (ImGui::Button("Forget", ImVec2(kForgetWidth * scale, 0))) w.requests.delete_view = number;
+    if (ImGui::Button("Delete", ImVec2(kDeleteWidth * scale, 0))) w.requests.delete_view = number;
     ImGui::PopID();
 }
 
@@ -40,12 +41,12 @@ void drawView(Workspace& w, std::size_t number) {
 
 void drawViews(Workspace& w) {
     for (std::size_t v = 0; v < w.scene.views.size(); ++v) drawView(w, v);
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x, width = kForgetWidth * uiScale();
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x, width = kDeleteWidth * uiScale();
     ImGui::SetNextItemWidth(std::max(1.0f, ImGui::GetContentRegionAvail().x - width - gap));
-    ImGui::InputTextWithHint("##new", "name of a new view", &w.view_name);
+    ImGui::InputTextWithHint("##new", "name of the new view", &w.view_name);
     ImGui::SameLine(0, gap);
     if (ImGui::Button("Save", ImVec2(width, 0))) w.requests.save_view = true;
-    tooltip("V: what you see now; it is kept in the scene file");
+    tooltip("V: save the current view; it is stored in the scene file");
 }
 
 } // namespace pointrt

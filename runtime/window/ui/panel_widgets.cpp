@@ -14,10 +14,10 @@
 namespace pointrt {
 namespace {
 
-/// Where values begin, in units of the design.
+/// Width of labels, design units.
 constexpr float kNameWidth = 92;
 
-/// Shows widget (which may be given what is no number) and takes its answer where it is one within range.
+/// Runs widget on value (which may be NaN) and accepts a result if it is finite, clamped to range.
 template <typename T, typename Widget>
 bool edited(T& value, SliderRange range, const Widget& widget) {
     T shown = std::isfinite(value) ? value : static_cast<T>(range.low);
@@ -42,7 +42,7 @@ bool slide(const char* name, T& value, ImGuiDataType type, SliderRange range, co
     return changed;
 }
 
-/// The most that scene files take.
+/// Limits of scene files.
 constexpr SliderRange kCoordinates{-1e12, 1e12};
 
 bool dragOf(const char* id, double& value, double step, const char* format) {
@@ -63,7 +63,7 @@ float decoded(float value) { return value <= 0.04045f ? value / 12.92f : std::po
 
 void tooltip(const char* tip) {
     if (*tip == '\0' || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive()) return;
-    constexpr float patience_s = 0.5f; // tips cover the rows below: not for who passes by
+    constexpr float patience_s = 0.5f; // tooltips cover the rows below
     const ImGuiContext& context = *ImGui::GetCurrentContext();
     if (context.HoveredId != 0 && context.HoveredIdTimer < patience_s) return;
     ImGui::BeginTooltip();
@@ -109,7 +109,7 @@ bool dragRow(const char* name, double& value, SliderRange range, double step, co
 }
 
 bool pointRow(const char* name, Vec3& point, double size, const char* tip) {
-    constexpr double steps_in_scene = 500; // about as many window units as a scene takes on the screen
+    constexpr double steps_in_scene = 500; // about the size of a scene on the screen, window units
     ImGui::PushID(name);
     ImGui::TextUnformatted(name);
     tooltip(tip);
@@ -122,7 +122,7 @@ bool pointRow(const char* name, Vec3& point, double size, const char* tip) {
         if (value != &point.x) ImGui::SameLine(0, gap);
         ImGui::SetNextItemWidth(std::max(1.0f, width));
         changed |= dragOf(id, *value, size / steps_in_scene, format.c_str());
-        tooltip("drag, or double click to type");
+        tooltip("drag, or double-click to type");
     }
     ImGui::EndGroup();
     ImGui::PopID();

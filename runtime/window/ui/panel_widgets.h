@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows of the panel: a name on the left, a value to change on the right. Each returns true in a frame in which the user
-// changed the value, which then is finite and in range; values from elsewhere are shown as they are. tip: shown while
-// the cursor rests on the row; empty: none.
+// Rows of the panel: a label on the left, a widget on the right. Each returns true when the user changes the value,
+// which is then finite and in range; other values are displayed as they are. tip: shown when the cursor rests on the
+// row; empty: none.
 #pragma once
 
 #include <span>
@@ -19,31 +19,30 @@ struct SliderRange {
 bool sliderRow(const char* name, float& value, SliderRange range, const char* format, const char* tip = "");
 bool sliderRow(const char* name, double& value, SliderRange range, const char* format, const char* tip = "");
 bool sliderRow(const char* name, std::uint32_t& value, SliderRange range, const char* tip = "");
-/// step: how much it changes for each window unit that the cursor goes.
+/// step: change per window unit of dragging.
 bool dragRow(const char* name, double& value, SliderRange range, double step, const char* format, const char* tip = "");
-/// x, y and z, under their name. size: of the scene, for steps and digits.
+/// x, y and z below their label. size: of the scene, for steps and digits.
 bool pointRow(const char* name, Vec3& point, double size, const char* tip = "");
-/// color: linear, 0 to 1; shown and typed as sRGB.
+/// color: linear, 0 to 1; displayed and typed as sRGB.
 bool colorRow(const char* name, Color& color, const char* tip = "");
 bool checkboxRow(const char* name, bool& value, const char* tip = "");
-/// Linear to sRGB; what is out of range is brought into it.
+/// Linear to sRGB, clamped to 0 to 1.
 Color encodedColor(const Color& linear);
-/// One of names, by number; a chosen that is none of them shows as a blank.
+/// chosen: index in names; blank if it is out of range.
 bool comboRow(const char* name, int& chosen, std::span<const char* const> names, const char* tip = "");
 bool textRow(const char* name, std::string& text, const char* hint, const char* tip = "");
 
-/// Begins a row: what follows, with the label "##value", takes the right side. Between pushRow and popRow ids are the
-/// row's own.
+/// Begins a row whose widget, labelled "##value", takes the right side. Pushes an id for the row until popRow.
 void pushRow(const char* name, const char* tip);
 void popRow();
-/// A name and words that cannot be changed, wrapped.
+/// A label with read-only text, wrapped.
 void valueRow(const char* name, const char* value);
-/// The tip for the widget before.
+/// A tooltip for the previous widget.
 void tooltip(const char* tip);
 
-/// A button that is 1 / share of the panel wide; chosen ones are lit.
+/// A button that is 1 / share of the panel's width; highlighted if chosen.
 bool columnButton(const char* name, int share, bool chosen = false, const char* tip = "");
-/// Dim, wrapped.
+/// Wrapped text in the disabled colour.
 void dimText(const char* text);
 
 } // namespace pointrt

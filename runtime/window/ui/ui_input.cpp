@@ -32,11 +32,12 @@ constexpr std::pair<ImGuiKey, Key> kUiKeys[] = {
     {ImGuiKey_Z, keyOf('Z')},
 };
 
-// From 1.89 on ImGui takes input as events and numbers keys itself; before, as what is up or down at a frame's start.
+// Since 1.89 ImGui takes input as events and has its own key numbers; earlier versions take the state at the start of a
+// frame.
 #if IMGUI_VERSION_NUM >= 18900
 
 void setUpKeys(ImGuiIO& io) {
-    // else it takes an event a frame, and the window draws no frames for those that are left
+    // otherwise ImGui takes one event per frame, and the window does not redraw for the remaining ones
     io.ConfigInputTrickleEventQueue = false;
 }
 
@@ -73,7 +74,7 @@ void turnWheel(ImGuiIO& io, float x, float y) {
 
 #endif
 
-/// Hands events over one by one.
+/// Feeds one event.
 struct Feeder {
     UiInput& input;
     ImGuiIO& io;
@@ -109,7 +110,7 @@ struct Feeder {
 };
 
 const char* getClipboard(void* window) {
-    static std::string text; // ImGui reads it before it asks again
+    static std::string text; // valid until ImGui's next call
     text = clipboardText(*static_cast<PlatformWindow*>(window));
     return text.c_str();
 }

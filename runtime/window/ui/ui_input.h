@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Input events for Dear ImGui.
+// Feeds input events to Dear ImGui.
 #pragma once
 
 #include <imgui.h>
@@ -13,30 +13,29 @@
 
 namespace pointrt {
 
-/// What ImGui, which looks at keys and buttons once a frame, must not miss: whatever goes down and up again within a
-/// frame is up in the next one.
+/// ImGui samples keys and buttons once per frame. A release in the same frame as its press is therefore delayed to the
+/// next frame.
 struct UiInput {
-    std::array<bool, 3> pressed{}, released{}; ///< buttons, since the last frame
+    std::array<bool, 3> pressed{}, released{}; ///< buttons, in this frame
     std::vector<Key> pressed_keys, released_keys;
 };
 
-/// The number that ImGui's questions about a key take; newer ImGui has ImGuiKey_None for those it does not edit text
-/// with.
+/// The key in ImGui's terms. Recent versions of ImGui: ImGuiKey_None unless the key is used to edit text.
 ImGuiKey uiKey(Key key);
 
-/// Tells the current ImGui context which keys it edits text with. Once, before the first event.
+/// Sets up the current ImGui context's keys for text editing. Once, before the first event.
 void setUpUiInput();
 
-/// Hands an event to the current ImGui context. Sizes, dropped files and closing are none of its business.
+/// Feeds an event to the current ImGui context. Ignores sizes, dropped files and closing.
 void feedImGui(UiInput& input, const InputEvent& event);
 
-/// ImGui::NewFrame for a window of size, seconds (above 0) after the last one.
+/// ImGui::NewFrame for a window of this size, seconds (above 0) after the last one.
 void beginUiFrame(UiInput& input, const ResizeEvent& size, double seconds);
 
-/// The shape that the mouse cursor should have over the UI; after ImGui::Render.
+/// The mouse cursor's shape over the UI; after ImGui::Render.
 CursorShape uiCursor();
 
-/// ImGui copies and pastes with the desktop; window stays where it is until the context is gone.
+/// Connects ImGui to the desktop's clipboard. window must not move while the context exists.
 void useClipboard(PlatformWindow& window);
 
 } // namespace pointrt

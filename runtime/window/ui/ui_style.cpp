@@ -10,13 +10,13 @@
 namespace pointrt {
 namespace {
 
-// Where Debian, Fedora and Arch keep a sans serif. None of them is needed: Dear ImGui brings a font.
+// Sans serif fonts of Debian, Fedora and Arch. All are optional: Dear ImGui has a built-in font.
 constexpr const char* kFonts[] = {
     "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
     "/usr/share/fonts/TTF/DejaVuSans.ttf", "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
     "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf"};
 
-/// Dear ImGui's own font is a bitmap of 13 pixels.
+/// Dear ImGui's built-in font is a 13-pixel bitmap.
 constexpr float kBitmapHeight = 13;
 
 bool addOutlineFont(ImFontAtlas& atlas, float pixels) {
@@ -27,14 +27,14 @@ bool addOutlineFont(ImFontAtlas& atlas, float pixels) {
     return false;
 }
 
-/// Lines are as high as with the other fonts, so that everything is in the same place.
+/// Uses the line height of the other fonts, so that the layout is the same.
 void addBitmapFont(ImFontAtlas& atlas, float pixels) {
     ImFontConfig config;
     config.SizePixels = pixels * kBitmapHeight / kTextHeight;
     config.GlyphOffset.y = 0.5f * (pixels - config.SizePixels);
     ImFont* font = atlas.AddFontDefault(&config);
     atlas.Build();
-#if IMGUI_VERSION_NUM >= 19200 // where sizes belong to what is drawn
+#if IMGUI_VERSION_NUM >= 19200 // the font size is set at drawing time
     font->LegacySize = pixels;
 #else
     font->FontSize = pixels;
@@ -49,7 +49,7 @@ void setUpFont(float pixels, float pixels_per_unit) {
 }
 
 ImVec4 grey(float value, float alpha = 1) { return {value, value, value, alpha}; }
-/// The one colour: of what is chosen, held or under way.
+/// The accent colour: for what is selected, held or in progress.
 ImVec4 accent(float alpha) { return {0.36f, 0.62f, 0.80f, alpha}; }
 
 void setSurfaces(ImVec4* colors) {
@@ -79,7 +79,7 @@ void setControls(ImVec4* colors) {
     colors[ImGuiCol_HeaderHovered] = grey(0.25f);
     colors[ImGuiCol_HeaderActive] = accent(0.55f);
     colors[ImGuiCol_CheckMark] = accent(1);
-    colors[ImGuiCol_SliderGrab] = accent(0.55f); // numbers are read on top of it
+    colors[ImGuiCol_SliderGrab] = accent(0.55f); // numbers are drawn over it
     colors[ImGuiCol_SliderGrabActive] = accent(0.8f);
     colors[ImGuiCol_PlotHistogram] = accent(0.9f);
     colors[ImGuiCol_NavHighlight] = accent(1);
@@ -102,19 +102,19 @@ void setShapes(ImGuiStyle& style) {
 } // namespace
 
 void setUpUiStyle(float content_scale, float pixels_per_unit) {
-    // written so that what is no number becomes the least
-    const float wanted = std::max(0.5f, std::min(content_scale, 4.0f));
+    // argument order turns NaN into the minimum
+    const float scale = std::max(0.5f, std::min(content_scale, 4.0f));
     const float pixels = std::max(0.5f, std::min(pixels_per_unit, 4.0f));
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = io.LogFilename = nullptr;
     io.ConfigWindowsMoveFromTitleBarOnly = true;
-    setUpFont(std::round(kTextHeight * wanted), pixels);
+    setUpFont(std::round(kTextHeight * scale), pixels);
     ImGuiStyle style;
     ImGui::StyleColorsDark(&style);
     setSurfaces(style.Colors);
     setControls(style.Colors);
     setShapes(style);
-    style.ScaleAllSizes(wanted / pixels);
+    style.ScaleAllSizes(scale / pixels);
     ImGui::GetStyle() = style;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A lock that another process has is told from a place that has no locks.
+// Locks distinguish a lock of another process from a file system without locks.
 #include "format/base/file_lock.h"
 
 #include <fcntl.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text of files in messages: nothing acts on a terminal, nothing hides.
+// Untrusted text in messages has no effect on a terminal and hides nothing.
 #include "format/base/printable.h"
 
 #include <gtest/gtest.h>
@@ -7,13 +7,13 @@
 namespace pointrt {
 namespace {
 
-TEST(Printable, LeavesWhatCanBeRead) {
+TEST(Printable, KeepsPrintableText) {
     EXPECT_EQ(printable("a plain name \\ \"with\" 'marks'.pro"), "a plain name \\ \"with\" 'marks'.pro");
     EXPECT_EQ(printable("Größe 点群 😀"), "Größe 点群 😀");
     EXPECT_EQ(printable(""), "");
 }
 
-TEST(Printable, ShowsWhatTerminalsWouldDo) {
+TEST(Printable, EscapesControlCharacters) {
     EXPECT_EQ(printable("\x1b[31mred"), "\\x1b[31mred");
     EXPECT_EQ(printable("two\nlines\ttab\rback"), "two\\nlines\\ttab\\rback");
     EXPECT_EQ(printable(std::string_view("\0\x07\x7f", 3)), "\\x00\\x07\\x7f");
@@ -23,36 +23,36 @@ TEST(Printable, ShowsWhatTerminalsWouldDo) {
         << "the control sequence introducer of Latin-1";
 }
 
-TEST(Printable, ShowsWhatTurnsOrHidesText) {
+TEST(Printable, EscapesInvisibleAndDirectionCharacters) {
     EXPECT_EQ(printable("\xe2\x80\xae"
                         "orp.exe"),
               "\\xe2\\x80\\xaeorp.exe")
-        << "right to left from here";
+        << "right-to-left override";
     EXPECT_EQ(printable("a\xe2\x80\x8b"
                         "b"),
               "a\\xe2\\x80\\x8bb")
-        << "a blank of no width";
+        << "zero-width space";
     EXPECT_EQ(printable("\xef\xbb\xbf"), "\\xef\\xbb\\xbf");
     EXPECT_EQ(printable("\xf3\xa0\x81\x81"), "\\xf3\\xa0\\x81\\x81") << "a tag";
 }
 
-TEST(Printable, ShowsBytesThatAreNoText) {
+TEST(Printable, EscapesBytesThatAreNotUtf8) {
     EXPECT_EQ(printable("\xff\xfe"), "\\xff\\xfe");
-    EXPECT_EQ(printable("\xc0\xaf"), "\\xc0\\xaf") << "longer than need be";
-    EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80") << "half of a pair";
-    EXPECT_EQ(printable("\xf4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80") << "behind the last one";
-    EXPECT_EQ(printable("\xe7\x82"), "\\xe7\\x82") << "cut short";
+    EXPECT_EQ(printable("\xc0\xaf"), "\\xc0\\xaf") << "overlong";
+    EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80") << "a surrogate";
+    EXPECT_EQ(printable("\xf4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80") << "above U+10FFFF";
+    EXPECT_EQ(printable("\xe7\x82"), "\\xe7\\x82") << "truncated";
     EXPECT_EQ(printable("\xe7z\x82"), "\\xe7z\\x82");
 }
 
-TEST(Printable, CutsBetweenCharacters) {
+TEST(Printable, TruncatesBetweenCharacters) {
     EXPECT_EQ(printable("abcdef", 6), "abcdef");
     EXPECT_EQ(printable("abcdefg", 6), "abcdef...");
     EXPECT_EQ(printable("ab\xe7\x82\xb9", 4), "ab...");
     EXPECT_EQ(printable(std::string(1000, 'a')).size(), kLongestShown + 3);
 }
 
-TEST(Printable, IsTheSameTwice) {
+TEST(Printable, IsIdempotent) {
     std::string all;
     for (int byte = 0; byte < 256; ++byte) all += static_cast<char>(byte);
     const std::string once = printable(all, std::string::npos);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cuts of discs by cubes, in doubles, as polygons.
+// Intersections of discs and cubes as polygons, in double.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ struct Cube {
     double edge = 0;
 };
 
-/// A splat as the file has it.
+/// A splat as decoded from the file.
 struct PlainDisc {
     Vec3 center, normal, u, v;
     double radius = 0;
@@ -48,7 +48,7 @@ Polygon clip(const Polygon& polygon, const Inside& inside) {
     return kept;
 }
 
-/// Of the square around a disc, the part in a cube.
+/// The part of the square around a disc inside a cube.
 inline Polygon section(const PlainDisc& disc, const Cube& cube) {
     const Vec3 u = disc.u * disc.radius, v = disc.v * disc.radius, high = cube.low + Vec3{1, 1, 1} * cube.edge;
     Polygon polygon{disc.center - u - v, disc.center + u - v, disc.center + u + v, disc.center - u + v};
@@ -60,7 +60,7 @@ inline Polygon section(const PlainDisc& disc, const Cube& cube) {
     return clip(polygon, [&](Vec3 p) { return high.z - p.z; });
 }
 
-/// From a disc's centre to the nearest point of a polygon in its plane; infinite if that is empty.
+/// Distance from a disc's centre to the closest point of a polygon in its plane; infinite if the polygon is empty.
 inline double distanceTo(const Polygon& polygon, const PlainDisc& disc) {
     double nearest = INFINITY;
     bool left = false, right = false;

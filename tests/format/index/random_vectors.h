@@ -17,7 +17,7 @@ public:
         std::normal_distribution<double> gauss;
         return normalize({gauss(engine_), gauss(engine_), gauss(engine_)});
     }
-    /// In the cube of edge 1 around the origin.
+    /// Uniform in the cube of edge 1 around the origin.
     Vec3 point() { return {uniform(-0.5, 0.5), uniform(-0.5, 0.5), uniform(-0.5, 0.5)}; }
 
 private:

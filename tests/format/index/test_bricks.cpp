@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bricks of small scenes: every disc is on the list of every cell that it crosses, by cutting discs with cells exactly.
+// Bricks of small scenes list every disc in every cell that it crosses, by exact intersections of discs and cells.
 #include "format/index/bricks.h"
 
 #include <gtest/gtest.h>
@@ -29,10 +29,10 @@ Cube part(const Cube& cube, std::uint32_t side, std::uint32_t cell) {
     return {cube.low + Vec3{x * edge, y * edge, z * edge}, edge};
 }
 
-/// A scene and what the viewer makes of it.
+/// A scene and its bricks.
 struct Loaded {
     Scene scene;
-    std::vector<PlainDisc> discs; ///< of each splat
+    std::vector<PlainDisc> discs; ///< one per splat
     EntryGrid grid;
     Bricks bricks;
 };
@@ -67,7 +67,7 @@ Cube gridCube(const Loaded& loaded, std::size_t word) {
             edge};
 }
 
-/// Calls visit(word, cube) for the words below one (of a brick or group) that are no groups, where enter(cube).
+/// Calls visit(word, cube) for all cells below a word of a brick or group, skipping cubes for which enter is false.
 template <typename Enter, typename Visit>
 void descend(const Loaded& loaded, std::uint32_t word, const Cube& cube, const Enter& enter, const Visit& visit) {
     if (!enter(cube)) return;
@@ -77,7 +77,7 @@ void descend(const Loaded& loaded, std::uint32_t word, const Cube& cube, const E
                 enter, visit);
 }
 
-/// The same from a word of the grid; empty grid cells are visited with their word.
+/// The same for a word of the grid; visits empty grid cells, too.
 template <typename Enter, typename Visit>
 void descendGrid(const Loaded& loaded, std::size_t at, const Enter& enter, const Visit& visit) {
     const std::uint32_t word = loaded.grid.words[at];
@@ -105,13 +105,13 @@ std::uint32_t countOf(const Loaded& loaded, std::uint32_t cell) {
     return loaded.bricks.cells[cell * PRO_CELL_WORDS + PRO_CELL_COUNT] & PRO_CELL_COUNT_MASK;
 }
 
-/// Splats of a cell's near discs.
+/// The splats of the near splats of a cell.
 std::vector<std::uint32_t> listOf(const Loaded& loaded, std::uint32_t cell) {
     const auto first = loaded.bricks.listed.begin() + firstOf(loaded, cell);
     return {first, first + countOf(loaded, cell)};
 }
 
-/// Signed, count bits from bit first on.
+/// A signed code of count bits from bit first on.
 int field(std::uint32_t word, int first, int count) {
     return static_cast<int>(word << (32 - first - count)) >> (32 - count);
 }
@@ -132,7 +132,7 @@ bool contains(const std::vector<std::uint32_t>& list, std::uint32_t value) {
     return std::find(list.begin(), list.end(), value) != list.end();
 }
 
-/// Each brick once, where the grid says, with something to hit; each listed cell and group named once.
+/// The grid names each brick once, no brick is empty, and each cell and group is named once.
 void expectStructure(const Loaded& loaded) {
     const Bricks& bricks = loaded.bricks;
     const std::size_t brick_words = bricks.corners.size() * PRO_BRICK_WORDS;
@@ -161,7 +161,7 @@ void expectStructure(const Loaded& loaded) {
     EXPECT_EQ(group * PRO_GROUP_WORDS, bricks.words.size());
 }
 
-/// Runs lie in the row of near splats, and each splat that blends has a number of its own.
+/// Runs lie inside the row of near splats, and cells do not share blending numbers.
 void expectRanges(const Loaded& loaded) {
     const Bricks& bricks = loaded.bricks;
     std::uint64_t numbers = 0;
@@ -177,7 +177,7 @@ void expectRanges(const Loaded& loaded) {
     EXPECT_EQ(bricks.blending.size() * 2, std::max<std::uint64_t>(numbers, 2));
 }
 
-/// Near disc k is that of splat listed[k]: its normal, and its place around the middle that the cell names.
+/// Near splat k has the normal and the position, relative to the middle of the cell, of splat listed[k].
 void expectNear(const Loaded& loaded, std::uint32_t cell, const Cube& cube) {
     const std::uint32_t first = firstOf(loaded, cell), count = countOf(loaded, cell);
     const std::uint32_t offset = loaded.bricks.cells[cell * PRO_CELL_WORDS + PRO_CELL_BLENDING_COUNT];
@@ -194,13 +194,13 @@ void expectNear(const Loaded& loaded, std::uint32_t cell, const Cube& cube) {
         EXPECT_GT(dot(normal, disc.normal), 0);
         const Vec3 direction{static_cast<double>(field(words[0], 22, 10)), static_cast<double>(field(words[0], 12, 10)),
                              static_cast<double>(field(words[0], 2, 10))};
-        if (disc.radius > 8 * cube.edge) continue; // has another centre
+        if (disc.radius > 8 * cube.edge) continue; // its centre was moved
         const Vec3 center = disc.center - middle;
-        EXPECT_LE(length(cross(direction, center)), 1.8 * length(center)); // a code to each axis
+        EXPECT_LE(length(cross(direction, center)), 1.8 * length(center)); // one code per axis
     }
 }
 
-/// Discs that cross a cell must be listed; they must lie between the cell's planes there.
+/// Discs that cross a cell are listed, and lie between its planes.
 struct Found {
     std::uint64_t crossings = 0, unlisted = 0, outside_planes = 0, listed = 0;
 };
@@ -219,7 +219,7 @@ double beyondPlanes(std::uint32_t slab, const Polygon& polygon, const PlainDisc&
     return beyond;
 }
 
-/// Of all grid cells that the disc's bounding cube meets.
+/// For all grid cells that the disc's bounding cube overlaps.
 std::vector<std::size_t> gridWordsAround(const Loaded& loaded, const PlainDisc& disc) {
     const EntryGrid& grid = loaded.grid;
     const double edge = gridCube(loaded, 0).edge;
@@ -258,7 +258,7 @@ Found cutAll(const Loaded& loaded) {
     return found;
 }
 
-/// The listed cell that holds a point, if any.
+/// The listed cell that contains a point, if any.
 std::optional<std::uint32_t> cellAt(const Loaded& loaded, Vec3 point) {
     const Vec3 low = gridCube(loaded, 0).low;
     const double edge = gridCube(loaded, 0).edge;
@@ -278,7 +278,7 @@ std::optional<std::uint32_t> cellAt(const Loaded& loaded, Vec3 point) {
     return cell;
 }
 
-/// Points of all splats' slabs that lie in a listed cell where the splat neither is nor blends.
+/// Points of splats' slabs in listed cells that neither list the splat nor blend it.
 std::size_t missingBlends(const Loaded& loaded) {
     std::size_t missing = 0;
     for (std::uint32_t splat = 0; splat < loaded.discs.size(); ++splat) {
@@ -296,7 +296,7 @@ std::size_t missingBlends(const Loaded& loaded) {
     return missing;
 }
 
-/// A list's splats differ, and none that can be hit is among those that only blend.
+/// Lists have no duplicates, and hittable splats are not among those that only blend.
 void expectDistinct(const Loaded& loaded, std::uint32_t cell) {
     std::vector<std::uint32_t> all = listOf(loaded, cell);
     const std::vector<std::uint32_t> blending = blendingOf(loaded, cell);
@@ -319,11 +319,11 @@ void expectSound(const Loaded& loaded) {
     EXPECT_GT(found.crossings, loaded.discs.size());
     EXPECT_EQ(found.unlisted, 0u) << "of " << found.crossings;
     EXPECT_EQ(found.outside_planes, 0u) << "of " << found.crossings;
-    EXPECT_LT(found.listed, 1.15 * static_cast<double>(found.crossings)); // few by too coarse a test
+    EXPECT_LT(found.listed, 1.15 * static_cast<double>(found.crossings)); // few false positives
     EXPECT_EQ(missingBlends(loaded), 0u);
 }
 
-/// 16 octaves of radii, and leaves as deep as it takes.
+/// 16 octaves of radii, and leaves of any depth.
 constexpr test::BuildOptions kOptions{8, 18, 0.5f, 0.25f, 0.0625f};
 
 pro_splat disc(Vec3 at, Vec3 normal, double radius) {
@@ -332,8 +332,8 @@ pro_splat disc(Vec3 at, Vec3 normal, double radius) {
     return {{f(at.x), f(at.y), f(at.z)}, {f(n.x), f(n.y), f(n.z)}, f(radius), {255, 255, 255}, 0};
 }
 
-/// Encoding rounds radii up, even one that was decoded: grown until it no longer changes, so that the scene's leaves
-/// are sorted by the very radii that its file has.
+/// Encoding rounds radii up, even decoded ones. This grows a radius until it no longer changes, so that the leaves of
+/// the scene are built from the radii of its file.
 pro_splat settled(pro_splat splat) {
     for (float before = 0; before != splat.radius;) {
         std::uint32_t words[PRO_SPLAT_WORDS];
@@ -344,7 +344,7 @@ pro_splat settled(pro_splat splat) {
     return splat;
 }
 
-/// side^2 discs that overlap on a tilted square of edge size around the middle.
+/// side^2 overlapping discs on a tilted square of edge size around the middle.
 std::vector<pro_splat> sheet(int side, double size, Vec3 middle, double radius_factor) {
     const Vec3 normal = normalize({0.3, 0.2, 0.9}), u = normalize(cross(normal, {0, 1, 0})), v = cross(normal, u);
     std::vector<pro_splat> splats;
@@ -375,7 +375,7 @@ std::vector<pro_splat> join(std::vector<pro_splat> a, const std::vector<pro_spla
     return a;
 }
 
-/// As BrickLimits counts.
+/// Counted as in BrickLimits.
 std::size_t listedBy(const Bricks& bricks) { return bricks.listed.size() + 2 * bricks.blending.size(); }
 
 Loaded loadSplats(std::vector<pro_splat> splats, const BrickLimits& limits = {}) {
@@ -383,7 +383,7 @@ Loaded loadSplats(std::vector<pro_splat> splats, const BrickLimits& limits = {})
     return load(sceneOf(std::move(splats), kOptions), limits);
 }
 
-TEST(Bricks, OfOneDiscHaveOneCell) {
+TEST(Bricks, OneDiscHasOneCell) {
     const Loaded loaded = load(sceneOf({disc({0.375, 0.375, 0.375}, {0.36, 0.48, 0.8}, 0.05)}));
     ASSERT_EQ(loaded.grid.words, (Words{0}));
     EXPECT_EQ(loaded.bricks.corners, (std::vector<Corner>{{0, 0, 0}}));
@@ -395,32 +395,32 @@ TEST(Bricks, OfOneDiscHaveOneCell) {
     EXPECT_EQ(countOf(loaded, 0), 1u);
 }
 
-/// Rays look a step ahead: a disc just behind a border must be on the list before it, one further on must not.
+/// Rays look one step ahead: cells list a disc just behind their border, but not one further away.
 TEST(Bricks, ListDiscsJustBehindTheBorder) {
     for (const double sign : {-1.0, 1.0})
         for (const double steps : {0.5, 100.5, 1500.5}) {
             const double z = 0.5 + sign * steps * kStep;
-            // in front of it and behind it, two more discs that make the cells ones with lists
+            // two more discs, in front and behind, so that both cells have lists
             const Loaded loaded =
                 load(sceneOf({disc({0.4, 0.4, z}, {0, 0, 1}, 0.05), disc({0.4, 0.4, 0.4}, {0, 0, 1}, 0.01),
                               disc({0.4, 0.4, 0.6}, {0, 0, 1}, 0.01)}));
             const auto other = cellAt(loaded, {0.4, 0.4, 0.5 - sign * 0.01});
             ASSERT_TRUE(other);
-            const bool near = steps * kStep < 1e-3 / 4; // slack is a thousandth of a cell's edge, a quarter here
+            const bool near = steps * kStep < 1e-3 / 4; // the slack is 1/1000 of a cell's edge, which is 1/4 here
             EXPECT_EQ(contains(listOf(loaded, *other), 0), near) << sign * steps;
             EXPECT_EQ(contains(blendingOf(loaded, *other), 0), !near) << sign * steps;
         }
 }
 
-TEST(Bricks, ListAllThatCrossesInAnEvenScene) {
+TEST(Bricks, ListAllCrossingDiscsOfAnEvenScene) {
     const Loaded loaded = loadSplats(sheet(32, 0.7, {0.5, 0.5, 0.5}, 0.8));
     EXPECT_FALSE(loaded.grid.uneven);
     expectSound(loaded);
 }
 
-TEST(Bricks, ListAllThatCrossesInDisorder) { expectSound(loadSplats(heap(700, 1, {0.1, 0.2, 0.05}, 0.8, 0.06))); }
+TEST(Bricks, ListAllCrossingDiscsOfAHeap) { expectSound(loadSplats(heap(700, 1, {0.1, 0.2, 0.05}, 0.8, 0.06))); }
 
-TEST(Bricks, ListAllThatCrossesWhereLeavesAreAboveTheGrid) {
+TEST(Bricks, ListAllCrossingDiscsIfLeavesAreAboveTheGrid) {
     std::vector<pro_splat> splats =
         join(sheet(40, 0.1, {0.2, 0.2, 0.2}, 0.8), heap(40, 2, {0.05, 0.05, 0.5}, 0.9, 0.15));
     Loaded loaded = loadSplats(splats);
@@ -432,7 +432,7 @@ TEST(Bricks, ListAllThatCrossesWhereLeavesAreAboveTheGrid) {
     expectSound(loaded);
 }
 
-TEST(Bricks, ListAllThatCrossesWhereLeavesAreBelowTheGrid) {
+TEST(Bricks, ListAllCrossingDiscsIfLeavesAreBelowTheGrid) {
     const Loaded loaded =
         loadSplats(join(sheet(40, 0.8, {0.5, 0.5, 0.5}, 0.8), heap(600, 3, {0.3, 0.6, 0.45}, 0.0015, 1e-4)));
     EXPECT_TRUE(loaded.grid.uneven);
@@ -440,11 +440,11 @@ TEST(Bricks, ListAllThatCrossesWhereLeavesAreBelowTheGrid) {
     expectSound(loaded);
 }
 
-TEST(Bricks, TakeACoarserGridWhereTheyOutgrowTheirWords) {
+TEST(Bricks, UseACoarserGridBeyondTheLimits) {
     const std::vector<pro_splat> splats = sheet(40, 0.7, {0.5, 0.5, 0.5}, 0.8);
     const Loaded free = loadSplats(splats);
     BrickLimits limits;
-    limits.cells = free.bricks.slabs.size() / 6; // a depth less has a quarter of the cells, or somewhat more
+    limits.cells = free.bricks.slabs.size() / 6; // one level less has a quarter of the cells, or slightly more
     const Loaded limited = loadSplats(splats, limits);
     EXPECT_EQ(limited.grid.shift, free.grid.shift + 2);
     EXPECT_LE(limited.bricks.slabs.size(), limits.cells);
@@ -458,7 +458,7 @@ TEST(Bricks, TakeACoarserGridWhereTheyOutgrowTheirWords) {
     expectSound(shorter);
 }
 
-TEST(Bricks, TheShareDoneNeverGoesBack) {
+TEST(Bricks, ProgressNeverDecreases) {
     Scene scene = sceneOf(sheet(120, 0.7, {0.5, 0.5, 0.5}, 0.8), kOptions);
     const pro_view view = scene.view();
     EntryGrid grid = frameEntryGrid(scene.info, view);
@@ -475,7 +475,7 @@ TEST(Bricks, TheShareDoneNeverGoesBack) {
     EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
 }
 
-TEST(Bricks, RefuseWhatNoGridHolds) {
+TEST(Bricks, RefuseScenesBeyondTheLimitsOfAnyGrid) {
     BrickLimits limits;
     limits.cells = 7; // a brick counts for 8
     try {
@@ -486,8 +486,8 @@ TEST(Bricks, RefuseWhatNoGridHolds) {
     }
 }
 
-/// Files have no normal along z: the nearest are 3.5e-4 off. Discs 60 cells wide that dip below a border by that,
-/// by several times the cells' slack.
+/// Normals in files are at least 3.5e-4 away from z: discs 60 cells wide dip below a border by several times the cells'
+/// slack.
 TEST(Bricks, ListHugeDiscsNearlyAlongTheCells) {
     std::vector<pro_splat> splats = sheet(40, 0.06, {0.5, 0.5, 0.5}, 0.8);
     for (int k = 0; k < 8; ++k) {

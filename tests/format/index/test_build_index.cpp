@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tracing index as a whole: the same for any number of threads, and what the format's checks ask for.
+// The tracing index is the same for any number of threads and passes the checks of the format.
 #include "format/index/build_index.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 
 using test::Scene;
 
-/// Splats on a sheet, and in a corner of it so many that cells are cut.
+/// Splats on a sheet, and in a corner of it so many that cells are halved.
 Scene crowdedScene() {
     std::mt19937 random(3);
     std::uniform_real_distribution<float> unit(0.05f, 0.95f);
@@ -45,11 +45,11 @@ TEST(BuildIndex, TheSameForAnyNumberOfThreads) {
     Scene scene = crowdedScene();
     const pro_view view = scene.view();
     const TracingIndex one = buildTracingIndex(scene.info, view, {1, {}});
-    ASSERT_GT(indexView(one).group_count, 0u) << "groups are worth trying, too";
+    ASSERT_GT(indexView(one).group_count, 0u) << "the test must cover groups";
     for (const std::size_t threads : {2u, 5u, 0u}) expectSame(one, buildTracingIndex(scene.info, view, {threads, {}}));
 }
 
-/// Discs that lie in two planes: all numbers are exact, so that it is the same scene on any machine.
+/// Discs in two planes: all numbers are exact, so that the scene is the same on any machine.
 Scene exactScene() {
     std::vector<pro_splat> splats;
     for (unsigned k = 0; k < 3000; ++k) {
@@ -60,8 +60,8 @@ Scene exactScene() {
     return test::sceneOf(splats);
 }
 
-/// Who kept indices would go on with those of another builder: where this fails, raise kIndexVersion.
-TEST(BuildIndex, WhatItMakesHasAVersion) {
+/// If this fails, increase kIndexVersion: cached indices of the old builder must not be used.
+TEST(BuildIndex, OutputMatchesItsVersion) {
     Scene scene = exactScene();
     const TracingIndex index = buildTracingIndex(scene.info, scene.view());
     std::uint64_t sum = 0;
@@ -72,7 +72,7 @@ TEST(BuildIndex, WhatItMakesHasAVersion) {
     EXPECT_EQ(sum, 1731134349194401415u);
 }
 
-TEST(BuildIndex, PassesTheFormatsChecksAndIsReadAsItWas) {
+TEST(BuildIndex, PassesTheChecksAndReadsBack) {
     const test::TemporaryFolder folder;
     Scene scene = crowdedScene();
     const pro_view view = scene.view();
@@ -97,7 +97,7 @@ TEST(BuildIndex, PassesTheFormatsChecksAndIsReadAsItWas) {
     EXPECT_TRUE(file.nodes().empty());
 }
 
-TEST(BuildIndex, TellsHowFarItIs) {
+TEST(BuildIndex, ReportsProgress) {
     Scene scene = crowdedScene();
     const pro_view view = scene.view();
     double last = 0;

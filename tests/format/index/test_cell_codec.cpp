@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the shaders read of a cell (decoded here as in shaders/trace/trace.glsl) against the discs that were written.
+// Cells as the shaders decode them (as in shaders/trace/trace.glsl) against the encoded discs.
 #include "format/index/cell_codec.h"
 
 #include <gtest/gtest.h>
@@ -15,14 +15,14 @@
 namespace pointrt {
 namespace {
 
-/// In cell edges from the cell's middle.
+/// In cell edges, relative to the middle of the cell.
 struct NearDisc {
     Vec3 center, normal;
     double radius = 0;
 };
 
 struct CellAsRead {
-    double codes = 0; ///< to an edge
+    double codes = 0; ///< per edge
     std::vector<NearDisc> discs;
     Vec3 slab_normal;
     double slab_low = 0, slab_high = 0; ///< along slab_normal, in edges
@@ -34,7 +34,7 @@ double halfToDouble(std::uint32_t half) {
     return half & 0x8000u ? -size : size;
 }
 
-/// Signed, count bits from bit first on.
+/// A signed code of count bits from bit first on.
 int field(std::uint32_t word, int first, int count) {
     return static_cast<int>(word << (32 - first - count)) >> (32 - count);
 }
@@ -51,7 +51,7 @@ NearDisc readNear(std::uint32_t position, std::uint32_t normal, double codes) {
     return disc;
 }
 
-/// A cell by itself.
+/// A single cell.
 struct CellWords {
     std::uint32_t codes = 0, slab = 0;
     std::vector<std::uint32_t> near;
@@ -114,7 +114,7 @@ public:
     }
 };
 
-/// The normal's largest part is 127 codes and the others are rounded to whole codes.
+/// The largest component of the normal is 127 codes; the others are rounded to integers.
 void expectNormal(Vec3 read, Vec3 written) {
     EXPECT_EQ(largestPart(read), PRO_NEAR_NORMAL_MAX);
     const Vec3 scaled = written * (PRO_NEAR_NORMAL_MAX / largestPart(written));
@@ -125,8 +125,8 @@ void expectRadius(double read, double written) {
     EXPECT_NEAR(read * read, written * written, std::ldexp(1.0, -6) * written * written); // 5 bits of fraction, rounded
 }
 
-/// A code to each axis at most, off their planes less.
-TEST(CellCodec, KeepsDiscsToACode) {
+/// At most one code per axis, less across their planes.
+TEST(CellCodec, KeepsDiscsWithinOneCode) {
     RandomDiscs random(1);
     for (int round = 0; round < 2000; ++round) {
         std::vector<CellDisc> discs;
@@ -146,7 +146,7 @@ TEST(CellCodec, KeepsDiscsToACode) {
             expectRadius(cell.discs[k].radius, discs[k].radius / kEdge);
         }
         EXPECT_LE(cell.codes * reach, PRO_NEAR_POSITION_MAX * (1 + 1e-6));
-        // of half an edge, slack and the largest radius, less up to a sixteenth of a power of two
+        // from half an edge, slack and the largest radius, rounded down by up to 1/16 of a power of two
         EXPECT_GE(cell.codes * (0.501 + largest), PRO_NEAR_POSITION_MAX * (16.0 / 17 - 1e-6));
     }
 }
@@ -174,7 +174,7 @@ TEST(CellCodec, KeepsTinyDiscs) {
     }
 }
 
-/// A half holds no more than 65504 codes to an edge.
+/// A half float holds at most 65504 codes per edge.
 TEST(CellCodec, KeepsTinyDiscsInTheMiddle) {
     for (const double radius : {7e-3, 1e-3, 1e-4}) {
         const Vec3 center{0.2 * radius, 0, -0.1 * radius};
@@ -187,9 +187,9 @@ TEST(CellCodec, KeepsTinyDiscsInTheMiddle) {
     }
 }
 
-/// Replaced by discs of 8 edges. In the cell, at most sqrt(3)/2 edges to the side, rims that touch come apart by
-/// 3/4 / (2 * 8) edges; looked at is up to half an edge inside of them. Position codes are (8 + 0.87) / 511 edges wide,
-/// and positions off by one to each axis.
+/// Huge discs are replaced by discs of 8 edges. In the cell, at most sqrt(3)/2 edges to the side, rims that touch
+/// differ by 3/4 / (2 * 8) edges; the test looks up to half an edge inside of them. Position codes are (8 + 0.87) / 511
+/// edges wide, and positions are off by at most one per axis.
 TEST(CellCodec, KeepsPlaneAndRimOfHugeDiscs) {
     RandomDiscs random(3);
     constexpr double kLargest = 8, kCode = 8.87 / 511, kPositionOff = kCode * 1.7320508;
@@ -203,7 +203,7 @@ TEST(CellCodec, KeepsPlaneAndRimOfHugeDiscs) {
         expectRadius(near.radius, kLargest);
         for (int k = 0; k < 50; ++k) {
             const Vec3 inside = random.point();
-            const Vec3 point = inside - normal * dot(normal, inside - center); // on the disc's plane
+            const Vec3 point = inside - normal * dot(normal, inside - center); // in the disc's plane
             if (largestPart(point) > 0.5) continue;
             EXPECT_LE(std::abs(dot(unit, point - near.center)), kTilt * (kLargest + 0.87) + kPositionOff);
             const double beyond = length(point - center) - radius, beyond_near = length(point - near.center) - kLargest;
@@ -213,16 +213,16 @@ TEST(CellCodec, KeepsPlaneAndRimOfHugeDiscs) {
     }
 }
 
-/// How far, in edges, a disc's points in the cell, slack included, stick out of the planes; random points of it.
+/// How far, in edges, random points of a disc in the enlarged cell lie outside of the planes.
 double beyondSlab(const CellAsRead& cell, const CellDisc& disc, RandomDiscs& random) {
     const Vec3 normal = normalize(toVec3(disc.normal)), center = inEdges(toVec3(disc.center));
     const double radius = disc.radius / kEdge, side = 0.5 + kBox.slack / kEdge;
     double beyond = 0;
     for (int k = 0; k < 60; ++k) {
-        const Vec3 start = random.point() * (k % 3 ? 1 : 2); // corners are reached from outside
+        const Vec3 start = random.point() * (k % 3 ? 1 : 2); // to reach corners from outside
         Vec3 point = start - normal * dot(normal, start - center);
         const Vec3 off = point - center;
-        if (length(off) > radius) point = center + off * (radius / length(off)); // its rim
+        if (length(off) > radius) point = center + off * (radius / length(off)); // on its rim
         if (largestPart(point) > side) continue;
         const double height = dot(cell.slab_normal, point);
         beyond = std::max({beyond, height - cell.slab_high, cell.slab_low - height});
@@ -230,12 +230,12 @@ double beyondSlab(const CellAsRead& cell, const CellDisc& disc, RandomDiscs& ran
     return beyond;
 }
 
-TEST(CellSlabs, HoldAllDiscs) {
+TEST(CellSlabs, EncloseAllDiscs) {
     RandomDiscs random(4);
     for (int round = 0; round < 3000; ++round) {
         std::vector<CellDisc> discs;
         const Vec3 main_normal = random.direction();
-        const double spread = round % 3; // a sheet, a bent one, anything
+        const double spread = round % 3; // a sheet, a bent sheet, anything
         for (int k = 0; k < 1 + round % 5; ++k) {
             const Vec3 normal = normalize(main_normal + random.direction() * (0.3 * spread * spread));
             discs.push_back(random.through(k % 2 ? normal * -1 : normal, std::pow(10.0, random.uniform(-2, 1))));
@@ -245,9 +245,9 @@ TEST(CellSlabs, HoldAllDiscs) {
     }
 }
 
-/// The sine of the angle to the planes' normal decides how high a huge disc reaches, and is small here: a file's
-/// normals come as near as 2.4e-4 to an axis.
-TEST(CellSlabs, HoldHugeDiscsNearlyAlongThem) {
+/// The height of a huge disc depends on the sine of the angle to the planes' normal, which is small here: normals in
+/// files come within 2.4e-4 of an axis.
+TEST(CellSlabs, EncloseHugeDiscsNearlyParallelToThem) {
     RandomDiscs random(5);
     for (int round = 0; round < 3000; ++round) {
         const double tilt = std::pow(10.0, random.uniform(-3.6, -2)), radius = std::pow(10.0, random.uniform(0, 3));
@@ -265,7 +265,7 @@ TEST(CellSlabs, AreTightAroundASheet) {
         std::vector<CellDisc> discs;
         for (int k = 0; k < 8; ++k) {
             const Vec3 inside = random.point();
-            const Vec3 center = inside - normal * dot(normal, inside - start); // on one plane
+            const Vec3 center = inside - normal * dot(normal, inside - start); // in one plane
             discs.push_back(makeDisc(fromEdges(center), k % 2 ? normal : normal * -1, 0.4 * kEdge));
         }
         const CellAsRead cell = readCell(encode(discs, kBox));
@@ -275,7 +275,7 @@ TEST(CellSlabs, AreTightAroundASheet) {
 }
 
 TEST(CellSlabs, OfOneFlatDiscHaveKnownHeights) {
-    // a quarter edge up, slack 1e-3 edges: heights of 15.75 -+ 0.063 in 63 steps to an edge
+    // a quarter edge up, slack 1e-3 edges: heights of 15.75 -+ 0.063 in 63 steps per edge
     const CellAsRead cell = readCell(encode({makeDisc(fromEdges({0, 0, 0.25}), {0, 0, 1}, kEdge)}, kBox));
     EXPECT_DOUBLE_EQ(cell.slab_low * 63, 15);
     EXPECT_DOUBLE_EQ(cell.slab_high * 63, 16);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows of near splats: each cell's run is what it lists, and neighbours share what both list.
+// Rows of near splats: the run of each cell has its discs, and neighbours share common discs.
 #include "format/index/cell_runs.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace pointrt {
 namespace {
 
-/// So many flat discs along x, a tenth apart, of radius 1.
+/// Flat discs of radius 1 along x, 0.1 apart.
 std::vector<CellDisc> line(std::uint32_t count) {
     std::vector<CellDisc> discs(count);
     for (std::uint32_t k = 0; k < count; ++k)
@@ -20,7 +20,7 @@ std::vector<CellDisc> line(std::uint32_t count) {
     return discs;
 }
 
-/// Cells of edge 1 along x from the block's lowest corner, each with these discs.
+/// Cells of edge 1 along x from the block's lowest corner with these discs.
 struct Block {
     std::vector<CellDisc> discs = line(40);
     std::vector<ListedCell> cells;
@@ -61,7 +61,7 @@ std::vector<std::uint32_t> blendingOf(const CellWords& words, std::size_t cell) 
 
 using List = std::vector<std::uint32_t>;
 
-TEST(CellRuns, NeighboursShareWhatBothList) {
+TEST(CellRuns, NeighboursShareCommonDiscs) {
     Block block;
     block.add({0, 1, 2, 3});
     block.add({2, 3, 4, 5});
@@ -73,7 +73,7 @@ TEST(CellRuns, NeighboursShareWhatBothList) {
     EXPECT_EQ(runOf(words, 2), (List{4, 5, 6, 7}));
 }
 
-TEST(CellRuns, TakeTheNeighbourThatSharesMostNext) {
+TEST(CellRuns, ContinueWithTheCellThatSharesMost) {
     Block block;
     block.add({0, 1, 2, 3});
     block.add({10, 11, 12, 13});
@@ -81,26 +81,26 @@ TEST(CellRuns, TakeTheNeighbourThatSharesMostNext) {
     EXPECT_EQ(block.encode().listed.size(), 8u);
 }
 
-TEST(CellRuns, NameWhatOnlyBlends) {
+TEST(CellRuns, NumberSplatsThatOnlyBlend) {
     Block block;
     block.add({4, 5}, {6, 20});
     block.add({5, 6}, {4});
     const CellWords words = block.encode();
-    EXPECT_EQ(words.listed.size(), 6u) << "4, 5, 6, a place that makes these even, 20 that nothing hits, and one more";
+    EXPECT_EQ(words.listed.size(), 6u) << "4, 5, 6, one for an even number, 20 that is never hit, and one more";
     EXPECT_EQ(blendingOf(words, 0), (List{6, 20}));
     EXPECT_EQ(blendingOf(words, 1), (List{4}));
     EXPECT_EQ(words.blending.size(), 4u);
 }
 
-TEST(CellRuns, EndAtAnEvenPlace) {
+TEST(CellRuns, HaveAnEvenNumber) {
     Block block;
     block.add({0, 1, 2});
     const CellWords words = block.encode();
     ASSERT_EQ(words.listed.size(), 4u);
-    EXPECT_EQ(words.listed[3], words.listed[2]) << "a disc is not nearer than itself";
+    EXPECT_EQ(words.listed[3], words.listed[2]) << "a duplicate cannot be closer";
 }
 
-TEST(CellRuns, CountFromTheMiddleOfTheirBlock) {
+TEST(CellRuns, AreRelativeToTheMiddleOfTheirBlock) {
     Block block;
     block.add({0, 1});
     block.add({1, 2});
@@ -110,23 +110,23 @@ TEST(CellRuns, CountFromTheMiddleOfTheirBlock) {
         const std::uint32_t first = PRO_CELL_OFFSET_SHIFT + axis * PRO_CELL_OFFSET_BITS;
         return static_cast<int>(word << (32 - first - PRO_CELL_OFFSET_BITS)) >> (32 - PRO_CELL_OFFSET_BITS);
     };
-    EXPECT_EQ(offset(0, 0), 3); // from 0.5 to 2, in halves
+    EXPECT_EQ(offset(0, 0), 3); // from 0.5 to 2, in half edges
     EXPECT_EQ(offset(1, 0), 1);
     EXPECT_EQ(offset(1, 2), 3);
 }
 
-/// Discs a twentieth as large as a block is wide would be coarse from its middle: halves have rows of their own.
-TEST(CellRuns, AreOfHalvesWhereDiscsAreSmall) {
+/// Discs of 1/20 of the block would be too coarse relative to its middle: its halves have rows of their own.
+TEST(CellRuns, AreOfHalvesIfDiscsAreSmall) {
     Block block;
     for (CellDisc& disc : block.discs) disc.radius = 0.01f;
     block.add({0, 1});
     block.add({1, 2});
     const CellWords words = block.encode();
-    EXPECT_EQ(words.listed.size(), 4u) << "disc 1 stands twice";
-    EXPECT_EQ(words.cells[PRO_CELL_BLENDING_COUNT] >> PRO_CELL_OFFSET_SHIFT, 0u) << "from the cell's own middle";
+    EXPECT_EQ(words.listed.size(), 4u) << "disc 1 is stored twice";
+    EXPECT_EQ(words.cells[PRO_CELL_BLENDING_COUNT] >> PRO_CELL_OFFSET_SHIFT, 0u) << "relative to the cell's own middle";
 }
 
-TEST(CellRuns, HoldWhateverCellsList) {
+TEST(CellRuns, ContainAllDiscsOfRandomCells) {
     std::mt19937 random(4);
     for (int round = 0; round < 300; ++round) {
         Block block;

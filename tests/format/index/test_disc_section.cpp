@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Discs and cubes against what polygons, cut in doubles, say.
+// Overlap of discs and cubes against polygons clipped in double.
 #include "format/index/disc_section.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ constexpr double kHalf = 0.5;
 /// Around the origin.
 const Cube kCube{{-kHalf, -kHalf, -kHalf}, 2 * kHalf};
 
-/// As format/index/disc_section.cpp: what it must decide exactly has no smaller component, and no larger radius.
+/// As in format/index/disc_section.cpp, whose tests are exact for components and radii within these limits.
 constexpr double kMinComponent = 1.0 / 64, kLargestRadius = 16;
 
 Vector toVector(Vec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
@@ -28,7 +28,7 @@ PlacedDisc placed(const PlainDisc& disc) {
     return {toVector(disc.center), toVector(disc.normal), static_cast<float>(disc.radius)};
 }
 
-/// With frames and all as floats have them, so that both sides are asked for the same disc.
+/// Rounded to float, so that both sides test the same disc.
 PlainDisc discOf(Vec3 center, Vec3 normal, double radius) {
     const Vector c = toVector(center), n = toVector(normalize(normal));
     PlainDisc disc{toVec3(c), normalize(toVec3(n)), {}, {}, static_cast<float>(radius)};
@@ -41,7 +41,7 @@ class RandomDiscs : public RandomVectors {
 public:
     using RandomVectors::RandomVectors;
 
-    /// Whose plane meets the cube, and whose rim is about as likely to as not.
+    /// A disc whose plane intersects the cube, and whose rim does so about half of the time.
     PlainDisc next() {
         const Vec3 normal = direction(), inside = point();
         const double radius = std::pow(10.0, uniform(-1.5, 1)), away = radius * uniform(0, 1.2) + uniform(0, 0.5);
@@ -51,26 +51,26 @@ public:
 
 double leastComponent(Vec3 v) { return std::min({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-TEST(DiscSection, MeetsCubesAsPolygonsDo) {
+TEST(DiscSection, OverlapsCubesAsPolygonsDo) {
     RandomDiscs random(1);
-    int met = 0, missed = 0;
+    int overlapping = 0, missed = 0;
     for (int round = 0; round < 50'000; ++round) {
         const PlainDisc disc = random.next();
-        // the square that sections are cut from must hold all of the plane that matters
+        // the clipped square must contain the section of the cube
         PlainDisc wide = disc;
         wide.radius = 2 * disc.radius + 2;
         const double distance = distanceTo(section(wide, kCube), disc);
-        const bool meets = overlapsCube(placed(disc), kHalf);
+        const bool overlaps = overlapsCube(placed(disc), kHalf);
         const bool near = distance<disc.radius*(1 - 1e-3), far = distance> disc.radius * (1 + 1e-3);
-        met += near, missed += far;
-        ASSERT_TRUE(meets || !near) << round;
-        ASSERT_TRUE(!meets || !far || leastComponent(disc.normal) < kMinComponent) << round;
+        overlapping += near, missed += far;
+        ASSERT_TRUE(overlaps || !near) << round;
+        ASSERT_TRUE(!overlaps || !far || leastComponent(disc.normal) < kMinComponent) << round;
     }
-    EXPECT_GT(met, 5'000);
+    EXPECT_GT(overlapping, 5'000);
     EXPECT_GT(missed, 5'000);
 }
 
-TEST(DiscSection, ReachesAsFarAsDiscAndPolygon) {
+TEST(DiscSection, BoundsTheReachOfDiscAndPolygon) {
     RandomDiscs random(2);
     int inside = 0;
     for (int round = 0; round < 50'000; ++round) {
@@ -80,7 +80,7 @@ TEST(DiscSection, ReachesAsFarAsDiscAndPolygon) {
         wide.radius = 2 * disc.radius + 2;
         double reach = -INFINITY;
         for (Vec3 corner : section(wide, kCube)) reach = std::max(reach, dot(along, corner - disc.center));
-        if (reach == -INFINITY) continue; // the plane only just meets the cube
+        if (reach == -INFINITY) continue; // the plane only touches the cube
         const double expected = std::min(reach, disc.radius), found = reachInCube(placed(disc), toVector(along), kHalf);
         ASSERT_GE(found, expected - 1e-4) << round;
         if (leastComponent(disc.normal) < kMinComponent) continue;
@@ -90,11 +90,11 @@ TEST(DiscSection, ReachesAsFarAsDiscAndPolygon) {
     EXPECT_GT(inside, 5'000);
 }
 
-/// A disc across a corner of the cube: its plane cuts a triangle off, 1/8 from the corner along each axis.
-TEST(DiscSection, KnowsTheCornerOfACube) {
+/// A disc whose plane cuts a triangle off a corner of the cube, 1/8 from the corner along each axis.
+TEST(DiscSection, IsExactAtACornerOfTheCube) {
     const double cut = 0.125, third = (3 * kHalf - cut) / 3, side = cut * std::sqrt(2.0);
     const Vec3 normal = normalize({1, 1, 1}), middle{third, third, third}, along = normalize({1, -1, 0});
-    // beside the triangle, beyond one of its corners, from which the rim stays 1% away, or not
+    // next to a corner of the triangle, 1 % away from the rim or inside it
     const Vec3 corner{kHalf, kHalf - cut, kHalf}, center = corner + along * 0.3;
     EXPECT_TRUE(overlapsCube(placed(discOf(center, normal, 0.303)), kHalf));
     EXPECT_FALSE(overlapsCube(placed(discOf(center, normal, 0.297)), kHalf));
@@ -102,8 +102,8 @@ TEST(DiscSection, KnowsTheCornerOfACube) {
     EXPECT_NEAR(reachInCube(placed(discOf(middle, normal, 0.05)), toVector(along), kHalf), 0.05, 1e-6);
 }
 
-/// Where rounding might leave out what meets the cube, nothing is.
-TEST(DiscSection, TakesHugeDiscsForPlanes) {
+/// Rounding must not exclude an overlap.
+TEST(DiscSection, TreatsHugeDiscsAsPlanes) {
     const PlainDisc huge = discOf({0, 0, 2 * kLargestRadius}, {1, 1, 0.01}, 2 * kLargestRadius - 1);
     EXPECT_TRUE(overlapsCube(placed(huge), kHalf));
     EXPECT_EQ(reachInCube(placed(huge), toVector(normalize({1, -1, 0})), kHalf), placed(huge).radius);

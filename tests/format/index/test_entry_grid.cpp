@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far rays may skip, in the grid and in its bricks, against a count of all filled cells in the cubes claimed.
+// Skips of the grid and of bricks against counts of filled cells in the skipped cubes.
 #include "format/index/entry_grid.h"
 
 #include <gtest/gtest.h>
@@ -18,14 +18,14 @@ namespace {
 using test::Scene;
 using test::sceneOf;
 
-/// Which cells of a box are filled, and how many in any part of it.
+/// Filled cells of a box, with their number in any part of it.
 class Occupancy {
 public:
     explicit Occupancy(const Corner& size)
         : size_(size), sums_((size[0] + std::size_t{1}) * (size[1] + 1) * (size[2] + 1)) {}
 
     void fill(const Corner& at) { ++sums_[index(at[0] + 1, at[1] + 1, at[2] + 1)]; }
-    /// Once all are filled: from here on each entry counts all cells below it.
+    /// Call it after the last fill: turns entries into counts of all cells below them.
     void sum() {
         for (std::uint32_t z = 1; z <= size_[2]; ++z)
             for (std::uint32_t y = 1; y <= size_[1]; ++y)
@@ -36,7 +36,7 @@ public:
     }
     const Corner& size() const { return size_; }
 
-    /// Filled cells in the cube of that many cells a side from a cell, itself included, towards an octant.
+    /// Number of filled cells in the cube of this side from a cell, inclusive, towards an octant.
     int filledTowards(const Corner& at, std::uint32_t octant, std::uint32_t cells) const {
         Corner lo = at, hi = at;
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -48,7 +48,7 @@ public:
                below(hi[0], lo[1], lo[2]) - below(lo[0], lo[1], lo[2]);
     }
     bool filled(const Corner& at) const { return filledTowards(at, 7, 1) > 0; }
-    /// Side of the largest empty cube there, as far as skips tell.
+    /// Side of the largest empty cube, limited to the range of skips.
     std::uint32_t emptyTowards(const Corner& at, std::uint32_t octant) const {
         std::uint32_t cells = 0;
         while (cells < kMaxSkipped && filledTowards(at, octant, cells + 1) == 0) ++cells;
@@ -77,7 +77,7 @@ std::uint32_t codeOf(std::uint32_t word, std::uint32_t octant) {
     return word >> (PRO_SKIP_BITS * octant) & PRO_SKIP_MASK;
 }
 
-/// What the shaders make of a code: 4 to 7 quarters, and so on by powers of two.
+/// A code as the shaders decode it: 4 to 7 quarters, and so on by powers of two.
 float cellsOf(std::uint32_t code) {
     if (code == 15) return 28;
     return std::ldexp(static_cast<float>(4 + (code - 1) % 4), static_cast<int>((code - 1) / 4) - 2);
@@ -89,7 +89,7 @@ std::uint32_t& wordAt(EntryGrid& grid, const Corner& at) {
     return grid.words[(std::size_t{at[2]} * grid.size[1] + at[1]) * grid.size[0] + at[0]];
 }
 
-/// A grid with its bricks' words.
+/// A grid with the words of its bricks.
 struct Field {
     EntryGrid grid;
     std::vector<Corner> corners;
@@ -126,9 +126,9 @@ Occupancy filledBrickCells(Field& field) {
 
 /// Skips of all empty cells of all bricks.
 struct SkipReport {
-    std::uint64_t words = 0, dishonest = 0, zeros = 0; ///< per octant all three
-    std::uint64_t short_of_best = 0;                   ///< codes less than the largest empty cube's
-    double claimed = 0, best = 0;                      ///< cells, sums
+    std::uint64_t words = 0, too_large = 0, zeros = 0; ///< per octant, all three
+    std::uint64_t short_of_best = 0;                   ///< codes below that of the largest empty cube
+    double claimed = 0, best = 0;                      ///< sums, in cells
 };
 
 SkipReport inspectBricks(Field& field) {
@@ -142,8 +142,8 @@ SkipReport inspectBricks(Field& field) {
             const std::uint32_t best = filled.emptyTowards(fine, octant);
             ++report.words;
             report.zeros += code == 0;
-            // a cell is passed over as soon as a part of it is
-            report.dishonest +=
+            // a cell counts as skipped as soon as part of it is
+            report.too_large +=
                 filled.filledTowards(fine, octant, static_cast<std::uint32_t>(std::ceil(cellsOf(code)))) > 0;
             report.short_of_best += code < skipCode(best);
             report.claimed += cellsOf(code);
@@ -167,7 +167,7 @@ SkipReport inspectGrid(Field& field) {
                                 best = skipCode(0.25f * filled.emptyTowards(first, octant));
             ++report.words;
             report.zeros += code == 0;
-            report.dishonest +=
+            report.too_large +=
                 filled.filledTowards(first, octant, static_cast<std::uint32_t>(PRO_BRICK_SIDE * cellsOf(code))) > 0;
             report.short_of_best += code < best;
         }
@@ -189,7 +189,8 @@ void expectExactGrid(Field& field) {
     EXPECT_EQ(wrong, 0u);
 }
 
-/// Random grid cells, away from the cube's corner; of the cells in their bricks a share is filled, at least one.
+/// Random grid cells, away from the corner of the cube, with a random fraction of filled cells in their bricks, at
+/// least one.
 Field randomField(const Corner& size, double grid_share, double cell_share, unsigned seed) {
     std::mt19937 random(seed);
     std::bernoulli_distribution has_brick(grid_share), has_list(cell_share);
@@ -234,8 +235,8 @@ pro_splat disc(float x, float y, float z, float radius) {
     return {{x, y, z}, {0.36f, 0.48f, 0.8f}, radius, {255, 255, 255}, 0};
 }
 
-/// side^2 discs on a tilted square in the middle of the cube, and optionally a quarter as many in 250 times as dense a
-/// heap.
+/// side^2 discs on a tilted square in the middle of the cube, and optionally a heap of a quarter as many, 250 times as
+/// dense.
 Scene sheetScene(std::size_t side, bool heap) {
     std::vector<pro_splat> splats;
     const float spacing = 0.5f / static_cast<float>(side);
@@ -252,7 +253,7 @@ Scene sheetScene(std::size_t side, bool heap) {
     return sceneOf(std::move(splats), options);
 }
 
-TEST(SkipCode, IsTheLargestOneWithoutTooManyCells) {
+TEST(SkipCode, IsTheLargestCodeThatFits) {
     for (float cells = 1; cells <= 30; cells += 0.25f) {
         std::uint32_t largest = 1;
         for (std::uint32_t code = 1; code <= PRO_SKIP_MASK; ++code)
@@ -273,7 +274,7 @@ TEST(SkipCode, HasKnownValues) {
     EXPECT_EQ(skipCode(1000), 15u);
 }
 
-TEST(EntryGrid, TakesTheDepthOfMostSplats) {
+TEST(EntryGrid, HasTheDepthOfMostSplats) {
     Scene scene = test::tinyScene(); // 3 splats at depth 1, 2 at depth 2; leaves in both ends of each axis
     const EntryGrid grid = frameEntryGrid(scene.info, scene.view());
     EXPECT_EQ(grid.shift, PRO_POSITION_BITS - 1);
@@ -283,7 +284,7 @@ TEST(EntryGrid, TakesTheDepthOfMostSplats) {
     EXPECT_TRUE(grid.uneven); // a ray would test (3 + 2 * (5.6 / 3.6)^2) / 5 = 1.57 times as many discs
 }
 
-TEST(EntryGrid, CoversTheLeavesAlone) {
+TEST(EntryGrid, CoversOnlyTheLeaves) {
     Scene scene = sceneOf({disc(0.55f, 0.55f, 0.3f, 0.01f), disc(0.6f, 0.55f, 0.3f, 0.01f),
                            disc(0.95f, 0.55f, 0.3f, 0.01f), disc(0.9f, 0.6f, 0.3f, 0.01f)},
                           {2, 4, 0.5f, 0.25f, 0.03125f});
@@ -295,7 +296,7 @@ TEST(EntryGrid, CoversTheLeavesAlone) {
     EXPECT_FALSE(grid.uneven);
 }
 
-TEST(EntryGrid, NamesTheBricksAndSkipsAllThatIsEmpty) {
+TEST(EntryGrid, NamesTheBricksAndSkipsEmptyCells) {
     for (const double share : {0.3, 0.03, 0.001}) {
         Field field = randomField({37, 9, 22}, share, 0.5, 3);
         fillEntryGrid(field.grid, field.corners);
@@ -329,7 +330,7 @@ TEST(EntryGrid, SkipsByOctant) {
     EXPECT_EQ(grid.words[20], 0u);
 }
 
-TEST(CellSkips, SeeOneDiscInItsBrick) {
+TEST(CellSkips, AreExactAroundOneDisc) {
     Field field = fieldOf(sceneOf({disc(0.375f, 0.375f, 0.375f, 0.05f)}));
     ASSERT_EQ(field.words.size(), PRO_BRICK_WORDS);
     fillSkips(field);
@@ -338,36 +339,36 @@ TEST(CellSkips, SeeOneDiscInItsBrick) {
     EXPECT_EQ(field.words[0] >> 4 * 7, 1u);   // towards that octant alone
     EXPECT_EQ(field.words[0] & 0x0FFFFFFFu, 0x0FFFFFFFu);
     EXPECT_EQ(field.words[63], 0xFFFFFFF5u);         // two cells on
-    EXPECT_EQ(field.words[3 + 4 + 16], 0xF5F5F5F5u); // where x falls
+    EXPECT_EQ(field.words[3 + 4 + 16], 0xF5F5F5F5u); // towards decreasing x
     const SkipReport report = inspectBricks(field);
     EXPECT_EQ(report.words, 63u * 8);
-    EXPECT_EQ(report.dishonest + report.zeros + report.short_of_best, 0u);
+    EXPECT_EQ(report.too_large + report.zeros + report.short_of_best, 0u);
 }
 
-TEST(CellSkips, AreTheBestWhereTheGridIsFull) {
+TEST(CellSkips, AreOptimalInAFullGrid) {
     for (const double share : {0.2, 0.01, 0.0}) {
         Field field = randomField({9, 11, 8}, 1, share, 5);
         fillSkips(field);
         const SkipReport report = inspectBricks(field);
         EXPECT_GT(report.words, 100'000u);
-        EXPECT_EQ(report.dishonest + report.zeros + report.short_of_best, 0u);
+        EXPECT_EQ(report.too_large + report.zeros + report.short_of_best, 0u);
     }
 }
 
-TEST(CellSkips, AreHonestWhereBricksAreMissing) {
+TEST(CellSkips, AreConservativeInASparseGrid) {
     for (const double share : {0.5, 0.1, 0.01}) {
         Field field = randomField({19, 11, 14}, share, 0.05, 7);
         fillSkips(field);
         const SkipReport report = inspectBricks(field), of_grid = inspectGrid(field);
         EXPECT_GT(report.words, 5'000u);
-        EXPECT_EQ(report.dishonest, 0u);
+        EXPECT_EQ(report.too_large, 0u);
         EXPECT_EQ(report.zeros, 0u);
-        EXPECT_EQ(of_grid.dishonest + of_grid.zeros + of_grid.short_of_best, 0u);
-        EXPECT_GT(report.claimed, 0.9 * report.best); // far from bricks, a grid word does not tell all that is empty
+        EXPECT_EQ(of_grid.too_large + of_grid.zeros + of_grid.short_of_best, 0u);
+        EXPECT_GT(report.claimed, 0.9 * report.best); // far from bricks, grid words are not optimal
     }
 }
 
-TEST(CellSkips, LetGridCellsReachIntoBricks) {
+TEST(CellSkips, ExtendGridCellsIntoBricks) {
     EntryGrid grid;
     grid.shift = 4;
     grid.size = {5, 1, 1};
@@ -385,7 +386,7 @@ TEST(CellSkips, LetGridCellsReachIntoBricks) {
     EXPECT_EQ(grid.words[2], 0u);
 }
 
-TEST(CellSkips, LeaveListedCellsAndGroupsAlone) {
+TEST(CellSkips, KeepListedCellsAndGroups) {
     Field field = randomField({5, 4, 3}, 0.4, 0.3, 11);
     const std::vector<std::uint32_t> groups{7 << PRO_CELL_INDEX_SHIFT,
                                             kEmptyWord,
@@ -406,15 +407,15 @@ TEST(CellSkips, LeaveListedCellsAndGroupsAlone) {
     EXPECT_TRUE(std::equal(groups.begin(), groups.end(), field.words.end() - PRO_GROUP_WORDS));
 }
 
-TEST(CellSkips, AreHonestInScenes) {
+TEST(CellSkips, AreConservativeInScenes) {
     for (const bool heap : {false, true}) {
         Field field = fieldOf(sheetScene(50, heap));
-        EXPECT_TRUE(!heap || field.words.size() > field.corners.size() * PRO_BRICK_WORDS); // groups of halves
+        EXPECT_TRUE(!heap || field.words.size() > field.corners.size() * PRO_BRICK_WORDS); // has groups of halves
         fillSkips(field);
         const SkipReport report = inspectBricks(field), of_grid = inspectGrid(field);
         EXPECT_GT(report.words, 10'000u);
-        EXPECT_EQ(of_grid.dishonest + of_grid.zeros + of_grid.short_of_best, 0u);
-        EXPECT_EQ(report.dishonest, 0u);
+        EXPECT_EQ(of_grid.too_large + of_grid.zeros + of_grid.short_of_best, 0u);
+        EXPECT_EQ(report.too_large, 0u);
         EXPECT_EQ(report.zeros, 0u);
         EXPECT_GT(report.claimed, 0.95 * report.best);
     }

@@ -179,7 +179,8 @@ TEST_F(PcdTest, BadFilesSayWhy) {
     EXPECT_HAS(reasonOfText("a.pcd", simple("WIDTH 2\nHEIGHT 2\nPOINTS 5\n", "1 2 3\n")), "differs from POINTS 5");
     EXPECT_HAS(reasonOfText("a.pcd", simple("WIDTH 99999999999\nHEIGHT 1\n", "1 2 3\n")),
                "promises 99999999999 points");
-    EXPECT_HAS(reasonOfText("a.pcd", simple("WIDTH 9999999999999\nHEIGHT 99999999999\n", "1 2 3\n")), "differs from POINTS");
+    EXPECT_HAS(reasonOfText("a.pcd", simple("WIDTH 9999999999999\nHEIGHT 99999999999\n", "1 2 3\n")),
+               "differs from POINTS");
     EXPECT_HAS(reasonOfText("a.pcd", simple("WIDTH 2\n", "1.25 2.25 3.25\n")), "truncated: found 1 of 2 points");
     EXPECT_HAS(reasonOfText("a.pcd", simple("WIDTH 1\n", "1 x 3\n")), "a.pcd:8: 'x' is not a number");
     EXPECT_HAS(reasonOfText("a.pcd", "VERSION .7\nFIELDS x y z\nSIZE 4 4\nDATA ascii\n"),

@@ -19,7 +19,7 @@ struct Found {
     std::uint32_t word;
 };
 
-/// Every leaf of the NODE words, empty ones too, in depth-first order; counts the inner nodes.
+/// All leaves of the NODE words, including empty ones, in depth-first order; counts the inner nodes.
 void listLeaves(const std::vector<std::uint32_t>& nodes, std::uint32_t index, Cell cell, std::vector<Found>& found,
                 std::size_t& inner) {
     const std::uint32_t word = nodes.at(index);
@@ -58,7 +58,7 @@ TEST_P(OctreeInvariants, HoldByBruteForce) {
     std::vector<Found> found;
     std::size_t inner = 0;
     listLeaves(nodes, 0, Cell{}, found, inner);
-    EXPECT_EQ(nodes.size(), 8 * (inner + 1)); // children stand together in groups of 8
+    EXPECT_EQ(nodes.size(), 8 * (inner + 1)); // children are in groups of 8
     EXPECT_EQ(found.size(), 7 * inner + 1);   // a full tree: every inner node has exactly 8 children
 
     std::set<std::uint32_t> members;
@@ -78,13 +78,13 @@ TEST_P(OctreeInvariants, HoldByBruteForce) {
             }
             for (std::uint32_t r = 0; r < record.ref_count; ++r) {
                 const std::uint32_t splat = built.octree.refs[record.first_ref + r];
-                EXPECT_FALSE(holds(box, discs[splat].center)); // tentative: the centre lies elsewhere
+                EXPECT_FALSE(holds(box, discs[splat].center)); // tentative: the centre lies outside
                 EXPECT_TRUE(listed.insert(splat).second);
             }
         }
         for (std::uint32_t s = 0; s < discs.size(); ++s) {
             const bool in_list = listed.contains(s);
-            // within rounding of touching either answer is right
+            // for discs that touch within rounding both answers are right
             if (leaf.word == PRO_NODE_EMPTY) {
                 EXPECT_FALSE(discOverlapsBox(discs[s], grown(box, -1e-6f))) << "a disc crosses an empty leaf";
             } else if (discOverlapsBox(discs[s], growBySlab(grown(box, -1e-6f), discs[s], kBlendSlab))) {
@@ -105,12 +105,12 @@ INSTANTIATE_TEST_SUITE_P(Clouds, OctreeInvariants,
 TEST(Octree, SplitsByMembers) {
     BuildOptions options;
     options.octree.max_leaf_splats = 5;
-    // radii far below the leaves' edges, which then split by members alone
+    // radii far below the leaf edges, so that leaves split by members alone
     const Built built = buildSplats(sphereSplats(20000, Vec3f(1, 2, 3), 0.5f, 0.2f), options);
     for (const Leaf& leaf : built.octree.leaves) EXPECT_LE(leaf.member_count, 5u);
 }
 
-TEST(Octree, MaxDepthIsKept) {
+TEST(Octree, MaxDepthIsRespected) {
     BuildOptions options;
     options.octree.max_depth = 3;
     const Built built = buildSplats(sphereSplats(5000, Vec3f(0, 0, 0), 1.0f), options);
@@ -148,7 +148,7 @@ TEST(Quantize, KeepsPositionsNormalsAndRadii) {
     EXPECT_TRUE(std::is_sorted(packed.morton.begin(), packed.morton.end()));
 }
 
-/// A radius as readers decode it where these are the least and the largest.
+/// A radius as readers decode it, with these as smallest and largest radii.
 float codedRadius(float radius, float least, float most) {
     const RadiusCoding coding = radiusCoding(least, most);
     const pro_splat splat{{0.5f, 0.5f, 0.5f}, {0, 0, 1}, radius, {0, 0, 0}, 0};
@@ -159,7 +159,7 @@ float codedRadius(float radius, float least, float most) {
     return decoded.radius;
 }
 
-TEST(Quantize, RadiiAreOfOneSeriesWhateverTheLargestIs) {
+TEST(Quantize, RadiiBelongToOneSeriesForAnyLargest) {
     // 6.6 to 7.9 octaves: 32 codes each
     for (const float most : {0.99f, 1.0f, 1.3f, 2.4f})
         for (const float radius : {0.0102f, 0.1f, 0.3333f, 0.98f}) {
@@ -179,12 +179,12 @@ TEST(Quantize, RadiusCodesAreAsFineAsTheRangeAllows) {
     EXPECT_FLOAT_EQ(codedRadius(1e-9f, 1e-9f, 1), std::exp2(-255 / 16.0f)); // raised to the smallest
 }
 
-TEST(Quantize, PointsComeBeforeWhatFillsGaps) {
+TEST(Quantize, PointsPrecedeSplatsThatFillGaps) {
     Splats splats = squareSplats(4, Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0));
     const float radius = splats.radii[0];
     splats.input_count = 100;
     for (std::uint32_t i = 0; i < 16; ++i) splats.input_index[i] = i;
-    splats.input_index[2] = 100; // fills a gap where point 5 is
+    splats.input_index[2] = 100; // fills a gap at the position of point 5
     splats.positions[2] = splats.positions[5];
     splats.input_index[9] = 101;
     splats.filled_from = {40, 41};
@@ -202,7 +202,7 @@ TEST(Quantize, PointsComeBeforeWhatFillsGaps) {
     }
 }
 
-TEST(Quantize, NoiseBelowHalfAStepIsNone) {
+TEST(Quantize, NoiseBelowHalfAStepIsDropped) {
     Splats splats = squareSplats(4, Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0));
     splats.noise.assign(16, 0.4f / PRO_NOISE_STEPS * splats.radii[0]);
     EXPECT_TRUE(quantizeSplats(std::move(splats)).noise.empty());

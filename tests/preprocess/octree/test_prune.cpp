@@ -23,7 +23,7 @@ Built build(Splats splats, bool prune, double harm = 1e-4) {
 Splats bumpySplats() {
     Splats splats = sphereSplats(20000, Vec3f(0, 0, 0), 1.0f);
     unsigned state = 1;
-    for (std::size_t i = 0; i < splats.positions.size(); ++i) { // a tenth of a radius of noise, as scans have it
+    for (std::size_t i = 0; i < splats.positions.size(); ++i) { // noise of a tenth of the radius, as in scans
         state = state * 1664525u + 1013904223u;
         splats.positions[i] *= 1.0f + 0.1f * splats.radii[i] * (static_cast<float>(state >> 8) / 0x1p23f - 1.0f);
     }
@@ -36,7 +36,7 @@ const Leaf* leafOf(const Octree& octree, std::uint64_t code) {
     return nullptr;
 }
 
-TEST(Prune, KeepsMembersAndWhatCrosses) {
+TEST(Prune, KeepsMembersAndCrossingDiscs) {
     const Built full = build(bumpySplats(), false), pruned = build(bumpySplats(), true, 0.05);
     EXPECT_LT(references(pruned), 0.95 * static_cast<double>(references(full)));
     std::size_t members = 0, crossing = 0;
@@ -49,7 +49,7 @@ TEST(Prune, KeepsMembersAndWhatCrosses) {
                         pruned.octree.refs.begin() + after->first_ref + after->ref_count);
         for (std::uint32_t r = leaf.first_ref; r < leaf.first_ref + leaf.ref_count; ++r) {
             Disc disc = full.packed.discs[full.octree.refs[r]];
-            disc.radius *= 0.98f; // all but a sliver
+            disc.radius *= 0.98f; // without slivers
             if (!discOverlapsBox(disc, cellBox(leaf.cell))) continue;
             ++crossing;
             EXPECT_TRUE(kept.contains(full.octree.refs[r]));
@@ -59,17 +59,17 @@ TEST(Prune, KeepsMembersAndWhatCrosses) {
     EXPECT_GT(crossing, full.packed.discs.size() / 4);
 }
 
-TEST(Prune, IsTheSameForTheSameSeed) {
+TEST(Prune, IsDeterministicForASeed) {
     EXPECT_EQ(build(bumpySplats(), true).octree.refs, build(bumpySplats(), true).octree.refs);
 }
 
-TEST(Prune, KeepsToTheBoundOnItsHarm) {
-    const Built loose = build(bumpySplats(), true, 0.05), strict = build(bumpySplats(), true, 1e-4);
-    EXPECT_LE(loose.pruning.harm_bound, 0.05);
+TEST(Prune, StaysWithinTheHarmBound) {
+    const Built lenient = build(bumpySplats(), true, 0.05), strict = build(bumpySplats(), true, 1e-4);
+    EXPECT_LE(lenient.pruning.harm_bound, 0.05);
     EXPECT_LE(strict.pruning.harm_bound, 1e-4);
     EXPECT_LE(strict.pruning.harm, strict.pruning.harm_bound);
-    EXPECT_GE(strict.pruning.probes, 3e4); // fewer could not show it
-    EXPECT_LT(references(loose), references(strict));
+    EXPECT_GE(strict.pruning.probes, 3e4); // fewer could not prove it
+    EXPECT_LT(references(lenient), references(strict));
 }
 
 TEST(Prune, FewLeavesGetMoreProbes) {
@@ -78,7 +78,7 @@ TEST(Prune, FewLeavesGetMoreProbes) {
     EXPECT_LE(built.pruning.harm_bound, 1e-4);
 }
 
-TEST(Probe, HeaviestPointWeighsMost) {
+TEST(Probe, HeaviestPointHasTheLargestWeight) {
     const Box box{Vec3f(0, 0, 0), Vec3f(1, 1, 1)};
     for (const Vec3f& center : {Vec3f(1.2f, 0.5f, 0.5f), Vec3f(-0.1f, -0.1f, 0.4f), Vec3f(0.5f, 0.5f, 1.1f)}) {
         const Disc disc{center, Vec3f(0.3f, -0.4f, 0.866f).normalized(), 0.5f};

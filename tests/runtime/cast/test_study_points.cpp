@@ -120,8 +120,8 @@ TEST_F(StudyScenes, Instances_AreAtTheirPlacements) {
 TEST_F(StudyScenes, UpAndNorth_FollowThePlacement) {
     EXPECT_EQ(scanUp(turnedScene()), (std::array<double, 3>{0, 0, 1})); // the file has no up
     const auto sceneOf = [&](const std::string& instance, const std::string& head = "") {
-        return folder.write("up.toml",
-                            head + "[[instance]]\nfile = \"" POINTRT_GOLDEN_DIR "/tiny_compact_scan.pro\"\n" + instance);
+        return folder.write(
+            "up.toml", head + "[[instance]]\nfile = \"" POINTRT_GOLDEN_DIR "/tiny_compact_scan.pro\"\n" + instance);
     };
     const std::array<double, 3> own = scanUp(POINTRT_GOLDEN_DIR "/tiny_compact_scan.pro");
     const std::array<double, 3> turned = scanUp(sceneOf("rotate = { axis = [0, 0, 1], degrees = 90 }\n"));

@@ -23,7 +23,7 @@ protected:
     ScenePaintTest() {
         scan.path = folder.file("tiny.pro");
         test::Scene tiny = test::tinyScene();
-        reopen([&] { EXPECT_EQ(test::Said().write(tiny, scan.path), PRO_OK); });
+        reopen([&] { EXPECT_EQ(test::TinyScan().write(tiny, scan.path), PRO_OK); });
         scene.instances.push_back({scan.path, {}, {}, {}});
     }
     ~ScenePaintTest() override { pro_close(scan.file); }
@@ -171,7 +171,7 @@ TEST_F(ScenePaintTest, AllTypes_AreSupported) {
     const std::array<double, 5> wild{largest, -largest, 5e-324, -largest, largest};
     const std::array<float, 5> none{NAN, INFINITY, -INFINITY, NAN, NAN};
     test::Scene tiny = test::tinyScene();
-    test::Said said;
+    test::TinyScan said;
     said.attributes.clear();
     said.add("class", PRO_TYPE_U64, 1, large.data());
     said.add("wild", PRO_TYPE_F64, 1, wild.data());

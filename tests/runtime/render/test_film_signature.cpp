@@ -93,8 +93,9 @@ TEST(FilmSignature, TellsEverySettingThatTheTableSaysItTells) {
         choices.*row.choice = anotherValue(row.limits, settingOf(before, row.member));
         RenderSettings after = before;
         applyChoices(choices, after);
-        const std::string difference = signatureDifference(filmSignature({}, before, testCamera(), KernelForm::kWavefront),
-                                                           filmSignature({}, after, testCamera(), KernelForm::kWavefront));
+        const std::string difference =
+            signatureDifference(filmSignature({}, before, testCamera(), KernelForm::kWavefront),
+                                filmSignature({}, after, testCamera(), KernelForm::kWavefront));
         const std::string expected = row.film.place == 0 ? "" : std::string(row.film.name) + " was ";
         EXPECT_EQ(difference.substr(0, expected.size()), expected) << row.command_line.option;
         EXPECT_EQ(difference.empty(), row.film.place == 0) << row.command_line.option << ": " << difference;

@@ -60,7 +60,7 @@ TEST_F(FileOpenerTest, OpensTheFirstSceneThatIsDropped) {
     EXPECT_EQ(told, "");
     EXPECT_EQ(next(), "a.toml first");
     opener.drop({"b.pro", "c.pro"});
-    EXPECT_EQ(told, "opening the first of 2 files");
+    EXPECT_EQ(told, "opening only the first of 2 files");
     EXPECT_EQ(next(), "b.pro");
 }
 
@@ -74,7 +74,7 @@ TEST_F(FileOpenerTest, BakesOneScanAfterTheOther) {
     const std::string scan = folder.write("a.xyz", "0 0 0\n");
     jobs.start(JobKind::kBake, [] { return startedJob<NoWork>(std::make_unique<NoWork>(), {}); });
     opener.drop({scan});
-    EXPECT_EQ(told, "error: one scan after the other: Loading is under way");
+    EXPECT_EQ(told, "error: Loading is still running; bake one scan at a time");
 }
 
 TEST_F(FileOpenerTest, StepsThroughTheFolder) {

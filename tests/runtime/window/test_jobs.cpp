@@ -135,7 +135,7 @@ TEST(ChildProcess, EndsWithItsOwner) {
         EXPECT_EQ(kill(id, 0), 0);
     }
     EXPECT_NE(kill(id, 0), 0);
-    EXPECT_EQ(describeExit(SIGKILL), "was ended by signal 9 (Killed)");
+    EXPECT_EQ(describeExit(SIGKILL), "was killed by signal 9 (Killed)");
 }
 
 class Bake : public testing::Test {
@@ -180,12 +180,12 @@ TEST_F(Bake, PassesTheReasonOn) {
               "scan.ply: is empty");
     EXPECT_EQ(failure("printf 'no end of line' >&2; exit 1"), "no end of line");
     EXPECT_EQ(failure("exit 3"), "pointrt-bake ended with status 3");
-    EXPECT_EQ(failure("kill -9 $$"), "pointrt-bake was ended by signal 9 (Killed)");
-    EXPECT_EQ(failure("exit 0"), "pointrt-bake ended well, but there is no " + folder.file("out.pro"));
+    EXPECT_EQ(failure("kill -9 $$"), "pointrt-bake was killed by signal 9 (Killed)");
+    EXPECT_EQ(failure("exit 0"), "pointrt-bake succeeded but did not write " + folder.file("out.pro"));
     const BakePlan plan{{"scan.ply"}, "out.pro"};
     const BakeJob missing(plan, folder.file("none"));
     ASSERT_TRUE(ends(missing.job()));
-    EXPECT_EQ(missing.job().error(), folder.file("none") + ": cannot be started: No such file or directory");
+    EXPECT_EQ(missing.job().error(), folder.file("none") + ": cannot start: No such file or directory");
 }
 
 TEST_F(Bake, SurvivesAFlood) {
@@ -316,7 +316,7 @@ TEST_F(Plan, RefusesWhatIsNoFile) {
     addScan("scans/statue.ply", 60s);
     fs::permissions(folder.path / "scans", fs::perms::owner_read | fs::perms::owner_exec);
     EXPECT_EQ(refusal([&] { plan({"scans/statue.ply"}); }),
-              folder.file("scans") + ": cannot write the .pro there: Permission denied");
+              folder.file("scans") + ": cannot write a .pro here: Permission denied");
     fs::permissions(folder.path / "scans", fs::perms::owner_all);
 }
 
@@ -324,7 +324,7 @@ TEST_F(Plan, FindsTheBaker) {
     for (const char* name : {"bin", "first", "second"}) fs::create_directory(folder.path / name);
     const std::string path = folder.file("first") + "::" + folder.file("second"), own = folder.file("bin");
     EXPECT_EQ(refusal([&] { findBakeTool(own, path); }),
-              "pointrt-bake bakes scans, but is neither in " + own + " nor in PATH (" + path + ")");
+              "pointrt-bake, which bakes scans, is neither in " + own + " nor in PATH (" + path + ")");
     folder.write("first/pointrt-bake", "no program");
     fs::permissions(folder.write("second/pointrt-bake", ""), fs::perms::owner_all);
     EXPECT_EQ(findBakeTool(own, path), folder.file("second/pointrt-bake"));

@@ -197,7 +197,7 @@ constexpr const char* kSaid = "[[instance]]\nfile = 'said.pro'\n";
 
 void writeSaid(const std::string& path) {
     test::Scene tiny = test::tinyScene();
-    const test::Said said;
+    const test::TinyScan said;
     const pro_view view = tiny.view();
     const pro_content content{&tiny.info,
                               &view,

@@ -137,7 +137,7 @@ TEST(Panels, MakeTheScanOfGlass) {
     PanelDriver driver;
     driver.frame(w);
     driver.open("Materials");
-    ASSERT_TRUE(driver.find(w, "Panel", {"Materials", "The scan is", "##value"}));
+    ASSERT_TRUE(driver.find(w, "Panel", {"Materials", "Material", "##value"}));
     driver.click(w);
     ASSERT_TRUE(driver.find(w, "##Combo_00", {"Glass"}));
     EXPECT_TRUE(driver.click(w).scene_changed);
@@ -201,9 +201,9 @@ TEST(Panels, WishForARoom) {
 TEST(Panels, PutTheSunWhereItStood) {
     Workspace w = litScan();
     PanelDriver driver;
-    ASSERT_TRUE(driver.find(w, "Panel", {"Light", 0, "By place and date"}));
+    ASSERT_TRUE(driver.find(w, "Panel", {"Light", 0, "Place and date"}));
     driver.click(w);
-    ASSERT_TRUE(driver.find(w, "Panel", {"Light", 0, "By place and date", "Put the sun there"}));
+    ASSERT_TRUE(driver.find(w, "Panel", {"Light", 0, "Place and date", "Set the sun"}));
     EXPECT_TRUE(driver.click(w).scene_changed);
     // Greenwich, 2025-06-21 15:00 UTC, where the panel begins; north is -Z
     SunPosition sun = sunPosition(1750518000, 51.48, 0);
@@ -238,7 +238,7 @@ TEST(Panels, DragTheRangeOfColours) {
     EXPECT_EQ(w.settings.color_range->low, 0);
     EXPECT_GT(w.settings.color_range->high, 10);
     EXPECT_TRUE(driver.release(w).settings_changed);
-    ASSERT_TRUE(driver.find(w, "Panel", {"Colours", "Range of the numbers"}));
+    ASSERT_TRUE(driver.find(w, "Panel", {"Colours", "Reset range"}));
     driver.click(w);
     EXPECT_FALSE(w.settings.color_range);
 }

@@ -79,25 +79,26 @@ TEST(Recording, IsEditedByHand) {
 }
 
 TEST(Recording, SaysWhereAndWhyItIsWrong) {
-    EXPECT_EQ(refusalOf(""), "a.rec: no recording: it is empty");
-    EXPECT_EQ(refusalOf("# nothing\n"), "a.rec: no recording: it is empty");
-    EXPECT_EQ(refusalOf("\nhello\n"), "a.rec:2: no recording: it begins with pointrt-recording");
-    EXPECT_EQ(refusalOf("pointrt-recording 2 window 1x1 scale 1"), "a.rec:1: version \"2\", this program reads 1");
+    EXPECT_EQ(refusalOf(""), "a.rec: not a recording: the file is empty");
+    EXPECT_EQ(refusalOf("# nothing\n"), "a.rec: not a recording: the file is empty");
+    EXPECT_EQ(refusalOf("\nhello\n"), "a.rec:2: not a recording: it must begin with pointrt-recording");
+    EXPECT_EQ(refusalOf("pointrt-recording 2 window 1x1 scale 1"),
+              "a.rec:1: unsupported version \"2\" (this program reads 1)");
     EXPECT_EQ(refusalOf("pointrt-recording 1 window 0x0 scale 1"), "a.rec:1: the window has no size");
     EXPECT_EQ(refusalOf("pointrt-recording 1 window 99999x1 scale 1"),
               "a.rec:1: \"99999x1\" is not WxH with 1 to 16384 pixels each");
-    EXPECT_EQ(refusalOfLine("5 quit\n4 quit"), "a.rec:3: frame 4 comes after 5");
+    EXPECT_EQ(refusalOfLine("5 quit\n4 quit"), "a.rec:3: frame 4 follows frame 5");
     EXPECT_EQ(refusalOfLine("x quit"), "a.rec:2: \"x\" is not a whole number from 0 to 10000000");
     EXPECT_EQ(refusalOfLine("1 jump"),
               "a.rec:2: \"jump\" is not one of key, text, button, cursor, wheel, resize, drop, "
               "close, screenshot, wait, quit");
-    EXPECT_EQ(refusalOfLine("1 key down Foo"), "a.rec:2: no key is called \"Foo\"");
-    EXPECT_EQ(refusalOfLine("1 key sideways A"), "a.rec:2: \"sideways\" is neither down nor up");
-    EXPECT_EQ(refusalOfLine("1 button down thumb"), "a.rec:2: no button is called \"thumb\"");
-    EXPECT_EQ(refusalOfLine("1 cursor 1"), "a.rec:2: is not as in: FRAME cursor X Y");
-    EXPECT_EQ(refusalOfLine("1 cursor 1 2 3"), "a.rec:2: is not as in: FRAME cursor X Y");
+    EXPECT_EQ(refusalOfLine("1 key down Foo"), "a.rec:2: unknown key \"Foo\"");
+    EXPECT_EQ(refusalOfLine("1 key sideways A"), "a.rec:2: \"sideways\" must be down or up");
+    EXPECT_EQ(refusalOfLine("1 button down thumb"), "a.rec:2: unknown button \"thumb\"");
+    EXPECT_EQ(refusalOfLine("1 cursor 1"), "a.rec:2: does not match: FRAME cursor X Y");
+    EXPECT_EQ(refusalOfLine("1 cursor 1 2 3"), "a.rec:2: does not match: FRAME cursor X Y");
     EXPECT_EQ(refusalOfLine("1 cursor 1 nan"), "a.rec:2: \"nan\" is not a number from -1e+06 to 1e+06");
-    EXPECT_EQ(refusalOfLine("1 drop a.pro"), "a.rec:2: is not as in: FRAME drop \"PATH\" ...");
+    EXPECT_EQ(refusalOfLine("1 drop a.pro"), "a.rec:2: does not match: FRAME drop \"PATH\" ...");
     EXPECT_EQ(refusalOfLine("1 drop \"a.pro"), "a.rec:2: a string has no closing quote");
     EXPECT_EQ(refusalOfLine("1 text \"\xff\""), "a.rec:2: the text is not UTF-8");
 }
@@ -118,7 +119,7 @@ TEST(Recording, RefusesWhatWouldHurt) {
     EXPECT_EQ(refusalOfLine(many), "a.rec:2: too many paths");
     EXPECT_EQ(refusalOf(kHeader + "1 text \"" + std::string(kMaxRecordedEvents + 1, 'a') + "\""),
               "a.rec:2: more than 1000000 events");
-    EXPECT_EQ(refusalOf(std::string(kMaxRecordingBytes + 1, '\n')), "a.rec: more than 64 MiB");
+    EXPECT_EQ(refusalOf(std::string(kMaxRecordingBytes + 1, '\n')), "a.rec: larger than 64 MiB");
 }
 
 TEST(Recording, EveryNamedKeyComesBack) {

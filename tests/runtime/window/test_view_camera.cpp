@@ -554,10 +554,10 @@ TEST(CameraText, RefusesAnythingElseWithAReason) {
     EXPECT_EQ(refusalOf("hello world"), "camera text: \"hello\" is not one of --eye, --target, --up, --fov, --ortho");
     EXPECT_EQ(refusalOf(good + "--eye 1,2,3"), "camera text: --eye is given twice");
     EXPECT_EQ(refusalOf(good + "--up"), "camera text: --up has no value");
-    EXPECT_EQ(refusalOf(good + "--up 1,2"), "camera text: --up: \"1,2\" is not its value");
-    EXPECT_EQ(refusalOf(good + "--up 1,2,inf"), "camera text: --up: \"1,2,inf\" is not its value");
-    EXPECT_EQ(refusalOf(good + "--fov 180"), "camera text: --fov: \"180\" is not its value");
-    EXPECT_EQ(refusalOf(good + "--ortho -1"), "camera text: --ortho: \"-1\" is not its value");
+    EXPECT_EQ(refusalOf(good + "--up 1,2"), "camera text: --up: invalid value \"1,2\"");
+    EXPECT_EQ(refusalOf(good + "--up 1,2,inf"), "camera text: --up: invalid value \"1,2,inf\"");
+    EXPECT_EQ(refusalOf(good + "--fov 180"), "camera text: --fov: invalid value \"180\"");
+    EXPECT_EQ(refusalOf(good + "--ortho -1"), "camera text: --ortho: invalid value \"-1\"");
     EXPECT_EQ(refusalOf(good + "--fov 20 --ortho 2"), "camera text: --fov and --ortho exclude each other");
     EXPECT_EQ(refusalOf(std::string(5000, ' ')), "camera text: too long");
     for (const char* text : {"--up 0,0,0", "--ortho 1e11", "--fov 0.0001"}) EXPECT_NE(refusalOf(good + text), "");
