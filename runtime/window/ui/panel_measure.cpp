@@ -70,7 +70,7 @@ std::string measureText(const Workspace& w) {
     std::string text;
     for (const PickedPoint& pick : w.picks) text += pickLine(pick, sceneSize(w));
     if (w.picks.size() < 2) return text;
-    return text + "point to point " + distanceText(w) + "\n";
+    return text + "length " + distanceText(w) + "\n";
 }
 
 } // namespace
@@ -78,7 +78,7 @@ std::string measureText(const Workspace& w) {
 void drawLastPick(const Workspace& w) {
     drawPick(w, w.picks.back());
     if (w.picks.size() < 2) return;
-    valueRow("Point to point", distanceText(w).c_str());
+    valueRow("Length", distanceText(w).c_str());
 }
 
 void drawMeasure(Workspace& w) {
@@ -91,7 +91,7 @@ void drawMeasure(Workspace& w) {
         ImGui::TextDisabled("Previous pick");
         drawPick(w, before);
         ImGui::Separator();
-        valueRow("Point to point", distanceText(w).c_str());
+        valueRow("Length", distanceText(w).c_str());
         checkboxRow("Keep line", w.pin_measurement, "M: keep the line on the picture");
     }
     if (columnButton("Copy as text", 1)) ImGui::SetClipboardText(measureText(w).c_str());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The user interface without a window: frames, and a mouse that finds what it is to press.
+// Drives the user interface without a window: frames, and a mouse that finds widgets.
 #pragma once
 
 #include <imgui.h>
@@ -14,7 +14,7 @@
 
 namespace pointrt {
 
-/// A step on the way to a widget: an id of a string or a number.
+/// A component of a widget's id: a string or a number.
 struct IdStep {
     IdStep(const char* name) : text(name) {}
     IdStep(int n) : number(n) {}
@@ -22,7 +22,7 @@ struct IdStep {
     int number = 0;
 };
 
-/// An ImGui context for as long as it lives.
+/// Owns an ImGui context.
 class PanelDriver {
 public:
     explicit PanelDriver(float width = 1280, float height = 3000) {
@@ -40,7 +40,7 @@ public:
     PanelDriver(const PanelDriver&) = delete;
     PanelDriver& operator=(const PanelDriver&) = delete;
 
-    /// A frame; returns what was asked for in it.
+    /// Draws a frame and returns its requests.
     Requests frame(Workspace& w) {
         w.requests = {};
         ImGui::NewFrame();
@@ -49,7 +49,7 @@ public:
         return w.requests;
     }
 
-    /// Opens a header, or closes it. After the first frame.
+    /// Opens or closes a section. After the first frame.
     static void open(const char* section, bool open = true) {
         ImGuiWindow* panel = ImGui::FindWindowByName("Panel");
         panel->StateStorage.SetInt(panel->GetID(section), open ? 1 : 0);
@@ -61,14 +61,14 @@ public:
             open(name);
     }
 
-    /// Moves the mouse over the window until it is over the widget.
+    /// Moves the mouse over the window until it hovers over the widget.
     bool find(Workspace& w, const char* window, std::initializer_list<IdStep> path) {
-        for (int f = 0; f < 3; ++f) frame(w); // until windows know their sizes
+        for (int f = 0; f < 3; ++f) frame(w); // until window sizes are known
         const ImGuiWindow* owner = ImGui::FindWindowByName(window);
         if (!owner) return false;
         const ImGuiID id = idOf(owner->ID, path);
         const ImRect area = owner->Rect();
-        constexpr float column = 12, row = 7; // less than any widget has
+        constexpr float column = 12, row = 7; // smaller than any widget
         for (float y = area.Min.y + 2; y < area.Max.y; y += row)
             for (float x = area.Min.x + 2; x < area.Max.x; x += column) {
                 ImGui::GetIO().MousePos = {x, y};
@@ -84,7 +84,7 @@ public:
         ImGui::GetIO().MousePos.x += dx;
         return frame(w);
     }
-    /// Returns what the release asked for.
+    /// Returns the requests of the release.
     Requests click(Workspace& w) {
         press(w);
         return release(w);

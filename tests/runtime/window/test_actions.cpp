@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What keys and drags do to workspace and camera.
+// Effects of actions and drags on the workspace and the camera.
 #include "runtime/window/edit/actions.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace pointrt {
 namespace {
 
-TEST(Actions, AskForWhatTakesMore) {
+TEST(Actions, SetRequestsForTheWindow) {
     Workspace work;
     EXPECT_TRUE(applyAction(work, Action::kScreenshot));
     EXPECT_TRUE(applyAction(work, Action::kSaveScene));
@@ -21,7 +21,7 @@ TEST(Actions, AskForWhatTakesMore) {
     EXPECT_TRUE(work.requests.quit);
 }
 
-TEST(Actions, SwitchOnAndOff) {
+TEST(Actions, ToggleState) {
     Workspace work;
     for (const bool paused : {true, false}) {
         applyAction(work, Action::kPause);
@@ -36,7 +36,7 @@ TEST(Actions, SwitchOnAndOff) {
     EXPECT_TRUE(work.picks.empty()) << "cleared with the line";
 }
 
-TEST(Actions, EscapeGoesBackOneStep) {
+TEST(Actions, EscapeClosesCancelsOrQuits) {
     Workspace work;
     work.job.emplace();
     applyAction(work, Action::kCheatSheet);
@@ -52,8 +52,8 @@ TEST(Actions, EscapeGoesBackOneStep) {
     EXPECT_TRUE(work.requests.quit);
 }
 
-/// Every key of the table is somebody's: the workspace's, the camera's, or the window's own four.
-TEST(Actions, NoKeyIsForgotten) {
+/// Every action is handled by the workspace, the camera, or the window (four of them).
+TEST(Actions, EveryKeyIsHandled) {
     const ViewCamera camera;
     for (const Control& control : kControls) {
         if (control.gesture != Gesture::kKey) continue;
@@ -87,7 +87,7 @@ TEST(CameraCommands, FlyToViews) {
     EXPECT_FALSE(cameraForAction(Action::kPause, camera, home));
 }
 
-TEST(ViewAnimator, FliesAndLands) {
+TEST(ViewAnimator, FliesToAView) {
     ViewAnimator driver;
     ViewCamera from, to;
     to.eye = {2, 0, 0};
@@ -103,7 +103,7 @@ TEST(ViewAnimator, FliesAndLands) {
     EXPECT_EQ(driver.advanced(from, 7.1, 0.1).eye, from.eye);
 }
 
-TEST(ViewAnimator, GoesWhileKeysAreHeld) {
+TEST(ViewAnimator, MovesWhileKeysAreHeld) {
     ViewAnimator driver;
     const ViewCamera camera;
     driver.flyAlong({1, 0, 0});

@@ -16,7 +16,7 @@
 namespace pointrt {
 namespace {
 
-/// One letter and the numbers of a command, to compare.
+/// A command as text, to compare: its name and numbers.
 struct CommandText {
     static std::string number(double value) {
         std::ostringstream text;
@@ -43,7 +43,7 @@ std::string text(const std::vector<Command>& commands) {
     return joined;
 }
 
-/// A user with a window; each call gives the commands as text.
+/// Sends input events; each call returns the commands as text.
 struct User {
     ControlState state;
     double time_s = 0;
@@ -60,13 +60,13 @@ struct User {
 
 std::string textOf(Action action) { return text({Command{action}}); }
 
-TEST(Controls, TheDocsHaveTheTable) {
+TEST(Controls, DocsMatchTheTable) {
     std::ifstream file(POINTRT_WINDOW_DOC);
     const std::string doc{std::istreambuf_iterator<char>(file), {}};
     EXPECT_NE(doc.find("\n" + markdownTable()), std::string::npos) << "docs/WINDOW.md should have\n" << markdownTable();
 }
 
-TEST(Controls, EveryRowIsWholeAndNoneIsThereTwice) {
+TEST(Controls, RowsAreCompleteAndUnique) {
     std::set<std::tuple<Gesture, Key, bool>> seen;
     std::set<std::string_view> groups;
     std::string_view group;
@@ -84,14 +84,14 @@ TEST(Controls, EveryRowIsWholeAndNoneIsThereTwice) {
     }
 }
 
-TEST(Controls, EveryActionButTheCloseButtonIsInTheTable) {
+TEST(Controls, EveryActionExceptCloseIsInTheTable) {
     std::set<Action> listed;
     for (const Control& control : kControls) listed.insert(control.action);
     EXPECT_EQ(listed.size(), static_cast<std::size_t>(Action::kQuit));
     EXPECT_FALSE(listed.contains(Action::kQuit));
 }
 
-TEST(Controls, HelpHasALineForEachShownRow) {
+TEST(Controls, HelpHasALinePerVisibleRow) {
     const std::string help = helpText();
     std::size_t rows = 0;
     for (const Control& control : kControls)
@@ -105,7 +105,7 @@ TEST(Controls, HelpHasALineForEachShownRow) {
     EXPECT_EQ(help.find('`'), std::string::npos);
 }
 
-TEST(Commands, EveryKeyOfTheTableDoesWhatItSays) {
+TEST(Commands, KeysOfTheTableSendTheirAction) {
     for (const Control& control : kControls) {
         if (control.gesture != Gesture::kKey) continue;
         User user;
@@ -120,7 +120,7 @@ TEST(Commands, EveryKeyOfTheTableDoesWhatItSays) {
     }
 }
 
-TEST(Commands, ControlIsNotForgottenAndNotInvented) {
+TEST(Commands, CtrlIsTrackedAcrossKeys) {
     User user;
     EXPECT_EQ(user.down('V'), textOf(Action::kSaveView));
     user.up('V');
@@ -128,24 +128,24 @@ TEST(Commands, ControlIsNotForgottenAndNotInvented) {
     EXPECT_EQ(user.down('V'), textOf(Action::kPasteCamera));
     user.up('V');
     EXPECT_EQ(user.down('M'), "");
-    EXPECT_EQ(user.down('S'), textOf(Action::kSaveScene)); // and flies nowhere
+    EXPECT_EQ(user.down('S'), textOf(Action::kSaveScene)); // and does not fly
     user.up('S');
     user.up(Key::kControl);
     EXPECT_EQ(user.down('S'), "fly 0 0 -1");
 }
 
-TEST(Commands, ClicksPickAndDragsDoNot) {
+TEST(Commands, ClicksPick_DragsOrbit) {
     User user;
     user.move(100, 200);
     EXPECT_EQ(user.press(), "");
-    EXPECT_EQ(user.move(102, 202), ""); // a hand is not that still
+    EXPECT_EQ(user.move(102, 202), ""); // below the threshold
     EXPECT_EQ(user.release(), "pick 100 200");
 
     user.time_s = 5;
     user.press();
-    EXPECT_EQ(user.move(106, 202), "orbit 4 0"); // all the way from the press
+    EXPECT_EQ(user.move(106, 202), "orbit 4 0"); // the whole way since the press
     EXPECT_EQ(user.move(106, 202), "");
-    EXPECT_EQ(user.move(105, 200), "orbit -1 -2"); // from there every unit counts
+    EXPECT_EQ(user.move(105, 200), "orbit -1 -2"); // from here on every unit counts
     EXPECT_EQ(user.release(), "");
     EXPECT_EQ(user.move(300, 300), "");
 }
@@ -159,14 +159,14 @@ TEST(Commands, RightAndShiftedDragsPan) {
     user.down(Key::kShift);
     user.press();
     EXPECT_EQ(user.move(20, 30), "pan 0 20");
-    user.up(Key::kShift); // a drag stays what it began as
+    user.up(Key::kShift); // a drag does not change its kind
     EXPECT_EQ(user.move(21, 30), "pan 1 0");
     EXPECT_EQ(user.release(), "");
     user.press(MouseButton::kMiddle);
     EXPECT_EQ(user.move(90, 90), "");
     EXPECT_EQ(user.release(MouseButton::kMiddle), "");
     user.press(MouseButton::kRight);
-    EXPECT_EQ(user.release(MouseButton::kRight), ""); // picks nothing
+    EXPECT_EQ(user.release(MouseButton::kRight), ""); // no pick
 }
 
 TEST(Commands, OneDragAtATime) {
@@ -179,7 +179,7 @@ TEST(Commands, OneDragAtATime) {
     EXPECT_EQ(user.release(), "");
 }
 
-TEST(Commands, ASecondClickSoonAndNearCentres) {
+TEST(Commands, DoubleClickCentres) {
     User user;
     user.move(50, 50);
     user.time_s = 1;
@@ -190,11 +190,11 @@ TEST(Commands, ASecondClickSoonAndNearCentres) {
     EXPECT_EQ(user.press(), "centre 53 52");
     EXPECT_EQ(user.release(), ""); // no second pick
     user.time_s = 1.5;
-    EXPECT_EQ(user.press(), ""); // the third is a first one again
+    EXPECT_EQ(user.press(), ""); // the third click is a first one again
     EXPECT_EQ(user.release(), "pick 53 52");
 }
 
-TEST(Commands, LateFarOrDraggedClicksAreSingle) {
+TEST(Commands, LateFarOrDraggedClicksAreNotDouble) {
     const auto second = [](double later_s, double dx, double drag) {
         User user;
         user.press();
@@ -209,27 +209,27 @@ TEST(Commands, LateFarOrDraggedClicksAreSingle) {
     EXPECT_EQ(second(0.41, 0, 0), "");
     EXPECT_EQ(second(0.3, 5, 0), "");
     EXPECT_EQ(second(0.3, 0, 20), "");
-    EXPECT_EQ(second(-1, 0, 0), ""); // a clock that goes back
+    EXPECT_EQ(second(-1, 0, 0), ""); // a clock that runs backwards
 }
 
-TEST(Commands, DragsBelongToWhereTheyBegin) {
+TEST(Commands, DragsBelongToTheirStart) {
     User user;
     user.state.ui_wants_mouse = true;
     user.press();
-    user.state.ui_wants_mouse = false; // the cursor left the panel
+    user.state.ui_wants_mouse = false; // the cursor has left the panel
     EXPECT_EQ(user.move(500, 10), "");
     EXPECT_EQ(user.release(), "");
     user.press();
-    user.state.ui_wants_mouse = true; // and came over it
+    user.state.ui_wants_mouse = true; // and enters it
     EXPECT_EQ(user.move(510, 10), "orbit 10 0");
     EXPECT_EQ(user.send(WheelEvent{0, 1}), "");
     EXPECT_EQ(user.release(), "");
     EXPECT_EQ(user.press() + user.release(), ""); // a click on the panel
     user.state.ui_wants_mouse = false;
-    EXPECT_EQ(user.press(), ""); // is not the first of two on the picture
+    EXPECT_EQ(user.press(), ""); // not the second of two on the picture
 }
 
-TEST(Commands, AReleaseThatWasLostDoesNotStick) {
+TEST(Commands, LostReleaseEndsTheDrag) {
     User user;
     user.press();
     user.move(100, 0);
@@ -256,9 +256,9 @@ TEST(Commands, WheelZoomsToTheCursor) {
 TEST(Commands, FliesWhileKeysAreHeld) {
     User user;
     EXPECT_EQ(user.down('W'), "fly 0 0 1");
-    EXPECT_EQ(user.down('W'), ""); // repeats
+    EXPECT_EQ(user.down('W'), ""); // repeat
     EXPECT_EQ(user.down('D'), "fly 1 0 1");
-    EXPECT_EQ(user.down('A'), "fly 0 0 1"); // against each other
+    EXPECT_EQ(user.down('A'), "fly 0 0 1"); // they cancel out
     EXPECT_EQ(user.up('A'), "fly 1 0 1");
     EXPECT_EQ(user.up('W'), "fly 1 0 0");
     EXPECT_EQ(user.down('E'), "fly 1 1 0");
@@ -271,7 +271,7 @@ TEST(Commands, FliesWhileKeysAreHeld) {
     EXPECT_EQ(text(releaseAll(user.state)), "fly 0 0 0");
 }
 
-TEST(Commands, FlyingEndsWhereTypingBegins) {
+TEST(Commands, TypingStopsFlying) {
     User user;
     user.down('W');
     user.state.ui_wants_keyboard = true;
@@ -281,7 +281,7 @@ TEST(Commands, FlyingEndsWhereTypingBegins) {
     EXPECT_EQ(user.move(1, 1), "");
 }
 
-TEST(Commands, DropsResizesAndTheCloseButtonAlwaysCount) {
+TEST(Commands, DropsResizesAndCloseIgnoreThePanels) {
     User user;
     user.state.ui_wants_mouse = user.state.ui_wants_keyboard = true;
     EXPECT_EQ(user.send(DropEvent{{"a.pro", "b.pro"}}), "drop 2");
@@ -310,7 +310,7 @@ InputEvent randomEvent(std::mt19937& random) {
     }
 }
 
-TEST(Commands, SurvivesAnyEvents) {
+TEST(Commands, RandomEventsAreSafe) {
     std::mt19937 random(4);
     ControlState state;
     for (int i = 0; i < 20000; ++i) {

@@ -38,7 +38,7 @@ TEST(FileList, SortsNumbersByValue) {
     EXPECT_EQ(shuffled, sorted);
 }
 
-TEST(FileList, IsAnOrder) {
+TEST(FileList, NaturalOrderIsStrict) {
     const Names names{"", "0", "00", "1", "01", "1a", "01a", "a", "a0", "a00b", "\xff", "10", "9"};
     for (const std::string& a : names)
         for (const std::string& b : names) {
@@ -50,7 +50,7 @@ TEST(FileList, IsAnOrder) {
         }
 }
 
-TEST(FileList, HasTheScenesOfAFolder) {
+TEST(FileList, ListsScenesOfAFolder) {
     const test::TemporaryFolder folder;
     for (const char* name : {"img10.pro", "img2.pro", "img2.toml", "scan.ply", ".hidden.pro", "noext"})
         folder.write(name, "");
@@ -61,7 +61,7 @@ TEST(FileList, HasTheScenesOfAFolder) {
     EXPECT_EQ(sceneFiles(folder.file("img2.pro")), Names{});
 }
 
-TEST(FileList, GoesAround) {
+TEST(FileList, WrapsAround) {
     const test::TemporaryFolder folder;
     for (const char* name : {"img1.pro", "img2.pro", "img10.toml"}) folder.write(name, "");
     const auto step = [&](const char* name, int by) {
@@ -81,13 +81,13 @@ TEST(FileList, GoesAround) {
     EXPECT_EQ(neighbourFile(folder.file("none/img1.pro"), 1), "");
 }
 
-TEST(FileList, AScanAloneHasNoNeighbour) {
+TEST(FileList, SingleSceneHasNoNeighbour) {
     const test::TemporaryFolder folder;
     EXPECT_EQ(neighbourFile(folder.write("only.pro", ""), 1), "");
     EXPECT_EQ(neighbourFile(folder.file("gone.pro"), 1), folder.file("only.pro"));
 }
 
-TEST(FreeName, IsTheFirstThatNobodyHas) {
+TEST(FreeName, IsTheFirstUnusedNumber) {
     const test::TemporaryFolder folder;
     const std::filesystem::path before = std::filesystem::current_path();
     std::filesystem::current_path(folder.path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What becomes of files that are opened, dropped and stepped to.
+// Opening, dropping and stepping through files.
 #include "runtime/window/edit/file_opener.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ struct NoWork {
 
 class FileOpenerTest : public testing::Test {
 protected:
-    /// What is loaded next, without its folder.
+    /// The next file to load, without its folder.
     std::string next() {
         loads.clear();
         const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
@@ -36,16 +36,17 @@ protected:
     }
 
     const test::TemporaryFolder folder;
-    std::string loads, told;
+    std::string loads, messages;
     JobQueue jobs{[](const std::string&, bool) {}};
-    FileOpener opener{jobs, [this](const std::string& text, bool error) { told += (error ? "error: " : "") + text; },
+    FileOpener opener{jobs,
+                      [this](const std::string& text, bool error) { messages += (error ? "error: " : "") + text; },
                       [this](const std::string& path, bool first) {
                           loads += std::filesystem::path(path).filename().string() + (first ? " first" : "");
                           return startedJob<NoWork>(std::make_unique<NoWork>(), {});
                       }};
 };
 
-TEST_F(FileOpenerTest, OnlyTheFirstLoadIsTheFirst) {
+TEST_F(FileOpenerTest, OnlyTheFirstLoadIsFlagged) {
     opener.open("a.pro");
     EXPECT_EQ(loads, "") << "not before the queue is polled";
     EXPECT_EQ(next(), "a.pro first");
@@ -53,28 +54,28 @@ TEST_F(FileOpenerTest, OnlyTheFirstLoadIsTheFirst) {
     EXPECT_EQ(next(), "b.pro");
 }
 
-TEST_F(FileOpenerTest, OpensTheFirstSceneThatIsDropped) {
+TEST_F(FileOpenerTest, OpensTheFirstDroppedScene) {
     opener.drop({});
     EXPECT_FALSE(jobs.any());
     opener.drop({"a.toml"});
-    EXPECT_EQ(told, "");
+    EXPECT_EQ(messages, "");
     EXPECT_EQ(next(), "a.toml first");
     opener.drop({"b.pro", "c.pro"});
-    EXPECT_EQ(told, "opening only the first of 2 files");
+    EXPECT_EQ(messages, "opening only the first of 2 files");
     EXPECT_EQ(next(), "b.pro");
 }
 
-TEST_F(FileOpenerTest, SaysWhatCannotBeBaked) {
+TEST_F(FileOpenerTest, ReportsUnbakeableFiles) {
     opener.drop({folder.file("none.ply")});
-    EXPECT_EQ(told, "error: " + folder.file("none.ply") + ": No such file or directory");
+    EXPECT_EQ(messages, "error: " + folder.file("none.ply") + ": No such file or directory");
     EXPECT_FALSE(jobs.any());
 }
 
-TEST_F(FileOpenerTest, BakesOneScanAfterTheOther) {
+TEST_F(FileOpenerTest, BakesOneScanAtATime) {
     const std::string scan = folder.write("a.xyz", "0 0 0\n");
     jobs.start(JobKind::kBake, [] { return startedJob<NoWork>(std::make_unique<NoWork>(), {}); });
     opener.drop({scan});
-    EXPECT_EQ(told, "error: Loading is still running; bake one scan at a time");
+    EXPECT_EQ(messages, "error: Loading is still running; bake one scan at a time");
 }
 
 TEST_F(FileOpenerTest, StepsThroughTheFolder) {

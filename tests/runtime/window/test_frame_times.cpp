@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The times of the window's frames.
+// Frame time statistics.
 #include "runtime/window/live/frame_times.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(FrameMeter, TimesFramesFromInputToDisplay) {
     EXPECT_GT(meter.begin(kStart + 60ms), 0) << "no time is no time to fly by";
 }
 
-TEST(FrameMeter, TellsRefiningFromResting) {
+TEST(FrameMeter, SeparatesRefiningFromResting) {
     FrameMeter meter(kStart);
     meter.begin(kStart + 10ms);
     meter.refine(kStart + 25ms);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// When the window's picture starts over, and what is taken out of it.
+// When the window's picture starts over, and taking picks and films from it.
 #include "runtime/window/live/image_controller.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ ImageRequest request() {
     return wanted;
 }
 
-TEST(ImageChange, IsAsSmallAsCanBe) {
+TEST(ImageChange, IsMinimal) {
     const ImageRequest wanted = request();
     const auto change = [&](const std::function<void(ImageRequest&)>& edit) {
         ImageRequest next = wanted;
@@ -61,8 +61,8 @@ protected:
         destroyDeviceScene(device, scene);
     }
 
-    /// Frames until condition holds; false where it takes too long.
-    bool goOn(const std::function<bool()>& condition) {
+    /// Runs frames until condition holds; false on timeout.
+    bool runUntil(const std::function<bool()>& condition) {
         for (int frame = 0; frame < 20000 && !condition(); ++frame) {
             if (auto found = image.update(wanted)) result = found;
             wanted.look_changed = false;
@@ -80,13 +80,13 @@ protected:
     std::optional<PickResult> result;
 };
 
-TEST_F(ImageControllerTest, StartsOverWhereTheViewChanges) {
+TEST_F(ImageControllerTest, StartsOverWhenTheViewChanges) {
     EXPECT_EQ(image.live(), nullptr);
     image.update(wanted);
     EXPECT_FALSE(image.moved()) << "it comes from nowhere";
     EXPECT_EQ(image.size(), (PixelSize{40, 32}));
     EXPECT_TRUE(image.live()->view().settings.first_hits);
-    ASSERT_TRUE(goOn([&] { return rests(); }));
+    ASSERT_TRUE(runUntil([&] { return rests(); }));
     image.update(wanted);
     EXPECT_FALSE(image.moved());
     EXPECT_EQ(image.live()->progress().samples, 3u);
@@ -96,17 +96,17 @@ TEST_F(ImageControllerTest, StartsOverWhereTheViewChanges) {
     EXPECT_EQ(image.live()->progress().samples, 0u);
     image.skipFrame();
     EXPECT_FALSE(image.moved());
-    ASSERT_TRUE(goOn([&] { return rests(); }));
+    ASSERT_TRUE(runUntil([&] { return rests(); }));
     image.restart(ViewChange::kScene);
     image.update(wanted);
     EXPECT_EQ(image.live()->progress().samples, 0u) << "another scene";
     wanted.view.settings.spp = 5;
-    ASSERT_TRUE(goOn([&] { return rests(); }));
+    ASSERT_TRUE(runUntil([&] { return rests(); }));
     EXPECT_EQ(image.live()->progress().samples, 5u);
 }
 
 TEST_F(ImageControllerTest, AnotherLookTracesNothing) {
-    ASSERT_TRUE(goOn([&] { return rests(); }));
+    ASSERT_TRUE(runUntil([&] { return rests(); }));
     wanted.view.look.exposure = 1;
     wanted.look_changed = true;
     image.update(wanted);
@@ -116,9 +116,9 @@ TEST_F(ImageControllerTest, AnotherLookTracesNothing) {
     EXPECT_EQ(image.live()->view().look.exposure, 1);
 }
 
-TEST_F(ImageControllerTest, PausedItGoesOnForWhomeverWaits) {
+TEST_F(ImageControllerTest, PauseStillCompletesRequests) {
     wanted.paused = true;
-    ASSERT_TRUE(goOn([&] { return image.live() && image.live()->progress().samples > 0; })) << "a first picture";
+    ASSERT_TRUE(runUntil([&] { return image.live() && image.live()->progress().samples > 0; })) << "a first picture";
     image.update(wanted);
     EXPECT_FALSE(image.mayWork());
     EXPECT_FALSE(image.work());
@@ -126,29 +126,29 @@ TEST_F(ImageControllerTest, PausedItGoesOnForWhomeverWaits) {
     image.requestFilm();
     EXPECT_TRUE(image.hasPendingRequest());
     EXPECT_TRUE(image.mayWork());
-    ASSERT_TRUE(goOn([&] { return image.isFilmReady(); }));
+    ASSERT_TRUE(runUntil([&] { return image.isFilmReady(); }));
     EXPECT_EQ(image.takeFilm().rgba.size(), 40u * 32 * 4);
     EXPECT_FALSE(image.isFilmRequested());
     EXPECT_FALSE(image.mayWork());
 }
 
-TEST_F(ImageControllerTest, FindsWhatIsPicked) {
+TEST_F(ImageControllerTest, ResolvesPicks) {
     image.pick({0.5, 0.5, true});
     EXPECT_TRUE(image.hasPendingRequest());
-    ASSERT_TRUE(goOn([&] { return result.has_value(); }));
+    ASSERT_TRUE(runUntil([&] { return result.has_value(); }));
     EXPECT_TRUE(result->centre);
     EXPECT_NEAR(result->pick.position.z, 1, 0.05) << "the ball's front";
     EXPECT_FALSE(image.hasPendingRequest());
     result.reset();
     image.pick({0, 0});
-    ASSERT_TRUE(goOn([&] { return !image.hasPendingRequest(); }));
+    ASSERT_TRUE(runUntil([&] { return !image.hasPendingRequest(); }));
     EXPECT_FALSE(result) << "nothing is there";
-    image.pick({1, 1}); // the last pixel, not the one after it
-    ASSERT_TRUE(goOn([&] { return !image.hasPendingRequest(); }));
+    image.pick({1, 1}); // the last pixel
+    ASSERT_TRUE(runUntil([&] { return !image.hasPendingRequest(); }));
 }
 
-TEST_F(ImageControllerTest, TakesAnotherScene) {
-    ASSERT_TRUE(goOn([&] { return rests(); }));
+TEST_F(ImageControllerTest, SwitchesScenes) {
+    ASSERT_TRUE(runUntil([&] { return rests(); }));
     image.requestFilm();
     image.open(device, tracer);
     EXPECT_EQ(image.live(), nullptr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which work goes on beside which, and what comes after it.
+// Scheduling of jobs.
 #include "runtime/window/edit/job_queue.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 
 enum class Gate { kClosed, kOpen, kBroken };
 
-/// Goes on until its gate opens.
+/// Work that runs until its gate opens.
 class GatedWork {
 public:
     GatedWork(std::string name, std::atomic<Gate>& gate, bool can_cancel = true)
@@ -37,7 +37,7 @@ private:
 
 class JobQueueTest : public testing::Test {
 protected:
-    /// Done, it says so.
+    /// A job that reports when it is done.
     JobStart work(const std::string& name, bool can_cancel = true) {
         return [this, name, can_cancel] {
             events.push_back("start " + name);
@@ -49,7 +49,7 @@ protected:
     }
     std::string shown() const { return queue.status() ? queue.status()->title : "nothing"; }
 
-    /// Polls until something has happened.
+    /// Polls until something has been reported.
     std::vector<std::string> next() {
         events.clear();
         const auto end = std::chrono::steady_clock::now() + 10s;
@@ -66,7 +66,7 @@ protected:
     JobQueue queue{[this](const std::string& text, bool error) { events.push_back((error ? "error " : "") + text); }};
 };
 
-TEST_F(JobQueueTest, CallsBackWhenWorkIsDone) {
+TEST_F(JobQueueTest, RunsCallbacksWhenDone) {
     EXPECT_FALSE(queue.any());
     EXPECT_TRUE(queue.start(JobKind::kBake, work("bake")));
     EXPECT_EQ(events, Events{"start bake"});
@@ -80,13 +80,13 @@ TEST_F(JobQueueTest, CallsBackWhenWorkIsDone) {
     EXPECT_EQ(shown(), "nothing");
 }
 
-TEST_F(JobQueueTest, TellsOfErrors) {
+TEST_F(JobQueueTest, ReportsErrors) {
     queue.start(JobKind::kSave, work("save"));
     gate = Gate::kBroken;
     EXPECT_EQ(next(), (Events{"end save", "error broken"}));
 }
 
-TEST_F(JobQueueTest, AnEndMayThrowTheError) {
+TEST_F(JobQueueTest, EndedCallbackMayThrow) {
     queue.start(JobKind::kLoad, [&] {
         return startedJob<GatedWork>(std::make_unique<GatedWork>("load", gate), {},
                                      [](const Job& job) { throw Error(job.errorCode(), job.error()); });
@@ -97,7 +97,7 @@ TEST_F(JobQueueTest, AnEndMayThrowTheError) {
     EXPECT_FALSE(queue.any());
 }
 
-TEST_F(JobQueueTest, CancelsWhatIsShown) {
+TEST_F(JobQueueTest, CancelsTheDisplayedJob) {
     queue.start(JobKind::kBake, work("bake"));
     queue.start(JobKind::kTurntable, work("turn"));
     EXPECT_EQ(shown(), "bake");
@@ -107,7 +107,7 @@ TEST_F(JobQueueTest, CancelsWhatIsShown) {
     EXPECT_EQ(shown(), "turn");
 }
 
-TEST_F(JobQueueTest, LetsWorkThatCannotBeCancelledGoOn) {
+TEST_F(JobQueueTest, IgnoresCancelOfUncancellableJobs) {
     queue.start(JobKind::kSave, work("save", false));
     queue.cancel();
     EXPECT_EQ(queue.status()->detail, "") << "nor does it say that it is cancelling";
@@ -115,7 +115,7 @@ TEST_F(JobQueueTest, LetsWorkThatCannotBeCancelledGoOn) {
     EXPECT_EQ(next(), (Events{"end save", "done save"}));
 }
 
-TEST_F(JobQueueTest, StartsNoSecondOne) {
+TEST_F(JobQueueTest, StartsOneJobOfAKind) {
     EXPECT_TRUE(queue.start(JobKind::kBake, work("bake")));
     EXPECT_FALSE(queue.start(JobKind::kBake, work("another")));
     EXPECT_TRUE(queue.start(JobKind::kSave, work("save")));
@@ -124,7 +124,7 @@ TEST_F(JobQueueTest, StartsNoSecondOne) {
     EXPECT_FALSE(queue.status(JobKind::kLoad));
 }
 
-TEST_F(JobQueueTest, TheLastLoadThatIsAskedForReplacesTheOthers) {
+TEST_F(JobQueueTest, LastLoadReplacesEarlierOnes) {
     queue.enqueue(JobKind::kLoad, work("a"));
     EXPECT_TRUE(queue.has(JobKind::kLoad));
     EXPECT_EQ(shown(), "nothing");
@@ -136,7 +136,7 @@ TEST_F(JobQueueTest, TheLastLoadThatIsAskedForReplacesTheOthers) {
     EXPECT_EQ(next(), (Events{"end c", "done c"}));
 }
 
-TEST_F(JobQueueTest, LoadsAfterRelighting) {
+TEST_F(JobQueueTest, LoadsAfterSceneUpdate) {
     queue.start(JobKind::kSceneUpdate, work("relight"));
     queue.enqueue(JobKind::kLoad, work("load"));
     EXPECT_FALSE(queue.start(JobKind::kSceneUpdate, work("again"))) << "a load waits, which makes it needless";
@@ -147,7 +147,7 @@ TEST_F(JobQueueTest, LoadsAfterRelighting) {
     EXPECT_FALSE(queue.start(JobKind::kSceneUpdate, work("early")));
 }
 
-TEST_F(JobQueueTest, WhatABakeAsksForIsLoadedInTheSamePoll) {
+TEST_F(JobQueueTest, BakeCallbackStartsALoadInTheSamePoll) {
     queue.start(JobKind::kBake, [&] {
         return startedJob<GatedWork>(std::make_unique<GatedWork>("bake", gate),
                                      [this](GatedWork&) { queue.enqueue(JobKind::kLoad, work("load")); });
@@ -156,7 +156,7 @@ TEST_F(JobQueueTest, WhatABakeAsksForIsLoadedInTheSamePoll) {
     EXPECT_EQ(next(), Events{"start load"});
 }
 
-TEST_F(JobQueueTest, GoesAwayWithItsWork) {
+TEST_F(JobQueueTest, DestructorCancelsJobs) {
     JobQueue other([](const std::string&, bool) {});
     other.start(JobKind::kLoad, work("load"));
     other.start(JobKind::kBake, work("bake"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Work behind the window: a thread's, and another program's, for which a script stands in.
+// Background jobs: threads, and child processes, which are scripts here.
 #include "runtime/window/edit/job.h"
 
 #include <gtest/gtest.h>
@@ -25,15 +25,15 @@ namespace {
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 
-/// Waits for condition; false where it takes more than ten seconds.
-bool soon(const std::function<bool()>& condition) {
+/// Waits for condition; false after ten seconds.
+bool waitFor(const std::function<bool()>& condition) {
     const auto end = std::chrono::steady_clock::now() + 10s;
     while (!condition() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(1ms);
     return condition();
 }
 
 bool ends(const Job& job) {
-    return soon([&] { return job.ended(); });
+    return waitFor([&] { return job.ended(); });
 }
 
 std::string refusal(const std::function<void()>& body) {
@@ -45,7 +45,7 @@ std::string refusal(const std::function<void()>& body) {
     return {};
 }
 
-TEST(Job, TellsHowFarItIs) {
+TEST(Job, ReportsProgress) {
     std::atomic<int> step = 0;
     Job job("Counting", [&](JobControl& control) {
         control.setDetail("first half");
@@ -55,7 +55,7 @@ TEST(Job, TellsHowFarItIs) {
         while (step == 1) std::this_thread::sleep_for(1ms);
         control.setProgress(7);
     });
-    ASSERT_TRUE(soon([&] { return step == 1; }));
+    ASSERT_TRUE(waitFor([&] { return step == 1; }));
     const JobStatus status = job.status();
     EXPECT_EQ(status.title, "Counting");
     EXPECT_EQ(status.detail, "first half");
@@ -69,7 +69,7 @@ TEST(Job, TellsHowFarItIs) {
     EXPECT_EQ(job.error(), "");
 }
 
-TEST(Job, KeepsWhatWentWrong) {
+TEST(Job, KeepsTheError) {
     const auto errorOf = [](Job::Work work) {
         Job job("Failing", std::move(work));
         EXPECT_TRUE(ends(job));
@@ -95,7 +95,7 @@ TEST(Job, CanBeCancelled) {
     EXPECT_FALSE(job.status().can_cancel);
 }
 
-TEST(Job, GoesAwayCancelled) {
+TEST(Job, DestructorCancels) {
     std::atomic<bool> left = false;
     {
         const Job job("Waiting", [&](JobControl& control) {
@@ -115,10 +115,10 @@ TEST(Job, ExtrapolatesTheTimeLeft) {
     EXPECT_FALSE(secondsLeft(0.001, 2, 2)) << "too little to go by";
 }
 
-TEST(ChildProcess, SaysAllThroughOnePipe) {
+TEST(ChildProcess, ReadsStdoutAndStderr) {
     ChildProcess child({"/bin/sh", "-c", "cat; echo out; echo \"$1\" >&2; exit 3", "sh", "a 'b'\n$c"});
     std::string said;
-    ASSERT_TRUE(soon([&] {
+    ASSERT_TRUE(waitFor([&] {
         said += child.read(1ms);
         return child.waitStatus().has_value();
     }));
@@ -127,7 +127,7 @@ TEST(ChildProcess, SaysAllThroughOnePipe) {
     EXPECT_EQ(describeExit(*child.waitStatus()), "ended with status 3");
 }
 
-TEST(ChildProcess, EndsWithItsOwner) {
+TEST(ChildProcess, IsKilledByTheDestructor) {
     pid_t id = 0;
     {
         const ChildProcess child({"/bin/sleep", "100"});
@@ -140,7 +140,7 @@ TEST(ChildProcess, EndsWithItsOwner) {
 
 class Bake : public testing::Test {
 protected:
-    /// What runs in place of pointrt-bake; $4 is the output, $5 the first input.
+    /// A script to run instead of pointrt-bake: $4 is the output, $5 the first input.
     std::string baker(const std::string& body) const {
         const std::string path = folder.write("pointrt-bake", "#!/bin/sh\n" + body + "\n");
         fs::permissions(path, fs::perms::owner_all);
@@ -162,7 +162,7 @@ protected:
 TEST_F(Bake, ShowsProgress) {
     const auto bake = start("printf 'hello\\nprogress 0.2500 nor' >&2; echo 'mals 1234567' >&2\n"
                             "while [ ! -e \"$0.go\" ]; do sleep 0.01; done; echo \"$@\" > \"$4\"");
-    ASSERT_TRUE(soon([&] { return bake->job().status().progress.has_value(); }));
+    ASSERT_TRUE(waitFor([&] { return bake->job().status().progress.has_value(); }));
     const JobStatus status = bake->job().status();
     EXPECT_EQ(status.title, "Baking a scan\n.ply");
     EXPECT_EQ(status.detail, "normals, 1.2 M points/s");
@@ -175,7 +175,7 @@ TEST_F(Bake, ShowsProgress) {
               "--progress lines -o " + folder.file("out.pro") + " " + folder.file("a scan\n.ply") + "\n");
 }
 
-TEST_F(Bake, PassesTheReasonOn) {
+TEST_F(Bake, ReportsTheToolsReason) {
     EXPECT_EQ(failure("echo 'progress 0.1 read 0'; echo 'pointrt-bake: error: scan.ply: is empty' >&2; exit 1"),
               "scan.ply: is empty");
     EXPECT_EQ(failure("printf 'no end of line' >&2; exit 1"), "no end of line");
@@ -188,31 +188,31 @@ TEST_F(Bake, PassesTheReasonOn) {
     EXPECT_EQ(missing.job().error(), folder.file("none") + ": cannot start: No such file or directory");
 }
 
-TEST_F(Bake, SurvivesAFlood) {
+TEST_F(Bake, LimitsLongOutput) {
     EXPECT_EQ(failure("head -c 1000000 /dev/zero | tr '\\0' x >&2; echo >&2; echo last >&2; exit 1"), "last");
 }
 
 TEST_F(Bake, IsCancelled) {
     const auto bake = start("trap 'echo asked > \"$0.asked\"; exit 143' TERM; echo 'progress 0.5 octree 0'\n"
                             "while true; do sleep 0.01; done");
-    ASSERT_TRUE(soon([&] { return bake->job().status().progress.has_value(); }));
+    ASSERT_TRUE(waitFor([&] { return bake->job().status().progress.has_value(); }));
     bake->job().cancel();
     ASSERT_TRUE(ends(bake->job()));
     EXPECT_EQ(bake->job().state(), JobState::kCancelled);
     EXPECT_TRUE(fs::exists(folder.file("pointrt-bake.asked")));
 }
 
-TEST_F(Bake, IsMadeToEndAndLeavesNothing) {
+TEST_F(Bake, IsKilledAndLeavesNoFile) {
     const auto bake = start("trap '' TERM; echo half > \"$4.tmp-$$\"; echo 'progress 0.9 write 0'\n"
                             "while true; do sleep 0.01; done");
-    ASSERT_TRUE(soon([&] { return bake->job().status().progress.has_value(); }));
+    ASSERT_TRUE(waitFor([&] { return bake->job().status().progress.has_value(); }));
     bake->job().cancel();
     ASSERT_TRUE(ends(bake->job()));
     EXPECT_EQ(bake->job().state(), JobState::kCancelled);
     EXPECT_EQ(std::distance(fs::directory_iterator(folder.path), {}), 1) << "the script alone";
 }
 
-TEST_F(Bake, TakesOnlyProgressForProgress) {
+TEST_F(Bake, ParsesOnlyProgressLines) {
     Job job("Listening", [](JobControl& control) {
         EXPECT_FALSE(parseBakeProgress("progress", control));
         EXPECT_FALSE(parseBakeProgress("progress 0.5 read", control));
@@ -227,7 +227,7 @@ TEST_F(Bake, TakesOnlyProgressForProgress) {
 
 class Plan : public testing::Test {
 protected:
-    /// A .pro that says what it was baked from, so many seconds from now.
+    /// Adds a .pro with these sources, modified age seconds from now.
     void addPro(const char* name, const std::string& sources, std::chrono::seconds age) const {
         test::Scene scene = test::tinyScene();
         scene.metadata = "{\"writer\":\"pointrt-bake\",\"sources\":" + sources + "}";
@@ -237,7 +237,7 @@ protected:
     void addScan(const std::string& name, std::chrono::seconds age) const {
         fs::last_write_time(folder.write(name, "1 2 3\n"), fs::file_time_type::clock::now() - age);
     }
-    /// "statue.pro", "statue.pro is there"
+    /// "statue.pro", or "statue.pro is there" if it is up to date
     std::string plan(const std::vector<std::string>& names) const {
         std::vector<std::string> inputs;
         for (const std::string& name : names) inputs.push_back(folder.file(name));
@@ -249,14 +249,14 @@ protected:
     const test::TemporaryFolder folder;
 };
 
-TEST_F(Plan, PutsTheSceneBesideTheScan) {
+TEST_F(Plan, OutputIsBesideTheScan) {
     addScan("statue.ply", 60s);
     EXPECT_EQ(plan({"statue.ply"}), "statue.pro");
     addPro("statue.pro", R"(["statue.ply"])", 30s);
     EXPECT_EQ(plan({"statue.ply"}), "statue.pro is there");
 }
 
-TEST_F(Plan, OverwritesNothing) {
+TEST_F(Plan, NeverOverwrites) {
     addScan("statue.ply", 60s);
     addScan("statue.xyz", 60s);
     addPro("statue.pro", R"(["statue.ply"])", 90s);
@@ -272,7 +272,7 @@ TEST_F(Plan, OverwritesNothing) {
     EXPECT_EQ(plan({"statue.ply"}), "statue.5.pro");
 }
 
-TEST_F(Plan, TakesScansTogether) {
+TEST_F(Plan, CombinesScans) {
     addScan("a.ply", 60s);
     addScan("b.ply", 20s);
     addPro("a.pro", R"(["a.ply","b.ply"])", 30s);
@@ -282,7 +282,7 @@ TEST_F(Plan, TakesScansTogether) {
     EXPECT_EQ(plan({"a.ply", "b.ply"}), "a.pro is there");
 }
 
-TEST_F(Plan, KnowsNamesAsJsonHasThem) {
+TEST_F(Plan, HandlesEscapedNames) {
     const std::string name = "a \"b\"\\\n\x01\xc3\xa4.ply";
     addScan(name, 60s);
     addPro("a \"b\"\\\n\x01\xc3\xa4.pro", "[\"a \\\"b\\\"\\\\\\n\\u0001\xc3\xa4.ply\"]", 30s);
@@ -297,7 +297,7 @@ TEST_F(Plan, ReadsTheMetadataAsJson) {
     EXPECT_EQ(plan({"statue.ply"}), "statue.1.pro") << "a text that looks like it";
 }
 
-TEST(BakeSources, TakesAnyBytes) {
+TEST(BakeSources, AcceptsAnyBytes) {
     using Names = std::vector<std::string>;
     EXPECT_EQ(bakeSources(R"({"sources":["a.ply","b.ply"]})"), (Names{"a.ply", "b.ply"}));
     EXPECT_EQ(bakeSources(R"({"sources":[]})"), Names());
@@ -308,7 +308,7 @@ TEST(BakeSources, TakesAnyBytes) {
     EXPECT_EQ(bakeSources(std::string(100000, '[')), std::nullopt);
 }
 
-TEST_F(Plan, RefusesWhatIsNoFile) {
+TEST_F(Plan, RejectsNonFiles) {
     fs::create_directory(folder.path / "scans");
     EXPECT_EQ(refusal([&] { plan({"none.ply"}); }), folder.file("none.ply") + ": No such file or directory");
     EXPECT_EQ(refusal([&] { plan({"scans"}); }), folder.file("scans") + ": is a folder");
@@ -320,7 +320,7 @@ TEST_F(Plan, RefusesWhatIsNoFile) {
     fs::permissions(folder.path / "scans", fs::perms::owner_all);
 }
 
-TEST_F(Plan, FindsTheBaker) {
+TEST_F(Plan, FindsTheBakeTool) {
     for (const char* name : {"bin", "first", "second"}) fs::create_directory(folder.path / name);
     const std::string path = folder.file("first") + "::" + folder.file("second"), own = folder.file("bin");
     EXPECT_EQ(refusal([&] { findBakeTool(own, path); }),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes that are loaded, and lit anew, while the window goes on.
+// Loading and updating scenes in the background.
 #include "runtime/window/edit/load_job.h"
 
 #include <gtest/gtest.h>
@@ -20,8 +20,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr const char* kScan = "[camera]\neye = [11, 21.5, 38]\ntarget = [11, 21.5, 31]\n" // with shapes as without
-                              "[[instance]]\nfile = 'tiny.pro'\n";
+constexpr const char* kScan =
+    "[camera]\neye = [11, 21.5, 38]\ntarget = [11, 21.5, 31]\n" // the same with and without shapes
+    "[[instance]]\nfile = 'tiny.pro'\n";
 constexpr const char* kGlassBall = "[material.glass]\nkind = 'glass'\n"
                                    "[[shape]]\ntype = 'sphere'\ncenter = [11.1, 21.4, 30.8]\nradius = 0.3\n"
                                    "material = 'glass'\n"
@@ -96,15 +97,15 @@ protected:
         EXPECT_EQ(job.job().state(), JobState::kDone) << job.job().error();
     }
 
-    /// Whether it took no job.
-    bool furnishNow(LoadedScene& loaded, const SceneDescription& description, const RenderSettings& settings) {
+    /// Whether an update needed no job.
+    bool updatesTables(LoadedScene& loaded, const SceneDescription& description, const RenderSettings& settings) {
         RequiredUpdate rework = requiredUpdate(loaded.scene, loaded.program_kinds.integrator, description, settings);
         if (rework.kind != UpdateKind::kTables) return false;
         updateSceneTables(device, loaded, description, settings, std::move(rework.rows));
         return true;
     }
 
-    /// All of one colour, 2^exponent times (0.25, 0.375, 0.5).
+    /// An image of one colour, 2^exponent times (0.25, 0.375, 0.5).
     std::string writeSky(const char* name, int exponent) const {
         std::string text = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n";
         for (int i = 0; i < 8; ++i) text += {'\x40', '\x60', '\x7f', static_cast<char>(128 + exponent)};
@@ -113,10 +114,10 @@ protected:
 
     const test::TemporaryFolder folder;
     Integrator integrator = Integrator::kWhitted;
-    bool caustics = false; ///< they take a second each time
+    bool caustics = false; ///< off: they take a second each time
 };
 
-TEST_F(LoadJobTest, LoadsAScanWithWhatStandsAroundIt) {
+TEST_F(LoadJobTest, LoadsAScanWithSurroundings) {
     LoadJob load(device, optionsFor(folder.file("tiny.pro")));
     double before = 0;
     while (!load.job().ended()) {
@@ -142,13 +143,13 @@ TEST_F(LoadJobTest, LoadsAScanWithWhatStandsAroundIt) {
     EXPECT_EQ(loaded->scene.description.lights.size(), 3u) << "no more than at first";
 }
 
-TEST_F(LoadJobTest, SaysWhatIsWrong) {
+TEST_F(LoadJobTest, ReportsErrors) {
     EXPECT_EQ(failure(folder.write("broken.pro", "no scene at all")).find(folder.file("broken.pro") + ": "), 0u);
     EXPECT_EQ(failure(folder.file("none.pro")).find(folder.file("none.pro") + ": "), 0u);
     EXPECT_EQ(failure(folder.write("bad.toml", "[[light]]\n")).find(folder.file("bad.toml") + ":1: "), 0u);
 }
 
-TEST_F(LoadJobTest, GoesAwayUnderWay) {
+TEST_F(LoadJobTest, DestructorCancelsLoading) {
     for (int i = 0; i < 3; ++i) {
         LoadJob load(device, optionsFor(folder.file("tiny.pro")));
         std::this_thread::sleep_for(i * 10ms);
@@ -160,25 +161,25 @@ TEST_F(LoadJobTest, GoesAwayUnderWay) {
     EXPECT_EQ(load.take(), nullptr);
 }
 
-TEST_F(LoadJobTest, MovesALightAtOnce) {
+TEST_F(LoadJobTest, MovesALightImmediately) {
     const auto loaded = loadText(kScan + lamp("[10, 24, 36]")), moved = loadText(kScan + lamp("[14, 22, 35]"));
     ViewportRenderer live(device, loaded->tracer, 0.01);
     live.setView(viewOf(*loaded), false);
     const std::vector<float> before = finish(live), expected = picture(*moved);
     EXPECT_NE(before, expected);
-    ASSERT_TRUE(furnishNow(*loaded, moved->scene.description, moved->settings));
+    ASSERT_TRUE(updatesTables(*loaded, moved->scene.description, moved->settings));
     EXPECT_FALSE(loaded->lacks_photons);
     live.restart(true);
     EXPECT_EQ(finish(live), expected);
 }
 
-TEST_F(LoadJobTest, AsManyLightsAsTheUserLikes) {
+TEST_F(LoadJobTest, AddsLightsUpToTheLimit) {
     const std::string one = kScan + lamp("[10, 24, 36]");
     const auto loaded = loadText(one);
     ViewportRenderer live(device, loaded->tracer, 0.01);
     live.setView(viewOf(*loaded), false);
     const auto change = [&](const LoadedScene& like) {
-        EXPECT_TRUE(furnishNow(*loaded, like.scene.description, like.settings));
+        EXPECT_TRUE(updatesTables(*loaded, like.scene.description, like.settings));
         live.restart(false);
         return finish(live);
     };
@@ -192,10 +193,10 @@ TEST_F(LoadJobTest, AsManyLightsAsTheUserLikes) {
     EXPECT_EQ(change(*fewer), picture(*fewer));
 }
 
-/// The tiny scan with all that it says, its up along Z.
-constexpr const char* kSaid = "[[instance]]\nfile = 'said.pro'\n";
+/// The tiny scan with all attributes and Z up.
+constexpr const char* kUprightScan = "[[instance]]\nfile = 'said.pro'\n";
 
-void writeSaid(const std::string& path) {
+void writeUprightScan(const std::string& path) {
     test::Scene tiny = test::tinyScene();
     const test::TinyScan said;
     const pro_view view = tiny.view();
@@ -209,9 +210,9 @@ void writeSaid(const std::string& path) {
     EXPECT_EQ(pro_write_content(path.c_str(), &content, 1, nullptr), PRO_OK);
 }
 
-TEST_F(LoadJobTest, OtherColoursTakeAJob) {
-    writeSaid(folder.file("said.pro"));
-    const std::string plain = kSaid + lamp("[10, 24, 36]");
+TEST_F(LoadJobTest, ColourChangesNeedAJob) {
+    writeUprightScan(folder.file("said.pro"));
+    const std::string plain = kUprightScan + lamp("[10, 24, 36]");
     const auto loaded = loadText(plain);
     const std::vector<float> before = picture(*loaded);
     const std::uint64_t bytes = loaded->scene.device_bytes;
@@ -220,7 +221,7 @@ TEST_F(LoadJobTest, OtherColoursTakeAJob) {
     EXPECT_NE(picture(*classes), before);
     EXPECT_NE(picture(*intensity), picture(*classes));
     for (const LoadedScene* like : {classes.get(), intensity.get()}) {
-        EXPECT_FALSE(furnishNow(*loaded, like->scene.description, like->settings));
+        EXPECT_FALSE(updatesTables(*loaded, like->scene.description, like->settings));
         relight(*loaded, *like);
         EXPECT_EQ(picture(*loaded), picture(const_cast<LoadedScene&>(*like)));
         EXPECT_TRUE(loaded->scene.paint.legend);
@@ -233,23 +234,23 @@ TEST_F(LoadJobTest, OtherColoursTakeAJob) {
     EXPECT_FALSE(loaded->scene.paint.legend);
 }
 
-TEST_F(LoadJobTest, PicksTellTheNumberOfTheirColour) {
-    writeSaid(folder.file("said.pro"));
-    const auto told = [&](const char* word, std::uint32_t splat) {
-        const auto loaded = loadText("[render]\ncolor_by = '" + std::string(word) + "'\n" + kSaid);
+TEST_F(LoadJobTest, PicksReportTheColouringValue) {
+    writeUprightScan(folder.file("said.pro"));
+    const auto valueText = [&](const char* word, std::uint32_t splat) {
+        const auto loaded = loadText("[render]\ncolor_by = '" + std::string(word) + "'\n" + kUprightScan);
         Pick pick;
         pick.splat = splat;
         return describePick(loaded->scene, pick).value;
     };
-    EXPECT_EQ(told("class", 2), "classification 6, building");
-    EXPECT_EQ(told("gps_time", 0), "gps_time 1000000000.25");
-    EXPECT_EQ(told("height", 0), "height 30.5000005"); // the middle of a step of 2^-20 above 30.5
-    EXPECT_EQ(told("rgb", 2), "");
-    EXPECT_EQ(told("normal", 2), "");
+    EXPECT_EQ(valueText("class", 2), "classification 6, building");
+    EXPECT_EQ(valueText("gps_time", 0), "gps_time 1000000000.25");
+    EXPECT_EQ(valueText("height", 0), "height 30.5000005"); // the middle of a step of 2^-20 above 30.5
+    EXPECT_EQ(valueText("rgb", 2), "");
+    EXPECT_EQ(valueText("normal", 2), "");
 }
 
-TEST_F(LoadJobTest, ScansThatKnowStandUpright) {
-    writeSaid(folder.file("said.pro"));
+TEST_F(LoadJobTest, ScansWithAnUpAxisStandUpright) {
+    writeUprightScan(folder.file("said.pro"));
     const auto alone = load(folder.file("said.pro"));
     EXPECT_EQ(alone->scene.description.up, (Vec3{0, 0, 1}));
     EXPECT_EQ(alone->described.up, (Vec3{0, 0, 1}));
@@ -261,16 +262,16 @@ TEST_F(LoadJobTest, ScansThatKnowStandUpright) {
     EXPECT_EQ(loadText(kScan)->scene.description.up, (Vec3{0, 1, 0}));
 }
 
-TEST_F(LoadJobTest, OtherProgramsTakeAJob) {
+TEST_F(LoadJobTest, ProgramChangesNeedAJob) {
     const auto loaded = loadText(kScan + lamp("[10, 24, 36]"));
     const std::vector<float> before = picture(*loaded);
     const auto round = loadText(kScan + lamp("[10, 24, 36]") +
                                 "[[light]]\ntype = 'sphere'\ncenter = [14, 22, 35]\n"
                                 "radius = 0.2\nradiance = 90\n");
-    EXPECT_FALSE(furnishNow(*loaded, round->scene.description, round->settings));
+    EXPECT_FALSE(updatesTables(*loaded, round->scene.description, round->settings));
     RenderSettings path = loaded->settings;
     path.integrator = Integrator::kPath;
-    EXPECT_FALSE(furnishNow(*loaded, loaded->scene.description, path));
+    EXPECT_FALSE(updatesTables(*loaded, loaded->scene.description, path));
     EXPECT_EQ(picture(*loaded), before) << "nothing was changed";
     relight(*loaded, *round);
     EXPECT_EQ(picture(*loaded), picture(*round));
@@ -280,7 +281,7 @@ TEST_F(LoadJobTest, OtherProgramsTakeAJob) {
     EXPECT_EQ(picture(*loaded), picture(*traced));
 }
 
-TEST_F(LoadJobTest, LeavesPhotonsOutUntilThereIsTime) {
+TEST_F(LoadJobTest, PhotonsAreDeferred) {
     const auto loaded = loadText(kScan + lamp("[10, 24, 36]"));
     caustics = true;
     const auto ball = loadText(kScan + std::string(kGlassBall) + lamp("[11, 25, 31]")),
@@ -290,7 +291,7 @@ TEST_F(LoadJobTest, LeavesPhotonsOutUntilThereIsTime) {
     EXPECT_GT(loaded->tracer.caustics.first.frame.count.x, 0u);
     EXPECT_FALSE(loaded->lacks_photons);
     EXPECT_EQ(picture(*loaded), picture(*ball));
-    ASSERT_TRUE(furnishNow(*loaded, moved->scene.description, moved->settings));
+    ASSERT_TRUE(updatesTables(*loaded, moved->scene.description, moved->settings));
     EXPECT_TRUE(loaded->lacks_photons);
     EXPECT_EQ(loaded->tracer.caustics.first.frame.count.x, 0u);
     const std::vector<float> without = picture(*loaded);
@@ -300,7 +301,7 @@ TEST_F(LoadJobTest, LeavesPhotonsOutUntilThereIsTime) {
         job.job().cancel();
         wait(job.job());
         EXPECT_FALSE(loaded->lacks_photons) << "nobody wants to wait for them";
-        if (job.job().state() == JobState::kCancelled) { // and was in time
+        if (job.job().state() == JobState::kCancelled) { // cancelled in time
             EXPECT_EQ(picture(*loaded), without);
         }
     }
@@ -318,7 +319,7 @@ TEST_F(LoadJobTest, ReadsASkyOnce) {
     const auto loaded = loadText(sky("dim.hdr", "")), bright = loadText(sky("bright.hdr", "")),
                turned = loadText(sky("dim.hdr", "strength = 0.5\nrotation = 30\n")),
                none = loadText(kScan + lamp("[10, 24, 36]"));
-    EXPECT_FALSE(furnishNow(*loaded, bright->scene.description, bright->settings));
+    EXPECT_FALSE(updatesTables(*loaded, bright->scene.description, bright->settings));
     SceneDescription gone = bright->scene.description;
     gone.sky->image = folder.file("none.hdr");
     SceneUpdateJob job(device, *loaded, gone, bright->settings);
@@ -337,12 +338,12 @@ TEST_F(LoadJobTest, ReadsASkyOnce) {
     EXPECT_EQ(picture(*loaded), picture(*turned)) << "without reading it again";
 }
 
-TEST_F(LoadJobTest, OtherScansAreLoadedNotRefurnished) {
+TEST_F(LoadJobTest, OtherScansNeedAReload) {
     const auto loaded = loadText(kScan + lamp("[10, 24, 36]"));
     const std::vector<float> before = picture(*loaded);
     SceneDescription other = loaded->scene.description;
     other.instances[0].placement.translation.x += 1;
-    EXPECT_FALSE(furnishNow(*loaded, other, loaded->settings));
+    EXPECT_FALSE(updatesTables(*loaded, other, loaded->settings));
     SceneUpdateJob job(device, *loaded, other, loaded->settings);
     wait(job.job());
     EXPECT_EQ(job.job().state(), JobState::kFailed);

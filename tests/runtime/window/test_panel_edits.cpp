@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the panels do to lights and materials, and how they write numbers.
+// Editing of lights and materials, and number formatting.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,10 +23,10 @@ L newLight() {
 
 void expectNear(Vec3 a, Vec3 b, double tolerance = 1e-9) { EXPECT_LT(length(a - b), tolerance); }
 
-TEST(LightEdit, BrightnessOneShowsWhite) {
-    // A white surface gives back irradiance / pi. From 10 away a point of intensity 100 pi irradiates pi; the sun
-    // does so by itself; a sphere of radius 1 and a square of area 4 with radiance 100 irradiate 100 pi / 100 and
-    // 100 * 4 / 100.
+TEST(LightEdit, BrightnessOneIsWhite) {
+    // A white surface reflects irradiance / pi. At distance 10 a point of intensity 100 pi gives an irradiance of pi;
+    // so does the sun; a sphere of radius 1 and a square of area 4 with radiance 100 give 100 pi / 100 and 100 * 4 /
+    // 100.
     const auto pi = std::numbers::pi_v<float>;
     EXPECT_NEAR(brightnessOf(PointLight{{}, {100 * pi, 0, 0}}, 10), 1, 1e-6);
     EXPECT_NEAR(brightnessOf(SunLight{kUp, 0, {0, pi, 0}}, 10), 1, 1e-6);
@@ -35,7 +35,7 @@ TEST(LightEdit, BrightnessOneShowsWhite) {
 }
 
 TEST(LightEdit, BrightnessOfADisc) {
-    // area pi
+    // its area is pi
     EXPECT_NEAR(brightnessOf(DiscLight{{}, kUp, 1, {100, 0, 0}, true}, 10), 1, 1e-6);
     auto disc = newLight<DiscLight>();
     expectNear(disc.normal, normalize(kScene.centre - disc.center));
@@ -58,7 +58,7 @@ TEST(LightEdit, TintAndBrightnessAreSeparate) {
     }
 }
 
-TEST(LightEdit, StaysWithinWhatSceneFilesTake) {
+TEST(LightEdit, StaysWithinSceneFileLimits) {
     LightDescription light = PointLight{{}, {1, 1, 1}};
     setBrightness(light, 1e30, 1e12);
     EXPECT_LE(emissionOf(light)[0], 1.0001e12f);
@@ -68,7 +68,7 @@ TEST(LightEdit, StaysWithinWhatSceneFilesTake) {
     EXPECT_EQ(tintOf(light), (Color{1, 1, 1}));
 }
 
-TEST(LightEdit, SizeKeepsTheBrightness) {
+TEST(LightEdit, ResizingKeepsTheBrightness) {
     auto sphere = newLight<SphereLight>();
     auto quad = newLight<QuadLight>();
     resize(sphere, [&] { sphere.radius = 3; });
@@ -80,11 +80,11 @@ TEST(LightEdit, SizeKeepsTheBrightness) {
     EXPECT_NEAR(brightnessOf(quad, 8), 0.7, 1e-6);
 }
 
-TEST(LightEdit, NewLightsLookAtTheScene) {
+TEST(LightEdit, NewLightsFaceTheScene) {
     const auto towards = [](Vec3 from) { return normalize(kScene.centre - from); };
     const auto spot = newLight<SpotLight>();
     expectNear(spot.direction, towards(spot.position));
-    EXPECT_NEAR(spot.outer_deg, 30, 1e-9); // the scene's sphere from twice its radius away
+    EXPECT_NEAR(spot.outer_deg, 30, 1e-9); // the scene's sphere at a distance of twice its radius
     const auto quad = newLight<QuadLight>();
     expectNear(quad.facing(), towards(quad.center));
     EXPECT_NEAR(dot(quad.u, quad.v), 0, 1e-9);
@@ -93,7 +93,7 @@ TEST(LightEdit, NewLightsLookAtTheScene) {
     expectNear(sun.towards, normalize(Vec3{-1, 1, 1}));
 }
 
-TEST(LightEdit, BearingsAreACompass) {
+TEST(LightEdit, BearingsAreAzimuthAndElevation) {
     expectNear(directionOf({0, 0}, kUp), {0, 0, -1});
     expectNear(directionOf({90, 0}, kUp), {1, 0, 0});
     expectNear(directionOf({90, 90}, kUp), kUp);
@@ -108,7 +108,7 @@ TEST(LightEdit, BearingsAreACompass) {
     EXPECT_EQ(bearingOf({0, -2, 0}, kUp).elevation_deg, -90);
 }
 
-TEST(LightEdit, TurnsASoftboxStraightDown) {
+TEST(LightEdit, AimsASoftboxStraightDown) {
     QuadLight light{{}, {2, 0, 0}, {0, 3, 0}, {1, 1, 1}, true};
     light.face({0, -1, 0}, kUp);
     expectNear(light.facing(), {0, -1, 0});
@@ -127,25 +127,25 @@ SceneDescription threeScans() {
     return scene;
 }
 
-TEST(MaterialEdit, LeavesWhatOthersUse) {
+TEST(MaterialEdit, KeepsSharedMaterials) {
     SceneDescription scene = threeScans();
     ASSERT_TRUE(setScanMaterial(scene, {0, 1}, MaterialKind::kGlass));
     EXPECT_EQ(scene.instances[0].material, 2u);
     EXPECT_EQ(scene.instances[1].material, 1u);
     EXPECT_EQ(scene.materials[1].kind, MaterialKind::kMatte);
     EXPECT_EQ(scene.materials[2].kind, MaterialKind::kGlass);
-    ASSERT_TRUE(setScanMaterial(scene, {1, 1}, MaterialKind::kMetal)); // now its own
+    ASSERT_TRUE(setScanMaterial(scene, {1, 1}, MaterialKind::kMetal)); // now unshared
     EXPECT_EQ(scene.instances[1].material, 1u);
     EXPECT_EQ(scene.materials[1].kind, MaterialKind::kMetal);
     EXPECT_EQ(scene.materials[1].name, "gold");
     EXPECT_FALSE(scene.instances[2].material.has_value());
-    scene.instances[2].material = 0; // as the floor
+    scene.instances[2].material = 0; // the floor's
     ASSERT_TRUE(setScanMaterial(scene, {2, 1}, MaterialKind::kMirror));
     EXPECT_NE(scene.instances[2].material, 0u);
     EXPECT_EQ(scene.materials[0].kind, MaterialKind::kMatte);
 }
 
-TEST(MaterialEdit, MakesNoMoreThanItNeeds) {
+TEST(MaterialEdit, ReusesMaterials) {
     SceneDescription scene = threeScans();
     for (int turn = 0; turn < 10; ++turn) {
         ASSERT_TRUE(setScanMaterial(scene, {0, 3}, MaterialKind::kMirror));
@@ -155,7 +155,7 @@ TEST(MaterialEdit, MakesNoMoreThanItNeeds) {
     EXPECT_LE(scene.materials.size(), 3u);
 }
 
-TEST(MaterialEdit, RefusesMoreThanAFileHolds) {
+TEST(MaterialEdit, RespectsTheMaterialLimit) {
     SceneDescription scene = threeScans();
     scene.materials.resize(256);
     const SceneDescription before = scene;
@@ -164,7 +164,7 @@ TEST(MaterialEdit, RefusesMoreThanAFileHolds) {
     EXPECT_TRUE(setScanMaterial(scene, {0, 1}, std::nullopt));
 }
 
-TEST(MaterialEdit, NamesAreOfOneMaterial) {
+TEST(MaterialEdit, NamesAreUnique) {
     SceneDescription scene = threeScans();
     for (std::size_t i = 0; i < 3; ++i) ASSERT_TRUE(setScanMaterial(scene, {i, 1}, MaterialKind::kPlastic));
     std::vector<std::string> names;

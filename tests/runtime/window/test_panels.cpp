@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panels, used with a mouse, and shown with anything in them.
+// The panels, used with a mouse, and drawn with extreme values.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ PickedPoint pick(Vec3 position) {
     return point;
 }
 
-/// Everything at once that can be shown.
+/// Everything that can be displayed, at once.
 Workspace busyScan() {
     Workspace w = litScan();
     w.picks = {pick({0, 1, 0}), pick({0.5, 1, 0})};
@@ -63,11 +63,11 @@ void showAll(Workspace w, float width = 1280, float height = 720) {
     const SceneDescription before = w.scene;
     driver.openAll(w);
     for (int f = 0; f < 5; ++f) EXPECT_TRUE(asksNothing(driver.frame(w)));
-    const bool comparable = before == before; // what is no number is not equal to itself
+    const bool comparable = before == before; // false for NaN
     EXPECT_TRUE(!comparable || w.scene == before);
 }
 
-TEST(Panels, ShowAnythingAndChangeNothing) {
+TEST(Panels, DrawingChangesNothing) {
     showAll({});
     showAll(busyScan());
     Workspace many = busyScan();
@@ -78,7 +78,7 @@ TEST(Panels, ShowAnythingAndChangeNothing) {
     showAll(many);
 }
 
-TEST(Panels, ShowInAnyWindow) {
+TEST(Panels, FitAnyWindow) {
     for (const float side : {1.0f, 20.0f, 150.0f, 8000.0f}) showAll(busyScan(), side, side);
     showAll(busyScan(), 1, 2000);
     showAll(busyScan(), 2000, 1);
@@ -113,7 +113,7 @@ TEST(Panels, ShowAbsurdNumbers) {
     }
 }
 
-TEST(Panels, AskAgainWhenADragEnds) {
+TEST(Panels, RepeatTheRequestWhenADragEnds) {
     Workspace w = litScan();
     PanelDriver driver;
     ASSERT_TRUE(driver.find(w, "Panel", {"Picture", "Exposure", "##value"}));
@@ -132,7 +132,7 @@ TEST(Panels, AskAgainWhenADragEnds) {
     EXPECT_TRUE(asksNothing(driver.frame(w)));
 }
 
-TEST(Panels, MakeTheScanOfGlass) {
+TEST(Panels, ChangeTheScansMaterial) {
     Workspace w = litScan();
     PanelDriver driver;
     driver.frame(w);
@@ -147,21 +147,21 @@ TEST(Panels, MakeTheScanOfGlass) {
     EXPECT_EQ(w.scene.materials[w.scene.shapes[0].material].kind, MaterialKind::kMatte);
 }
 
-TEST(Panels, DeleteTheChosenLight) {
+TEST(Panels, DeleteTheSelectedLight) {
     Workspace w = litScan();
     PanelDriver driver;
     ASSERT_TRUE(driver.find(w, "Panel", {"Light", "Delete"}));
     EXPECT_TRUE(driver.click(w).scene_changed);
     ASSERT_EQ(w.scene.lights.size(), 1u);
     EXPECT_TRUE(std::holds_alternative<SphereLight>(w.scene.lights[0]));
-    ASSERT_TRUE(driver.find(w, "Panel", {"Light", "Delete"})); // the list is shorter
+    ASSERT_TRUE(driver.find(w, "Panel", {"Light", "Delete"})); // the list has become shorter
     driver.click(w);
     EXPECT_TRUE(w.scene.lights.empty());
     driver.find(w, "Panel", {"Light", "Delete"});
     EXPECT_TRUE(asksNothing(driver.click(w)));
 }
 
-TEST(Panels, AddALightAndChooseIt) {
+TEST(Panels, AddALightAndSelectIt) {
     Workspace w = litScan();
     PanelDriver driver;
     ASSERT_TRUE(driver.find(w, "Panel", {"Light", "Add"}));
@@ -177,7 +177,7 @@ TEST(Panels, AddALightAndChooseIt) {
     EXPECT_LT(length(std::get<QuadLight>(w.scene.lights[2]).u), length(std::get<QuadLight>(w.scene.lights[2]).v));
 }
 
-TEST(Panels, HoldNoMoreLightsThanTheTracer) {
+TEST(Panels, RespectTheLightLimit) {
     Workspace w = litScan();
     w.scene.lights.resize(32, w.scene.lights[0]);
     PanelDriver driver;
@@ -186,7 +186,7 @@ TEST(Panels, HoldNoMoreLightsThanTheTracer) {
     EXPECT_EQ(w.scene.lights.size(), 32u);
 }
 
-TEST(Panels, WishForARoom) {
+TEST(Panels, RequestARoom) {
     Workspace w = litScan();
     PanelDriver driver;
     ASSERT_TRUE(driver.find(w, "Panel", {"Room", "Mirror"}));
@@ -198,21 +198,21 @@ TEST(Panels, WishForARoom) {
     EXPECT_FALSE(w.settings.room || w.settings.lights);
 }
 
-TEST(Panels, PutTheSunWhereItStood) {
+TEST(Panels, SetTheSunByDate) {
     Workspace w = litScan();
     PanelDriver driver;
     ASSERT_TRUE(driver.find(w, "Panel", {"Light", 0, "Place and date"}));
     driver.click(w);
     ASSERT_TRUE(driver.find(w, "Panel", {"Light", 0, "Place and date", "Set the sun"}));
     EXPECT_TRUE(driver.click(w).scene_changed);
-    // Greenwich, 2025-06-21 15:00 UTC, where the panel begins; north is -Z
+    // the panel's initial date: Greenwich, 2025-06-21 15:00 UTC; north is -Z
     SunPosition sun = sunPosition(1750518000, 51.48, 0);
     sun.elevation_deg += refraction(sun.elevation_deg);
     const Vec3 expected = sunDirection(sun, {0, 1, 0}, {0, 0, -1});
     EXPECT_LT(length(std::get<SunLight>(w.scene.lights[0]).towards - expected), 1e-6);
 }
 
-TEST(Panels, ColourByWhatThereIs) {
+TEST(Panels, OfferAvailableAttributes) {
     Workspace w = litScan();
     w.color_words = {"rgb", "height", "classification"};
     PanelDriver driver;
@@ -243,7 +243,7 @@ TEST(Panels, DragTheRangeOfColours) {
     EXPECT_FALSE(w.settings.color_range);
 }
 
-TEST(Panels, ShowALegendOfColoursThatAreThere) {
+TEST(Panels, ShowALegendOfTheColours) {
     Workspace w = litScan();
     w.legend = listLegend("classification", ColorMap::kClasses, std::vector<double>{2, 6});
     PanelDriver driver(1280, 720);
@@ -269,7 +269,7 @@ TEST(Panels, CancelTheJob) {
     EXPECT_FALSE(driver.find(w, "Job", {"Cancel"}));
 }
 
-TEST(Panels, AskForTheTurntableAsSet) {
+TEST(Panels, RequestTheTurntable) {
     Workspace w = litScan();
     PanelDriver driver;
     driver.openAll(w);
@@ -279,7 +279,7 @@ TEST(Panels, AskForTheTurntableAsSet) {
     EXPECT_FALSE(driver.click(w).turntable_pictures.has_value());
 }
 
-TEST(Panels, LeaveTheMiddleOfThePictureToTheScan) {
+TEST(Panels, LeaveTheCentreFree) {
     Workspace w = litScan();
     PanelDriver driver(1280, 720);
     driver.frame(w);
@@ -305,7 +305,7 @@ TEST(Panels, MarkPicksOnThePicture) {
     ASSERT_GT(data->TotalVtxCount, 0);
     double x = 0, y = 0;
     for (const ImDrawVert& vertex : data->CmdLists[0]->VtxBuffer) x += vertex.pos.x, y += vertex.pos.y;
-    EXPECT_NEAR(x / data->TotalVtxCount, 640, 0.6); // ImGui draws lines through the middle of pixels
+    EXPECT_NEAR(x / data->TotalVtxCount, 640, 0.6); // ImGui draws lines through pixel centres
     EXPECT_NEAR(y / data->TotalVtxCount, 360, 0.6);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The picture's way to the screen without a screen: what is uploaded is what is read back, with the UI on top. The
-// validation layer is on, and any message fails.
+// Presentation without a screen: uploads are read back, with the UI on top. With the validation layer; any message
+// fails.
 #include <gtest/gtest.h>
 
 #include <imgui.h>
@@ -25,7 +25,7 @@
 namespace pointrt {
 namespace {
 
-/// Pixels that differ from their neighbours, as 0xAARRGGBB; each channel of its own.
+/// Random pixels, 0xAARRGGBB, that differ in every channel.
 std::vector<std::uint32_t> testPixels(std::uint32_t width, std::uint32_t height, std::uint32_t seed = 1) {
     std::minstd_rand random(seed);
     std::vector<std::uint32_t> pixels(std::size_t(width) * height);
@@ -42,7 +42,7 @@ std::vector<std::uint8_t> rgbOf(const std::vector<std::uint32_t>& pixels) {
     return rgb;
 }
 
-/// The two pixels around a position along an axis of size pixels, and how far it is on the way to the second.
+/// The two pixels around a position along an axis, and the weight of the second.
 struct Between {
     std::size_t first, second;
     double share;
@@ -55,7 +55,7 @@ Between between(std::size_t to, std::size_t to_size, std::size_t size) {
     return {first, std::min(first + 1, size - 1), clamped - static_cast<double>(first)};
 }
 
-/// The largest difference between picture and small, of a width, enlarged.
+/// The largest difference between picture and a bilinear upscaling of small (of this width).
 double bilinearError(const Image8& picture, const std::vector<std::uint32_t>& small, std::size_t width) {
     double worst = 0;
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
@@ -114,7 +114,7 @@ protected:
         destroyBuffer(device, buffer);
     }
 
-    /// A frame with an opaque red window over [left, left + 60) x [20, 60).
+    /// A frame with an opaque red window at [left, left + 60) x [20, 60).
     const ImDrawData* drawWindow(float left) {
         const VkExtent2D size = presenter.canvas.extent;
         beginUiFrame(input, {size.width, size.height, 1}, 0.02);
@@ -161,15 +161,15 @@ TEST_F(PresenterTest, KeepsUploadedRows) {
     EXPECT_EQ(readCanvas(device, presenter).pixels, rgbOf(pixels));
 }
 
-// Vulkan blits with shares in steps of 1/16 at least; drivers have 8 bits for them, as our own enlargement has. That
-// makes half a step, 255 / 512, in each direction, and rounding twice another half each.
+// Vulkan requires blit weights of 1/16 or finer; drivers and the host code use 8 bits. That gives an error of half a
+// step, 255 / 512, in each direction, and rounding adds half a step twice.
 constexpr double kBilinearError = 2;
 
-TEST_F(PresenterTest, EnlargesBilinearly) {
+TEST_F(PresenterTest, UpscalesBilinearly) {
     constexpr std::uint32_t kSmallWidth = 41, kSmallHeight = 30;
     const std::vector<std::uint32_t> pixels = testPixels(kSmallWidth, kSmallHeight);
     for (bool at_once : {false, true}) {
-        // noise of another size first: nothing of it may show at the edges
+        // noise of another size first, which must not show at the edges
         uploadPicture(testPixels(kWidth, kHeight, 3), kWidth, kHeight, at_once);
         uploadPicture(pixels, kSmallWidth, kSmallHeight, at_once);
         EXPECT_LT(bilinearError(readCanvas(device, presenter), pixels, kSmallWidth), kBilinearError) << at_once;
@@ -178,7 +178,7 @@ TEST_F(PresenterTest, EnlargesBilinearly) {
     EXPECT_THROW(uploadScaled(device, presenter, {}, 1, 0), std::logic_error);
 }
 
-TEST_F(PresenterTest, PicturesOfTheCanvasSizeStayAsTheyAre) {
+TEST_F(PresenterTest, CanvasSizedPicturesAreCopied) {
     const std::vector<std::uint32_t> pixels = testPixels(kWidth, kHeight);
     for (bool at_once : {false, true}) {
         uploadPicture(pixels, kWidth, kHeight, at_once);
@@ -186,7 +186,7 @@ TEST_F(PresenterTest, PicturesOfTheCanvasSizeStayAsTheyAre) {
     }
 }
 
-TEST_F(PresenterTest, ShowsThePictureWhereThereIsNoUi) {
+TEST_F(PresenterTest, PresentsWithoutUi) {
     const std::vector<std::uint32_t> pixels = testPixels(kWidth, kHeight);
     uploadAll(pixels);
     EXPECT_TRUE(present(device, presenter, nullptr));
@@ -216,7 +216,7 @@ TEST_F(PresenterTest, DrawsGlyphs) {
         left = std::min(left, i / 3 % kWidth);
         right = std::max(right, i / 3 % kWidth);
     }
-    // a slanted stroke: some pixels high, a few wide, and not the whole box
+    // a slanted stroke: several pixels high, a few wide, less than its box
     EXPECT_GT(right, left + 2);
     EXPECT_GT(green, 5u);
     EXPECT_LT(green, (right - left + 1) * 5) << "the glyph's box is filled: the font's coverage is not used";
@@ -238,13 +238,13 @@ TEST_F(PresenterTest, SurvivesRandomResizes) {
     EXPECT_GT(presenter.canvas.extent.width, 0u);
 }
 
-TEST_F(PresenterTest, StretchesTheLastPictureToANewSize) {
+TEST_F(PresenterTest, ScalesTheLastPictureToANewSize) {
     uploadAll(std::vector<std::uint32_t>(std::size_t(kWidth) * kHeight, 0xff204060u));
     resizeCanvas(device, presenter, 64, 48);
     EXPECT_EQ(readCanvas(device, presenter).pixels, rgbOf(std::vector<std::uint32_t>(64 * 48, 0xff204060u)));
 }
 
-TEST_F(PresenterTest, SharesItsQueueWithWorkers) {
+TEST_F(PresenterTest, SharesTheQueueWithWorkers) {
     Device worker = workerDevice(device);
     EXPECT_EQ(worker.queue, device.queue);
     EXPECT_NE(worker.command_pool, device.command_pool);
@@ -270,12 +270,12 @@ TEST_F(PresenterTest, SharesItsQueueWithWorkers) {
     destroyBuffer(device, buffer);
 }
 
-// A click that begins and ends between two frames is a click.
+// A click that starts and ends between two frames must be seen.
 TEST_F(PresenterTest, UiSeesQuickClicksAndKeys) {
     bool clicked = false, entered = false, held = true;
     for (int frame = 0; frame < 5; ++frame) {
         feedImGui(input, CursorEvent{20, 20});
-        if (frame == 2) { // a new window is hidden in its first frame
+        if (frame == 2) { // ImGui hides a new window in its first frame
             feedImGui(input, ButtonEvent{MouseButton::kLeft, true});
             feedImGui(input, ButtonEvent{MouseButton::kLeft, false});
             feedImGui(input, KeyEvent{Key::kEnter, true});
@@ -296,7 +296,7 @@ TEST_F(PresenterTest, UiSeesQuickClicksAndKeys) {
     EXPECT_FALSE(held);
 }
 
-TEST(Platform, SaysInALineWhyThereIsNoWindow) {
+TEST(Platform, ReportsWhyThereIsNoWindow) {
     for (const char* display : {"DISPLAY", "WAYLAND_DISPLAY"}) unsetenv(display);
     try {
         PlatformWindow window = createPlatformWindow(64, 64, "none");

@@ -29,7 +29,7 @@ Step only(const std::string& line) {
         return std::get<Step>(std::get<InputEvent>(step));
 }
 
-std::string refusalOf(const std::string& text) {
+std::string errorOf(const std::string& text) {
     try {
         parseRecording(text, "a.rec");
         return "";
@@ -39,9 +39,9 @@ std::string refusalOf(const std::string& text) {
     }
 }
 
-std::string refusalOfLine(const std::string& line) { return refusalOf(kHeader + line); }
+std::string errorOfLine(const std::string& line) { return errorOf(kHeader + line); }
 
-/// All of it as text: equal texts are equal recordings, since the lines are exact.
+/// The recording as text. Lines are exact, so equal texts mean equal recordings.
 std::string textOf(const Recording& recording) {
     std::string text = recordingHeader(recording.window);
     for (const RecordedEvent& event : recording.events) text += recordingLine(event);
@@ -66,7 +66,7 @@ TEST(Recording, ReadsEveryKindOfLine) {
     only<QuitStep>("3 quit");
 }
 
-TEST(Recording, IsEditedByHand) {
+TEST(Recording, AcceptsHandEditedFiles) {
     const Recording recording = parseRecording("# what\n\n\tpointrt-recording 1   window 64x48 scale 2 # small\r\n"
                                                "0 text \"hi\"\r\n   # turn\n0 wait 1\n7\tquit",
                                                "r");
@@ -78,32 +78,31 @@ TEST(Recording, IsEditedByHand) {
     EXPECT_EQ(recording.events[3].frame, 7U);
 }
 
-TEST(Recording, SaysWhereAndWhyItIsWrong) {
-    EXPECT_EQ(refusalOf(""), "a.rec: not a recording: the file is empty");
-    EXPECT_EQ(refusalOf("# nothing\n"), "a.rec: not a recording: the file is empty");
-    EXPECT_EQ(refusalOf("\nhello\n"), "a.rec:2: not a recording: it must begin with pointrt-recording");
-    EXPECT_EQ(refusalOf("pointrt-recording 2 window 1x1 scale 1"),
+TEST(Recording, ErrorsHaveLineAndReason) {
+    EXPECT_EQ(errorOf(""), "a.rec: not a recording: the file is empty");
+    EXPECT_EQ(errorOf("# nothing\n"), "a.rec: not a recording: the file is empty");
+    EXPECT_EQ(errorOf("\nhello\n"), "a.rec:2: not a recording: it must begin with pointrt-recording");
+    EXPECT_EQ(errorOf("pointrt-recording 2 window 1x1 scale 1"),
               "a.rec:1: unsupported version \"2\" (this program reads 1)");
-    EXPECT_EQ(refusalOf("pointrt-recording 1 window 0x0 scale 1"), "a.rec:1: the window has no size");
-    EXPECT_EQ(refusalOf("pointrt-recording 1 window 99999x1 scale 1"),
+    EXPECT_EQ(errorOf("pointrt-recording 1 window 0x0 scale 1"), "a.rec:1: the window has no size");
+    EXPECT_EQ(errorOf("pointrt-recording 1 window 99999x1 scale 1"),
               "a.rec:1: \"99999x1\" is not WxH with 1 to 16384 pixels each");
-    EXPECT_EQ(refusalOfLine("5 quit\n4 quit"), "a.rec:3: frame 4 follows frame 5");
-    EXPECT_EQ(refusalOfLine("x quit"), "a.rec:2: \"x\" is not a whole number from 0 to 10000000");
-    EXPECT_EQ(refusalOfLine("1 jump"),
-              "a.rec:2: \"jump\" is not one of key, text, button, cursor, wheel, resize, drop, "
-              "close, screenshot, wait, quit");
-    EXPECT_EQ(refusalOfLine("1 key down Foo"), "a.rec:2: unknown key \"Foo\"");
-    EXPECT_EQ(refusalOfLine("1 key sideways A"), "a.rec:2: \"sideways\" must be down or up");
-    EXPECT_EQ(refusalOfLine("1 button down thumb"), "a.rec:2: unknown button \"thumb\"");
-    EXPECT_EQ(refusalOfLine("1 cursor 1"), "a.rec:2: does not match: FRAME cursor X Y");
-    EXPECT_EQ(refusalOfLine("1 cursor 1 2 3"), "a.rec:2: does not match: FRAME cursor X Y");
-    EXPECT_EQ(refusalOfLine("1 cursor 1 nan"), "a.rec:2: \"nan\" is not a number from -1e+06 to 1e+06");
-    EXPECT_EQ(refusalOfLine("1 drop a.pro"), "a.rec:2: does not match: FRAME drop \"PATH\" ...");
-    EXPECT_EQ(refusalOfLine("1 drop \"a.pro"), "a.rec:2: a string has no closing quote");
-    EXPECT_EQ(refusalOfLine("1 text \"\xff\""), "a.rec:2: the text is not UTF-8");
+    EXPECT_EQ(errorOfLine("5 quit\n4 quit"), "a.rec:3: frame 4 follows frame 5");
+    EXPECT_EQ(errorOfLine("x quit"), "a.rec:2: \"x\" is not a whole number from 0 to 10000000");
+    EXPECT_EQ(errorOfLine("1 jump"), "a.rec:2: \"jump\" is not one of key, text, button, cursor, wheel, resize, drop, "
+                                     "close, screenshot, wait, quit");
+    EXPECT_EQ(errorOfLine("1 key down Foo"), "a.rec:2: unknown key \"Foo\"");
+    EXPECT_EQ(errorOfLine("1 key sideways A"), "a.rec:2: \"sideways\" must be down or up");
+    EXPECT_EQ(errorOfLine("1 button down thumb"), "a.rec:2: unknown button \"thumb\"");
+    EXPECT_EQ(errorOfLine("1 cursor 1"), "a.rec:2: does not match: FRAME cursor X Y");
+    EXPECT_EQ(errorOfLine("1 cursor 1 2 3"), "a.rec:2: does not match: FRAME cursor X Y");
+    EXPECT_EQ(errorOfLine("1 cursor 1 nan"), "a.rec:2: \"nan\" is not a number from -1e+06 to 1e+06");
+    EXPECT_EQ(errorOfLine("1 drop a.pro"), "a.rec:2: does not match: FRAME drop \"PATH\" ...");
+    EXPECT_EQ(errorOfLine("1 drop \"a.pro"), "a.rec:2: a string has no closing quote");
+    EXPECT_EQ(errorOfLine("1 text \"\xff\""), "a.rec:2: the text is not UTF-8");
 }
 
-TEST(Recording, RefusesWhatWouldHurt) {
+TEST(Recording, RejectsDangerousInput) {
     const std::string too_long(101, 'a');
     for (const std::string& line :
          {std::string("99999999999 quit"), std::string("10000001 quit"), std::string("1 wait 0"),
@@ -113,16 +112,16 @@ TEST(Recording, RefusesWhatWouldHurt) {
           std::string("1 screenshot .hidden"), "1 screenshot " + too_long, "1 drop \"" + std::string(5000, 'a') + "\"",
           std::string("1 drop \"\\q\""), std::string("1 drop \"\\x4\""), std::string("1 drop \"a\"b"),
           std::string("1 drop a\"b\""), std::string("1 drop \"\\"), std::string("1 key down \"A\"")})
-        EXPECT_NE(refusalOfLine(line), "") << line;
+        EXPECT_NE(errorOfLine(line), "") << line;
     std::string many = "1 drop";
     for (int i = 0; i < 1025; ++i) many += " \"a\"";
-    EXPECT_EQ(refusalOfLine(many), "a.rec:2: too many paths");
-    EXPECT_EQ(refusalOf(kHeader + "1 text \"" + std::string(kMaxRecordedEvents + 1, 'a') + "\""),
+    EXPECT_EQ(errorOfLine(many), "a.rec:2: too many paths");
+    EXPECT_EQ(errorOf(kHeader + "1 text \"" + std::string(kMaxRecordedEvents + 1, 'a') + "\""),
               "a.rec:2: more than 1000000 events");
-    EXPECT_EQ(refusalOf(std::string(kMaxRecordingBytes + 1, '\n')), "a.rec: larger than 64 MiB");
+    EXPECT_EQ(errorOf(std::string(kMaxRecordingBytes + 1, '\n')), "a.rec: larger than 64 MiB");
 }
 
-TEST(Recording, EveryNamedKeyComesBack) {
+TEST(Recording, KeyNamesRoundTrip) {
     for (unsigned value = 0; value < 400; ++value) {
         const Key key = static_cast<Key>(value);
         const std::string name = keyName(key);
@@ -178,7 +177,7 @@ Recording randomRecording(std::mt19937& random, int events) {
     return recording;
 }
 
-TEST(Recording, ComesBackAsItWas) {
+TEST(Recording, RoundTrips) {
     std::mt19937 random(5);
     const Recording recording = randomRecording(random, 3000);
     const std::string text = textOf(recording);
@@ -196,22 +195,22 @@ TEST(Recording, ComesBackAsItWas) {
             EXPECT_EQ(drop->paths, std::get<DropEvent>(after).paths);
         }
         if (const auto* cursor = std::get_if<CursorEvent>(before)) {
-            EXPECT_EQ(cursor->x, std::get<CursorEvent>(after).x); // to the bit
+            EXPECT_EQ(cursor->x, std::get<CursorEvent>(after).x); // exactly
         }
     }
 }
 
-TEST(Recording, CharactersComeBackAndOthersAreReplaced) {
+TEST(Recording, CharactersRoundTrip_InvalidOnesAreReplaced) {
     for (std::uint32_t c :
          {0x0U, 0x41U, 0x22U, 0x5CU, 0x7FU, 0x80U, 0x7FFU, 0x800U, 0x2028U, 0xFFFFU, 0x10000U, 0x10FFFFU})
         EXPECT_EQ(only<TextEvent>("0 text " + quotedText(utf8Of(c))).code_point, c);
     for (std::uint32_t c : {0xD800U, 0xDFFFU, 0x110000U, 0xFFFFFFFFU})
         EXPECT_EQ(only<TextEvent>("0 text " + quotedText(utf8Of(c))).code_point, 0xFFFDU);
     for (const char* bad : {"\xc0\x80", "\xe0\x80\x80", "\xed\xa0\x80", "\xf5\x80\x80\x80", "\x80", "\xe2\x82"})
-        EXPECT_NE(refusalOfLine(std::string("0 text \"") + bad + "\""), "");
+        EXPECT_NE(errorOfLine(std::string("0 text \"") + bad + "\""), "");
 }
 
-TEST(Recording, WritesNothingItsReaderRefuses) {
+TEST(Recording, WriterOutputIsReadable) {
     const double infinity = std::numeric_limits<double>::infinity();
     DropEvent heap;
     heap.paths.assign(2000, "a");
@@ -227,9 +226,9 @@ TEST(Recording, WritesNothingItsReaderRefuses) {
                               DropEvent{{std::string("\n\"\\\0#\xff\xc3\xa9", 9)}},
                               heap};
     for (const InputEvent& event : odd)
-        EXPECT_EQ(refusalOfLine(recordingLine({4000000000U, event})), "") << event.index();
-    EXPECT_EQ(refusalOf(recordingHeader({0, 0, 1e9})), "");
-    EXPECT_EQ(refusalOfLine(recordingLine({1, WaitStep{0}})), "");
+        EXPECT_EQ(errorOfLine(recordingLine({4000000000U, event})), "") << event.index();
+    EXPECT_EQ(errorOf(recordingHeader({0, 0, 1e9})), "");
+    EXPECT_EQ(errorOfLine(recordingLine({1, WaitStep{0}})), "");
 }
 
 class RecordingFile : public testing::Test {
@@ -238,20 +237,20 @@ protected:
     const std::filesystem::path& folder = owned.path;
 };
 
-TEST_F(RecordingFile, HasEveryLineBeforeItIsClosed) {
+TEST_F(RecordingFile, FlushesEveryLine) {
     const std::string path = folder / "a.rec";
     RecordingWriter writer = openRecording(path, {640, 480, 1});
     EXPECT_EQ(readRecording(path).events.size(), 0U);
     for (std::uint32_t frame : {0U, 5U, 3U}) {
         record(writer, {frame, InputEvent{CursorEvent{1, 2}}});
-        EXPECT_EQ(readRecording(path).events.back().frame, frame == 0 ? 0U : 5U); // frames never go back
+        EXPECT_EQ(readRecording(path).events.back().frame, frame == 0 ? 0U : 5U); // frames never decrease
     }
     const RecordingWriter moved = std::move(writer);
     EXPECT_EQ(readRecording(path).events.size(), 3U);
     EXPECT_EQ(readRecording(path).window.width, 640U);
 }
 
-TEST_F(RecordingFile, SaysWhatCannotBeReadOrWritten) {
+TEST_F(RecordingFile, ReportsFileErrors) {
     const std::string missing = folder / "none" / "a.rec";
     EXPECT_THROW(readRecording(missing), Error);
     EXPECT_THROW(readRecording(folder), Error);
@@ -291,7 +290,7 @@ std::string mutated(std::string text, std::mt19937& random) {
     return text;
 }
 
-TEST(Recording, MutationsAreReadOrRefused) {
+TEST(Recording, MutationsAreReadOrRejected) {
     std::mt19937 random(6);
     const std::string text = textOf(randomRecording(random, 40));
     int read = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points carried from camera to camera, in scenes whose pictures are known: a wall, and a card before it.
+// Reprojection in scenes with known pictures: a card in front of a wall.
 #include "runtime/window/live/render_cache.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 constexpr PixelSize kSize{160, 96};
 constexpr float kWallAhead = 4, kCardAhead = 2, kTan = 0.5f;
 
-/// Looking along -z from (x, 0, 0).
+/// A view along -z from (x, 0, 0).
 ViewProjection viewFrom(float x) {
     gpu::FrameParams frame{};
     frame.eye = {x, 0, 0};
@@ -34,7 +34,7 @@ ViewProjection viewFrom(float x) {
 
 float pixelsPerUnit(float depth) { return kSize.height / (2 * kTan * depth); }
 
-/// The card is the square from -0.5 to 0.5 of x and y.
+/// The card is the square [-0.5, 0.5] in x and y.
 bool seesCard(const ViewProjection& view, std::uint32_t pixel) {
     const gpu::vec3 origin = view.origin(0, 0), direction = view.direction(pixel % kSize.width, pixel / kSize.width);
     return std::abs(origin.x + kCardAhead * direction.x) < 0.5f && std::abs(kCardAhead * direction.y) < 0.5f;
@@ -55,7 +55,7 @@ std::vector<TracedPixel> tracedAll(const ViewProjection& view) {
     return all;
 }
 
-/// What is seen from x = 0, traced in frame 0.
+/// The view from x = 0, traced in frame 0.
 RenderCache pictureFromZero(ErrorMap& errors) {
     RenderCache cache(kSize);
     const ViewProjection view = viewFrom(0);
@@ -63,7 +63,7 @@ RenderCache pictureFromZero(ErrorMap& errors) {
     return cache;
 }
 
-TEST(ViewProjection, ProjectsMiddlesToMiddles) {
+TEST(ViewProjection, ProjectsPixelCentresToThemselves) {
     const ViewProjection view = viewFrom(0.3f);
     for (std::uint32_t y : {0u, 17u, 95u})
         for (std::uint32_t x : {0u, 80u, 159u}) {
@@ -79,7 +79,7 @@ TEST(ViewProjection, ProjectsMiddlesToMiddles) {
     EXPECT_LE(view.project({0, 0, 1}, 1).depth, 0) << "behind the eye";
 }
 
-TEST(ViewProjection, ProjectsInParallel) {
+TEST(ViewProjection, ProjectsOrthographically) {
     gpu::FrameParams frame{};
     frame.right = {1, 0, 0};
     frame.up = {0, 1, 0};
@@ -96,8 +96,8 @@ TEST(ViewProjection, ProjectsInParallel) {
     }
 }
 
-/// A plane at a known depth moves by eye / depth: each point to the pixel that it lies in, to a thousandth of one.
-TEST(RenderCache, PutsPointsWhereTheyAreSeen) {
+/// A plane at a known depth moves by eye / depth. Each point must land in the right pixel, to 1/1000 of a pixel.
+TEST(RenderCache, ReprojectsPointsExactly) {
     ErrorMap errors(kSize);
     RenderCache cache = pictureFromZero(errors);
     const float eye = 0.137f, shift = eye * pixelsPerUnit(kWallAhead);
@@ -115,9 +115,9 @@ TEST(RenderCache, PutsPointsWhereTheyAreSeen) {
     EXPECT_GT(checked, 9000);
 }
 
-/// The eye moves to the right: the card covers other parts of the wall, and lays a strip bare on its right, as wide as
-/// it has moved against the wall.
-TEST(RenderCache, FindsWhatComesToLight) {
+/// The eye moves right: the card occludes other parts of the wall and disoccludes a strip at its right edge, as wide as
+/// its parallax.
+TEST(RenderCache, FindsDisocclusions) {
     ErrorMap errors(kSize);
     RenderCache cache = pictureFromZero(errors);
     const ViewProjection moved = viewFrom(0.25f);
@@ -125,11 +125,11 @@ TEST(RenderCache, FindsWhatComesToLight) {
     const float strip = 0.25f * (pixelsPerUnit(kCardAhead) - pixelsPerUnit(kWallAhead)); // 6
     ASSERT_NEAR(strip, 6, 1e-4);
     const std::uint32_t y = kSize.height / 2;
-    std::uint32_t emptyPixels = 0, card = 0;
+    std::uint32_t empty_pixels = 0, card = 0;
     for (std::uint32_t x = 20; x < kSize.width - 20; ++x) {
         const std::uint32_t pixel = y * kSize.width + x;
         if (cache.isEmpty(pixel)) {
-            ++emptyPixels;
+            ++empty_pixels;
             EXPECT_FALSE(seesCard(moved, pixel));
             EXPECT_TRUE(seesCard(moved, pixel - 7)) << "beside the card's right edge";
         } else {
@@ -137,7 +137,7 @@ TEST(RenderCache, FindsWhatComesToLight) {
             EXPECT_EQ(cache.colors()[pixel] == kCard, seesCard(moved, pixel)) << x;
         }
     }
-    EXPECT_EQ(emptyPixels, 6u);
+    EXPECT_EQ(empty_pixels, 6u);
     EXPECT_EQ(card, 48u);
     fillHoles(cache);
     for (std::uint32_t x = 20; x < kSize.width - 20; ++x)
@@ -145,13 +145,13 @@ TEST(RenderCache, FindsWhatComesToLight) {
             << "no card smeared";
 }
 
-/// Nearer, the card's points leave gaps: nothing of what is behind it is seen through them.
-TEST(RenderCache, HidesWhatIsBehindASurface) {
+/// From nearby, the card's points leave gaps, through which nothing behind it may be visible.
+TEST(RenderCache, HidesPointsBehindASurface) {
     RenderCache cache(kSize);
     ErrorMap errors(kSize);
     const ViewProjection right = viewFrom(0.5f), left = viewFrom(0);
     insertSamples(cache, errors, right, {}, tracedAll(right));
-    cache.reproject(left); // the wall that the card hides from here is known from there
+    cache.reproject(left); // wall points hidden by the card from here were traced from there
     std::vector<TracedPixel> card;
     for (std::uint32_t pixel = 0; pixel < kSize.width * kSize.height; ++pixel)
         if (seesCard(left, pixel) && pixel % 3 != 0) card.push_back(traced(left, pixel));
@@ -166,7 +166,7 @@ TEST(RenderCache, HidesWhatIsBehindASurface) {
     }
 }
 
-/// There and back again nothing has been lost or moved, though the card hid some of it meanwhile.
+/// After moving there and back no point is lost or moved, although the card hid some in between.
 TEST(RenderCache, ComesBack) {
     ErrorMap errors(kSize);
     RenderCache cache = pictureFromZero(errors);
@@ -176,7 +176,7 @@ TEST(RenderCache, ComesBack) {
     EXPECT_EQ(cache.emptyPixelCount(), 0u);
 }
 
-TEST(RenderCache, KeepsPlacesWhereLightChanges) {
+TEST(RenderCache, KeepsPositionsWhenLightChanges) {
     ErrorMap errors(kSize);
     RenderCache cache = pictureFromZero(errors);
     const std::vector<std::uint32_t> before = cache.colors();
@@ -189,17 +189,17 @@ TEST(RenderCache, KeepsPlacesWhereLightChanges) {
         EXPECT_GE((1 - info) & kPointFrameMask, 64u) << "old";
         EXPECT_EQ(info >> kPointSamplesShift & kPointMaxSamples, 0u) << "the next sample replaces it";
     }
-    // the wall is a shape, the card is none
+    // the wall is a shape, the card is not
     cache.invalidateLighting(true, 2);
     cache.reproject(viewFrom(0));
     EXPECT_EQ(cache.emptyPixelCount(), kSize.width * kSize.height - 48 * 48);
 }
 
-TEST(RenderCache, BecomesOnePointAPixelAgain) {
+TEST(RenderCache, ResamplesToOnePointPerPixel) {
     ErrorMap errors(kSize);
     RenderCache cache = pictureFromZero(errors);
     gpu::FrameParams frame{};
-    const ViewProjection nearer = [&] { // twice as large
+    const ViewProjection nearer = [&] { // magnified
         frame.right = {1, 0, 0};
         frame.up = {0, 1, 0};
         frame.forward = {0, 0, -1};
@@ -222,12 +222,12 @@ TEST(RenderCache, BecomesOnePointAPixelAgain) {
     EXPECT_LT(other, before.size() / 25);
 }
 
-TEST(ChoosePixels, TakesWhatIsNewFirstAndTheRestInTurn) {
+TEST(SelectPixels, EmptyPixelsFirst_OthersByAge) {
     ErrorMap errors(kSize);
     RenderCache cache = pictureFromZero(errors);
     cache.reproject(viewFrom(0.25f));
-    const std::uint32_t emptyPixels = cache.emptyPixelCount();
-    ASSERT_GT(emptyPixels, 500u);
+    const std::uint32_t empty_pixels = cache.emptyPixelCount();
+    ASSERT_GT(empty_pixels, 500u);
     std::vector<int> times(kSize.width * kSize.height);
     std::uint32_t chosen = 0;
     for (std::uint32_t frame = 1; frame <= 40; ++frame)
@@ -236,15 +236,15 @@ TEST(ChoosePixels, TakesWhatIsNewFirstAndTheRestInTurn) {
             ++times[pixel];
         }
     EXPECT_NEAR(chosen, 40 * 400, 40 * 40);
-    // one row of four has its turn in a frame
+    // each frame considers one row in four
     for (std::uint32_t pixel = 0; pixel < times.size(); ++pixel) {
         EXPECT_GE(times[pixel], cache.isEmpty(pixel) ? 9 : 0);
         EXPECT_LE(times[pixel], cache.isEmpty(pixel) ? 10 : 2);
     }
 }
 
-/// Where a traced colour is another one than was shown, the tile and those beside it come first.
-TEST(ChoosePixels, GoesWhereThePictureIsWrong) {
+/// Where a traced colour differs from the cached one, that tile and its neighbours get priority.
+TEST(SelectPixels, ErrorsAttractSamples) {
     ErrorMap errors(kSize);
     RenderCache cache = pictureFromZero(errors);
     TracedPixel shadowed = traced(viewFrom(0), 40 * kSize.width + 20);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording hands out its events in their frames, and waits where it says so.
+// Replay hands out events by frame, and waits where requested.
 #include "runtime/window/input/replay.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ Replay replayOf(const std::string& lines) {
     return Replay(parseRecording("pointrt-recording 1 window 640x480 scale 1\n" + lines, "test"));
 }
 
-TEST(Replay, EventsComeInTheirFrames) {
+TEST(Replay, EventsArriveInTheirFrames) {
     Replay replay = replayOf("0 cursor 1 2\n0 wheel 0 1\n2 cursor 3 4\n2 screenshot a\n");
     EXPECT_EQ(replay.next({0, true, false}).events.size(), 2u);
     ReplayFrame frame = replay.next({0, true, false});
@@ -23,7 +23,7 @@ TEST(Replay, EventsComeInTheirFrames) {
     EXPECT_TRUE(frame.quit) << "a recording's end is the window's";
 }
 
-TEST(Replay, WaitsForSamplesBeforeItGoesOn) {
+TEST(Replay, WaitsForSamples) {
     Replay replay = replayOf("0 cursor 1 2\n0 wait 4\n0 screenshot a\n1 quit\n5 cursor 1 1\n");
     ReplayFrame frame = replay.next({0, true, false});
     EXPECT_EQ(frame.events.size(), 1u);
@@ -36,7 +36,7 @@ TEST(Replay, WaitsForSamplesBeforeItGoesOn) {
     EXPECT_TRUE(replay.next({4, true, false}).quit);
 }
 
-TEST(Replay, DoesNotWaitForWhatWillNotCome) {
+TEST(Replay, DoesNotWaitForever) {
     Replay replay = replayOf("0 wait 300\n0 screenshot a\n");
     replay.next({});
     EXPECT_TRUE(replay.next({256, true, false}).screenshots.empty());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edits of a scene, and what they make necessary; no device is needed.
+// Edits of a scene and the updates they require, without a device.
 #include "runtime/window/edit/scene_editor.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ PointLight lampAt(double x) { return {{x, 3, 0}, {9, 9, 9}}; }
 
 class SceneEditorTest : public testing::Test {
 protected:
-    /// As a panel's room button does.
+    /// As a room button in the panel does.
     void goTo(std::optional<Room> room, std::optional<std::uint32_t> lamps = std::nullopt) {
         work.settings.room = room;
         work.settings.lights = lamps;
@@ -42,7 +42,7 @@ protected:
     SceneEditor editor{work};
 };
 
-TEST_F(SceneEditorTest, ShowsWhatWasOpened) {
+TEST_F(SceneEditorTest, OpensAScene) {
     work.picks.emplace_back();
     EXPECT_FALSE(editor.isOpen());
     editor.open(opened({}), 17);
@@ -58,7 +58,7 @@ TEST_F(SceneEditorTest, ShowsWhatWasOpened) {
     EXPECT_EQ(work.scene.lights.size(), 3u) << "nothing to do";
 }
 
-TEST_F(SceneEditorTest, WaitsUntilEditsAreDone) {
+TEST_F(SceneEditorTest, TracksPendingEdits) {
     editor.open(opened({}), 4);
     Requests requests;
     requests.look_changed = true;
@@ -78,7 +78,7 @@ TEST_F(SceneEditorTest, WaitsUntilEditsAreDone) {
     EXPECT_FALSE(editor.hasPendingEdits());
 }
 
-TEST_F(SceneEditorTest, PutsUpTheRoomThatIsAskedFor) {
+TEST_F(SceneEditorTest, BuildsTheRequestedRoom) {
     editor.open(opened({}), 4);
     const SceneDescription studio = work.scene;
     goTo(Room::kMatte, 5);
@@ -93,7 +93,7 @@ TEST_F(SceneEditorTest, PutsUpTheRoomThatIsAskedFor) {
     EXPECT_EQ(work.scene.shapes, studio.shapes);
 }
 
-TEST_F(SceneEditorTest, FindsTheLampsOfARoomAgain) {
+TEST_F(SceneEditorTest, RestoresTheLightsOfARoom) {
     editor.open(opened({}), 4);
     goTo(Room::kMatte);
     const auto ring = work.scene.lights;
@@ -108,7 +108,7 @@ TEST_F(SceneEditorTest, FindsTheLampsOfARoomAgain) {
     EXPECT_EQ(work.scene.lights, ring);
 }
 
-TEST_F(SceneEditorTest, ASceneFilesLampsAreInEveryRoom) {
+TEST_F(SceneEditorTest, SceneFileLightsAreInEveryRoom) {
     SceneDescription scene;
     scene.lights = {lampAt(2)};
     editor.open(opened(scene), 4);
@@ -133,7 +133,7 @@ TEST_F(SceneEditorTest, KeepsMaterialsAndViewsFromRoomToRoom) {
     EXPECT_EQ(work.scene.views.size(), 1u);
 }
 
-TEST_F(SceneEditorTest, FiltersByTheRuleUntilTheUserSaysOtherwise) {
+TEST_F(SceneEditorTest, DenoisesAutomaticallyUnlessTheUserChooses) {
     RenderSettings settings;
     settings.integrator = Integrator::kWhitted;
     editor.open(opened({}, settings), 4);
@@ -145,7 +145,7 @@ TEST_F(SceneEditorTest, FiltersByTheRuleUntilTheUserSaysOtherwise) {
     EXPECT_TRUE(work.denoise);
 }
 
-TEST_F(SceneEditorTest, PutsTheScanOnAnotherSide) {
+TEST_F(SceneEditorTest, ChangesTheUpAxis) {
     editor.open(opened({}), 4);
     goTo(Room::kMatte);
     work.scene.lights = {lampAt(1)};
@@ -159,7 +159,7 @@ TEST_F(SceneEditorTest, PutsTheScanOnAnotherSide) {
     EXPECT_TRUE(editor.hasPendingEdits());
 }
 
-TEST_F(SceneEditorTest, ViewsAreKeptUnderTheirNames) {
+TEST_F(SceneEditorTest, SavesViewsByName) {
     editor.open(opened({}), 4);
     saveView(work);
     saveView(work);
@@ -176,7 +176,7 @@ TEST_F(SceneEditorTest, ViewsAreKeptUnderTheirNames) {
     EXPECT_EQ(work.scene.views[2].camera.fov_deg, 33);
 }
 
-TEST_F(SceneEditorTest, SavesWhatIsShown) {
+TEST_F(SceneEditorTest, SavesTheDisplayedScene) {
     editor.open(opened({}), 40);
     work.look.exposure = 1.5f;
     work.denoise = true;
@@ -191,10 +191,10 @@ TEST_F(SceneEditorTest, SavesWhatIsShown) {
     EXPECT_EQ(sceneAsShown(work, {64, 48}).render.denoise, DenoiseChoice::kOff) << "there is nothing to filter then";
 }
 
-/// What it takes from one description to another.
-class ReworkTest : public testing::Test {
+/// The update between two descriptions.
+class RequiredUpdateTest : public testing::Test {
 protected:
-    ReworkTest() {
+    RequiredUpdateTest() {
         before.shapes.emplace_back();
         before.materials.emplace_back();
         before.lights = {lampAt(1)};
@@ -216,7 +216,7 @@ protected:
     DeviceScene scene;
 };
 
-TEST_F(ReworkTest, ValuesAreRows) {
+TEST_F(RequiredUpdateTest, ValuesNeedTables) {
     SceneDescription after = before;
     after.lights = {lampAt(2), lampAt(3)};
     after.materials[0].color = {1, 0, 0};
@@ -224,7 +224,7 @@ TEST_F(ReworkTest, ValuesAreRows) {
     EXPECT_EQ(to(after), UpdateKind::kTables);
 }
 
-TEST_F(ReworkTest, OtherKindsAreOtherPrograms) {
+TEST_F(RequiredUpdateTest, OtherKindsNeedPrograms) {
     SceneDescription after = before;
     after.lights.emplace_back(SphereLight{{0, 3, 0}, 0.5, {1, 1, 1}, true});
     EXPECT_EQ(to(after), UpdateKind::kPrograms);
@@ -236,13 +236,13 @@ TEST_F(ReworkTest, OtherKindsAreOtherPrograms) {
     EXPECT_EQ(to(before), UpdateKind::kPrograms);
 }
 
-TEST_F(ReworkTest, OtherPlacesAreLoadedAnew) {
+TEST_F(RequiredUpdateTest, OtherPlacementsNeedAReload) {
     SceneDescription after = before;
     after.instances.resize(1);
     EXPECT_EQ(to(after), UpdateKind::kReload);
 }
 
-TEST_F(ReworkTest, NobodyWaitsWhileHeDrags) {
+TEST_F(RequiredUpdateTest, DragsNeverWaitForAJob) {
     constexpr bool drags = true, lacks_photons = true;
     EXPECT_EQ(nextUpdateStep(UpdateKind::kNothing, !drags, !lacks_photons), UpdateStep::kNothing);
     for (const bool lacks : {false, true}) {

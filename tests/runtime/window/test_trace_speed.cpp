@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The size of pictures that must be there in time, and the figures about frames.
+// Preview sizes for a time budget, and frame statistics.
 #include "runtime/window/live/trace_speed.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ constexpr double kBudget_s = 0.014;
 
 std::uint64_t area(PixelSize size) { return std::uint64_t{size.width} * size.height; }
 
-/// After a while at a tracer's speed.
+/// The size after some frames at a constant speed.
 PixelSize settled(TraceSpeed& speed, double seconds_per_pixel, PixelSize last = kFull) {
     for (int frame = 0; frame < 60; ++frame) {
         last = speed.previewSize(kBudget_s, kFull, last);
@@ -29,7 +29,7 @@ TEST(TraceSpeed, FillsTheBudgetAndNoMore) {
         const PixelSize size = settled(speed, seconds_per_pixel);
         const double seconds = seconds_per_pixel * static_cast<double>(area(size));
         EXPECT_LE(seconds, kBudget_s) << seconds_per_pixel;
-        // sizes are a factor of 1.4 apart in area, and the next finer one must be comfortable
+        // sizes differ by a factor of 1.4 in area, and a finer one needs some margin
         if (size != kFull) {
             EXPECT_GT(seconds, 0.5 * kBudget_s) << seconds_per_pixel;
         }
@@ -37,7 +37,7 @@ TEST(TraceSpeed, FillsTheBudgetAndNoMore) {
     }
 }
 
-TEST(TraceSpeed, TheSlowestTracerStillShowsSomething) {
+TEST(TraceSpeed, SlowTracersKeepAMinimumSize) {
     TraceSpeed speed;
     const PixelSize size = settled(speed, 1.0);
     EXPECT_GE(size.width, 1280u / 20);
@@ -45,7 +45,7 @@ TEST(TraceSpeed, TheSlowestTracerStillShowsSomething) {
 }
 
 TEST(TraceSpeed, DoesNotFlickerBetweenSizes) {
-    // speeds that waver by a tenth around the edge between two sizes
+    // a speed that varies by 10 percent around the boundary of two sizes
     TraceSpeed speed;
     PixelSize last = settled(speed, 2.5e-7);
     int changes = 0;
@@ -72,22 +72,22 @@ TEST(TraceSpeed, SlowsDownAtOnce) {
     EXPECT_LE(late, 2);
 }
 
-TEST(TraceSpeed, RowsAreWholeTiles) {
+TEST(TraceSpeed, RowsAreMultiplesOfTiles) {
     TraceSpeed speed;
-    speed.addMeasurement(1000, 1e-3); // a microsecond each
+    speed.addMeasurement(1000, 1e-3); // one microsecond per pixel
     EXPECT_EQ(speed.rowsFor(0.0128, 100), 128u);
     EXPECT_EQ(speed.rowsFor(0.0127, 100), 120u);
     EXPECT_EQ(speed.rowsFor(0, 100), 8u);
     EXPECT_EQ(speed.rowsFor(1e9, 1) % 8, 0u);
 }
 
-TEST(TraceSpeed, ReducedNeverVanishes) {
+TEST(TraceSpeed, ReducedSizeIsNeverZero) {
     EXPECT_EQ(reduced({1, 1}, 16), (PixelSize{1, 1}));
     EXPECT_EQ(reduced({1280, 720}, 2), (PixelSize{640, 360}));
     EXPECT_EQ(reduced({3, 5}, 2), (PixelSize{2, 3}));
 }
 
-TEST(FrameTimes, PercentilesAreOfTheNearestRank) {
+TEST(FrameTimes, PercentilesUseTheNearestRank) {
     std::vector<double> values;
     for (int i = 100; i >= 1; --i) values.push_back(i);
     const Percentiles p = percentilesOf(values);

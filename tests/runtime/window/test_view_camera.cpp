@@ -37,9 +37,9 @@ struct Scene {
     Vec3 centre() const { return low + (high - low) * 0.5; }
 };
 const Scene kUnit{{-1, -1, -1}, {1, 1, 1}};
-const Scene kNationalGrid{{2'600'000, 1'200'000, 400}, {2'600'030, 1'200'040, 520}}; // 65 in radius
+const Scene kNationalGrid{{2'600'000, 1'200'000, 400}, {2'600'030, 1'200'040, 520}}; // radius 65
 
-/// From a slanted direction, so that no axis is special.
+/// From an oblique direction, so that no axis is special.
 ViewCamera slantedView(const Scene& scene, Vec3 up) {
     CameraRequest request;
     request.eye = scene.centre() + Vec3{1.7, 1.1, 2.3} * scene.radius();
@@ -62,7 +62,7 @@ void expectSamePicture(const ViewCamera& a, const ViewCamera& b, double toleranc
     expectNear(a.eye, b.eye, tolerance * a.scene_radius);
 }
 
-TEST(ViewCamera, BeginsAsFrameCameraFrames) {
+TEST(ViewCamera, StartsAsFrameCameraFrames) {
     for (const Scene& scene : {kUnit, kNationalGrid}) {
         const ViewCamera view = framedView({}, scene.low, scene.high, {0, 1, 0}, 1.5);
         const Camera framed = frameCamera({}, scene.low, scene.high, 1.5);
@@ -75,7 +75,7 @@ TEST(ViewCamera, BeginsAsFrameCameraFrames) {
     }
 }
 
-TEST(ViewCamera, ItsRequestGivesTheSameCameraBack) {
+TEST(ViewCamera, RequestRoundTrips) {
     for (const Vec3& up : kUps)
         for (const Scene& scene : {kUnit, kNationalGrid})
             for (ViewCamera view : {slantedView(scene, up), standardView(slantedView(scene, up), StandardView::kTop),
@@ -89,18 +89,18 @@ TEST(ViewCamera, ItsRequestGivesTheSameCameraBack) {
             }
 }
 
-TEST(ViewCamera, TurnsAboutThePartOfTheTargetThatLiesAhead) {
+TEST(ViewCamera, PivotIsOnTheLineOfSight) {
     Camera camera = frameCamera({}, kUnit.low, kUnit.high, 1);
     const double distance = camera.eye.z;
     EXPECT_EQ(viewOf(camera, {0, 0, 0}, kUnit.low, kUnit.high, {0, 1, 0}).pivot, (Vec3{0, 0, 0}));
     expectNear(viewOf(camera, {3, 0, 1}, kUnit.low, kUnit.high, {0, 1, 0}).pivot, {0, 0, 1}, 1e-12);
-    // Behind the eye there is nothing to turn about: a radius ahead there is.
+    // the target is behind the eye: the pivot is a radius ahead
     const Vec3 behind{0, 0, distance + 1};
     expectNear(viewOf(camera, behind, kUnit.low, kUnit.high, {0, 1, 0}).pivot, {0, 0, distance - kUnit.radius()},
                1e-12);
 }
 
-TEST(ViewCamera, KeepsTheTiltOfACameraThatHasOne) {
+TEST(ViewCamera, KeepsTheRollOfATiltedCamera) {
     CameraRequest request;
     request.up = Vec3{1, 1, 0};
     const Camera tilted = frameCamera(request, kUnit.low, kUnit.high, 1);
@@ -109,7 +109,7 @@ TEST(ViewCamera, KeepsTheTiltOfACameraThatHasOne) {
     expectNear(framedView(request, kUnit.low, kUnit.high, {0, 1, 0}, 1).up, {1, 1, 0}, 0);
 }
 
-TEST(ViewCamera, DragsTurnTheSceneTheWayTheyGo) {
+TEST(ViewCamera, OrbitFollowsTheDrag) {
     for (const Vec3& up : kUps) {
         const ViewCamera view = slantedView(kUnit, up);
         const Vec3 near = view.pivot - axesOf(view).forward * 0.5; // towards the eye
@@ -122,15 +122,15 @@ TEST(ViewCamera, DragsTurnTheSceneTheWayTheyGo) {
     }
 }
 
-TEST(ViewCamera, TheHeightOfThePictureIsHalfATurn) {
+TEST(ViewCamera, PictureHeightIsHalfATurn) {
     const ViewCamera view = framedView({}, kNationalGrid.low, kNationalGrid.high, {0, 1, 0}, 1);
     const ViewCamera behind = orbited(view, kSize, kSize.height, 0);
     expectNear(behind.eye - view.pivot, (view.eye - view.pivot) * -1, 1e-6);
-    const ViewCamera quarter = orbited(view, kSize, kSize.height / 2, 0); // the camera goes to the left
+    const ViewCamera quarter = orbited(view, kSize, kSize.height / 2, 0); // the camera moves left
     expectNear(normalize(quarter.eye - view.pivot), {-1, 0, 0}, 1e-8);
 }
 
-TEST(ViewCamera, OrbitsStayLevelAndAtTheirDistance) {
+TEST(ViewCamera, OrbitKeepsHorizonAndDistance) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> move(-300, 300);
     for (const Vec3& up : kUps)
@@ -147,31 +147,31 @@ TEST(ViewCamera, OrbitsStayLevelAndAtTheirDistance) {
         }
 }
 
-TEST(ViewCamera, OrbitsEndATenthOfADegreeBeforeThePoles) {
+TEST(ViewCamera, OrbitStopsBeforeThePoles) {
     for (const Vec3& up : kUps)
         for (double side : {1.0, -1.0}) {
             const ViewCamera view = orbited(slantedView(kNationalGrid, up), kSize, 0, side * 5000);
             const double along = dot(axesOf(view).forward, normalize(up)) * -side;
             EXPECT_NEAR(std::acos(along) * 180 / std::numbers::pi, 0.1, 1e-6);
             EXPECT_NEAR(roll(view), 0, 1e-9);
-            // And they come back from there, with the same right.
+            // and they return from there with the same right vector
             const ViewCamera back = orbited(view, kSize, 0, side * -100);
             expectNear(axesOf(back).right, axesOf(view).right, 1e-6);
         }
 }
 
-TEST(ViewCamera, OrbitsLeaveAPoleWithoutAJump) {
+TEST(ViewCamera, OrbitLeavesAPoleSmoothly) {
     for (const Vec3& up : kUps) {
         const ViewCamera top = standardView(slantedView(kNationalGrid, up), StandardView::kTop);
         for (const ViewCamera& pole : {top, oppositeView(top)}) {
             EXPECT_NEAR(std::abs(dot(axesOf(pole).forward, normalize(up))), 1, 1e-15);
-            expectSamePicture(orbited(pole, kSize, 0, 0), pole, 0.01); // the tenth of a degree
+            expectSamePicture(orbited(pole, kSize, 0, 0), pole, 0.01); // 0.1 degrees from the pole
             expectSamePicture(orbited(pole, kSize, 1, 0), pole, 0.03);
         }
     }
 }
 
-TEST(ViewCamera, PanKeepsWhatIsUnderTheCursor) {
+TEST(ViewCamera, PanFollowsTheCursor) {
     for (const Vec3& up : kUps)
         for (const Scene& scene : {kUnit, kNationalGrid})
             for (const ViewCamera& view : {slantedView(scene, up), orthoToggled(slantedView(scene, up))}) {
@@ -184,7 +184,7 @@ TEST(ViewCamera, PanKeepsWhatIsUnderTheCursor) {
             }
 }
 
-TEST(ViewCamera, ZoomKeepsWhatIsUnderTheCursorAndHalvesInFourSteps) {
+TEST(ViewCamera, ZoomIsAboutTheCursor) {
     for (const Scene& scene : {kUnit, kNationalGrid})
         for (ViewCamera view : {slantedView(scene, {0, 0, 1}), orthoToggled(slantedView(scene, {0, 0, 1}))}) {
             const Vec3 aimed = pointAtPivotDepth(view, kSize, 1000, 100);
@@ -196,7 +196,7 @@ TEST(ViewCamera, ZoomKeepsWhatIsUnderTheCursorAndHalvesInFourSteps) {
         }
 }
 
-TEST(ViewCamera, ZoomNeverPassesThePivotNorTheLimits) {
+TEST(ViewCamera, ZoomRespectsItsLimits) {
     for (const Scene& scene : {kUnit, kNationalGrid})
         for (ViewCamera view : {slantedView(scene, {0, 1, 0}), orthoToggled(slantedView(scene, {0, 1, 0}))}) {
             const Vec3 forward = axesOf(view).forward;
@@ -210,7 +210,7 @@ TEST(ViewCamera, ZoomNeverPassesThePivotNorTheLimits) {
         }
 }
 
-TEST(ViewCamera, ZoomComesBackFromBeyondItsLimits) {
+TEST(ViewCamera, ZoomReturnsFromBeyondItsLimits) {
     CameraRequest request;
     request.eye = Vec3{0, 0, 9000};
     const ViewCamera far = framedView(request, kUnit.low, kUnit.high, {0, 1, 0}, 1);
@@ -218,7 +218,7 @@ TEST(ViewCamera, ZoomComesBackFromBeyondItsLimits) {
     EXPECT_NEAR(zoomed(far, kSize, 4, 640, 360).eye.z, 4500, 1e-6);
 }
 
-TEST(ViewCamera, CentringKeepsSizesInPerspective) {
+TEST(ViewCamera, CentringKeepsSizes) {
     for (const Vec3& up : kUps) {
         const ViewCamera view = slantedView(kNationalGrid, up);
         const Vec3 point = view.pivot + Vec3{20, -9, 13}, beside = point + axesOf(view).right;
@@ -234,7 +234,7 @@ TEST(ViewCamera, CentringKeepsSizesInPerspective) {
     }
 }
 
-TEST(ViewCamera, CentringOnWhatIsBehindKeepsTheDistance) {
+TEST(ViewCamera, CentringBehindTheEyeKeepsTheDistance) {
     const ViewCamera view = slantedView(kUnit, {0, 1, 0});
     const ViewCamera after = centredOn(view, view.eye - axesOf(view).forward);
     EXPECT_NEAR(distanceToPivot(after), distanceToPivot(view), 1e-12);
@@ -242,15 +242,15 @@ TEST(ViewCamera, CentringOnWhatIsBehindKeepsTheDistance) {
     EXPECT_EQ(centredOn(ortho, {0.5, 0.5, 0.5}).ortho_height, ortho.ortho_height);
 }
 
-TEST(ViewCamera, FliesAsSlowlyAsItsViewIsNear) {
+TEST(ViewCamera, FlyingSpeedFollowsThePivotDistance) {
     const ViewCamera far = slantedView(kNationalGrid, {0, 0, 1});
     ViewCamera near = far;
-    near.pivot = far.eye + axesOf(far).forward * 2.0; // 2 m, in a scene of 65
+    near.pivot = far.eye + axesOf(far).forward * 2.0; // 2 m, in a scene of radius 65
     expectNear(flown(near, {0, 0, 1}, 0.5).eye, near.eye + axesOf(near).forward * 1.0, 1e-7);
     expectNear(flown(near, {1, 0, 0}, 0.5).eye, near.eye + axesOf(near).right * 1.0, 1e-7);
 }
 
-TEST(ViewCamera, FliesByTheSizeOfTheScene) {
+TEST(ViewCamera, FlyingSpeedIsLimitedBySceneSize) {
     for (const Vec3& up : kUps) {
         const ViewCamera view = slantedView(kNationalGrid, up);
         const double step = 65 * 0.5 * 0.1;
@@ -265,7 +265,7 @@ TEST(ViewCamera, FliesByTheSizeOfTheScene) {
     EXPECT_EQ(flown(ortho, {1, 0, 0}, 1).ortho_height, ortho.ortho_height);
 }
 
-TEST(ViewCamera, LooksAroundWhereItStands) {
+TEST(ViewCamera, LookRotatesAboutTheEye) {
     for (const Vec3& up : kUps) {
         const ViewCamera view = slantedView(kNationalGrid, up);
         const ViewCamera right = looked(view, kSize, 100, 0), up_there = looked(view, kSize, 0, -100);
@@ -282,10 +282,10 @@ TEST(ViewCamera, LooksAroundWhereItStands) {
 }
 
 struct StandardCase {
-    Vec3 up, front, right, top_up; // where the eye stands; what is up from above
+    Vec3 up, front, right, top_up; // direction to the eye; up direction of the top view
 };
 
-TEST(ViewCamera, StandardViewsKnowTheScenesUp) {
+TEST(ViewCamera, StandardViewsUseTheUpAxis) {
     const StandardCase cases[] = {{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {0, 0, -1}},
                                   {{0, 0, 1}, {0, -1, 0}, {1, 0, 0}, {0, 1, 0}},
                                   {{0, 0, -1}, {0, -1, 0}, {-1, 0, 0}, {0, 1, 0}},
@@ -310,7 +310,7 @@ TEST(ViewCamera, StandardViewsKnowTheScenesUp) {
         }
 }
 
-TEST(ViewCamera, ATopViewIsWhatFrameCameraMakesOfTheSameEye) {
+TEST(ViewCamera, TopViewMatchesFrameCamera) {
     for (const Vec3& up : kUps) {
         const ViewCamera top = standardView(slantedView(kUnit, up), StandardView::kTop);
         CameraRequest request;
@@ -321,7 +321,7 @@ TEST(ViewCamera, ATopViewIsWhatFrameCameraMakesOfTheSameEye) {
     }
 }
 
-TEST(ViewCamera, OrthographicKeepsTheSizeAtThePivotAndTheSceneInFront) {
+TEST(ViewCamera, OrthographicKeepsTheSizeAtThePivot) {
     for (const Scene& scene : {kUnit, kNationalGrid}) {
         ViewCamera view = zoomed(slantedView(scene, {0, 1, 0}), kSize, 12, 800, 300);
         const ViewCamera ortho = orthoToggled(view);
@@ -339,7 +339,7 @@ TEST(ViewCamera, OrthographicKeepsTheSizeAtThePivotAndTheSceneInFront) {
     }
 }
 
-TEST(ViewCamera, FovMayKeepTheSizeAtThePivot) {
+TEST(ViewCamera, FovCanKeepTheSizeAtThePivot) {
     const ViewCamera view = slantedView(kUnit, {0, 1, 0});
     EXPECT_NEAR(heightAtPivot(withFov(view, 15, true)), heightAtPivot(view), 1e-12);
     EXPECT_EQ(withFov(view, 15, false).eye, view.eye);
@@ -348,13 +348,13 @@ TEST(ViewCamera, FovMayKeepTheSizeAtThePivot) {
     EXPECT_EQ(withFov(view, 500, false).fov_deg, 170);
 }
 
-TEST(ViewCamera, WhatIsBehindIsNotInThePicture) {
+TEST(ViewCamera, PointsBehindTheEyeAreNotProjected) {
     const ViewCamera view = slantedView(kUnit, {0, 1, 0});
     EXPECT_FALSE(projected(view, kSize, view.eye - axesOf(view).forward));
     EXPECT_NEAR(projected(view, kSize, view.pivot)->depth, distanceToPivot(view), 1e-12);
 }
 
-TEST(ViewCamera, NumbersThatAreNoneMoveNothing) {
+TEST(ViewCamera, NonFiniteNumbersChangeNothing) {
     for (const ViewCamera& view : {slantedView(kNationalGrid, {0, 0, 1}), orthoToggled(slantedView(kUnit, {0, 1, 0}))})
         for (double bad : {kNan, kInfinity, -kInfinity}) {
             expectSame(orbited(view, kSize, bad, 0), view);
@@ -369,7 +369,7 @@ TEST(ViewCamera, NumbersThatAreNoneMoveNothing) {
         }
 }
 
-TEST(ViewCamera, NothingLeadsOutOfFrameCamerasReach) {
+TEST(ViewCamera, StaysWithinFrameCamerasLimits) {
     std::mt19937 random(2);
     std::uniform_real_distribution<double> move(-1, 1);
     for (const Scene& scene : {kUnit, kNationalGrid, Scene{{1e6, 1e6, 1e6}, {1e6 + 1e-3, 1e6, 1e6}}}) {
@@ -412,7 +412,7 @@ TEST(ViewCamera, NothingLeadsOutOfFrameCamerasReach) {
     }
 }
 
-TEST(ViewFlight, BeginsAndEndsWhereItShould) {
+TEST(ViewFlight, StartsAndEndsAtItsViews) {
     const ViewCamera from = slantedView(kNationalGrid, {0, 0, 1});
     const ViewCamera to = zoomed(orbited(centredOn(from, kNationalGrid.low), kSize, 200, 100), kSize, 3, 0, 0);
     const ViewFlight flight{from, to, 10};
@@ -422,10 +422,10 @@ TEST(ViewFlight, BeginsAndEndsWhereItShould) {
     expectSamePicture(viewAt(flight, 10.2999999), to, 1e-6);
     EXPECT_FALSE(isFinished(flight, 10.29));
     EXPECT_TRUE(isFinished(flight, 10.31));
-    EXPECT_TRUE(isFinished(flight, kNan)); // a broken clock ends it
+    EXPECT_TRUE(isFinished(flight, kNan)); // an invalid time ends it
 }
 
-TEST(ViewFlight, IsLevelAndSlowAtBothEnds) {
+TEST(ViewFlight, IsLevelAndEased) {
     for (const Vec3& up : kUps) {
         const ViewCamera from = standardView(slantedView(kUnit, up), StandardView::kTop);
         const ViewFlight flight{from, orbited(from, kSize, 500, -500), 0};
@@ -445,14 +445,14 @@ TEST(ViewFlight, IsLevelAndSlowAtBothEnds) {
     }
 }
 
-TEST(ViewFlight, TakesTheShortWayRound) {
+TEST(ViewFlight, TakesTheShortWay) {
     const ViewCamera from = slantedView(kUnit, {0, 1, 0});
     const ViewCamera to = orbited(from, kSize, 1400, 0); // 350 degrees one way, 10 the other
     const ViewCamera half = viewAt({from, to, 0}, 0.15);
     EXPECT_NEAR(std::acos(dot(axesOf(half).right, axesOf(from).right)) * 180 / std::numbers::pi, 5, 1e-6);
 }
 
-TEST(ViewFlight, ChangesTheProjectionWithoutAJumpInSize) {
+TEST(ViewFlight, ProjectionChangeKeepsTheSize) {
     const ViewCamera from = slantedView(kUnit, {0, 1, 0});
     const ViewCamera to = zoomed(orthoToggled(from), kSize, 4, 640, 360);
     for (const ViewFlight& flight : {ViewFlight{from, to, 0}, ViewFlight{to, from, 0}}) {
@@ -462,7 +462,7 @@ TEST(ViewFlight, ChangesTheProjectionWithoutAJumpInSize) {
     }
 }
 
-std::string refusalOf(const std::string& text) {
+std::string errorOf(const std::string& text) {
     try {
         withCameraText(slantedView(kUnit, {0, 1, 0}), text);
         return "";
@@ -472,7 +472,7 @@ std::string refusalOf(const std::string& text) {
     }
 }
 
-TEST(CameraText, IsTheCommandLinesOptions) {
+TEST(CameraText, UsesCommandLineOptions) {
     CameraRequest request;
     request.eye = Vec3{0.1, -2, 1e-7};
     request.target = Vec3{1, 0, 0};
@@ -483,7 +483,7 @@ TEST(CameraText, IsTheCommandLinesOptions) {
     EXPECT_EQ(cameraText(ortho), "--eye 0.1,-2,1e-07 --target 1,0,0 --up 0,1,0 --ortho 2.5");
 }
 
-TEST(CameraText, IsTakenByTheCommandLine) {
+TEST(CameraText, CommandLineAcceptsIt) {
     for (const ViewCamera& view : {slantedView(kNationalGrid, {0, 0, 1}),
                                    orthoToggled(standardView(slantedView(kUnit, {0, 1, 0}), StandardView::kTop))}) {
         std::istringstream text("pointrt-view a.pro -o a.png " + cameraText(view));
@@ -497,7 +497,7 @@ TEST(CameraText, IsTakenByTheCommandLine) {
     }
 }
 
-TEST(CameraText, ComesBackToTheBit) {
+TEST(CameraText, RoundTripsExactly) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> move(-400, 400);
     for (const Vec3& up : kUps)
@@ -519,7 +519,7 @@ TEST(CameraText, ComesBackToTheBit) {
         }
 }
 
-TEST(CameraText, ATopViewKeepsItsAxis) {
+TEST(CameraText, TopViewKeepsItsAxis) {
     for (const Vec3& up : kUps) {
         const ViewCamera view = slantedView(kNationalGrid, up);
         const ViewCamera top = standardView(view, StandardView::kTop);
@@ -528,12 +528,12 @@ TEST(CameraText, ATopViewKeepsItsAxis) {
         expectSamePicture(pasted, top, 1e-12);
         EXPECT_EQ(cameraText(pasted), cameraText(top));
     }
-    // The axis itself as --up: what frameCamera makes of it.
+    // the axis itself as --up, as frameCamera makes it
     const std::string text = "--eye 0,9,0 --target 0,0,0 --up 0,1,0";
     expectNear(axesOf(withCameraText(slantedView(kUnit, {0, 1, 0}), text)).up, {0, 0, -1}, 1e-12);
 }
 
-TEST(CameraText, TakesSpacesAndAnyOrderAndKeepsWhatIsNotThere) {
+TEST(CameraText, AcceptsAnyOrderAndMissingOptions) {
     const ViewCamera view = slantedView(kUnit, {0, 0, 1});
     const ViewCamera pasted = withCameraText(view, " \n--target 1, 2 ,3\r\n\t--eye\n4,5,\n6  ");
     EXPECT_EQ(pasted.eye, (Vec3{4, 5, 6}));
@@ -546,27 +546,27 @@ TEST(CameraText, TakesSpacesAndAnyOrderAndKeepsWhatIsNotThere) {
     EXPECT_EQ(withCameraText(view, "--eye 4,5,6 --target 1,2,3 --ortho 3").ortho_height, 3);
 }
 
-TEST(CameraText, RefusesAnythingElseWithAReason) {
+TEST(CameraText, RejectsOtherTextWithAReason) {
     const std::string good = "--eye 4,5,6 --target 1,2,3 ";
-    EXPECT_EQ(refusalOf(good), "");
-    EXPECT_EQ(refusalOf(""), "camera text: --eye is missing");
-    EXPECT_EQ(refusalOf("--eye 1,2,3"), "camera text: --target is missing");
-    EXPECT_EQ(refusalOf("hello world"), "camera text: \"hello\" is not one of --eye, --target, --up, --fov, --ortho");
-    EXPECT_EQ(refusalOf(good + "--eye 1,2,3"), "camera text: --eye is given twice");
-    EXPECT_EQ(refusalOf(good + "--up"), "camera text: --up has no value");
-    EXPECT_EQ(refusalOf(good + "--up 1,2"), "camera text: --up: invalid value \"1,2\"");
-    EXPECT_EQ(refusalOf(good + "--up 1,2,inf"), "camera text: --up: invalid value \"1,2,inf\"");
-    EXPECT_EQ(refusalOf(good + "--fov 180"), "camera text: --fov: invalid value \"180\"");
-    EXPECT_EQ(refusalOf(good + "--ortho -1"), "camera text: --ortho: invalid value \"-1\"");
-    EXPECT_EQ(refusalOf(good + "--fov 20 --ortho 2"), "camera text: --fov and --ortho exclude each other");
-    EXPECT_EQ(refusalOf(std::string(5000, ' ')), "camera text: too long");
-    for (const char* text : {"--up 0,0,0", "--ortho 1e11", "--fov 0.0001"}) EXPECT_NE(refusalOf(good + text), "");
-    EXPECT_NE(refusalOf("--eye 1,1,1 --target 1,1,1"), "");
-    EXPECT_NE(refusalOf("--eye 1e300,1,1 --target 1,1,1"), "");
-    EXPECT_EQ(refusalOf("\x1b[31m\xff --x").find('\x1b'), std::string::npos);
+    EXPECT_EQ(errorOf(good), "");
+    EXPECT_EQ(errorOf(""), "camera text: --eye is missing");
+    EXPECT_EQ(errorOf("--eye 1,2,3"), "camera text: --target is missing");
+    EXPECT_EQ(errorOf("hello world"), "camera text: \"hello\" is not one of --eye, --target, --up, --fov, --ortho");
+    EXPECT_EQ(errorOf(good + "--eye 1,2,3"), "camera text: --eye is given twice");
+    EXPECT_EQ(errorOf(good + "--up"), "camera text: --up has no value");
+    EXPECT_EQ(errorOf(good + "--up 1,2"), "camera text: --up: invalid value \"1,2\"");
+    EXPECT_EQ(errorOf(good + "--up 1,2,inf"), "camera text: --up: invalid value \"1,2,inf\"");
+    EXPECT_EQ(errorOf(good + "--fov 180"), "camera text: --fov: invalid value \"180\"");
+    EXPECT_EQ(errorOf(good + "--ortho -1"), "camera text: --ortho: invalid value \"-1\"");
+    EXPECT_EQ(errorOf(good + "--fov 20 --ortho 2"), "camera text: --fov and --ortho exclude each other");
+    EXPECT_EQ(errorOf(std::string(5000, ' ')), "camera text: too long");
+    for (const char* text : {"--up 0,0,0", "--ortho 1e11", "--fov 0.0001"}) EXPECT_NE(errorOf(good + text), "");
+    EXPECT_NE(errorOf("--eye 1,1,1 --target 1,1,1"), "");
+    EXPECT_NE(errorOf("--eye 1e300,1,1 --target 1,1,1"), "");
+    EXPECT_EQ(errorOf("\x1b[31m\xff --x").find('\x1b'), std::string::npos);
 }
 
-TEST(CameraText, TakesAnUpOfAnyLength) {
+TEST(CameraText, AcceptsUpOfAnyLength) {
     for (const char* up : {"0,1e-300,0", "0,1e300,0", "0,5e-324,0"}) {
         const std::string text = std::string("--eye 4,5,6 --target 1,2,3 --up ") + up;
         const ViewCamera pasted = withCameraText(slantedView(kUnit, {0, 1, 0}), text);

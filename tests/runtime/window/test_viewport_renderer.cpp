@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A picture made in slices is the picture made at once; what the window shows of it is what files hold.
+// A picture rendered in slices equals one rendered at once, and the display equals the files.
 #include "runtime/window/live/viewport_renderer.h"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ protected:
         for (int i = 0; i < 100000 && !live->progress().resting; ++i) {
             live->clearUpdates();
             live->work(kSlice_s);
-            // it waits for a while before it takes things for resting
+            // it waits for kRest_s before it refines
             if (live->updates().empty()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
         ASSERT_TRUE(live->progress().resting);
@@ -67,7 +67,7 @@ protected:
         return words;
     }
 
-    /// Mean of all channels, steps of 255.
+    /// Mean difference of all channels, in steps of 255.
     static double errorOf(const std::vector<std::uint32_t>& words, const Image8& picture) {
         double sum = 0;
         for (std::size_t i = 0; i < words.size(); ++i)
@@ -82,7 +82,7 @@ protected:
     std::optional<ViewportRenderer> live;
 };
 
-TEST_P(ViewportRendererTest, IsTheHeadlessPicture) {
+TEST_P(ViewportRendererTest, MatchesTheHeadlessPicture) {
     live->setView(view, true);
     finish();
     const Film film = live->readFilm(), whole = headless();
@@ -95,10 +95,10 @@ TEST_P(ViewportRendererTest, IsTheHeadlessPicture) {
         for (std::uint32_t c = 0; c < 3; ++c)
             worst = std::max(worst,
                              std::abs(static_cast<int>(words[i] >> (16 - 8 * c) & 255) - developed.pixels[3 * i + c]));
-    EXPECT_LE(worst, 1); // where the device's powers round another way
+    EXPECT_LE(worst, 1); // if the device's pow rounds differently
 }
 
-TEST_P(ViewportRendererTest, StartsOverWhereTheCameraMoves) {
+TEST_P(ViewportRendererTest, StartsOverWhenTheCameraMoves) {
     live->setView(view, true);
     for (int i = 0; i < 20; ++i) {
         view.camera.eye = view.camera.eye + Vec3{0.01, 0, 0};
@@ -111,9 +111,9 @@ TEST_P(ViewportRendererTest, StartsOverWhereTheCameraMoves) {
     EXPECT_EQ(live->readFilm().rgba, headless().rgba);
 }
 
-/// Slow enough, the last picture is carried along; what it goes over to is the headless picture all the same.
-TEST_P(ViewportRendererTest, CarriesThePictureAlong) {
-    live.emplace(device, tracer, 1e-5); // nothing fits in that
+/// On a slow device the last picture is reprojected; refinement still ends in the headless picture.
+TEST_P(ViewportRendererTest, ReprojectsThePicture) {
+    live.emplace(device, tracer, 1e-5); // no frame fits in that budget
     live->setView(view, true);
     finish();
     const std::vector<std::uint32_t> before = shownPixels();
@@ -125,27 +125,28 @@ TEST_P(ViewportRendererTest, CarriesThePictureAlong) {
     EXPECT_EQ(live->progress().size, (PixelSize{72, 56}));
     EXPECT_EQ(live->progress().samples, 0u);
     EXPECT_GT(live->progress().traced, 0u);
-    // a hundredth of the ball's distance: most is as it was, to a few steps of 255
-    const std::vector<std::uint32_t> carried = shownPixels();
+    // a hundredth of the ball's distance: most pixels stay within a few steps of 255
+    const std::vector<std::uint32_t> reprojected = shownPixels();
     std::size_t same = 0;
-    for (std::size_t i = 0; i < carried.size(); ++i)
-        same += std::abs(static_cast<int>(carried[i] >> 8 & 255) - static_cast<int>(before[i] >> 8 & 255)) < 16 ? 1 : 0;
-    EXPECT_GT(same, carried.size() * 8 / 10);
-    EXPECT_NE(carried, before);
+    for (std::size_t i = 0; i < reprojected.size(); ++i)
+        same +=
+            std::abs(static_cast<int>(reprojected[i] >> 8 & 255) - static_cast<int>(before[i] >> 8 & 255)) < 16 ? 1 : 0;
+    EXPECT_GT(same, reprojected.size() * 8 / 10);
+    EXPECT_NE(reprojected, before);
     finish();
     const Film film = live->readFilm(), whole = headless();
     EXPECT_EQ(film.rgba, whole.rgba);
     EXPECT_EQ(film.variance, whole.variance);
     const std::vector<std::uint32_t> words = shownPixels();
-    // the same view begun anew, with nothing carried: the same to the bit
+    // the same view without reprojection is bit-identical
     live.emplace(device, tracer, 0.01);
     live->setView(view, false);
     finish();
     EXPECT_EQ(shownPixels(), words);
 }
 
-/// Without a picture to begin with, too: what is traced stays, and is more from frame to frame.
-TEST_P(ViewportRendererTest, AddsUpAPictureWhileThingsMove) {
+/// Without a picture to start from, traced points accumulate from frame to frame.
+TEST_P(ViewportRendererTest, AccumulatesWhileMoving) {
     live.emplace(device, tracer, 1e-5);
     std::vector<double> errors;
     for (int frame = 0; frame < 24; ++frame) {
@@ -157,13 +158,13 @@ TEST_P(ViewportRendererTest, AddsUpAPictureWhileThingsMove) {
         EXPECT_EQ(live->progress().size, (PixelSize{72, 56})) << frame;
         if (frame == 0 || frame == 23) errors.push_back(errorOf(shownPixels(), tonemapFilm(headless())));
     }
-    EXPECT_LT(errors[1], 0.65 * errors[0]); // of path half is left, its noise
+    EXPECT_LT(errors[1], 0.65 * errors[0]); // half of the path tracer's error remains: its noise
     finish();
     EXPECT_EQ(live->readFilm().rgba, headless().rgba);
 }
 
-/// A lamp that is moved leaves what is seen where it is: the picture is carried, not begun anew.
-TEST_P(ViewportRendererTest, CarriesThePictureWhereLightChanges) {
+/// A moved lamp changes no geometry, so the picture is reprojected.
+TEST_P(ViewportRendererTest, ReprojectsWhenLightChanges) {
     live.emplace(device, tracer, 1e-5);
     live->setView(view, true);
     finish();
@@ -179,14 +180,14 @@ TEST_P(ViewportRendererTest, CarriesThePictureWhereLightChanges) {
         return count;
     };
     EXPECT_GT(same(), before.size() - live->progress().traced - 1);
-    // with nothing known of the scene it is begun anew, of what is traced
+    // after a change of everything the cache starts empty
     live->setView(view, true, ViewChange::kAll);
     live->work(kSlice_s);
     EXPECT_GT(live->progress().traced, 0u);
     EXPECT_LT(same(), before.size() / 2);
 }
 
-TEST_P(ViewportRendererTest, GrowsAndShrinks) {
+TEST_P(ViewportRendererTest, Resizes) {
     for (const std::uint32_t edge : {40u, 200u, 1u, 72u}) {
         view.settings.width = edge;
         view.settings.height = edge == 72 ? 56 : edge;
@@ -197,7 +198,7 @@ TEST_P(ViewportRendererTest, GrowsAndShrinks) {
     EXPECT_EQ(live->readFilm().rgba, headless().rgba);
 }
 
-TEST_P(ViewportRendererTest, PicksWhatTheFirstHitsSay) {
+TEST_P(ViewportRendererTest, PicksMatchFirstHits) {
     view.settings.first_hits = true;
     live->setView(view, false);
     finish();
@@ -218,7 +219,7 @@ TEST_P(ViewportRendererTest, PicksWhatTheFirstHitsSay) {
     EXPECT_EQ(live->readFilm().rgba, film.rgba);
 }
 
-TEST_P(ViewportRendererTest, ShowsDenoisedLightAndStaysTheSameFilm) {
+TEST_P(ViewportRendererTest, DenoisingKeepsTheFilm) {
     view.denoise = true;
     live->setView(view, false);
     finish();
@@ -231,12 +232,12 @@ TEST_P(ViewportRendererTest, ShowsDenoisedLightAndStaysTheSameFilm) {
     look.shown = SHOWN_NORMAL;
     live->setLook(look, false);
     finish();
-    // the middle of the plastic ball faces the camera
+    // the centre of the plastic ball faces the camera
     const std::uint32_t normal = shownPixels()[28 * 72 + 20];
     EXPECT_GT(normal & 255, 200u);
 }
 
-/// Black where nothing is hit, else each material has a colour of its own; the first one's is a light red.
+/// Black for misses, otherwise a colour per material; the first one is light red.
 TEST_P(ViewportRendererTest, ShowsMaterials) {
     view.settings.first_hits = true;
     view.look.shown = SHOWN_MATERIAL;
@@ -255,7 +256,7 @@ TEST_P(ViewportRendererTest, ShowsMaterials) {
     EXPECT_EQ(film.material_id[28 * 72 + 52], 1u) << "glass";
 }
 
-TEST_P(ViewportRendererTest, DenoisesAtRestWhenToldTo) {
+TEST_P(ViewportRendererTest, DenoisesAtRest) {
     view.settings.first_hits = true;
     live->setView(view, false);
     finish();
@@ -268,8 +269,8 @@ TEST_P(ViewportRendererTest, DenoisesAtRestWhenToldTo) {
     EXPECT_EQ(shownPixels(), noisy);
 }
 
-/// The quick picture of something that moves is no sample of it, even where it is as large.
-TEST_P(ViewportRendererTest, QuickPicturesAreNoSamples) {
+/// A preview is not a sample, even at full size.
+TEST_P(ViewportRendererTest, PreviewsAreNotSamples) {
     view.settings.width = view.settings.height = 8;
     live->setView(view, true);
     live->work(kSlice_s);
@@ -278,8 +279,8 @@ TEST_P(ViewportRendererTest, QuickPicturesAreNoSamples) {
     EXPECT_FALSE(live->isBetweenSamples());
 }
 
-/// The look may change at any time, in the midst of a sample; the light stays.
-TEST_P(ViewportRendererTest, AnotherLookIsNoOtherLight) {
+/// The look may change at any time, even during a sample, without tracing again.
+TEST_P(ViewportRendererTest, LookChangesKeepTheLight) {
     view.settings.first_hits = true;
     live->setView(view, false);
     Look look = view.look;
