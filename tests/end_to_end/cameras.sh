@@ -24,7 +24,7 @@ case_a_picture_of_each() {
     for layer in depth normal rgb; do
         [ "$(cd out/set/$layer && echo *)" = "00000.png 00001.png 00002.png" ] || fail "$layer: $(ls out/set/$layer)"
     done
-    grep -Eq '^wrote 3 pictures, and out/set/transforms.json$' stderr || fail "nothing of it on stderr"
+    grep -Eq '^wrote 3 pictures and out/set/transforms.json$' stderr || fail "nothing of it on stderr"
     [ "$(jsonValue stats.json width)" = 48 ] || fail "stats.json has no size"
     expectKeys stats.json first_frame_seconds frame_ms.median
     # a picture by itself is the same to the bit

@@ -33,7 +33,7 @@ struct ExportLas : testing::Test {
     }
 
     /// Writes the tiny scene with attributes and metadata, and reads its export.
-    void exportWith(test::Said& said, const std::string& metadata, const std::string& path) {
+    void exportWith(test::TinyScan& said, const std::string& metadata, const std::string& path) {
         test::Scene scene = test::tinyScene();
         scene.metadata = metadata;
         scene.order = order;
@@ -73,7 +73,7 @@ std::string bytesOf(const Array& array) {
 TEST_F(ExportLas, AttributesRoundTripToTheBit) {
     for (const std::string& path : {las, laz}) {
         if (path == laz && !hasLaz()) continue;
-        test::Said said;
+        test::TinyScan said;
         exportWith(said, "{}", path);
         EXPECT_EQ(file.header.point_format, 3);
         EXPECT_EQ(file.header.version_minor, 4) << "extra bytes are described since 1.4";
@@ -87,7 +87,7 @@ TEST_F(ExportLas, AttributesRoundTripToTheBit) {
 }
 
 TEST_F(ExportLas, PointsAreInInputOrder) {
-    test::Said said;
+    test::TinyScan said;
     order = {3, 0, 7, 1, 2};
     exportWith(said, "{}", las);
     const std::array<std::uint8_t, 5> wanted{2, 5, 2, 2, 6};
@@ -95,7 +95,7 @@ TEST_F(ExportLas, PointsAreInInputOrder) {
 }
 
 TEST_F(ExportLas, PositionsAreExactToPositionSteps) {
-    test::Said said;
+    test::TinyScan said;
     exportWith(said, "{}", las);
     const ProFile scan(pro);
     const LasHeader& header = file.header;
@@ -123,7 +123,7 @@ TEST_F(ExportLas, TheSourceHeaderIsKept) {
     const std::string source = parts.bytes();
     LasFile source_file = openLas(source);
     const std::string metadata = "{\"source_header\":" + lasSourceHeader(source_file, false) + "}";
-    test::Said said;
+    test::TinyScan said;
     const std::array<double, 5> wide{5, -4, 3, -2, 1e15};
     said.attributes.pop_back();
     said.add("wide", PRO_TYPE_F64, 1, wide.data());
@@ -145,7 +145,7 @@ TEST_F(ExportLas, UndescribedBytesAreJoinedAgain) {
     parts.records = {test::lasRecord("LASF_Spec", 4, test::extraBytes(0, "bare", 10))};
     const std::string source = parts.bytes();
     LasFile source_file = openLas(source);
-    test::Said said;
+    test::TinyScan said;
     said.attributes.clear();
     const std::array<std::uint8_t, 20> four{1, 2, 3, 4}, next{5, 6, 7, 8};
     const std::array<std::uint8_t, 10> last{9, 10};
@@ -160,7 +160,7 @@ TEST_F(ExportLas, UndescribedBytesAreJoinedAgain) {
 }
 
 TEST_F(ExportLas, AttributesThatDoNotFitBecomeExtraBytes) {
-    test::Said said;
+    test::TinyScan said;
     const std::array<float, 5> intensity{0.5f, 1, 2, 3, 4};
     const std::array<std::uint8_t, 5> number{1, 2, 3, 4, 9};
     const std::array<std::uint16_t, 20> four{1, 2, 3, 4, 5};
@@ -182,7 +182,7 @@ TEST_F(ExportLas, AttributesThatDoNotFitBecomeExtraBytes) {
 }
 
 TEST_F(ExportLas, IntegersOfAnyTypeFitByRange) {
-    test::Said said;
+    test::TinyScan said;
     const std::array<float, 5> intensity{0, 1, 2, 3, 65535};
     said.attributes.clear();
     said.add("intensity", PRO_TYPE_F32, 1, intensity.data());
