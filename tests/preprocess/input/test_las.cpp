@@ -257,7 +257,7 @@ TEST_F(CopcTest, InvalidHierarchiesAreRefused) {
     EXPECT_HAS(with(entry + 24, -1), "points outside the file");
     EXPECT_HAS(with(entry, 31), "points outside the file");
     EXPECT_HAS(with(entry + 28, 1000), "has 1020 points, the file 30");
-    EXPECT_HAS(with(copc.info_at + 24, 0.0), "has no size");
+    EXPECT_HAS(with(copc.info_at + 24, 0.0), "the size must be above 0");
     std::string circle = copc.bytes;
     put(circle, entry + 64 + 16, std::uint64_t{copc.hierarchy_at});
     put(circle, entry + 64 + 24, 96);

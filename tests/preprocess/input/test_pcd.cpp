@@ -101,9 +101,9 @@ TEST_F(PcdTest, BackReferences) {
     const std::string packed = std::string("\x00\x00", 2) + std::string("\xe0\x02\x00", 3);
     const std::string header = "VERSION 0.7\nFIELDS x y z\nWIDTH 1\nHEIGHT 1\n";
     EXPECT_EQ(world(readText("c.pcd", compressed(header, packed, 12)), 0), Vec3d(0, 0, 0));
-    EXPECT_HAS(reasonOfText("c.pcd", compressed(header, std::string("\x00\x00\xe0\x02\x01", 5), 12)), "broken");
-    EXPECT_HAS(reasonOfText("c.pcd", compressed(header, std::string("\x00\x00\xe0\x03\x00", 5), 12)), "broken");
-    EXPECT_HAS(reasonOfText("c.pcd", compressed(header, std::string("\x05\x00", 2), 12)), "broken");
+    EXPECT_HAS(reasonOfText("c.pcd", compressed(header, std::string("\x00\x00\xe0\x02\x01", 5), 12)), "invalid");
+    EXPECT_HAS(reasonOfText("c.pcd", compressed(header, std::string("\x00\x00\xe0\x03\x00", 5), 12)), "invalid");
+    EXPECT_HAS(reasonOfText("c.pcd", compressed(header, std::string("\x05\x00", 2), 12)), "invalid");
     EXPECT_HAS(reasonOfText("c.pcd", compressed("VERSION 0.7\nFIELDS x y z\nWIDTH 300000000\n", packed, 3600000000u)),
                "broken");
 }
@@ -186,7 +186,7 @@ TEST_F(PcdTest, BadFilesSayWhy) {
     EXPECT_HAS(reasonOfText("a.pcd", "VERSION .7\nFIELDS x y z\nSIZE 4 4\nDATA ascii\n"),
                "a.pcd:3: SIZE has fewer entries");
     EXPECT_HAS(reasonOfText("a.pcd", "VERSION .7\nFIELDS x y z\nSIZE 4 4 3\nWIDTH 1\nDATA ascii\n1 2 3\n"),
-               "which PCD does not know");
+               "which is not a PCD type");
     EXPECT_HAS(reasonOfText("a.pcd", "VERSION .7\nFIELDS x y z\nCOUNT 1 1 0\nWIDTH 1\nDATA ascii\n1 2 3\n"),
                "impossible COUNT");
     EXPECT_HAS(reasonOfText("a.pcd", "VERSION .7\nFIELDS x y\nWIDTH 1\nDATA ascii\n1 2\n"), "no x, y and z");

@@ -178,7 +178,7 @@ TEST_F(SplatsTest, InvalidPackedOnesAreRefused) {
     EXPECT_HAS(reasonOfText("a.ply", with("element chunk", "element bunch")),
                "has no chunks ahead of its 1 packed splats");
     EXPECT_HAS(reasonOfText("a.ply", with("uint packed_scale", "int packed_scale")),
-               "'packed_scale' is to be of type uint");
+               "'packed_scale' must have type uint");
     EXPECT_HAS(reasonOfText(
                    "a.ply",
                    "ply\nformat ascii 1.0\nelement chunk 4000000000\nelement vertex 1\nproperty uint packed_position\n"
@@ -268,15 +268,16 @@ TEST_F(SplatsTest, InvalidSpzIsRefused) {
     const std::string body = joined(spzArrays(3));
     EXPECT_HAS(reasonOfText("a.spz", "NGSP\3"), "the SPZ header is truncated");
     EXPECT_HAS(reasonOfText("a.spz", gzipped(std::string(64, 'x'))), "does not start with 'NGSP'");
-    EXPECT_HAS(reasonOfText("a.spz", spzHeader({0}) + body), "is of version 0; this build reads versions 1 to 4");
-    EXPECT_HAS(reasonOfText("a.spz", spzHeader({0xffffffff}) + body), "is of version 4294967295");
+    EXPECT_HAS(reasonOfText("a.spz", spzHeader({0}) + body), "has version 0; this build reads SPZ versions 1 to 4");
+    EXPECT_HAS(reasonOfText("a.spz", spzHeader({0xffffffff}) + body), "has version 4294967295");
     EXPECT_HAS(reasonOfText("a.spz", spzHeader({3, 0}) + body), "holds no points");
     EXPECT_HAS(reasonOfText("a.spz", spzHeader({3, 2}) + body), "truncated: the header promises 2 Gaussian splats");
     EXPECT_HAS(reasonOfText("a.spz", gzipped(spzHeader({3, 0xffffffff}) + body)),
                "promises 4294967295 Gaussian splats");
     EXPECT_HAS(reasonOfText("a.spz", spz4(spzArrays(4), {4, 0xffffffff})), "promises 4294967295 Gaussian splats");
-    EXPECT_HAS(reasonOfText("a.spz", spzHeader({3, 1, 0, 255}) + body), "cannot have 255 of them behind the point");
-    EXPECT_HAS(reasonOfText("a.spz", spz4(spzArrays(4), {4, 2})), "stream 0 has 9 bytes, 2 Gaussian splats have 18");
+    EXPECT_HAS(reasonOfText("a.spz", spzHeader({3, 1, 0, 255}) + body), "cannot have 255 fractional bits");
+    EXPECT_HAS(reasonOfText("a.spz", spz4(spzArrays(4), {4, 2})),
+               "stream 0 has 9 bytes, but 2 Gaussian splats need 18");
     EXPECT_HAS(reasonOfText("a.spz", spz4(spzArrays(4), {4, 1, 0, 12, 4})), "has 4 streams, but 5 are needed");
     EXPECT_HAS(reasonOfText("a.spz", spz4(spzArrays(4), {4, 1, 0, 12, 255})),
                "the table of streams lies outside the file");

@@ -235,7 +235,7 @@ TEST_F(XyzTest, BadFilesSayWhy) {
     EXPECT_HAS(reasonOfText("a.txt", "Dear reader,\nthis is prose.\n"), "a.txt:1: neither a point nor a header");
     EXPECT_HAS(reasonOfText("a.xyz", "1 2 3\n4 5\n"), "a.xyz:2: has 2 columns, but 3 are needed");
     EXPECT_HAS(reasonOfText("a.xyz", "1 2 3\n4 five 6\n"), "a.xyz:2: column 2 is not a number: 'five'");
-    EXPECT_HAS(reasonOfText("a.csv", "1,5;2,5;3,5\n"), "a.csv:1: is neither");
+    EXPECT_HAS(reasonOfText("a.csv", "1,5;2,5;3,5\n"), "a.csv:1: neither");
     EXPECT_HAS(reasonOfText("a.csv", "x,y,z\n1,,3\n"), "a.csv:2: column 2 is not a number: ''");
     EXPECT_HAS(reasonOfText("a.pts", "3\n1 2 3\n4 5 6\n"), "truncated: found 2 of 3 points");
     EXPECT_HAS(reasonOfText("a.xyz", "# nothing\n"), "holds no points");
