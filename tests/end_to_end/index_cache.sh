@@ -37,7 +37,7 @@ case_a_file_is_indexed_once() {
     expectPicture ball_compact.pro built built 1
     [ "$(find "$kept" -type f | wc -l)" = 1 ] || fail "not one file is kept"
     cp ball_compact.pro moved.pro
-    expectPicture moved.pro kept kept 1
+    expectPicture moved.pro kept cached 1
     samePictures shipped built kept
     expectDone pointrt-info "$(find "$kept" -type f)" --verify
 }
@@ -71,7 +71,7 @@ case_a_set_is_indexed_once() {
     tiles=$(grep -c "tracing index from the file" stderr)
     [ "$tiles" -gt 4 ] || fail "there are few tiles"
     expectPicture compact.proset built built "$tiles"
-    expectPicture compact.proset kept kept "$tiles"
+    expectPicture compact.proset kept cached "$tiles"
     ! grep -q "tracing index built" stderr || fail "something was built again"
     samePictures shipped built kept
 }
@@ -99,12 +99,12 @@ case_damaged_ones_are_built_again() {
     size=$(stat -c %s "$file")
     printf '\377\377\377\377' | dd of="$file" bs=1 seek=$((size * 6 / 10)) conv=notrunc status=none
     expectPicture ball_compact.pro damaged built 1
-    expectPicture ball_compact.pro mended kept 1
+    expectPicture ball_compact.pro mended cached 1
     truncate -s $((size / 2)) "$file"
     expectPicture ball_compact.pro short built 1
     cp ball_compact.pro "$file"
     expectPicture ball_compact.pro bare built 1
-    expectPicture ball_compact.pro again kept 1
+    expectPicture ball_compact.pro again cached 1
     samePictures built damaged mended short bare again
 }
 
@@ -175,9 +175,9 @@ case_the_longest_unused_goes() {
     size=$(stat -c %s "$(find "$kept" -type f)")
     export POINTRT_INDEX_CACHE=$((size * 5 / 2))
     expectPicture b_compact.pro b built 1
-    expectPicture a_compact.pro a kept 1
+    expectPicture a_compact.pro a cached 1
     expectPicture c_compact.pro c built 1
-    expectPicture a_compact.pro a kept 1
+    expectPicture a_compact.pro a cached 1
     expectPicture b_compact.pro b built 1
     [ "$(du -sb "$kept" | cut -f 1)" -lt "$POINTRT_INDEX_CACHE" ] || fail "more is kept than may be"
 }
@@ -194,7 +194,7 @@ case_several_at_once() {
     for each in "${running[@]}"; do wait "$each" || fail "one of them failed"; done
     samePictures 1 2 3 4
     [ "$(find "$kept" -type f | wc -l)" = 1 ] || fail "not one file is kept"
-    expectPicture ball_compact.pro kept kept 1
+    expectPicture ball_compact.pro kept cached 1
 }
 
 runCase "$@"
