@@ -59,7 +59,7 @@ Rendered renderScene(SceneDescription description, RenderSettings settings, Form
     rendered.camera = loaded->camera;
     rendered.scene = scene.description;
     if (!scene.instances.empty()) {
-        rendered.info = scene.files[0].info;
+        rendered.info = (*scene.files.begin()).info;
         rendered.cell_edge = 1 / (PRO_BRICK_SIDE * double{scene.instances[0].params.grid_scale.x});
     }
     rendered.params = makeFrameParams(scene, settings, rendered.camera, 0, settings.height);
