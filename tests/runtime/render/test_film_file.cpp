@@ -255,12 +255,12 @@ TEST_F(FilmFile, RadianceSaysWhatIsWrong) {
     expectReason("-Y +X", "+Y 1 +X 1", {128, 128, 128, 129});
     expectReason("16384", "-Y 16385 +X 1", {});
     expectReason("16384", "-Y 1 +X 0", {});
-    expectReason("too early", "-Y 2 +X 1", {128, 128, 128, 129});
-    expectReason("too early", "-Y 1 +X 8", {2, 2, 0, 8, 128 + 8, 1, 3, 1});
+    expectReason("unexpected end of file", "-Y 2 +X 1", {128, 128, 128, 129});
+    expectReason("unexpected end of file", "-Y 1 +X 8", {2, 2, 0, 8, 128 + 8, 1, 3, 1});
     expectReason("run is too long", "-Y 1 +X 8", {2, 2, 0, 8, 128 + 9, 1});
     expectReason("run is too long", "-Y 1 +X 8", {2, 2, 0, 8, 0, 0, 0});
     expectReason("another width", "-Y 1 +X 8", {2, 2, 0, 9});
-    expectReason("run of nothing", "-Y 1 +X 4", {1, 1, 1, 4});
+    expectReason("invalid run", "-Y 1 +X 4", {1, 1, 1, 4});
     expectReason("run is too long", "-Y 1 +X 4", {3, 3, 3, 3, 1, 1, 1, 4});
 }
 
@@ -361,13 +361,13 @@ TEST_F(FilmFile, ClaimsThatTheFileCannotHoldAreFound) {
     expectReason("data window", patched(whole, "dataWindow", box + 8, -1));
     expectReason("data window", patched(whole, "dataWindow", box + 8, 2147483647));
     expectReason("impossible size", patched(whole, "dataWindow", box + 8, 16383));
-    expectReason("ends too early", patched(whole, "dataWindow", box + 12, 16383));
-    expectReason("other lines", patched(whole, "dataWindow", box + 4, 1));
+    expectReason("unexpected end of file", patched(whole, "dataWindow", box + 12, 16383));
+    expectReason("unexpected lines", patched(whole, "dataWindow", box + 4, 1));
     expectReason("pixel type", patched(whole, "channels", list + 2, 3));
     expectReason("subsampled", patched(whole, "channels", list + 2 + 8, 2));
     expectReason("compression", patched(whole, "compression", byte, five_and_dat));
     expectReason("tiles", patched(whole, std::string("\x76\x2f\x31\x01"), 0, 0x202));
-    expectReason("ends too early", patched(whole, "chlist", 1, 2147483647));
+    expectReason("unexpected end of file", patched(whole, "chlist", 1, 2147483647));
 }
 
 } // namespace
