@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/wkt.h"
+
 namespace pointrt {
 namespace {
 
@@ -16,14 +18,6 @@ constexpr const char* kOregon =
     R"wkt(PROJECTION["Lambert_Conformal_Conic_2SP"],PARAMETER["latitude_of_origin",41.75],)wkt"
     R"wkt(PARAMETER["central_meridian",-120.5],PARAMETER["standard_parallel_1",43],PARAMETER["standard_parallel_2",45.5],)wkt"
     R"wkt(PARAMETER["false_easting",1312335.958],PARAMETER["false_northing",0],UNIT["foot",0.3048]])wkt";
-constexpr const char* kUtm33 =
-    R"wkt(PROJCRS["WGS 84 / UTM zone 33N",BASEGEOGCRS["WGS 84",DATUM["World Geodetic System 1984",)wkt"
-    R"wkt(ELLIPSOID["WGS 84",6378137,298.257223563,LENGTHUNIT["metre",1]]],)wkt"
-    R"wkt(PRIMEM["Greenwich",0,ANGLEUNIT["degree",0.0174532925199433]]],CONVERSION["UTM zone 33N",)wkt"
-    R"wkt(METHOD["Transverse Mercator",ID["EPSG",9807]],PARAMETER["Latitude of natural origin",0,)wkt"
-    R"wkt(ANGLEUNIT["degree",0.0174532925199433]],PARAMETER["Longitude of natural origin",15,)wkt"
-    R"wkt(ANGLEUNIT["degree",0.0174532925199433]],PARAMETER["Scale factor at natural origin",0.9996]],)wkt"
-    R"wkt(CS[Cartesian,2],AXIS["(E)",east],AXIS["(N)",north],LENGTHUNIT["metre",1],ID["EPSG",32633]])wkt";
 
 double convergence(std::string_view crs, double latitude_deg, double longitude_deg) {
     return meridianConvergenceDeg(crs, latitude_deg, longitude_deg).value_or(-999);
@@ -41,7 +35,7 @@ TEST_F(ProjectedCrsTest, ConvergenceOfUtmZones) {
     EXPECT_NEAR(convergence("EPSG:32632", 48, 11), 1.48656, kToleranceDeg);
     EXPECT_NEAR(convergence("EPSG:32632", 60, 6.5), -2.16541, kToleranceDeg);
     EXPECT_NEAR(convergence("EPSG:32733", -33, 13.5), 0.81709, kToleranceDeg);
-    EXPECT_NEAR(convergence(kUtm33, 45, 17), 1.41450, kToleranceDeg);
+    EXPECT_NEAR(convergence(test::kUtm33, 45, 17), 1.41450, kToleranceDeg);
 }
 
 TEST_F(ProjectedCrsTest, ConvergenceOfNationalGrids) {
@@ -86,7 +80,7 @@ TEST_F(ProjectedCrsTest, NameUnitAndAreaOfUse) {
     EXPECT_NEAR(projectedCrs("EPSG:2225").value().metres_per_unit, kUsSurveyFoot, 1e-12);
     EXPECT_DOUBLE_EQ(projectedCrs(kOregon).value().metres_per_unit, 0.3048);
     EXPECT_FALSE(projectedCrs(kOregon).value().area_of_use);
-    EXPECT_TRUE(projectedCrs(kUtm33).value().area_of_use); // by its ID
+    EXPECT_TRUE(projectedCrs(test::kUtm33).value().area_of_use); // by its ID
 }
 
 TEST_F(ProjectedCrsTest, OtherTextsHaveNoProjection) {

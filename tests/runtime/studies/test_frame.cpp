@@ -9,18 +9,10 @@
 #include "pointrt/studies.hpp"
 #include "scene_builder.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/wkt.h"
 
 namespace pointrt {
 namespace {
-
-constexpr const char* kUtm33 =
-    R"wkt(PROJCRS["WGS 84 / UTM zone 33N",BASEGEOGCRS["WGS 84",DATUM["World Geodetic System 1984",)wkt"
-    R"wkt(ELLIPSOID["WGS 84",6378137,298.257223563,LENGTHUNIT["metre",1]]],)wkt"
-    R"wkt(PRIMEM["Greenwich",0,ANGLEUNIT["degree",0.0174532925199433]]],CONVERSION["UTM zone 33N",)wkt"
-    R"wkt(METHOD["Transverse Mercator",ID["EPSG",9807]],PARAMETER["Latitude of natural origin",0,)wkt"
-    R"wkt(ANGLEUNIT["degree",0.0174532925199433]],PARAMETER["Longitude of natural origin",15,)wkt"
-    R"wkt(ANGLEUNIT["degree",0.0174532925199433]],PARAMETER["Scale factor at natural origin",0.9996]],)wkt"
-    R"wkt(CS[Cartesian,2],AXIS["(E)",east],AXIS["(N)",north],LENGTHUNIT["metre",1],ID["EPSG",32633]])wkt";
 
 struct Frame : testing::Test {
     test::TemporaryFolder folder;
@@ -50,7 +42,7 @@ struct GridFrame : Frame {
 };
 
 TEST_F(GridFrame, GridNorthIsTurnedToTrueNorth) {
-    const StudyFrame frame = studyFrame(file(kUtm33), {45, 17});
+    const StudyFrame frame = studyFrame(file(test::kUtm33), {45, 17});
     // east of the central meridian true north lies west of grid north (tests/format/crs)
     const double convergence = 1.4145 * std::numbers::pi / 180;
     EXPECT_NEAR(frame.north[0], -std::sin(convergence), 1e-4);
@@ -70,7 +62,7 @@ TEST_F(GridFrame, PlacesFarFromTheGridAreRefused) {
         }
         return false;
     };
-    EXPECT_TRUE(isRefused(kUtm33, {17, 45}));         // longitude first
+    EXPECT_TRUE(isRefused(test::kUtm33, {17, 45}));   // longitude first
     EXPECT_TRUE(isRefused("EPSG:2056", {8.5, 47.4})); // longitude first
     EXPECT_FALSE(isRefused("EPSG:32633", {45, 9}));   // half a zone to the west
     EXPECT_FALSE(isRefused("EPSG:32601", {65, 179})); // the same beyond the antimeridian
@@ -89,7 +81,7 @@ TEST_F(Frame, WithoutASystemNorthIsWhatSceneFilesTake) {
     const StudyFrame upright = studyFrame(file("", {0, 1, 0}), {45, 17});
     EXPECT_NEAR(upright.north[2], -1, 1e-12);
     EXPECT_EQ(upright.up, (std::array<double, 3>{0, 1, 0}));
-    EXPECT_EQ(studyFrame(file(kUtm33, {0, 1, 0}), {45, 17}).note,
+    EXPECT_EQ(studyFrame(file(test::kUtm33, {0, 1, 0}), {45, 17}).note,
               "north is assumed to be -Z: up is not the z axis of the scan's coordinate system");
     EXPECT_EQ(studyFrame(file("", {0, 0, 0}), {45, 17}).note,
               "north is assumed to be +Y: the scan names no coordinate system; up is assumed to be +Z: the scan does "
@@ -110,7 +102,7 @@ TEST_F(Frame, WithoutProjNorthMustBeGiven) {
 }
 
 TEST_F(Frame, GivenDirectionsOverrideTheFile) {
-    const StudyFrame frame = studyFrame(file(kUtm33), {45, 17}, {{0, 0, 2}}, {{3, 0, 5}});
+    const StudyFrame frame = studyFrame(file(test::kUtm33), {45, 17}, {{0, 0, 2}}, {{3, 0, 5}});
     EXPECT_EQ(frame.up, (std::array<double, 3>{0, 0, 1}));
     EXPECT_NEAR(frame.north[0], 1, 1e-12);
     EXPECT_NEAR(frame.north[2], 0, 1e-12);
