@@ -6,8 +6,8 @@
 
 #include "format/base/axis_name.h"
 #include "format/base/error.h"
-#include "preprocess/input/input_file.h"
-#include "preprocess/input/text.h"
+#include "preprocess/ingest/input_file.h"
+#include "preprocess/ingest/text.h"
 
 namespace pointrt {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "preprocess/input/columns.h"
+#include "preprocess/ingest/columns.h"
 
 namespace pointrt {
 

@@ -8,8 +8,8 @@
 #include <sys/stat.h>
 #include <utility>
 
+#include "preprocess/ingest/text.h"
 #include "preprocess/input/detect.h"
-#include "preprocess/input/text.h"
 
 namespace pointrt {
 namespace {

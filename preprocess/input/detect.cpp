@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "preprocess/ingest/text.h"
 #include "preprocess/input/foreign.h"
-#include "preprocess/input/text.h"
 
 namespace pointrt {
 namespace {

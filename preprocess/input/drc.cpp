@@ -13,7 +13,7 @@
 #include <draco/core/varint_decoding.h>
 #include <draco/metadata/metadata_decoder.h>
 
-#include "preprocess/input/attribute_names.h"
+#include "preprocess/ingest/attribute_names.h"
 #include "preprocess/input/drc_guard.h"
 #include "preprocess/input/formats.h"
 

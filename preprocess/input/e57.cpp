@@ -8,10 +8,10 @@
 #include <cstring>
 #include <limits>
 
+#include "preprocess/ingest/scalar.h"
+#include "preprocess/ingest/text.h"
 #include "preprocess/input/e57_columns.h"
 #include "preprocess/input/formats.h"
-#include "preprocess/input/scalar.h"
-#include "preprocess/input/text.h"
 
 namespace pointrt {
 namespace {

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "format/pointio/e57.h"
-#include "preprocess/input/dimensions.h"
-#include "preprocess/input/input_file.h"
-#include "preprocess/input/scan_traits.h"
+#include "preprocess/ingest/dimensions.h"
+#include "preprocess/ingest/input_file.h"
+#include "preprocess/ingest/scan_traits.h"
 
 namespace pointrt {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/input/foreign.h"
 
+#include "preprocess/ingest/scalar.h"
+#include "preprocess/ingest/text.h"
 #include "preprocess/input/formats.h"
-#include "preprocess/input/scalar.h"
-#include "preprocess/input/text.h"
 
 namespace pointrt {
 namespace {

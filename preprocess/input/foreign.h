@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "preprocess/input/input_file.h"
+#include "preprocess/ingest/input_file.h"
 
 namespace pointrt {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "preprocess/input/sink.h"
+#include "preprocess/ingest/sink.h"
 
 namespace pointrt {
 

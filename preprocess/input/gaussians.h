@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "preprocess/input/sink.h"
+#include "preprocess/ingest/sink.h"
 
 namespace pointrt {
 

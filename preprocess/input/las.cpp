@@ -5,7 +5,7 @@
 
 #include "format/pointio/las_crs.h"
 #include "format/pointio/las_source_header.h"
-#include "preprocess/input/degrees.h"
+#include "preprocess/ingest/degrees.h"
 #include "preprocess/input/formats.h"
 #include "preprocess/input/las_blocks.h"
 #include "preprocess/input/las_nodes.h"

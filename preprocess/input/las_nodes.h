@@ -3,7 +3,7 @@
 #pragma once
 
 #include "format/pointio/copc.h"
-#include "preprocess/input/sink.h"
+#include "preprocess/ingest/sink.h"
 
 namespace pointrt {
 

@@ -9,7 +9,7 @@
 
 #include "format/base/error.h"
 #include "preprocess/cloud/cloud.h"
-#include "preprocess/input/scan_traits.h"
+#include "preprocess/ingest/scan_traits.h"
 
 namespace pointrt {
 

@@ -7,8 +7,8 @@
 #include <tuple>
 
 #include "preprocess/cloud/keep_flagged.h"
+#include "preprocess/ingest/notes.h"
 #include "preprocess/input/mesh.h"
-#include "preprocess/input/notes.h"
 
 namespace pointrt {
 namespace {

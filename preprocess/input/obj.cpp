@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Wavefront OBJ: positions, vertex colours after them, normals, faces.
+#include "preprocess/ingest/text.h"
 #include "preprocess/input/formats.h"
-#include "preprocess/input/text.h"
 
 namespace pointrt {
 namespace {

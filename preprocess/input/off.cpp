@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The Object File Format of Geomview (OFF, COFF, NOFF, CNOFF), as text.
+#include "preprocess/ingest/text.h"
 #include "preprocess/input/formats.h"
-#include "preprocess/input/text.h"
 
 namespace pointrt {
 namespace {

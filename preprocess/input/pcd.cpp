@@ -3,10 +3,10 @@
 #include <bit>
 #include <cmath>
 
+#include "preprocess/ingest/typed_word.h"
 #include "preprocess/input/formats.h"
 #include "preprocess/input/lzf.h"
 #include "preprocess/input/pcd_header.h"
-#include "preprocess/input/typed_word.h"
 
 namespace pointrt {
 namespace {

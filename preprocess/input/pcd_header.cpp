@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "preprocess/input/attribute_names.h"
-#include "preprocess/input/text.h"
+#include "preprocess/ingest/attribute_names.h"
+#include "preprocess/ingest/text.h"
 
 namespace pointrt {
 namespace {

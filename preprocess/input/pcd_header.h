@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "preprocess/cloud/cloud.h"
-#include "preprocess/input/columns.h"
-#include "preprocess/input/dimensions.h"
-#include "preprocess/input/input_file.h"
-#include "preprocess/input/scalar.h"
+#include "preprocess/ingest/columns.h"
+#include "preprocess/ingest/dimensions.h"
+#include "preprocess/ingest/input_file.h"
+#include "preprocess/ingest/scalar.h"
 
 namespace pointrt {
 

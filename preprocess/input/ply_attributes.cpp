@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "preprocess/input/attribute_names.h"
+#include "preprocess/ingest/attribute_names.h"
 
 namespace pointrt {
 namespace {

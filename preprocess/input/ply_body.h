@@ -2,9 +2,9 @@
 // Reads the values of a PLY file in order, in any of its three encodings.
 #pragma once
 
+#include "preprocess/ingest/text.h"
+#include "preprocess/ingest/typed_word.h"
 #include "preprocess/input/ply_header.h"
-#include "preprocess/input/text.h"
-#include "preprocess/input/typed_word.h"
 
 namespace pointrt {
 

@@ -2,8 +2,8 @@
 // Gaussians in PLY files: as trained (3DGS, 2DGS), and as SuperSplat packs them.
 #pragma once
 
+#include "preprocess/ingest/sink.h"
 #include "preprocess/input/ply_header.h"
-#include "preprocess/input/sink.h"
 
 namespace pointrt {
 

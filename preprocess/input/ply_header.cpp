@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <optional>
 
-#include "preprocess/input/text.h"
+#include "preprocess/ingest/text.h"
 
 namespace pointrt {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "preprocess/ingest/text.h"
 #include "preprocess/input/formats.h"
-#include "preprocess/input/text.h"
 
 namespace pointrt {
 namespace {

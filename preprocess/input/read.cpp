@@ -5,11 +5,11 @@
 #include <chrono>
 #include <cstring>
 
-#include "preprocess/input/degrees.h"
+#include "preprocess/ingest/degrees.h"
+#include "preprocess/ingest/notes.h"
+#include "preprocess/ingest/sink.h"
 #include "preprocess/input/detect.h"
 #include "preprocess/input/mesh.h"
-#include "preprocess/input/notes.h"
-#include "preprocess/input/sink.h"
 
 namespace pointrt {
 namespace {

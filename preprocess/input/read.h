@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "preprocess/cloud/cloud.h"
-#include "preprocess/input/columns.h"
-#include "preprocess/input/point_filter.h"
+#include "preprocess/ingest/columns.h"
+#include "preprocess/ingest/point_filter.h"
 
 namespace pointrt {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "preprocess/input/input_file.h"
+#include "preprocess/ingest/input_file.h"
 
 namespace pointrt {
 

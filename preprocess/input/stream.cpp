@@ -7,10 +7,10 @@
 #include <numeric>
 #include <utility>
 
+#include "preprocess/ingest/notes.h"
+#include "preprocess/ingest/sink.h"
 #include "preprocess/input/detect.h"
 #include "preprocess/input/mesh.h"
-#include "preprocess/input/notes.h"
-#include "preprocess/input/sink.h"
 
 namespace pointrt {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "preprocess/input/batches.h"
+#include "preprocess/ingest/batches.h"
 #include "preprocess/input/read.h"
 
 namespace pointrt {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "preprocess/ingest/table.h"
 #include "preprocess/input/formats.h"
-#include "preprocess/input/table.h"
 #include "preprocess/input/xyz_columns.h"
 #include "preprocess/input/xyz_layout.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "preprocess/input/dimensions.h"
+#include "preprocess/ingest/dimensions.h"
 
 namespace pointrt {
 

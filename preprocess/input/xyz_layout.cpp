@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "preprocess/input/table.h"
+#include "preprocess/ingest/table.h"
 
 namespace pointrt {
 namespace {

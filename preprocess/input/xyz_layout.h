@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "preprocess/input/attribute_names.h"
-#include "preprocess/input/dimensions.h"
-#include "preprocess/input/input_file.h"
-#include "preprocess/input/scan_traits.h"
+#include "preprocess/ingest/attribute_names.h"
+#include "preprocess/ingest/dimensions.h"
+#include "preprocess/ingest/input_file.h"
+#include "preprocess/ingest/scan_traits.h"
 
 namespace pointrt {
 

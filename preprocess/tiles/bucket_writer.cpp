@@ -14,7 +14,7 @@
 #include <filesystem>
 
 #include "format/base/error.h"
-#include "preprocess/input/columns.h"
+#include "preprocess/ingest/columns.h"
 #include "preprocess/tiles/checksum.h"
 
 namespace pointrt {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "preprocess/input/batches.h"
+#include "preprocess/ingest/batches.h"
 #include "preprocess/tiles/bucket_layout.h"
 #include "preprocess/tiles/plan.h"
 #include "preprocess/tiles/tile_finder.h"

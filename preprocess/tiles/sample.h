@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "preprocess/cloud/cloud.h"
-#include "preprocess/input/point_filter.h"
+#include "preprocess/ingest/point_filter.h"
 
 namespace pointrt {
 

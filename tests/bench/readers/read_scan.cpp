@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
+#include "preprocess/ingest/scalar.h"
 #include "preprocess/input/read.h"
-#include "preprocess/input/scalar.h"
 #include "tests/bench/compare_options.h"
 
 namespace pointrt::test {

@@ -10,8 +10,8 @@
 #include <zlib.h>
 
 #include "format/base/error.h"
+#include "preprocess/ingest/scalar.h"
 #include "preprocess/input/read.h"
-#include "preprocess/input/scalar.h"
 #include "tests/support/temporary_folder.h"
 
 namespace pointrt {

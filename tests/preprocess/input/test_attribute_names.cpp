@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "preprocess/input/attribute_names.h"
+#include "preprocess/ingest/attribute_names.h"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "input_fixture.h"
-#include "preprocess/input/columns.h"
-#include "preprocess/input/scalar.h"
-#include "preprocess/input/sink.h"
+#include "preprocess/ingest/columns.h"
+#include "preprocess/ingest/scalar.h"
+#include "preprocess/ingest/sink.h"
 
 namespace pointrt {
 namespace {

@@ -3,7 +3,7 @@
 #include "tests/preprocess/input/input_fixture.h"
 #include "tests/support/las_file.h"
 
-#include "preprocess/input/degrees.h"
+#include "preprocess/ingest/degrees.h"
 
 namespace pointrt {
 namespace {

@@ -5,8 +5,8 @@
 #include <random>
 
 #include "format/pointio/e57.h"
+#include "preprocess/ingest/scalar.h"
 #include "preprocess/input/formats.h"
-#include "preprocess/input/scalar.h"
 #include "tests/preprocess/input/e57_file.h"
 #include "tests/preprocess/input/input_fixture.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "preprocess/cloud/cloud.h"
-#include "preprocess/input/columns.h"
+#include "preprocess/ingest/columns.h"
 
 namespace pointrt {
 

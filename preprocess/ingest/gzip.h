@@ -2,7 +2,7 @@
 // Scans compressed with gzip.
 #pragma once
 
-#include "preprocess/input/input_file.h"
+#include "preprocess/ingest/input_file.h"
 
 namespace pointrt {
 

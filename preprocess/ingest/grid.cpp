@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "preprocess/input/grid.h"
+#include "preprocess/ingest/grid.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "preprocess/input/sink.h"
+#include "preprocess/ingest/sink.h"
 
 namespace pointrt {
 namespace {

@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <limits>
 
-#include "preprocess/input/columns.h"
-#include "preprocess/input/scan_colors.h"
-#include "preprocess/input/scan_faces.h"
-#include "preprocess/input/scan_traits.h"
+#include "preprocess/ingest/columns.h"
+#include "preprocess/ingest/scan_colors.h"
+#include "preprocess/ingest/scan_faces.h"
+#include "preprocess/ingest/scan_traits.h"
 
 namespace pointrt {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "preprocess/input/cloud_origin.h"
+#include "preprocess/ingest/cloud_origin.h"
 
 #include <algorithm>
 #include <array>

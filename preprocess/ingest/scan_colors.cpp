@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "preprocess/input/scan_colors.h"
+#include "preprocess/ingest/scan_colors.h"
 
 #include <algorithm>
 #include <cmath>

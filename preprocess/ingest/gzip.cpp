@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "preprocess/input/gzip.h"
+#include "preprocess/ingest/gzip.h"
 
 #include <algorithm>
 #include <limits>

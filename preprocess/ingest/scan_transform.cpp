@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "preprocess/input/scan_transform.h"
+#include "preprocess/ingest/scan_transform.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "preprocess/input/input_file.h"
+#include "preprocess/ingest/input_file.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "format/base/printable.h"
-#include "preprocess/input/gzip.h"
+#include "preprocess/ingest/gzip.h"
 
 namespace pointrt {
 namespace {

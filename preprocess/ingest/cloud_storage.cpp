@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "preprocess/input/cloud_storage.h"
+#include "preprocess/ingest/cloud_storage.h"
 
 namespace pointrt {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "preprocess/input/dimensions.h"
+#include "preprocess/ingest/dimensions.h"
 
 #include <algorithm>
 #include <cctype>

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "preprocess/input/scalar.h"
-#include "preprocess/input/text.h"
+#include "preprocess/ingest/scalar.h"
+#include "preprocess/ingest/text.h"
 
 namespace pointrt {
 

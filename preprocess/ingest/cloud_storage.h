@@ -2,8 +2,8 @@
 // Storage of a Sink whose cloud keeps all points.
 #pragma once
 
-#include "preprocess/input/cloud_origin.h"
-#include "preprocess/input/point_storage.h"
+#include "preprocess/ingest/cloud_origin.h"
+#include "preprocess/ingest/point_storage.h"
 
 namespace pointrt {
 

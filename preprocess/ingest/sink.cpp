@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "preprocess/input/sink.h"
+#include "preprocess/ingest/sink.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "preprocess/input/cloud_origin.h"
-#include "preprocess/input/cloud_storage.h"
-#include "preprocess/input/notes.h"
-#include "preprocess/input/scalar.h"
+#include "preprocess/ingest/cloud_origin.h"
+#include "preprocess/ingest/cloud_storage.h"
+#include "preprocess/ingest/notes.h"
+#include "preprocess/ingest/scalar.h"
 
 namespace pointrt {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "preprocess/cloud/cloud.h"
-#include "preprocess/input/input_file.h"
+#include "preprocess/ingest/input_file.h"
 
 namespace pointrt {
 

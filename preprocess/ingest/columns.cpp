@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "preprocess/input/columns.h"
+#include "preprocess/ingest/columns.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 #include "format/base/near_name.h"
 #include "format/base/printable.h"
 #include "preprocess/cloud/gather.h"
-#include "preprocess/input/scalar.h"
+#include "preprocess/ingest/scalar.h"
 
 namespace pointrt {
 namespace {

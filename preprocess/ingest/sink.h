@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "preprocess/cloud/cloud.h"
-#include "preprocess/input/batches.h"
-#include "preprocess/input/columns.h"
-#include "preprocess/input/dimensions.h"
-#include "preprocess/input/grid.h"
-#include "preprocess/input/input_file.h"
-#include "preprocess/input/point_filter.h"
-#include "preprocess/input/scan_transform.h"
+#include "preprocess/ingest/batches.h"
+#include "preprocess/ingest/columns.h"
+#include "preprocess/ingest/dimensions.h"
+#include "preprocess/ingest/grid.h"
+#include "preprocess/ingest/input_file.h"
+#include "preprocess/ingest/point_filter.h"
+#include "preprocess/ingest/scan_transform.h"
 
 namespace pointrt {
 

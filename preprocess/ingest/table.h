@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "preprocess/input/text.h"
+#include "preprocess/ingest/text.h"
 
 namespace pointrt {
 

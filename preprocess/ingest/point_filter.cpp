@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "preprocess/input/point_filter.h"
+#include "preprocess/ingest/point_filter.h"
 
 #include <algorithm>
 #include <cmath>

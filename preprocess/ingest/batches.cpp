@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "preprocess/input/batches.h"
+#include "preprocess/ingest/batches.h"
 
 #include <algorithm>
 #include <utility>

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "preprocess/cloud/cloud.h"
-#include "preprocess/input/point_storage.h"
+#include "preprocess/ingest/point_storage.h"
 
 namespace pointrt {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "preprocess/input/point_storage.h"
+#include "preprocess/ingest/point_storage.h"
 
-#include "preprocess/input/notes.h"
+#include "preprocess/ingest/notes.h"
 
 namespace pointrt {
 

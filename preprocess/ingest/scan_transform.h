@@ -5,8 +5,8 @@
 #include <Eigen/Geometry>
 #include <optional>
 
-#include "preprocess/input/dimensions.h"
-#include "preprocess/input/scan_traits.h"
+#include "preprocess/ingest/dimensions.h"
+#include "preprocess/ingest/scan_traits.h"
 
 namespace pointrt {
 

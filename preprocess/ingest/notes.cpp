@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "preprocess/input/notes.h"
+#include "preprocess/ingest/notes.h"
 
 namespace pointrt {
 

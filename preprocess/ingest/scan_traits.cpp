@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "preprocess/input/scan_traits.h"
+#include "preprocess/ingest/scan_traits.h"
 
-#include "preprocess/input/scalar.h"
+#include "preprocess/ingest/scalar.h"
 
 namespace pointrt {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "preprocess/input/scan_faces.h"
+#include "preprocess/ingest/scan_faces.h"
 
 #include <algorithm>
 

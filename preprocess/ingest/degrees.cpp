@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "preprocess/input/degrees.h"
+#include "preprocess/ingest/degrees.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "preprocess/input/notes.h"
+#include "preprocess/ingest/notes.h"
 
 namespace pointrt {
 namespace {

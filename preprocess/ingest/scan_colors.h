@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "preprocess/input/columns.h"
-#include "preprocess/input/dimensions.h"
-#include "preprocess/input/scan_traits.h"
+#include "preprocess/ingest/columns.h"
+#include "preprocess/ingest/dimensions.h"
+#include "preprocess/ingest/scan_traits.h"
 
 namespace pointrt {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "preprocess/input/attribute_names.h"
+#include "preprocess/ingest/attribute_names.h"
 
 #include <algorithm>
 #include <cctype>
