@@ -32,7 +32,7 @@ struct CommandText {
     std::string purpose; ///< one line without a capital and a full stop
     std::string about;   ///< sentences, one or more lines
     std::string version;
-    OptionText input;                ///< the positional argument; its placeholder is empty if there is none
+    OptionText input;                ///< the positional argument; an empty placeholder if the command takes none
     std::vector<OptionText> options; ///< in the order of --help, grouped by heading
     std::string examples;    ///< lines: "  COMMAND", or "  COMMAND   DESCRIPTION" with three spaces or more between
     std::string notes;       ///< paragraphs, separated by empty lines; other line breaks do not count

@@ -316,7 +316,7 @@ bool fits(const std::vector<Part>& parts, const BrickLimits& limits) {
     return end.near + end.blending <= limits.listed && std::max(end.cells, end.groups) <= limits.cells;
 }
 
-/// Packs two numbers per word; adds a word if there are none, as devices have no empty buffers.
+/// Packs two numbers per word. An empty list becomes one word, because a Vulkan buffer cannot be empty.
 void appendNumbers(Words& all, std::vector<Part>& parts) {
     for (Part& part : parts) {
         for (std::size_t i = 0; i < part.blending.size(); i += 2)

@@ -56,14 +56,14 @@ bool holds(const LasField& field, const PointColumn& column) {
 
 bool isAttribute(const PointColumn& column) { return column.role == PointRole::kAttribute; }
 
-/// Null if there is none.
+/// The attribute column of this name; null if points has none.
 const PointColumn* attributeOf(const PointOutline& points, std::string_view name) {
     const auto found = std::find_if(points.columns.begin(), points.columns.end(),
                                     [&](const PointColumn& each) { return isAttribute(each) && name == each.name; });
     return found == points.columns.end() ? nullptr : &*found;
 }
 
-/// points.columns.size() if there is none.
+/// The index of the colour column; points.columns.size() if points has none.
 std::size_t colorColumn(const PointOutline& points) {
     const auto found = std::find_if(points.columns.begin(), points.columns.end(),
                                     [](const PointColumn& each) { return each.role == PointRole::kColor; });

@@ -51,7 +51,7 @@ struct SetLevel {
 struct SetAttribute {
     std::string name;                       ///< as in ATTD
     std::uint32_t type = 0, components = 0; ///< PRO_TYPE_*, 1 to 4
-    double low = 0, high = 0;               ///< range of all finite values of the original splats; 0 if there are none
+    double low = 0, high = 0; ///< range of all finite values of the original splats; 0 if no value is finite
 };
 
 struct TileSet {

@@ -61,7 +61,7 @@ bool hasPrefix(std::string_view written) {
                       [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
 }
 
-/// Length in bytes of the UTF-8 character at the start of text; 0 if there is none or it is a control character.
+/// Length in bytes of the UTF-8 character at the start of text; 0 if it is invalid or a control character.
 std::size_t characterSize(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char first = byte(0);

@@ -19,7 +19,7 @@ public:
     /// To be called for each position that the cloud has just received, in double precision.
     void add(Cloud& cloud, const Vec3d& position);
 
-    /// Chooses the origin from what there is so far, unless it is chosen already.
+    /// Chooses the origin from the positions received so far, unless it is already chosen.
     void finish(Cloud& cloud);
 
 private:

@@ -27,7 +27,7 @@ inline double outOfRangeValue(const char* begin, const char* end) {
     return std::strtod(std::string(begin, end).c_str(), nullptr);
 }
 
-/// Parses the number at the start of text and returns its end, or nullptr if there is none.
+/// Parses the number at the start of text and returns its end, or nullptr if text does not start with a number.
 /// Accepts a leading +, inf, nan, -nan(ind) and the 1.#QNAN, 1.#INF, -1.#IND of old C runtimes (all as NaN).
 inline const char* parseNumber(const char* at, const char* end, double& value) {
     if (at < end && *at == '+') {

@@ -32,7 +32,7 @@ constexpr std::size_t kAlign = 8;
 struct AttributeRecord {
     char name[PRO_ATTRIBUTE_NAME_MAX + 1];
     std::uint32_t type, components; ///< PRO_TYPE_*, 1 to 4
-    double low, high;               ///< of all finite values; 0 if there are none
+    double low, high;               ///< of all finite values; 0 if no value is finite
 };
 
 std::size_t padded(std::size_t bytes) { return (bytes + kAlign - 1) / kAlign * kAlign; }

@@ -33,7 +33,7 @@ constexpr float kCoreSteps = 4, kMatrixRounding = 4e-7f; // a few times 2^-24
 /// Self-intersection distance of merged discs, as a share of that of original ones. Merging averages out registration
 /// errors, so only the curvature of their cells moves merged discs off the surface. At the full distance, roofs a few
 /// radii above the ground would cast no shadow on coarser levels (tests/bench/NOTES.md, Outlines).
-constexpr float kMergedOwnShare = 0.5f;
+constexpr float kMergedSelfShare = 0.5f;
 
 /// Bytes per splat of an index that has yet to be built, typical of surfaces; lidar takes 30 to 127, mostly 35 to 55.
 /// A constant, whatever is resident: the same command must choose the same tiles.
@@ -66,7 +66,7 @@ public:
             instance.tile = tile;
             instance.params.grid_origin.w = tile + 1;
             setCoreBox(scene_.files[instance.file], hitBox(tiles, in_cut, tile), instance.params);
-            if (!tiles.tiles[tile].isOriginal()) instance.params.core_high.w = kMergedOwnShare;
+            if (!tiles.tiles[tile].isOriginal()) instance.params.core_high.w = kMergedSelfShare;
             scene_.splat_count += tiles.tiles[tile].splats;
         }
     }

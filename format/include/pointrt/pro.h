@@ -88,7 +88,7 @@ typedef struct pro_attribute {
     char name[PRO_ATTRIBUTE_NAME_MAX + 1]; /* UTF-8, terminated, unique in a file; SPEC.md lists names with a meaning */
     uint32_t type;                         /* PRO_TYPE_* */
     uint32_t components;                   /* 1 to 4 */
-    double low, high;                      /* range of the finite values; both 0 if there are none */
+    double low, high;                      /* range of the finite values; both 0 if no value is finite */
     const void* values;                    /* [splat_count][components] */
 } pro_attribute;
 
@@ -144,7 +144,7 @@ PRO_API void pro_get_world(const pro_file* file, pro_world* world);
 PRO_API void pro_get_sampling(const pro_file* file, pro_sampling* sampling);
 /* Number of attributes. With PRO_OPEN_TRACE their checksums are not compared. */
 PRO_API uint32_t pro_attribute_count(const pro_file* file);
-/* An attribute by its number in the file or by name. Returns 1; 0, and zeros in *attribute, if there is none. */
+/* An attribute by its number in the file or by name. Returns 1, or 0 and zeros in *attribute if the file lacks it. */
 PRO_API int pro_get_attribute(const pro_file* file, uint32_t number, pro_attribute* attribute);
 PRO_API int pro_find_attribute(const pro_file* file, const char* name, pro_attribute* attribute);
 /* Size in bytes of a PRO_TYPE_*; 0 for other numbers. */

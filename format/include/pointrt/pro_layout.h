@@ -199,7 +199,7 @@
 #define PRO_ATTR_OFF_TYPE 32       /* uint32, PRO_TYPE_* */
 #define PRO_ATTR_OFF_COMPONENTS 36 /* uint32, numbers per splat, 1 to 4 */
 #define PRO_ATTR_OFF_RESERVED 40   /* 8 bytes, 0 */
-#define PRO_ATTR_OFF_LOW 48        /* double, the smallest finite value of all components; 0 if there is none */
+#define PRO_ATTR_OFF_LOW 48        /* double, the smallest finite value of all components; 0 if no value is finite */
 #define PRO_ATTR_OFF_HIGH 56       /* double, the largest, likewise */
 #define PRO_ATTRIBUTE_COMPONENTS_MAX 4u
 

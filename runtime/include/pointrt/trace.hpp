@@ -100,7 +100,7 @@ struct SceneAttribute {
     std::uint32_t type = 0;       ///< PRO_TYPE_* of pointrt/pro_layout.h
     std::uint32_t components = 1; ///< 1 to 4
     std::size_t bytes = 0;        ///< per splat
-    double low = 0, high = 0;     ///< range of the finite values; both 0 if there are none
+    double low = 0, high = 0;     ///< range of the finite values; both 0 if no value is finite
 };
 
 /// A Vulkan device. It stays alive until its last scene is destroyed.

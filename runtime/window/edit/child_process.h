@@ -21,7 +21,7 @@ public:
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
 
-    /// Returns new output, waiting for some until the timeout; "" if there is none. After the end of the output it just
+    /// Returns new output, waiting until the timeout; "" if nothing was written. After the end of the output it just
     /// sleeps.
     std::string read(std::chrono::milliseconds timeout);
     /// The status of waitpid, once the process has ended.
