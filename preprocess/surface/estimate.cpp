@@ -27,6 +27,7 @@ namespace {
 
 constexpr const char* kNeighborStage = "neighbors";
 constexpr const char* kRadiusStage = "radii";
+constexpr double kFillShare = 0.2; ///< of the radius stage's time
 
 /// What all stages of one estimation share.
 struct Estimation {
@@ -166,9 +167,8 @@ void setPlanarity(PointGraph& graph, const Estimation& job) {
 /// Inserts points between scan lines and gives them the input indices from cloud_count up. Returns the input index of
 /// the point that each of them was copied from.
 std::vector<std::uint32_t> fill(PointGraph& graph, std::size_t cloud_count, const Estimation& job) {
-    constexpr double kFill = 0.2; // of the stage's time
     std::vector<std::uint32_t> sources = fillBetweenLines(graph, job.decided.statistics.fill_rows, job.report.filling,
-                                                          {job.progress, kRadiusStage, 0, kFill});
+                                                          {job.progress, kRadiusStage, 0, kFillShare});
     std::vector<std::uint32_t>& input_index = graph.points.input_index;
     const std::size_t first = input_index.size() - sources.size();
     for (std::size_t i = 0; i < sources.size(); ++i) {
@@ -181,8 +181,7 @@ std::vector<std::uint32_t> fill(PointGraph& graph, std::size_t cloud_count, cons
 /// @param filled number of points inserted by fill
 void setRadii(PointGraph& graph, std::size_t filled, bool oriented, const Estimation& job) {
     PointSet& points = graph.points;
-    constexpr double kFilled = 0.2; // of the stage's time
-    computeRadii(graph, oriented, {job.progress, kRadiusStage, kFilled, 1});
+    computeRadii(graph, oriented, {job.progress, kRadiusStage, kFillShare, 1});
     shrinkPlates(graph);
     shrinkSmoothed(points);
     limitRadii(points.radii, inPoints(points, job.decided.statistics.radius_limit));
