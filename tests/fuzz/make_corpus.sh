@@ -49,12 +49,11 @@ twoFiles() {
 }
 
 keepFiles test_input
-keepFiles test_scanfile
-keepFiles test_points
+keepFiles test_pointio
 keepFiles test_set
-keepFiles test_camera_lists
-keepFiles test_lidar
-keepFiles test_sets --gtest_filter='*InOneLine*'
+keepFiles test_pictures
+keepFiles test_studies
+keepFiles test_tiles --gtest_filter='*InOneLine*'
 keepFiles test_rays_command
 keepFiles test_runtime_host --gtest_filter='*Image*:*Film*:*Record*:*Env*'
 
