@@ -41,7 +41,7 @@ TEST_F(PictureErrors, OfFiles) {
     expectError(Kind::kBadInput, "missing.pro: ", [&] { PictureRenderer(device, {folder.file("missing.pro")}); });
     expectError(Kind::kBadInput, "text.pro: ", [&] { PictureRenderer(device, {folder.file("text.pro")}); });
     expectError(Kind::kBadInput, "scene.toml:1: ", [&] { PictureRenderer(device, {folder.file("scene.toml")}); });
-    expectError(Kind::kBadUsage, "stands alone", [&] {
+    expectError(Kind::kBadUsage, "a scene file cannot be combined with other files", [&] {
         PictureRenderer(device, {folder.file("plane.pro"), folder.file("scene.toml")});
     });
 }

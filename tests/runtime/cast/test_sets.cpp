@@ -307,7 +307,7 @@ TEST_F(WrongSets, ChangedTile_IsRefusedWhenRead) {
 
 TEST_F(WrongSets, TileAboveTheMemoryLimit_IsBadUsage) {
     const std::string reason = refusal(TraceError::Kind::kBadUsage, ball->largestTile() / 2);
-    EXPECT_TRUE(reason.starts_with("a tile takes ")) << reason;
+    EXPECT_TRUE(reason.starts_with("one tile needs ")) << reason;
 }
 
 } // namespace
