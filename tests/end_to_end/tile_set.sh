@@ -175,9 +175,9 @@ case_usage() {
     expectError 2 "'sideways' is not one of plan, split" pointrt-bake -q a.xyz -o out/a.proset --step sideways
     expectError 2 "'block' needs a block number" pointrt-bake -q a.xyz -o out/a.proset --step block
     expectError 2 "invalid size 'much'" pointrt-bake -q a.xyz -o out/a.proset --max-memory much
-    expectError 2 "below 512M" pointrt-bake -q a.xyz -o out/a.proset --max-memory 100M
+    expectError 2 "--max-memory: must be at least 512M" pointrt-bake -q a.xyz -o out/a.proset --max-memory 100M
     expectError 2 "--tile-splats" pointrt-bake -q a.xyz -o out/a.proset --tile-splats 10
-    expectError 2 "reads its inputs twice" pointrt-bake -q - -o out/a.proset
+    expectError 2 "standard input cannot be read twice, as a tile set needs" pointrt-bake -q - -o out/a.proset
     expectError 1 "missing.xyz: no such file" pointrt-bake -q missing.xyz -o out/a.proset
     expectError 1 "plan.json: cannot be read" pointrt-bake -q a.xyz -o out/a.proset --step top
 }

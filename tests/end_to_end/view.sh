@@ -37,7 +37,7 @@ case_wrong_usage() {
     expectError 2 "--ortho: must be from" pointrt-view scene.pro -o out/a.png --ortho 1e9
     expectError 2 "exclude each other" pointrt-view scene.pro -o out/a.png --ortho 2 --fov 40
     expectError 2 "" pointrt-view scene.pro -o out/a.png --eye 1,2
-    expectError 2 "none of auto, x, y, z" pointrt-view scene.pro -o out/a.png --up upwards
+    expectError 2 "not one of auto, x, y, z" pointrt-view scene.pro -o out/a.png --up upwards
     expectError 2 "" pointrt-view scene.pro -o out/a.png --room cellar
     expectError 2 "--time-limit" pointrt-view scene.pro -o out/a.png --time-limit 0
     expectError 2 "--noise" pointrt-view scene.pro -o out/a.png --noise -0.1
