@@ -82,7 +82,7 @@ _@_start() {
 }
 )";
 
-std::string named(std::string text, const std::string& tool) {
+std::string withTool(std::string text, const std::string& tool) {
     for (std::size_t at = text.find("_@"); at != text.npos; at = text.find("_@", at)) text.replace(at + 1, 1, tool);
     return text;
 }
@@ -92,7 +92,7 @@ std::string named(std::string text, const std::string& tool) {
 std::string bashCompletion(const CommandText& command) {
     const std::string tool = functionName(command.name);
     return "# bash completion of " + command.name + ", made by " + command.name + " --generate bash" +
-           named(kHelpers, tool) +
+           withTool(kHelpers, tool) +
            (command.commands.empty() ? function(command, tool) : commandFunctions(command, tool)) + "complete -F _" +
            tool + "_start " + command.name + "\n";
 }

@@ -202,7 +202,7 @@ std::string generatedText(const CommandText& command, const std::string& what) {
         if (each.name == what) return each.make(command);
         if (isSubcommand(command.name)) break;
     }
-    refuse("--generate: '" + what + "' is none of " + generatorNames(command.name));
+    refuse("--generate: '" + what + "' is not one of " + generatorNames(command.name));
 }
 
 std::optional<int> parseCommandLine(CommandLine& app, int argc, const char* const* argv, OutputSuffixes outputs) {

@@ -44,7 +44,7 @@ function __@_files
 end
 )";
 
-std::string named(std::string text, const std::string& tool) {
+std::string filesFunction(std::string text, const std::string& tool) {
     const std::size_t at = text.find('@');
     return text.replace(at, 1, tool);
 }
@@ -54,7 +54,7 @@ std::string named(std::string text, const std::string& tool) {
 std::string fishCompletion(const CommandText& command) {
     const std::string tool = functionName(command.name), start = "complete -c " + command.name;
     std::string text = "# fish completion of " + command.name + ", made by " + command.name + " --generate fish" +
-                       named(kFiles, tool) + start + " -f\n";
+                       filesFunction(kFiles, tool) + start + " -f\n";
     if (command.commands.empty()) return text + commandLines(command, tool, start);
     text += commandLines(command, tool, start + " -n __fish_use_subcommand");
     for (const CommandText& each : command.commands) {

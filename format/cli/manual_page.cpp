@@ -80,7 +80,7 @@ std::string commandList(const CommandText& command) {
     return text;
 }
 
-std::string optionSections(const CommandText& command) {
+std::string optionParagraphs(const CommandText& command) {
     std::string text, heading;
     const OptionText& input = command.input;
     if (!input.value.placeholder.empty())
@@ -127,7 +127,7 @@ std::string manualPage(const CommandText& command) {
     page += section("SYNOPSIS", synopsis(command, {bold, placeholderText}) + "\n");
     page += section("DESCRIPTION", troffLines(command.about));
     page += section("COMMANDS", commandList(command));
-    page += section("OPTIONS", optionSections(command));
+    page += section("OPTIONS", optionParagraphs(command));
     page += section("NOTES", troffLines(command.notes));
     page += section("EXIT STATUS", exitStatus(command));
     page += section("EXAMPLES", command.examples.empty() ? "" : ".nf\n" + troffLines(command.examples) + ".fi\n");

@@ -15,7 +15,7 @@ namespace {
 
 /// A disc with a radius above this many cell edges is replaced by one of this radius with the same rim near the cell:
 /// in the cell the rims are at most 3/4 / (2 * 8) edges apart, less than 1/100 of the radius.
-constexpr float kLargestRadius = 8;
+constexpr float kLargestCodedRadius = 8;
 
 Vector cross(const Vector& a, const Vector& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -25,7 +25,7 @@ Vector sum(const Vector& a, float scale, const Vector& b) {
     return {a[0] + scale * b[0], a[1] + scale * b[1], a[2] + scale * b[2]};
 }
 
-/// A disc relative to the middle of the cell, in cell edges; its radius is at most kLargestRadius.
+/// A disc relative to the middle of the cell, in cell edges; its radius is at most kLargestCodedRadius.
 struct Place {
     Vector center;
     float radius;
@@ -35,13 +35,14 @@ Place placeIn(const CellDisc& disc, const CellBox& box) {
     const float edges = 0.5f / box.half_edge;
     Place place{{}, disc.radius * edges};
     for (std::size_t axis = 0; axis < 3; ++axis) place.center[axis] = (disc.center[axis] - box.middle[axis]) * edges;
-    if (place.radius <= kLargestRadius) return place;
+    if (place.radius <= kLargestCodedRadius) return place;
     // offset of the centre from the point of the plane closest to the middle of the cell
     const float height = dot(place.center, disc.normal);
     const Vector away = sum(place.center, -height, disc.normal);
     const float distance = std::sqrt(dot(away, away));
-    const float shorter = distance > 0 ? std::max(0.0f, distance - (place.radius - kLargestRadius)) / distance : 0.0f;
-    return {sum(sum(Vector{}, shorter, away), height, disc.normal), kLargestRadius};
+    const float shorter =
+        distance > 0 ? std::max(0.0f, distance - (place.radius - kLargestCodedRadius)) / distance : 0.0f;
+    return {sum(sum(Vector{}, shorter, away), height, disc.normal), kLargestCodedRadius};
 }
 
 /// Sum of the normals, flipped to one side.
@@ -136,7 +137,7 @@ float reachOf(std::span<const Place> places, const CellBox& box) {
     float radius = 0;
     for (const Place& place : places) radius = std::max(radius, place.radius);
     const float side = (box.half_edge + box.slack) * (0.5f / box.half_edge), corner = side * std::sqrt(3.0f);
-    return radius + (radius < kLargestRadius ? side : corner); // placeIn moves the centres of larger discs
+    return radius + (radius < kLargestCodedRadius ? side : corner); // placeIn moves the centres of larger discs
 }
 
 } // namespace

@@ -15,7 +15,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 /// of their edge. Results without them are still conservative.
 constexpr float kMinComponent = 1.0f / 64;
 /// For the same reason discs with a radius of more half edges are treated as planes.
-constexpr float kLargestRadius = 32;
+constexpr float kLargestDisc = 32;
 
 /// Vector from the disc's centre to the point of the cube closest to centre - shift * normal.
 Vector toNearest(const PlacedDisc& disc, float shift, float half) {
@@ -76,7 +76,7 @@ PlacedDisc placedIn(const CellDisc& disc, const CellBox& box) {
 }
 
 bool overlapsCube(const PlacedDisc& disc, float half) {
-    if (disc.radius > kLargestRadius * half) return true;
+    if (disc.radius > kLargestDisc * half) return true;
     Bracket bracket;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (std::fabs(disc.normal[axis]) < kMinComponent) continue;
@@ -90,7 +90,7 @@ bool overlapsCube(const PlacedDisc& disc, float half) {
 }
 
 float reachInCube(const PlacedDisc& disc, const Vector& along, float half) {
-    if (disc.radius > kLargestRadius * half) return disc.radius;
+    if (disc.radius > kLargestDisc * half) return disc.radius;
     return std::min(disc.radius, reachOfSection(disc, along, half));
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kInfoBytes = 160, kEntryBytes = 32;
 /// Coordinates of nodes have 31 bits, so there are no deeper levels.
-constexpr std::int32_t kDeepest = 30;
+constexpr std::int32_t kDeepestLevel = 30;
 
 struct Info {
     std::array<double, 3> center;
@@ -49,7 +49,7 @@ CopcBox boxOf(const Info& info, const Entry& entry) {
 }
 
 void checkEntry(const LasFile& file, const Entry& entry) {
-    if (entry.level < 0 || entry.level > kDeepest || entry.bytes < 0 || entry.points < -1 ||
+    if (entry.level < 0 || entry.level > kDeepestLevel || entry.bytes < 0 || entry.points < -1 ||
         !liesIn(entry.at, static_cast<std::uint64_t>(entry.bytes), file.bytes.size()))
         refuseFile("COPC hierarchy: points outside the file");
 }

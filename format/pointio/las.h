@@ -57,6 +57,10 @@ const LasVlr* findVlr(const LasFile& file, std::string_view user_id, std::uint16
 std::uint16_t lasRecordBytes(std::uint8_t point_format);
 
 inline constexpr std::string_view kLasSpecUser = "LASF_Spec", kLasCrsUser = "LASF_Projection";
+/// Numbers of the records by kLasCrsUser.
+inline constexpr std::uint16_t kWktRecord = 2112, kGeoKeysRecord = 34735, kGeoDoublesRecord = 34736;
+/// Bytes that describe one field of extra bytes.
+inline constexpr std::size_t kDescriptorBytes = 192;
 inline constexpr std::uint16_t kExtraBytesRecord = 4, kWaveformDataRecord = 65535;
 inline constexpr std::string_view kLaszipUser = "laszip encoded";
 inline constexpr std::uint16_t kLaszipRecord = 22204;

@@ -15,8 +15,6 @@ namespace {
 
 using Kind = LasCrs::Kind;
 
-constexpr std::uint16_t kWktRecord = 2112, kGeoKeysRecord = 34735, kGeoDoublesRecord = 34736;
-
 /// The factor of UNIT["name", factor, ...].
 double factorOf(std::string_view unit) {
     const std::size_t quote = unit.rfind('"', unit.find(',')); // not a comma within the name
@@ -37,11 +35,11 @@ double unitOf(std::string_view system) {
 }
 
 /// Nesting of systems: a bound system in a compound one, and the other way round.
-constexpr int kDeepest = 4;
+constexpr int kDeepestNesting = 4;
 
 /// Reads the system of this keyword into crs. False if it is not a horizontal one.
 bool takeSystem(std::string_view keyword, std::string_view content, LasCrs& crs, int depth = 0) {
-    if (isOneOf(keyword, {"COMPD_CS", "COMPOUNDCRS", "BOUNDCRS", "SOURCECRS"}) && depth < kDeepest) {
+    if (isOneOf(keyword, {"COMPD_CS", "COMPOUNDCRS", "BOUNDCRS", "SOURCECRS"}) && depth < kDeepestNesting) {
         forWktChildren(content, [&](std::string_view inner, std::string_view its) {
             return takeSystem(inner, its, crs, depth + 1);
         });

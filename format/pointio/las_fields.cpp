@@ -14,7 +14,7 @@
 namespace pointrt {
 namespace {
 
-constexpr bool kMinor = true;
+constexpr bool kMinorField = true;
 
 LasField byteField(const char* name, std::uint32_t type, std::size_t at, bool minor = false) {
     LasField field;
@@ -39,15 +39,15 @@ void addOldFields(std::vector<LasField>& fields) {
         byteField("intensity", PRO_TYPE_U16, 12),
         bitField("return_number", 14, 0, 3),
         bitField("number_of_returns", 14, 3, 3),
-        bitField("scan_direction_flag", 14, 6, 1, kMinor),
-        bitField("edge_of_flight_line", 14, 7, 1, kMinor),
+        bitField("scan_direction_flag", 14, 6, 1, kMinorField),
+        bitField("edge_of_flight_line", 14, 7, 1, kMinorField),
         bitField("classification", 15, 0, 5),
-        bitField("synthetic", 15, 5, 1, kMinor),
-        bitField("key_point", 15, 6, 1, kMinor),
-        bitField("withheld", 15, 7, 1, kMinor),
+        bitField("synthetic", 15, 5, 1, kMinorField),
+        bitField("key_point", 15, 6, 1, kMinorField),
+        bitField("withheld", 15, 7, 1, kMinorField),
         byteField("scan_angle_rank", PRO_TYPE_I8, 16),
-        byteField("user_data", PRO_TYPE_U8, 17, kMinor),
-        byteField("point_source_id", PRO_TYPE_U16, 18, kMinor),
+        byteField("user_data", PRO_TYPE_U8, 17, kMinorField),
+        byteField("point_source_id", PRO_TYPE_U16, 18, kMinorField),
     };
     fields.insert(fields.end(), std::begin(all), std::end(all));
 }
@@ -58,17 +58,17 @@ void addNewFields(std::vector<LasField>& fields) {
         byteField("intensity", PRO_TYPE_U16, 12),
         bitField("return_number", 14, 0, 4),
         bitField("number_of_returns", 14, 4, 4),
-        bitField("synthetic", 15, 0, 1, kMinor),
-        bitField("key_point", 15, 1, 1, kMinor),
-        bitField("withheld", 15, 2, 1, kMinor),
-        bitField("overlap", 15, 3, 1, kMinor),
-        bitField("scanner_channel", 15, 4, 2, kMinor),
-        bitField("scan_direction_flag", 15, 6, 1, kMinor),
-        bitField("edge_of_flight_line", 15, 7, 1, kMinor),
+        bitField("synthetic", 15, 0, 1, kMinorField),
+        bitField("key_point", 15, 1, 1, kMinorField),
+        bitField("withheld", 15, 2, 1, kMinorField),
+        bitField("overlap", 15, 3, 1, kMinorField),
+        bitField("scanner_channel", 15, 4, 2, kMinorField),
+        bitField("scan_direction_flag", 15, 6, 1, kMinorField),
+        bitField("edge_of_flight_line", 15, 7, 1, kMinorField),
         byteField("classification", PRO_TYPE_U8, 16),
-        byteField("user_data", PRO_TYPE_U8, 17, kMinor),
+        byteField("user_data", PRO_TYPE_U8, 17, kMinorField),
         byteField("scan_angle", PRO_TYPE_I16, 18),
-        byteField("point_source_id", PRO_TYPE_U16, 20, kMinor),
+        byteField("point_source_id", PRO_TYPE_U16, 20, kMinorField),
         byteField("gps_time", PRO_TYPE_F64, 22),
     };
     fields.insert(fields.end(), std::begin(all), std::end(all));
@@ -97,7 +97,6 @@ struct Descriptor {
     bool hasScale() const { return type != 0 && (options & 8) != 0; }
     bool hasOffset() const { return type != 0 && (options & 16) != 0; }
 };
-constexpr std::size_t kDescriptorBytes = 192;
 
 /// Types 1 to 10 in the order of the specification; 11 to 20 have two components, 21 to 30 three.
 constexpr std::uint32_t kExtraTypes[] = {PRO_TYPE_U8,  PRO_TYPE_I8,  PRO_TYPE_U16, PRO_TYPE_I16, PRO_TYPE_U32,

@@ -15,8 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kDescriptorBytes = 192;
-constexpr std::uint16_t kWktRecord = 2112, kGeoKeysRecord = 34735;
 /// Bits of the header's global encoding: waveforms, and coordinate system in WKT.
 constexpr std::uint16_t kWaveformBits = 0b110, kWktBit = 0b10000;
 

@@ -15,7 +15,7 @@
 namespace pointrt {
 namespace {
 
-constexpr std::size_t kPointsAtOnce = 16384; // of at most 1 KiB each
+constexpr std::size_t kLasPointsAtOnce = 16384; // of at most 1 KiB each
 
 /// Some points of a block.
 struct Rows {
@@ -88,8 +88,8 @@ public:
           writer_(plan_.description, target()) {}
 
     void add(const PointBlock& block) override {
-        for (std::size_t first = 0; first < block.count(); first += kPointsAtOnce) {
-            const Rows rows{block, first, std::min(kPointsAtOnce, block.count() - first)};
+        for (std::size_t first = 0; first < block.count(); first += kLasPointsAtOnce) {
+            const Rows rows{block, first, std::min(kLasPointsAtOnce, block.count() - first)};
             const std::vector<char> records = recordsOf(rows);
             writer_.add(records.data(), rows.count);
         }

@@ -16,7 +16,7 @@ namespace {
 enum Compressor : std::uint16_t { kAllInOne = 1, kChunked = 2, kLayered = 3 };
 
 /// Offsets in the LASzip record, and its size without items.
-constexpr std::size_t kCompressor = 0, kChunkPoints = 12, kShortestRecord = 34;
+constexpr std::size_t kCompressor = 0, kChunkPointsAt = 12, kShortestRecord = 34;
 constexpr std::uint32_t kVariable = 0xFFFFFFFF;
 /// Bytes of the chunk table offset, which precedes the chunks.
 constexpr std::size_t kTableOffset = 8;
@@ -130,7 +130,7 @@ LazLayout lazLayout(const LasFile& file) {
         makeRun(file, file.header.point_offset, layout);
         return layout;
     }
-    const auto chunk_points = loadAt<std::uint32_t>(layout.record, kChunkPoints);
+    const auto chunk_points = loadAt<std::uint32_t>(layout.record, kChunkPointsAt);
     const bool variable = chunk_points == kVariable || chunk_points == 0;
     layout.run_points = variable ? 0 : chunk_points;
     const std::uint64_t table_at = tableAt(file);

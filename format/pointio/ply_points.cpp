@@ -13,8 +13,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "values are written without conversion");
 
-constexpr std::size_t kPointsAtOnce = 16384; // of some hundred bytes each at most
-constexpr std::size_t kMostDigits = 20;      // of a count of 64 bits
+constexpr std::size_t kPlyPointsAtOnce = 16384; // of some hundred bytes each at most
+constexpr std::size_t kMostDigits = 20;         // of a count of 64 bits
 
 bool isWide(std::uint32_t type) { return type == PRO_TYPE_I64 || type == PRO_TYPE_U64; }
 
@@ -65,7 +65,7 @@ public:
     void add(const PointBlock& block) override {
         for (std::size_t i = 0; i < block.count(); ++i) {
             addRow(block, i);
-            if ((i + 1) % kPointsAtOnce == 0) flush();
+            if ((i + 1) % kPlyPointsAtOnce == 0) flush();
         }
         flush();
         count_ += block.count();

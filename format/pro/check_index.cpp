@@ -6,13 +6,13 @@
 
 #include "format/base/parallel.h"
 #include "format/pro/checks.h"
+#include "format/pro/sections.h"
 #include "pointrt/pro_index_layout.h"
 
 namespace pointrt::format {
 
 namespace {
 
-constexpr std::uint32_t kBrickGroups = PRO_BRICK_WORDS / PRO_GROUP_WORDS;
 constexpr std::uint64_t kMaxNumbers = std::uint64_t{1} << (32 - PRO_CELL_INDEX_SHIFT);
 constexpr std::uint32_t kHalfInfinity = 0x7C00; ///< larger half floats are NaN or negative
 

@@ -10,7 +10,6 @@ namespace {
 
 constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint32_t kPair = 2; ///< near splats per element of DSCS and DSPL, and numbers per element of BLDS
-constexpr std::uint32_t kBrickGroups = PRO_BRICK_WORDS / PRO_GROUP_WORDS;
 
 /// The pointer content.*Part.*Field.
 template <auto Part, auto Field>

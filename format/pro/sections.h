@@ -23,6 +23,8 @@ struct Content {
     std::vector<const std::byte*> attribute_values; ///< ATTR, in the order of the section table
 };
 
+constexpr std::uint32_t kBrickGroups = PRO_BRICK_WORDS / PRO_GROUP_WORDS;
+
 /// kIndex: a file has all of these sections or none of them.
 enum class Presence { kMandatory, kOptional, kIndex };
 

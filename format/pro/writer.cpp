@@ -88,14 +88,14 @@ bool missingSection(const pro_info& info, const pro_view& view) {
     return !view.nodes || !view.leaves || !view.splats || !view.materials || (!view.refs && info.ref_count > 0);
 }
 
-void keepFinding(const pro_message* finding, void* user) {
+void keepFindingIfWanted(const pro_message* finding, void* user) {
     if (auto* message = static_cast<pro_message*>(user)) *message = *finding;
 }
 
 /// Refuses content that pro_open would refuse.
 bool checkInput(const pro_info& info, const Content& content, pro_message* message) {
     const pro_view& view = content.view;
-    Findings findings(keepFinding, message, true);
+    Findings findings(keepFindingIfWanted, message, true);
     checkRanges(info, findings);
     if (info.flags & ~PRO_FLAGS_KNOWN) findings.add(Finding::kUnknownFlags, "unknown flags 0x%x", info.flags);
     if (view.metadata_bytes > 0 && !isUtf8({view.metadata, view.metadata_bytes}))

@@ -16,7 +16,6 @@ namespace pointrt {
 namespace {
 
 using Header = std::array<char, PRO_HEADER_BYTES>;
-using Words = std::array<std::uint32_t, PRO_SPLAT_WORDS>;
 
 template <typename T>
 T load(const Header& header, std::size_t offset) {
@@ -32,7 +31,7 @@ std::optional<std::uint64_t> placeOfSplats(const Header& header, std::uint64_t s
     for (std::size_t i = 0; i < sections; ++i) {
         const std::size_t record = PRO_TABLE_OFFSET + i * PRO_SECTION_BYTES;
         const bool holds = load<std::uint32_t>(header, record + PRO_SEC_OFF_KIND) == PRO_KIND_SPLT &&
-                           load<std::uint32_t>(header, record + PRO_SEC_OFF_STRIDE) == sizeof(Words) &&
+                           load<std::uint32_t>(header, record + PRO_SEC_OFF_STRIDE) == sizeof(SplatWords) &&
                            load<std::uint64_t>(header, record + PRO_SEC_OFF_COUNT) == splats;
         if (holds) return load<std::uint64_t>(header, record + PRO_SEC_OFF_OFFSET);
     }
@@ -64,7 +63,7 @@ std::vector<pro_splat> coreSplats(const TileSet& set, const SetTile& tile, const
     const SetLevel& level = set.levels[tile.level];
     std::vector<pro_splat> splats;
     for (std::uint64_t i = first; i < tile.stored; i += step) {
-        Words words;
+        SplatWords words;
         if (!read(file, *place + i * sizeof words, reinterpret_cast<char*>(words.data()), sizeof words))
             throw Error(ExitCode::kBadInput, path + ": cannot read its splats");
         pro_splat splat;

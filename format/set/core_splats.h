@@ -11,6 +11,9 @@
 
 namespace pointrt {
 
+/// A splat as a file has it.
+using SplatWords = std::array<std::uint32_t, PRO_SPLAT_WORDS>;
+
 /// Whether the centre lies in the core of the splat's tile: the half-open middle half of its cube on each axis.
 bool isInCore(const pro_splat& splat);
 

@@ -11,13 +11,13 @@ namespace pointrt {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// On one line.
-std::string text(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string text(const OrderedJson& json) { return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace); }
 
 /// A line `"key": value,`; a list has a line for each element.
-void addLine(std::string& out, const char* key, const Json& value) {
+void addLine(std::string& out, const char* key, const OrderedJson& value) {
     out += std::string("  \"") + key + "\": " + text(value) + ",\n";
 }
 
@@ -32,7 +32,7 @@ void addList(std::string& out, const char* key, const List& list, const ToJson& 
     out += (list.empty() ? "]" : "\n  ]") + std::string(end);
 }
 
-Json attributeJson(const SetAttribute& attribute) {
+OrderedJson attributeJson(const SetAttribute& attribute) {
     return {{"name", attribute.name},
             {"type", typeName(attribute.type)},
             {"components", attribute.components},
@@ -40,11 +40,11 @@ Json attributeJson(const SetAttribute& attribute) {
             {"high", attribute.high}};
 }
 
-Json sensorJson(const std::array<double, 4>& sensor) {
-    return sensor[3] == 0 ? Json() : Json::array({sensor[0], sensor[1], sensor[2]});
+OrderedJson sensorJson(const std::array<double, 4>& sensor) {
+    return sensor[3] == 0 ? OrderedJson() : OrderedJson::array({sensor[0], sensor[1], sensor[2]});
 }
 
-Json levelJson(const SetLevel& level) {
+OrderedJson levelJson(const SetLevel& level) {
     return {{"tiles", level.tiles},
             {"splats", level.splats},
             {"error", level.error},
@@ -52,7 +52,7 @@ Json levelJson(const SetLevel& level) {
             {"radius_step", level.radius_step}};
 }
 
-Json tileJson(const SetTile& tile) {
+OrderedJson tileJson(const SetTile& tile) {
     return {{"level", tile.level},   {"cell", tile.cell},       {"file", tile.file},
             {"splats", tile.splats}, {"stored", tile.stored},   {"bytes", tile.bytes},
             {"error", tile.error},   {"spacing", tile.spacing}, {"checksum", checksumWord(tile.checksum)}};
@@ -67,8 +67,8 @@ std::string jsonOf(const TileSet& set) {
     addLine(out, "input_points", set.input_points);
     addLine(out, "lattice", {{"origin", set.lattice_origin}, {"edge", set.edge}});
     addLine(out, "bounds", {{"min", set.bounds_min}, {"max", set.bounds_max}});
-    addLine(out, "up", knows_up ? Json(set.up) : Json());
-    addLine(out, "metres", set.metres != 0 ? Json(set.metres) : Json());
+    addLine(out, "up", knows_up ? OrderedJson(set.up) : OrderedJson());
+    addLine(out, "metres", set.metres != 0 ? OrderedJson(set.metres) : OrderedJson());
     addLine(out, "crs", set.crs);
     addLine(out, "colors", set.colors);
     addLine(out, "oriented", set.oriented);

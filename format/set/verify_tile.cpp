@@ -8,13 +8,13 @@
 #include <utility>
 
 #include "format/base/error.h"
+#include "format/set/core_splats.h"
 #include "format/set/open_tile.h"
 
 namespace pointrt {
 
 namespace {
 
-using Words = std::array<std::uint32_t, PRO_SPLAT_WORDS>;
 using Code = std::array<std::int32_t, 3>;   ///< position steps in a tile's cube
 using Offset = std::array<std::int32_t, 3>; ///< from cell to cell, -1 to 1
 
@@ -24,20 +24,20 @@ constexpr std::int32_t kCoreLow = kCoreSteps / 2, kCoreHigh = kCoreLow + kCoreSt
 /// 2^-24, sums of some of them to a few times that.
 constexpr float kSure = 4 * PRO_POSITION_STEP;
 
-Words wordsOf(const ProFile& file, std::size_t splat) {
-    Words words;
+SplatWords wordsOf(const ProFile& file, std::size_t splat) {
+    SplatWords words;
     std::copy_n(file.splats().data() + splat * PRO_SPLAT_WORDS, PRO_SPLAT_WORDS, words.begin());
     return words;
 }
 
-Code codeOf(const Words& words) {
+Code codeOf(const SplatWords& words) {
     return {static_cast<std::int32_t>(words[0] & PRO_POSITION_MASK),
             static_cast<std::int32_t>(words[0] >> PRO_POSITION_BITS | (words[1] << PRO_Y_LOW_BITS & PRO_POSITION_MASK)),
             static_cast<std::int32_t>(words[1] >> PRO_Y_HIGH_BITS & PRO_POSITION_MASK)};
 }
 
 /// For codes within the cube.
-Words withCode(Words words, const Code& code) {
+SplatWords withCode(SplatWords words, const Code& code) {
     const auto x = static_cast<std::uint32_t>(code[0]), y = static_cast<std::uint32_t>(code[1]);
     words[0] = x | y << PRO_POSITION_BITS;
     words[1] = y >> PRO_Y_LOW_BITS | static_cast<std::uint32_t>(code[2]) << PRO_Y_HIGH_BITS;
@@ -109,12 +109,12 @@ struct Tile {
 };
 
 /// The splats of the file by cell, sorted.
-using BySlot = std::array<std::vector<Words>, kSlots>;
+using BySlot = std::array<std::vector<SplatWords>, kSlots>;
 
 BySlot splatsBySlot(const ProFile& file) {
     BySlot slots;
     for (std::size_t i = 0; i < file.info().splat_count; ++i) {
-        const Words words = wordsOf(file, i);
+        const SplatWords words = wordsOf(file, i);
         const std::size_t slot = slotOf(offsetOf(codeOf(words)));
         if (slot != kOwnSlot) slots[slot].push_back(words);
     }
@@ -127,7 +127,7 @@ template <typename Visit>
 void forEachNear(const ProFile& neighbour, const Offset& offset, const Visit& visit) {
     const auto reach = static_cast<std::int32_t>(std::ceil(double{neighbour.info().radius_max} * PRO_POSITION_STEPS));
     for (std::size_t i = 0; i < neighbour.info().splat_count; ++i) {
-        const Words words = wordsOf(neighbour, i);
+        const SplatWords words = wordsOf(neighbour, i);
         Code code = codeOf(words);
         if (offsetOf(code) != Offset{}) continue;
         bool near = true;
@@ -148,7 +148,7 @@ void forEachNear(const ProFile& neighbour, const Offset& offset, const Visit& vi
 }
 
 /// @param repeats copies from the neighbour, sorted
-void compareWith(Tile& tile, const SetTile& owner, const Offset& offset, const std::vector<Words>& repeats) {
+void compareWith(Tile& tile, const SetTile& owner, const Offset& offset, const std::vector<SplatWords>& repeats) {
     std::optional<ProFile> file;
     try {
         file = openTile(tile.set, owner, tile.folder, PRO_OPEN_SKIP_CHECKSUMS);
@@ -159,7 +159,7 @@ void compareWith(Tile& tile, const SetTile& owner, const Offset& offset, const s
     // cleaning can move points across borders, where the merged tile's own splats represent them
     const bool alike = tile.tile.isOriginal() == owner.isOriginal();
     std::size_t missing = 0;
-    forEachNear(*file, offset, [&](const Words& words, const auto& splat) {
+    forEachNear(*file, offset, [&](const SplatWords& words, const auto& splat) {
         const auto [first, last] = std::equal_range(repeats.begin(), repeats.end(), words);
         for (auto each = first; each != last; ++each) owned[static_cast<std::size_t>(each - repeats.begin())] = true;
         if (alike && first == last && surelyCrossesCore(splat())) ++missing;

@@ -222,7 +222,7 @@ private:
         dropBuckets();
         if (report_.points_lacking_neighbors > 0)
             progress_.note(
-                fmt::format("{} points have neighbors too far away in other tiles; their normals may differ from "
+                fmt::format("{} points have neighbours too far away in other tiles; their normals may differ from "
                             "those of a single-file bake",
                             report_.points_lacking_neighbors));
     }

@@ -6,13 +6,12 @@
 
 #include "format/base/axis_name.h"
 #include "format/base/error.h"
+#include "preprocess/app/options.h"
 #include "preprocess/ingest/input_file.h"
 #include "preprocess/ingest/text.h"
 
 namespace pointrt {
 namespace {
-
-[[noreturn]] void usage(const std::string& text) { throw Error(ExitCode::kBadUsage, text); }
 
 /// Calls use(part) for each part between commas.
 template <typename Use>
@@ -31,7 +30,7 @@ void markClasses(const std::string& option, std::string_view part, std::vector<b
     const bool numbers = wholeNumber(part.substr(0, dash), first) &&
                          wholeNumber(dash == std::string_view::npos ? part : part.substr(dash + 1), last);
     if (!numbers || first != std::floor(first) || last != std::floor(last) || first < 0 || last > 255 || first > last)
-        usage(fmt::format("{}: {} is not a class from 0 to 255 or a range such as 3-5", option, inQuotes(part)));
+        refuseUsage(fmt::format("{}: {} is not a class from 0 to 255 or a range such as 3-5", option, inQuotes(part)));
     for (auto each = static_cast<std::size_t>(first); each <= static_cast<std::size_t>(last); ++each)
         classes[each] = true;
 }
@@ -43,16 +42,16 @@ Eigen::AlignedBox3d parseBounds(const std::string& text) {
     eachPart(text, [&](std::string_view part) {
         double value = 0;
         if (!wholeNumber(part, value) || std::isnan(value))
-            usage(fmt::format("--bounds: {} is not a number", inQuotes(part)));
+            refuseUsage(fmt::format("--bounds: {} is not a number", inQuotes(part)));
         values.push_back(value);
     });
     if (values.size() != 6)
-        usage(fmt::format("--bounds: needs 6 numbers (MINX,MINY,MINZ,MAXX,MAXY,MAXZ), not {}", values.size()));
+        refuseUsage(fmt::format("--bounds: needs 6 numbers (MINX,MINY,MINZ,MAXX,MAXY,MAXZ), not {}", values.size()));
     const Eigen::Vector3d low(values[0], values[1], values[2]), high(values[3], values[4], values[5]);
     for (int axis = 0; axis < 3; ++axis)
         if (low[axis] > high[axis])
-            usage(fmt::format("--bounds: in {} the minimum {:g} is above the maximum {:g}", "xyz"[axis], low[axis],
-                              high[axis]));
+            refuseUsage(fmt::format("--bounds: in {} the minimum {:g} is above the maximum {:g}", "xyz"[axis],
+                                    low[axis], high[axis]));
     return {low, high};
 }
 
@@ -66,7 +65,7 @@ AttributeChoice parseAttributes(const std::string& text) {
     AttributeChoice choice{text == "auto", {}};
     if (choice.all || text == "none") return choice;
     eachPart(text, [&](std::string_view part) {
-        if (part.empty()) usage("--attributes: '" + text + "' has an empty name");
+        if (part.empty()) refuseUsage("--attributes: '" + text + "' has an empty name");
         choice.names.emplace_back(part);
     });
     return choice;
@@ -99,7 +98,7 @@ Eigen::Affine3d readTransform(const std::string& path) {
 Eigen::Vector3d parseUp(const std::string& text) {
     if (text == "auto") return Eigen::Vector3d::Zero();
     const auto axis = directionNamed(text);
-    if (!axis) usage("--up: '" + text + "' is not one of auto|x|y|z|-x|-y|-z");
+    if (!axis) refuseUsage("--up: '" + text + "' is not one of auto|x|y|z|-x|-y|-z");
     return Eigen::Vector3d(axis->data());
 }
 
@@ -110,7 +109,7 @@ double parseClean(const std::string& text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), strength);
     constexpr double kLeast = 0.1, kMost = 10; // from a fraction of the point spacing to more than any feature
     if (error != std::errc() || end != text.data() + text.size() || !(strength >= kLeast && strength <= kMost))
-        usage("--clean: '" + text + "' is not auto, off or a number from 0.1 to 10");
+        refuseUsage("--clean: '" + text + "' is not auto, off or a number from 0.1 to 10");
     return strength;
 }
 

@@ -22,8 +22,8 @@ static_assert(decltype(state)::is_always_lock_free &&
 
 template <std::size_t kSize>
 void print(const char (&line)[kSize]) {
-    constexpr std::size_t kWipe = 4; // erases the progress line on a terminal
-    const std::size_t skipped = isatty(STDERR_FILENO) ? 0 : kWipe;
+    constexpr std::size_t kWipeBytes = 4; // erases the progress line on a terminal
+    const std::size_t skipped = isatty(STDERR_FILENO) ? 0 : kWipeBytes;
     const ssize_t written = write(STDERR_FILENO, line + skipped, kSize - 1 - skipped);
     static_cast<void>(written); // nothing else to report a failure to
 }

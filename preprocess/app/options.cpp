@@ -269,18 +269,18 @@ void addReportOptions(CommandLine& app, BakeOptions& options) {
 }
 
 void checkOutputName(const BakeOptions& options) {
-    const auto usage = [](const std::string& text) { throw Error(ExitCode::kBadUsage, text); };
     const std::string suffix = ".pro", set_suffix = ".proset", &output = options.output;
     const std::filesystem::path path(output);
     if (output.empty()) {
         const bool forgotten = options.inputs.size() > 1 &&
                                (options.inputs.back().ends_with(suffix) || options.inputs.back().ends_with(set_suffix));
-        usage("no output given; use -o FILE.pro" +
-              (forgotten ? ", did you mean -o " + options.inputs.back() + "?" : ""));
+        refuseUsage("no output given; use -o FILE.pro" +
+                    (forgotten ? ", did you mean -o " + options.inputs.back() + "?" : ""));
     }
-    if (output == "-") usage("-o -: a .pro is memory-mapped, so it cannot go to standard output; use -o FILE.pro");
+    if (output == "-")
+        refuseUsage("-o -: a .pro is memory-mapped, so it cannot go to standard output; use -o FILE.pro");
     if (path.extension() != suffix && path.extension() != set_suffix) // a hidden file ".pro" has no extension
-        usage(output + ": the output name must end in .pro or .proset");
+        refuseUsage(output + ": the output name must end in .pro or .proset");
 }
 
 void checkTileSetOptions(const CommandLine& app, BakeOptions& options) {
@@ -288,17 +288,15 @@ void checkTileSetOptions(const CommandLine& app, BakeOptions& options) {
     if (options.output.ends_with(slashed)) options.output.pop_back();
     if (options.isTileSet()) return;
     for (const char* name : {"--max-memory", "--tile-splats", "--step", "--keep-work"})
-        if (app.count(name) > 0)
-            throw Error(ExitCode::kBadUsage, std::string(name) + " applies only to tile sets (-o NAME.proset)");
+        if (app.count(name) > 0) refuseUsage(std::string(name) + " applies only to tile sets (-o NAME.proset)");
 }
 
 void checkOptions(BakeOptions& options) {
-    const auto usage = [](const std::string& text) { throw Error(ExitCode::kBadUsage, text); };
     checkOutputName(options);
     if (std::count(options.inputs.begin(), options.inputs.end(), "-") > 1)
-        usage("-: standard input can be read only once");
-    if (!std::isfinite(options.surface.radius_scale)) usage("--radius-scale: must be finite");
-    if (!std::isfinite(options.reflectivity)) usage("--reflectivity: must be finite");
+        refuseUsage("-: standard input can be read only once");
+    if (!std::isfinite(options.surface.radius_scale)) refuseUsage("--radius-scale: must be finite");
+    if (!std::isfinite(options.reflectivity)) refuseUsage("--reflectivity: must be finite");
     options.pruning.seed = options.read.seed;
 }
 

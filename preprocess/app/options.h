@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "format/base/error.h"
 #include "preprocess/input/read.h"
 #include "preprocess/octree/octree.h"
 #include "preprocess/surface/estimate.h"
@@ -52,6 +53,9 @@ std::size_t threadCount(const BakeOptions& options);
 /// Parses the command line. Returns false if help or version was printed and nothing is left to do. Throws Error
 /// (kBadUsage) that names the invalid option.
 bool parseOptions(int argc, char** argv, BakeOptions& options);
+
+/// Throws Error (kBadUsage).
+[[noreturn]] inline void refuseUsage(const std::string& reason) { throw Error(ExitCode::kBadUsage, reason); }
 
 /// The value on the command line for a choice.
 std::string choiceName(NormalSource source);

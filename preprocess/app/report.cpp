@@ -9,14 +9,13 @@
 
 #include "format/base/axis_name.h"
 #include "format/base/report_file.h"
+#include "preprocess/app/vector_json.h"
 
 namespace pointrt {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json vectorJson(const Vec3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
 
 Json worldJson(const WorldFrame& world) {
     return {{"up", vectorJson(world.up)}, {"metres_per_unit", world.metres_per_unit}, {"crs", world.crs}};

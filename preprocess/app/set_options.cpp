@@ -12,11 +12,10 @@
 #include <vector>
 
 #include "format/base/error.h"
+#include "preprocess/app/options.h"
 
 namespace pointrt {
 namespace {
-
-[[noreturn]] void usage(const std::string& text) { throw Error(ExitCode::kBadUsage, text); }
 
 /// The power of 1024 of a unit; -1 if unknown.
 int powerOf(const std::string& unit) {
@@ -44,7 +43,7 @@ std::uint64_t parseBytes(const std::string& option, const std::string& text) {
     const double bytes = std::ldexp(value, 10 * power);
     constexpr double kMost = 0x1p60;
     if (error != std::errc() || power < 0 || !(bytes >= 1 && bytes <= kMost))
-        usage(fmt::format("{}: invalid size '{}'; examples: 4G, 800M", option, text));
+        refuseUsage(fmt::format("{}: invalid size '{}'; examples: 4G, 800M", option, text));
     return static_cast<std::uint64_t>(bytes);
 }
 
@@ -60,15 +59,15 @@ void parseSetStep(const std::string& text, TileSetOptions& tiles) {
     const auto row = std::find_if(std::begin(kSteps), std::end(kSteps),
                                   [&](const StepName& each) { return each.name == text.substr(0, colon); });
     if (row == std::end(kSteps))
-        usage("--step: '" + text + "' is not one of plan, split, block:N, levels, tile:N, top");
+        refuseUsage("--step: '" + text + "' is not one of plan, split, block:N, levels, tile:N, top");
     tiles.step = row->step;
-    if (!row->numbered && colon != std::string::npos) usage(fmt::format("--step: {} takes no number", row->name));
+    if (!row->numbered && colon != std::string::npos) refuseUsage(fmt::format("--step: {} takes no number", row->name));
     if (!row->numbered) return;
     const std::string number = colon == std::string::npos ? "" : text.substr(colon + 1);
     const char* const end = number.data() + number.size();
     const auto [stop, error] = std::from_chars(number.data(), end, tiles.block);
     if (error != std::errc() || stop != end)
-        usage(fmt::format("--step: '{}' needs a block number, as in {}:0", text, row->name));
+        refuseUsage(fmt::format("--step: '{}' needs a block number, as in {}:0", text, row->name));
 }
 
 std::string tileSetSettings(const BakeOptions& options) {

@@ -7,14 +7,13 @@
 #include "format/base/report_file.h"
 #include "preprocess/app/bake_set.h"
 #include "preprocess/app/report.h"
+#include "preprocess/app/vector_json.h"
 #include "preprocess/tiles/make_plan.h"
 
 namespace pointrt {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json vectorJson(const Vec3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
 
 Json stepsJson(const SetReport& report) {
     Json steps = Json::array();

@@ -12,7 +12,7 @@ namespace {
 /// about 50 times: the limits allow twice that and any small file, but nothing that must be unpacked on disk first.
 constexpr std::size_t kUnpackedAtLeast = std::size_t{64} << 20, kUnpackedPerByte = 100;
 constexpr std::size_t kLargestUnpacked = std::size_t{8} << 30;
-constexpr std::size_t kBlock = std::size_t{1} << 20;
+constexpr std::size_t kUnpackedBlock = std::size_t{1} << 20;
 
 struct Inflater {
     z_stream stream{};
@@ -31,9 +31,9 @@ void feed(z_stream& stream, std::string_view& rest) {
 
 int inflateBlock(z_stream& stream, std::string& unpacked) {
     const std::size_t used = unpacked.size();
-    unpacked.resize(used + kBlock);
+    unpacked.resize(used + kUnpackedBlock);
     stream.next_out = reinterpret_cast<Bytef*>(unpacked.data() + used);
-    stream.avail_out = static_cast<uInt>(kBlock);
+    stream.avail_out = static_cast<uInt>(kUnpackedBlock);
     const int result = inflate(&stream, Z_NO_FLUSH);
     unpacked.erase(unpacked.size() - stream.avail_out);
     return result;

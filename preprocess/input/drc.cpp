@@ -23,7 +23,7 @@ namespace {
 using draco::GeometryAttribute;
 using draco::PointAttribute;
 
-struct Counts {
+struct MeshCounts {
     std::uint32_t points = 0, faces = 0;
 };
 
@@ -33,7 +33,7 @@ bool decodeCount(draco::DecoderBuffer& buffer, std::uint16_t first_variable, std
     return draco::DecodeVarint(&count, &buffer);
 }
 
-bool decodeMeshCounts(draco::DecoderBuffer& buffer, std::uint8_t method, Counts& counts) {
+bool decodeMeshCounts(draco::DecoderBuffer& buffer, std::uint8_t method, MeshCounts& counts) {
     if (method == draco::MESH_SEQUENTIAL_ENCODING) {
         constexpr std::uint16_t kVariable = DRACO_BITSTREAM_VERSION(2, 2);
         return decodeCount(buffer, kVariable, counts.faces) && decodeCount(buffer, kVariable, counts.points);
@@ -58,7 +58,7 @@ draco::DracoHeader decodeHeader(const InputFile& input, draco::DecoderBuffer& bu
 }
 
 /// Reads the file up to its counts of points and faces.
-bool decodeCounts(const InputFile& input, Counts& counts) {
+bool decodeCounts(const InputFile& input, MeshCounts& counts) {
     draco::DecoderBuffer buffer;
     const draco::DracoHeader header = decodeHeader(input, buffer);
     draco::GeometryMetadata ignored;
@@ -79,7 +79,7 @@ bool promisesTooMuch(std::uint64_t points, std::size_t file_size) {
 }
 
 void checkCounts(const InputFile& input) {
-    Counts counts;
+    MeshCounts counts;
     if (!decodeCounts(input, counts)) refuse(input, "the Draco header is invalid or truncated");
     if (promisesTooMuch(counts.points, input.bytes.size()) || promisesTooMuch(counts.faces, input.bytes.size()))
         refuse(input, fmt::format("the header promises {} points and {} faces in {} bytes", counts.points, counts.faces,

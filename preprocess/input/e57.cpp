@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kBatch = 4096;
 
 /// Counts over all scans of a file, for notes.
-struct Counts {
+struct ScanCounts {
     std::uint64_t points = 0, invalid = 0, directions = 0; ///< directions: invalid points with a valid direction
     std::uint64_t colors_invalid = 0, values_invalid = 0, colors_beyond = 0;
 };
@@ -74,13 +74,14 @@ Vec3d fromSpherical(const Vec3d& spherical) {
 
 void setPosition(Row& row, const Vec3d& position) { std::copy_n(position.data(), 3, &row[kX]); }
 
-struct Reader {
+struct BatchReader {
     const Batch& batch;
-    Counts& counts;
+    ScanCounts& counts;
     Row row{};
     std::vector<char> values;
 
-    Reader(const Batch& of_batch, Counts& into) : batch(of_batch), counts(into), values(batch.plan.value_bytes) {}
+    BatchReader(const Batch& of_batch, ScanCounts& into)
+        : batch(of_batch), counts(into), values(batch.plan.value_bytes) {}
 
     /// Sets NaN, which is dropped and counted, if both kinds of coordinates are marked invalid: 1 means that only the
     /// direction is valid, 2 that nothing is.
@@ -202,11 +203,11 @@ std::string titleOf(const E57File& file, std::size_t number) {
 }
 
 /// Reads a scan's points in batches.
-struct Stream {
+struct ScanStream {
     E57Points points;
     ReleasePagesBehind release_pages;
 
-    Stream(const InputFile& input, const E57File& file, std::size_t number)
+    ScanStream(const InputFile& input, const E57File& file, std::size_t number)
         : points(e57Points(file, number)), release_pages{input} {}
 
     std::size_t read(const std::vector<void*>& columns) {
@@ -228,7 +229,7 @@ bool countsReturnsFromOne(const InputFile& input, const E57File& file, std::size
                                                                     : nullptr);
     }
     if (std::count(buffers.begin(), buffers.end(), nullptr) + 2 != std::ssize(buffers)) return false;
-    Stream stream(input, file, number);
+    ScanStream stream(input, file, number);
     while (const std::size_t count = stream.read(buffers))
         for (std::size_t i = 0; i < count; ++i)
             if (counts[i] > 0 && indices[i] >= counts[i]) return true;
@@ -265,7 +266,7 @@ GridFrame readGridFrame(const InputFile& input, const E57File& file, std::size_t
     buffers[indices.row] = rows.data();
     buffers[indices.column] = columns.data();
     GridFrame frame{kMost, kLeast, kMost, kLeast};
-    Stream stream(input, file, number);
+    ScanStream stream(input, file, number);
     while (const std::size_t count = stream.read(buffers))
         for (std::size_t i = 0; i < count; ++i) {
             frame.first_row = std::min(frame.first_row, rows[i]);
@@ -308,18 +309,18 @@ struct GridFiller {
 
 /// @param room number of points that the cloud will have after the file, 0 if unknown
 void readScan(const InputFile& input, const E57File& file, std::size_t number, std::size_t room, Sink& sink,
-              Counts& counts) {
+              ScanCounts& counts) {
     const E57Scan& scan = file.scans[number];
     const std::string title = titleOf(file, number);
     const E57Plan plan = naming(input, title, [&] { return planE57(scan, countsReturnsFromOne(input, file, number)); });
     const Pose pose = poseOf(input, scan, title);
-    Stream stream = naming(input, title, [&] { return Stream(input, file, number); });
+    ScanStream stream = naming(input, title, [&] { return ScanStream(input, file, number); });
     sink.transform.input_from_scan = pose;
     sink.beginScan(input, plan.traits);
     if (isScannerFrame(scan, plan, pose)) sink.setScanSensor(Vec3d::Zero());
     sink.reserve(room); // arrays that grow scan by scan leave holes in memory, and are copied over and over
     Batch batch(scan, plan);
-    Reader reader(batch, counts);
+    BatchReader reader(batch, counts);
     const GridFiller grid = naming(input, title, [&] { return GridFiller(input, file, number, sink); });
     const auto next = [&] { return stream.read(batch.columns); };
     while (const std::size_t count = naming(input, title, next))
@@ -333,7 +334,7 @@ void readScan(const InputFile& input, const E57File& file, std::size_t number, s
     counts.points += scan.points;
 }
 
-void readScans(const InputFile& input, const E57File& file, Sink& sink, Counts& counts) {
+void readScans(const InputFile& input, const E57File& file, Sink& sink, ScanCounts& counts) {
     std::uint64_t all = 0, before = 0; // points
     for (const E57Scan& scan : file.scans) all += scan.points;
     const std::size_t room = sink.filter.drops() ? 0 : sink.cloud.positions.size() + all;
@@ -374,7 +375,7 @@ void setFrame(const InputFile& input, const E57File& file, Sink& sink) {
     sink.setWorldFrame(input, frame);
 }
 
-void note(const InputFile& input, Sink& sink, const Counts& counts, std::size_t images) {
+void note(const InputFile& input, Sink& sink, const ScanCounts& counts, std::size_t images) {
     const auto say = [&](std::uint64_t count, const std::string& text) {
         if (count > 0) sink.note(input, text);
     };
@@ -391,7 +392,7 @@ void note(const InputFile& input, Sink& sink, const Counts& counts, std::size_t 
     say(images, fmt::format("also holds {} pictures, which are not read", images));
 }
 
-void requireKept(const InputFile& input, const Counts& counts, std::size_t kept) {
+void requireKept(const InputFile& input, const ScanCounts& counts, std::size_t kept) {
     if (kept > 0) return;
     if (counts.points == 0) refuse(input, "holds no points");
     if (counts.invalid == counts.points)
@@ -406,7 +407,7 @@ void readE57(const InputFile& input, Sink& sink) {
     if (file.scans.empty())
         refuse(input, file.images == 0 ? "holds no scans" : fmt::format("holds {} pictures and no scans", file.images));
     const std::uint64_t before = sink.pointCount();
-    Counts counts;
+    ScanCounts counts;
     setFrame(input, file, sink);
     readScans(input, file, sink, counts);
     requireKept(input, counts, sink.pointCount() - before);

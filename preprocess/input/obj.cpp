@@ -17,7 +17,7 @@ struct Model {
 };
 
 /// Reads lines; one that ends in a backslash continues on the next.
-struct Lines {
+struct ObjLines {
     std::string_view rest;
     std::string joined;
     const char* place = nullptr; ///< where the line starts in the input
@@ -109,7 +109,7 @@ void addFace(const InputFile& input, const char* place, std::string_view line, M
 
 Model parseModel(const InputFile& input) {
     Model model;
-    Lines lines{input.bytes, {}};
+    ObjLines lines{input.bytes, {}};
     std::string_view line;
     while (lines.next(line)) {
         const std::string_view keyword = nextWord(line);

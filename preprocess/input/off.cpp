@@ -6,7 +6,7 @@
 namespace pointrt {
 namespace {
 
-struct Header {
+struct OffHeader {
     bool normals = false, colors = false;
     std::uint64_t vertices = 0, faces = 0;
 };
@@ -19,16 +19,16 @@ std::uint64_t count(const InputFile& input, std::string_view& line) {
 }
 
 /// "0 0 0\n" is the shortest vertex, "0\n" the shortest face.
-void checkPromises(const InputFile& input, const Header& header, std::size_t left) {
+void checkPromises(const InputFile& input, const OffHeader& header, std::size_t left) {
     if (header.vertices > left / 6 + 1 || header.faces > left / 2 + 1)
         refuse(input, fmt::format("the header promises {} vertices and {} faces, but only {} bytes follow",
                                   header.vertices, header.faces, left));
 }
 
-Header readHeader(const InputFile& input, Lines& lines) {
+OffHeader readHeader(const InputFile& input, Lines& lines) {
     std::string_view line;
     if (!lines.next(line)) refuse(input, "does not start with OFF");
-    Header header;
+    OffHeader header;
     const std::string_view keyword = nextWord(line);
     header.normals = keyword == "NOFF" || keyword == "CNOFF";
     header.colors = keyword == "COFF" || keyword == "CNOFF";
@@ -64,14 +64,14 @@ Vertex parseVertex(const InputFile& input, std::string_view line, std::size_t le
 }
 
 /// Colours may follow a position whatever the keyword says: decided by the first vertex.
-void detectColors(const InputFile& input, Lines lines, Header& header) {
+void detectColors(const InputFile& input, Lines lines, OffHeader& header) {
     std::string_view line;
     const std::size_t first = header.normals ? 6 : 3;
     if (header.vertices == 0 || !lines.next(line)) return;
     header.colors = parseVertex(input, line, first).size >= first + 3;
 }
 
-void readVertices(const InputFile& input, const Header& header, Lines& lines, Sink& sink) {
+void readVertices(const InputFile& input, const OffHeader& header, Lines& lines, Sink& sink) {
     const std::size_t color_at = header.normals ? 6 : 3;
     Row row{};
     std::string_view line;
@@ -87,7 +87,7 @@ void readVertices(const InputFile& input, const Header& header, Lines& lines, Si
     }
 }
 
-void readFaces(const InputFile& input, const Header& header, Lines& lines, Sink& sink) {
+void readFaces(const InputFile& input, const OffHeader& header, Lines& lines, Sink& sink) {
     std::vector<std::uint32_t> corners;
     std::string_view line;
     for (std::uint64_t i = 0; i < header.faces; ++i) {
@@ -118,7 +118,7 @@ bool isKeywordLine(std::string_view line, bool first) {
 
 void readOff(const InputFile& input, Sink& sink) {
     Lines lines{input.bytes, true};
-    Header header = readHeader(input, lines);
+    OffHeader header = readHeader(input, lines);
     detectColors(input, lines, header);
     ScanTraits traits;
     traits.vertices = header.vertices;

@@ -21,7 +21,7 @@ bool isRangeGrid(const PlyHeader& header, const PlyElement& element) {
 
 /// Reads the elements of one file, text or binary.
 template <typename Values>
-struct Reader {
+struct ElementReader {
     const PlyHeader& header;
     Sink& sink;
     PlyBody<Values> body;
@@ -169,7 +169,7 @@ void readPly(const InputFile& input, Sink& sink) {
     if (!unread.empty()) sink.note(input, "lists and properties with a duplicate name are not read: " + unread);
     sink.beginScan(input, traitsOf(header));
     withPlyBody(input, header, [&]<typename Values>(const PlyBody<Values>& body) {
-        Reader<Values> reader{header, sink, body, {}, {}};
+        ElementReader<Values> reader{header, sink, body, {}, {}};
         reader.read();
         if (!reader.body.exact)
             sink.note(input, "has numbers outside their declared types: the nearest values are used");

@@ -25,7 +25,7 @@ std::optional<std::uint64_t> countOf(std::string_view line) {
     return is_count ? std::optional(count) : std::nullopt;
 }
 
-struct Header {
+struct PtxHeader {
     std::uint64_t columns = 0, rows = 0, cells = 0;
     Vec3d position = Vec3d::Zero(); ///< of the scanner, after registration
     Pose input_from_scan;
@@ -84,8 +84,8 @@ void readTransform(const InputFile& input, Lines& lines, Pose& input_from_scan) 
         refuseLine(input, place, "the transform is not a rotation and translation");
 }
 
-Header readHeader(const InputFile& input, std::string_view first_line, Lines& lines) {
-    Header header;
+PtxHeader readHeader(const InputFile& input, std::string_view first_line, Lines& lines) {
+    PtxHeader header;
     header.columns = readCount(input, first_line, "columns");
     header.rows = readCount(input, headerLine(input, lines), "rows");
     const auto position = readNumbers<3>(input, lines, "the position of the scanner");
@@ -143,7 +143,7 @@ struct PackedCell {
 };
 static_assert(sizeof(PackedCell) == 12);
 
-ScanTraits traitsOf(const Header& header, const Shape& shape) {
+ScanTraits traitsOf(const PtxHeader& header, const Shape& shape) {
     ScanTraits traits;
     traits.vertices = header.cells;
     traits.faces = false;
@@ -178,7 +178,7 @@ struct Cells {
 };
 
 /// Cells come column by column. 0 0 0 marks a cell without a return.
-Cells readCells(const InputFile& input, const Header& header, const Shape& shape, Lines& lines, Sink& sink) {
+Cells readCells(const InputFile& input, const PtxHeader& header, const Shape& shape, Lines& lines, Sink& sink) {
     Cells cells;
     Row row{};
     PackedCell packed;
@@ -204,7 +204,7 @@ Cells readCells(const InputFile& input, const Header& header, const Shape& shape
 }
 
 /// Whether a header has default values only.
-bool isDefault(const Header& header) {
+bool isDefault(const PtxHeader& header) {
     const Pose& pose = header.input_from_scan;
     return header.position.isZero(0) && pose.translation.isZero(0) && pose.linear.isIdentity(0);
 }
@@ -212,7 +212,7 @@ bool isDefault(const Header& header) {
 /// Scanner position in the scan's frame: its origin or, if the points are registered already, the position in the
 /// header; whichever is nearer to the points. With a default header, a scanner further away than ten times the size of
 /// the scan is not plausible (nullopt): converters of points in a national grid write such files.
-std::optional<Vec3d> sensorOf(const Header& header, const Cells& cells) {
+std::optional<Vec3d> sensorOf(const PtxHeader& header, const Cells& cells) {
     if (cells.box.isEmpty()) return std::nullopt;
     const Pose& pose = header.input_from_scan;
     const Vec3d origin = Vec3d::Zero(), given = pose.linear.inverse() * (header.position - pose.translation);
@@ -223,7 +223,7 @@ std::optional<Vec3d> sensorOf(const Header& header, const Cells& cells) {
 }
 
 /// Returns the number of cells without a point.
-std::uint64_t readScan(const InputFile& input, const Header& header, std::size_t number, Lines& lines, Sink& sink) {
+std::uint64_t readScan(const InputFile& input, const PtxHeader& header, std::size_t number, Lines& lines, Sink& sink) {
     const Shape shape = shapeOf(input, lines, header.cells);
     sink.transform.input_from_scan = header.input_from_scan;
     sink.beginScan(input, traitsOf(header, shape));
@@ -243,7 +243,7 @@ void readScans(const InputFile& input, Lines& lines, Sink& sink) {
     std::uint64_t missing = 0, cells = 0;
     const std::size_t points_before = sink.cloud.points_read;
     for (std::size_t number = 1; lines.next(line); ++number) {
-        const Header header = readHeader(input, line, lines);
+        const PtxHeader header = readHeader(input, line, lines);
         missing += readScan(input, header, number, lines, sink);
         cells += header.cells;
     }

@@ -7,12 +7,12 @@ namespace pointrt::surface {
 namespace {
 
 /// Weighted sums over the neighbours.
-struct Sums {
+struct SphereSums {
     float weight = 0, place_square = 0, place_normal = 0;
     Vec3f place = Vec3f::Zero(), normal = Vec3f::Zero();
 };
 
-Sums sumUp(const Neighborhood& around, const AlgebraicSphere& from, float scale) {
+SphereSums sumUp(const Neighborhood& around, const AlgebraicSphere& from, float scale) {
     Lanes weight = Lanes::Zero(), square = weight, along = weight;
     Lanes px = weight, py = weight, pz = weight, nx = weight, ny = weight, nz = weight;
     const float inverse = 1 / (scale * scale);
@@ -40,7 +40,7 @@ AlgebraicSphere normalized(AlgebraicSphere sphere) {
 } // namespace
 
 AlgebraicSphere fitSphere(const Neighborhood& around, const AlgebraicSphere& from, float scale) {
-    const Sums sums = sumUp(around, from, scale);
+    const SphereSums sums = sumUp(around, from, scale);
     if (!(sums.weight > 0)) return from;
     const float inverse = 1 / sums.weight;
     const float spread = sums.place_square - sums.place.squaredNorm() * inverse;

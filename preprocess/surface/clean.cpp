@@ -8,7 +8,7 @@
 namespace pointrt::surface {
 namespace {
 
-constexpr const char* kStage = "cleaning";
+constexpr const char* kCleaning = "cleaning";
 
 /// Shares of the stage's time, as measured.
 constexpr double kMeasured = 0.2, kProjected = 0.85;
@@ -60,14 +60,14 @@ CleanReport cleanPoints(PointGraph& graph, const CleanOptions& options, const St
     if (std::all_of(report.noise.begin(), report.noise.end(), [](float noise) { return noise <= kCleanNoise; }))
         return report;
     dropSilhouettes(graph, report);
-    points.noise = noiseToSmooth(graph, report.noise, {progress, kStage, 0, kMeasured});
+    points.noise = noiseToSmooth(graph, report.noise, {progress, kCleaning, 0, kMeasured});
     const std::vector<Vec3f> normals = options.keep_normals ? points.normals : std::vector<Vec3f>();
     const ProjectionReport projected =
-        projectPoints(graph, options.strength, {progress, kStage, kMeasured, kProjected});
+        projectPoints(graph, options.strength, {progress, kCleaning, kMeasured, kProjected});
     report.moved = projected.moved;
     if (options.keep_normals) points.normals = normals;
     dropOffSurface(graph, projected.off_surface, report);
-    graph.connect(graph.lists.k, {progress, kStage, kProjected, 1});
+    graph.connect(graph.lists.k, {progress, kCleaning, kProjected, 1});
     return report;
 }
 

@@ -211,7 +211,7 @@ Splats toSplats(PointSet&& points, double radius_scale) {
 
 void requireValid(const SurfaceOptions& options) {
     if (options.neighbors < 3 || options.neighbors > 255)
-        throw Error{ExitCode::kBadUsage, "the number of neighbors must be 3 to 255"};
+        throw Error{ExitCode::kBadUsage, "the number of neighbours must be 3 to 255"};
     if (!(options.radius_scale > 0) || !std::isfinite(options.radius_scale))
         throw Error{ExitCode::kBadUsage, "the radius scale must be above 0"};
 }

@@ -12,7 +12,7 @@
 namespace pointrt::surface {
 namespace {
 
-constexpr const char* kStage = "normals";
+constexpr const char* kNormals = "normals";
 
 std::vector<std::uint8_t> flagGiven(const PointSet& points, NormalSource source) {
     std::vector<std::uint8_t> given(points.size(), 0);
@@ -107,8 +107,8 @@ void estimateNormals(PointSet& points, const NeighborLists& lists, const std::ve
     constexpr double kSteps = 1 + 3 + 2 + 1; // first fits, 3 widenings, 2 more fits, smoothing
     ScaleSpace scales;
     double done = 1 / kSteps;
-    const auto next = [&] { return StageShare{progress, kStage, done, done += 1 / kSteps}; };
-    startScales(scales, points, lists, given, {progress, kStage, 0, done});
+    const auto next = [&] { return StageShare{progress, kNormals, done, done += 1 / kSteps}; };
+    startScales(scales, points, lists, given, {progress, kNormals, 0, done});
     for (const int widenings : kWidenings) {
         for (int i = 0; i < widenings; ++i) widen(scales, points, lists, next());
         takeBetterFits(scales, points, given, next());

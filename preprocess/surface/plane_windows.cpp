@@ -10,20 +10,20 @@
 namespace pointrt {
 namespace {
 
-/// Sums over cells: 1, row, column, value, and the products rr rc cc rv cv vv of two of these.
-using Sums = Eigen::Array<double, 10, 1>;
+/// WindowSums over cells: 1, row, column, value, and the products rr rc cc rv cv vv of two of these.
+using WindowSums = Eigen::Array<double, 10, 1>;
 
-Sums sumsOf(double row, double column, double value) {
-    Sums sums;
+WindowSums sumsOf(double row, double column, double value) {
+    WindowSums sums;
     sums << 1, row, column, value, row * row, row * column, column * column, row * value, column * value, value * value;
     return sums;
 }
 
 /// The least-squares plane through the cells, at one of them.
-PlaneValue planeAt(const Sums& sums, double row, double column) {
+PlaneValue planeAt(const WindowSums& sums, double row, double column) {
     constexpr double kNarrow = 0.2; // the variance of a row and the next is 1/4
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    const Sums mean = sums / sums[0];
+    const WindowSums mean = sums / sums[0];
     const double rr = mean[4] - mean[1] * mean[1], rc = mean[5] - mean[1] * mean[2], cc = mean[6] - mean[2] * mean[2];
     const double rv = mean[7] - mean[1] * mean[3], cv = mean[8] - mean[2] * mean[3], vv = mean[9] - mean[3] * mean[3];
     const double determinant = rr * cc - rc * rc;
@@ -39,16 +39,16 @@ struct Strip {
     const Arms& arms;
     int radius;
     std::uint32_t begin, end;
-    double zero;                  ///< subtracted from values, to keep sums small
-    std::vector<Sums> above = {}; ///< [end - begin + 1][columns]: sums over the one-row windows above each cell
+    double zero;                        ///< subtracted from values, to keep sums small
+    std::vector<WindowSums> above = {}; ///< [end - begin + 1][columns]: sums over the one-row windows above each cell
 
     double rowOf(std::uint32_t row) const { return double(row) - double(begin); }
     double columnOf(std::uint32_t column) const { return double(column) - double(frame.columns / 2); }
     int armOf(const std::vector<std::uint8_t>& arm, std::size_t cell) const { return std::min(int(arm[cell]), radius); }
 
     void sumUp() {
-        above.assign(std::size_t{end - begin + 1} * frame.columns, Sums::Zero());
-        std::vector<Sums> before(frame.columns + 1);
+        above.assign(std::size_t{end - begin + 1} * frame.columns, WindowSums::Zero());
+        std::vector<WindowSums> before(frame.columns + 1);
         before[0].setZero();
         for (std::uint32_t row = begin; row < end; ++row) {
             for (std::uint32_t column = 0; column < frame.columns; ++column) {
@@ -56,7 +56,7 @@ struct Strip {
                 before[column + 1] = before[column];
                 if (inverse > 0) before[column + 1] += sumsOf(rowOf(row), columnOf(column), inverse - zero);
             }
-            Sums* const sums = above.data() + std::size_t{row - begin} * frame.columns;
+            WindowSums* const sums = above.data() + std::size_t{row - begin} * frame.columns;
             for (std::uint32_t column = 0; column < frame.columns; ++column) {
                 const std::size_t cell = frame.cell(row, column);
                 sums[frame.columns + column] = sums[column] + before[column + 1 + armOf(arms.right, cell)] -
@@ -68,7 +68,7 @@ struct Strip {
     PlaneValue planeOf(std::uint32_t row, std::uint32_t column) const {
         const std::size_t cell = frame.cell(row, column);
         const std::uint32_t top = row - begin - armOf(arms.up, cell), below = row - begin + 1 + armOf(arms.down, cell);
-        const Sums sums =
+        const WindowSums sums =
             above[std::size_t{below} * frame.columns + column] - above[std::size_t{top} * frame.columns + column];
         PlaneValue plane = planeAt(sums, rowOf(row), columnOf(column));
         plane.value += zero;

@@ -36,7 +36,7 @@ constexpr float kOtherClear = 0.5f;
 /// Planarity weight below which discs stay. Discs of foliage already pass as many sightlines as the crown does
 /// (radii.cpp); shrunk in addition, they would pass too many: 53% through the simulated house's trees, 52% with a limit
 /// of 0.5, 48% with 1, where 44% is true.
-constexpr float kPlanar = 1.0f;
+constexpr float kFullyPlanar = 1.0f;
 
 /// Limit of sensors tested per disc besides its own, nearest to that one first: each takes as long.
 constexpr std::size_t kMostOthers = 8;
@@ -70,7 +70,7 @@ struct Job {
         return graph.points.sensorOf(point) ? sensor_index[graph.points.sensor_of_point[point]] : kNone;
     }
     bool isScattered(std::size_t point) const {
-        return !graph.points.planarity.empty() && graph.points.planarity[point] < kPlanar;
+        return !graph.points.planarity.empty() && graph.points.planarity[point] < kFullyPlanar;
     }
     float toSecondNeighbor(std::size_t point) const {
         return graph.lists.distance(graph.points, point, std::min<std::size_t>(1, graph.lists.k - 1));

@@ -17,7 +17,7 @@ namespace pointrt {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 CollectedSplats gatherAll(const TileSet& set, const TileTree& tree, const TileKey& tile, const std::string& folder,
                           float widest) {
@@ -40,13 +40,13 @@ CollectedSplats gatherAll(const TileSet& set, const TileTree& tree, const TileKe
 }
 
 std::string metadataOf(const TileOptions& options, const TileKey& tile, const CollectedSplats& gathered) {
-    Json json = Json::parse(options.metadata);
+    OrderedJson json = OrderedJson::parse(options.metadata);
     json["tile"] = {{"level", tile.level},
                     {"cell", tile.cell},
                     {"splats", gathered.own},
                     {"error", gathered.splats.error},
                     {"spacing", gathered.splats.spacing}};
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
 }
 
 ProContent contentOf(const TileSet& set, const TileOptions& options, const TileKey& tile, CollectedSplats& gathered,

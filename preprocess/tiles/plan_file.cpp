@@ -21,7 +21,7 @@
 namespace pointrt {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr int kVersion = 2;
 
@@ -29,16 +29,16 @@ std::string sidesFile(const std::string& work) { return work + "/sides.bin"; }
 std::string statisticsFile(const std::string& work) { return work + "/traits.json"; }
 std::string widestFile(const std::string& work) { return work + "/widest.json"; }
 
-Json vectorJson(const Vec3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
+OrderedJson vectorJson(const Vec3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
 template <typename Value>
-Value take(const Json& json, const char* name) {
+Value take(const OrderedJson& json, const char* name) {
     if constexpr (std::integral<Value> && !std::same_as<Value, bool>)
         return jsonInteger<Value>(json.at(name));
     else
         return json.at(name).get<Value>();
 }
 
-Vec3d vectorOf(const Json& json) {
+Vec3d vectorOf(const OrderedJson& json) {
     return Vec3d(json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>());
 }
 
@@ -78,8 +78,8 @@ PlanSides sidesOf(const std::string& bytes) {
     return sides;
 }
 
-Json schemaJson(const PlanSchema& schema) {
-    Json attributes = Json::array();
+OrderedJson schemaJson(const PlanSchema& schema) {
+    OrderedJson attributes = OrderedJson::array();
     for (const PlanAttribute& each : schema.attributes)
         attributes.push_back({{"name", each.name},
                               {"type", static_cast<int>(each.type)},
@@ -94,7 +94,7 @@ Json schemaJson(const PlanSchema& schema) {
             {"attributes", std::move(attributes)}};
 }
 
-PlanSchema schemaOf(const Json& json) {
+PlanSchema schemaOf(const OrderedJson& json) {
     PlanSchema schema;
     schema.normals = take<bool>(json, "normals");
     schema.normal_sides = take<bool>(json, "normal_sides");
@@ -102,15 +102,15 @@ PlanSchema schemaOf(const Json& json) {
     schema.radii = take<bool>(json, "radii");
     schema.scan_bytes = take<std::size_t>(json, "scan_bytes");
     schema.scan_attribute = take<bool>(json, "scan_attribute");
-    for (const Json& each : json.at("attributes"))
+    for (const OrderedJson& each : json.at("attributes"))
         schema.attributes.push_back({take<std::string>(each, "name"), static_cast<Scalar>(take<int>(each, "type")),
                                      take<std::uint32_t>(each, "components"),
                                      static_cast<Scalar>(take<int>(each, "read_type"))});
     return schema;
 }
 
-Json scansJson(const std::vector<PlanScan>& scans) {
-    Json json = Json::array();
+OrderedJson scansJson(const std::vector<PlanScan>& scans) {
+    OrderedJson json = OrderedJson::array();
     for (const PlanScan& each : scans) {
         json.push_back({{"name", each.name}, {"points", each.points}, {"largest_color", each.largest_color}});
         if (each.sensor) json.back()["sensor"] = vectorJson(*each.sensor);
@@ -118,9 +118,9 @@ Json scansJson(const std::vector<PlanScan>& scans) {
     return json;
 }
 
-std::vector<PlanScan> scansOf(const Json& json) {
+std::vector<PlanScan> scansOf(const OrderedJson& json) {
     std::vector<PlanScan> scans;
-    for (const Json& each : json) {
+    for (const OrderedJson& each : json) {
         PlanScan& scan = scans.emplace_back();
         scan.name = take<std::string>(each, "name");
         scan.points = take<std::uint64_t>(each, "points");
@@ -130,8 +130,8 @@ std::vector<PlanScan> scansOf(const Json& json) {
     return scans;
 }
 
-Json inputsJson(const std::vector<PlanInput>& inputs) {
-    Json json = Json::array();
+OrderedJson inputsJson(const std::vector<PlanInput>& inputs) {
+    OrderedJson json = OrderedJson::array();
     for (const PlanInput& each : inputs)
         json.push_back({{"path", each.path},
                         {"format", each.format},
@@ -143,9 +143,9 @@ Json inputsJson(const std::vector<PlanInput>& inputs) {
     return json;
 }
 
-std::vector<PlanInput> inputsOf(const Json& json) {
+std::vector<PlanInput> inputsOf(const OrderedJson& json) {
     std::vector<PlanInput> inputs;
-    for (const Json& each : json)
+    for (const OrderedJson& each : json)
         inputs.push_back({take<std::string>(each, "path"), take<std::string>(each, "format"),
                           take<std::uint64_t>(each, "bytes"), take<std::int64_t>(each, "modified_ns"),
                           take<std::uint64_t>(each, "points"), take<std::uint64_t>(each, "kept"),
@@ -154,16 +154,17 @@ std::vector<PlanInput> inputsOf(const Json& json) {
 }
 
 /// A row of numbers per tile, compact: a country has 10^5 of them.
-Json tilesJson(const std::vector<PlanTile>& tiles) {
-    Json json = Json::array();
+OrderedJson tilesJson(const std::vector<PlanTile>& tiles) {
+    OrderedJson json = OrderedJson::array();
     for (const PlanTile& each : tiles)
-        json.push_back(Json::array({each.level, each.cell[0], each.cell[1], each.cell[2], each.points, each.spacing}));
+        json.push_back(
+            OrderedJson::array({each.level, each.cell[0], each.cell[1], each.cell[2], each.points, each.spacing}));
     return json;
 }
 
-std::vector<PlanTile> tilesOf(const Json& json) {
+std::vector<PlanTile> tilesOf(const OrderedJson& json) {
     std::vector<PlanTile> tiles;
-    for (const Json& each : json)
+    for (const OrderedJson& each : json)
         tiles.push_back({jsonInteger<std::uint32_t>(each.at(0)),
                          {jsonInteger<std::int32_t>(each.at(1)), jsonInteger<std::int32_t>(each.at(2)),
                           jsonInteger<std::int32_t>(each.at(3))},
@@ -172,7 +173,7 @@ std::vector<PlanTile> tilesOf(const Json& json) {
     return tiles;
 }
 
-Json worldJson(const SetPlan& plan) {
+OrderedJson worldJson(const SetPlan& plan) {
     const WorldFrame& world = plan.world;
     return {{"up", vectorJson(world.up)},
             {"up_by_custom", world.up_by_custom},
@@ -183,7 +184,7 @@ Json worldJson(const SetPlan& plan) {
             {"crs", world.crs}};
 }
 
-void takeWorld(const Json& json, SetPlan& plan) {
+void takeWorld(const OrderedJson& json, SetPlan& plan) {
     plan.world.up = vectorOf(json.at("up"));
     plan.world.up_by_custom = take<bool>(json, "up_by_custom");
     plan.up_from = take<std::string>(json, "up_from");
@@ -193,15 +194,15 @@ void takeWorld(const Json& json, SetPlan& plan) {
     plan.world.crs = take<std::string>(json, "crs");
 }
 
-Json notesJson(const std::vector<Note>& notes) {
-    Json json = Json::array();
+OrderedJson notesJson(const std::vector<Note>& notes) {
+    OrderedJson json = OrderedJson::array();
     for (const Note& each : notes)
         json.push_back({{"file", each.file}, {"text", each.text}, {"more_files", each.more_files}});
     return json;
 }
 
-Json planJson(const SetPlan& plan, std::uint64_t sides_xxh3) {
-    Json json;
+OrderedJson planJson(const SetPlan& plan, std::uint64_t sides_xxh3) {
+    OrderedJson json;
     json["version"] = kVersion;
     json["output"] = plan.output;
     json["settings"] = plan.settings;
@@ -227,12 +228,12 @@ Json planJson(const SetPlan& plan, std::uint64_t sides_xxh3) {
     return json;
 }
 
-SetPlan planOf(const Json& json) {
+SetPlan planOf(const OrderedJson& json) {
     SetPlan plan;
     plan.output = take<std::string>(json, "output");
     plan.settings = take<std::string>(json, "settings");
     plan.inputs = inputsOf(json.at("inputs"));
-    const Json& points = json.at("points");
+    const OrderedJson& points = json.at("points");
     plan.points = take<std::uint64_t>(points, "kept");
     plan.points_read = take<std::uint64_t>(points, "read");
     plan.points_non_finite = take<std::uint64_t>(points, "non_finite");
@@ -247,22 +248,22 @@ SetPlan planOf(const Json& json) {
     plan.schema = schemaOf(json.at("schema"));
     plan.scans = scansOf(json.at("scans"));
     plan.source_header = take<std::string>(json, "source_header");
-    for (const Json& each : json.at("notes"))
+    for (const OrderedJson& each : json.at("notes"))
         plan.notes.push_back(
             {take<std::string>(each, "file"), take<std::string>(each, "text"), take<std::size_t>(each, "more_files")});
-    for (const Json& each : json.at("first_tile_of_block"))
+    for (const OrderedJson& each : json.at("first_tile_of_block"))
         plan.first_tile_of_block.push_back(jsonInteger<std::uint32_t>(each));
     plan.tiles = tilesOf(json.at("tiles"));
     return plan;
 }
 
 template <typename Value>
-Json jsonOf(const std::optional<Value>& value) {
-    return value ? Json(*value) : Json();
+OrderedJson jsonOf(const std::optional<Value>& value) {
+    return value ? OrderedJson(*value) : OrderedJson();
 }
 
 template <typename Value>
-std::optional<Value> takeMaybe(const Json& json, const char* name) {
+std::optional<Value> takeMaybe(const OrderedJson& json, const char* name) {
     return json.at(name).is_null() ? std::nullopt : std::optional<Value>(take<Value>(json, name));
 }
 
@@ -270,7 +271,7 @@ std::optional<Value> takeMaybe(const Json& json, const char* name) {
 CloudStatistics readStatistics(const std::string& work) {
     std::ifstream stream(statisticsFile(work));
     if (!stream) return {};
-    const Json json = Json::parse(stream);
+    const OrderedJson json = OrderedJson::parse(stream);
     return {json.at("noise").get<std::vector<float>>(), takeMaybe<bool>(json, "scattered"),
             takeMaybe<std::uint32_t>(json, "fill_rows"), takeMaybe<float>(json, "radius_limit"),
             takeMaybe<float>(json, "common_reach")};
@@ -286,8 +287,8 @@ void writePlan(const SetPlan& plan) {
     const std::string sides = sidesBytes(plan.sides);
     writeWhole(sidesFile(plan.work), sides);
     // names may be invalid UTF-8
-    const std::string text =
-        planJson(plan, XXH3_64bits(sides.data(), sides.size())).dump(-1, ' ', false, Json::error_handler_t::replace);
+    const std::string text = planJson(plan, XXH3_64bits(sides.data(), sides.size()))
+                                 .dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
     writeWhole(planFile(plan.work), text + "\n");
 }
 
@@ -306,17 +307,17 @@ void removeTree(const std::string& path) {
 }
 
 void writeStatistics(const SetPlan& plan, const CloudStatistics& statistics) {
-    const Json json = {{"noise", statistics.noise},
-                       {"scattered", jsonOf(statistics.scattered)},
-                       {"fill_rows", jsonOf(statistics.fill_rows)},
-                       {"radius_limit", jsonOf(statistics.radius_limit)},
-                       {"common_reach", jsonOf(statistics.common_reach)}};
+    const OrderedJson json = {{"noise", statistics.noise},
+                              {"scattered", jsonOf(statistics.scattered)},
+                              {"fill_rows", jsonOf(statistics.fill_rows)},
+                              {"radius_limit", jsonOf(statistics.radius_limit)},
+                              {"common_reach", jsonOf(statistics.common_reach)}};
     writeWhole(statisticsFile(plan.work), json.dump() + "\n");
 }
 
 void writeWidestRadius(const SetPlan& plan, float radius) {
     const std::optional<float> limit = std::isfinite(radius) ? std::optional(radius) : std::nullopt;
-    writeWhole(widestFile(plan.work), Json({{"radius", jsonOf(limit)}}).dump() + "\n");
+    writeWhole(widestFile(plan.work), OrderedJson({{"radius", jsonOf(limit)}}).dump() + "\n");
 }
 
 std::optional<float> readWidestRadius(const SetPlan& plan) {
@@ -325,16 +326,16 @@ std::optional<float> readWidestRadius(const SetPlan& plan) {
     if (!stream) return std::nullopt;
     try {
         const float radius =
-            takeMaybe<float>(Json::parse(stream), "radius").value_or(std::numeric_limits<float>::infinity());
+            takeMaybe<float>(OrderedJson::parse(stream), "radius").value_or(std::numeric_limits<float>::infinity());
         if (radius > 0) return radius;
-    } catch (const Json::exception&) {
+    } catch (const OrderedJson::exception&) {
     }
     throw Error(ExitCode::kBadInput, path + ": is not a file of this program");
 }
 
 SetPlan readPlan(const std::string& work) {
     const std::string path = planFile(work), text = readWhole(path);
-    const Json json = Json::parse(text, nullptr, false);
+    const OrderedJson json = OrderedJson::parse(text, nullptr, false);
     try {
         if (json.at("version") != kVersion) throw Error(ExitCode::kBadInput, path + ": has another version");
         SetPlan plan = planOf(json);
@@ -347,7 +348,7 @@ SetPlan readPlan(const std::string& work) {
         const std::string fault = findPlanFault(plan);
         if (!fault.empty()) throw Error(ExitCode::kBadInput, path + ": is not a valid plan: " + fault);
         return plan;
-    } catch (const Json::exception&) {
+    } catch (const OrderedJson::exception&) {
         throw Error(ExitCode::kBadInput, path + ": is not a plan of this program");
     }
 }

@@ -71,8 +71,8 @@ def test_units_of_the_scan(scene):
 
 @pytest.mark.parametrize("change, text", [
     ({"spinning": {"elevations_deg": [0], "rotation_hz": -1, "step_deg": 1}}, r"spinning.rotation_hz.*is -1"),
-    ({"range": {"max": 1}}, r"unknown key .max., did you mean"),
-    ({"rang": {}}, r"did you mean .range."),
+    ({"range": {"max": 1}}, r"key .max., .*max_m"),
+    ({"rang": {}}, r"key .rang., .*.range."),
     ({"detection": {"threshold": float("nan")}}, "is nan"),
 ])
 def test_invalid_sensors(scene, change, text):
@@ -95,14 +95,14 @@ def test_invalid_trajectories_and_attributes(scene, tmp_path):
 
     pose = [0, *MIDDLE, 0, 0, 0, 1]
     refused(ValueError, "no pose")
-    refused(ValueError, "exclude each other", [pose], pose=MIDDLE)
+    refused(ValueError, "trajectory and pose", [pose], pose=MIDDLE)
     refused(ValueError, r"shape \[N, 8\]", MIDDLE)
     refused(ValueError, "x y z yaw pitch roll", pose=[1, 2])
-    refused(ValueError, "pose 1: its time must be later", [pose, pose])
+    refused(ValueError, "pose 1: .*time", [pose, pose])
     refused(ValueError, "quaternion is 0", [[0, *MIDDLE, 0, 0, 0, 0]])
     refused(ValueError, "not finite", pose=[0, np.nan, 0])
-    refused(ValueError, "duration_s must be above 0", pose=MIDDLE, duration=0)
-    refused(ValueError, "no attribute 'gloss'", pose=MIDDLE, attributes=["gloss"])
+    refused(ValueError, "duration_s", pose=MIDDLE, duration=0)
+    refused(ValueError, "attribute 'gloss'", pose=MIDDLE, attributes=["gloss"])
     refused(pointrt.Error, "gone.csv: No such file", tmp_path / "gone.csv")
     with pytest.raises(pointrt.Error, match="gone.toml: No such file"):
         scene.simulate_lidar(tmp_path / "gone.toml")

@@ -97,10 +97,10 @@ def test_settings_decide_the_picture(scene):
     ({"width": 0}, "0 x 512"),
     ({"width": -3}, "0 x 512"),
     ({"height": 2**40}, "512 x 4294967295"),
-    ({"layers": ["colour"]}, "unknown layer \"colour\"; known layers are rgba"),
-    ({"integrator": "radiosity"}, "integrator: .*not one of phong"),
+    ({"layers": ["colour"]}, "layer \"colour\".*rgba"),
+    ({"integrator": "radiosity"}, "integrator: .*radiosity.*phong"),
     ({"spp": 0}, "spp: "),
-    ({"no_such_setting": 1}, "no_such_setting: unknown setting"),
+    ({"no_such_setting": 1}, "no_such_setting: "),
 ])
 def test_invalid_pictures(scene, arguments, text):
     with pytest.raises(ValueError, match=text):
@@ -108,13 +108,13 @@ def test_invalid_pictures(scene, arguments, text):
 
 
 def test_invalid_cameras(scene):
-    with pytest.raises(ValueError, match=r"eye must have the shape \[3\], not \[2\]"):
+    with pytest.raises(ValueError, match=r"eye .*\[3\].*\[2\]"):
         pointrt.Camera.look_at([1, 2])
     with pytest.raises(ValueError, match=r"\[4, 4\] or \[3, 4\], not \[3, 3\]"):
         pointrt.Camera.from_intrinsics(1, 1, 1, 1, np.eye(3))
-    with pytest.raises(ValueError, match="convention must be one of opencv, opengl, not 'blender'"):
+    with pytest.raises(ValueError, match="convention .*opencv, opengl.*'blender'"):
         pointrt.Camera.from_intrinsics(1, 1, 1, 1, np.eye(4), "blender")
-    with pytest.raises(ValueError, match="focal lengths are not positive"):
+    with pytest.raises(ValueError, match="focal lengths"):
         scene.render(pointrt.Camera.from_intrinsics(0, 1, 1, 1, DOWN), 8, 8)
     with pytest.raises(ValueError, match="mirrored"):
         scene.render(pointrt.Camera.from_intrinsics(5, 5, 1, 1, DOWN * [-1, 1, 1, 1]), 8, 8)

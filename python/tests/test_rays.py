@@ -39,7 +39,7 @@ def test_only_requested_fields(scene):
     assert hits["primitive_ids"] is hits["splat_ids"]
     with pytest.raises(KeyError):
         hits["normals"]
-    with pytest.raises(ValueError, match="no field 'colour'"):
+    with pytest.raises(ValueError, match="field 'colour'"):
         scene.cast_rays(np.empty((0, 6)), fields=["colour"])
 
 

@@ -52,14 +52,14 @@ def test_attributes_come_with_the_hits(tmp_path):
         np.testing.assert_array_equal(hits[name], values[hits["splat_ids"]])
     assert hits["heat"].min() == 200 and hits["heat"].max() == 206 and hits["share"].max() == 0.75
     assert np.mean(hits["heat"] == 200 + heat) > 0.99  # straight above a point its own disc is hit first, nearly always
-    with pytest.raises(ValueError, match="no attribute 'cold': it has heat"):
+    with pytest.raises(ValueError, match="attribute 'cold'.*heat"):
         scene.cast_rays(rays, attributes=["cold"])
 
 
 def test_bad_arrays_and_options_of_bakes(tmp_path):
-    with pytest.raises(ValueError, match="points must have the shape"):
+    with pytest.raises(ValueError, match="points .*shape"):
         pointrt.bake(np.zeros((5, 2)), output=tmp_path / "a.pro")
-    with pytest.raises(ValueError, match=r"normals must have the shape \[5, 3\]"):
+    with pytest.raises(ValueError, match=r"normals .*\[5, 3\]"):
         pointrt.bake(np.zeros((5, 3)), np.zeros((4, 3)), output=tmp_path / "a.pro")
     with pytest.raises(ValueError, match="uint8"):
         pointrt.bake(np.zeros((5, 3)), colors=np.zeros((5, 3)), output=tmp_path / "a.pro")

@@ -50,7 +50,7 @@ def test_hits_are_the_same_in_any_memory(hills_in_tiles):
         np.testing.assert_array_equal(found[name], array, err_msg=name)
     np.testing.assert_array_equal(streamed.test_occlusions(rays), whole.test_occlusions(rays))
     assert streamed.tile_loads > whole.tile_loads
-    with pytest.raises(ValueError, match="one tile needs"):
+    with pytest.raises(ValueError, match="one tile .*limit"):
         pointrt.Scene(hills_in_tiles, memory=4096)
 
 
@@ -68,7 +68,7 @@ def test_scene_files(field, tmp_path):
     np.testing.assert_array_equal(hits["instance_ids"], [1, 255])
     assert hits["splat_ids"][1] == pointrt.NO_HIT
     (tmp_path / "wrong.toml").write_text('[[instance]]\nfile = "gone.pro"\n')
-    with pytest.raises(pointrt.Error, match=r'wrong.toml:2: key "instance\[0\].file": there is no file'):
+    with pytest.raises(pointrt.Error, match=r'wrong.toml:2: key "instance\[0\].file": .*gone.pro'):
         pointrt.Scene(tmp_path / "wrong.toml")
 
 

@@ -86,7 +86,7 @@ def test_studies_use_placed_instances(field, tmp_path):
     middle = np.linalg.norm(points["positions"][:, :2] - GRID[:2] - 10, axis=1) < 2
     assert (sky[middle & (points["instance_ids"] == 0)] < 0.5).all()
     np.testing.assert_array_equal(sky[points["instance_ids"] == 1], 1)
-    with pytest.raises(ValueError, match="most must be 1 or more"):
+    with pytest.raises(ValueError, match="most .*1"):
         next(scene.points(0))
 
 
@@ -94,14 +94,14 @@ def test_studies_use_placed_instances(field, tmp_path):
     (dict(at=(91, 0), date="2026-06-21"), "latitude"),
     (dict(at=(0, 181), date="2026-06-21"), "longitude"),
     (dict(at=PLACE, date="2026-02-30"), "day is out of range"),
-    (dict(at=PLACE, date="2026-06-21", to="2026-06-20"), "the last day is before the first"),
+    (dict(at=PLACE, date="2026-06-21", to="2026-06-20"), "last day"),
     (dict(at=PLACE, date="2026-06-21", every=0), "minutes"),
-    (dict(at=PLACE, date="2026-06-21", sides="left"), "sides must be"),
-    (dict(at=PLACE, date="2026-06-21", north=[0, 0, 1]), "north must not be along up"),
-    (dict(at=PLACE, date="2026-06-21", points=np.zeros((3, 2))), r"points must have the shape \[..., 3\], not \[3, 2\]"),
-    (dict(at=PLACE, date="2026-06-21", points=np.zeros((3, 3)), normals=np.zeros((2, 3))), "normals must have the shape"),
-    (dict(at=PLACE, date="2026-06-21", points=np.zeros((3, 3)), radii=np.zeros(2)), "radii must have the shape"),
-    (dict(at=PLACE, date="2026-06-21", radii=1.0), "normals and radii need points"),
+    (dict(at=PLACE, date="2026-06-21", sides="left"), "sides"),
+    (dict(at=PLACE, date="2026-06-21", north=[0, 0, 1]), "north"),
+    (dict(at=PLACE, date="2026-06-21", points=np.zeros((3, 2))), r"points .*3\].*\[3, 2\]"),
+    (dict(at=PLACE, date="2026-06-21", points=np.zeros((3, 3)), normals=np.zeros((2, 3))), "normals .*shape"),
+    (dict(at=PLACE, date="2026-06-21", points=np.zeros((3, 3)), radii=np.zeros(2)), "radii .*shape"),
+    (dict(at=PLACE, date="2026-06-21", radii=1.0), "normals and radii .*points"),
 ])
 def test_invalid_arguments(scene, arguments, text):
     with pytest.raises(ValueError, match=text):
@@ -109,7 +109,7 @@ def test_invalid_arguments(scene, arguments, text):
 
 
 def test_points_and_observers_must_be_finite(scene):
-    with pytest.raises(pointrt.Error, match="point 1: the position is not finite"):
+    with pytest.raises(pointrt.Error, match="point 1: .*finite"):
         scene.sun_hours(PLACE, "2026-06-21", points=[[0, 0, 0], [0, np.nan, 0]])
     with pytest.raises(ValueError, match="finite"):
         scene.visible_from([0, np.inf, 0])

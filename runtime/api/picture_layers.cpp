@@ -27,7 +27,7 @@ std::vector<PictureLayerKind> allKinds() {
     return kinds;
 }
 
-std::string knownNames() {
+std::string knownLayers() {
     std::string names;
     for (const PictureLayerKind& kind : pictureLayers()) names += (names.empty() ? "" : ", ") + kind.name;
     return names;
@@ -36,7 +36,7 @@ std::string knownNames() {
 void requireKnown(const std::string& name) {
     for (const PictureLayerKind& kind : pictureLayers())
         if (kind.name == name) return;
-    throw Error{ExitCode::kBadUsage, "unknown layer \"" + name + "\"; known layers are " + knownNames()};
+    throw Error{ExitCode::kBadUsage, "unknown layer \"" + name + "\"; known layers are " + knownLayers()};
 }
 
 } // namespace

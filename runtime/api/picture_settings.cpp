@@ -51,7 +51,7 @@ bool takeOtherOption(const std::string& option, const std::string& text, Options
     return true;
 }
 
-std::string knownNames() {
+std::string knownSettings() {
     std::string names;
     const auto add = [&](std::string_view option) {
         if (!has(kElsewhere, option)) names += (names.empty() ? "" : ", ") + std::string(option.substr(kDashes.size()));
@@ -66,7 +66,7 @@ void take(const std::string& option, const std::string& text, PictureOptions& ta
     if (option == kStagedFor)
         taken.staged_for = parseVector(text);
     else if (!takeTableSetting(option, text, taken.options) && !takeOtherOption(option, text, taken.options))
-        throw std::invalid_argument("unknown setting; known settings are " + knownNames());
+        throw std::invalid_argument("unknown setting; known settings are " + knownSettings());
 }
 
 } // namespace

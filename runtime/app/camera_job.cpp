@@ -2,7 +2,6 @@
 #include "runtime/app/camera_job.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -18,6 +17,7 @@
 #include "runtime/scene_io/shot_names.h"
 #include "runtime/scene_io/transforms_write.h"
 #include "runtime/session/settings.h"
+#include "runtime/util/clock.h"
 #include "runtime/util/interrupt.h"
 #include "runtime/util/output_file.h"
 #include "runtime/util/parse.h"
@@ -27,8 +27,6 @@ namespace pointrt {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
-
 constexpr const char* kList = "transforms.json";
 /// A thousandth of a unit, nerfstudio's default scale of depth pictures.
 constexpr double kFinestDepth = 1e-3;
@@ -147,7 +145,7 @@ private:
         const Camera camera = cameraOf(shot, session_.loaded->scene.bounds);
         Film film = series_.render(seriesShot(camera, shot.size, options_, filtered), jobOf(i));
         if (i == 0) report_.first_frame_seconds = secondsSinceStart();
-        report_.frame_ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
+        report_.frame_ms.push_back(millisecondsSince(begin));
         report_.frame_cpu_ms.push_back(1e3 * static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC);
         if (interrupted()) return false;
         report_.rays = series_.takeRays();

@@ -2,21 +2,15 @@
 #include "runtime/app/png_picture.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "runtime/image/tonemap.h"
+#include "runtime/util/clock.h"
 
 namespace pointrt {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr std::size_t kPixelsAtOnce = 1 << 20; ///< tone-mapped at once: enough work for all cores
-
-double millisecondsSince(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 /// Black rows, without guides for the denoiser.
 Film blankRows(std::uint32_t width, std::uint32_t rows) {

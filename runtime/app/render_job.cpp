@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/app/render_job.h"
 
-#include <chrono>
 #include <cstdio>
 #include <ctime>
 #include <optional>
@@ -18,17 +17,12 @@
 #include "runtime/scene/default_lighting.h"
 #include "runtime/scene/turntable.h"
 #include "runtime/session/settings.h"
+#include "runtime/util/clock.h"
 #include "runtime/util/interrupt.h"
 #include "runtime/util/render_progress.h"
 
 namespace pointrt {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 std::string detailOf(const FrameState& state) {
     char noise[32] = "";

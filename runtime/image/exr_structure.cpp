@@ -12,13 +12,11 @@
 namespace pointrt {
 namespace {
 
-using Bytes = std::span<const std::uint8_t>;
+using ByteSpan = std::span<const std::uint8_t>;
 
-constexpr std::uint32_t kMagic = 20000630;
-constexpr std::uint32_t kVersion = 2;
 constexpr std::uint32_t kLongNames = 0x400;  // the one flag that single-part scan-line files may have
 constexpr std::size_t kMaxAttributes = 1000; // tinyexr stops at 1024
-constexpr std::size_t kMaxNameBytes = 255;
+constexpr std::size_t kLongestName = 255;
 constexpr std::size_t kMaxChannels = 64;
 constexpr std::uint64_t kMaxDecodedBytes = std::uint64_t{4} << 30;
 constexpr std::int32_t kMaxCoordinate = 1 << 20; // tinyexr rejects line numbers above twice that
@@ -31,13 +29,13 @@ enum Compression : std::uint8_t { kNone = 0, kZip = 3, kPiz = 4 };
 /// Reads forwards, never past the end.
 struct Cursor {
     const std::string& path;
-    Bytes bytes;
+    ByteSpan bytes;
     std::size_t at = 0;
 
     [[noreturn]] void fail(const std::string& reason) const {
         throw Error{ExitCode::kBadInput, path + ": bad OpenEXR file: " + reason};
     }
-    Bytes take(std::size_t count) {
+    ByteSpan take(std::size_t count) {
         if (count > bytes.size() - at) fail("unexpected end of file");
         at += count;
         return bytes.subspan(at - count, count);
@@ -49,7 +47,7 @@ struct Cursor {
         return value;
     }
     std::string text() {
-        const std::size_t limit = std::min(bytes.size() - at, kMaxNameBytes + 1);
+        const std::size_t limit = std::min(bytes.size() - at, kLongestName + 1);
         const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(at);
         const auto end = std::find(begin, begin + static_cast<std::ptrdiff_t>(limit), 0);
         if (end == begin + static_cast<std::ptrdiff_t>(limit)) fail("unterminated name");
@@ -58,11 +56,11 @@ struct Cursor {
     }
 };
 
-std::map<std::string, Bytes> readAttributes(Cursor& cursor, std::map<std::string, std::string>& texts) {
-    std::map<std::string, Bytes> attributes;
+std::map<std::string, ByteSpan> readAttributes(Cursor& cursor, std::map<std::string, std::string>& texts) {
+    std::map<std::string, ByteSpan> attributes;
     for (std::string name = cursor.text(); !name.empty(); name = cursor.text()) {
         const std::string type = cursor.text();
-        const Bytes value = cursor.take(cursor.number<std::uint32_t>());
+        const ByteSpan value = cursor.take(cursor.number<std::uint32_t>());
         if (attributes.size() == kMaxAttributes) cursor.fail("too many attributes");
         if (!attributes.emplace(name, value).second) cursor.fail("duplicate attribute " + printable(name));
         if (type == "string") texts[name] = std::string(value.begin(), value.end());
@@ -71,7 +69,7 @@ std::map<std::string, Bytes> readAttributes(Cursor& cursor, std::map<std::string
 }
 
 /// The value of a required attribute that has at least `bytes` bytes.
-Cursor attribute(const Cursor& cursor, const std::map<std::string, Bytes>& attributes, const char* name,
+Cursor attribute(const Cursor& cursor, const std::map<std::string, ByteSpan>& attributes, const char* name,
                  std::size_t bytes) {
     const auto found = attributes.find(name);
     if (found == attributes.end() || found->second.size() < bytes)
@@ -143,8 +141,8 @@ void checkBlocks(Cursor cursor, const ExrStructure& structure, std::uint8_t comp
 
 ExrStructure checkExr(const std::string& path, std::span<const std::uint8_t> file) {
     Cursor cursor{path, file};
-    if (cursor.number<std::uint32_t>() != kMagic) cursor.fail("wrong magic number");
-    if ((cursor.number<std::uint32_t>() & ~kLongNames) != kVersion)
+    if (cursor.number<std::uint32_t>() != kExrMagic) cursor.fail("wrong magic number");
+    if ((cursor.number<std::uint32_t>() & ~kLongNames) != kExrVersion)
         cursor.fail("tiles, several parts and deep pixels are not supported");
     ExrStructure structure;
     const auto attributes = readAttributes(cursor, structure.texts);

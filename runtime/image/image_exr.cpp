@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "runtime/image/exr_structure.h"
 #include "runtime/image/film_parts.h"
 #include "runtime/util/output_file.h"
 
@@ -22,11 +23,9 @@ static_assert(std::endian::native == std::endian::little,
 
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr std::uint32_t kMagic = 20000630;
-constexpr std::uint32_t kVersion = 2; // no flags: single part, scan lines, short names
 constexpr std::uint8_t kZipCompression = 3;
 constexpr std::uint32_t kRowsPerBlock = 16; // of ZIP compression
-constexpr std::size_t kMaxNameBytes = 31;
+constexpr std::size_t kLongestShortName = 31;
 constexpr int kDeflateLevel = 4;       // OpenEXR's default: twice as fast as zlib's, files a few percent larger
 constexpr std::size_t kValueBytes = 4; // of both pixel types
 
@@ -73,7 +72,7 @@ Bytes channelList(std::span<const ExrChannel> channels) {
 }
 
 Bytes makeHeader(ExrSize size, std::span<const ExrChannel> channels, std::span<const ExrText> texts) {
-    Bytes header = pack(kMagic, kVersion);
+    Bytes header = pack(kExrMagic, kExrVersion);
     const Bytes window = pack(std::int32_t{0}, std::int32_t{0}, static_cast<std::int32_t>(size.width) - 1,
                               static_cast<std::int32_t>(size.height) - 1);
     appendAttribute(header, "channels", "chlist", channelList(channels));
@@ -131,7 +130,7 @@ std::vector<ExrChannel> sorted(std::span<const ExrChannel> channels) {
     std::vector<ExrChannel> result(channels.begin(), channels.end());
     std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
     for (std::size_t i = 0; i < result.size(); ++i)
-        if (result[i].name.size() > kMaxNameBytes || (i > 0 && result[i].name == result[i - 1].name))
+        if (result[i].name.size() > kLongestShortName || (i > 0 && result[i].name == result[i - 1].name))
             throw std::logic_error("writeExr: channel name " + result[i].name + " is too long or a duplicate");
     return result;
 }

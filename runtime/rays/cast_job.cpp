@@ -17,13 +17,13 @@ namespace pointrt {
 namespace {
 
 /// Seconds that this thread spent on each part, or waited for it. Rays are read in parallel with the other parts.
-struct Seconds {
+struct CastSeconds {
     double open = 0, read = 0, cast = 0, write = 0, total = 0;
 };
 
-struct Outcome {
+struct CastOutcome {
     std::uint64_t rays = 0, hits = 0;
-    Seconds seconds;
+    CastSeconds seconds;
 };
 
 /// Fills columns with the block's hits. Errors name the ray by its place in the input.
@@ -44,9 +44,9 @@ TraceScene openScene(const CastOptions& options, std::string& device_name) {
 }
 
 /// Reads the next block while one is cast.
-Outcome castAll(const TraceScene& scene, RaySource& source, HitSink& sink, std::vector<HitColumn>& columns,
-                const CastOptions& options) {
-    Outcome outcome;
+CastOutcome castAll(const TraceScene& scene, RaySource& source, HitSink& sink, std::vector<HitColumn>& columns,
+                    const CastOptions& options) {
+    CastOutcome outcome;
     RenderProgress progress(options.quiet, options.verbose, false);
     RayBlock block, next;
     bool more = timed(outcome.seconds.read, [&] { return source.next(block); });
@@ -65,7 +65,7 @@ Outcome castAll(const TraceScene& scene, RaySource& source, HitSink& sink, std::
     return outcome;
 }
 
-double raysPerSecond(const Outcome& outcome) {
+double raysPerSecond(const CastOutcome& outcome) {
     return outcome.seconds.cast > 0 ? static_cast<double>(outcome.rays) / outcome.seconds.cast : 0;
 }
 
@@ -75,8 +75,8 @@ struct SceneFacts {
     std::uint64_t splats = 0, tile_loads = 0;
 };
 
-std::string reportOf(const Outcome& outcome, const SceneFacts& facts) {
-    const Seconds& s = outcome.seconds;
+std::string reportOf(const CastOutcome& outcome, const SceneFacts& facts) {
+    const CastSeconds& s = outcome.seconds;
     return reportText(
         facts.device,
         {{"splats", facts.splats}, {"tile_loads", facts.tile_loads}, {"rays", outcome.rays}, {"hits", outcome.hits}},
@@ -85,7 +85,7 @@ std::string reportOf(const Outcome& outcome, const SceneFacts& facts) {
 
 void castToFile(const CastOptions& options) {
     double total = 0, open = 0;
-    Outcome outcome;
+    CastOutcome outcome;
     SceneFacts facts;
     timed(total, [&] {
         const std::unique_ptr<RaySource> source = openRays(options.rays);

@@ -9,15 +9,15 @@
 namespace pointrt {
 namespace {
 
-constexpr const char* kName = "pointrt-rays cast";
-constexpr const char* kAbout = "Casts rays at scans and writes their first hits, or whether they hit anything.";
-constexpr const char* kExamples =
+constexpr const char* kCastName = "pointrt-rays cast";
+constexpr const char* kCastAbout = "Casts rays at scans and writes their first hits, or whether they hit anything.";
+constexpr const char* kCastExamples =
     "  pointrt-rays cast site.pro --rays rays.npy -o hits.npz\n"
     "  pointrt-rays cast site.pro --rays rays.csv -o points.ply --attributes intensity,classification\n"
     "  pointrt-rays cast a.pro b.pro --rays rays.npy --any --t-max 1000 -o hit.npy\n"
     "  pointrt-rays cast city.proset --rays rays.npy --memory 4G -o hits.npz\n"
     "  make_rays | pointrt-rays cast site.pro --rays - --any -o - | use_answers\n";
-constexpr const char* kNotes =
+constexpr const char* kCastNotes =
     "Rays are origin and direction in the scan's coordinates: a NumPy array (N, 6) of float32 or float64, or text\n"
     "with six numbers a line. Columns of hits: t_hit (in lengths of the direction; inf for a miss), splat_ids and\n"
     "instance_ids (4294967295 for a miss), tile_ids (tile sets only), normals, positions. See docs/RAYS.md.";
@@ -42,7 +42,7 @@ void addOptions(CommandLine& app, CastOptions& options) {
                    "Ignore hits from here on, in lengths of the direction (default inf)")
         ->type_name("T");
     addDeviceAndReport(app, options);
-    addCommonOptions(app, POINTRT_VERSION, kWrongInput, kExamples, kNotes);
+    addCommonOptions(app, POINTRT_VERSION, kWrongInput, kCastExamples, kCastNotes);
 }
 
 void checkOptions(const CastOptions& options) {
@@ -55,7 +55,7 @@ void checkOptions(const CastOptions& options) {
 } // namespace
 
 std::optional<int> parseCastOptions(int argc, const char* const* argv, CastOptions& options) {
-    CommandLine app(kAbout, kName);
+    CommandLine app(kCastAbout, kCastName);
     addOptions(app, options);
     if (const auto done =
             parseCommandLine(app, argc, argv, {{".npz", "-o"}, {".npy", "--rays"}, {".csv", "--rays"}, {".ply", "-o"}}))
@@ -66,7 +66,7 @@ std::optional<int> parseCastOptions(int argc, const char* const* argv, CastOptio
 
 CommandText castText() {
     CastOptions options;
-    CommandLine app(kAbout, kName);
+    CommandLine app(kCastAbout, kCastName);
     addOptions(app, options);
     return describe(app);
 }

@@ -18,14 +18,14 @@
 namespace pointrt {
 namespace {
 
-struct Seconds {
+struct LidarSeconds {
     double open = 0, simulate = 0, write = 0, total = 0;
 };
 
-struct Outcome {
+struct LidarOutcome {
     std::string device;
     std::uint64_t splats = 0, pulses = 0, rays = 0, points = 0;
-    Seconds seconds;
+    LidarSeconds seconds;
 };
 
 LidarPose poseOf(const std::vector<double>& numbers) {
@@ -80,7 +80,7 @@ PointOutline outlineOf(const LidarOptions& options, const TraceScene& scene, con
 }
 
 void simulateToFile(const LidarOptions& options, const TraceScene& scene, const LidarSensor& sensor,
-                    const LidarRun& run, Outcome& outcome) {
+                    const LidarRun& run, LidarOutcome& outcome) {
     const PointFormat format = pointFormat(options.output);
     const LidarColumns columns(scene, sensor, format == PointFormat::kLas || format == PointFormat::kLaz,
                                options.attributes);
@@ -106,8 +106,8 @@ void simulateToFile(const LidarOptions& options, const TraceScene& scene, const 
 }
 
 /// Checks inputs and outputs first, before the work that takes time.
-Outcome simulate(const LidarOptions& options) {
-    Outcome outcome;
+LidarOutcome simulate(const LidarOptions& options) {
+    LidarOutcome outcome;
     timed(outcome.seconds.total, [&] {
         pointFormat(options.output);
         if (!options.stats.empty()) requireReportWritable(options.stats);
@@ -125,8 +125,8 @@ Outcome simulate(const LidarOptions& options) {
     return outcome;
 }
 
-std::string reportOf(const Outcome& outcome) {
-    const Seconds& s = outcome.seconds;
+std::string reportOf(const LidarOutcome& outcome) {
+    const LidarSeconds& s = outcome.seconds;
     return reportText(
         outcome.device,
         {{"splats", outcome.splats}, {"pulses", outcome.pulses}, {"rays", outcome.rays}, {"points", outcome.points}},
@@ -138,7 +138,7 @@ std::string reportOf(const Outcome& outcome) {
 int lidarCommand(int argc, const char* const* argv) {
     LidarOptions options;
     if (const auto done = parseLidarOptions(argc, argv, options)) return *done;
-    const Outcome outcome = withToolErrors([&] { return simulate(options); });
+    const LidarOutcome outcome = withToolErrors([&] { return simulate(options); });
     if (options.verbose)
         std::fprintf(stderr, "%llu pulses, %llu points; %.2f million rays a second on %s\n",
                      static_cast<unsigned long long>(outcome.pulses), static_cast<unsigned long long>(outcome.points),

@@ -10,13 +10,13 @@
 namespace pointrt {
 namespace {
 
-constexpr const char* kName = "pointrt-rays lidar";
-constexpr const char* kAbout = "Simulates a laser scanner in a scene, from one place or along a trajectory.";
-constexpr const char* kExamples =
+constexpr const char* kLidarName = "pointrt-rays lidar";
+constexpr const char* kLidarAbout = "Simulates a laser scanner in a scene, from one place or along a trajectory.";
+constexpr const char* kLidarExamples =
     "  pointrt-rays lidar street.pro --sensor car.toml --trajectory drive.csv -o scan.laz\n"
     "  pointrt-rays lidar site.pro --sensor tripod.toml --pose 500010,4500020,102 -o scan.ply --attributes "
     "classification\n";
-constexpr const char* kNotes =
+constexpr const char* kLidarNotes =
     "A sensor file (TOML) describes the scan pattern, range, noise and detection of a scanner; docs/RAYS.md lists\n"
     "its keys, docs/sensors has examples. Columns of points: position, intensity, return_number,\n"
     "number_of_returns, gps_time, ring, range, power, incidence_deg, pulse, splat_id, instance_id.";
@@ -54,7 +54,7 @@ void addOptions(CommandLine& app, LidarOptions& options) {
         ->delimiter(',')
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     addDeviceAndReport(app, options);
-    addCommonOptions(app, POINTRT_VERSION, kWrongInput, kExamples, kNotes);
+    addCommonOptions(app, POINTRT_VERSION, kWrongInput, kLidarExamples, kLidarNotes);
 }
 
 void checkOptions(const LidarOptions& options) {
@@ -74,7 +74,7 @@ void checkOptions(const LidarOptions& options) {
 } // namespace
 
 std::optional<int> parseLidarOptions(int argc, const char* const* argv, LidarOptions& options) {
-    CommandLine app(kAbout, kName);
+    CommandLine app(kLidarAbout, kLidarName);
     addOptions(app, options);
     if (const auto done = parseCommandLine(
             app, argc, argv,
@@ -86,7 +86,7 @@ std::optional<int> parseLidarOptions(int argc, const char* const* argv, LidarOpt
 
 CommandText lidarText() {
     LidarOptions options;
-    CommandLine app(kAbout, kName);
+    CommandLine app(kLidarAbout, kLidarName);
     addOptions(app, options);
     return describe(app);
 }

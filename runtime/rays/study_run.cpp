@@ -12,14 +12,14 @@
 namespace pointrt {
 namespace {
 
-struct Seconds {
+struct StudySeconds {
     double open = 0, read = 0, cast = 0, write = 0, total = 0;
 };
 
-struct Outcome {
+struct StudyOutcome {
     std::string device;
     std::uint64_t splats = 0, points = 0, rays = 0;
-    Seconds seconds;
+    StudySeconds seconds;
 };
 
 OpenStudy openStudy(const StudyOptions& options, std::string& device_name) {
@@ -40,7 +40,7 @@ PointOutline withResults(const PointOutline& points, const std::vector<PointColu
 }
 
 void runBlocks(const StudyOptions& options, const OpenStudy& study, StudyWork& work, PointSource& source,
-               PointSink& sink, Outcome& outcome) {
+               PointSink& sink, StudyOutcome& outcome) {
     RenderProgress progress(options.quiet, options.verbose, false);
     const auto all = static_cast<double>(std::max<std::uint64_t>(1, source.outline().count.value_or(1)));
     StudyBlock block;
@@ -59,8 +59,8 @@ void runBlocks(const StudyOptions& options, const OpenStudy& study, StudyWork& w
     progress.finish();
 }
 
-void report(const StudyOptions& options, const StudyWork& work, const Outcome& outcome) {
-    const Seconds& s = outcome.seconds;
+void report(const StudyOptions& options, const StudyWork& work, const StudyOutcome& outcome) {
+    const StudySeconds& s = outcome.seconds;
     std::vector<std::pair<std::string, std::uint64_t>> counts{
         {"splats", outcome.splats}, {"points", outcome.points}, {"rays", outcome.rays}};
     counts.insert(counts.end(), work.counts.begin(), work.counts.end());
@@ -75,7 +75,7 @@ void report(const StudyOptions& options, const StudyWork& work, const Outcome& o
                        {{"open", s.open}, {"read", s.read}, {"cast", s.cast}, {"write", s.write}, {"total", s.total}}));
 }
 
-void runInto(const StudyOptions& options, StudyWork& work, Outcome& outcome) {
+void runInto(const StudyOptions& options, StudyWork& work, StudyOutcome& outcome) {
     pointFormat(options.output); // fails early on an unknown suffix
     if (!options.stats.empty()) requireReportWritable(options.stats);
     OpenStudy study = timed(outcome.seconds.open, [&] { return openStudy(options, outcome.device); });
@@ -93,7 +93,7 @@ void runInto(const StudyOptions& options, StudyWork& work, Outcome& outcome) {
 } // namespace
 
 void runStudy(const StudyOptions& options, StudyWork& work) {
-    Outcome outcome;
+    StudyOutcome outcome;
     withToolErrors([&] { timed(outcome.seconds.total, [&] { runInto(options, work, outcome); }); });
     report(options, work, outcome);
 }

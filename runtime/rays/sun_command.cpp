@@ -15,13 +15,13 @@
 namespace pointrt {
 namespace {
 
-constexpr const char* kName = "pointrt-rays sun";
-constexpr const char* kAbout = "Computes hours of direct sun on points, and how much of the sky they see.";
-constexpr const char* kExamples =
+constexpr const char* kSunName = "pointrt-rays sun";
+constexpr const char* kSunAbout = "Computes hours of direct sun on points, and how much of the sky they see.";
+constexpr const char* kSunExamples =
     "  pointrt-rays sun roof.pro --at 47.37,8.54 --date 2026-06-21 -o june.laz\n"
     "  pointrt-rays sun roof.pro --at 47.37,8.54 --date 2026-01-01 --to 2026-12-31 --every 60 --sky -o year.ply\n"
     "  pointrt-rays sun street.pro --points windows.csv --at -33.87,151.21 --date 2026-06-21 -o windows_sun.csv\n";
-constexpr const char* kNotes =
+constexpr const char* kSunNotes =
     "Columns: sun_hours (hours of direct sun, summed over all days) and, with --sky, sky_view (0 to 1: the share of\n"
     "a uniform sky's irradiance on level ground that reaches the point). The position of the sun is accurate to 0.02\n"
     "degrees and includes refraction. True north in a projected coordinate system needs PROJ (Debian, Ubuntu:\n"
@@ -62,7 +62,7 @@ void addOptions(CommandLine& app, SunOptions& options) {
         options.sky_rays_given = true;
     });
     addDeviceAndReport(app, options);
-    addCommonOptions(app, POINTRT_VERSION, kWrongInput, kExamples, kNotes);
+    addCommonOptions(app, POINTRT_VERSION, kWrongInput, kSunExamples, kSunNotes);
 }
 
 void checkOptions(SunOptions& options) {
@@ -146,7 +146,7 @@ void runSun(const SunOptions& options) {
 
 int sunCommand(int argc, const char* const* argv) {
     SunOptions options;
-    CommandLine app(kAbout, kName);
+    CommandLine app(kSunAbout, kSunName);
     addOptions(app, options);
     if (const auto done = parseStudyLine(app, argc, argv)) return *done;
     checkOptions(options);
@@ -156,7 +156,7 @@ int sunCommand(int argc, const char* const* argv) {
 
 CommandText sunText() {
     SunOptions options;
-    CommandLine app(kAbout, kName);
+    CommandLine app(kSunAbout, kSunName);
     addOptions(app, options);
     return describe(app);
 }

@@ -12,12 +12,12 @@
 namespace pointrt {
 namespace {
 
-constexpr const char* kName = "pointrt-rays viewshed";
-constexpr const char* kAbout = "Computes which points observers see, and how many observers see each.";
-constexpr const char* kExamples =
+constexpr const char* kViewshedName = "pointrt-rays viewshed";
+constexpr const char* kViewshedAbout = "Computes which points observers see, and how many observers see each.";
+constexpr const char* kViewshedExamples =
     "  pointrt-rays viewshed site.pro --from 2600010,1200020,480 -o seen.laz\n"
     "  pointrt-rays viewshed site.pro --from 10,20,0 --from 40,25,0 --height 1.7 --radius 500 -o seen.ply\n";
-constexpr const char* kNotes =
+constexpr const char* kViewshedNotes =
     "Columns: seen_by (number of observers that see the point), and observer_0, observer_1 ... (1 if that observer\n"
     "does). An observer inside a wall or below the ground sees nothing; raise it with --height.";
 /// LAS describes extra bytes in a record of 65,535 bytes, 192 for each column: 341 columns, some of them the scan's.
@@ -40,7 +40,7 @@ void addOptions(CommandLine& app, ViewshedOptions& options) {
     addValue(app, "--radius", "R", "Maximum viewing distance, in the scan's unit (default inf)",
              [&](const std::string& text) { options.radius = parseRealAbove(text, 0, kFarthest); });
     addDeviceAndReport(app, options);
-    addCommonOptions(app, POINTRT_VERSION, kWrongInput, kExamples, kNotes);
+    addCommonOptions(app, POINTRT_VERSION, kWrongInput, kViewshedExamples, kViewshedNotes);
 }
 
 void checkOptions(const ViewshedOptions& options) {
@@ -100,7 +100,7 @@ void runViewshed(const ViewshedOptions& options) {
 
 int viewshedCommand(int argc, const char* const* argv) {
     ViewshedOptions options;
-    CommandLine app(kAbout, kName);
+    CommandLine app(kViewshedAbout, kViewshedName);
     addOptions(app, options);
     if (const auto done = parseStudyLine(app, argc, argv)) return *done;
     checkOptions(options);
@@ -110,7 +110,7 @@ int viewshedCommand(int argc, const char* const* argv) {
 
 CommandText viewshedText() {
     ViewshedOptions options;
-    CommandLine app(kAbout, kName);
+    CommandLine app(kViewshedAbout, kViewshedName);
     addOptions(app, options);
     return describe(app);
 }

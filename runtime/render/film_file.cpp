@@ -16,13 +16,13 @@ namespace {
 
 constexpr const char *kSamples = "pointrt.samples", *kSeed = "pointrt.seed", *kSignature = "pointrt.signature";
 
-[[noreturn]] void fail(const std::string& path, const std::string& reason) {
+[[noreturn]] void refuseFile(const std::string& path, const std::string& reason) {
     throw Error{ExitCode::kBadInput, path + ": not a film to continue: " + reason};
 }
 
 const std::string& textOf(const std::string& path, const ExrPicture& picture, const char* name) {
     const auto found = picture.texts.find(name);
-    if (found == picture.texts.end()) fail(path, std::string("it has no ") + name);
+    if (found == picture.texts.end()) refuseFile(path, std::string("it has no ") + name);
     return found->second;
 }
 
@@ -31,7 +31,7 @@ std::uint32_t numberOf(const std::string& path, const ExrPicture& picture, const
     std::uint32_t number = 0;
     const char* end = text.data() + text.size();
     const auto parsed = std::from_chars(text.data(), end, number);
-    if (parsed.ec != std::errc{} || parsed.ptr != end) fail(path, std::string(name) + " is no number");
+    if (parsed.ec != std::errc{} || parsed.ptr != end) refuseFile(path, std::string(name) + " is not a number");
     return number;
 }
 
@@ -54,7 +54,7 @@ void readPart(const std::string& path, const ExrPicture& picture, const FilmPart
     values.resize(stride * picture.width * picture.height);
     for (std::size_t c = 0; c < stride; ++c) {
         const auto plane = planes.find(part.channels[c]);
-        if (plane == planes.end()) fail(path, "it has no channel " + part.channels[c]);
+        if (plane == planes.end()) refuseFile(path, "it has no channel " + part.channels[c]);
         for (std::size_t i = 0; i < plane->second.size(); ++i) values[i * stride + c] = plane->second[i];
     }
 }
@@ -73,7 +73,7 @@ std::optional<SavedFilm> readSavedFilm(const std::string& path) {
     const ExrPicture picture = readExr(path, ExrKind::kFilm);
     SavedFilm saved;
     saved.samples = numberOf(path, picture, kSamples);
-    if (saved.samples == 0) fail(path, "it holds no samples");
+    if (saved.samples == 0) refuseFile(path, "it holds no samples");
     saved.seed = numberOf(path, picture, kSeed);
     saved.signature = textOf(path, picture, kSignature);
     saved.film.width = picture.width;

@@ -14,13 +14,13 @@
 namespace pointrt {
 namespace {
 
-[[noreturn]] void fail(const std::string& path, const std::string& reason) {
+[[noreturn]] void refuseFilm(const std::string& path, const std::string& reason) {
     throw Error{ExitCode::kBadInput, path + ": not a film to continue: " + reason};
 }
 
 void requireAllParts(const std::string& path, Film& film) {
     forEachFilmPart(film, [&](const FilmPart& part, auto& values) {
-        if (values.empty()) fail(path, "it has no channel " + part.channels.front());
+        if (values.empty()) refuseFilm(path, "it has no channel " + part.channels.front());
     });
 }
 
@@ -30,7 +30,7 @@ void requireRowCounts(const std::string& path, const Film& film) {
         const float count = film.samples[i];
         if (!(count >= 0 && count <= kMaxSpp) || count != std::floor(count) ||
             count != film.samples[i / film.width * film.width])
-            fail(path, "its channel samples is damaged");
+            refuseFilm(path, "its channel samples is damaged");
     }
 }
 
@@ -49,8 +49,8 @@ std::optional<Film> filmToResume(const std::string& path, const std::string& sig
     std::optional<SavedFilm> saved = readSavedFilm(path);
     if (!saved) return std::nullopt;
     const std::string difference = signatureDifference(saved->signature, signature);
-    if (!difference.empty()) fail(path, difference);
-    if (saved->film.width != settings.width || saved->film.height != settings.height) fail(path, "its size is wrong");
+    if (!difference.empty()) refuseFilm(path, difference);
+    if (saved->film.width != settings.width || saved->film.height != settings.height) refuseFilm(path, "its size is wrong");
     requireAllParts(path, saved->film);
     requireRowCounts(path, saved->film);
     colorsFromLayers(saved->film);

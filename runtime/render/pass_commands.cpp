@@ -3,10 +3,10 @@
 
 #include <ctime>
 
+#include "runtime/util/clock.h"
+
 namespace pointrt {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// Span of the time that profiling itself takes.
 constexpr const char* kReadSpan = "profile: counters and clock read";
@@ -76,7 +76,7 @@ void PassCommands::runTimed(const Pass& pass) {
     recordTimerEnd(commands_, profile_->clock);
     submitAndWait(device_, commands_);
     run.cpu_ms = 1e3 * static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
-    run.host_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    run.host_ms = millisecondsSince(start);
     const HostSpan span(profile_, kReadSpan);
     run.device_ms = elapsedMilliseconds(device_, profile_->clock);
     run.after = counters_ = readControl();

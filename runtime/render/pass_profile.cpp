@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "runtime/util/clock.h"
+
 namespace pointrt {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t kWord = sizeof(std::uint32_t), kVector = sizeof(gpu::vec4), kHit = sizeof(gpu::uvec4);
 constexpr std::uint64_t kPath = sizeof(gpu::PathState), kQuery = sizeof(gpu::DirectLightQuery);
@@ -148,7 +148,7 @@ HostSpan::HostSpan(PassProfile* profile, const char* name) : profile_(profile), 
 
 HostSpan::~HostSpan() {
     if (!profile_) return;
-    tallyOf(profile_->host, name_).ms += std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
+    tallyOf(profile_->host, name_).ms += millisecondsSince(start_);
 }
 
 } // namespace pointrt

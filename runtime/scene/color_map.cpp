@@ -11,7 +11,7 @@
 namespace pointrt {
 namespace {
 
-constexpr std::size_t kSteps = 256;
+constexpr std::size_t kColorSteps = 256;
 
 /// Kenneth L. Kelly, Twenty-two colors of maximum contrast, Color Engineering 3, 1965, as sRGB, without white, black
 /// and grey, which marks missing values.
@@ -29,8 +29,8 @@ std::vector<Srgb8> colorsOf(std::string_view hex) {
 
 template <typename ColorOf>
 std::vector<Srgb8> colorsBy(const ColorOf& color_of) {
-    std::vector<Srgb8> colors(kSteps);
-    for (std::size_t i = 0; i < kSteps; ++i) colors[i] = color_of(static_cast<std::uint8_t>(i));
+    std::vector<Srgb8> colors(kColorSteps);
+    for (std::size_t i = 0; i < kColorSteps; ++i) colors[i] = color_of(static_cast<std::uint8_t>(i));
     return colors;
 }
 
@@ -62,17 +62,17 @@ std::vector<Srgb8> colorsOf(ColorMap map) {
 
 ColorScale::ColorScale(ColorMap map, ValueRange range)
     : map_(map), colors_(colorsOf(map)), low_(range.low), high_(range.high),
-      steps_(range.high > range.low ? kSteps / (range.high - range.low) : 0) {}
+      steps_(range.high > range.low ? kColorSteps / (range.high - range.low) : 0) {}
 
 Srgb8 ColorScale::operator()(double value) const {
     if (!std::isfinite(value)) return kMissingColor;
     if (isCategorical(map_)) {
         const double whole = std::round(value);
-        const bool is_there = whole >= 0 && (map_ == ColorMap::kScans ? whole < 0x1p53 : whole < kSteps);
+        const bool is_there = whole >= 0 && (map_ == ColorMap::kScans ? whole < 0x1p53 : whole < kColorSteps);
         return is_there ? colors_[static_cast<std::uint64_t>(whole) % colors_.size()] : kMissingColor;
     }
-    if (steps_ == 0) return colors_[value < low_ ? 0 : value > high_ ? kSteps - 1 : kSteps / 2];
-    const double step = std::clamp((value - low_) * steps_, 0.0, double{kSteps - 1});
+    if (steps_ == 0) return colors_[value < low_ ? 0 : value > high_ ? kColorSteps - 1 : kColorSteps / 2];
+    const double step = std::clamp((value - low_) * steps_, 0.0, double{kColorSteps - 1});
     return colors_[static_cast<std::size_t>(step)];
 }
 

@@ -5,16 +5,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "runtime/scene/camera.h"
 #include "runtime/scene/cells.h"
 #include "runtime/scene/visibility.h"
+#include "runtime/util/degree.h"
 
 namespace pointrt {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// A three-quarter view from above: sites are seen in plan, but buildings keep their height.
 constexpr double kSiteElevation = 35 * kDegree, kSiteAzimuth = 30 * kDegree;

@@ -4,8 +4,8 @@
 
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 
+#include "runtime/util/degree.h"
 #include "runtime/util/vec.h"
 #include "shaders/shared/scene_layout.h"
 
@@ -37,8 +37,7 @@ struct LightPlace {
 /// In scene radii: like a window or a softbox next to a person.
 constexpr double kLampRadius = 0.2, kPanelHalfEdge = 0.4;
 
-constexpr double kDegree = std::numbers::pi / 180;
-inline double cosineOf(double degrees) { return std::cos(degrees * std::numbers::pi / 180); }
+inline double cosineOf(double degrees) { return std::cos(degrees * kDegree); }
 
 /// Any unit vector perpendicular to v.
 inline Vec3 across(Vec3 v) {

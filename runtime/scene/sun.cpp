@@ -2,12 +2,11 @@
 #include "runtime/scene/sun.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "runtime/util/degree.h"
 
 namespace pointrt {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 double sine(double deg) { return std::sin(deg * kDegree); }
 double cosine(double deg) { return std::cos(deg * kDegree); }

@@ -10,12 +10,12 @@ namespace {
 
 /// Sine of the angle between north and up below which north has no horizontal direction; also the shortest length that
 /// scene files accept.
-constexpr double kParallelSine = 1e-9;
+constexpr double kNorthParallelSine = 1e-9;
 
 void placeSuns(SceneDescription& scene, Vec3 up) {
     for (const SunInTheSky& sun : scene.suns) {
         const Vec3 north = sun.north.value_or(defaultNorth(up));
-        if (length(cross(north, up)) < kParallelSine)
+        if (length(cross(north, up)) < kNorthParallelSine)
             throw Error{ExitCode::kBadInput, sun.place + "must not be along the scene's \"up\""};
         std::get<SunLight>(scene.lights.at(sun.light)).towards = sunDirection(sun.position, up, north);
     }

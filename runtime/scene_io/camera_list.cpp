@@ -21,18 +21,18 @@ bool isThere(const fs::path& path) {
     return fs::exists(path, ignored);
 }
 
-struct Kind {
+struct CameraFileKind {
     const char* images;  ///< the file that lists the pictures
     const char* cameras; ///< a second file beside it with the lenses; null: none
     std::vector<CameraShot> (*read)(const std::string& images, const std::string& cameras,
                                     const CameraFileRequest& request);
 };
 
-constexpr std::array kKinds = {Kind{"transforms.json", nullptr, readTransforms},
-                               Kind{"images.bin", "cameras.bin", readColmapBinary},
-                               Kind{"images.txt", "cameras.txt", readColmapText}};
+constexpr std::array kKinds = {CameraFileKind{"transforms.json", nullptr, readTransforms},
+                               CameraFileKind{"images.bin", "cameras.bin", readColmapBinary},
+                               CameraFileKind{"images.txt", "cameras.txt", readColmapText}};
 
-std::vector<CameraShot> readKind(const Kind& kind, const fs::path& file, const CameraFileRequest& request) {
+std::vector<CameraShot> readKind(const CameraFileKind& kind, const fs::path& file, const CameraFileRequest& request) {
     if (!kind.cameras) return kind.read(file.string(), "", request);
     const fs::path images = file.parent_path() / kind.images, cameras = file.parent_path() / kind.cameras;
     for (const fs::path& each : {images, cameras})
@@ -41,7 +41,7 @@ std::vector<CameraShot> readKind(const Kind& kind, const fs::path& file, const C
 }
 
 std::optional<std::vector<CameraShot>> readFolder(const fs::path& folder, const CameraFileRequest& request) {
-    for (const Kind& kind : kKinds)
+    for (const CameraFileKind& kind : kKinds)
         if (isThere(folder / kind.images)) return readKind(kind, folder / kind.images, request);
     return std::nullopt;
 }
@@ -56,7 +56,7 @@ std::vector<CameraShot> readAny(const std::string& path, const CameraFileRequest
         refuse(path + ": has neither transforms.json nor a COLMAP model (cameras and images, .bin or .txt)");
     }
     const std::string name = fs::path(path).filename().string();
-    for (const Kind& kind : kKinds)
+    for (const CameraFileKind& kind : kKinds)
         if (name == kind.images || (kind.cameras && name == kind.cameras)) return readKind(kind, path, request);
     if (name.ends_with(".json")) return readTransforms(path, "", request);
     refuse(path + ": not a list of cameras; use transforms.json or COLMAP's cameras and images (.bin or .txt)");

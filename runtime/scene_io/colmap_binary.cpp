@@ -60,7 +60,7 @@ std::uint32_t sideOf(std::uint64_t pixels) {
     return static_cast<std::uint32_t>(std::min<std::uint64_t>(pixels, UINT32_MAX));
 }
 
-ColmapCameras readCameras(const std::string& path) {
+ColmapCameras readBinaryCameras(const std::string& path) {
     Bytes bytes(path);
     ColmapCameras cameras;
     const auto count = bytes.take<std::uint64_t>("the number of cameras");
@@ -95,7 +95,7 @@ ColmapImage takeImage(Bytes& bytes) {
 
 std::vector<CameraShot> readColmapBinary(const std::string& images, const std::string& cameras,
                                          const CameraFileRequest&) {
-    const ColmapCameras known = readCameras(cameras);
+    const ColmapCameras known = readBinaryCameras(cameras);
     Bytes bytes(images);
     std::vector<CameraShot> shots;
     const auto count = bytes.take<std::uint64_t>("the number of images");

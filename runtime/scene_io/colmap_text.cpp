@@ -53,11 +53,11 @@ Number take(std::istringstream& words, const Lines& lines, const char* what) {
     std::string word;
     Number number{};
     if (!(words >> word)) lines.refuse(std::string(what) + " is missing");
-    if (!parseNumber(word, number)) lines.refuse(printable(word) + " is no " + what);
+    if (!parseNumber(word, number)) lines.refuse(printable(word) + " is not a valid " + what);
     return number;
 }
 
-ColmapCameras readCameras(const std::string& path) {
+ColmapCameras readTextCameras(const std::string& path) {
     Lines lines(path);
     ColmapCameras cameras;
     for (std::string line; lines.nextRow(line);) {
@@ -93,7 +93,7 @@ ColmapImage imageOf(const std::string& line, const Lines& lines) {
 
 std::vector<CameraShot> readColmapText(const std::string& images, const std::string& cameras,
                                        const CameraFileRequest&) {
-    const ColmapCameras known = readCameras(cameras);
+    const ColmapCameras known = readTextCameras(cameras);
     Lines lines(images);
     std::vector<CameraShot> shots;
     for (std::string line; lines.nextRow(line);) {

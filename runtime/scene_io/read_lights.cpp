@@ -141,14 +141,14 @@ LightDescription readKind(const SceneValue& table, SceneReading& reading) {
     return light;
 }
 
-std::size_t kindOf(const SceneValue& type) {
+std::size_t lightKindOf(const SceneValue& type) {
     std::vector<std::string_view> types;
     for (std::size_t kind = 0; kind < kLightKinds; ++kind) types.push_back(namesOf(kind).type);
     return choiceOf(type, types);
 }
 
 LightDescription lightOf(const SceneValue& table, SceneReading& reading) {
-    const std::size_t kind = kindOf(require(table, "type"));
+    const std::size_t kind = lightKindOf(require(table, "type"));
     if (hasSurface(kind)) requireRoomForShape(table, reading);
     LightDescription light;
     eachLightKind([&](auto type, std::size_t number) {

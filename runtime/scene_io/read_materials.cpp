@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kAbsorption = "absorption";
 
-const MaterialKindRow& kindOf(const SceneValue& table) {
+const MaterialKindRow& materialKindOf(const SceneValue& table) {
     std::vector<std::string_view> words;
     for (const MaterialKindRow& each : kMaterialKinds) words.push_back(each.word);
     const auto value = find(table, "kind");
@@ -73,7 +73,7 @@ void readColor(const SceneValue& table, MaterialDescription& material) {
 }
 
 MaterialDescription readMaterial(const SceneValue& table) {
-    const MaterialKindRow& kind = kindOf(table);
+    const MaterialKindRow& kind = materialKindOf(table);
     requireKnownKeys(table, "a material of kind \"" + std::string(kind.word) + "\"", keysOf(kind.kind));
 
     MaterialDescription material;

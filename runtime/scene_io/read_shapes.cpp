@@ -89,15 +89,15 @@ void readAxes(const SceneValue& table, const SceneValue& axes, ShapeDescription&
     if (shape.kind == ShapeKind::kSphere && !areAlike(u, w)) refuse(axes, "must have the same length, the radius");
 }
 
-struct Kind {
+struct ShapeRow {
     ShapeKind kind;
     std::string_view name;
     std::vector<std::string_view> keys;
     void (*read)(const SceneValue&, ShapeDescription&);
 };
 
-const std::vector<Kind>& kinds() {
-    static const std::vector<Kind> all = {
+const std::vector<ShapeRow>& kinds() {
+    static const std::vector<ShapeRow> all = {
         {ShapeKind::kPlane, "plane", {"point", "normal"}, readPlane},
         {ShapeKind::kDisc, "disc", {"normal", "radius"}, readDisc},
         {ShapeKind::kQuad, "quad", {"u", "v"}, readQuad},
@@ -128,8 +128,8 @@ std::uint32_t shapeMaterial(const SceneValue& table, SceneReading& reading) {
 
 ShapeDescription shapeOf(const SceneValue& table, SceneReading& reading) {
     std::vector<std::string_view> names;
-    for (const Kind& each : kinds()) names.push_back(each.name);
-    const Kind& kind = kinds()[choiceOf(require(table, "type"), names)];
+    for (const ShapeRow& each : kinds()) names.push_back(each.name);
+    const ShapeRow& kind = kinds()[choiceOf(require(table, "type"), names)];
     std::vector<std::string_view> keys = {"type", "material", "seen_by_camera", "backdrop", "center", "axes"};
     keys.insert(keys.end(), kind.keys.begin(), kind.keys.end());
     requireKnownKeys(table, "a " + std::string(kind.name), keys);

@@ -81,8 +81,8 @@ void readUp(const SceneValue& value, SceneDescription& scene) {
     const std::string word = textOf(value);
     const auto axis = axisNamed(word);
     if (!axis && word != "auto")
-        refuse(value,
-               "\"" + printable(word) + "\" is no direction such as [0, 0, 1], and none of auto, x, y, z, -x, -y, -z");
+        refuse(value, "\"" + printable(word) +
+                          "\" is neither a direction such as [0, 0, 1] nor one of auto, x, y, z, -x, -y, -z");
     scene.up = axis;
     if (axis) scene.camera.side = frontSide(*axis);
 }

@@ -60,15 +60,15 @@ private:
 };
 
 /// A 3x4 or 4x4 matrix.
-struct Matrix {
+struct FrameMatrix {
     double at[4][4] = {};
     Vec3 column(int c) const { return {at[0][c], at[1][c], at[2][c]}; }
 };
 
-Matrix matrixOf(const Json& value, const char* key) {
+FrameMatrix frameMatrixOf(const Json& value, const char* key) {
     const auto fail = [&] { refuse(std::string(key) + " is not 3 or 4 rows of 4 numbers"); };
     if (!value.is_array() || value.size() < 3 || value.size() > 4) fail();
-    Matrix matrix;
+    FrameMatrix matrix;
     for (std::size_t row = 0; row < value.size(); ++row) {
         if (!value[row].is_array() || value[row].size() != 4) fail();
         for (std::size_t c = 0; c < 4; ++c) {
@@ -82,7 +82,7 @@ Matrix matrixOf(const Json& value, const char* key) {
     return matrix;
 }
 
-void requireRotation(const Matrix& matrix, const char* key) {
+void requireRotation(const FrameMatrix& matrix, const char* key) {
     double error = 0;
     for (int a = 0; a < 3; ++a)
         for (int b = 0; b < 3; ++b)
@@ -146,12 +146,12 @@ std::string distortionOf(const FrameValues& values) {
 }
 
 /// Converts from axes x right, y up, z backward to OpenCV's.
-CameraPose poseOf(const Matrix& matrix) {
+CameraPose poseOf(const FrameMatrix& matrix) {
     return {matrix.column(0), -1.0 * matrix.column(1), -1.0 * matrix.column(2), matrix.column(3)};
 }
 
 /// Undoes applied_transform; the inverse of its rotation is the transpose.
-CameraPose withoutApplied(const CameraPose& pose, const Matrix& applied) {
+CameraPose withoutApplied(const CameraPose& pose, const FrameMatrix& applied) {
     const auto back = [&](Vec3 v) {
         return Vec3{dot(applied.column(0), v), dot(applied.column(1), v), dot(applied.column(2), v)};
     };
@@ -170,11 +170,11 @@ CameraShot shotOf(const Json& file, const Json& frame, const CameraFileRequest& 
     shot.distortion = distortionOf(values);
     const auto matrix = frame.find("transform_matrix");
     if (matrix == frame.end()) refuse("transform_matrix is missing");
-    shot.pose = poseOf(matrixOf(*matrix, "transform_matrix"));
+    shot.pose = poseOf(frameMatrixOf(*matrix, "transform_matrix"));
     if (const double scale = values.number("applied_scale").value_or(1); scale != 1)
         refuse("applied_scale " + plainText(scale) + " is not 1: cameras and scan must have the same scale");
     if (const auto applied = file.find("applied_transform"); applied != file.end()) {
-        const Matrix transform = matrixOf(*applied, "applied_transform");
+        const FrameMatrix transform = frameMatrixOf(*applied, "applied_transform");
         requireRotation(transform, "applied_transform");
         shot.pose = withoutApplied(shot.pose, transform);
     }

@@ -10,16 +10,16 @@
 namespace pointrt {
 namespace {
 
-using Json = nlohmann::ordered_json; // few keys, in a readable order
+using OrderedJson = nlohmann::ordered_json; // few keys, in a readable order
 
 /// At this magnitude neighbouring floats are 2^-10 apart.
 constexpr double kCoarseFloats = 1 << 13;
 
-Json matrixOf(Vec3 x, Vec3 y, Vec3 z, Vec3 place) {
+OrderedJson matrixOf(Vec3 x, Vec3 y, Vec3 z, Vec3 place) {
     return {{x.x, y.x, z.x, place.x}, {x.y, y.y, z.y, place.y}, {x.z, y.z, z.z, place.z}};
 }
 
-void putLens(const CameraShot& shot, Json& to) {
+void putLens(const CameraShot& shot, OrderedJson& to) {
     to["w"] = shot.size.width;
     to["h"] = shot.size.height;
     to["fl_x"] = shot.lens.fx;
@@ -35,14 +35,14 @@ bool areAlike(const std::vector<RenderedShot>& shots) {
     });
 }
 
-Json frameOf(const RenderedShot& rendered, Vec3 offset, bool with_lens) {
-    Json frame = Json::object();
+OrderedJson frameOf(const RenderedShot& rendered, Vec3 offset, bool with_lens) {
+    OrderedJson frame = OrderedJson::object();
     for (const auto& [key, path] : rendered.files) frame[key] = path;
     if (with_lens) putLens(rendered.shot, frame);
     const CameraPose& pose = rendered.shot.pose;
     // 0 - v avoids the -0 of -v
     const Vec3 none;
-    Json matrix = matrixOf(pose.right, none - pose.down, none - pose.forward, pose.eye - offset);
+    OrderedJson matrix = matrixOf(pose.right, none - pose.down, none - pose.forward, pose.eye - offset);
     matrix.push_back({0, 0, 0, 1});
     frame["transform_matrix"] = matrix;
     return frame;
@@ -51,16 +51,16 @@ Json frameOf(const RenderedShot& rendered, Vec3 offset, bool with_lens) {
 } // namespace
 
 void writeTransforms(const std::string& path, const TransformsFile& file) {
-    Json json = Json::object();
+    OrderedJson json = OrderedJson::object();
     json["camera_model"] = "OPENCV"; // with coefficients of 0: a pinhole
     const bool alike = areAlike(file.shots);
     if (alike && !file.shots.empty()) putLens(file.shots.front().shot, json);
     if (file.depth_unit > 0) json["depth_unit_scale_factor"] = file.depth_unit;
     json["applied_transform"] = matrixOf({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, Vec3{} - file.offset);
-    Json frames = Json::array();
+    OrderedJson frames = OrderedJson::array();
     for (const RenderedShot& each : file.shots) frames.push_back(frameOf(each, file.offset, !alike));
     json["frames"] = frames;
-    const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    const std::string text = json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
     writeFile(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 

@@ -4,11 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "runtime/studies/study_values.h"
+
 namespace pointrt {
 namespace {
-
-/// The golden angle between consecutive rays of Vogel's spiral ("A better way to construct the sunflower head", 1979).
-constexpr double kGoldenAngle = 2 * std::numbers::pi * (2 - std::numbers::phi);
 
 /// The radius, as a share of the cone's, that encloses this share of the power in the cone. A Gaussian beam has
 /// 1 - exp(-2 r^2) of its power within r.

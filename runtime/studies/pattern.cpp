@@ -4,13 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "runtime/util/degree.h"
+
 namespace pointrt {
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180;
-
 Vec3 directionOf(double azimuth_deg, double elevation_deg) {
-    const double azimuth = azimuth_deg * kRadians, elevation = elevation_deg * kRadians;
+    const double azimuth = azimuth_deg * kDegree, elevation = elevation_deg * kDegree;
     return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
 }
 
@@ -39,8 +39,8 @@ LidarPulse pulseIn(const LidarFlash& flash, std::uint64_t, std::uint64_t pixel) 
     const auto across = [](std::uint64_t place, std::uint32_t count) {
         return 1 - (2 * static_cast<double>(place) + 1) / count;
     };
-    const double left = across(column, flash.width) * std::tan(flash.width_deg / 2 * kRadians);
-    const double up = across(row, flash.height) * std::tan(flash.height_deg / 2 * kRadians);
+    const double left = across(column, flash.width) * std::tan(flash.width_deg / 2 * kDegree);
+    const double up = across(row, flash.height) * std::tan(flash.height_deg / 2 * kDegree);
     return {0, normalize({1, left, up}), static_cast<std::uint16_t>(row), 0};
 }
 
@@ -54,7 +54,7 @@ double swing(double cycles, bool sinusoidal) {
 LidarPulse pulseIn(const LidarOscillating& mirror, std::uint64_t period, std::uint64_t) {
     const double cycles = static_cast<double>(period) * (mirror.scan_hz / mirror.pulse_hz);
     const double angle_deg = mirror.field_of_view_deg / 2 * swing(cycles, mirror.sinusoidal);
-    const double angle = angle_deg * kRadians; // to the right, which is -y
+    const double angle = angle_deg * kDegree; // to the right, which is -y
     return {0, {0, -std::sin(angle), -std::cos(angle)}, 0, static_cast<float>(angle_deg)};
 }
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <string>
 
+#include "runtime/studies/study_values.h"
+
 namespace pointrt {
 namespace {
-
-[[noreturn]] void refuse(const std::string& reason) { throw TraceError(TraceError::Kind::kBadUsage, reason); }
 
 /// 0 for an invalid measurement.
 double sizeAt(std::span<const float> sizes, std::size_t row, double otherwise) {
@@ -20,13 +20,13 @@ double sizeAt(std::span<const float> sizes, std::size_t row, double otherwise) {
 
 void requireRows(const StudyPoints& points, std::size_t count, const StudyRules& rules) {
     const auto require = [](bool holds, const char* what) {
-        if (!holds) refuse(std::string(what) + " must have one row per point");
+        if (!holds) refuseUsage(std::string(what) + " must have one row per point");
     };
     require(points.positions.size() == 3 * count, "results");
     require(points.normals.empty() || points.normals.size() == 3 * count, "normals");
     require(points.radii.empty() || points.radii.size() == count, "radii");
     require(points.noise.empty() || points.noise.size() == count, "noise");
-    if (!(rules.radius >= 0 && std::isfinite(rules.radius))) refuse("the radius must be finite and at least 0");
+    if (!(rules.radius >= 0 && std::isfinite(rules.radius))) refuseUsage("the radius must be finite and at least 0");
 }
 
 StudyDisc discAt(const StudyPoints& points, std::size_t row, const StudyRules& rules) {

@@ -12,8 +12,6 @@
 namespace pointrt {
 namespace {
 
-using Source = LidarReflectance::Source;
-
 constexpr const char* kIntensity = "intensity"; // the name in SPEC.md for measured intensities
 
 std::optional<SceneAttribute> find(const TraceScene& scene, const std::string& name) {
@@ -43,11 +41,12 @@ std::array<float, 256> linearOfBytes() {
 
 ReflectanceLookup::ReflectanceLookup(const TraceScene& scene, const LidarReflectance& reflectance)
     : scene_(scene), reflectance_(reflectance) {
-    if (reflectance_.source == Source::kScan) {
-        reflectance_.source = find(scene, kIntensity) ? Source::kAttribute : Source::kColor;
+    if (reflectance_.source == LidarReflectance::Source::kScan) {
+        reflectance_.source =
+            find(scene, kIntensity) ? LidarReflectance::Source::kAttribute : LidarReflectance::Source::kColor;
         reflectance_.attribute = kIntensity;
     }
-    if (reflectance_.source != Source::kAttribute) return;
+    if (reflectance_.source != LidarReflectance::Source::kAttribute) return;
     const auto found = find(scene, reflectance_.attribute);
     if (!found) refuse(scene, reflectance_.attribute);
     attribute_ = *found;
@@ -56,8 +55,9 @@ ReflectanceLookup::ReflectanceLookup(const TraceScene& scene, const LidarReflect
 
 void ReflectanceLookup::lookUp(const HitIds& hits, std::span<float> reflectances) {
     const auto value = static_cast<float>(reflectance_.value);
-    if (reflectance_.source == Source::kConstant) return std::fill(reflectances.begin(), reflectances.end(), value);
-    if (reflectance_.source == Source::kAttribute) {
+    if (reflectance_.source == LidarReflectance::Source::kConstant)
+        return std::fill(reflectances.begin(), reflectances.end(), value);
+    if (reflectance_.source == LidarReflectance::Source::kAttribute) {
         buffer_.resize(reflectances.size() * attribute_.bytes);
         scene_.readAttribute(attribute_.name, hits.splats, hits.instances, hits.tiles, buffer_);
         fromAttribute(reflectances);

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "runtime/studies/study_values.h"
+
 namespace pointrt {
 namespace {
 
@@ -35,8 +37,6 @@ Quaternion slerp(const Quaternion& a, Quaternion b, double share) {
     if (sine == 0) return a;
     return unit(mixed(std::sin((1 - share) * angle) / sine, a, std::sin(share * angle) / sine, b));
 }
-
-Vec3 vectorOf(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
 /// A counterclockwise rotation about axis 0, 1 or 2.
 Quaternion about(std::size_t axis, double degrees) {

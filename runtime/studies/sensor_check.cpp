@@ -5,23 +5,22 @@
 #include <cmath>
 
 #include "runtime/studies/sensor_limits.h"
+#include "runtime/studies/study_values.h"
 #include "runtime/util/parse.h"
 
 namespace pointrt {
 namespace {
 
-[[noreturn]] void refuse(const std::string& reason) { throw TraceError(TraceError::Kind::kBadUsage, reason); }
-
 void requireIn(double value, LidarLimit limit, const std::string& name) {
     if (value >= limit.low && value <= limit.high) return;
-    refuse(name + " is " + plainText(value) + ", must be from " + plainText(limit.low) + " to " +
-           plainText(limit.high));
+    refuseUsage(name + " is " + plainText(value) + ", must be from " + plainText(limit.low) + " to " +
+                plainText(limit.high));
 }
 
 void requireCount(std::size_t value, std::size_t low, std::size_t high, const std::string& name) {
     if (value >= low && value <= high) return;
-    refuse(name + " is " + std::to_string(value) + ", must be from " + std::to_string(low) + " to " +
-           std::to_string(high));
+    refuseUsage(name + " is " + std::to_string(value) + ", must be from " + std::to_string(low) + " to " +
+                std::to_string(high));
 }
 
 void requirePattern(const LidarSpinning& spinning) {
@@ -59,7 +58,7 @@ void requirePattern(const LidarTable& table) {
 void requireRanges(const LidarSensor& sensor) {
     requireIn(sensor.min_range_m, kLidarLengths, "min_range_m");
     requireIn(sensor.max_range_m, kLidarSomeLengths, "max_range_m");
-    if (sensor.min_range_m >= sensor.max_range_m) refuse("min_range_m must be below max_range_m");
+    if (sensor.min_range_m >= sensor.max_range_m) refuseUsage("min_range_m must be below max_range_m");
     requireIn(sensor.range_noise_m, kLidarLengths, "range_noise_m");
     requireIn(sensor.range_noise_per_m, kLidarShares, "range_noise_per_m");
 }
@@ -68,7 +67,7 @@ void requireReflectance(const LidarReflectance& reflectance) {
     requireIn(reflectance.value, kLidarShares, "reflectance");
     requireIn(reflectance.white, kLidarNumbers, "the white of the attribute");
     if (reflectance.source == LidarReflectance::Source::kAttribute && reflectance.attribute.empty())
-        refuse("the attribute of the reflectance has no name");
+        refuseUsage("the attribute of the reflectance has no name");
 }
 
 } // namespace
@@ -88,34 +87,34 @@ void requireSensor(const LidarSensor& sensor) {
 }
 
 void requireTrajectory(const std::vector<LidarPose>& trajectory) {
-    if (trajectory.empty()) refuse("the trajectory has no pose");
+    if (trajectory.empty()) refuseUsage("the trajectory has no pose");
     for (std::size_t i = 0; i < trajectory.size(); ++i) {
         const LidarPose& pose = trajectory[i];
         const auto isFinite = [](double number) { return std::isfinite(number); };
         const std::string place = "pose " + std::to_string(i) + ": ";
         if (!isFinite(pose.time) || !std::all_of(pose.position.begin(), pose.position.end(), isFinite))
-            refuse(place + "its time or position is not finite");
+            refuseUsage(place + "its time or position is not finite");
         const auto& q = pose.rotation;
         const double square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
-        if (!std::isnormal(square)) refuse(place + "its quaternion is 0 or not finite");
+        if (!std::isnormal(square)) refuseUsage(place + "its quaternion is 0 or not finite");
         if (i > 0 && pose.time <= trajectory[i - 1].time)
-            refuse(place + "its time must be later than the previous pose's");
+            refuseUsage(place + "its time must be later than the previous pose's");
     }
 }
 
 void requireRun(const LidarRun& run) {
     requireTrajectory(run.trajectory);
-    if (run.start_s && !std::isfinite(*run.start_s)) refuse("start_s is not finite");
+    if (run.start_s && !std::isfinite(*run.start_s)) refuseUsage("start_s is not finite");
     const double first = run.trajectory.front().time, last = run.trajectory.back().time;
     const double start = run.start_s.value_or(first);
     if (run.duration_s && !(*run.duration_s > 0 && std::isfinite(*run.duration_s)))
-        refuse("duration_s must be above 0 and finite");
+        refuseUsage("duration_s must be above 0 and finite");
     if (run.metres_per_unit != 0) requireIn(run.metres_per_unit, kLidarUnits, "metres_per_unit");
     if (run.trajectory.size() == 1) return;
     const std::string ends = ", but the trajectory is from " + plainText(first) + " to " + plainText(last) + " s";
-    if (start < first || start >= last) refuse("start_s is " + plainText(start) + ends);
+    if (start < first || start >= last) refuseUsage("start_s is " + plainText(start) + ends);
     if (run.duration_s && start + *run.duration_s > last)
-        refuse("the run ends at " + plainText(start + *run.duration_s) + " s" + ends);
+        refuseUsage("the run ends at " + plainText(start + *run.duration_s) + " s" + ends);
 }
 
 } // namespace pointrt

@@ -3,16 +3,13 @@
 #include <numbers>
 
 #include "pointrt/studies.hpp"
+#include "runtime/studies/study_values.h"
 #include "runtime/util/vec.h"
 
 namespace pointrt {
 namespace {
 
 constexpr std::size_t kMostDirections = 65536;
-/// The golden angle between consecutive points of a sunflower spiral.
-const double kGoldenAngle = std::numbers::pi * (3 - std::sqrt(5.0));
-
-Vec3 vectorOf(const std::array<double, 3>& n) { return {n[0], n[1], n[2]}; }
 
 } // namespace
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "format/base/error.h"
 #include "format/crs/projected_crs.h"
@@ -10,31 +9,28 @@
 #include "runtime/device_scene/render_space.h"
 #include "runtime/scene/sun.h"
 #include "runtime/studies/scene_world.h"
+#include "runtime/studies/study_values.h"
+#include "runtime/util/degree.h"
 #include "runtime/util/parse.h"
 #include "runtime/util/vec.h"
 
 namespace pointrt {
 namespace {
 
-constexpr double kRadiansPerDegree = std::numbers::pi / 180;
-
 using Numbers = std::array<double, 3>;
 
-[[noreturn]] void refuse(const std::string& reason) { throw TraceError(TraceError::Kind::kBadUsage, reason); }
-
-Vec3 vectorOf(const Numbers& n) { return {n[0], n[1], n[2]}; }
 Numbers numbersOf(Vec3 v) { return {v.x, v.y, v.z}; }
 
 Vec3 unitOf(const Numbers& numbers, const char* name) {
     const Vec3 vector = vectorOf(numbers);
     if (!(std::isfinite(length(vector)) && length(vector) > 0))
-        refuse(std::string(name) + " must be a direction: three finite numbers that are not all 0");
+        refuseUsage(std::string(name) + " must be a direction: three finite numbers that are not all 0");
     return normalize(vector);
 }
 
 void requireOnEarth(GeoPlace place) {
-    if (!(std::abs(place.latitude_deg) <= 90)) refuse("the latitude must be from -90 to 90 degrees");
-    if (!(std::abs(place.longitude_deg) <= 180)) refuse("the longitude must be from -180 to 180 degrees");
+    if (!(std::abs(place.latitude_deg) <= 90)) refuseUsage("the latitude must be from -90 to 90 degrees");
+    if (!(std::abs(place.longitude_deg) <= 180)) refuseUsage("the longitude must be from -180 to 180 degrees");
 }
 
 /// Whether a place lies within the area or at most a UTM zone's width beside it.
@@ -52,8 +48,8 @@ bool isNear(const AreaOfUse& area, GeoPlace place) {
 
 /// Latitude and longitude in the wrong order are the usual reason.
 [[noreturn]] void refusePlace(GeoPlace place, const ProjectedCrs& crs) {
-    refuse(plainText(place.latitude_deg) + "," + plainText(place.longitude_deg) + " is outside the area of " +
-           crs.name + ": give latitude, then longitude, of the scan");
+    refuseUsage(plainText(place.latitude_deg) + "," + plainText(place.longitude_deg) + " is outside the area of " +
+                crs.name + ": give latitude, then longitude, of the scan");
 }
 
 /// True north in the scan's coordinates: x east and y north on the grid.
@@ -64,7 +60,7 @@ Vec3 trueNorth(const std::string& crs_text, const ProjectedCrs& crs, GeoPlace pl
     char degrees[32];
     std::snprintf(degrees, sizeof degrees, "%.2f", *convergence_deg);
     note = std::string("grid north is ") + degrees + " degrees clockwise of true north in " + crs.name;
-    return {-std::sin(*convergence_deg * kRadiansPerDegree), std::cos(*convergence_deg * kRadiansPerDegree), 0};
+    return {-std::sin(*convergence_deg * kDegree), std::cos(*convergence_deg * kDegree), 0};
 }
 
 /// A name for messages: the EPSG code, or the name in WKT.
@@ -109,7 +105,7 @@ StudyFrame studyFrame(const std::string& path, GeoPlace place, std::optional<Num
     frame.note = "north is as given";
     const Vec3 ahead = given_north ? unitOf(*given_north, "north") : northOf(world, up, place, frame.note);
     const Vec3 level = ahead - up * dot(ahead, up);
-    if (length(level) < 1e-6) refuse("north must not be along up"); // nothing but rounding is left
+    if (length(level) < 1e-6) refuseUsage("north must not be along up"); // nothing but rounding is left
     if (!given_up && length(world.up) == 0) frame.note += "; up is assumed to be +Z: the scan does not say";
     frame.up = numbersOf(up);
     frame.north = numbersOf(normalize(level));

@@ -4,6 +4,7 @@
 
 #include "pointrt/studies.hpp"
 #include "runtime/scene/sun.h"
+#include "runtime/studies/study_values.h"
 #include "runtime/util/vec.h"
 
 namespace pointrt {
@@ -12,28 +13,24 @@ namespace {
 constexpr double kDayMinutes = 1440;
 constexpr double kMostInstants = 1e6; // two years at one minute; 32 MB of directions
 
-[[noreturn]] void refuse(const std::string& reason) { throw TraceError(TraceError::Kind::kBadUsage, reason); }
-
 /// Days since 1970.
 double dayNumber(CalendarDate date) {
     const std::chrono::year_month_day day{std::chrono::year(date.year), std::chrono::month(date.month),
                                           std::chrono::day(date.day)};
-    if (!day.ok()) refuse("the date does not exist");
+    if (!day.ok()) refuseUsage("the date does not exist");
     if (date.year < 1900 || date.year > 2100)
-        refuse("the date must be from 1900 to 2100, where the solar position is accurate");
+        refuseUsage("the date must be from 1900 to 2100, where the solar position is accurate");
     return static_cast<double>(std::chrono::sys_days(day).time_since_epoch().count());
 }
 
 void requireStudy(const SunStudy& study) {
-    if (!(std::abs(study.place.latitude_deg) <= 90)) refuse("the latitude must be from -90 to 90 degrees");
-    if (!(std::abs(study.place.longitude_deg) <= 180)) refuse("the longitude must be from -180 to 180 degrees");
+    if (!(std::abs(study.place.latitude_deg) <= 90)) refuseUsage("the latitude must be from -90 to 90 degrees");
+    if (!(std::abs(study.place.longitude_deg) <= 180)) refuseUsage("the longitude must be from -180 to 180 degrees");
     if (!(study.every_min > 0 && study.every_min <= kDayMinutes))
-        refuse("the interval must be above 0 and at most 1440 minutes");
+        refuseUsage("the interval must be above 0 and at most 1440 minutes");
     if (study.utc_offset_h && !(std::abs(*study.utc_offset_h) <= 24))
-        refuse("the UTC offset must be from -24 to 24 hours");
+        refuseUsage("the UTC offset must be from -24 to 24 hours");
 }
-
-Vec3 vectorOf(const std::array<double, 3>& n) { return {n[0], n[1], n[2]}; }
 
 } // namespace
 
@@ -45,10 +42,10 @@ double utcOffsetOf(GeoPlace place) {
 Lights sunLights(const SunStudy& study, const StudyFrame& frame) {
     requireStudy(study);
     const double first = dayNumber(study.first), last = dayNumber(study.last);
-    if (last < first) refuse("the last day is before the first");
+    if (last < first) refuseUsage("the last day is before the first");
     const double minutes = kDayMinutes * (last - first + 1);
     if (minutes / study.every_min > kMostInstants)
-        refuse("more than a million instants: choose fewer days or a longer interval");
+        refuseUsage("more than a million instants: choose fewer days or a longer interval");
     const double start = 60 * (kDayMinutes * first - 60 * study.utc_offset_h.value_or(utcOffsetOf(study.place)));
     Lights lights;
     for (double k = 0; k * study.every_min < minutes; ++k) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "format/base/printable.h"
+
 namespace pointrt {
 
 std::vector<std::string_view> wordsOf(std::string_view line) {
@@ -15,6 +17,8 @@ std::vector<std::string_view> wordsOf(std::string_view line) {
     }
     return words;
 }
+
+std::string quotedWord(std::string_view word) { return "\"" + printable(word, 40) + "\""; }
 
 std::string lowerCase(std::string_view text) {
     std::string lower(text);

@@ -47,7 +47,7 @@ case_can_be_chosen() {
     pointrt-info out/one.pro --json >info.json
     [ "$(jsonValue info.json attributes.0.name)" = intensity ] || fail "not what was asked for"
     [ -z "$(jsonValue info.json attributes.1.name)" ] || fail "more than was asked for"
-    expectError 1 "--attributes: no scan has 'intensty', did you mean 'intensity'.; available: classification, intensity" \
+    expectError 1 "--attributes: .*'intensty'.* 'intensity'.*: classification, intensity" \
         pointrt-bake -q scan.ply -o out/two.pro --attributes intensty
     expectDone pointrt-bake -q scan.ply -o out/none.pro --attributes none
     pointrt-info out/none.pro --json >info.json
@@ -62,8 +62,8 @@ case_classes_are_chosen() {
     [ "$(jsonValue a.json points_filtered)" = 1000 ] || fail "the others were not counted"
     expectDone pointrt-bake -q scan.ply -o out/b.pro --drop-classes 0-2,7 --outliers keep
     [ "$(splatsOf out/b.pro)" = 1000 ] || fail "not all but those"
-    expectError 2 "--classes: '256' is not a class" pointrt-bake scan.ply -o out/c.pro --classes 256
-    expectError 2 "--drop-classes: '5-3' is not a class" pointrt-bake scan.ply -o out/c.pro --drop-classes 5-3
+    expectError 2 "--classes: '256' " pointrt-bake scan.ply -o out/c.pro --classes 256
+    expectError 2 "--drop-classes: '5-3' " pointrt-bake scan.ply -o out/c.pro --drop-classes 5-3
     expectError 2 "" pointrt-bake scan.ply -o out/c.pro --classes 2 --drop-classes 3
 }
 
@@ -78,11 +78,11 @@ case_bounds_thin_and_every() {
     thinned=$(splatsOf out/c.pro)
     # cells of edge e that a unit sphere meets: 1.5 * 4 pi / e^2 = 1885, of which 2000 points find the larger ones
     [ "$thinned" -gt 900 ] && [ "$thinned" -lt 1885 ] || fail "$thinned points are not one a cell"
-    expectError 2 "--bounds: needs 6 numbers .*, not 5" pointrt-bake scan.ply -o out/d.pro --bounds 1,2,3,4,5
-    expectError 2 "in z the minimum 3 is above" pointrt-bake scan.ply -o out/d.pro --bounds 1,2,3,4,5,2
+    expectError 2 "--bounds: .*6 numbers .*5" pointrt-bake scan.ply -o out/d.pro --bounds 1,2,3,4,5
+    expectError 2 "--bounds: in z .*3 .*2" pointrt-bake scan.ply -o out/d.pro --bounds 1,2,3,4,5,2
     expectError 2 "" pointrt-bake scan.ply -o out/d.pro --every 0
     expectError 2 "" pointrt-bake scan.ply -o out/d.pro --thin 0
-    expectError 1 "scan.ply: none of its 2000 points passes the filters" pointrt-bake -q scan.ply -o out/d.pro --bounds 8,8,8,9,9,9
+    expectError 1 "scan.ply: .*2000 .*filters" pointrt-bake -q scan.ply -o out/d.pro --bounds 8,8,8,9,9,9
 }
 
 case_transform_moves_and_turns() {
@@ -93,11 +93,11 @@ case_transform_moves_and_turns() {
     awk -v low="$(jsonValue info.json bounds_min.1)" 'BEGIN { exit !(low > 1998.9 && low < 1999.1) }' || fail "not there"
     [ "$(jsonValue info.json up.2)" = 1 ] || [ "$(jsonValue info.json up.2)" = 1.0 ] || fail "up is not stored"
     printf '1 0 0\n' >short.txt
-    expectError 1 "short.txt: is not a 4x4 matrix" pointrt-bake scan.ply -o out/b.pro --transform short.txt
+    expectError 1 "short.txt: .*4x4" pointrt-bake scan.ply -o out/b.pro --transform short.txt
     printf '1 0 0 0 1 0 0 0 0 0 1 0 0 0 0 1\n' >flat.txt
-    expectError 1 "flat.txt: the matrix is singular" pointrt-bake scan.ply -o out/b.pro --transform flat.txt
+    expectError 1 "flat.txt: .*singular" pointrt-bake scan.ply -o out/b.pro --transform flat.txt
     printf '1 0 0 0 0 1 0 0 0 0 one 0 0 0 0 1\n' >word.txt
-    expectError 1 "word.txt:1: is not a number" pointrt-bake scan.ply -o out/b.pro --transform word.txt
+    expectError 1 "word.txt:1: .*number" pointrt-bake scan.ply -o out/b.pro --transform word.txt
 }
 
 case_up_of_the_command_line() {
@@ -108,7 +108,7 @@ case_up_of_the_command_line() {
         expectDone pointrt-info "out/up$up.pro"
         grep -Eq "^up +$up\$" stdout || fail "up is not $up"
     done
-    expectError 2 "--up: 'w' is not one of" pointrt-bake scan.ply -o out/w.pro --up w
+    expectError 2 "--up: 'w' " pointrt-bake scan.ply -o out/w.pro --up w
 }
 
 case_a_folder_of_tiles() {
@@ -125,7 +125,7 @@ case_a_folder_of_tiles() {
     [ "$(jsonValue tiles.json files.1.points)" = 1000 ] || fail "not what was read of each"
     grep -q 'tiles/b.xyz: .*1000 points' stderr || fail "no line for each file"
     mkdir none
-    expectError 1 "none: the folder has no scan" pointrt-bake none -o out/none.pro
+    expectError 1 "none: .*folder" pointrt-bake none -o out/none.pro
 }
 
 runCase "$@"

@@ -118,7 +118,7 @@ case_coordinates_out_of_all_proportion() {
     [ "$(jsonValue stats.json splats)" = 1000 ] || fail "1000 points are there"
     rm out/scene.pro
     echo '1e30 1e30 1e30' >one.xyz
-    rejects one.xyz 'none of its 1 points is finite and within 1e\+25'
+    rejects one.xyz 'none of its 1 .*1e\+25'
     sphere 1000 | awk '{ print $1 * 1e30, $2 * 1e30, $3 * 1e30 }' >all.xyz
     rejects all.xyz
 }
@@ -149,7 +149,7 @@ case_standard_input_is_told_by_content() {
     status=0
     pointrt-bake -q - --input-format obj -o out/other.pro <sphere.xyz 2>stderr || status=$?
     [ "$status" = 1 ] || fail "exit status $status where 1 was expected"
-    grep -q 'standard input: holds no points' stderr || fail "--input-format was not taken"
+    grep -q 'standard input: .*no points' stderr || fail "--input-format was not taken"
 }
 
 case_named_pipe() {
@@ -159,19 +159,19 @@ case_named_pipe() {
 }
 
 case_devices_are_not_read() {
-    expectError 1 '/dev/zero: is not a regular file' pointrt-bake -q /dev/zero -o out/scene.pro
-    expectError 1 'standard input: is not a regular file' bash -c 'pointrt-bake -q - -o out/scene.pro </dev/zero'
+    expectError 1 '/dev/zero: .*regular' pointrt-bake -q /dev/zero -o out/scene.pro
+    expectError 1 'standard input: .*regular' bash -c 'pointrt-bake -q - -o out/scene.pro </dev/zero'
 }
 
 case_conf_stays_in_its_folder() {
     echo 'correct horse battery staple' >secret
     mkdir set
     echo "bmesh ../secret 0 0 0 0 0 0 1" >set/set.conf
-    expectError 1 "set.conf:1: '../secret': lies outside the folder" pointrt-bake -q set/set.conf -o out/scene.pro
+    expectError 1 "set.conf:1: '../secret': .*outside" pointrt-bake -q set/set.conf -o out/scene.pro
     ! grep -q horse stderr || fail "what a file holds is in the message"
     mkfifo set/pipe
     echo "bmesh pipe 0 0 0 0 0 0 1" >set/set.conf
-    expectError 1 'pipe: is not a regular file' timeout 10 pointrt-bake -q set/set.conf -o out/scene.pro
+    expectError 1 'pipe: .*regular' timeout 10 pointrt-bake -q set/set.conf -o out/scene.pro
 }
 
 case_content_is_told_before_the_suffix() {
@@ -195,13 +195,13 @@ cube() {
 case_coarse_mesh_is_sampled() {
     cube >cube.obj
     expectDone pointrt-bake cube.obj -o out/scene.pro --stats stats.json
-    [ "$(grep -c '^pointrt-bake: cube.obj: its 8 vertices are too few for its faces: .*--sample 0' stderr)" = 1 ] ||
+    [ "$(grep -c '^pointrt-bake: cube.obj: .*8 vertices .*--sample 0' stderr)" = 1 ] ||
         fail "nothing was said"
-    grep -q 'dropped: 1 not used by a face' stderr || fail "the vertex that no face uses was not counted"
+    grep -q 'dropped: 1 .*face' stderr || fail "the vertex that no face uses was not counted"
     [ "$(jsonValue stats.json points_unused)" = 1 ] || fail "points_unused is not 1"
     [ "$(jsonValue stats.json points_sampled)" = 793800 ] || fail "630 to the diagonal were due"
     [ "$(jsonValue stats.json splats)" -gt 790000 ] || fail "793800 points were spread"
-    grep -q '"cube.obj: its 8 vertices' stats.json || fail "the note is not among the figures"
+    grep -q '"cube.obj: .*8 vertices' stats.json || fail "the note is not among the figures"
     expectDone pointrt-bake -q cube.obj --prune off --compact -f -o out/scene.pro
     [ ! -s stderr ] || fail "-q is not quiet"
     expectDone pointrt-bake cube.obj --sample 2000 -f -o out/scene.pro --stats stats.json

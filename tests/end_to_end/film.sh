@@ -63,12 +63,12 @@ case_resume_refuses_another_film() {
     bakeSphere
     expectDone "${view[@]}" -q --spp 2 -o out/a.exr
     cp out/a.exr before.exr
-    expectError 1 "a.exr: .*seed was 0 and is 1" "${view[@]}" --spp 4 --seed 1 --resume -o out/a.exr
-    expectError 1 "a.exr: .*bounces was 4 and is 2" "${view[@]}" --spp 4 --bounces 2 --resume -o out/a.exr
-    expectError 1 "a.exr: .*camera was" "${view[@]}" --spp 4 --eye 1,2,3 --resume -o out/a.exr
+    expectError 1 "a.exr: .*seed .*0 .*1" "${view[@]}" --spp 4 --seed 1 --resume -o out/a.exr
+    expectError 1 "a.exr: .*bounces .*4 .*2" "${view[@]}" --spp 4 --bounces 2 --resume -o out/a.exr
+    expectError 1 "a.exr: .*camera" "${view[@]}" --spp 4 --eye 1,2,3 --resume -o out/a.exr
     sphere 2999 >sphere.xyz
     pointrt-bake -q -f sphere.xyz -o scene.pro
-    expectError 1 "a.exr: .*scene was" "${view[@]}" --spp 4 --resume -o out/a.exr
+    expectError 1 "a.exr: .*scene" "${view[@]}" --spp 4 --resume -o out/a.exr
     cmp before.exr out/a.exr
     head -c 500 before.exr >out/a.exr
     expectError 1 "a.exr: " "${view[@]}" --spp 4 --resume -o out/a.exr
@@ -111,7 +111,7 @@ millisecondsSince() { printf '%d\n' $((($(date +%s%N) - $1) / 1000000)); }
 case_time_limit_of_a_crowded_scene() {
     bakeCrowd
     expectDone pointrt-view crowd.pro -q --size 2048x2048 --spp 1 --time-limit 2 -o out/a.png --stats stats.json
-    grep -Eq "a.png: the time limit was reached during the first sample; [0-9]+ of 2048 rows have no samples and are black" stderr ||
+    grep -Eq "a.png: .*time limit.*; [0-9]+ of 2048 rows " stderr ||
         fail "it does not say that rows are missing"
     # 3 s on a machine that has nothing else to do
     awk -v ms="$(jsonValue stats.json frame_ms.max)" 'BEGIN { exit !(ms < 20000) }' || fail "much too late"
@@ -129,7 +129,7 @@ case_interrupt_of_a_crowded_scene() {
     wait "$pid" || status=$?
     [ "$status" = 143 ] || fail "exit status $status where 143, of the signal, was expected"
     [ "$(millisecondsSince "$start")" -lt 20000 ] || fail "much too late"
-    grep -Eq "a.png: interrupted at 0 of 4 samples; [0-9]+ of 2048 rows have no samples and are black\$" stderr ||
+    grep -Eq "a.png: interrupted at 0 of 4 samples; [0-9]+ of 2048 rows " stderr ||
         fail "it does not say how far it was"
     [ "$(head -c 8 out/a.png | od -An -t x1 | tr -d ' \n')" = 89504e470d0a1a0a ] || fail "no PNG was written"
     [ "$(tail -c 12 out/a.png | head -c 8 | od -An -c | tr -d ' \n')" = '\0\0\0\0IEND' ] || fail "the PNG is not whole"
@@ -155,10 +155,10 @@ case_refuses_what_memory_cannot_hold() {
     local large=(pointrt-view scene.pro -q --size 16000x16000 --spp 1)
     ulimit -v 2000000
     pointrt-view --version >version || skip "the tool does not start in 2 GB here"
-    expectError 3 "a.exr: a picture of 16000x16000 pixels takes 27\.[0-9] GiB of memory here, and 1?[0-9]?\.[0-9] GiB are free" \
+    expectError 3 "a.exr: .* 16000x16000 .* 27\.[0-9] GiB .* 1?[0-9]?\.[0-9] GiB" \
         "${large[@]}" -o out/a.exr
-    expectError 3 "a.png: a picture of .* takes 1[78]\.[0-9] GiB" "${large[@]}" --denoise off --time-limit 1 -o out/a.png
-    expectError 3 "a picture of .* takes" "${large[@]}" --turntable 2 -o out/%d.png
+    expectError 3 "a.png: .* 16000x16000 .* 1[78]\.[0-9] GiB" "${large[@]}" --denoise off --time-limit 1 -o out/a.png
+    expectError 3 " 16000x16000 .* GiB" "${large[@]}" --turntable 2 -o out/%d.png
     expectDone pointrt-view scene.pro -q --size 2500x2500 --spp 1 -o out/a.png
 }
 

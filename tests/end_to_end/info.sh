@@ -97,11 +97,11 @@ case_broken_tiles_of_sets_are_found() {
     breakSet swapTiles
     run pointrt-info broken.proset --verify
     [ "$status" = 1 ] || fail "exit status $status of swapped tiles"
-    [ "$(grep -c "0-.*\.pro: finding: is not the tile that set.json names (" stdout)" = 2 ] || fail "$(cat stdout)"
+    [ "$(grep -c "0-.*\.pro: finding: .*set.json.*(" stdout)" = 2 ] || fail "$(cat stdout)"
     breakSet sh -c 'truncate -s 5000 tiles/1-*.pro'
     run pointrt-info broken.proset --verify
     [ "$status" = 1 ] || fail "exit status $status of truncated tiles"
-    grep -q "1-.*\.pro: finding: is not the tile that set.json names (5000 bytes, not" stdout || fail "$(cat stdout)"
+    grep -q "1-.*\.pro: finding: .*(5000 bytes" stdout || fail "$(cat stdout)"
     breakSet sh -c 'rm tiles/0-*'
     expectError 1 "No such file" pointrt-info broken.proset --export lost.ply
     [ ! -e lost.ply ] || fail "a part was exported"
@@ -119,7 +119,7 @@ case_broken_set_files_are_one_line() {
     expectError 1 "$line" pointrt-info broken.proset --export lost.ply
     expectError 1 "$line" pointrt-view broken.proset -o lost.png
     breakSet truncate -s 1G set.json
-    expectError 1 "broken.proset/set.json: has 1073741824 bytes, more than the limit for sets" pointrt-info broken.proset
+    expectError 1 "broken.proset/set.json: .*1073741824 bytes" pointrt-info broken.proset
     breakSet sh -c 'head -c 5000000 /dev/zero | tr "\\0" "[" >set.json'
     expectError 1 "broken.proset/set.json: " pointrt-view broken.proset -o lost.png
     breakSet rm set.json

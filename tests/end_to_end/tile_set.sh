@@ -52,7 +52,7 @@ case_an_interrupted_bake_says_that_it_goes_on() {
     hill 60000 >a.xyz
     run timeout -s INT 1 pointrt-bake -q a.xyz -o out/a.proset --tile-splats 1000
     [ "$status" = 124 ] || fail "exit status $status: it was not interrupted"
-    grep -q "interrupted; run the same command to resume" stderr || fail "it does not say that it goes on"
+    grep -q "interrupted; .*resume" stderr || fail "it does not say that it goes on"
     [ -e out/a.proset.work ] || fail "what was done is gone"
 }
 
@@ -89,35 +89,35 @@ case_killed_at_any_moment() {
 
 case_a_finished_set_stays() {
     bakeHills out/site.proset
-    expectError 4 "site.proset: already exists; --force overwrites it" \
+    expectError 4 "site.proset: .*exists; --force " \
         pointrt-bake -q a.xyz b.xyz -o out/site.proset --tile-splats 1000
     bakeHills out/site.proset/ --force --compact
     expectDone pointrt-info out/site.proset --verify
     [ "$(ls out)" = site.proset ] || fail "something was left: $(ls out)"
     mkdir -p out/other.proset
     echo precious >out/other.proset/file
-    expectError 4 "other.proset: exists and is not a tile set" \
+    expectError 4 "other.proset: .*not a tile set" \
         pointrt-bake -q a.xyz -o out/other.proset --tile-splats 1000 --force
 }
 
 case_other_options_and_inputs_are_refused() {
     bakeHills out/site.proset --step plan
-    expectError 2 "site.proset.work: was started with 1000 of --tile-splats, not 2000; --force starts again" \
+    expectError 2 "site.proset.work: .*1000 .*--tile-splats.*2000; --force " \
         pointrt-bake -q a.xyz b.xyz -o out/site.proset --tile-splats 2000
-    expectError 1 "site.proset.work: was started with 2 input files, not 1" \
+    expectError 1 "site.proset.work: .*2 input files.*1" \
         pointrt-bake -q a.xyz -o out/site.proset --tile-splats 1000
-    expectError 1 "the step split has not been completed" \
+    expectError 1 "step split " \
         pointrt-bake -q a.xyz b.xyz -o out/site.proset --tile-splats 1000 --step block:0
     bakeHills out/site.proset --step split
-    expectError 1 "site.proset.work: was started with a.xyz, not b.xyz; --force starts again" \
+    expectError 1 "site.proset.work: .*a.xyz.*b.xyz; --force " \
         pointrt-bake -q b.xyz a.xyz -o out/site.proset --tile-splats 1000
-    expectError 2 "block 99 is out of range" \
+    expectError 2 "--step: block 99 .*range" \
         pointrt-bake -q a.xyz b.xyz -o out/site.proset --tile-splats 1000 --step block:99
     echo "1 2 3" >>a.xyz
     rm -r out/site.proset.work
     bakeHills out/site.proset --step plan
     echo "1 2 3" >>a.xyz
-    expectError 1 "a.xyz has changed since" \
+    expectError 1 "a.xyz .*changed" \
         pointrt-bake -q a.xyz b.xyz -o out/site.proset --tile-splats 1000
     bakeHills out/site.proset --force
     expectDone pointrt-info out/site.proset --verify
@@ -144,7 +144,7 @@ case_detail_is_how_much_may_be_left_out() {
     [ "$tiles" = 1 ] || fail "$tiles tiles where the root is enough"
     view 0 --memory 2M # half of which is theirs
     [ "$tiles" -lt "$all" ] || fail "$tiles tiles in a mebibyte"
-    [ "$(grep -c "coarser than --detail 0: $tiles tiles fit in 1 MiB, full detail needs $all " stderr)" = 1 ] ||
+    [ "$(grep -c "coarser .*--detail 0: $tiles tiles .*1 MiB.* $all " stderr)" = 1 ] ||
         fail "it does not say once what memory left out"
 }
 
@@ -171,15 +171,15 @@ case_usage_of_detail() {
 
 case_usage() {
     hill 2000 >a.xyz
-    expectError 2 "--step applies only to tile sets" pointrt-bake -q a.xyz -o out/a.pro --step plan
-    expectError 2 "'sideways' is not one of plan, split" pointrt-bake -q a.xyz -o out/a.proset --step sideways
-    expectError 2 "'block' needs a block number" pointrt-bake -q a.xyz -o out/a.proset --step block
-    expectError 2 "invalid size 'much'" pointrt-bake -q a.xyz -o out/a.proset --max-memory much
-    expectError 2 "--max-memory: must be at least 512M" pointrt-bake -q a.xyz -o out/a.proset --max-memory 100M
+    expectError 2 "--step .*NAME.proset" pointrt-bake -q a.xyz -o out/a.pro --step plan
+    expectError 2 "--step: 'sideways' .*plan, split" pointrt-bake -q a.xyz -o out/a.proset --step sideways
+    expectError 2 "--step: 'block' .*number" pointrt-bake -q a.xyz -o out/a.proset --step block
+    expectError 2 "--max-memory: .*'much'" pointrt-bake -q a.xyz -o out/a.proset --max-memory much
+    expectError 2 "--max-memory: .*512M" pointrt-bake -q a.xyz -o out/a.proset --max-memory 100M
     expectError 2 "--tile-splats" pointrt-bake -q a.xyz -o out/a.proset --tile-splats 10
-    expectError 2 "standard input cannot be read twice, as a tile set needs" pointrt-bake -q - -o out/a.proset
-    expectError 1 "missing.xyz: no such file" pointrt-bake -q missing.xyz -o out/a.proset
-    expectError 1 "plan.json: cannot be read" pointrt-bake -q a.xyz -o out/a.proset --step top
+    expectError 2 "-: standard input .*twice" pointrt-bake -q - -o out/a.proset
+    expectError 1 "missing.xyz: " pointrt-bake -q missing.xyz -o out/a.proset
+    expectError 1 "plan.json: .*--step plan" pointrt-bake -q a.xyz -o out/a.proset --step top
 }
 
 # A tmpfs of 1 MiB in a mount namespace of its own: it goes away with the command.
@@ -194,7 +194,7 @@ SH
     run "${namespace[@]}" bash on_small_disk.sh
     [ "$status" != 77 ] && [ "$status" != 1 ] || skip "no file system can be mounted here"
     [ "$status" = 4 ] || fail "exit status $status where 4 was expected"
-    grep -q "a.proset: needs up to .*, but the disk has" stderr || fail "the disk is not told of"
+    grep -q "a.proset: .*disk" stderr || fail "the disk is not told of"
 }
 
 # The same bytes by other roads, on which a worker dies.

@@ -56,10 +56,10 @@ case_wrong_patterns() {
     expectError 2 "out/%4d.png: " pointrt-view half.pro --turntable 3 -o out/%4d.png
     expectError 2 "out/%04d.png: .*--turntable" pointrt-view half.pro -o out/%04d.png
     expectError 2 "--turntable: " pointrt-view half.pro --turntable 0 -o out/%d.png
-    expectError 2 "--turntable: needs -o" pointrt-view half.pro --turntable 3
+    expectError 2 "--turntable: .*-o FILE" pointrt-view half.pro --turntable 3
     expectError 2 "--turntable and --resume" pointrt-view half.pro --turntable 3 --resume -o out/%d.exr
     expectError 2 "--turntable and --bench" pointrt-view half.pro --turntable 3 --bench 1 -o out/%d.png
-    expectError 4 "none/0.png: the folder does not exist" pointrt-view half.pro --turntable 3 -o none/%d.png
+    expectError 4 "none/0.png: .*folder" pointrt-view half.pro --turntable 3 -o none/%d.png
 }
 
 case_an_interrupt_leaves_whole_pictures() {
@@ -93,9 +93,9 @@ case_views() {
     }
     ! cmp -s out/camera.png out/side.png || fail "--view changes nothing"
     cmp out/a.png out/b.png
-    expectError 2 'scene.toml has no view "inside"; it has side, top view, and every scene has front, back' \
+    expectError 2 'scene.toml .*view "inside"; .*side, top view, .*front, back' \
         pointrt-view scene.toml -q --view inside -o out/c.png
-    expectError 2 'half.pro has no view "side"; it has none, and' pointrt-view half.pro -q --view side -o out/c.png
+    expectError 2 'half.pro .*view "side"; .*none, ' pointrt-view half.pro -q --view side -o out/c.png
 }
 
 runCase "$@"

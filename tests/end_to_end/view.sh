@@ -34,10 +34,10 @@ case_wrong_usage() {
     expectError 2 "" pointrt-view scene.pro -o out/a.png --spp 0
     expectError 2 "" pointrt-view scene.pro -o out/a.png --fov 180
     expectError 2 "--ortho: " pointrt-view scene.pro -o out/a.png --ortho 0
-    expectError 2 "--ortho: must be from" pointrt-view scene.pro -o out/a.png --ortho 1e9
-    expectError 2 "exclude each other" pointrt-view scene.pro -o out/a.png --ortho 2 --fov 40
+    expectError 2 "--ortho: .*10000" pointrt-view scene.pro -o out/a.png --ortho 1e9
+    expectError 2 "--fov and --ortho " pointrt-view scene.pro -o out/a.png --ortho 2 --fov 40
     expectError 2 "" pointrt-view scene.pro -o out/a.png --eye 1,2
-    expectError 2 "not one of auto, x, y, z" pointrt-view scene.pro -o out/a.png --up upwards
+    expectError 2 "--up: .*upwards.*auto, x, y, z" pointrt-view scene.pro -o out/a.png --up upwards
     expectError 2 "" pointrt-view scene.pro -o out/a.png --room cellar
     expectError 2 "--time-limit" pointrt-view scene.pro -o out/a.png --time-limit 0
     expectError 2 "--noise" pointrt-view scene.pro -o out/a.png --noise -0.1
@@ -76,17 +76,17 @@ case_colours_and_legends() {
     expectDone pointrt-view -q hill.pro -o out/map.png --size 96x64 --color-by height --color-map magma --color-range 0,0.2
     ! cmp -s out/map.png out/height.png || fail "map and range make no difference"
     rm out/*
-    expectError 2 "hill.pro has no attribute \"intensty\", did you mean \"intensity\"" \
+    expectError 2 "hill.pro .*\"intensty\", .*\"intensity\"" \
         pointrt-view hill.pro -o out/a.png --color-by intensty
-    expectError 2 "is not one of viridis, magma" pointrt-view hill.pro -o out/a.png --color-by height --color-map jet
-    expectError 2 "the lower first" pointrt-view hill.pro -o out/a.png --color-by height --color-range 2,1
-    expectError 2 "--legend: needs -o FILE.png" pointrt-view hill.pro -o out/a.exr --color-by height --legend on
+    expectError 2 "--color-map: \"jet\".*viridis, magma" pointrt-view hill.pro -o out/a.png --color-by height --color-map jet
+    expectError 2 "--color-range: .*2,1.*lower" pointrt-view hill.pro -o out/a.png --color-by height --color-range 2,1
+    expectError 2 "--legend: .*FILE.png" pointrt-view hill.pro -o out/a.exr --color-by height --legend on
 }
 
 case_films_differ_by_colours() {
     bakeHill
     expectDone pointrt-view -q hill.pro -o film.exr --size 32x24 --spp 2 --color-by normal
-    expectError 1 "color_by was normal and is height" \
+    expectError 1 "color_by .*normal .*height" \
         pointrt-view -q hill.pro -o film.exr --resume --size 32x24 --spp 4 --color-by height
 }
 
@@ -121,7 +121,7 @@ EOF
     ! cmp -s out/none.png out/class.png || fail "the override makes no difference"
     rm out/*
     sed -i 's/"class"/"klass"/' scene.toml
-    expectError 1 "scene.toml:15: key \"instance.0..override.0..attribute\": .*hill.pro has no attribute \"klass\"" \
+    expectError 1 "scene.toml:15: key \"instance.0..override.0..attribute\": .*hill.pro .*\"klass\"" \
         pointrt-view scene.toml -o out/a.png
 }
 
@@ -214,8 +214,8 @@ case_thumbnail() {
     cmp out/picture.png <(cat <&3) || fail "the file was replaced"
     rm out/held
     expectError 4 "nowhere/a.png: " pointrt-view scene.pro --thumbnail 64 -o out/nowhere/a.png
-    expectError 2 "--thumbnail: needs -o FILE" pointrt-view scene.pro --thumbnail 64
-    expectError 2 "--thumbnail and --size exclude each other" pointrt-view scene.pro --thumbnail 64 --size 8x8 -o out/a.png
+    expectError 2 "--thumbnail: .*-o FILE" pointrt-view scene.pro --thumbnail 64
+    expectError 2 "--thumbnail and --size " pointrt-view scene.pro --thumbnail 64 --size 8x8 -o out/a.png
 }
 
 case_wrong_suffix() {

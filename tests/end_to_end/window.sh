@@ -150,7 +150,7 @@ case_wrong_input() {
     expectError 1 "missing.txt" pointrt-view half.pro --replay missing.txt --offscreen
     { echo "pointrt-recording 1 window 64x64 scale 1" && echo "0 wait 1"; } >user.txt
     expectError 1 "missing.pro" pointrt-view missing.pro --replay user.txt --offscreen
-    expectError 2 "--offscreen needs --replay" pointrt-view half.pro --offscreen
+    expectError 2 "--offscreen .*--replay FILE" pointrt-view half.pro --offscreen
     expectError 4 "no/such" pointrt-view half.pro --replay user.txt --offscreen --record no/such/file.txt
 }
 

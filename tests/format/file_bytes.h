@@ -198,4 +198,8 @@ inline std::vector<std::uint32_t> findingsOf(const Bytes& bytes) {
     return numbers;
 }
 
+inline bool has(const std::vector<std::uint32_t>& findings, std::uint32_t number) {
+    return std::find(findings.begin(), findings.end(), number) != findings.end();
+}
+
 } // namespace pointrt::test

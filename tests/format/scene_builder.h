@@ -12,7 +12,7 @@
 
 namespace pointrt::test {
 
-struct BuildOptions {
+struct TreeOptions {
     std::size_t members_max = 8; ///< cells with more centres are split, down to max_depth
     std::uint32_t max_depth = 12;
     float blend_slab = 0.5f;
@@ -84,7 +84,7 @@ inline void numberLeaves(Scene& scene, const std::vector<BuildCell>& cells, std:
 
 /// A valid scene of the splats (positions in [0, 1)) with one material and a cube of edge 1 at 0. Throws std::bad_alloc
 /// only. Writing fails if options lead to more than 65535 members or references in a leaf.
-inline Scene sceneOf(std::vector<pro_splat> splats, const BuildOptions& options = {}) {
+inline Scene sceneOf(std::vector<pro_splat> splats, const TreeOptions& options = {}) {
     Scene scene;
     scene.info.radius_max = options.radius_max;
     scene.info.radius_step = options.radius_step;

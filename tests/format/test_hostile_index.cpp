@@ -25,10 +25,6 @@ const Bytes& indexed() {
     return bytes;
 }
 
-bool has(const std::vector<std::uint32_t>& findings, std::uint32_t number) {
-    return std::find(findings.begin(), findings.end(), number) != findings.end();
-}
-
 void expectFinding(const Bytes& bytes, std::uint32_t finding) {
     for (const std::uint32_t flags : {0u, std::uint32_t{PRO_OPEN_TRACE}}) {
         const OpenResult opened = openCopy(bytes, PRO_OPEN_SKIP_CHECKSUMS | flags);
@@ -40,7 +36,7 @@ void expectFinding(const Bytes& bytes, std::uint32_t finding) {
 
 /// Changes one value, fixes the checksums, and expects this finding.
 template <typename T>
-void expectRefused(std::size_t offset, T value, std::uint32_t finding) {
+void expectRefusedIndex(std::size_t offset, T value, std::uint32_t finding) {
     SCOPED_TRACE("offset " + std::to_string(offset) + " value " + std::to_string(value));
     Bytes bytes = indexed();
     ASSERT_NE(loadAt<T>(bytes, offset), value);
@@ -49,8 +45,8 @@ void expectRefused(std::size_t offset, T value, std::uint32_t finding) {
     expectFinding(bytes, finding);
 }
 
-std::size_t record(std::uint32_t kind, std::size_t field) { return recordOf(indexed(), kind) + field; }
-std::size_t word(std::uint32_t kind, std::size_t index) { return sectionOf(indexed(), kind) + 4 * index; }
+std::size_t indexRecord(std::uint32_t kind, std::size_t field) { return recordOf(indexed(), kind) + field; }
+std::size_t indexWord(std::uint32_t kind, std::size_t index) { return sectionOf(indexed(), kind) + 4 * index; }
 
 constexpr std::uint32_t kKinds[] = {PRO_KIND_ENTR, PRO_KIND_BRKS, PRO_KIND_CELS, PRO_KIND_SLBS,
                                     PRO_KIND_DSCS, PRO_KIND_DSPL, PRO_KIND_BLDS};
@@ -73,21 +69,21 @@ TEST(HostileIndex, EveryFlippedByteIsFound) {
     expectFound(PRO_OFF_GRID_SHIFT, PRO_FIELDS_END + 4);
     for (const std::uint32_t kind : kKinds) { // and the first padding bytes
         expectFound(recordOf(indexed(), kind), recordOf(indexed(), kind) + PRO_SECTION_BYTES);
-        const auto length = loadAt<std::uint64_t>(indexed(), record(kind, PRO_SEC_OFF_LENGTH));
+        const auto length = loadAt<std::uint64_t>(indexed(), indexRecord(kind, PRO_SEC_OFF_LENGTH));
         expectFound(sectionOf(indexed(), kind), sectionOf(indexed(), kind) + length + 4);
     }
 }
 
 TEST(HostileIndex, Frame) {
     for (const std::uint32_t shift : {0u, PRO_GRID_SHIFT_MIN - 1, PRO_POSITION_BITS, 22u, ~0u})
-        expectRefused(PRO_OFF_GRID_SHIFT, shift, 1015); // at PRO_POSITION_BITS two cells do not fit
-    expectRefused(PRO_OFF_GRID_ORIGIN, 1u, 1015);
-    expectRefused(PRO_OFF_GRID_ORIGIN + 8, ~0u, 1015);
-    expectRefused(PRO_OFF_GRID_UNEVEN, 2u, 1015);
-    expectRefused(PRO_OFF_GRID_SIZE, 0u, 2009);
-    expectRefused(PRO_OFF_GRID_SIZE + 4, 2u, 2009);
-    expectRefused(PRO_OFF_GRID_SIZE + 8, ~0u, 2009);
-    expectRefused(PRO_OFF_GRID_UNEVEN, 0u, 2009); // but there are groups
+        expectRefusedIndex(PRO_OFF_GRID_SHIFT, shift, 1015); // at PRO_POSITION_BITS two cells do not fit
+    expectRefusedIndex(PRO_OFF_GRID_ORIGIN, 1u, 1015);
+    expectRefusedIndex(PRO_OFF_GRID_ORIGIN + 8, ~0u, 1015);
+    expectRefusedIndex(PRO_OFF_GRID_UNEVEN, 2u, 1015);
+    expectRefusedIndex(PRO_OFF_GRID_SIZE, 0u, 2009);
+    expectRefusedIndex(PRO_OFF_GRID_SIZE + 4, 2u, 2009);
+    expectRefusedIndex(PRO_OFF_GRID_SIZE + 8, ~0u, 2009);
+    expectRefusedIndex(PRO_OFF_GRID_UNEVEN, 0u, 2009); // but there are groups
     for (const std::uint32_t bricks : {0u, 2u, 0x10000000u, ~0u}) {
         Bytes bytes = indexed();
         storeAt(bytes, PRO_OFF_BRICK_COUNT, bricks);
@@ -115,7 +111,7 @@ TEST(HostileIndex, GridThatIsTooLarge) {
 
 TEST(HostileIndex, FrameWithoutSections) {
     Bytes bytes = indexed();
-    for (const std::uint32_t kind : kKinds) storeAt(bytes, record(kind, PRO_SEC_OFF_KIND), 0x78787878u);
+    for (const std::uint32_t kind : kKinds) storeAt(bytes, indexRecord(kind, PRO_SEC_OFF_KIND), 0x78787878u);
     fixHeaderChecksum(bytes);
     expectFinding(bytes, 1015);
 }
@@ -123,7 +119,7 @@ TEST(HostileIndex, FrameWithoutSections) {
 TEST(HostileIndex, AllSectionsOrNone) {
     for (const std::uint32_t kind : kKinds) {
         Bytes bytes = indexed();
-        storeAt(bytes, record(kind, PRO_SEC_OFF_KIND), 0x78787878u);
+        storeAt(bytes, indexRecord(kind, PRO_SEC_OFF_KIND), 0x78787878u);
         fixHeaderChecksum(bytes);
         expectFinding(bytes, 2013);
     }
@@ -131,60 +127,60 @@ TEST(HostileIndex, AllSectionsOrNone) {
 
 TEST(HostileIndex, SectionCounts) {
     for (const std::uint32_t kind : kKinds) {
-        const auto count = loadAt<std::uint64_t>(indexed(), record(kind, PRO_SEC_OFF_COUNT));
-        const auto stride = loadAt(indexed(), record(kind, PRO_SEC_OFF_STRIDE));
+        const auto count = loadAt<std::uint64_t>(indexed(), indexRecord(kind, PRO_SEC_OFF_COUNT));
+        const auto stride = loadAt(indexed(), indexRecord(kind, PRO_SEC_OFF_STRIDE));
         for (const std::uint64_t other : {std::uint64_t{0}, count - 1, count + 1}) {
             Bytes bytes = indexed();
-            storeAt(bytes, record(kind, PRO_SEC_OFF_COUNT), other);
-            storeAt(bytes, record(kind, PRO_SEC_OFF_LENGTH), other * stride);
+            storeAt(bytes, indexRecord(kind, PRO_SEC_OFF_COUNT), other);
+            storeAt(bytes, indexRecord(kind, PRO_SEC_OFF_LENGTH), other * stride);
             fixHeaderChecksum(bytes);
             EXPECT_EQ(openCopy(bytes, PRO_OPEN_SKIP_CHECKSUMS).result, PRO_INVALID) << std::hex << kind << " " << other;
         }
         Bytes bytes = indexed();
-        storeAt(bytes, record(kind, PRO_SEC_OFF_STRIDE), 2 * stride);
-        storeAt(bytes, record(kind, PRO_SEC_OFF_LENGTH), 2 * stride * count);
+        storeAt(bytes, indexRecord(kind, PRO_SEC_OFF_STRIDE), 2 * stride);
+        storeAt(bytes, indexRecord(kind, PRO_SEC_OFF_LENGTH), 2 * stride * count);
         fixHeaderChecksum(bytes);
         expectFinding(bytes, 2009);
     }
     for (const std::uint32_t kind : {PRO_KIND_SLBS, PRO_KIND_DSPL}) { // their counts are those of CELS and DSCS
         Bytes bytes = indexed();
-        const auto stride = loadAt(indexed(), record(kind, PRO_SEC_OFF_STRIDE));
-        storeAt(bytes, record(kind, PRO_SEC_OFF_COUNT), std::uint64_t{2});
-        storeAt(bytes, record(kind, PRO_SEC_OFF_LENGTH), std::uint64_t{2} * stride);
+        const auto stride = loadAt(indexed(), indexRecord(kind, PRO_SEC_OFF_STRIDE));
+        storeAt(bytes, indexRecord(kind, PRO_SEC_OFF_COUNT), std::uint64_t{2});
+        storeAt(bytes, indexRecord(kind, PRO_SEC_OFF_LENGTH), std::uint64_t{2} * stride);
         fixHeaderChecksum(bytes);
         expectFinding(bytes, 2009);
     }
 }
 
 TEST(HostileIndex, GridWords) {
-    expectRefused(word(PRO_KIND_ENTR, 1), 1u << PRO_GRID_BRICK_SHIFT, 9101);
-    expectRefused(word(PRO_KIND_ENTR, 1), 0xFFFFFFF0u, 9101);
-    expectRefused(word(PRO_KIND_ENTR, 0), 0u, 9101);           // named twice
-    expectRefused(word(PRO_KIND_ENTR, 1), kNothingNear, 9101); // never named
-    expectRefused(word(PRO_KIND_ENTR, 0), 0x10111111u, 9102);
-    expectRefused(word(PRO_KIND_ENTR, 0), 1u, 9102);
+    expectRefusedIndex(indexWord(PRO_KIND_ENTR, 1), 1u << PRO_GRID_BRICK_SHIFT, 9101);
+    expectRefusedIndex(indexWord(PRO_KIND_ENTR, 1), 0xFFFFFFF0u, 9101);
+    expectRefusedIndex(indexWord(PRO_KIND_ENTR, 0), 0u, 9101);           // named twice
+    expectRefusedIndex(indexWord(PRO_KIND_ENTR, 1), kNothingNear, 9101); // never named
+    expectRefusedIndex(indexWord(PRO_KIND_ENTR, 0), 0x10111111u, 9102);
+    expectRefusedIndex(indexWord(PRO_KIND_ENTR, 0), 1u, 9102);
 }
 
 TEST(HostileIndex, BrickWords) {
-    expectRefused(word(PRO_KIND_BRKS, 3), 0x01111111u, 9102);
-    expectRefused(word(PRO_KIND_BRKS, 8 * PRO_GROUP_WORDS + 1), 0x11111101u, 9102);
+    expectRefusedIndex(indexWord(PRO_KIND_BRKS, 3), 0x01111111u, 9102);
+    expectRefusedIndex(indexWord(PRO_KIND_BRKS, 8 * PRO_GROUP_WORDS + 1), 0x11111101u, 9102);
     for (const std::uint32_t cell : {1u, 2u, 4u, 0x7FFFFFFu}) {
-        expectRefused(word(PRO_KIND_BRKS, 0), cellWord(cell), 9103);
-        expectRefused(word(PRO_KIND_BRKS, 8 * PRO_GROUP_WORDS), cellWord(cell == 2 ? 0 : cell), 9103);
+        expectRefusedIndex(indexWord(PRO_KIND_BRKS, 0), cellWord(cell), 9103);
+        expectRefusedIndex(indexWord(PRO_KIND_BRKS, 8 * PRO_GROUP_WORDS), cellWord(cell == 2 ? 0 : cell), 9103);
     }
-    expectRefused(word(PRO_KIND_BRKS, 3), cellWord(4), 9103);
-    expectRefused(word(PRO_KIND_BRKS, 2), kNothingNear, 9103); // cell 3 is not named
-    expectRefused(word(PRO_KIND_BRKS, 1), kNothingNear, 9103); // groups are not named
+    expectRefusedIndex(indexWord(PRO_KIND_BRKS, 3), cellWord(4), 9103);
+    expectRefusedIndex(indexWord(PRO_KIND_BRKS, 2), kNothingNear, 9103); // cell 3 is not named
+    expectRefusedIndex(indexWord(PRO_KIND_BRKS, 1), kNothingNear, 9103); // groups are not named
     for (const std::uint32_t group : {0u, 7u, 8u, 10u, 0x7FFFFFFu})
-        expectRefused(word(PRO_KIND_BRKS, 1), groupWord(group), 9103);
-    expectRefused(word(PRO_KIND_BRKS, 3), groupWord(9), 9103); // named twice
+        expectRefusedIndex(indexWord(PRO_KIND_BRKS, 1), groupWord(group), 9103);
+    expectRefusedIndex(indexWord(PRO_KIND_BRKS, 3), groupWord(9), 9103); // named twice
 }
 
 TEST(HostileIndex, TraversalsOfGroupsEnd) {
-    expectRefused(word(PRO_KIND_BRKS, 8 * PRO_GROUP_WORDS), groupWord(9), 9103); // a cycle with cell 1
-    expectRefused(word(PRO_KIND_BRKS, 9 * PRO_GROUP_WORDS), groupWord(9), 9104); // a cycle without cells
-    expectRefused(word(PRO_KIND_BRKS, 9 * PRO_GROUP_WORDS + 3), groupWord(8),
-                  9103); // no cycle, but a group named twice
+    expectRefusedIndex(indexWord(PRO_KIND_BRKS, 8 * PRO_GROUP_WORDS), groupWord(9), 9103); // a cycle with cell 1
+    expectRefusedIndex(indexWord(PRO_KIND_BRKS, 9 * PRO_GROUP_WORDS), groupWord(9), 9104); // a cycle without cells
+    expectRefusedIndex(indexWord(PRO_KIND_BRKS, 9 * PRO_GROUP_WORDS + 3), groupWord(8),
+                       9103); // no cycle, but a group named twice
     EXPECT_EQ(openCopy(bytesOf(deepIndex(PRO_INDEX_HALVINGS_MAX))).result, PRO_OK);
     const TemporaryFolder folder;
     Scene scene = tinyScene();
@@ -199,42 +195,43 @@ TEST(HostileIndex, TraversalsOfGroupsEnd) {
 
 TEST(HostileIndex, Cells) {
     const auto cell = [](std::size_t index, std::size_t field) {
-        return word(PRO_KIND_CELS, PRO_CELL_WORDS * index + field);
+        return indexWord(PRO_KIND_CELS, PRO_CELL_WORDS * index + field);
     };
     constexpr std::uint32_t kOne = 0x3C00u << PRO_CELL_CODES_SHIFT;
-    expectRefused(cell(0, PRO_CELL_FIRST), 6u, 9109);
-    expectRefused(cell(2, PRO_CELL_FIRST), 4u, 9109); // the last of three is out of range
-    expectRefused(cell(1, PRO_CELL_FIRST), 0xFFFFFFFEu, 9109);
-    expectRefused(cell(3, PRO_CELL_COUNT), kOne, 9109);
-    expectRefused(cell(3, PRO_CELL_COUNT), kOne | 3, 9109);
-    expectRefused(cell(3, PRO_CELL_COUNT), kOne | 0xFFFF, 9109);
+    expectRefusedIndex(cell(0, PRO_CELL_FIRST), 6u, 9109);
+    expectRefusedIndex(cell(2, PRO_CELL_FIRST), 4u, 9109); // the last of three is out of range
+    expectRefusedIndex(cell(1, PRO_CELL_FIRST), 0xFFFFFFFEu, 9109);
+    expectRefusedIndex(cell(3, PRO_CELL_COUNT), kOne, 9109);
+    expectRefusedIndex(cell(3, PRO_CELL_COUNT), kOne | 3, 9109);
+    expectRefusedIndex(cell(3, PRO_CELL_COUNT), kOne | 0xFFFF, 9109);
     for (const std::uint32_t half : {0u, 0x7C00u, 0x7E00u, 0x8001u, 0xBC00u})
-        expectRefused(cell(0, PRO_CELL_COUNT), half << PRO_CELL_CODES_SHIFT | 1, 9106);
-    expectRefused(cell(0, PRO_CELL_BLENDING_COUNT), 0x80000000u, 9110);
+        expectRefusedIndex(cell(0, PRO_CELL_COUNT), half << PRO_CELL_CODES_SHIFT | 1, 9106);
+    expectRefusedIndex(cell(0, PRO_CELL_BLENDING_COUNT), 0x80000000u, 9110);
 }
 
 TEST(HostileIndex, ListedSplats) {
     for (std::size_t i = 0; i < 6; ++i)
         for (const std::uint32_t splat : {5u, 0x80000000u, 0xFFFFFFFFu})
-            expectRefused(word(PRO_KIND_DSPL, i), splat, 9107);
+            expectRefusedIndex(indexWord(PRO_KIND_DSPL, i), splat, 9107);
 }
 
-/// Cell 1 has number 0 and cell 2 has numbers 2 and 3 of the four; they start at near splats 1 and 2 of 6.
+/// Cell 1 has number 0 and cell 2 has numbers 2 and 3 of the four; they start at near
+/// splats 1 and 2 of 6.
 TEST(HostileIndex, BlendingSplats) {
     const auto cell = [](std::size_t index, std::size_t field) {
-        return word(PRO_KIND_CELS, PRO_CELL_WORDS * index + field);
+        return indexWord(PRO_KIND_CELS, PRO_CELL_WORDS * index + field);
     };
     constexpr std::uint32_t kOffset = 3u << PRO_CELL_OFFSET_SHIFT;
-    expectRefused(cell(1, PRO_CELL_BLENDING), 1u, 9111);
-    expectRefused(cell(1, PRO_CELL_BLENDING), 4u, 9111);
-    expectRefused(cell(1, PRO_CELL_BLENDING), 0xFFFFFFFEu, 9111);
-    expectRefused(cell(2, PRO_CELL_BLENDING_COUNT), kOffset | 3, 9111); // too many
-    expectRefused(cell(2, PRO_CELL_BLENDING_COUNT), kOffset, 9111);     // numbers of no cell
-    expectRefused(cell(0, PRO_CELL_BLENDING_COUNT), kOffset | 0xFFFF, 9111);
-    expectRefused(word(PRO_KIND_BLDS, 0), 0xFFFEu, 9111); // 2 before cell 1's first, which is 1
-    expectRefused(word(PRO_KIND_BLDS, 0), 5u, 9111);
-    expectRefused(word(PRO_KIND_BLDS, 1), 0x8000FFFFu, 9111);
-    expectRefused(word(PRO_KIND_BLDS, 1), 0x00040000u, 9111);
+    expectRefusedIndex(cell(1, PRO_CELL_BLENDING), 1u, 9111);
+    expectRefusedIndex(cell(1, PRO_CELL_BLENDING), 4u, 9111);
+    expectRefusedIndex(cell(1, PRO_CELL_BLENDING), 0xFFFFFFFEu, 9111);
+    expectRefusedIndex(cell(2, PRO_CELL_BLENDING_COUNT), kOffset | 3, 9111); // too many
+    expectRefusedIndex(cell(2, PRO_CELL_BLENDING_COUNT), kOffset, 9111);     // numbers of no cell
+    expectRefusedIndex(cell(0, PRO_CELL_BLENDING_COUNT), kOffset | 0xFFFF, 9111);
+    expectRefusedIndex(indexWord(PRO_KIND_BLDS, 0), 0xFFFEu, 9111); // 2 before cell 1's first, which is 1
+    expectRefusedIndex(indexWord(PRO_KIND_BLDS, 0), 5u, 9111);
+    expectRefusedIndex(indexWord(PRO_KIND_BLDS, 1), 0x8000FFFFu, 9111);
+    expectRefusedIndex(indexWord(PRO_KIND_BLDS, 1), 0x00040000u, 9111);
 }
 
 TEST(HostileIndex, RandomDamageStaysInBounds) {
@@ -297,8 +294,8 @@ TEST(Index, FilesWithoutOneAreTracedFromTheirOctree) {
 TEST(Index, SectionsAreNotRequired) {
     Bytes bytes = indexed();
     for (const std::uint32_t kind : kKinds) {
-        EXPECT_EQ(loadAt(bytes, record(kind, PRO_SEC_OFF_FLAGS)), 0u) << "not required";
-        storeAt(bytes, record(kind, PRO_SEC_OFF_KIND), 0x78787878u);
+        EXPECT_EQ(loadAt(bytes, indexRecord(kind, PRO_SEC_OFF_FLAGS)), 0u) << "not required";
+        storeAt(bytes, indexRecord(kind, PRO_SEC_OFF_KIND), 0x78787878u);
     }
     for (std::size_t offset = PRO_OFF_GRID_SHIFT; offset < PRO_FIELDS_END; offset += 4) storeAt(bytes, offset, 0u);
     fixHeaderChecksum(bytes);

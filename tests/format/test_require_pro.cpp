@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "format/base/error.h"
+#include "tests/support/says.h"
 #include "tests/support/temporary_folder.h"
 #include "tiny_scene.h"
 
@@ -37,26 +38,20 @@ struct RequirePro : testing::Test {
 };
 
 TEST_F(RequirePro, NamesTheKindAndTheBakeCommand) {
-    EXPECT_EQ(refusalOf("a.ply", "ply\nformat ascii 1.0\n"),
-              "a.ply: not a .pro file but PLY; bake it first: pointrt-bake a.ply -o a.pro");
-    EXPECT_EQ(refusal(folder.file("a.ply"), ", as the window does"),
-              "a.ply: not a .pro file but PLY; bake it first, as the window does: pointrt-bake a.ply -o a.pro");
-    EXPECT_EQ(refusalOf("b.las", "LASF????????"),
-              "b.las: not a .pro file but LAS or LAZ; bake it first: pointrt-bake b.las -o b.pro");
-    EXPECT_EQ(refusalOf("c.XYZ", "1 2 3\n"),
-              "c.XYZ: not a .pro file but points as text; bake it first: pointrt-bake c.XYZ -o c.pro");
-    EXPECT_EQ(refusalOf("d.ply.gz", "\x1f\x8b..."),
-              "d.ply.gz: not a .pro file but gzip; bake it first: pointrt-bake d.ply.gz -o d.pro");
-    EXPECT_EQ(refusalOf("e", "something else"),
-              "e: not a .pro file; if it is a scan, bake it first: pointrt-bake e -o e.pro");
-    EXPECT_EQ(refusalOf("f.pro", "ply\nformat"),
-              "f.pro: not a .pro file but PLY; bake it first: pointrt-bake f.pro -o SCENE.pro");
+    EXPECT_SAYS(refusalOf("a.ply", "ply\nformat ascii 1.0\n"), "a.ply: *PLY; *pointrt-bake a.ply -o a.pro");
+    EXPECT_SAYS(refusal(folder.file("a.ply"), ", as the window does"),
+                "a.ply: *PLY; *, as the window does: pointrt-bake a.ply -o a.pro");
+    EXPECT_SAYS(refusalOf("b.las", "LASF????????"), "b.las: *LAS or LAZ; *pointrt-bake b.las -o b.pro");
+    EXPECT_SAYS(refusalOf("c.XYZ", "1 2 3\n"), "c.XYZ: *text; *pointrt-bake c.XYZ -o c.pro");
+    EXPECT_SAYS(refusalOf("d.ply.gz", "\x1f\x8b..."), "d.ply.gz: *gzip; *pointrt-bake d.ply.gz -o d.pro");
+    EXPECT_SAYS(refusalOf("e", "something else"), "e: *if it is a scan*pointrt-bake e -o e.pro");
+    EXPECT_SAYS(refusalOf("f.pro", "ply\nformat"), "f.pro: *PLY; *pointrt-bake f.pro -o SCENE.pro");
 }
 
 TEST_F(RequirePro, NamesKindsThatCannotBeBaked) {
-    EXPECT_EQ(refusalOf("a.png", "\x89PNG\r\n"), "a.png: not a .pro file but a PNG picture");
-    EXPECT_EQ(refusalOf("a.toml", "[camera]"), "a.toml: not a .pro file but a scene file, which pointrt-view takes");
-    EXPECT_EQ(refusal(folder.path.string()), folder.path.string() + ": is a folder, not a .pro file");
+    EXPECT_SAYS(refusalOf("a.png", "\x89PNG\r\n"), "a.png: *PNG");
+    EXPECT_SAYS(refusalOf("a.toml", "[camera]"), "a.toml: *scene file*pointrt-view");
+    EXPECT_SAYS(refusal(folder.path.string()), folder.path.string() + ": *folder");
 }
 
 TEST_F(RequirePro, QuotesForTheShell) {
@@ -67,7 +62,7 @@ TEST_F(RequirePro, QuotesForTheShell) {
 
 TEST_F(RequirePro, NamesTheProBesideAScan) {
     tinyScene().write(folder.file("a.pro"));
-    EXPECT_EQ(refusalOf("a.ply", "ply\n"), "a.ply: not a .pro file but PLY; did you mean a.pro?");
+    EXPECT_SAYS(refusalOf("a.ply", "ply\n"), "a.ply: *PLY; *a.pro?");
 }
 
 TEST_F(RequirePro, LeavesOtherErrorsToTheReader) {

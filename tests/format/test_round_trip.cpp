@@ -124,7 +124,7 @@ TEST(RoundTrip, DepthTwentyOneOpens) {
         splats[0].position[axis] = 1000.5f * PRO_POSITION_STEP;
         splats[1].position[axis] = 1001.5f * PRO_POSITION_STEP;
     }
-    BuildOptions options;
+    TreeOptions options;
     options.members_max = 1;
     options.max_depth = PRO_MAX_DEPTH;
     options.radius_step = 0.125f;

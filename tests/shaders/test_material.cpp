@@ -33,7 +33,7 @@ struct Surface {
     gpu::Material material;
     vec4 albedo, normal, view;
 };
-struct Answer {
+struct MaterialAnswer {
     vec4 scattered, weight, evaluated, reflected, reflected_weight, refracted, refracted_weight, rest, classic;
 };
 constexpr int kTransmitted = 1, kDelta = 2, kSmooth = 4;
@@ -42,7 +42,7 @@ vec4 toVec4(Vec3 v, float w = 0) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), w};
 }
 Vec3 toVec3(vec4 v) { return {v.x, v.y, v.z}; }
-bool hasFlag(const Answer& answer, int flag) { return (static_cast<int>(answer.weight.w) & flag) != 0; }
+bool hasFlag(const MaterialAnswer& answer, int flag) { return (static_cast<int>(answer.weight.w) & flag) != 0; }
 
 gpu::Material makeMaterial(int kind, float roughness = 0.3f, float index = 1.5f, float mirror_share = 0,
                            std::uint32_t bits = 0) {
@@ -109,18 +109,18 @@ protected:
     }
 
     /// An answer for each input: random numbers, or if the surface says so, light directions.
-    std::vector<Answer> ask(Surface surface, const std::vector<vec4>& inputs, bool directions = false) {
+    std::vector<MaterialAnswer> ask(Surface surface, const std::vector<vec4>& inputs, bool directions = false) {
         surface.view.w = directions ? 1.0f : 0.0f;
         Buffer question = createFilledBuffer(device, "surface", &surface, sizeof surface, kStorage);
         Buffer asked = createFilledBuffer(device, "inputs", inputs.data(), inputs.size() * sizeof(vec4), kStorage);
-        Buffer answered = createBuffer(device, "answers", inputs.size() * sizeof(Answer), kStorage);
+        Buffer answered = createBuffer(device, "answers", inputs.size() * sizeof(MaterialAnswer), kStorage);
         VkDescriptorPool pool = createDescriptorPool(device, 1);
         const VkDescriptorSet set =
             createDescriptorSet(device, pool, program_, bindingsInOrder({&table_, &question, &asked, &answered}));
         const VkCommandBuffer commands = beginCommands(device);
         recordDispatch(commands, program_, set, {}, {(static_cast<std::uint32_t>(inputs.size()) + 63) / 64, 1, 1});
         submitAndWait(device, commands);
-        std::vector<Answer> answers(inputs.size());
+        std::vector<MaterialAnswer> answers(inputs.size());
         downloadBuffer(device, answered, answers.data(), answered.bytes);
         destroyDescriptorPool(device, pool);
         destroyBuffer(device, answered);
@@ -128,7 +128,7 @@ protected:
         destroyBuffer(device, question);
         return answers;
     }
-    Answer askOnce(const Surface& surface, vec4 input = {0.5f, 0.5f, 0.5f, 0}, bool directions = false) {
+    MaterialAnswer askOnce(const Surface& surface, vec4 input = {0.5f, 0.5f, 0.5f, 0}, bool directions = false) {
         return ask(surface, {input}, directions)[0];
     }
 
@@ -156,9 +156,9 @@ std::vector<Surface> roughSurfaces() {
     return surfaces;
 }
 
-double meanWeight(const std::vector<Answer>& answers) {
+double meanWeight(const std::vector<MaterialAnswer>& answers) {
     double sum = 0;
-    for (const Answer& answer : answers) sum += answer.weight.y;
+    for (const MaterialAnswer& answer : answers) sum += answer.weight.y;
     return sum / static_cast<double>(answers.size());
 }
 
@@ -214,7 +214,7 @@ Vec3 mirroredView(const Surface& surface) {
     return n * (2 * dot(n, wo)) - wo;
 }
 
-Integrals integrate(const std::vector<Answer>& answers, const std::vector<vec4>& directions) {
+Integrals integrate(const std::vector<MaterialAnswer>& answers, const std::vector<vec4>& directions) {
     Integrals sum;
     for (std::size_t i = 0; i < answers.size(); i++) {
         sum.albedo += answers[i].evaluated.y * directions[i].w;
@@ -231,7 +231,7 @@ TEST_F(MaterialTest, DensitiesAndReflectanceIntegrateToWhatIsSampled) {
         const std::vector<vec4> directions = ringDirections(mirroredView(surface));
         const Integrals integrals = integrate(ask(surface, directions, true), directions);
         double kept = 0, smooth = 0;
-        for (const Answer& answer : ask(surface, inputs)) {
+        for (const MaterialAnswer& answer : ask(surface, inputs)) {
             const bool drawn = answer.scattered.w > 0;
             kept += (drawn ? 1.0 : 0.0) / static_cast<double>(inputs.size());
             smooth += (drawn ? answer.weight.y : 0.0) / static_cast<double>(inputs.size());
@@ -243,7 +243,7 @@ TEST_F(MaterialTest, DensitiesAndReflectanceIntegrateToWhatIsSampled) {
 
 TEST_F(MaterialTest, WeightsAreEvaluationOverDensity) {
     for (const Surface& surface : roughSurfaces())
-        for (const Answer& answer : ask(surface, evenInputs(512))) {
+        for (const MaterialAnswer& answer : ask(surface, evenInputs(512))) {
             if (answer.scattered.w == 0) {
                 EXPECT_EQ(answer.weight.y, 0) << describe(surface);
                 continue;
@@ -256,7 +256,7 @@ TEST_F(MaterialTest, WeightsAreEvaluationOverDensity) {
 
 /// Chi square of drawn directions against bsdfPdf, in 16 rings of equal cosine by 24 sectors around the mirrored view.
 /// degrees: number of bins with enough expected samples.
-double chiSquare(const std::vector<Answer>& drawn, const std::vector<Answer>& asked,
+double chiSquare(const std::vector<MaterialAnswer>& drawn, const std::vector<MaterialAnswer>& asked,
                  const std::vector<vec4>& directions, Vec3 axis, int& degrees) {
     constexpr int kBinRings = 16, kBinSectors = 24;
     const Frame frame = frameOf(axis);
@@ -267,7 +267,7 @@ double chiSquare(const std::vector<Answer>& drawn, const std::vector<Answer>& as
         return std::min(static_cast<int>(x * kBinRings), kBinRings - 1) * kBinSectors +
                std::min(static_cast<int>(turn * kBinSectors), kBinSectors - 1);
     };
-    for (const Answer& answer : drawn)
+    for (const MaterialAnswer& answer : drawn)
         if (answer.scattered.w > 0) seen[static_cast<std::size_t>(binOf(toVec3(answer.scattered)))] += 1;
     for (std::size_t i = 0; i < directions.size(); i++)
         expected[static_cast<std::size_t>(binOf(toVec3(directions[i])))] +=
@@ -328,8 +328,8 @@ TEST_F(MaterialTest, ColoredMetalReflectsItsColorAtNormalIncidence) {
         Surface gold = makeSurface(makeMaterial(MATERIAL_METAL, roughness), 1, 1);
         gold.albedo = {1.0f, 0.7f, 0.3f, 0};
         Vec3 mean;
-        const std::vector<Answer> answers = ask(gold, evenInputs(1 << 14));
-        for (const Answer& answer : answers)
+        const std::vector<MaterialAnswer> answers = ask(gold, evenInputs(1 << 14));
+        for (const MaterialAnswer& answer : answers)
             mean = mean + toVec3(answer.weight) * (1.0 / static_cast<double>(answers.size()));
         EXPECT_NEAR(mean.x, 1, 0.005);
         EXPECT_NEAR(mean.y, 0.7, 0.01);
@@ -354,7 +354,7 @@ TEST_F(MaterialTest, GlassFollowsSnellAndFresnel) {
                 const double angle = degrees * kPi / 180, before = back ? index : 1, behind = back ? 1 : index;
                 const Surface glass = makeSurface(makeMaterial(MATERIAL_GLASS, 0.3f, static_cast<float>(index)), 0.8f,
                                                   std::cos(angle), 3, back);
-                const Answer answer = askOnce(glass);
+                const MaterialAnswer answer = askOnce(glass);
                 const Vec3 n = toVec3(glass.normal), wo = toVec3(glass.view), out = toVec3(answer.refracted);
                 const double reflected = fresnelByAngles(angle, before, behind);
                 EXPECT_NEAR(answer.reflected_weight.y, reflected, 2e-5) << index << " " << degrees;
@@ -374,7 +374,7 @@ TEST_F(MaterialTest, GlassIsChosenByFresnelAndReflectsAllBeyondTheCriticalAngle)
     const Surface glass = makeSurface(makeMaterial(MATERIAL_GLASS), 0.8f, 0.25, 0);
     const double reflected = fresnelByAngles(std::acos(0.25), 1, 1.5);
     double share = 0;
-    for (const Answer& answer : ask(glass, evenInputs(4096))) {
+    for (const MaterialAnswer& answer : ask(glass, evenInputs(4096))) {
         share += hasFlag(answer, kTransmitted) ? 0 : 1.0 / 4096;
         EXPECT_TRUE(hasFlag(answer, kDelta));
         EXPECT_FLOAT_EQ(answer.weight.y, hasFlag(answer, kTransmitted) ? 0.8f : 1.0f);
@@ -382,7 +382,7 @@ TEST_F(MaterialTest, GlassIsChosenByFresnelAndReflectsAllBeyondTheCriticalAngle)
     }
     EXPECT_NEAR(share, reflected, 0.001);
     const Surface inside = makeSurface(makeMaterial(MATERIAL_GLASS), 0.8f, 0.7, 0, true); // 45.6 of 41.8 degrees
-    for (const Answer& answer : ask(inside, evenInputs(512))) {
+    for (const MaterialAnswer& answer : ask(inside, evenInputs(512))) {
         EXPECT_FALSE(hasFlag(answer, kTransmitted));
         EXPECT_EQ(answer.weight.y, 1);
         EXPECT_EQ(answer.refracted_weight.y, 0);
@@ -394,7 +394,7 @@ TEST_F(MaterialTest, PanesTransmitRaysUndeviated) {
         const gpu::Material material = makeMaterial(MATERIAL_GLASS, 0.3f, 1.5f, 0, MATERIAL_THIN);
         const Surface front = makeSurface(material, 0.9f, cosine),
                       behind = makeSurface(material, 0.9f, cosine, 0, true);
-        const Answer answer = askOnce(front), other = askOnce(behind);
+        const MaterialAnswer answer = askOnce(front), other = askOnce(behind);
         EXPECT_LT(length(toVec3(answer.refracted) + toVec3(front.view)), 1e-6);
         const double side = fresnelByAngles(std::acos(cosine) + 1e-9, 1, 1.5);
         EXPECT_NEAR(answer.reflected_weight.y, 2 * side / (1 + side), 2e-5);
@@ -409,7 +409,7 @@ TEST_F(MaterialTest, WhittedsSharesAddUpToOne) {
     surfaces.push_back(makeSurface(makeMaterial(MATERIAL_MIRROR), 1, 0.4));
     surfaces.push_back(makeSurface(makeMaterial(MATERIAL_GLASS), 1, 0.4));
     for (const Surface& surface : surfaces) {
-        const Answer answer = askOnce(surface);
+        const MaterialAnswer answer = askOnce(surface);
         EXPECT_NEAR(answer.reflected_weight.y + answer.refracted_weight.y + answer.rest.y, 1, 1e-5)
             << describe(surface);
     }
@@ -418,7 +418,7 @@ TEST_F(MaterialTest, WhittedsSharesAddUpToOne) {
 TEST_F(MaterialTest, WhittedsMirrorAndLobeAddUpForLightsThatRaysHit) {
     for (const Surface& surface : roughSurfaces()) {
         const std::vector<vec4> directions = ringDirections(mirroredView(surface));
-        const std::vector<Answer> answers = ask(surface, directions, true);
+        const std::vector<MaterialAnswer> answers = ask(surface, directions, true);
         double lobe = 0;
         for (std::size_t i = 0; i < answers.size(); i++) lobe += answers[i].classic.y * directions[i].w;
         EXPECT_NEAR(lobe + answers[0].reflected_weight.y, 1, 0.006) << describe(surface);
@@ -431,7 +431,7 @@ TEST_F(MaterialTest, MatteHasPhongsHighlight) {
     const Vec3 n = toVec3(surface.normal), wo = toVec3(surface.view), wi = directionAt(frameOf(n), 0.7, 3.5);
     const Vec3 mirrored = n * (2 * dot(n, wi)) - wi;
     const double highlight = 0.4 / kPi * std::pow(dot(mirrored, wo), 20);
-    const Answer answer = askOnce(surface, toVec4(wi), true);
+    const MaterialAnswer answer = askOnce(surface, toVec4(wi), true);
     EXPECT_GT(highlight, 1e-3);
     EXPECT_NEAR(answer.reflected.w, highlight, 1e-5);
     EXPECT_NEAR(answer.evaluated.y, 0.5 / kPi * 0.7, 1e-6);
@@ -446,8 +446,8 @@ TEST_F(MaterialTest, MatteHasPhongsHighlight) {
     EXPECT_EQ(askOnce(surface, toVec4(wi), true).reflected.w, 0);
 }
 
-bool isFinite(const Answer& answer) {
-    const auto values = std::bit_cast<std::array<float, sizeof(Answer) / 4>>(answer);
+bool isFinite(const MaterialAnswer& answer) {
+    const auto values = std::bit_cast<std::array<float, sizeof(MaterialAnswer) / 4>>(answer);
     return std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
 }
 
@@ -470,7 +470,7 @@ TEST_F(MaterialTest, NothingIsUndefinedAtTheEdges) {
                             const Surface surface = makeSurface(makeMaterial(kind, roughness, index, albedo), albedo,
                                                                 cosine, static_cast<std::size_t>(kind) % 4, back);
                             const Vec3 n = toVec3(surface.normal), wo = toVec3(surface.view);
-                            for (const Answer& answer : ask(surface, numbers)) {
+                            for (const MaterialAnswer& answer : ask(surface, numbers)) {
                                 EXPECT_TRUE(isFinite(answer)) << describe(surface);
                                 EXPECT_NEAR(length(toVec3(answer.scattered)), 1, 1e-5) << describe(surface);
                                 EXPECT_TRUE(inRange(answer.weight, INFINITY)) << describe(surface);
@@ -478,7 +478,7 @@ TEST_F(MaterialTest, NothingIsUndefinedAtTheEdges) {
                                 EXPECT_TRUE(inRange(answer.refracted_weight, 1.00001f)) << describe(surface);
                             }
                             const std::vector<vec4> ways = {toVec4(n), toVec4(n * -1), toVec4(wo), toVec4(wo * -1)};
-                            for (const Answer& answer : ask(surface, ways, true))
+                            for (const MaterialAnswer& answer : ask(surface, ways, true))
                                 EXPECT_TRUE(isFinite(answer)) << describe(surface);
                         }
 }

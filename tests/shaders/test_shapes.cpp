@@ -20,7 +20,7 @@ namespace {
 struct Query {
     gpu::vec4 origin, direction;
 };
-struct Answer {
+struct ShapesAnswer {
     gpu::vec4 normal;
     gpu::uvec4 hit;
 };
@@ -28,13 +28,13 @@ struct Answer {
 constexpr double kNoHit = 1e30;
 constexpr double kMin = 1e-4; // t_min
 
-std::vector<Answer> ask(const std::vector<gpu::Shape>& shapes, const std::vector<Query>& queries,
+std::vector<ShapesAnswer> ask(const std::vector<gpu::Shape>& shapes, const std::vector<Query>& queries,
                         std::uint32_t shape_count) {
-    return runProbe<Answer>(shapes_probe_spv, shapes, queries,
+    return runProbe<ShapesAnswer>(shapes_probe_spv, shapes, queries,
                             {static_cast<std::uint32_t>(queries.size()), shape_count, 0, 0});
 }
 
-Vec3 vecOf(const gpu::vec4& v) { return {v.x, v.y, v.z}; }
+Vec3 vecOfInShapes(const gpu::vec4& v) { return {v.x, v.y, v.z}; }
 
 /// The query with its floats converted to doubles; direction need not be a unit vector.
 Query query(Vec3 origin, Vec3 direction, std::uint32_t shape = 0, double t_min = kMin) {
@@ -119,7 +119,7 @@ Expected hitSphere(const ShapeDescription& s, Vec3 origin, Vec3 direction) {
 }
 
 Expected expectedHit(const ShapeDescription& s, const Query& ray) {
-    const Vec3 origin = vecOf(ray.origin), direction = vecOf(ray.direction);
+    const Vec3 origin = vecOfInShapes(ray.origin), direction = vecOfInShapes(ray.direction);
     if (s.kind == ShapeKind::kBox) return hitBox(s, origin, direction);
     if (s.kind == ShapeKind::kSphere) return hitSphere(s, origin, direction);
     Expected flat = hitFlat(s.kind, s.center, s.u, s.v, origin, direction);
@@ -129,13 +129,13 @@ Expected expectedHit(const ShapeDescription& s, const Query& ray) {
 
 /// Compares hits of all queries except those near an edge. tolerance: absolute, or relative if t exceeds 1. Returns the
 /// number of hits.
-std::size_t compare(const ShapeDescription& shape, std::span<const Query> queries, std::span<const Answer> answers,
+std::size_t compare(const ShapeDescription& shape, std::span<const Query> queries, std::span<const ShapesAnswer> answers,
                     double tolerance) {
     std::size_t hits = 0, wrong = 0;
     double worst_t = 0, worst_normal = 0;
     for (std::size_t i = 0; i < queries.size(); ++i) {
         const Expected expected = expectedHit(shape, queries[i]);
-        const Vec3 direction = vecOf(queries[i].direction);
+        const Vec3 direction = vecOfInShapes(queries[i].direction);
         const double t = answers[i].normal.w;
         const bool doubtful = expected.margin < 20 * tolerance || std::abs(expected.t - kMin) < 1e-5;
         if (doubtful) continue;
@@ -148,7 +148,7 @@ std::size_t compare(const ShapeDescription& shape, std::span<const Query> querie
         worst_t = std::max(worst_t, std::abs(t - expected.t) * length(direction) * slope / std::max(way, 1.0));
         const bool back = dot(expected.normal, direction) > 0;
         const Vec3 normal = back ? -1 * expected.normal : expected.normal;
-        const double off = length(vecOf(answers[i].normal) - normal);
+        const double off = length(vecOfInShapes(answers[i].normal) - normal);
         if (slope > 1e-3) {
             wrong += answers[i].hit.x == (back ? 1u : 0u) ? 0 : 1;
             worst_normal = std::max(worst_normal, off * slope);
@@ -244,12 +244,12 @@ TEST(Spheres, IgnoreTheOriginOfRaysThatLeaveThem) {
     }
     const auto in = ask({packShape({}, sphere)}, inwards, 1);
     for (std::size_t i = 0; i < inwards.size(); ++i) {
-        const Vec3 normal = (vecOf(inwards[i].origin) - sphere.center) * 4.0;
+        const Vec3 normal = (vecOfInShapes(inwards[i].origin) - sphere.center) * 4.0;
         // a chord: twice the radius times the cosine
-        ASSERT_NEAR(in[i].normal.w, -0.5 * dot(normal, vecOf(inwards[i].direction)), 1e-5);
+        ASSERT_NEAR(in[i].normal.w, -0.5 * dot(normal, vecOfInShapes(inwards[i].direction)), 1e-5);
         ASSERT_EQ(in[i].hit.x, 1u) << "hit from inside";
     }
-    for (const Answer& answer : ask({packShape({}, sphere)}, outwards, 1)) ASSERT_GE(answer.normal.w, 1e30f);
+    for (const ShapesAnswer& answer : ask({packShape({}, sphere)}, outwards, 1)) ASSERT_GE(answer.normal.w, 1e30f);
 }
 
 TEST(Boxes, AreHitFromInside) {

@@ -49,7 +49,7 @@ TAKES_NO_SPACE = TAKES_AWAY | {"chmod", "fchmod", "fchmodat", "chown", "fchown",
 # Who goes on after these has not written what it says.
 MUST_FAIL = DATA | {"copy_file_range", "sendfile", "splice", "fallocate", "ftruncate", "truncate", "fsync", "fdatasync"}
 
-THERE = re.compile(": already exists; --force overwrites it$")
+THERE = re.compile(r": .*exists; --force [^\n]*$")
 ERROR = r"pointrt-[a-z]+: error: [^\n]+: [^\n]+\n"
 TEMPORARY = re.compile(r"\.tmp-[A-Za-z0-9]+( \(deleted\))?$")
 

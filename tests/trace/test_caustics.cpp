@@ -21,7 +21,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr std::uint32_t kSize = 48;
+constexpr std::uint32_t kCausticsSize = 48;
 
 MaterialDescription material(MaterialKind kind, float color = 1) {
     MaterialDescription m;
@@ -44,7 +44,7 @@ ShapeDescription ballAt(Vec3 center, double radius, std::uint32_t material_numbe
 }
 
 RenderSettings view(Integrator integrator, std::uint32_t spp, bool caustics = true) {
-    RenderSettings settings = square(kSize);
+    RenderSettings settings = square(kCausticsSize);
     settings.integrator = integrator;
     settings.spp = spp;
     settings.bounces = 12;

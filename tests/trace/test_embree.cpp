@@ -22,16 +22,16 @@ namespace {
 constexpr std::size_t kRays = 20'000;
 
 /// A scene in a file that goes with it.
-struct SceneFile {
+struct EmbreeSceneFile {
     std::string path = temporaryPath("embree.pro");
     std::vector<CubeSplat> splats;
-    explicit SceneFile(const Splats& scene, const BuildOptions& options = {}) {
+    explicit EmbreeSceneFile(const Splats& scene, const BuildOptions& options = {}) {
         writeScene(path, scene, options);
         splats = loadCubeSplats(path);
     }
-    ~SceneFile() { std::remove(path.c_str()); }
-    SceneFile(const SceneFile&) = delete;
-    SceneFile& operator=(const SceneFile&) = delete;
+    ~EmbreeSceneFile() { std::remove(path.c_str()); }
+    EmbreeSceneFile(const EmbreeSceneFile&) = delete;
+    EmbreeSceneFile& operator=(const EmbreeSceneFile&) = delete;
 };
 
 std::vector<Ray> bothKinds(std::span<const CubeSplat> splats, std::size_t count, std::uint64_t seed) {
@@ -42,7 +42,7 @@ std::vector<Ray> bothKinds(std::span<const CubeSplat> splats, std::size_t count,
 }
 
 /// Our own and Embree's hits, where Embree knows embree_splats only.
-FirstHitCheck check(const SceneFile& scene, std::span<const CubeSplat> embree_splats, std::uint64_t seed) {
+FirstHitCheck check(const EmbreeSceneFile& scene, std::span<const CubeSplat> embree_splats, std::uint64_t seed) {
     const std::vector<Ray> rays = bothKinds(scene.splats, kRays, seed);
     const std::uint64_t messages = validationMessages();
     RayCaster caster(scene.path);
@@ -58,7 +58,7 @@ FirstHitCheck check(const SceneFile& scene, std::span<const CubeSplat> embree_sp
 
 /// agreement: the least share of rays, half of them grazing, with the same hit.
 void expectEmbreesHits(double agreement, const Splats& splats, const BuildOptions& options = {}) {
-    const SceneFile scene(splats, options);
+    const EmbreeSceneFile scene(splats, options);
     const FirstHitCheck result = check(scene, scene.splats, 1);
     EXPECT_GT(result.hits, kRays); // the grazing ones hit what they were aimed through, or something before it
     EXPECT_EQ(result.unexplained.size(), 0u);
@@ -93,7 +93,7 @@ TEST(Embree, AgreesInASingleLeaf) {
 /// A far stray makes the sphere's leaves so small that a ray's look ahead of one position step is a good part of them.
 TEST(Embree, TinyLeavesLoseNoMoreThanRoundingGains) {
     constexpr float kFar = 40000; // radii: discs of about one position step, leaves at depth 18
-    const SceneFile scene(
+    const EmbreeSceneFile scene(
         joinSplats(sphereSplats(20000, Vec3f(0, 0, 0), 1.0f), sphereSplats(1, Vec3f(kFar, 0, 0), 0.01f)));
     const std::vector<Ray> rays = grazingRays(scene.splats, kRays, 5);
     const std::vector<CastHit> ours = RayCaster(scene.path).cast(rays);
@@ -111,7 +111,7 @@ TEST(Embree, TinyLeavesLoseNoMoreThanRoundingGains) {
 }
 
 TEST(Embree, ALostDiscIsNeverExplained) {
-    const SceneFile scene(sphereSplats(500, Vec3f(0, 0, 0), 1.0f, 0.7f)); // hardly any overlap: it leaves a hole
+    const EmbreeSceneFile scene(sphereSplats(500, Vec3f(0, 0, 0), 1.0f, 0.7f)); // hardly any overlap: it leaves a hole
     std::vector<CubeSplat> without = scene.splats;
     without[123].radius = 1e-6;
     const FirstHitCheck result = check(scene, without, 2);
@@ -121,7 +121,7 @@ TEST(Embree, ALostDiscIsNeverExplained) {
 }
 
 TEST(Embree, PacketsHitWhatSingleRaysHit) {
-    const SceneFile scene(randomSplats(5000, 5, 0.005f, 0.05f));
+    const EmbreeSceneFile scene(randomSplats(5000, 5, 0.005f, 0.05f));
     const EmbreeDiscs embree(scene.splats);
     const std::vector<Ray> rays = bothKinds(scene.splats, 3003, 3); // not a multiple of 8
     const std::vector<EmbreeHit> single = embree.cast(rays), packets = embree.castPackets(rays);
@@ -200,7 +200,7 @@ TEST(Embree, OnlyWhatRoundingAllowsMayBeFirst) {
 }
 
 TEST(Rays, ComeFromOutsideAsAnnounced) {
-    const SceneFile scene(randomSplats(300, 11, 0.01f, 0.1f));
+    const EmbreeSceneFile scene(randomSplats(300, 11, 0.01f, 0.1f));
     const Sphere bounds = boundingSphere(scene.splats);
     const std::vector<Ray> rays = bothKinds(scene.splats, 5000, 4), again = bothKinds(scene.splats, 5000, 4);
     Vec3 mean;
@@ -224,7 +224,7 @@ TEST(Rays, ComeFromOutsideAsAnnounced) {
 }
 
 TEST(Rays, BlendedSurfaceIsTheReferences) {
-    const SceneFile file(sphereSplats(3000, Vec3f(10, -20, 5), 2.0f));
+    const EmbreeSceneFile file(sphereSplats(3000, Vec3f(10, -20, 5), 2.0f));
     const pro_info info = ProFile(file.path).info();
     const Reference reference = loadReference(file.path);
     const Vec3 origin{info.origin[0], info.origin[1], info.origin[2]};

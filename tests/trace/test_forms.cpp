@@ -13,7 +13,7 @@
 namespace pointrt::test {
 namespace {
 
-constexpr std::uint32_t kSize = 64;
+constexpr std::uint32_t kFormsSize = 64;
 constexpr std::size_t kSplats = 20'000;
 
 MaterialDescription ofKind(MaterialKind kind) {
@@ -81,7 +81,7 @@ void expectAlike(const SceneDescription& scene, const RenderSettings& settings) 
     ASSERT_EQ(fused.form, KernelForm::kMegakernel);
     const Apart rgba = apart(fused.film, queued.film);
     // a path that goes elsewhere moves its pixel by a quarter of what it is
-    EXPECT_LE(rgba.pixels, kSize * kSize / 1000);
+    EXPECT_LE(rgba.pixels, kFormsSize * kFormsSize / 1000);
     EXPECT_LT(rgba.mean, rgba.pixels > 0 ? 1e-3 : 1e-6);
     EXPECT_EQ(fused.film.depth, queued.film.depth);
     EXPECT_EQ(fused.rays.primary, queued.rays.primary);
@@ -93,7 +93,7 @@ void expectAlike(const SceneDescription& scene, const RenderSettings& settings) 
 class Forms : public testing::TestWithParam<Integrator> {
 protected:
     RenderSettings settingsOf() const {
-        RenderSettings settings = square(kSize);
+        RenderSettings settings = square(kFormsSize);
         settings.integrator = GetParam();
         settings.spp = 4;
         settings.camera.eye = Vec3{0.5, 1.5, 5};

@@ -15,7 +15,7 @@ namespace pointrt::test {
 
 namespace {
 
-constexpr std::size_t kSplats = 20000;
+constexpr std::size_t kFurnaceSplats = 20000;
 
 struct Body {
     const char* name;
@@ -115,7 +115,7 @@ std::vector<Surface> bothSurfaces(const SphereFile& file, const MaterialDescript
 
 TEST(Furnace, GlowingGreySphereFromWithin) {
     // albedo and emission 0.5: 0.5 + 0.5 (0.5 + 0.5 (...)) = 1
-    const SphereFile file(kSplats);
+    const SphereFile file(kFurnaceSplats);
     MaterialDescription grey;
     grey.color = grey.emission = {0.5f, 0.5f, 0.5f};
     for (const Surface& surface : bothSurfaces(file, grey))
@@ -131,7 +131,7 @@ TEST(Furnace, GlowingGreySphereFromWithin) {
 
 TEST(Furnace, GreySphereLitFromItsCentre) {
     // E = I / R^2 everywhere: one reflection gives albedo E / pi, all of them albedo / (1 - albedo) E / pi = 1
-    const SphereFile file(kSplats);
+    const SphereFile file(kFurnaceSplats);
     MaterialDescription grey;
     grey.color = {0.5f, 0.5f, 0.5f};
     const auto intensity = static_cast<float>(std::numbers::pi);
@@ -151,7 +151,7 @@ TEST(Furnace, GreySphereLitFromItsCentre) {
 }
 
 TEST(Furnace, WhiteBodiesVanishInAWhiteSky) {
-    const SphereFile file(kSplats);
+    const SphereFile file(kFurnaceSplats);
     for (const Body& body : whiteBodies())
         for (Surface& surface : bothSurfaces(file, body.material)) {
             surface.scene.sky = evenSky(1);
@@ -165,7 +165,7 @@ TEST(Furnace, WhiteBodiesVanishInAWhiteSky) {
 }
 
 TEST(Furnace, WhiteBodiesVanishInAWhitePicture) {
-    const SphereFile file(kSplats);
+    const SphereFile file(kFurnaceSplats);
     const std::string picture = writeSky("white.exr", 16, [](Vec3) { return Color{1, 1, 1}; });
     for (const Body& body : oneOfEachKind())
         for (Surface& surface : bothSurfaces(file, body.material)) {
@@ -181,7 +181,7 @@ TEST(Furnace, WhiteBodiesVanishInAWhitePicture) {
 
 TEST(Furnace, ClassicIntegratorsKeepAllLight) {
     // with all of the sky taken as ambient every kind gives back what it gets; mirrors and glass need no ambient
-    const SphereFile file(kSplats);
+    const SphereFile file(kFurnaceSplats);
     for (const Body& body : oneOfEachKind())
         for (Surface& surface : bothSurfaces(file, body.material))
             for (const Integrator integrator : {Integrator::kPhong, Integrator::kWhitted}) {

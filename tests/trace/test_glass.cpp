@@ -15,7 +15,7 @@ namespace pointrt::test {
 
 namespace {
 
-constexpr std::uint32_t kSize = 384;
+constexpr std::uint32_t kGlassSize = 384;
 constexpr double kIndex = 1.5;
 
 MaterialDescription clearGlass() {
@@ -27,7 +27,7 @@ MaterialDescription clearGlass() {
 }
 
 RenderSettings lookAtBall(Integrator integrator) {
-    RenderSettings settings = square(kSize);
+    RenderSettings settings = square(kGlassSize);
     settings.camera.eye = Vec3{0.5, 1, 4};
     settings.camera.target = Vec3{0, 0, 0};
     settings.camera.fov_deg = 30;
@@ -64,9 +64,9 @@ WayErrors wayErrors(SceneDescription scene, const std::string& sky) {
     const RenderSettings settings = lookAtBall(Integrator::kPath);
     const Rendered rendered = renderScene(std::move(scene), settings);
     WayErrors result;
-    for (std::uint32_t y = 0; y < kSize; ++y)
-        for (std::uint32_t x = 0; x < kSize; ++x) {
-            const std::size_t i = std::size_t{y} * kSize + x;
+    for (std::uint32_t y = 0; y < kGlassSize; ++y)
+        for (std::uint32_t x = 0; x < kGlassSize; ++x) {
+            const std::size_t i = std::size_t{y} * kGlassSize + x;
             const auto ways = exactWays(rendered.camera.eye, centerRayDirection(settings, rendered.camera, x, y));
             if (!ways || !std::isfinite(rendered.film.depth[i])) continue;
             const Vec3 seen = colorDirection(rendered.film, i);
@@ -138,7 +138,7 @@ TEST(Glass, ShowsThePictureBehindTheBall) {
     }
     const double rms = std::sqrt(sum / (2.0 * static_cast<double>(pixels)));
     std::printf("%zu pixels, rms difference %.4f, light %+.3f%%\n", pixels, rms, 100 * signed_sum / light);
-    EXPECT_GT(pixels, kSize * kSize / 3);
+    EXPECT_GT(pixels, kGlassSize * kGlassSize / 3);
     EXPECT_LT(rms, 0.03);
     EXPECT_LT(std::abs(signed_sum), 0.002 * light);
 }

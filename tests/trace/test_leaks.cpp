@@ -23,26 +23,26 @@ namespace pointrt::test {
 
 namespace {
 
-constexpr std::size_t kRays = 1000000; ///< secondary rays a body
-constexpr double kMaxErrors = 1e-5;    ///< share of them
-constexpr double kIndex = 1.5;
+constexpr std::size_t kLeaksRays = 1000000; ///< secondary rays a body
+constexpr double kMaxErrors = 1e-5;         ///< share of them
+constexpr double kLeaksIndex = 1.5;
 
 /// Signed distance in input units, negative inside.
 using Distance = std::function<double(Vec3)>;
 
-struct Body {
+struct LeaksBody {
     std::string name;
     Splats splats;
     Distance distance;
     double edge = INFINITY; ///< along x and z from the origin: rays leave within 0.7 of it, and are followed to it
 };
 
-Body sphereBody() {
+LeaksBody sphereBody() {
     return {"sphere", sphereSplats(100000, Vec3f(0, 0, 0), 1.0f), [](Vec3 p) { return length(p) - 1; }};
 }
 
 /// Around the z axis; rows of splats by the golden ratio, as many as the area asks for.
-Body torusBody() {
+LeaksBody torusBody() {
     const double major = 1, minor = 0.4;
     const std::size_t count = 100000;
     Splats splats;
@@ -67,7 +67,7 @@ Body torusBody() {
 }
 
 /// Two sheets back to back, two radii apart; what happens at their open rim says nothing.
-Body plateBody() {
+LeaksBody plateBody() {
     const std::size_t side = 200;
     const float spacing = 2.0f / side, half = 1.2f * spacing;
     const Splats above = squareSplats(side, Vec3f(0, half, 0), Vec3f(0, 0, 1), Vec3f(1, 0, 0), 1.2f),
@@ -95,7 +95,7 @@ constexpr const char* kNames[] = {"diffuse", "mirrored", "refracted"};
 /// Without one where all light is reflected.
 Vec3 scattered(Kind kind, Vec3 n, Vec3 direction, bool inside, Random& random) {
     if (kind == kDiffuse) return random.diffuse(n);
-    const double cosine = -dot(n, direction), eta = inside ? kIndex : 1 / kIndex;
+    const double cosine = -dot(n, direction), eta = inside ? kLeaksIndex : 1 / kLeaksIndex;
     const double behind = 1 - eta * eta * (1 - cosine * cosine);
     if (kind == kMirrored || behind < 0) return direction + 2 * cosine * n;
     return normalize(eta * direction + (eta * cosine - std::sqrt(behind)) * n);
@@ -139,7 +139,7 @@ bool isWithin(Vec3 p, double edge) { return std::abs(p.x) < edge && std::abs(p.z
 
 class Geometry {
 public:
-    Geometry(const Body& body, const pro_info& info) : body_(body), info_(info) {}
+    Geometry(const LeaksBody& body, const pro_info& info) : body_(body), info_(info) {}
 
     Vec3 input(Vec3 cube) const { return Vec3{info_.origin[0], info_.origin[1], info_.origin[2]} + info_.scale * cube; }
 
@@ -165,7 +165,7 @@ public:
     }
 
 private:
-    const Body& body_;
+    const LeaksBody& body_;
     const pro_info& info_;
 };
 
@@ -183,7 +183,7 @@ void judge(const Leaving& leaving, const CastHit& hit, const Course& course, dou
 }
 
 /// Rays from all these hits that are on the body, one a hit, of the kinds in turn.
-std::vector<Leaving> leaveAll(const Body& body, const Geometry& geometry, std::span<const Ray> rays,
+std::vector<Leaving> leaveAll(const LeaksBody& body, const Geometry& geometry, std::span<const Ray> rays,
                               const std::vector<CastHit>& hits, Random& random) {
     std::vector<Leaving> all;
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -224,7 +224,7 @@ std::vector<CastHit> judgeAll(RayCaster& caster, const Geometry& geometry, const
     return hits;
 }
 
-void checkBody(const Body& body) {
+void checkBody(const LeaksBody& body) {
     const std::string path = temporaryPath(body.name + ".pro");
     writeScene(path, body.splats, {});
     const pro_info info = ProFile(path).info();
@@ -235,7 +235,7 @@ void checkBody(const Body& body) {
     Random random;
     Errors errors[2][kKinds];
     std::size_t rays = 0;
-    while (rays < kRays) {
+    while (rays < kLeaksRays) {
         const std::vector<Ray> primary = aimedRays(splats, 200000, random);
         const std::vector<Leaving> first = leaveAll(body, geometry, primary, caster.cast(primary), random);
         const std::vector<CastHit> hits = judgeAll(caster, geometry, first, errors);

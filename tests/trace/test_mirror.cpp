@@ -13,7 +13,7 @@ namespace pointrt::test {
 
 namespace {
 
-constexpr std::uint32_t kSize = 384;
+constexpr std::uint32_t kMirrorSize = 384;
 
 /// Where the unit sphere around the origin mirrors the ray of a pixel's centre to.
 std::optional<Vec3> exactReflection(const RenderSettings& settings, const Camera& camera, std::uint32_t x,
@@ -28,7 +28,7 @@ std::optional<Vec3> exactReflection(const RenderSettings& settings, const Camera
 /// Degrees between the directions seen and the exact ones, over all of the ball's pixels.
 Spread reflectionErrors(SceneDescription scene, const std::string& sky) {
     scene.sky->image = sky;
-    RenderSettings settings = square(kSize);
+    RenderSettings settings = square(kMirrorSize);
     settings.camera.eye = Vec3{0.5, 1, 4};
     settings.camera.target = Vec3{0, 0, 0};
     settings.camera.fov_deg = 30;
@@ -36,14 +36,14 @@ Spread reflectionErrors(SceneDescription scene, const std::string& sky) {
     settings.bounces = 4;
     const Rendered rendered = renderScene(std::move(scene), settings);
     std::vector<double> errors;
-    for (std::uint32_t y = 0; y < kSize; ++y)
-        for (std::uint32_t x = 0; x < kSize; ++x) {
-            const std::size_t i = std::size_t{y} * kSize + x;
+    for (std::uint32_t y = 0; y < kMirrorSize; ++y)
+        for (std::uint32_t x = 0; x < kMirrorSize; ++x) {
+            const std::size_t i = std::size_t{y} * kMirrorSize + x;
             const auto exact = exactReflection(settings, rendered.camera, x, y);
             if (!exact || !std::isfinite(rendered.film.depth[i])) continue;
             errors.push_back(angleBetween(colorDirection(rendered.film, i), *exact));
         }
-    EXPECT_GT(errors.size(), kSize * kSize / 3);
+    EXPECT_GT(errors.size(), kMirrorSize * kMirrorSize / 3);
     return spreadOf(std::move(errors));
 }
 

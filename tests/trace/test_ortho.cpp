@@ -20,7 +20,7 @@ constexpr double kHeight = 2.5; // of the window; the sphere's diameter is 2
 /// Splats lie on the unit sphere and reach past its silhouette by their rims, which stand 2e-4 off; those of the far
 /// side are seen beyond that, at grazing angles.
 constexpr double kRim = 2e-3;
-constexpr std::size_t kSplats = 40000;
+constexpr std::size_t kOrthoSplats = 40000;
 constexpr double kSplatRadius = 0.025; // 1.2 times the mean spacing, and a little
 
 /// Wider than high, from aside, with the picture turned: nothing is along an axis.
@@ -97,7 +97,7 @@ void expectSplatSphere(const SphereErrors& errors) {
 }
 
 TEST(Ortho, ShowsASphereAsADiscFromAnywhere) {
-    const SphereFile sphere(kSplats);
+    const SphereFile sphere(kOrthoSplats);
     for (const double distance : {3.0, 700.0}) {
         const Rendered rendered = renderFile(sphere.path, slantedView(distance));
         const SphereErrors errors = compareWithSphere(rendered);
@@ -108,7 +108,7 @@ TEST(Ortho, ShowsASphereAsADiscFromAnywhere) {
 
 /// A window past the sphere's middle: rays that start inside see the far side, the others miss.
 TEST(Ortho, ShowsNothingBehindItsWindow) {
-    const SphereFile sphere(kSplats);
+    const SphereFile sphere(kOrthoSplats);
     RenderSettings settings = slantedView(1);
     settings.camera.eye = Vec3{-0.3, 0.1, -0.2};
     settings.camera.target = *settings.camera.eye - Vec3{1, 0.7, 2};
@@ -137,7 +137,7 @@ TEST(Ortho, CoversTheDiscsArea) {
 
 /// Light falls on points where they are: Lambert under a near lamp.
 TEST(Ortho, LightsWhatIsSeen) {
-    const SphereFile sphere(kSplats);
+    const SphereFile sphere(kOrthoSplats);
     SceneDescription splats = splatBody(sphere.path, {}), shape = analyticSphere({});
     const Vec3 lamp{1, 1.5, 2};
     for (SceneDescription* scene : {&splats, &shape}) {

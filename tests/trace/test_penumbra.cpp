@@ -133,20 +133,20 @@ Profile profileOf(SceneDescription scene, Integrator integrator, double (*expect
     return profile;
 }
 
-struct Case {
+struct PenumbraCase {
     const char* name;
     LightDescription lamp;
     double (*expected)(double, double);
 };
 
-std::vector<Case> lamps() {
+std::vector<PenumbraCase> lamps() {
     const Color one{1, 1, 1};
     return {{"sphere", SphereLight{{0, kLamp, 0}, kLampSize, one}, sphereBehindEdge},
             {"quad", QuadLight{{0, kLamp, 0}, {kLampSize, 0, 0}, {0, 0, kLampSize}, one}, quadBehindEdge},
             {"disc", DiscLight{{0, kLamp, 0}, {0, -1, 0}, kLampSize, one}, discBehindEdge}};
 }
 
-void checkProfile(const char* blind, const Case& each, const SceneDescription& scene) {
+void checkProfile(const char* blind, const PenumbraCase& each, const SceneDescription& scene) {
     for (const Integrator integrator : {Integrator::kWhitted, Integrator::kPath}) {
         const Profile p = profileOf(scene, integrator, each.expected);
         std::printf("%s lamp, blind of %s, %s: worst %.2f%% of full light, sum %+.2f%%\n", each.name, blind,
@@ -158,7 +158,7 @@ void checkProfile(const char* blind, const Case& each, const SceneDescription& s
 
 TEST(Penumbra, OfAShapesEdge) {
     const Floor floor;
-    for (const Case& each : lamps()) {
+    for (const PenumbraCase& each : lamps()) {
         SceneDescription scene = penumbraScene(floor.path, each.lamp);
         scene.shapes.push_back(shapeBlind());
         checkProfile("shapes", each, scene);
@@ -179,7 +179,7 @@ TEST(Penumbra, OfAnEdgeOfSplats) {
     }
     const auto middle = static_cast<float>(-half + 0.5 * spacing - reach);
     writeScene(path, squareSplats(side, Vec3f(middle, kEdge, 0), Vec3f(0, 0, half), Vec3f(half, 0, 0), 1.2f), {});
-    for (const Case& each : lamps()) {
+    for (const PenumbraCase& each : lamps()) {
         SceneDescription scene = penumbraScene(floor.path, each.lamp);
         scene.instances.push_back({path, {}, 1u, {}});
         checkProfile("splats", each, scene);

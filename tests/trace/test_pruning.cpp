@@ -12,7 +12,7 @@ namespace pointrt::test {
 
 namespace {
 
-constexpr std::size_t kRays = 50'000;
+constexpr std::size_t kPruningRays = 50'000;
 
 /// A sphere and a sheet that cuts it: smooth, creased and open parts.
 Splats scene() {
@@ -29,8 +29,8 @@ TEST(Pruning, HitsStayWhereTheyWere) {
     EXPECT_LT(pruned.octree.refs.size(), full.octree.refs.size());
 
     const std::vector<CubeSplat> splats = loadCubeSplats(full_path);
-    std::vector<Ray> rays = randomRays(boundingSphere(splats), kRays, 1);
-    const std::vector<Ray> grazing = grazingRays(splats, kRays, 1);
+    std::vector<Ray> rays = randomRays(boundingSphere(splats), kPruningRays, 1);
+    const std::vector<Ray> grazing = grazingRays(splats, kPruningRays, 1);
     rays.insert(rays.end(), grazing.begin(), grazing.end());
     const PruningChange change =
         measurePruning(splats, rays, RayCaster(full_path).cast(rays), RayCaster(pruned_path).cast(rays));
@@ -40,11 +40,11 @@ TEST(Pruning, HitsStayWhereTheyWere) {
     std::printf("lost %zu, gained %zu, moved: flat %zu along the normal, blended %zu, along the ray %zu\n", change.lost,
                 change.gained, change.flat.moved_along_normal, change.blended.moved_along_normal,
                 change.blended.moved_along_ray);
-    EXPECT_GT(change.hits_both, kRays);
+    EXPECT_GT(change.hits_both, kPruningRays);
     EXPECT_EQ(change.lost + change.gained, 0u);
     // three times the bound of 1 in 10,000, because so few rays are subject to chance; along the normal, because cells
     // with other discs are rounded otherwise, and grazing rays slide from one of two discs in a plane to the other
-    constexpr double kMax = 3e-4 * 2 * kRays;
+    constexpr double kMax = 3e-4 * 2 * kPruningRays;
     EXPECT_LE(static_cast<double>(change.flat.moved_along_normal), kMax);
     EXPECT_LE(static_cast<double>(change.blended.moved_along_normal), kMax / 3);
     EXPECT_LE(static_cast<double>(change.blended.moved_along_ray), 2 * kMax);

@@ -15,7 +15,7 @@
 namespace pointrt::test {
 namespace {
 
-constexpr std::uint32_t kSide = 320; // ten pictures have a million rays
+constexpr std::uint32_t kSetsSide = 320; // ten pictures have a million rays
 constexpr int kPictures = 10;
 /// What two tiles of the same splats may make of one hit: cells round their discs, and surfaces lie between them.
 constexpr double kSameShare = 0.02; // of a radius
@@ -40,7 +40,7 @@ struct SphereSet : CutInEight {
 };
 
 /// Of two films the pixels where one sees a surface and the other does not, or elsewhere.
-struct Difference {
+struct SetsDifference {
     std::size_t rays = 0, hits = 0, holes = 0, elsewhere = 0;
     void add(const Film& whole, const Film& tiles, double near) {
         for (std::size_t i = 0; i < whole.depth.size(); ++i) {
@@ -55,7 +55,7 @@ struct Difference {
 
 /// Looks around on a spiral: the same places on any machine.
 RenderSettings lookFrom(int picture, double distance) {
-    RenderSettings settings = square(kSide);
+    RenderSettings settings = square(kSetsSide);
     settings.integrator = Integrator::kNormal;
     const double z = 1 - (2 * picture + 1.0) / kPictures, turn = 2.4 * picture, ring = std::sqrt(1 - z * z);
     const Vec3 side{ring * std::cos(turn), ring * std::sin(turn), z};
@@ -65,8 +65,8 @@ RenderSettings lookFrom(int picture, double distance) {
     return settings;
 }
 
-Difference differenceFrom(const CutInEight& sphere, double distance) {
-    Difference difference;
+SetsDifference differenceFrom(const CutInEight& sphere, double distance) {
+    SetsDifference difference;
     for (int picture = 0; picture < kPictures; ++picture) {
         const RenderSettings settings = lookFrom(picture, distance);
         const Rendered whole = renderFile(sphere.whole(), settings), tiles = renderFile(sphere.folder, settings);
@@ -80,8 +80,8 @@ Difference differenceFrom(const CutInEight& sphere, double distance) {
 TEST(TileSets, FirstHitsAreThoseOfOneFile) {
     const SphereSet sphere;
     ASSERT_EQ(sphere.set.tiles.size(), 9u);
-    const Difference difference = differenceFrom(sphere, 3);
-    EXPECT_EQ(difference.rays, std::size_t{kPictures} * kSide * kSide);
+    const SetsDifference difference = differenceFrom(sphere, 3);
+    EXPECT_EQ(difference.rays, std::size_t{kPictures} * kSetsSide * kSetsSide);
     EXPECT_GT(difference.hits, difference.rays / 2);
     // positions are in steps of the tile's cube: outlines differ by those
     EXPECT_LE(difference.holes + difference.elsewhere, difference.rays / 100'000);
@@ -89,7 +89,7 @@ TEST(TileSets, FirstHitsAreThoseOfOneFile) {
 
 TEST(TileSets, NoRayFindsAWayBetweenTiles) {
     const SphereSet sphere;
-    const Difference difference = differenceFrom(sphere, 0.3); // from within there is nothing but sphere
+    const SetsDifference difference = differenceFrom(sphere, 0.3); // from within there is nothing but sphere
     EXPECT_EQ(difference.hits, difference.rays);
     EXPECT_EQ(difference.holes, 0u);
     EXPECT_LE(difference.elsewhere, difference.rays / 100'000);
@@ -100,7 +100,7 @@ TEST(TileSets, NoRayFindsAWayBetweenTiles) {
 TEST(TileSets, DiscsAreNotCutAtBorders) {
     const CutInEight plane(
         squareSplats(200, Vec3f(0, 0, 0), Vec3f(0.9f, 0.1f, 0.2f), Vec3f(-0.05f, 0.9f, 0.3f), 0.75f));
-    Difference difference;
+    SetsDifference difference;
     for (int picture = 0; picture < kPictures; ++picture) {
         RenderSettings settings = lookFrom(picture, 0.5);
         settings.camera.target = Vec3{}; // where the tiles meet, and nothing but plane around it
@@ -138,7 +138,7 @@ TEST(TileSets, FirstHitsNameTheirTiles) {
     }
     EXPECT_EQ(nameless, 0u);
     // with rays that graze a disc at a core's border its rounding is far along the ray
-    EXPECT_LE(away, std::size_t{kPictures} * kSide * kSide / 100'000);
+    EXPECT_LE(away, std::size_t{kPictures} * kSetsSide * kSetsSide / 100'000);
     EXPECT_EQ(hits[0], 0u); // the root, which its children stand for
     for (std::size_t tile = 1; tile < hits.size(); ++tile) EXPECT_GT(hits[tile], 10'000u) << tile;
     const Film whole = renderFile(sphere.whole(), lookFrom(0, 3)).film;
@@ -226,7 +226,7 @@ TEST(TileSets, TheParentOfALostTileIsDrawn) {
     const std::string told = testing::internal::GetCapturedStderr();
     EXPECT_NE(told.find(sphere.set.tiles[3].file), std::string::npos) << told;
     EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 1) << told;
-    Difference difference;
+    SetsDifference difference;
     difference.add(renderFile(sphere.whole(), settings).film, tiles.film, kSameShare * sphere.radius);
     EXPECT_EQ(difference.holes, 0u);
     EXPECT_LE(difference.elsewhere, 1u);

@@ -17,7 +17,7 @@
 namespace pointrt::test {
 namespace {
 
-constexpr std::uint32_t kSide = 64;
+constexpr std::uint32_t kSiftingSide = 64;
 
 /// Turned about an axis that is none of space's: its boxes lie along no axis of render space.
 std::array<Vec3, 3> turnedBy(double angle) {
@@ -81,7 +81,7 @@ protected:
     }
 
     void expectTheSame(const SceneDescription& scene, Integrator integrator, FormRequest form) {
-        RenderSettings settings = square(kSide);
+        RenderSettings settings = square(kSiftingSide);
         settings.integrator = integrator;
         settings.room = integrator == Integrator::kPath ? Room::kMatte : Room::kMirror;
         settings.reflectivity = 0.3f;
@@ -133,14 +133,14 @@ TEST_F(Sifting, PicturesOfTilesAmongInstancesAreTheSame) {
 }
 
 TEST_F(Sifting, FewInstancesAreAskedForAll) {
-    render(crowd(3), square(kSide), {}, true);
+    render(crowd(3), square(kSiftingSide), {}, true);
     EXPECT_EQ(sieves, 0u);
     EXPECT_EQ(lanesOf("cull_shadow").first, 0u);
 }
 
 TEST_F(Sifting, TilesAreAskedForFewRays) {
     const SceneDescription scene = turnedSet(0);
-    const RenderSettings settings = square(kSide);
+    const RenderSettings settings = square(kSiftingSide);
     render(scene, settings, {}, false);
     const std::uint64_t all = lanesOf("intersect_shadow").first;
     EXPECT_EQ(lanesOf("cull_shadow").first, 0u);
@@ -162,7 +162,7 @@ TEST_F(Sifting, TargetsWhoseListsDoNotFitAreAskedForAll) {
         instance.placement.scale = 1 + 0.01 * i;
         scene.instances.push_back(instance);
     }
-    RenderSettings settings = square(kSide);
+    RenderSettings settings = square(kSiftingSide);
     settings.room = Room::kMatte;
     settings.lights = 8;
     const Film sifted = render(scene, settings, {}, true);

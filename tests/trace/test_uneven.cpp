@@ -15,7 +15,7 @@ namespace pointrt::test {
 
 namespace {
 
-constexpr std::size_t kRays = 10'000;
+constexpr std::size_t kUnevenRays = 10'000;
 
 /// A sheet of loose splats, and on it a body whose splats lie a thousand times denser.
 Splats bodyOnSheet() {
@@ -28,9 +28,9 @@ std::vector<Ray> raysFor(std::span<const CubeSplat> splats) {
     const double finest = std::ranges::min_element(splats, {}, &CubeSplat::radius)->radius;
     std::vector<CubeSplat> dense;
     std::ranges::copy_if(splats, std::back_inserter(dense), [&](const CubeSplat& s) { return s.radius < 2 * finest; });
-    std::vector<Ray> rays = randomRays(boundingSphere(splats), kRays, 1);
+    std::vector<Ray> rays = randomRays(boundingSphere(splats), kUnevenRays, 1);
     const Sphere part = boundingSphere(dense);
-    for (const std::vector<Ray>& more : {randomRays(part, kRays, 2), grazingRays(dense, kRays, 3)})
+    for (const std::vector<Ray>& more : {randomRays(part, kUnevenRays, 2), grazingRays(dense, kUnevenRays, 3)})
         rays.insert(rays.end(), more.begin(), more.end());
     return rays;
 }
@@ -65,7 +65,7 @@ TEST(Uneven, FirstHitsAreEmbrees) {
     std::printf("%zu rays, %zu hits, %.4f agree, rim %zu, tie %zu, rounding %zu, unexplained %zu\n", check.rays,
                 check.hits, check.agreement(), check.count(Verdict::kRim), check.count(Verdict::kTie),
                 check.count(Verdict::kRounding), check.unexplained.size());
-    EXPECT_GT(check.hits, kRays);
+    EXPECT_GT(check.hits, kUnevenRays);
     EXPECT_EQ(check.unexplained.size(), 0u);
     EXPECT_GT(check.agreement(), 0.88); // half of the rays graze discs that lie in one plane
 }

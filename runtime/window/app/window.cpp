@@ -12,6 +12,7 @@
 #include "runtime/scene/default_lighting.h"
 #include "runtime/scene_io/scene_write.h"
 #include "runtime/session/report.h"
+#include "runtime/util/clock.h"
 #include "runtime/util/interrupt.h"
 #include "runtime/window/app/window_state.h"
 #include "runtime/window/edit/actions.h"
@@ -22,8 +23,6 @@
 
 namespace pointrt {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// Poll interval when idle, for jobs and notices.
 constexpr double kIdle_s = 0.1;

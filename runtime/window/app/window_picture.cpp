@@ -10,6 +10,7 @@
 #include "runtime/render/film_signature.h"
 #include "runtime/session/report.h"
 #include "runtime/session/settings.h"
+#include "runtime/util/clock.h"
 #include "runtime/util/parse.h"
 #include "runtime/window/app/window_state.h"
 #include "runtime/window/edit/free_name.h"
@@ -23,8 +24,6 @@
 
 namespace pointrt {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// Interval of redrawing the interface while there is no input.
 constexpr double kRedraw_s = 0.1;

@@ -11,6 +11,7 @@
 #include "format/base/printable.h"
 #include "runtime/scene/camera.h"
 #include "runtime/util/parse.h"
+#include "runtime/util/words.h"
 #include "runtime/window/input/turntable_rotation.h"
 
 namespace pointrt {
@@ -18,9 +19,11 @@ namespace {
 
 constexpr std::size_t kMaxText = 4096; // ten numbers of at most 24 characters, and generous white space
 
-using Words = std::map<std::string, std::string>;
+using OptionWords = std::map<std::string, std::string>;
 
-[[noreturn]] void fail(const std::string& reason) { throw Error{ExitCode::kBadInput, "camera text: " + reason}; }
+[[noreturn]] void refuseCamera(const std::string& reason) {
+    throw Error{ExitCode::kBadInput, "camera text: " + reason};
+}
 
 std::string plain(double value) {
     char text[32];
@@ -29,14 +32,14 @@ std::string plain(double value) {
 
 std::string plain(Vec3 v) { return plain(v.x) + "," + plain(v.y) + "," + plain(v.z); }
 
-bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+bool isSeparator(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 /// Splits at white space, except next to a comma.
 std::vector<std::string> wordsOf(const std::string& text) {
     std::vector<std::string> words;
     bool parted = true;
     for (char c : text) {
-        if (isSpace(c)) {
+        if (isSeparator(c)) {
             parted = true;
             continue;
         }
@@ -49,38 +52,36 @@ std::vector<std::string> wordsOf(const std::string& text) {
 }
 
 /// Quoted and shortened for a message.
-std::string shown(const std::string& word) { return "\"" + printable(word, 40) + "\""; }
-
-Words optionsOf(const std::string& text) {
-    if (text.size() > kMaxText) fail("too long");
-    Words options;
+OptionWords optionsOf(const std::string& text) {
+    if (text.size() > kMaxText) refuseCamera("too long");
+    OptionWords options;
     const std::vector<std::string> words = wordsOf(text);
     for (std::size_t i = 0; i < words.size(); i += 2) {
         const std::string& name = words[i];
         if (name != "--eye" && name != "--target" && name != "--up" && name != "--fov" && name != "--ortho")
-            fail(shown(name) + " is not one of --eye, --target, --up, --fov, --ortho");
-        if (i + 1 == words.size()) fail(name + " has no value");
-        if (!options.emplace(name, words[i + 1]).second) fail(name + " is given twice");
+            refuseCamera(quotedWord(name) + " is not one of --eye, --target, --up, --fov, --ortho");
+        if (i + 1 == words.size()) refuseCamera(name + " has no value");
+        if (!options.emplace(name, words[i + 1]).second) refuseCamera(name + " is given twice");
     }
     for (const char* needed : {"--eye", "--target"})
-        if (!options.contains(needed)) fail(std::string(needed) + " is missing");
-    if (options.contains("--fov") && options.contains("--ortho")) fail("--fov and --ortho exclude each other");
+        if (!options.contains(needed)) refuseCamera(std::string(needed) + " is missing");
+    if (options.contains("--fov") && options.contains("--ortho")) refuseCamera("--fov and --ortho exclude each other");
     return options;
 }
 
 /// Parses the value of an option; fallback if it is missing.
 template <typename Value, typename Parse>
-Value valueOf(const Words& options, const char* name, Value fallback, Parse parse) {
+Value valueOf(const OptionWords& options, const char* name, Value fallback, Parse parse) {
     const auto found = options.find(name);
     if (found == options.end()) return fallback;
     try {
         return parse(found->second);
     } catch (const std::invalid_argument&) {
-        fail(std::string(name) + ": invalid value " + shown(found->second));
+        refuseCamera(std::string(name) + ": invalid value " + quotedWord(found->second));
     }
 }
 
-CameraRequest requestedBy(const Words& options, const ViewCamera& view) {
+CameraRequest requestedBy(const OptionWords& options, const ViewCamera& view) {
     const auto height = [](const std::string& word) { return parseRealAbove(word, 0, 1e12); }; // the limits of --ortho
     CameraRequest request = requestOf(view);
     request.eye = valueOf(options, "--eye", *request.eye, parseVector);
@@ -126,7 +127,7 @@ ViewCamera withCameraText(const ViewCamera& view, const std::string& text) {
         after.ortho_height = camera.ortho_height;
         return after;
     } catch (const Error& error) {
-        fail(error.what());
+        refuseCamera(error.what());
     }
 }
 

@@ -10,6 +10,7 @@
 #include "format/base/error.h"
 #include "format/base/printable.h"
 #include "runtime/util/parse.h"
+#include "runtime/util/words.h"
 #include "runtime/window/input/recording_words.h"
 
 namespace pointrt {
@@ -18,11 +19,9 @@ namespace {
 using Words = std::vector<RecordingWord>;
 using Steps = std::vector<RecordedStep>;
 
-[[noreturn]] void fail(const std::string& reason) { throw std::invalid_argument(reason); }
+[[noreturn]] void refuseRecording(const std::string& reason) { throw std::invalid_argument(reason); }
 
 /// Quoted and shortened for a message.
-std::string shown(const std::string& word) { return "\"" + printable(word, 40) + "\""; }
-
 /// Takes the words after frame and kind, one by one.
 struct Arguments {
     const Words& words;
@@ -32,16 +31,16 @@ struct Arguments {
     bool isDone() const { return next == words.size(); }
 
     const RecordingWord& take(bool in_quotes) {
-        if (isDone() || words[next].in_quotes != in_quotes) fail("does not match: " + usage);
+        if (isDone() || words[next].in_quotes != in_quotes) refuseRecording("does not match: " + usage);
         return words[next++];
     }
     std::string word() { return take(false).text; }
     std::string string() { return take(true).text; }
     void requireWord(const char* expected) {
-        if (word() != expected) fail("does not match: " + usage);
+        if (word() != expected) refuseRecording("does not match: " + usage);
     }
     void requireDone() const {
-        if (!isDone()) fail("does not match: " + usage);
+        if (!isDone()) refuseRecording("does not match: " + usage);
     }
 };
 
@@ -49,7 +48,7 @@ double takeReal(Arguments& arguments, double low, double high) { return parseRea
 
 bool takeDown(Arguments& arguments) {
     const std::string word = arguments.word();
-    if (word != "down" && word != "up") fail(shown(word) + " must be down or up");
+    if (word != "down" && word != "up") refuseRecording(quotedWord(word) + " must be down or up");
     return word == "down";
 }
 
@@ -69,7 +68,7 @@ KeyEvent takeKey(Arguments& arguments) {
     const bool down = takeDown(arguments);
     const std::string name = arguments.word();
     const std::optional<Key> key = keyNamed(name);
-    if (!key) fail("unknown key " + shown(name));
+    if (!key) refuseRecording("unknown key " + quotedWord(name));
     return {*key, down};
 }
 
@@ -77,7 +76,7 @@ ButtonEvent takeButton(Arguments& arguments) {
     const bool down = takeDown(arguments);
     const std::string name = arguments.word();
     const std::optional<MouseButton> button = buttonNamed(name);
-    if (!button) fail("unknown button " + shown(name));
+    if (!button) refuseRecording("unknown button " + quotedWord(name));
     return {*button, down};
 }
 
@@ -85,8 +84,8 @@ DropEvent takeDrop(Arguments& arguments) {
     DropEvent drop;
     do {
         drop.paths.push_back(arguments.string());
-        if (drop.paths.back().size() > kMaxPathBytes) fail("a path is too long");
-        if (drop.paths.size() > kMaxDropped) fail("too many paths");
+        if (drop.paths.back().size() > kMaxPathBytes) refuseRecording("a path is too long");
+        if (drop.paths.size() > kMaxDropped) refuseRecording("too many paths");
     } while (!arguments.isDone());
     return drop;
 }
@@ -96,7 +95,7 @@ ScreenshotStep takeScreenshot(Arguments& arguments) {
     const bool plain = name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-") ==
                        std::string::npos;
     if (!plain || name[0] == '.' || name.size() > kMaxNameBytes)
-        fail(shown(name) + " is not a picture name (letters, digits, . _ -)");
+        refuseRecording(quotedWord(name) + " is not a picture name (letters, digits, . _ -)");
     return {name};
 }
 
@@ -111,7 +110,7 @@ void takeText(Arguments& arguments, Steps& steps) {
     std::string_view rest = typed;
     while (!rest.empty()) {
         const std::optional<std::uint32_t> code_point = takeCodePoint(rest);
-        if (!code_point) fail("the text is not UTF-8");
+        if (!code_point) refuseRecording("the text is not UTF-8");
         add(steps, TextEvent{*code_point});
     }
 }
@@ -152,18 +151,19 @@ const Kind& kindNamed(const std::string& name) {
         if (name == kind.name) return kind;
         names += (names.empty() ? "" : ", ") + std::string(kind.name);
     }
-    fail(shown(name) + " is not one of " + names);
+    refuseRecording(quotedWord(name) + " is not one of " + names);
 }
 
 ResizeEvent headerOf(const Words& words) {
     Arguments arguments{words, 0, "pointrt-recording 1 window WxH scale S"};
-    if (arguments.word() != "pointrt-recording") fail("not a recording: it must begin with pointrt-recording");
+    if (arguments.word() != "pointrt-recording")
+        refuseRecording("not a recording: it must begin with pointrt-recording");
     const std::string version = arguments.word();
-    if (version != "1") fail("unsupported version " + shown(version) + " (this program reads 1)");
+    if (version != "1") refuseRecording("unsupported version " + quotedWord(version) + " (this program reads 1)");
     arguments.requireWord("window");
     const ResizeEvent window = takeSize(arguments);
     arguments.requireDone();
-    if (window.width == 0) fail("the window has no size");
+    if (window.width == 0) refuseRecording("the window has no size");
     return window;
 }
 
@@ -171,7 +171,8 @@ void addEvents(const Words& words, Recording& recording) {
     Arguments arguments{words, 0, "FRAME KIND ..."};
     const std::uint32_t frame = parseCount(arguments.word(), 0, kMaxRecordedFrame);
     if (!recording.events.empty() && frame < recording.events.back().frame)
-        fail("frame " + std::to_string(frame) + " follows frame " + std::to_string(recording.events.back().frame));
+        refuseRecording("frame " + std::to_string(frame) + " follows frame " +
+                        std::to_string(recording.events.back().frame));
     const std::string name = arguments.word();
     const Kind& kind = kindNamed(name);
     arguments.usage = kind.usage;
@@ -179,7 +180,7 @@ void addEvents(const Words& words, Recording& recording) {
     kind.take(arguments, steps);
     arguments.requireDone();
     if (recording.events.size() + steps.size() > kMaxRecordedEvents)
-        fail("more than " + std::to_string(kMaxRecordedEvents) + " events");
+        refuseRecording("more than " + std::to_string(kMaxRecordedEvents) + " events");
     for (RecordedStep& step : steps) recording.events.push_back({frame, std::move(step)});
 }
 

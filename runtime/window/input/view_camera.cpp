@@ -6,14 +6,14 @@
 #include <numbers>
 
 #include "runtime/scene/camera.h"
+#include "runtime/util/degree.h"
 #include "runtime/window/input/turntable_rotation.h"
 
 namespace pointrt {
 namespace {
 
-constexpr double kRadian = std::numbers::pi / 180;
 /// Closer to the poles, rounding of eye and pivot would destroy the horizontal direction. The difference is invisible.
-constexpr double kSteepest = (90 - 0.1) * kRadian;
+constexpr double kSteepest = (90 - 0.1) * kDegree;
 /// Half of the sine at which orbiting stops: only standard views and external cameras are closer to a pole.
 const double kPoleSine = std::cos(kSteepest) / 2;
 /// Well above rounding, well below what is visible.
@@ -258,9 +258,9 @@ ViewCamera standardView(const ViewCamera& view, StandardView which) {
     case StandardView::kLeft:
         return withAttitude(view, {front * -1, 0});
     case StandardView::kTop:
-        return withAttitude(view, {right, -90 * kRadian});
+        return withAttitude(view, {right, -90 * kDegree});
     case StandardView::kBottom:
-        return withAttitude(view, {right, 90 * kRadian});
+        return withAttitude(view, {right, 90 * kDegree});
     case StandardView::kIso: // equal angles to all three axes
         return withAttitude(view, {normalize(right + front), -std::atan(std::sqrt(0.5))});
     case StandardView::kSensor:

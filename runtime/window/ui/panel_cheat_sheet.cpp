@@ -14,7 +14,7 @@ namespace pointrt {
 namespace {
 
 /// Design units: columns for keys and descriptions.
-constexpr float kPressWidth = 120, kDoesWidth = 250, kMargin = 16;
+constexpr float kPressWidth = 120, kDoesWidth = 250, kSheetMargin = 16;
 /// The camera's controls are in the first of two columns.
 constexpr const char* kFirstGroup = "Camera";
 
@@ -59,7 +59,7 @@ void drawColumn(const char* id, bool first) {
 } // namespace
 
 void drawCheatSheet(Workspace& w, FreeArea area) {
-    const float column = (kPressWidth + kDoesWidth + 2 * kMargin) * uiScale();
+    const float column = (kPressWidth + kDoesWidth + 2 * kSheetMargin) * uiScale();
     if (area.width < column) area.width = ImGui::GetIO().DisplaySize.x; // wider than the free area: overlap the panel
     const bool wide = area.width > 2 * column;
     ImGui::SetNextWindowPos(ImVec2(area.width / 2, area.height / 2), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
@@ -72,7 +72,7 @@ void drawCheatSheet(Workspace& w, FreeArea area) {
         ImGui::BeginGroup();
         drawColumn("camera", true);
         ImGui::EndGroup();
-        if (wide) ImGui::SameLine(0, kMargin * uiScale());
+        if (wide) ImGui::SameLine(0, kSheetMargin * uiScale());
         ImGui::BeginGroup();
         drawColumn("others", false);
         ImGui::EndGroup();

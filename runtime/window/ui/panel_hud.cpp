@@ -15,7 +15,7 @@ namespace pointrt {
 namespace {
 
 /// Design units.
-constexpr float kMargin = 10, kWidth = 236, kPickWidth = 300, kBarHeight = 3;
+constexpr float kHudMargin = 10, kHudWidth = 236, kPickWidth = 300, kHudBarHeight = 3;
 
 /// Progress towards the target samples, 0 to 1.
 float sampleShare(const HudStats& hud) {
@@ -28,7 +28,7 @@ void drawSamples(const Workspace& w) {
     const char* state = w.paused ? "paused" : w.hud.resting ? "done" : "";
     ImGui::Text("%s of %s samples  %s", countText(w.hud.samples).c_str(), countText(w.hud.target_samples).c_str(),
                 state);
-    ImGui::ProgressBar(sampleShare(w.hud), ImVec2(-1, kBarHeight * uiScale()), "");
+    ImGui::ProgressBar(sampleShare(w.hud), ImVec2(-1, kHudBarHeight * uiScale()), "");
 }
 
 /// Device names are long, and their ends matter least.
@@ -54,15 +54,15 @@ float drawBox(const char* name, float top, float width, const std::function<void
     constexpr ImGuiWindowFlags through = ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBringToFrontOnFocus;
     ImGui::SetNextWindowBgAlpha(0.6f);
     return top +
-           boxOnPicture(name, {ImVec2(kMargin * uiScale(), top), ImVec2(0, 0)}, width * uiScale(), through, content);
+           boxOnPicture(name, {ImVec2(kHudMargin * uiScale(), top), ImVec2(0, 0)}, width * uiScale(), through, content);
 }
 
 } // namespace
 
 void drawHud(const Workspace& w, FreeArea area) {
-    const float margin = kMargin * uiScale(), width = area.width / uiScale() - kMargin;
-    if (width < kWidth) return;
-    const float bottom = drawBox("Statistics", margin, kWidth, [&] { drawStats(w); });
+    const float margin = kHudMargin * uiScale(), width = area.width / uiScale() - kHudMargin;
+    if (width < kHudWidth) return;
+    const float bottom = drawBox("Statistics", margin, kHudWidth, [&] { drawStats(w); });
     if (!w.picks.empty() && width >= kPickWidth) drawBox("Pick", bottom + margin, kPickWidth, [&] { drawLastPick(w); });
 }
 

@@ -16,12 +16,12 @@ namespace pointrt {
 namespace {
 
 /// Design units.
-constexpr float kWidth = 440, kMargin = 12, kBarHeight = 6, kCancelWidth = 64;
+constexpr float kJobWidth = 440, kJobMargin = 12, kJobBarHeight = 6, kCancelWidth = 64;
 
 /// A window whose lower edge is at bottom; returns its upper edge in the last frame.
 float boxAbove(const char* name, FreeArea area, float bottom, ImGuiWindowFlags flags,
                const std::function<void()>& content) {
-    const float width = std::min(kWidth * uiScale(), area.width);
+    const float width = std::min(kJobWidth * uiScale(), area.width);
     const BoxPlace place{ImVec2(area.width / 2, bottom), ImVec2(0.5f, 1)};
     return bottom - boxOnPicture(name, place, width, ImGuiWindowFlags_NoMove | flags, content);
 }
@@ -31,7 +31,7 @@ void drawMovingBar(double time_s) {
     constexpr double period_s = 1.6;
     constexpr float part = 0.25f;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const ImVec2 size(ImGui::GetContentRegionAvail().x, kBarHeight * uiScale());
+    const ImVec2 size(ImGui::GetContentRegionAvail().x, kJobBarHeight * uiScale());
     const double phase = std::isfinite(time_s) ? std::fmod(std::abs(time_s), period_s) / period_s : 0;
     const auto from = static_cast<float>(phase) * (1 + part) - part;
     const float left = corner.x + size.x * std::max(0.0f, from);
@@ -48,7 +48,7 @@ void drawMovingBar(double time_s) {
 void drawShare(const JobStatus& job, double time_s) {
     if (!job.progress || !std::isfinite(*job.progress)) return drawMovingBar(time_s);
     const auto share = static_cast<float>(std::clamp(*job.progress, 0.0, 1.0));
-    ImGui::ProgressBar(share, ImVec2(-1, kBarHeight * uiScale()), "");
+    ImGui::ProgressBar(share, ImVec2(-1, kJobBarHeight * uiScale()), "");
 }
 
 std::string stateOf(const JobStatus& job) {
@@ -96,7 +96,7 @@ void drawNotice(const Notice& notice, float opacity) {
 } // namespace
 
 void drawJobAndNotices(Workspace& w, FreeArea area) {
-    const float margin = kMargin * uiScale();
+    const float margin = kJobMargin * uiScale();
     float bottom = area.height - margin;
     if (w.job) bottom = boxAbove("Job", area, bottom, 0, [&] { drawJob(w); }) - margin / 2;
     int number = 0;

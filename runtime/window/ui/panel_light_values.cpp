@@ -14,8 +14,6 @@
 namespace pointrt {
 namespace {
 
-bool noteScene(Workspace& w, bool changed) { return reportEdit(w.requests, Edit::kScene, changed); }
-
 /// Range of lamp sizes: 1/1000 of the scene to ten times the scene.
 SliderRange sizesIn(const Workspace& w) { return {1e-3 * sceneSize(w), 10 * sceneSize(w), true}; }
 
@@ -27,16 +25,16 @@ bool bearingRows(Workspace& w, Vec3& direction, const char* tip) {
     const Vec3 up = sceneUpright(w);
     Bearing bearing = bearingOf(direction, up);
     constexpr double steepest = 89.9;
-    bool changed = noteScene(w, sliderRow("Azimuth", bearing.azimuth_deg, {0, 360}, kDegrees, tip));
-    changed |= noteScene(w, sliderRow("Elevation", bearing.elevation_deg, {-steepest, steepest}, kDegrees,
-                                      "above the horizon; negative: below it"));
+    bool changed = reportSceneEdit(w, sliderRow("Azimuth", bearing.azimuth_deg, {0, 360}, kDegrees, tip));
+    changed |= reportSceneEdit(w, sliderRow("Elevation", bearing.elevation_deg, {-steepest, steepest}, kDegrees,
+                                            "above the horizon; negative: below it"));
     if (changed)
         direction = directionOf({bearing.azimuth_deg, std::clamp(bearing.elevation_deg, -steepest, steepest)}, up);
     return changed;
 }
 
 bool aimButton(Workspace& w, const char* name, const char* tip, int share) {
-    return noteScene(w, columnButton(name, share, false, tip));
+    return reportSceneEdit(w, columnButton(name, share, false, tip));
 }
 
 Vec3 towardsPivot(const Workspace& w, Vec3 from, Vec3 otherwise) {
@@ -55,7 +53,7 @@ struct FieldRows {
     Vec3* sunward = nullptr;
 
     void operator()(const PositionField& field) const {
-        noteScene(w, pointRow("Position", field.value, sceneSize(w), "in the scan's coordinates"));
+        reportSceneEdit(w, pointRow("Position", field.value, sceneSize(w), "in the scan's coordinates"));
         const char* tip = field.turns ? "move it to the camera, facing the same way" : "move it to the camera";
         if (aimButton(w, "Move here", tip, Aimable<L> ? 2 : 1)) {
             field.value = w.camera.eye;
@@ -82,21 +80,21 @@ struct FieldRows {
     void operator()(const ConeField& field) const {
         const double outer_deg = std::max(0.0, std::min(field.outer_deg, ConeField::kWidest)); // 0 for NaN
         const double undimmed = std::clamp(field.inner_deg / field.outer_deg, 0.0, 1.0);
-        if (noteScene(w, sliderRow("Cone", field.outer_deg, {ConeField::kNarrowest, ConeField::kWidest}, kDegrees,
-                                   "half the opening angle")))
+        if (reportSceneEdit(w, sliderRow("Cone", field.outer_deg, {ConeField::kNarrowest, ConeField::kWidest}, kDegrees,
+                                         "half the opening angle")))
             field.inner_deg = undimmed * field.outer_deg;
-        noteScene(w, sliderRow("Inner cone", field.inner_deg, {0, outer_deg}, kDegrees,
-                               "full brightness up to this angle; the rest of the cone is a soft edge"));
+        reportSceneEdit(w, sliderRow("Inner cone", field.inner_deg, {0, outer_deg}, kDegrees,
+                                     "full brightness up to this angle; the rest of the cone is a soft edge"));
     }
 
     void operator()(const AngularRadiusField& field) const {
-        noteScene(w, sliderRow("Softness", field.degrees, {0, AngularRadiusField::kWidest}, kDegrees,
-                               "angular radius; the sun has 0.27\xC2\xB0, more gives softer shadows"));
+        reportSceneEdit(w, sliderRow("Softness", field.degrees, {0, AngularRadiusField::kWidest}, kDegrees,
+                                     "angular radius; the sun has 0.27\xC2\xB0, more gives softer shadows"));
     }
 
     void operator()(const RadiusField& field) const {
         double radius = field.value;
-        if (noteScene(w, sliderRow("Radius", radius, sizesIn(w), kSize, kSizeTip)))
+        if (reportSceneEdit(w, sliderRow("Radius", radius, sizesIn(w), kSize, kSizeTip)))
             resize(light, [&] { field.value = radius; });
     }
 
@@ -105,8 +103,8 @@ struct FieldRows {
         if (bearingRows(w, normal, kFaceTip)) light.face(normal, sceneUpright(w));
         const double old_width = length(field.u), old_height = length(field.v);
         double width = 2 * old_width, height = 2 * old_height;
-        bool sized = noteScene(w, sliderRow("Width", width, sizesIn(w), kSize, kSizeTip));
-        sized |= noteScene(w, sliderRow("Length", height, sizesIn(w), kSize, kSizeTip));
+        bool sized = reportSceneEdit(w, sliderRow("Width", width, sizesIn(w), kSize, kSizeTip));
+        sized |= reportSceneEdit(w, sliderRow("Length", height, sizesIn(w), kSize, kSizeTip));
         if (sized)
             resize(light, [&] {
                 field.u = field.u * (0.5 * width / old_width);
@@ -115,7 +113,7 @@ struct FieldRows {
     }
 
     void operator()(const VisibleField& field) const {
-        noteScene(w, checkboxRow("Visible", field.value, "show the lamp itself in the picture"));
+        reportSceneEdit(w, checkboxRow("Visible", field.value, "show the lamp itself in the picture"));
     }
 
     void operator()(const EmissionField&) const {} // drawn above, for all lights alike
@@ -132,10 +130,10 @@ void drawFields(Workspace& w, L& light) {
 
 void drawLightValues(Workspace& w, LightDescription& light) {
     Color tint = tintOf(light);
-    if (noteScene(w, colorRow("Colour", tint))) setTint(light, tint);
+    if (reportSceneEdit(w, colorRow("Colour", tint))) setTint(light, tint);
     double brightness = brightnessOf(light, sceneSize(w));
-    if (noteScene(w, sliderRow("Brightness", brightness, {1e-3, 1e3, true}, "%.3f",
-                               "1: a white surface facing the light, one scene diagonal away, appears white")))
+    if (reportSceneEdit(w, sliderRow("Brightness", brightness, {1e-3, 1e3, true}, "%.3f",
+                                     "1: a white surface facing the light, one scene diagonal away, appears white")))
         setBrightness(light, brightness, sceneSize(w));
     std::visit([&](auto& kind) { drawFields(w, kind); }, light);
 }

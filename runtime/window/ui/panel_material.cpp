@@ -23,8 +23,6 @@ constexpr auto kScanKinds = [] {
 }();
 constexpr std::span<const char* const> kKinds = std::span(kScanKinds).subspan(1);
 
-bool noteScene(Workspace& w, bool changed) { return reportEdit(w.requests, Edit::kScene, changed); }
-
 std::string fileName(const InstanceDescription& instance) {
     return std::filesystem::path(instance.path).filename().string();
 }
@@ -61,7 +59,8 @@ void drawScan(Workspace& w) {
     const InstanceRange range = chosenInstances(w.scene);
     auto material = sharedMaterial(w.scene, range);
     int kind = material ? 1 + static_cast<int>(w.scene.materials[*material].kind) : 0;
-    if (noteScene(w, comboRow("Material", kind, kScanKinds, "material of the whole scan, in place of the file's"))) {
+    if (reportSceneEdit(w,
+                        comboRow("Material", kind, kScanKinds, "material of the whole scan, in place of the file's"))) {
         const auto new_kind = kind == 0 ? std::nullopt : std::optional(static_cast<MaterialKind>(kind - 1));
         setScanMaterial(w.scene, range, new_kind);
         material = sharedMaterial(w.scene, range);
@@ -76,7 +75,7 @@ void drawShapeMaterial(Workspace& w, std::uint32_t number) {
     ImGui::PushID(static_cast<int>(number));
     if (ImGui::TreeNode("material", "%s", title.c_str())) {
         int kind = static_cast<int>(material.kind);
-        if (noteScene(w, comboRow("Kind", kind, kKinds))) material.kind = static_cast<MaterialKind>(kind);
+        if (reportSceneEdit(w, comboRow("Kind", kind, kKinds))) material.kind = static_cast<MaterialKind>(kind);
         drawMaterialValues(w, material);
         ImGui::TreePop();
     }

@@ -11,8 +11,6 @@
 namespace pointrt {
 namespace {
 
-bool noteScene(Workspace& w, bool changed) { return reportEdit(w.requests, Edit::kScene, changed); }
-
 /// Edits absorption as the colour of white light after a tenth of the scene's size, which is easier to judge than
 /// absorption per length.
 void tintRow(Workspace& w, const MaterialField& field, Color& absorption) {
@@ -21,7 +19,7 @@ void tintRow(Workspace& w, const MaterialField& field, Color& absorption) {
     Color tint;
     for (std::size_t c = 0; c < tint.size(); ++c)
         tint[c] = static_cast<float>(std::exp(-depth * static_cast<double>(absorption[c])));
-    if (!noteScene(w, colorRow(field.label, tint, field.tip))) return;
+    if (!reportSceneEdit(w, colorRow(field.label, tint, field.tip))) return;
     for (std::size_t c = 0; c < tint.size(); ++c)
         absorption[c] = static_cast<float>(-std::log(std::clamp(static_cast<double>(tint[c]), darkest, 1.0)) / depth);
 }
@@ -30,10 +28,10 @@ void fieldRow(Workspace& w, const MaterialField& field, MaterialDescription& mat
     if (field.unless && material.*field.unless) return;
     if (field.shown_with && !(material.*field.shown_with > 0)) return;
     if (const auto* number = std::get_if<float MaterialDescription::*>(&field.member))
-        noteScene(w, sliderRow(field.label, material.**number, {field.low, field.high, field.logarithmic}, field.format,
-                               field.tip));
+        reportSceneEdit(w, sliderRow(field.label, material.**number, {field.low, field.high, field.logarithmic},
+                                     field.format, field.tip));
     if (const auto* flag = std::get_if<bool MaterialDescription::*>(&field.member))
-        noteScene(w, checkboxRow(field.label, material.**flag, field.tip));
+        reportSceneEdit(w, checkboxRow(field.label, material.**flag, field.tip));
     if (const auto* color = std::get_if<Color MaterialDescription::*>(&field.member))
         tintRow(w, field, material.**color);
 }
@@ -41,8 +39,8 @@ void fieldRow(Workspace& w, const MaterialField& field, MaterialDescription& mat
 } // namespace
 
 void drawMaterialValues(Workspace& w, MaterialDescription& material) {
-    noteScene(w, colorRow("Colour", material.color, "reflected colour; for glass, transmitted colour"));
-    noteScene(w, checkboxRow("Scan colours", material.splat_color, "multiply by the colours of the scan"));
+    reportSceneEdit(w, colorRow("Colour", material.color, "reflected colour; for glass, transmitted colour"));
+    reportSceneEdit(w, checkboxRow("Scan colours", material.splat_color, "multiply by the colours of the scan"));
     for (const MaterialField* field : fieldsOf(material.kind)) fieldRow(w, *field, material);
 }
 

@@ -324,7 +324,7 @@ void expectSound(const Loaded& loaded) {
 }
 
 /// 16 octaves of radii, and leaves of any depth.
-constexpr test::BuildOptions kOptions{8, 18, 0.5f, 0.25f, 0.0625f};
+constexpr test::TreeOptions kOptions{8, 18, 0.5f, 0.25f, 0.0625f};
 
 pro_splat disc(Vec3 at, Vec3 normal, double radius) {
     const auto f = [](double value) { return static_cast<float>(value); };

@@ -35,39 +35,42 @@ double halfToDouble(std::uint32_t half) {
 }
 
 /// A signed code of count bits from bit first on.
-int field(std::uint32_t word, int first, int count) {
+int fieldInCellCodec(std::uint32_t word, int first, int count) {
     return static_cast<int>(word << (32 - first - count)) >> (32 - count);
 }
 
 NearDisc readNear(std::uint32_t position, std::uint32_t normal, double codes) {
     NearDisc disc;
-    disc.center = Vec3{static_cast<double>(field(position, 22, 10)), static_cast<double>(field(position, 12, 10)),
-                       static_cast<double>(field(position, 2, 10))} *
+    disc.center = Vec3{static_cast<double>(fieldInCellCodec(position, 22, 10)),
+                       static_cast<double>(fieldInCellCodec(position, 12, 10)),
+                       static_cast<double>(fieldInCellCodec(position, 2, 10))} *
                   (1 / codes);
-    disc.normal = {static_cast<double>(field(normal, 24, 8)), static_cast<double>(field(normal, 16, 8)),
-                   static_cast<double>(field(normal, 8, 8))};
+    disc.normal = {static_cast<double>(fieldInCellCodec(normal, 24, 8)),
+                   static_cast<double>(fieldInCellCodec(normal, 16, 8)),
+                   static_cast<double>(fieldInCellCodec(normal, 8, 8))};
     const std::uint32_t code = (position & 3u) << 8 | (normal & 255u);
     disc.radius = std::sqrt(std::bit_cast<float>((code << PRO_NEAR_RADIUS_SHIFT) + PRO_NEAR_RADIUS_BIAS)) / codes;
     return disc;
 }
 
 /// A single cell.
-struct CellWords {
+struct CodecWords {
     std::uint32_t codes = 0, slab = 0;
     std::vector<std::uint32_t> near;
 };
 
-CellAsRead readCell(const CellWords& words) {
+CellAsRead readCell(const CodecWords& words) {
     CellAsRead cell;
     cell.codes = halfToDouble(words.codes);
     for (std::size_t k = 0; k < words.near.size(); k += PRO_NEAR_WORDS)
         cell.discs.push_back(readNear(words.near[k], words.near[k + 1], cell.codes));
     const std::uint32_t slab = words.slab;
-    cell.slab_normal = Vec3{static_cast<double>(field(slab, 0, 6)), static_cast<double>(field(slab, 6, 6)),
-                            static_cast<double>(field(slab, 12, 6))} *
-                       (1.0 / PRO_SLAB_NORMAL_MAX);
-    cell.slab_low = field(slab, 18, 7) / static_cast<double>(PRO_SLAB_STEPS);
-    cell.slab_high = field(slab, 25, 7) / static_cast<double>(PRO_SLAB_STEPS);
+    cell.slab_normal =
+        Vec3{static_cast<double>(fieldInCellCodec(slab, 0, 6)), static_cast<double>(fieldInCellCodec(slab, 6, 6)),
+             static_cast<double>(fieldInCellCodec(slab, 12, 6))} *
+        (1.0 / PRO_SLAB_NORMAL_MAX);
+    cell.slab_low = fieldInCellCodec(slab, 18, 7) / static_cast<double>(PRO_SLAB_STEPS);
+    cell.slab_high = fieldInCellCodec(slab, 25, 7) / static_cast<double>(PRO_SLAB_STEPS);
     return cell;
 }
 
@@ -85,10 +88,10 @@ CellDisc makeDisc(Vec3 center, Vec3 normal, double radius) {
     return disc;
 }
 
-CellWords encode(const std::vector<CellDisc>& discs, const CellBox& box) {
+CodecWords encode(const std::vector<CellDisc>& discs, const CellBox& box) {
     std::vector<const CellDisc*> pointers;
     for (const CellDisc& disc : discs) pointers.push_back(&disc);
-    CellWords words;
+    CodecWords words;
     words.codes = toHalf(encodeNear(pointers, box, words.near));
     words.slab = slabWord(pointers, box);
     return words;

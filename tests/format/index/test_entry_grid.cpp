@@ -83,7 +83,7 @@ float cellsOf(std::uint32_t code) {
     return std::ldexp(static_cast<float>(4 + (code - 1) % 4), static_cast<int>((code - 1) / 4) - 2);
 }
 
-bool isFilled(std::uint32_t word) { return (word & PRO_SKIP_MASK) == 0; }
+bool isFilledInEntryGrid(std::uint32_t word) { return (word & PRO_SKIP_MASK) == 0; }
 
 std::uint32_t& wordAt(EntryGrid& grid, const Corner& at) {
     return grid.words[(std::size_t{at[2]} * grid.size[1] + at[1]) * grid.size[0] + at[0]];
@@ -107,7 +107,7 @@ std::uint32_t& wordOfCell(Field& field, const Corner& fine) {
 Occupancy filledGridCells(Field& field) {
     Occupancy filled(field.grid.size);
     forCells(field.grid.size, [&](const Corner& at) {
-        if (isFilled(wordAt(field.grid, at))) filled.fill(at);
+        if (isFilledInEntryGrid(wordAt(field.grid, at))) filled.fill(at);
     });
     filled.sum();
     return filled;
@@ -118,7 +118,8 @@ Occupancy filledBrickCells(Field& field) {
     Occupancy filled({size[0] * PRO_BRICK_SIDE, size[1] * PRO_BRICK_SIDE, size[2] * PRO_BRICK_SIDE});
     forCells(filled.size(), [&](const Corner& fine) {
         const Corner at{fine[0] / PRO_BRICK_SIDE, fine[1] / PRO_BRICK_SIDE, fine[2] / PRO_BRICK_SIDE};
-        if (isFilled(wordAt(field.grid, at)) && isFilled(wordOfCell(field, fine))) filled.fill(fine);
+        if (isFilledInEntryGrid(wordAt(field.grid, at)) && isFilledInEntryGrid(wordOfCell(field, fine)))
+            filled.fill(fine);
     });
     filled.sum();
     return filled;
@@ -136,7 +137,7 @@ SkipReport inspectBricks(Field& field) {
     SkipReport report;
     forCells(filled.size(), [&](const Corner& fine) {
         const Corner at{fine[0] / PRO_BRICK_SIDE, fine[1] / PRO_BRICK_SIDE, fine[2] / PRO_BRICK_SIDE};
-        if (!isFilled(wordAt(field.grid, at)) || filled.filled(fine)) return;
+        if (!isFilledInEntryGrid(wordAt(field.grid, at)) || filled.filled(fine)) return;
         for (std::uint32_t octant = 0; octant < 8; ++octant) {
             const std::uint32_t code = codeOf(wordOfCell(field, fine), octant);
             const std::uint32_t best = filled.emptyTowards(fine, octant);
@@ -159,7 +160,7 @@ SkipReport inspectGrid(Field& field) {
     SkipReport report;
     forCells(field.grid.size, [&](const Corner& at) {
         const std::uint32_t word = wordAt(field.grid, at);
-        for (std::uint32_t octant = 0; octant < 8 && !isFilled(word); ++octant) {
+        for (std::uint32_t octant = 0; octant < 8 && !isFilledInEntryGrid(word); ++octant) {
             Corner first;
             for (std::size_t axis = 0; axis < 3; ++axis)
                 first[axis] = at[axis] * PRO_BRICK_SIDE + (octant >> axis & 1 ? 0 : PRO_BRICK_SIDE - 1);
@@ -247,7 +248,7 @@ Scene sheetScene(std::size_t side, bool heap) {
             if (heap && i % 2 == 0 && j % 2 == 0)
                 splats.push_back(disc(0.3f + u / 250, 0.3f + v / 250, 0.9f + u / 250, 0.8f * spacing / 250));
         }
-    test::BuildOptions options;
+    test::TreeOptions options;
     options.radius_step = 0.0625f; // 16 octaves
     options.max_depth = 18;
     return sceneOf(std::move(splats), options);
@@ -308,7 +309,7 @@ TEST(EntryGrid, NamesTheBricksAndSkipsEmptyCells) {
             EXPECT_EQ(wordAt(field.grid, at), k << PRO_GRID_BRICK_SHIFT);
         }
         std::size_t filled = 0;
-        for (const std::uint32_t word : field.grid.words) filled += isFilled(word);
+        for (const std::uint32_t word : field.grid.words) filled += isFilledInEntryGrid(word);
         EXPECT_EQ(filled, field.corners.size());
         expectExactGrid(field);
     }
@@ -401,8 +402,8 @@ TEST(CellSkips, KeepListedCellsAndGroups) {
     field.words.insert(field.words.end(), groups.begin(), groups.end());
     fillSkips(field);
     for (std::size_t w = 0; w < before.size(); ++w) {
-        EXPECT_EQ(isFilled(field.words[w]), isFilled(before[w]));
-        EXPECT_TRUE(!isFilled(before[w]) || field.words[w] == before[w]);
+        EXPECT_EQ(isFilledInEntryGrid(field.words[w]), isFilledInEntryGrid(before[w]));
+        EXPECT_TRUE(!isFilledInEntryGrid(before[w]) || field.words[w] == before[w]);
     }
     EXPECT_TRUE(std::equal(groups.begin(), groups.end(), field.words.end() - PRO_GROUP_WORDS));
 }

@@ -15,6 +15,7 @@
 #include "format/pointio/las_source_header.h"
 #include "format/pointio/laz.h"
 #include "format/pointio/pro_points.h"
+#include "tests/support/says.h"
 #include "tests/support/temporary_folder.h"
 
 namespace pointrt {
@@ -182,9 +183,7 @@ TEST_F(PointSinks, WhatLasCannotHoldIsRefusedAndLeavesNothing) {
         FAIL() << "it should be refused";
     } catch (const Error& error) {
         EXPECT_EQ(error.code, ExitCode::kBadInput);
-        EXPECT_NE(std::string(error.what()).find("a.las: the point 1e+09, 4500003, 102 is too far away"),
-                  std::string::npos)
-            << error.what();
+        EXPECT_SAYS(error.what(), "*a.las: *1e+09, 4500003, 102 ");
     }
     EXPECT_THROW(write("a.las", outline(), std::nan("")), Error);
     EXPECT_EQ(folder.entries(), before);

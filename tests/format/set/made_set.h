@@ -79,7 +79,7 @@ inline void writeTile(const TileSet& set, SetTile& tile, const std::vector<Latti
         if (own || reachesCore(each, tile.cell)) stored.push_back(splatInTile(each, tile.cell));
         tile.splats += own;
     }
-    BuildOptions options;
+    TreeOptions options;
     options.radius_max = static_cast<float>(set.levels[tile.level].radius_max);
     options.radius_step = static_cast<float>(set.levels[tile.level].radius_step);
     Scene scene = sceneOf(stored, options);

@@ -14,6 +14,7 @@
 
 #include "format/base/error.h"
 #include "small_set.h"
+#include "tests/support/says.h"
 #include "tests/support/temporary_folder.h"
 
 namespace pointrt {
@@ -54,16 +55,16 @@ struct HostileSet : testing::Test {
 TEST_F(HostileSet, EveryMemberIsRequired) {
     const Json golden = Json::parse(goldenText());
     for (const auto& [key, value] : golden.items()) {
-        EXPECT_EQ(faultOfChange([&](Json& json) { json.erase(key); }), key + " is missing");
+        EXPECT_SAYS(faultOfChange([&](Json& json) { json.erase(key); }), key + " *missing");
         const std::string wrong = faultOfChange([&](Json& json) { json[key] = "?"; });
         EXPECT_EQ(wrong.empty(), key == "crs") << key;
     }
     for (const char* list : {"tiles", "levels", "attributes"})
         for (const auto& [key, value] : golden[list][1].items()) {
             const std::string place = std::string(list) + "[1]: ";
-            EXPECT_EQ(faultOfChange([&](Json& json) { json[list][1].erase(key); }), place + key + " is missing");
+            EXPECT_SAYS(faultOfChange([&](Json& json) { json[list][1].erase(key); }), place + key + " *missing");
             const std::string wrong = faultOfChange([&](Json& json) { json[list][1][key] = Json::array({1}); });
-            EXPECT_TRUE(wrong.starts_with(place + key + " is not ")) << wrong;
+            EXPECT_SAYS(wrong, place + key + " ");
         }
 }
 
@@ -77,10 +78,9 @@ TEST_F(HostileSet, UnknownMembersAreIgnored) {
 }
 
 TEST_F(HostileSet, OtherVersionsAndFormatsAreRefused) {
-    EXPECT_EQ(faultOfChange([](Json& json) { json["version"] = 2; }),
-              "version 2, but only 1 is supported: this program is too old, or the file is damaged");
-    EXPECT_EQ(faultOfChange([](Json& json) { json["version"] = 1.5; }), "version is not a whole number");
-    EXPECT_EQ(faultOfChange([](Json& json) { json["format"] = "3tz"; }), "format is not \"pointrt tile set\"");
+    EXPECT_SAYS(faultOfChange([](Json& json) { json["version"] = 2; }), "version 2, *1");
+    EXPECT_SAYS(faultOfChange([](Json& json) { json["version"] = 1.5; }), "version *whole number");
+    EXPECT_SAYS(faultOfChange([](Json& json) { json["format"] = "3tz"; }), "format *\"pointrt tile set\"");
     // a later version may have tiles that this one cannot read
     EXPECT_TRUE(faultOfChange([](Json& json) {
                     json["version"] = 3;
@@ -96,82 +96,77 @@ struct Fault {
 
 /// Rules of check() in order. Sets are changed after their sums are computed.
 const std::vector<Fault> kFaults = {
-    {"lattice: origin is not finite or beyond 1e30", [](TileSet& set) { set.lattice_origin[1] = 2e30; }},
-    {"lattice: edge is not from 1e-30 to 1e30", [](TileSet& set) { set.edge = 0; }},
-    {"lattice: edge is not from 1e-30 to 1e30", [](TileSet& set) { set.edge = -1; }},
-    {"lattice: edge is too large for so many levels", [](TileSet& set) { set.edge = 0.9e30; }},
-    {"levels: are not 1 to 32", [](TileSet& set) { set.levels.clear(); }},
-    {"levels: are not 1 to 32", [](TileSet& set) { set.levels.resize(33, set.levels[0]); }},
-    {"up: is not of unit length",
+    {"lattice: origin ", [](TileSet& set) { set.lattice_origin[1] = 2e30; }},
+    {"lattice: edge *1e-30", [](TileSet& set) { set.edge = 0; }},
+    {"lattice: edge *1e-30", [](TileSet& set) { set.edge = -1; }},
+    {"lattice: edge *levels", [](TileSet& set) { set.edge = 0.9e30; }},
+    {"levels: *32", [](TileSet& set) { set.levels.clear(); }},
+    {"levels: *32", [](TileSet& set) { set.levels.resize(33, set.levels[0]); }},
+    {"up: *length",
      [](TileSet& set) {
          set.up = {0, 0, 1.1};
      }},
-    {"metres: are out of range", [](TileSet& set) { set.metres = -1; }},
-    {"noise: is out of range", [](TileSet& set) { set.noise = -0.5; }},
-    {"input_points: are more than 2^53", [](TileSet& set) { set.input_points = 1ull << 60; }},
-    {"sensors[1]: is neither there and finite nor all zeros", [](TileSet& set) { set.sensors[1][0] = 1; }},
-    {"sensors[0]: is neither there and finite nor all zeros", [](TileSet& set) { set.sensors[0][3] = 2; }},
-    {"settings: must be a JSON object", [](TileSet& set) { set.settings = "[1]"; }},
-    {"settings: must be a JSON object", [](TileSet& set) { set.settings = "{"; }},
-    {"levels[1]: radius_max must be a float from 2^-60 to 0.125", [](TileSet& set) { set.levels[1].radius_max = 0.2; }},
-    {"levels[1]: radius_max must be a float from 2^-60 to 0.125", [](TileSet& set) { set.levels[1].radius_max = 0.1; }},
-    {"levels[0]: radius_max must be a float from 2^-60 to 0.125", [](TileSet& set) { set.levels[0].radius_max = 0; }},
-    {"levels[2]: radius_step must be a float from 0 to 1", [](TileSet& set) { set.levels[2].radius_step = 1.5; }},
-    {"attributes[0]: its name is empty, too long or has control characters",
-     [](TileSet& set) { set.attributes[0].name = std::string(32, 'a'); }},
-    {"attributes[0]: its name is empty, too long or has control characters",
-     [](TileSet& set) { set.attributes[0].name = "a\nb"; }},
-    {"attributes[1]: has an unknown type", [](TileSet& set) { set.attributes[1].type = 11; }},
-    {"attributes[1]: components are not 1 to 4", [](TileSet& set) { set.attributes[1].components = 5; }},
-    {"attributes[1]: low and high are not finite or out of order", [](TileSet& set) { set.attributes[1].high = -2; }},
-    {"attributes: gps_time is there twice", [](TileSet& set) { set.attributes[0].name = "gps_time"; }},
-    {"attributes: are more than 32", [](TileSet& set) { set.attributes.resize(33, set.attributes[0]); }},
-    {"tiles: are none, or more than 2^20", [](TileSet& set) { set.tiles.clear(); }},
-    {"tiles[3] 3-0-1-0: level does not exist", [](TileSet& set) { set.tiles[3].level = 3; }},
-    {"tiles[3] 1-0-1-0: splats are none, or more than stored", [](TileSet& set) { set.tiles[3].splats = 0; }},
-    {"tiles[3] 1-0-1-0: splats are none, or more than stored", [](TileSet& set) { set.tiles[3].splats = 61; }},
-    {"tiles[3] 1-0-1-0: stored are more than 2^32 - 1", [](TileSet& set) { set.tiles[3].stored = 1ull << 32; }},
-    {"tiles[3] 1-0-1-0: bytes are not those of a .pro file", [](TileSet& set) { set.tiles[3].bytes = 4095; }},
-    {"tiles[3] 1-0-1-0: error is out of range", [](TileSet& set) { set.tiles[3].error = -1; }},
-    {"tiles[3] 1-0-1-0: spacing is out of range", [](TileSet& set) { set.tiles[3].spacing = 1e31; }},
-    {"tiles[2] 1-0-0-0: is there twice",
+    {"metres: ", [](TileSet& set) { set.metres = -1; }},
+    {"noise: ", [](TileSet& set) { set.noise = -0.5; }},
+    {"input_points: ", [](TileSet& set) { set.input_points = 1ull << 60; }},
+    {"sensors[1]: ", [](TileSet& set) { set.sensors[1][0] = 1; }},
+    {"sensors[0]: ", [](TileSet& set) { set.sensors[0][3] = 2; }},
+    {"settings: *object", [](TileSet& set) { set.settings = "[1]"; }},
+    {"settings: *object", [](TileSet& set) { set.settings = "{"; }},
+    {"levels[1]: radius_max ", [](TileSet& set) { set.levels[1].radius_max = 0.2; }},
+    {"levels[1]: radius_max ", [](TileSet& set) { set.levels[1].radius_max = 0.1; }},
+    {"levels[0]: radius_max ", [](TileSet& set) { set.levels[0].radius_max = 0; }},
+    {"levels[2]: radius_step ", [](TileSet& set) { set.levels[2].radius_step = 1.5; }},
+    {"attributes[0]: *name", [](TileSet& set) { set.attributes[0].name = std::string(32, 'a'); }},
+    {"attributes[0]: *name", [](TileSet& set) { set.attributes[0].name = "a\nb"; }},
+    {"attributes[1]: *type", [](TileSet& set) { set.attributes[1].type = 11; }},
+    {"attributes[1]: components ", [](TileSet& set) { set.attributes[1].components = 5; }},
+    {"attributes[1]: low and high ", [](TileSet& set) { set.attributes[1].high = -2; }},
+    {"attributes: gps_time *twice", [](TileSet& set) { set.attributes[0].name = "gps_time"; }},
+    {"attributes: *32", [](TileSet& set) { set.attributes.resize(33, set.attributes[0]); }},
+    {"tiles: *none", [](TileSet& set) { set.tiles.clear(); }},
+    {"tiles[3] 3-0-1-0: level ", [](TileSet& set) { set.tiles[3].level = 3; }},
+    {"tiles[3] 1-0-1-0: splats ", [](TileSet& set) { set.tiles[3].splats = 0; }},
+    {"tiles[3] 1-0-1-0: splats ", [](TileSet& set) { set.tiles[3].splats = 61; }},
+    {"tiles[3] 1-0-1-0: stored ", [](TileSet& set) { set.tiles[3].stored = 1ull << 32; }},
+    {"tiles[3] 1-0-1-0: bytes ", [](TileSet& set) { set.tiles[3].bytes = 4095; }},
+    {"tiles[3] 1-0-1-0: error *range", [](TileSet& set) { set.tiles[3].error = -1; }},
+    {"tiles[3] 1-0-1-0: spacing ", [](TileSet& set) { set.tiles[3].spacing = 1e31; }},
+    {"tiles[2] 1-0-0-0: *twice",
      [](TileSet& set) {
          set.tiles[2].cell = {0, 0, 0};
      }},
-    {"tiles[3] 1-1-0-0: does not follow the one before: highest level first, then in Morton order",
-     [](TileSet& set) { std::swap(set.tiles[2], set.tiles[3]); }},
-    {"tiles[0] 1-0-0-0: is not of the highest level", [](TileSet& set) { set.tiles.erase(set.tiles.begin()); }},
-    {"tiles[1] 2-0-0-1: is a second one of the highest level",
+    {"tiles[3] 1-1-0-0: *Morton", [](TileSet& set) { std::swap(set.tiles[2], set.tiles[3]); }},
+    {"tiles[0] 1-0-0-0: *not*highest", [](TileSet& set) { set.tiles.erase(set.tiles.begin()); }},
+    {"tiles[1] 2-0-0-1: *second",
      [](TileSet& set) {
          set.tiles[1].level = 2;
          set.tiles[1].cell = {0, 0, 1};
      }},
-    {"tiles[8] 0-5-5-5: its parent does not exist",
+    {"tiles[8] 0-5-5-5: *parent",
      [](TileSet& set) {
          set.tiles[8].cell = {5, 5, 5};
      }},
-    {"tiles[4] 1-3-3-3: its parent does not exist",
+    {"tiles[4] 1-3-3-3: *parent",
      [](TileSet& set) {
          set.tiles[4].cell = {3, 3, 3};
      }},
-    {"tiles[1] 1-0-0-0: error is larger than its parent's", [](TileSet& set) { set.tiles[0].error = 0.0625; }},
-    {"tiles[1] 1-0-0-0: has children, but no error as merged splats have",
-     [](TileSet& set) { set.tiles[1].error = 0; }},
-    {"tiles[2] 1-1-0-0: has an error as merged splats have, but no children",
-     [](TileSet& set) { set.tiles[2].error = 0.25; }},
-    {"tiles: tiles/1-0-0-0.pro is the file of two", [](TileSet& set) { set.tiles[2].file = set.tiles[1].file; }},
-    {"levels[1]: tiles are not as many as there are", [](TileSet& set) { ++set.levels[1].tiles; }},
-    {"levels[1]: splats are not the sum of its tiles'", [](TileSet& set) { --set.levels[1].splats; }},
-    {"levels[1]: error is not the largest of its tiles'", [](TileSet& set) { set.levels[1].error = 0.25; }},
-    {"levels[0]: has no tiles",
+    {"tiles[1] 1-0-0-0: error *parent", [](TileSet& set) { set.tiles[0].error = 0.0625; }},
+    {"tiles[1] 1-0-0-0: has children*error", [](TileSet& set) { set.tiles[1].error = 0; }},
+    {"tiles[2] 1-1-0-0: has an error*children", [](TileSet& set) { set.tiles[2].error = 0.25; }},
+    {"tiles: tiles/1-0-0-0.pro ", [](TileSet& set) { set.tiles[2].file = set.tiles[1].file; }},
+    {"levels[1]: tiles ", [](TileSet& set) { ++set.levels[1].tiles; }},
+    {"levels[1]: splats ", [](TileSet& set) { --set.levels[1].splats; }},
+    {"levels[1]: error ", [](TileSet& set) { set.levels[1].error = 0.25; }},
+    {"levels[0]: *no tiles",
      [](TileSet& set) {
          set.tiles.resize(5);
          set.tiles[1].error = 0;
      }},
-    {"tiles[0] 2-0-0-0: is not of the highest level", [](TileSet& set) { set.levels.resize(4, set.levels[0]); }},
-    {"splats: are not the sum of the tiles without children", [](TileSet& set) { set.splats += 80; }},
-    {"bounds: are not finite or out of order", [](TileSet& set) { set.bounds_min[0] = set.bounds_max[0] + 1; }},
-    {"bounds: are not inside the tile of the highest level", [](TileSet& set) { set.bounds_max[2] = 465; }},
+    {"tiles[0] 2-0-0-0: *not*highest", [](TileSet& set) { set.levels.resize(4, set.levels[0]); }},
+    {"splats: *sum", [](TileSet& set) { set.splats += 80; }},
+    {"bounds: *order", [](TileSet& set) { set.bounds_min[0] = set.bounds_max[0] + 1; }},
+    {"bounds: *inside", [](TileSet& set) { set.bounds_max[2] = 465; }},
 };
 
 TEST_F(HostileSet, EveryRuleHasASetThatBreaksIt) {
@@ -180,7 +175,7 @@ TEST_F(HostileSet, EveryRuleHasASetThatBreaksIt) {
     for (const Fault& fault : kFaults) {
         TileSet set = test::smallSet();
         fault.make(set);
-        EXPECT_EQ(findTileSetFault(set), fault.said);
+        EXPECT_SAYS(findTileSetFault(set), fault.said);
         try {
             writeTileSet(set, folder.path);
             ADD_FAILURE() << "written: " << fault.said;
@@ -192,10 +187,9 @@ TEST_F(HostileSet, EveryRuleHasASetThatBreaksIt) {
 }
 
 TEST_F(HostileSet, SetsAreCheckedAfterReading) {
-    EXPECT_EQ(faultOfChange([](Json& json) { json["tiles"][4]["error"] = 0.25; }),
-              "tiles[4] 1-1-1-0: has an error as merged splats have, but no children");
-    EXPECT_EQ(faultOfChange([](Json& json) { json["attributes"][0]["type"] = "uint17"; }),
-              "attributes[0]: has an unknown type");
+    EXPECT_SAYS(faultOfChange([](Json& json) { json["tiles"][4]["error"] = 0.25; }),
+                "tiles[4] 1-1-1-0: has an error*children");
+    EXPECT_SAYS(faultOfChange([](Json& json) { json["attributes"][0]["type"] = "uint17"; }), "attributes[0]: *type");
 }
 
 TEST_F(HostileSet, ValuesOfOtherTypesAreRefused) {
@@ -224,25 +218,25 @@ TEST_F(HostileSet, ValuesOfOtherTypesAreRefused) {
 }
 
 TEST_F(HostileSet, IntegersOutOfRangeAreRefused) {
-    const std::string cell = "tiles[1]: cell is not a whole number from -2147483648 to 2147483647";
+    const std::string cell = "tiles[1]: cell *-2147483648 *2147483647";
     for (const char* value : {"2147483648", "-2147483649", "1.0", "1e400", "18446744073709551616", "null", "\"1\""}) {
         const std::string said = faultOfChange([&](Json& json) { json["tiles"][1]["cell"][2] = "PLACE"; });
-        EXPECT_EQ(said, cell);
+        EXPECT_SAYS(said, cell);
         std::string text = Json::parse(goldenText()).dump();
         const std::string from = "\"cell\":[0,0,0],\"file\":\"tiles/1-";
         text.replace(text.find(from), from.size(), "\"cell\":[0,0," + std::string(value) + "],\"file\":\"tiles/1-");
-        EXPECT_EQ(faultOf(text), std::string(value) == "1e400" ? "has a number out of range" : cell) << value;
+        EXPECT_SAYS(faultOf(text), std::string(value) == "1e400" ? "*range" : cell) << value;
     }
-    EXPECT_EQ(faultOfChange([](Json& json) { json["tiles"][1]["splats"] = -1; }),
-              "tiles[1]: splats is not a whole number from 0 to 18446744073709551615");
+    EXPECT_SAYS(faultOfChange([](Json& json) { json["tiles"][1]["splats"] = -1; }),
+                "tiles[1]: splats *0 *18446744073709551615");
 }
 
 TEST_F(HostileSet, FilesStayInTheFolder) {
     for (const char* file :
          {"tiles/../x.pro", "../x.pro", "/etc/x.pro", "tiles//x.pro", "tiles/a/x.pro", "tiles/.pro", "tiles/.x.pro",
           "tiles/x.las", "x.pro", "", "tiles/x.pro/", "tiles/x y.pro", "tiles/x\ny.pro", "tiles/\xc3\xa4.pro"}) {
-        EXPECT_EQ(faultOfChange([&](Json& json) { json["tiles"][2]["file"] = file; }),
-                  "tiles[2] 1-1-0-0: file must be a plain name in tiles/ that ends in .pro");
+        EXPECT_SAYS(faultOfChange([&](Json& json) { json["tiles"][2]["file"] = file; }),
+                    "tiles[2] 1-1-0-0: file *tiles/*.pro");
     }
     EXPECT_NE(faultOfChange([](Json& json) { json["tiles"][2]["file"] = std::string("tiles/a\0b.pro", 13); }), "");
     const std::string longest = "tiles/" + std::string(251, 'a') + ".pro";
@@ -255,10 +249,9 @@ TEST_F(HostileSet, TruncatedFilesAreRefused) {
     ASSERT_EQ(faultOf(whole), "");
     for (std::size_t bytes = 0; bytes + 2 < whole.size(); ++bytes) // the last line end is optional
         ASSERT_NE(faultOf(whole.substr(0, bytes)), "") << bytes;
-    EXPECT_EQ(faultOf(""), "line 1 is not JSON");
-    EXPECT_EQ(faultOf(whole.substr(0, whole.size() / 2)),
-              "line " + std::to_string(1 + std::count(whole.begin(), whole.begin() + whole.size() / 2, '\n')) +
-                  " is not JSON");
+    EXPECT_SAYS(faultOf(""), "line 1 *JSON");
+    const auto lines = std::count(whole.begin(), whole.begin() + whole.size() / 2, '\n');
+    EXPECT_SAYS(faultOf(whole.substr(0, whole.size() / 2)), "line " + std::to_string(1 + lines) + " *JSON");
     EXPECT_NE(faultOf(whole + "x"), "");
 }
 
@@ -322,7 +315,7 @@ TEST_F(HostileSize, AGigabyteIsNotRead) {
         readTileSet(folder.path);
         ADD_FAILURE();
     } catch (const Error& error) {
-        EXPECT_EQ(error.what(), path + ": has 1099511627776 bytes, more than the limit for sets");
+        EXPECT_SAYS(error.what(), path + ": *1099511627776 bytes*limit");
     }
 }
 
@@ -338,9 +331,9 @@ TEST_F(HostileSet, MissingFoldersAndFilesAreNamed) {
     EXPECT_EQ(said(folder.file("no.proset")), folder.file("no.proset/set.json") + ": No such file or directory");
     EXPECT_EQ(said(folder.write("file.proset", "x")), folder.file("file.proset/set.json") + ": Not a directory");
     folder.write("set.json", "");
-    EXPECT_EQ(said(folder.path), folder.file("set.json") + ": the file is empty");
+    EXPECT_SAYS(said(folder.path), folder.file("set.json") + ": *empty");
     folder.write("set.json", "{");
-    EXPECT_EQ(said(folder.path), folder.file("set.json") + ": line 1 is not JSON");
+    EXPECT_SAYS(said(folder.path), folder.file("set.json") + ": line 1 *JSON");
     EXPECT_THROW(writeTileSet(test::smallSet(), folder.file("no.proset")), Error);
 }
 

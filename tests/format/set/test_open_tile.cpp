@@ -7,6 +7,7 @@
 #include "file_bytes.h"
 #include "format/base/error.h"
 #include "made_set.h"
+#include "tests/support/says.h"
 #include "tests/support/temporary_folder.h"
 
 namespace pointrt {
@@ -48,45 +49,44 @@ TEST_F(OpenTile, OpensEveryTileOfASet) {
 
 TEST_F(OpenTile, RefusesTheFileOfAnotherTile) {
     fs::copy_file(folder.file("tiles/0-0-0-0.pro"), path, fs::copy_options::overwrite_existing);
-    EXPECT_NE(fault().find(path + ": is not the tile that set.json names (checksum "), std::string::npos) << fault();
+    EXPECT_SAYS(fault(), path + ": *set.json*(checksum ");
 }
 
 TEST_F(OpenTile, RefusesTruncatedAndExtendedFiles) {
     const std::string whole = std::to_string(tile.bytes);
     fs::resize_file(path, tile.bytes - 1);
-    EXPECT_EQ(fault(), path + ": is not the tile that set.json names (" + std::to_string(tile.bytes - 1) +
-                           " bytes, not " + whole + ")");
+    EXPECT_SAYS(fault(), path + ": *set.json*(" + std::to_string(tile.bytes - 1) + " bytes*" + whole + ")");
     fs::resize_file(path, 100);
-    EXPECT_EQ(fault(), path + ": has 100 bytes, fewer than the header of a .pro file");
+    EXPECT_SAYS(fault(), path + ": *100 bytes*header");
     fs::resize_file(path, 0);
-    EXPECT_EQ(fault(), path + ": has 0 bytes, fewer than the header of a .pro file");
+    EXPECT_SAYS(fault(), path + ": *0 bytes*header");
 }
 
 TEST_F(OpenTile, RefusesMissingFilesAndOtherTypes) {
     fs::remove(path);
     EXPECT_EQ(fault(), path + ": No such file or directory");
     mkfifo(path.c_str(), 0600);
-    EXPECT_EQ(fault(), path + ": not a regular file");
+    EXPECT_SAYS(fault(), path + ": *regular");
     fs::remove(path);
     folder.write("tiles/0-1-1-0.pro", std::string(tile.bytes, 'x'));
-    EXPECT_EQ(fault(), path + ": is not a .pro file");
+    EXPECT_SAYS(fault(), path + ": *.pro file");
 }
 
 TEST_F(OpenTile, RefusesATileWithAnotherCube) {
-    const std::string is_not = path + ": is not the tile that set.json names (";
+    const std::string is_not = path + ": *set.json*(";
     --tile.stored;
-    EXPECT_EQ(fault(), is_not + std::to_string(tile.stored + 1) + " splats, not " + std::to_string(tile.stored) + ")");
+    EXPECT_SAYS(fault(), is_not + std::to_string(tile.stored + 1) + " splats*" + std::to_string(tile.stored) + ")");
     ++tile.stored;
     tile.cell[0] = 7;
-    EXPECT_EQ(fault(), is_not + "its cube is not around its core)");
+    EXPECT_SAYS(fault(), is_not + "*cube*around");
     tile.cell[0] = 1;
     set.levels[0].radius_max = 0.03125;
-    EXPECT_EQ(fault(), is_not + "its radius_max differs from its level's)");
+    EXPECT_SAYS(fault(), is_not + "*radius_max");
     set.levels[0].radius_max = 0.0625;
     set.levels[0].radius_step = 0.5;
-    EXPECT_EQ(fault(), is_not + "its radius_step differs from its level's)");
+    EXPECT_SAYS(fault(), is_not + "*radius_step");
     tile.level = 1;
-    EXPECT_EQ(fault(), is_not + "its cube is not two cores wide)");
+    EXPECT_SAYS(fault(), is_not + "*cube*wide");
 }
 
 TEST_F(OpenTile, RefusesDamagedSections) {

@@ -12,6 +12,7 @@
 #include "format/base/error.h"
 #include "preprocess/ingest/scalar.h"
 #include "preprocess/input/read.h"
+#include "tests/support/says.h"
 #include "tests/support/temporary_folder.h"
 
 namespace pointrt {
@@ -90,8 +91,6 @@ inline std::string notesOf(const Cloud& cloud) {
 
 using Numbers = std::vector<double>;
 using Names = std::vector<std::string>;
-
-#define EXPECT_HAS(text, part) EXPECT_NE(std::string(text).find(part), std::string::npos) << (text)
 
 inline Vec3d world(const Cloud& cloud, std::size_t i) { return cloud.origin + cloud.positions[i].cast<double>(); }
 

@@ -204,7 +204,7 @@ TEST_F(FilterTest, Bounds) {
 TEST_F(FilterTest, NothingLeftIsAnError) {
     ReadOptions options;
     options.filter.bounds = Eigen::AlignedBox3d(Vec3d(7, 7, 7), Vec3d(8, 8, 8));
-    EXPECT_HAS(reasonOf(line(), options), "line.xyz: none of its 12 points passes the filters");
+    EXPECT_HAS(reasonOf(line(), options), "line.xyz: *12 *filters");
     EXPECT_EQ(last_code, ExitCode::kBadInput);
 }
 
@@ -231,7 +231,7 @@ TEST_F(FilterTest, ThinKeepsTheFirstOfEachCell) {
 TEST_F(FilterTest, ClassesNeedSome) {
     ReadOptions options;
     options.filter.keep_classes.assign(256, true);
-    EXPECT_HAS(reasonOf(line(), options), "line.xyz: has no classes to select from");
+    EXPECT_HAS(reasonOf(line(), options), "line.xyz: *classes");
 }
 
 TEST_F(FilterTest, TransformMovesAllButItsNormalsStayNormal) {

@@ -49,12 +49,12 @@ TEST_F(ConfTest, BadFilesSayWhyAndWhere) {
     write("bad.xyz", "1 0 0\n1 two 3\n");
     const std::string missing = reasonOfText("s.conf", "bmesh a.xyz 0 0 0 0 0 0 1\nbmesh gone.ply 0 0 0 0 0 0 1\n");
     EXPECT_HAS(missing, "s.conf:2: ");
-    EXPECT_HAS(missing, "gone.ply: no such file");
-    EXPECT_HAS(reasonOfText("s.conf", "bmesh bad.xyz 0 0 0 0 0 0 1\n"), "bad.xyz:2: column 2 is not a number");
-    EXPECT_HAS(reasonOfText("s.conf", "bmesh a.xyz 0 0 0 0 0 0\n"), "s.conf:1: bmesh needs a file name and 7 numbers");
-    EXPECT_HAS(reasonOfText("s.conf", "bmesh a.xyz 0 0 0 0 0 0 0\n"), "s.conf:1: the quaternion is not a rotation");
-    EXPECT_HAS(reasonOfText("s.conf", "bmesh s.conf 0 0 0 0 0 0 1\n"), "cannot be a scan of another");
-    EXPECT_HAS(reasonOfText("s.conf", "camera 0 0 0 0 0 0 1\n"), "has no bmesh line");
+    EXPECT_HAS(missing, "gone.ply: ");
+    EXPECT_HAS(reasonOfText("s.conf", "bmesh bad.xyz 0 0 0 0 0 0 1\n"), "bad.xyz:2: column 2 *number");
+    EXPECT_HAS(reasonOfText("s.conf", "bmesh a.xyz 0 0 0 0 0 0\n"), "s.conf:1: *7 numbers");
+    EXPECT_HAS(reasonOfText("s.conf", "bmesh a.xyz 0 0 0 0 0 0 0\n"), "s.conf:1: *quaternion");
+    EXPECT_HAS(reasonOfText("s.conf", "bmesh s.conf 0 0 0 0 0 0 1\n"), "scan of another");
+    EXPECT_HAS(reasonOfText("s.conf", "camera 0 0 0 0 0 0 1\n"), "no bmesh");
 }
 
 TEST_F(ConfTest, ScansLieInTheFolderOfTheConf) {
@@ -76,7 +76,7 @@ TEST_F(ConfTest, ScansLieInTheFolderOfTheConf) {
           std::string("up/secret.txt"), std::string("below/../../no"), std::string("/etc/no/such/file")}) {
         const std::string reason = reasonOf(named(name));
         EXPECT_HAS(reason, "s.conf:1: '");
-        EXPECT_HAS(reason, "lies outside the folder of the .conf");
+        EXPECT_HAS(reason, "outside");
         EXPECT_EQ(reason.find("horse"), std::string::npos) << reason;
     }
     EXPECT_EQ(last_code, ExitCode::kBadInput);
@@ -89,15 +89,14 @@ TEST_F(ConfTest, AFileCanBeNamedAFewTimesOnly) {
     std::string lines;
     for (int i = 0; i < 8; ++i) lines += fmt::format("bmesh {}.xyz {} 0 0 0 0 0 1\n", "abc"[i % 3], i);
     EXPECT_EQ(readText("s.conf", lines).positions.size(), 8u);
-    EXPECT_HAS(reasonOfText("s.conf", lines + "bmesh ./a.xyz 9 0 0 0 0 0 1\n"),
-               "s.conf:9: './a.xyz': is named more than 8 times");
+    EXPECT_HAS(reasonOfText("s.conf", lines + "bmesh ./a.xyz 9 0 0 0 0 0 1\n"), "s.conf:9: './a.xyz': *8 times");
 }
 
 TEST_F(ConfTest, PipesAndDevicesAreRefused) {
     ASSERT_EQ(::mkfifo((folder / "pipe.xyz").c_str(), 0600), 0);
-    EXPECT_HAS(reasonOfText("s.conf", "bmesh pipe.xyz 0 0 0 0 0 0 1\n"), "pipe.xyz: is not a regular file");
+    EXPECT_HAS(reasonOfText("s.conf", "bmesh pipe.xyz 0 0 0 0 0 0 1\n"), "pipe.xyz: *regular");
     EXPECT_HAS(reasonOfText("s.conf", "bmesh - 0 0 0 0 0 0 1\n"), "s.conf:1: ");
-    EXPECT_HAS(reasonOfText("s.conf", "bmesh . 0 0 0 0 0 0 1\n"), "is a directory");
+    EXPECT_HAS(reasonOfText("s.conf", "bmesh . 0 0 0 0 0 0 1\n"), "directory");
 }
 
 TEST_F(ConfTest, EveryPrefixIsReadOrRefused) {

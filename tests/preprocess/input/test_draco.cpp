@@ -119,7 +119,7 @@ TEST_F(DracoTest, UnknownPredictionMethodsAreRefused) {
         for (const char none : {'\x07', '\x64', '\x80', '\xfd'}) {
             std::string broken = mesh;
             broken[method] = none;
-            EXPECT_NE(reasonOfText("b.drc", broken).find("the Draco data is invalid"), std::string::npos);
+            EXPECT_HAS(reasonOfText("b.drc", broken), "Draco data *invalid");
         }
     }
 }
@@ -150,7 +150,7 @@ TEST_F(DracoTest, OldTreesHaveAsManyPointsAsTheirHeader) {
     for (const int points : {0, 0x73000000, 65535}) {
         const std::string reason =
             reasonOfText("a.drc", header + position + method_and_level + bytesOf(points) + "\4\1");
-        EXPECT_HAS(reason, "the Draco data is invalid or truncated");
+        EXPECT_HAS(reason, "Draco data *truncated");
         EXPECT_EQ(reason.find("impossible sizes"), std::string::npos) << "memory was requested: " << reason;
     }
 }
@@ -160,7 +160,7 @@ TEST_F(DracoTest, CountsAreCheckedBeforeAllocation) {
     std::string points = encodedPoints(draco::POINT_CLOUD_SEQUENTIAL_ENCODING);
     points.replace(11, 4, bytesOf(0x7fffffff));
     EXPECT_HAS(reasonOfText("a.drc", points), "promises 2147483647 points");
-    EXPECT_HAS(reasonOfText("b.drc", "DRACO"), "invalid or truncated");
+    EXPECT_HAS(reasonOfText("b.drc", "DRACO"), "b.drc: *header");
     EXPECT_HAS(reasonOfText("c.drc", "DRACO garbage that is none at all, and more of it"), "c.drc: the ");
 }
 

@@ -182,17 +182,16 @@ TEST_F(E57Test, InvalidPointsAreDroppedAndCounted) {
     EXPECT_EQ(cartesian.points_read, 5u);
     EXPECT_EQ(cartesian.points_non_finite, 3u);
     ASSERT_EQ(cartesian.notes.size(), 1u);
-    EXPECT_HAS(cartesian.notes[0].text,
-               "3 of its 5 points are marked invalid and left out, 1 of them have a valid direction");
+    EXPECT_HAS(cartesian.notes[0].text, "3 of its 5 points *invalid *1 *direction");
     // if both kinds are present, the valid one is used
     const Cloud both = readScans({{at(
         {1, 2, 3, 4}, {0, 0, 0, 0}, {0, 0, 0, 0},
         {state, e57Doubles("sphericalRange", {9, 8, 7, 6}), e57Doubles("sphericalAzimuth", {0, 0, 0, 0}),
          e57Doubles("sphericalElevation", {0, 0, 0, 0}), e57Whole("sphericalInvalidState", 0, 2, {0, 0, 1, 2})})}});
     expectWorld(both, {{1, 0, 0}, {8, 0, 0}, {4, 0, 0}});
-    EXPECT_HAS(both.notes.at(0).text, "1 of its 4 points are marked invalid and left out, 1 of them");
+    EXPECT_HAS(both.notes.at(0).text, "1 of its 4 points *invalid *1 ");
     const E57TestColumn none = e57Whole("cartesianInvalidState", 0, 2, {2, 2});
-    EXPECT_HAS(reasonOfScans({{two({none})}}), "all of its 2 points are marked invalid");
+    EXPECT_HAS(reasonOfScans({{two({none})}}), "2 points *invalid");
 }
 
 TEST_F(E57Test, ColoursAreScaledByTheirLimits) {
@@ -212,7 +211,7 @@ TEST_F(E57Test, ColoursAreScaledByTheirLimits) {
                                           e57Floats("colorBlue", {2, -1})};
     const Cloud reals = readScans({{two(real), limitsXml(1)}});
     EXPECT_EQ(reals.colors, (std::vector{Rgb8{0, 128, 255}, Rgb8{255, 255, 0}}));
-    EXPECT_HAS(reals.notes.at(0).text, "2 of its colour values are beyond the limits");
+    EXPECT_HAS(reals.notes.at(0).text, "2 *colour values *limits");
 }
 
 TEST_F(E57Test, RealColoursWithoutLimitsAreScaledByTheirValues) {
@@ -227,7 +226,7 @@ TEST_F(E57Test, PointsWithoutColourAreGrey) {
     columns.push_back(e57Whole("isColorInvalid", 0, 1, {0, 1}));
     const Cloud cloud = readScans({{two(columns)}});
     EXPECT_EQ(cloud.colors, (std::vector{Rgb8{9, 9, 9}, Rgb8{200, 200, 200}}));
-    EXPECT_HAS(cloud.notes.at(0).text, "1 of its colours are marked invalid");
+    EXPECT_HAS(cloud.notes.at(0).text, "1 of its colours ");
 }
 
 TEST_F(E57Test, AttributesKeepTheirValuesAndTypes) {
@@ -252,7 +251,7 @@ TEST_F(E57Test, AttributesKeepTheirValuesAndTypes) {
     EXPECT_EQ(valuesOf(cloud, "range"), (std::vector<double>{3 * 0.1, 30 * 0.1}));
     EXPECT_EQ(find(cloud, "halves")->type, Scalar::kF32);
     EXPECT_EQ(cloud.attributes.size(), 8u);
-    EXPECT_HAS(cloud.notes.at(0).text, "1 of its intensities or times are marked invalid");
+    EXPECT_HAS(cloud.notes.at(0).text, "1 of its intensities ");
 }
 
 TEST_F(E57Test, ReturnsStartWithOneInEveryFile) {
@@ -280,7 +279,7 @@ TEST_F(E57Test, OnlyCoordinateSystemsAreKept) {
     EXPECT_EQ(readScans({{two()}}, e57Text("coordinateMetadata", "\n " + wkt + " ")).world.crs, "PROJCS[\"here\"]");
     const Cloud other = readScans({{two()}}, e57Text("coordinateMetadata", "somewhere"));
     EXPECT_EQ(other.world.crs, "");
-    EXPECT_HAS(other.notes.at(0).text, "its coordinate system is not recognised: 'somewhere'");
+    EXPECT_HAS(other.notes.at(0).text, "coordinate system *'somewhere'");
 }
 
 TEST_F(E57Test, ScansMayBeEmptyUnlessAllAre) {
@@ -288,8 +287,8 @@ TEST_F(E57Test, ScansMayBeEmptyUnlessAllAre) {
     const Cloud cloud = readScans({empty, {two()}, empty});
     EXPECT_EQ(cloud.positions.size(), 2u);
     EXPECT_EQ(cloud.scans.size(), 3u);
-    EXPECT_HAS(reasonOfScans({empty, empty}), "holds no points");
-    EXPECT_HAS(reasonOfScans({}), "holds no scans");
+    EXPECT_HAS(reasonOfScans({empty, empty}), "no points");
+    EXPECT_HAS(reasonOfScans({}), "no scans");
 }
 
 TEST_F(E57Test, ProgressIsOfAllScans) {
@@ -301,14 +300,13 @@ TEST_F(E57Test, ProgressIsOfAllScans) {
 
 TEST_F(E57Test, MessagesNameTheScan) {
     const E57TestColumn other = e57Doubles("las:height", {1, 2});
-    EXPECT_HAS(reasonOfScans({{two()}, {{other}}}), "a.e57:scan 2: has no coordinates");
-    EXPECT_HAS(reasonOfScans({{{other}, e57Text("name", "top")}}), "a.e57:'top': has no coordinates");
-    EXPECT_HAS(reasonOfScans({{two({other, other})}}), "has two columns 'las:height'");
-    EXPECT_HAS(reasonOfScans({{two(), poseXml({0, 0, 0, 0}, {0, 0, 0})}}),
-               "its pose is not a rotation and translation");
+    EXPECT_HAS(reasonOfScans({{two()}, {{other}}}), "a.e57:scan 2: *coordinates");
+    EXPECT_HAS(reasonOfScans({{{other}, e57Text("name", "top")}}), "a.e57:'top': *coordinates");
+    EXPECT_HAS(reasonOfScans({{two({other, other})}}), "two columns 'las:height'");
+    EXPECT_HAS(reasonOfScans({{two(), poseXml({0, 0, 0, 0}, {0, 0, 0})}}), "pose *rotation");
     E57TestColumn beyond = e57Whole("las:height", 0, 5, {1, 5});
     beyond.values[1] = 7; // fits in the bits, not in the limits
-    EXPECT_HAS(reasonOfScans({{two({beyond})}}), "a value of las:height is beyond the largest that it may have");
+    EXPECT_HAS(reasonOfScans({{two({beyond})}}), "las:height *largest");
 }
 
 TEST_F(E57Test, WrongChecksumsAreRefused) {
@@ -353,9 +351,9 @@ TEST_F(E57Test, MaliciousXmlTakesNoTime) {
         tag += fmt::format(" a{}='>'", i);
     }
     for (int i = 0; i < 60'000; ++i) spaces += fmt::format("<a xmlns:a{}='b{}'>", i, i);
-    EXPECT_HAS(reasonOfScans({{two()}}, deep), "nests more than 256 elements");
-    EXPECT_HAS(reasonOfScans({{two()}}, tag + "/>"), "has a tag of more than 4096 bytes");
-    EXPECT_HAS(reasonOfScans({{two()}}, spaces), "declares more than 256 namespaces");
+    EXPECT_HAS(reasonOfScans({{two()}}, deep), "256 elements");
+    EXPECT_HAS(reasonOfScans({{two()}}, tag + "/>"), "4096 bytes");
+    EXPECT_HAS(reasonOfScans({{two()}}, spaces), "256 namespaces");
     // comments and text may be long
     const std::string text(100'000, 'x');
     EXPECT_EQ(

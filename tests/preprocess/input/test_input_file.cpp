@@ -11,10 +11,10 @@ namespace {
 using InputFileTest = InputTest;
 
 TEST_F(InputFileTest, FilesThatCannotBeRead) {
-    EXPECT_HAS(reasonOf((folder / "gone.ply").string()), "gone.ply: no such file");
-    EXPECT_HAS(reasonOf(folder.string()), "is a directory");
-    EXPECT_HAS(reasonOfText("a.ply", ""), "the file is empty");
-    EXPECT_HAS(reasonOf("/dev/null"), "is not a regular file");
+    EXPECT_HAS(reasonOf((folder / "gone.ply").string()), "gone.ply: *no such");
+    EXPECT_HAS(reasonOf(folder.string()), "directory");
+    EXPECT_HAS(reasonOfText("a.ply", ""), "a.ply: *empty");
+    EXPECT_HAS(reasonOf("/dev/null"), "/dev/null: *regular");
     EXPECT_EQ(last_code, ExitCode::kBadInput);
 }
 
@@ -22,7 +22,7 @@ TEST_F(InputFileTest, FilesWithoutPermission) {
     const std::string closed = write("closed.xyz", "1 2 3\n");
     std::filesystem::permissions(closed, std::filesystem::perms::none);
     if (::access(closed.c_str(), R_OK) == 0) GTEST_SKIP() << "running as root, who ignores permissions";
-    EXPECT_HAS(reasonOf(closed), "no permission to read it");
+    EXPECT_HAS(reasonOf(closed), "permission");
 }
 
 TEST_F(InputFileTest, ContentDecidesTheFormatBeforeTheSuffix) {
@@ -30,39 +30,37 @@ TEST_F(InputFileTest, ContentDecidesTheFormatBeforeTheSuffix) {
     EXPECT_EQ(readText("a.obj", "OFF\n1 0 0\n1 2 3\n").positions.size(), 1u);
     EXPECT_EQ(readText("noname", "1 2 3\n").positions.size(), 1u);
     EXPECT_EQ(readText("a.xyz", "FIELDS x y z\nWIDTH 1\nDATA ascii\n1 2 3\n").positions.size(), 1u);
-    EXPECT_HAS(reasonOfText("a.ply", "1 2 3\n"), "does not start with 'ply'");
+    EXPECT_HAS(reasonOfText("a.ply", "1 2 3\n"), "'ply'");
     EXPECT_EQ(read(write("b.ply", "1 2 3\n"), {.format = "xyz"}).positions.size(), 1u);
 }
 
 TEST_F(InputFileTest, ForeignFormatsAreNamed) {
-    EXPECT_HAS(reasonOfText("a.gltf", "glTF\1\2"), "is a glTF model; this build reads PLY");
-    EXPECT_HAS(reasonOfText("a.ply", "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n"),
-               "Git LFS pointer");
-    EXPECT_HAS(reasonOfText("a.zip", "PK\3\4rest"), "zip archive");
-    EXPECT_HAS(reasonOfText("a.bin", std::string("\0\1\2\3", 4)), "has an unknown format");
+    EXPECT_HAS(reasonOfText("a.gltf", "glTF\1\2"), "glTF *reads PLY");
+    EXPECT_HAS(reasonOfText("a.ply", "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n"), "Git LFS");
+    EXPECT_HAS(reasonOfText("a.zip", "PK\3\4rest"), " zip ");
+    EXPECT_HAS(reasonOfText("a.bin", std::string("\0\1\2\3", 4)), "unknown format");
     const std::string triangles(3 * 50, '\1');
-    EXPECT_HAS(reasonOfText("a.stl", std::string(80, 'x') + bytesOf(3u) + triangles),
-               "is an STL mesh; this build reads PLY");
-    EXPECT_HAS(reasonOfText("b.stl", "solid cube\n  facet normal 0 0 1\n"), "is an STL mesh; this build reads PLY");
+    EXPECT_HAS(reasonOfText("a.stl", std::string(80, 'x') + bytesOf(3u) + triangles), "STL *reads PLY");
+    EXPECT_HAS(reasonOfText("b.stl", "solid cube\n  facet normal 0 0 1\n"), "STL *reads PLY");
     EXPECT_HAS(reasonOfText("b.stl", "solid cube\n  facet normal 0 0 1\n"), "--sample N");
     EXPECT_HAS(reasonOfText("u.xyz", std::string("\xff\xfe"
                                                  "1\0 \0"
                                                  "2\0",
                                                  8)),
-               "is UTF-16 text: convert it to UTF-8");
+               "UTF-16 *UTF-8");
     EXPECT_HAS(reasonOfText("u.xyz", std::string("\xfe\xff\0"
                                                  "1\0 ",
                                                  6)),
-               "is UTF-16 text");
+               "UTF-16");
     const std::array<std::uint32_t, 2> magic = {PRO_MAGIC_WORD0, PRO_MAGIC_WORD1};
-    EXPECT_HAS(reasonOfText("a.pro", bytesOf(magic)), "is baked already: pointrt-view shows it");
+    EXPECT_HAS(reasonOfText("a.pro", bytesOf(magic)), "baked*pointrt-view");
     EXPECT_HAS(reasonOfText("a.tar.gz", gzipped(std::string(257, 'n') + "ustar" + std::string(800, '\0'))),
-               "is a tar archive: unpack it first");
-    EXPECT_HAS(reasonOfText("a.ksplat", std::string(64, '\0')), "is a file of Gaussian splats; this build reads PLY");
-    EXPECT_HAS(reasonOfText("a.gltf", "{\"asset\": {}}\n"), "is a 3D model; this build reads PLY");
-    EXPECT_HAS(reasonOfText("a.ply", "<!DOCTYPE html><title>404"), "is a web page");
-    EXPECT_HAS(reasonOfText("a.toml", "[camera]\n"), "is a scene file: render it with pointrt-view");
-    EXPECT_HAS(reasonOf(write("a.xyz", "1 2 3\n"), {.format = "stl"}), "unknown input format 'stl'");
+               " tar *: unpack");
+    EXPECT_HAS(reasonOfText("a.ksplat", std::string(64, '\0')), "Gaussian splats*reads PLY");
+    EXPECT_HAS(reasonOfText("a.gltf", "{\"asset\": {}}\n"), "3D model*reads PLY");
+    EXPECT_HAS(reasonOfText("a.ply", "<!DOCTYPE html><title>404"), "web page");
+    EXPECT_HAS(reasonOfText("a.toml", "[camera]\n"), "scene file*pointrt-view");
+    EXPECT_HAS(reasonOf(write("a.xyz", "1 2 3\n"), {.format = "stl"}), "format 'stl'");
     EXPECT_EQ(last_code, ExitCode::kBadUsage);
 }
 
@@ -76,9 +74,9 @@ TEST_F(InputFileTest, GzipIsUnpacked) {
     const std::string packed = gzipped("1 2 3\n4 5 6\n");
     EXPECT_EQ(readText("a.xyz.gz", packed).positions.size(), 2u);
     EXPECT_EQ(readText("b.xyz", packed + gzipped("7 8 9\n")).positions.size(), 3u);
-    EXPECT_HAS(reasonOfText("c.xyz", packed.substr(0, packed.size() - 9)), "the gzip data is truncated");
-    EXPECT_HAS(reasonOfText("d.xyz", packed.substr(0, 10) + "\xff\xff\xff\xff"), "the gzip data is invalid");
-    EXPECT_HAS(reasonOfText("e.ply.gz", gzipped("plx")), "does not start with 'ply'");
+    EXPECT_HAS(reasonOfText("c.xyz", packed.substr(0, packed.size() - 9)), "gzip *truncated");
+    EXPECT_HAS(reasonOfText("d.xyz", packed.substr(0, 10) + "\xff\xff\xff\xff"), "gzip *invalid");
+    EXPECT_HAS(reasonOfText("e.ply.gz", gzipped("plx")), "'ply'");
     readPrefixes("f.xyz", packed);
 }
 
@@ -87,8 +85,7 @@ TEST_F(InputFileTest, GzipGrowsInProportion) {
     // 64 MiB plus 100 times the size are allowed: blanks compress to a thousandth.
     const std::string scan = header + std::string((64 << 20) - header.size(), ' ');
     EXPECT_EQ(readText("a.xyz.gz", gzipped(scan)).positions.size(), 1u);
-    EXPECT_HAS(reasonOfText("b.xyz.gz", gzipped(scan + std::string(16 << 20, ' '))),
-               "b.xyz.gz: unpacks to more than 100 times its size");
+    EXPECT_HAS(reasonOfText("b.xyz.gz", gzipped(scan + std::string(16 << 20, ' '))), "b.xyz.gz: *100 times");
 }
 
 TEST_F(InputFileTest, FilesAreMergedAndFilled) {

@@ -15,15 +15,15 @@ using test::lasPoint;
 using test::lasRecord;
 using test::put;
 
-const Attribute* find(const Cloud& cloud, const std::string& name) {
+const Attribute* findInLas(const Cloud& cloud, const std::string& name) {
     for (const Attribute& attribute : cloud.attributes)
         if (attribute.name == name) return &attribute;
     return nullptr;
 }
 
 template <typename Number>
-std::vector<Number> valuesOf(const Cloud& cloud, const std::string& name) {
-    const Attribute* const attribute = find(cloud, name);
+std::vector<Number> valuesOfInLas(const Cloud& cloud, const std::string& name) {
+    const Attribute* const attribute = findInLas(cloud, name);
     if (!attribute) {
         ADD_FAILURE() << "no " << name;
         return {};
@@ -80,19 +80,19 @@ TEST_F(LasTest, AttributesAreThoseOfTheRecords) {
     parts.format = 3;
     parts.points = linePoints(3, 5);
     const Cloud cloud = readParts(parts);
-    EXPECT_EQ(valuesOf<std::uint16_t>(cloud, "intensity"), (std::vector<std::uint16_t>{100, 101, 102, 103, 104}));
-    EXPECT_EQ(valuesOf<std::uint8_t>(cloud, "classification"), (std::vector<std::uint8_t>{0, 1, 2, 3, 0}));
-    EXPECT_EQ(valuesOf<std::uint16_t>(cloud, "rgb16")[3 + 2], 513);
+    EXPECT_EQ(valuesOfInLas<std::uint16_t>(cloud, "intensity"), (std::vector<std::uint16_t>{100, 101, 102, 103, 104}));
+    EXPECT_EQ(valuesOfInLas<std::uint8_t>(cloud, "classification"), (std::vector<std::uint8_t>{0, 1, 2, 3, 0}));
+    EXPECT_EQ(valuesOfInLas<std::uint16_t>(cloud, "rgb16")[3 + 2], 513);
     ASSERT_EQ(cloud.colors.size(), 5u);
     EXPECT_EQ(cloud.colors[0], (Rgb8{255, 255, 255}));
     EXPECT_EQ(cloud.colors[1], (Rgb8{0, 1, 2})); // the upper bytes, since one value exceeds 255
     for (const char* minor : {"synthetic", "key_point", "withheld", "edge_of_flight_line", "user_data"})
-        EXPECT_EQ(find(cloud, minor), nullptr) << minor;
+        EXPECT_EQ(findInLas(cloud, minor), nullptr) << minor;
     ReadOptions options;
     options.attributes = {false, {"withheld"}};
-    EXPECT_NE(find(readParts(parts, options), "withheld"), nullptr) << "selected by name";
+    EXPECT_NE(findInLas(readParts(parts, options), "withheld"), nullptr) << "selected by name";
     parts.points[4][15] = '\x80';
-    EXPECT_EQ(valuesOf<std::uint8_t>(readParts(parts), "withheld"), (std::vector<std::uint8_t>{0, 0, 0, 0, 1}));
+    EXPECT_EQ(valuesOfInLas<std::uint8_t>(readParts(parts), "withheld"), (std::vector<std::uint8_t>{0, 0, 0, 0, 1}));
 }
 
 TEST_F(LasTest, BlackColoursAreNone) {
@@ -103,7 +103,7 @@ TEST_F(LasTest, BlackColoursAreNone) {
     const Cloud cloud = readParts(parts);
     EXPECT_TRUE(cloud.colors.empty());
     ASSERT_EQ(cloud.notes.size(), 1u);
-    EXPECT_HAS(cloud.notes[0].text, "all are black");
+    EXPECT_HAS(cloud.notes[0].text, "black");
 }
 
 TEST_F(LasTest, FiltersSeeClassesAndPlaces) {
@@ -114,8 +114,8 @@ TEST_F(LasTest, FiltersSeeClassesAndPlaces) {
     options.filter.keep_classes[2] = true;
     Cloud cloud = readParts(parts, options);
     EXPECT_EQ(cloud.positions.size(), 10u);
-    EXPECT_EQ(valuesOf<std::uint8_t>(cloud, "classification"), std::vector<std::uint8_t>(10, 2));
-    EXPECT_EQ(valuesOf<std::uint16_t>(cloud, "intensity")[9], 138);
+    EXPECT_EQ(valuesOfInLas<std::uint8_t>(cloud, "classification"), std::vector<std::uint8_t>(10, 2));
+    EXPECT_EQ(valuesOfInLas<std::uint16_t>(cloud, "intensity")[9], 138);
     options = {};
     options.filter.bounds = Eigen::AlignedBox3d(Vec3d(0.1, 0, -1), Vec3d(0.2, 1, 1));
     cloud = readParts(parts, options);
@@ -236,7 +236,7 @@ TEST_F(LasTest, MissingLevelsAreNoted) {
         const Cloud cloud = read(path, options);
         EXPECT_EQ(cloud.positions.size(), 3u);
         ASSERT_EQ(cloud.notes.size(), 1u) << path;
-        EXPECT_HAS(cloud.notes[0].text, "has no levels of detail: all of it is read");
+        EXPECT_HAS(cloud.notes[0].text, "levels of detail");
         EXPECT_TRUE(read(path).notes.empty());
     }
 }
@@ -251,20 +251,20 @@ TEST_F(CopcTest, InvalidHierarchiesAreRefused) {
         return reasonOf(write("a.laz", bytes), options);
     };
     const std::size_t entry = copc.hierarchy_at;
-    EXPECT_HAS(with(copc.info_at + 40, ~std::uint64_t{0}), "points outside the file");
-    EXPECT_HAS(with(copc.info_at + 48, ~std::uint64_t{0}), "points outside the file");
-    EXPECT_HAS(with(entry + 16, std::uint64_t{1} << 40), "points outside the file");
-    EXPECT_HAS(with(entry + 24, -1), "points outside the file");
-    EXPECT_HAS(with(entry, 31), "points outside the file");
-    EXPECT_HAS(with(entry + 28, 1000), "has 1020 points, the file 30");
-    EXPECT_HAS(with(copc.info_at + 24, 0.0), "the size must be above 0");
+    EXPECT_HAS(with(copc.info_at + 40, ~std::uint64_t{0}), "outside the file");
+    EXPECT_HAS(with(copc.info_at + 48, ~std::uint64_t{0}), "outside the file");
+    EXPECT_HAS(with(entry + 16, std::uint64_t{1} << 40), "outside the file");
+    EXPECT_HAS(with(entry + 24, -1), "outside the file");
+    EXPECT_HAS(with(entry, 31), "outside the file");
+    EXPECT_HAS(with(entry + 28, 1000), "1020 points*30");
+    EXPECT_HAS(with(copc.info_at + 24, 0.0), "size *above 0");
     std::string circle = copc.bytes;
     put(circle, entry + 64 + 16, std::uint64_t{copc.hierarchy_at});
     put(circle, entry + 64 + 24, 96);
-    EXPECT_HAS(reasonOf(write("a.laz", circle), options), "is cyclic");
+    EXPECT_HAS(reasonOf(write("a.laz", circle), options), "cyclic");
     std::string twice = copc.bytes;
     twice.replace(entry + 32 + 16, 8, twice.substr(entry + 16, 8));
-    EXPECT_HAS(reasonOf(write("a.laz", twice), options), "chunks overlap");
+    EXPECT_HAS(reasonOf(write("a.laz", twice), options), "overlap");
 }
 
 TEST_F(CopcTest, EveryPrefixIsReadOrRefused) {
@@ -325,7 +325,7 @@ TEST_F(LasTest, SuffixesDoNotMatter) {
     EXPECT_EQ(read(write("a.laz", parts.bytes())).positions.size(), 2u);
     EXPECT_HAS(reasonOf(write("b.las", "ply\nformat ascii 1.0\nend_header\n")), "b.las");
     parts.points.clear();
-    EXPECT_HAS(reasonOf(write("c.las", parts.bytes())), "c.las: holds no points");
+    EXPECT_HAS(reasonOf(write("c.las", parts.bytes())), "c.las: *no points");
 }
 
 } // namespace

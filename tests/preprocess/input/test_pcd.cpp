@@ -168,30 +168,29 @@ TEST_F(PcdTest, FieldsAreAttributes) {
         EXPECT_EQ(attributeOf(cloud, "v").components, 2u);
         EXPECT_EQ(attributeOf(cloud, "v").type, Scalar::kI16);
         EXPECT_EQ(numbersOf(cloud, "v"), (Numbers{-1, 300, 5, 6}));
-        EXPECT_HAS(notesOf(cloud), "fields with more than 4 components or a duplicate name are not read: 'fpfh'");
+        EXPECT_HAS(notesOf(cloud), "not read: 'fpfh'");
     }
-    EXPECT_HAS(notesOf(readText("a.pcd", head + "DATA ascii\n" + rows)), "has numbers outside their declared types");
+    EXPECT_HAS(notesOf(readText("a.pcd", head + "DATA ascii\n" + rows)), "outside *declared types");
 }
 
 TEST_F(PcdTest, BadFilesSayWhy) {
-    EXPECT_HAS(reasonOfText("a.pcd", "1 2 3\n"), "no PCD header");
-    EXPECT_HAS(reasonOfText("a.pcd", simple("", "1 2 3\n")), "neither WIDTH nor POINTS");
+    EXPECT_HAS(reasonOfText("a.pcd", "1 2 3\n"), "header");
+    EXPECT_HAS(reasonOfText("a.pcd", simple("", "1 2 3\n")), "WIDTH *POINTS");
     EXPECT_HAS(reasonOfText("a.pcd", simple("WIDTH 2\nHEIGHT 2\nPOINTS 5\n", "1 2 3\n")), "differs from POINTS 5");
     EXPECT_HAS(reasonOfText("a.pcd", simple("WIDTH 99999999999\nHEIGHT 1\n", "1 2 3\n")),
                "promises 99999999999 points");
     EXPECT_HAS(reasonOfText("a.pcd", simple("WIDTH 9999999999999\nHEIGHT 99999999999\n", "1 2 3\n")),
                "differs from POINTS");
-    EXPECT_HAS(reasonOfText("a.pcd", simple("WIDTH 2\n", "1.25 2.25 3.25\n")), "truncated: found 1 of 2 points");
-    EXPECT_HAS(reasonOfText("a.pcd", simple("WIDTH 1\n", "1 x 3\n")), "a.pcd:8: 'x' is not a number");
-    EXPECT_HAS(reasonOfText("a.pcd", "VERSION .7\nFIELDS x y z\nSIZE 4 4\nDATA ascii\n"),
-               "a.pcd:3: SIZE has fewer entries");
+    EXPECT_HAS(reasonOfText("a.pcd", simple("WIDTH 2\n", "1.25 2.25 3.25\n")), "truncated: *1 of 2 ");
+    EXPECT_HAS(reasonOfText("a.pcd", simple("WIDTH 1\n", "1 x 3\n")), "a.pcd:8: 'x' *number");
+    EXPECT_HAS(reasonOfText("a.pcd", "VERSION .7\nFIELDS x y z\nSIZE 4 4\nDATA ascii\n"), "a.pcd:3: SIZE *fewer");
     EXPECT_HAS(reasonOfText("a.pcd", "VERSION .7\nFIELDS x y z\nSIZE 4 4 3\nWIDTH 1\nDATA ascii\n1 2 3\n"),
-               "which is not a PCD type");
+               "type *3 bytes");
     EXPECT_HAS(reasonOfText("a.pcd", "VERSION .7\nFIELDS x y z\nCOUNT 1 1 0\nWIDTH 1\nDATA ascii\n1 2 3\n"),
                "impossible COUNT");
-    EXPECT_HAS(reasonOfText("a.pcd", "VERSION .7\nFIELDS x y\nWIDTH 1\nDATA ascii\n1 2\n"), "no x, y and z");
-    EXPECT_HAS(reasonOfText("a.pcd", "VERSION .7\nFIELDS x y z\nWIDTH 1\nDATA zipped\n"), "unknown DATA 'zipped'");
-    EXPECT_HAS(reasonOfText("a.pcd", binaryPcd().substr(0, binaryPcd().size() - 1)), "truncated: found 1 of 2 points");
+    EXPECT_HAS(reasonOfText("a.pcd", "VERSION .7\nFIELDS x y\nWIDTH 1\nDATA ascii\n1 2\n"), "FIELDS *x, y and z");
+    EXPECT_HAS(reasonOfText("a.pcd", "VERSION .7\nFIELDS x y z\nWIDTH 1\nDATA zipped\n"), "DATA 'zipped'");
+    EXPECT_HAS(reasonOfText("a.pcd", binaryPcd().substr(0, binaryPcd().size() - 1)), "truncated: *1 of 2 ");
 }
 
 } // namespace

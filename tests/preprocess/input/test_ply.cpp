@@ -69,7 +69,7 @@ void expectVertices(const Cloud& cloud) {
     EXPECT_EQ(attributeNames(cloud), Names{"label"});
     EXPECT_EQ(attributeOf(cloud, "label").type, Scalar::kU32);
     EXPECT_EQ(numbersOf(cloud, "label"), (Numbers{7, 8, 9}));
-    EXPECT_HAS(notesOf(cloud), "lists and properties with a duplicate name are not read: 'tags'");
+    EXPECT_HAS(notesOf(cloud), "not read: 'tags'");
 }
 
 TEST_F(PlyTest, AllEncodingsGiveTheSameCloud) {
@@ -149,7 +149,7 @@ TEST_F(PlyTest, PropertiesAreAttributesByTheNamesThatToolsWrite) {
     EXPECT_EQ(numbersOf(cloud, "gps_time"), Numbers{413665.23368423499});
     EXPECT_EQ(numbersOf(cloud, "Intensity"), Numbers{9});
     EXPECT_TRUE(cloud.radii.empty()); // without normals
-    EXPECT_HAS(notesOf(cloud), "properties with a duplicate name are not read: 'Intensity'");
+    EXPECT_HAS(notesOf(cloud), "not read: 'Intensity'");
 }
 
 TEST_F(PlyTest, BigIntegersKeepAllBits) {
@@ -175,7 +175,7 @@ TEST_F(PlyTest, NumbersOutsideTheirTypesAreNoted) {
     EXPECT_EQ(numbersOf(cloud, "a"), Numbers{255});
     EXPECT_EQ(numbersOf(cloud, "b"), Numbers{-128});
     EXPECT_EQ(numbersOf(cloud, "c"), Numbers{3});
-    EXPECT_HAS(notesOf(cloud), "has numbers outside their declared types");
+    EXPECT_HAS(notesOf(cloud), "outside *declared types");
     EXPECT_EQ(notesOf(readText("b.ply", ascii("property uchar a\n", "1 2 3 +7\n"))), "");
 }
 
@@ -247,24 +247,24 @@ TEST_F(PlyTest, NonFinitePointsRemoveTheirFaces) {
 }
 
 TEST_F(PlyTest, BadFilesSayWhy) {
-    EXPECT_HAS(reasonOfText("a.ply", "plx\n"), "does not start with 'ply'");
-    EXPECT_HAS(reasonOfText("a.ply", "ply\nformat ascii 1.0\n"), "no end_header");
-    EXPECT_HAS(reasonOfText("a.ply", "ply\nelement vertex 1\nend_header\n"), "no format line");
-    EXPECT_HAS(reasonOfText("a.ply", "ply\nformat binary_middle 1.0\nend_header\n"), "a.ply:2: unknown PLY format");
+    EXPECT_HAS(reasonOfText("a.ply", "plx\n"), "a.ply: *'ply'");
+    EXPECT_HAS(reasonOfText("a.ply", "ply\nformat ascii 1.0\n"), "end_header");
+    EXPECT_HAS(reasonOfText("a.ply", "ply\nelement vertex 1\nend_header\n"), "no format");
+    EXPECT_HAS(reasonOfText("a.ply", "ply\nformat binary_middle 1.0\nend_header\n"), "a.ply:2: *format");
     EXPECT_HAS(reasonOfText("a.ply", "ply\nformat ascii 1.0\nend_header\n"), "no vertex element");
     EXPECT_HAS(reasonOfText("a.ply", "ply\nformat ascii 1.0\nelement vertex x\nend_header\n"),
-               "a.ply:3: element 'vertex' has no valid count");
+               "a.ply:3: *'vertex' *count");
     EXPECT_HAS(reasonOfText("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n"),
                "no x, y and z");
-    EXPECT_HAS(reasonOfText("a.ply", ascii("", "1 2 three\n")), "a.ply:8: 'three' is not a number");
-    EXPECT_HAS(reasonOfText("a.ply", ascii("", "", 0)), "holds no points");
-    EXPECT_HAS(reasonOfText("a.ply", ascii("", "nan 1 1\n")), "none of its 1 points is finite");
-    EXPECT_HAS(reasonOfText("a.ply", ascii("", "1 1 1\n2 2 2\n3 3 3 \n", 4)), "but only 19 bytes follow");
-    EXPECT_HAS(reasonOfText("a.ply", ascii("", "1.5 1.5 1.5\n2 2 2\n", 3)), "truncated: found 2 of 3 vertices");
+    EXPECT_HAS(reasonOfText("a.ply", ascii("", "1 2 three\n")), "a.ply:8: 'three' *number");
+    EXPECT_HAS(reasonOfText("a.ply", ascii("", "", 0)), "no points");
+    EXPECT_HAS(reasonOfText("a.ply", ascii("", "nan 1 1\n")), "none of its 1 *finite");
+    EXPECT_HAS(reasonOfText("a.ply", ascii("", "1 1 1\n2 2 2\n3 3 3 \n", 4)), "only 19 bytes");
+    EXPECT_HAS(reasonOfText("a.ply", ascii("", "1.5 1.5 1.5\n2 2 2\n", 3)), "truncated: *2 of 3 ");
     const std::string face = "element face 1\nproperty list uchar int vertex_indices\n";
-    EXPECT_HAS(reasonOfText("a.ply", ascii(face, "1 1 1\n3 0 0 1\n")), "face 0: vertex index 1 is out of range");
-    EXPECT_HAS(reasonOfText("a.ply", ascii(face, "1 1 1\n3 0 0 -1\n")), "face 0: vertex index -1 is out of range");
-    EXPECT_HAS(reasonOfText("a.ply", ascii(face, "1 1 1\n-3 0 0 0\n")), "impossible list length -3");
+    EXPECT_HAS(reasonOfText("a.ply", ascii(face, "1 1 1\n3 0 0 1\n")), "face 0: vertex index 1 ");
+    EXPECT_HAS(reasonOfText("a.ply", ascii(face, "1 1 1\n3 0 0 -1\n")), "face 0: vertex index -1 ");
+    EXPECT_HAS(reasonOfText("a.ply", ascii(face, "1 1 1\n-3 0 0 0\n")), "list length -3");
 }
 
 TEST_F(PlyTest, TruncatedBinaryFilesReportTheCount) {
@@ -272,7 +272,7 @@ TEST_F(PlyTest, TruncatedBinaryFilesReportTheCount) {
         "ply\nformat binary_big_endian 1.0\nelement vertex 10\nproperty float x\nproperty float y\nproperty float z\n"
         "end_header\n";
     text += std::string(7 * 12 + 5, '\0');
-    EXPECT_HAS(reasonOfText("a.ply", text), "truncated: found 7 of 10 vertices");
+    EXPECT_HAS(reasonOfText("a.ply", text), "truncated: *7 of 10 ");
 }
 
 TEST_F(PlyTest, CountsAreCheckedBeforeAllocation) {

@@ -35,7 +35,7 @@ TEST_F(PtxTest, CellsAreInColumnOrderAndMayBeEmpty) {
     EXPECT_EQ(numbersOf(cloud, "column"), (Numbers{0, 0, 1}));
     EXPECT_EQ(attributeOf(cloud, "row").type, Scalar::kU8);
     EXPECT_EQ(cloud.colors, (std::vector<Rgb8>{{10, 20, 30}, {40, 50, 60}, {70, 80, 90}}));
-    EXPECT_HAS(notesOf(cloud), "a.ptx: 3 of 6 cells of its grids have no point");
+    EXPECT_HAS(notesOf(cloud), "a.ptx: 3 of 6 cells");
 }
 
 TEST_F(PtxTest, ScansHaveTheirOwnSensorsAndNumbers) {
@@ -72,26 +72,22 @@ TEST_F(PtxTest, IsDetectedByContent) {
 }
 
 TEST_F(PtxTest, BadFilesSayWhy) {
-    EXPECT_HAS(reasonOfText("a.ptx", header(1, 2, kTurned) + "1 2 3 0.5\n"),
-               "a.ptx:1: the header promises 1 columns of 2 points");
-    EXPECT_HAS(reasonOfText("a.ptx", header(1, 2, kTurned) + "1.5 2.5 3.5 0.5\n"),
-               "truncated: found 1 of 2 points of a scan");
-    EXPECT_HAS(reasonOfText("a.ptx", header(1, 1, kTurned) + "1 2 x 0.5\n"), "a.ptx:11: 'x' is not a number");
-    EXPECT_HAS(reasonOfText("a.ptx", header(1, 1, kTurned) + "1 2 3 4 5\n"), "a point has 3, 4, 6 or 7 numbers, not 5");
-    EXPECT_HAS(reasonOfText("a.ptx", header(2, 1, kTurned) + "1 2 3 4\n1 2 3\n"),
-               "a.ptx:12: has 3 numbers, but 4 are needed");
-    EXPECT_HAS(reasonOfText("a.ptx", header(1, 1, kTurned) + "0 0 0 0.5\n"), "holds no points");
-    EXPECT_HAS(reasonOfText("a.ptx", header(0, 0, kTurned)), "holds no points");
+    EXPECT_HAS(reasonOfText("a.ptx", header(1, 2, kTurned) + "1 2 3 0.5\n"), "a.ptx:1: *header *1 columns of 2 ");
+    EXPECT_HAS(reasonOfText("a.ptx", header(1, 2, kTurned) + "1.5 2.5 3.5 0.5\n"), "truncated: *1 of 2 ");
+    EXPECT_HAS(reasonOfText("a.ptx", header(1, 1, kTurned) + "1 2 x 0.5\n"), "a.ptx:11: 'x' *number");
+    EXPECT_HAS(reasonOfText("a.ptx", header(1, 1, kTurned) + "1 2 3 4 5\n"), "3, 4, 6 or 7 *5");
+    EXPECT_HAS(reasonOfText("a.ptx", header(2, 1, kTurned) + "1 2 3 4\n1 2 3\n"), "a.ptx:12: *3 numbers*4");
+    EXPECT_HAS(reasonOfText("a.ptx", header(1, 1, kTurned) + "0 0 0 0.5\n"), "no points");
+    EXPECT_HAS(reasonOfText("a.ptx", header(0, 0, kTurned)), "no points");
     EXPECT_HAS(reasonOfText("a.ptx", header(1, 1, "0 0 0 0\n0 0 0 0\n0 0 0 0\n0 0 0 1\n") + "1 2 3\n"),
-               "a.ptx:7: the transform is not a rotation and translation");
-    EXPECT_HAS(reasonOfText("a.ptx", header(1, 1, "1 0 0 9\n0 1 0 9\n0 0 1 9\n0 0 0 1\n") + "1 2 3\n"),
-               "the transform is no");
-    EXPECT_HAS(reasonOfText("a.ptx", "x\n"), "a.ptx:1: expected the number of columns, not 'x'");
-    EXPECT_HAS(reasonOfText("a.ptx", "1\n1\n1 2\n"), "a.ptx:3: expected 3 numbers for the position of the scanner");
-    EXPECT_HAS(reasonOfText("a.ptx", "1\n"), "truncated in the header");
+               "a.ptx:7: *transform");
+    EXPECT_HAS(reasonOfText("a.ptx", header(1, 1, "1 0 0 9\n0 1 0 9\n0 0 1 9\n0 0 0 1\n") + "1 2 3\n"), "transform");
+    EXPECT_HAS(reasonOfText("a.ptx", "x\n"), "a.ptx:1: *columns*'x'");
+    EXPECT_HAS(reasonOfText("a.ptx", "1\n1\n1 2\n"), "a.ptx:3: *3 numbers*position");
+    EXPECT_HAS(reasonOfText("a.ptx", "1\n"), "truncated *header");
     for (const char* counts :
          {"1\n18446744073709551615", "18446744073709551615\n18446744073709551615", "4000000000\n1"})
-        EXPECT_HAS(reasonOfText("a.ptx", counts + header(1, 1, kTurned).substr(3) + "1 2 3\n"), "the header promises");
+        EXPECT_HAS(reasonOfText("a.ptx", counts + header(1, 1, kTurned).substr(3) + "1 2 3\n"), "header promises");
 }
 
 TEST_F(PtxTest, EveryPrefixIsReadOrRefused) {

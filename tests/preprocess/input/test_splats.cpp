@@ -23,7 +23,7 @@ struct Blob {
 };
 
 /// A quarter rotation about +x, which takes +z to -y.
-const std::array<float, 4> kTurned = {std::sqrt(0.5f), std::sqrt(0.5f), 0, 0};
+const std::array<float, 4> kSplatsTurned = {std::sqrt(0.5f), std::sqrt(0.5f), 0, 0};
 
 float logit(float share) { return std::log(share / (1 - share)); }
 
@@ -66,14 +66,11 @@ void expectDisc(const Cloud& cloud, const Vec3f& axis) {
 }
 
 TEST_F(SplatsTest, AsTrained) {
-    const Cloud cloud = readText("a.ply", plyHeader(2) + plyRow({}) + plyRow({.rotation = kTurned}));
+    const Cloud cloud = readText("a.ply", plyHeader(2) + plyRow({}) + plyRow({.rotation = kSplatsTurned}));
     expectDisc(cloud, Vec3f::UnitZ());
     EXPECT_GT(std::abs(cloud.normals[1].y()), 0.9999f);
     EXPECT_EQ(cloud.world.up, Vec3d(0, -1, 0));
-    EXPECT_EQ(notesOf(cloud),
-              (folder / "a.ply").string() +
-                  ": Gaussian splats are read as opaque round discs of radius 2.2 standard deviations, without "
-                  "transparency and elongation\n");
+    EXPECT_SAYS(notesOf(cloud), (folder / "a.ply").string() + ": *2.2 *transparency and elongation\n");
 }
 
 TEST_F(SplatsTest, AsTrainedInTwoDimensions) {
@@ -84,7 +81,7 @@ TEST_F(SplatsTest, ViewDependentColourIsNoted) {
     const std::string bytes = plyRow({});
     const std::string text =
         plyHeader(1, false, "property float f_rest_0\n") + bytes.substr(0, 36) + bytesOf(1.f) + bytes.substr(36);
-    EXPECT_HAS(notesOf(readText("a.ply", text)), "elongation and view-dependent colour");
+    EXPECT_HAS(notesOf(readText("a.ply", text)), "elongation *view-dependent");
 }
 
 TEST_F(SplatsTest, FaintOnesAreDropped) {
@@ -94,9 +91,8 @@ TEST_F(SplatsTest, FaintOnesAreDropped) {
     EXPECT_EQ(cloud.points_read, 3u);
     EXPECT_EQ(cloud.points_filtered, 1u);
     EXPECT_EQ(cloud.positions.size(), 2u);
-    EXPECT_HAS(notesOf(cloud), "left out: 1 of 3 with an opacity below 0.2");
-    EXPECT_HAS(reasonOfText("b.ply", plyHeader(1) + plyRow({.opacity = 0.1f})),
-               "none of its 1 Gaussian splats has an opacity of 0.2");
+    EXPECT_HAS(notesOf(cloud), "left out: 1 of 3 *opacity *0.2");
+    EXPECT_HAS(reasonOfText("b.ply", plyHeader(1) + plyRow({.opacity = 0.1f})), "none of its 1 *opacity *0.2");
 }
 
 TEST_F(SplatsTest, SkiesAreDropped) {
@@ -105,7 +101,7 @@ TEST_F(SplatsTest, SkiesAreDropped) {
     const Cloud cloud = readText("a.ply", plyHeader(201) + rows);
     EXPECT_EQ(cloud.positions.size(), 200u);
     EXPECT_EQ(cloud.points_filtered, 1u);
-    EXPECT_HAS(notesOf(cloud), "; left out: 1 as large as the sky");
+    EXPECT_HAS(notesOf(cloud), "left out: 1 *sky");
 }
 
 TEST_F(SplatsTest, RoundOnesHaveNoNormal) {
@@ -172,31 +168,27 @@ TEST_F(SplatsTest, InvalidPackedOnesAreRefused) {
         std::string text = good;
         return text.replace(text.find(from), from.size(), to);
     };
-    EXPECT_HAS(reasonOfText("a.ply", with("element chunk 1", "element chunk 0")),
-               "has 0 chunks of packed splats, but needs 1");
+    EXPECT_HAS(reasonOfText("a.ply", with("element chunk 1", "element chunk 0")), "0 chunks *1");
     EXPECT_HAS(reasonOfText("a.ply", with("element chunk 1", "element chunk 4000000000")), "truncated: ");
-    EXPECT_HAS(reasonOfText("a.ply", with("element chunk", "element bunch")),
-               "has no chunks ahead of its 1 packed splats");
-    EXPECT_HAS(reasonOfText("a.ply", with("uint packed_scale", "int packed_scale")),
-               "'packed_scale' must have type uint");
+    EXPECT_HAS(reasonOfText("a.ply", with("element chunk", "element bunch")), "no chunks *1 packed");
+    EXPECT_HAS(reasonOfText("a.ply", with("uint packed_scale", "int packed_scale")), "'packed_scale' *uint");
     EXPECT_HAS(reasonOfText(
                    "a.ply",
                    "ply\nformat ascii 1.0\nelement chunk 4000000000\nelement vertex 1\nproperty uint packed_position\n"
                    "property uint packed_rotation\nproperty uint packed_scale\nproperty uint packed_color\nend_header\n"
                    "1 2 3 4\n"),
-               "has no chunks ahead of its 1 packed splats"); // empty chunks do not count
+               "no chunks *1 packed"); // empty chunks do not count
 }
 
 TEST_F(SplatsTest, OfThirtyTwoBytes) {
     const Cloud cloud =
-        readText("a.splat", splatRow({}) + splatRow({.rotation = kTurned}) + splatRow({.opacity = 0.1f}));
+        readText("a.splat", splatRow({}) + splatRow({.rotation = kSplatsTurned}) + splatRow({.opacity = 0.1f}));
     expectDisc(cloud, Vec3f::UnitZ());
     EXPECT_GT(std::abs(cloud.normals[1].y()), 0.999f);
     EXPECT_EQ(cloud.positions.size(), 2u);
     EXPECT_EQ(cloud.world.up, Vec3d(0, -1, 0));
-    EXPECT_HAS(reasonOfText("b.splat", splatRow({}) + "x"), "33 bytes is not a multiple of 32");
-    EXPECT_HAS(reasonOfText("c.splat", std::string(64, '\0')),
-               "is not a .splat file: most of its records are not Gaussians");
+    EXPECT_HAS(reasonOfText("b.splat", splatRow({}) + "x"), "33 bytes *32");
+    EXPECT_HAS(reasonOfText("c.splat", std::string(64, '\0')), "c.splat: *not Gaussians");
     std::string many;
     for (int i = 0; i < 64; ++i) many += splatRow({});
     EXPECT_EQ(readText("noname", many).positions.size(), 64u);
@@ -261,30 +253,26 @@ TEST_F(SplatsTest, SpzOfAllVersions) {
 
 TEST_F(SplatsTest, SpzWithHarmonicsNotesTheLoss) {
     EXPECT_HAS(notesOf(readText("a.spz", spzHeader({3, 1, 1}) + joined(spzArrays(3)) + std::string(9, '\1'))),
-               "elongation and view-dependent colour");
+               "elongation *view-dependent");
 }
 
 TEST_F(SplatsTest, InvalidSpzIsRefused) {
     const std::string body = joined(spzArrays(3));
-    EXPECT_HAS(reasonOfText("a.spz", "NGSP\3"), "the SPZ header is truncated");
-    EXPECT_HAS(reasonOfText("a.spz", gzipped(std::string(64, 'x'))), "does not start with 'NGSP'");
-    EXPECT_HAS(reasonOfText("a.spz", spzHeader({0}) + body), "has version 0; this build reads SPZ versions 1 to 4");
-    EXPECT_HAS(reasonOfText("a.spz", spzHeader({0xffffffff}) + body), "has version 4294967295");
-    EXPECT_HAS(reasonOfText("a.spz", spzHeader({3, 0}) + body), "holds no points");
-    EXPECT_HAS(reasonOfText("a.spz", spzHeader({3, 2}) + body), "truncated: the header promises 2 Gaussian splats");
-    EXPECT_HAS(reasonOfText("a.spz", gzipped(spzHeader({3, 0xffffffff}) + body)),
-               "promises 4294967295 Gaussian splats");
-    EXPECT_HAS(reasonOfText("a.spz", spz4(spzArrays(4), {4, 0xffffffff})), "promises 4294967295 Gaussian splats");
-    EXPECT_HAS(reasonOfText("a.spz", spzHeader({3, 1, 0, 255}) + body), "cannot have 255 fractional bits");
-    EXPECT_HAS(reasonOfText("a.spz", spz4(spzArrays(4), {4, 2})),
-               "stream 0 has 9 bytes, but 2 Gaussian splats need 18");
-    EXPECT_HAS(reasonOfText("a.spz", spz4(spzArrays(4), {4, 1, 0, 12, 4})), "has 4 streams, but 5 are needed");
-    EXPECT_HAS(reasonOfText("a.spz", spz4(spzArrays(4), {4, 1, 0, 12, 255})),
-               "the table of streams lies outside the file");
+    EXPECT_HAS(reasonOfText("a.spz", "NGSP\3"), "SPZ header *truncated");
+    EXPECT_HAS(reasonOfText("a.spz", gzipped(std::string(64, 'x'))), "'NGSP'");
+    EXPECT_HAS(reasonOfText("a.spz", spzHeader({0}) + body), "version 0*1 to 4");
+    EXPECT_HAS(reasonOfText("a.spz", spzHeader({0xffffffff}) + body), "version 4294967295");
+    EXPECT_HAS(reasonOfText("a.spz", spzHeader({3, 0}) + body), "no points");
+    EXPECT_HAS(reasonOfText("a.spz", spzHeader({3, 2}) + body), "truncated: *promises 2 ");
+    EXPECT_HAS(reasonOfText("a.spz", gzipped(spzHeader({3, 0xffffffff}) + body)), "promises 4294967295 ");
+    EXPECT_HAS(reasonOfText("a.spz", spz4(spzArrays(4), {4, 0xffffffff})), "promises 4294967295 ");
+    EXPECT_HAS(reasonOfText("a.spz", spzHeader({3, 1, 0, 255}) + body), "255 fractional bits");
+    EXPECT_HAS(reasonOfText("a.spz", spz4(spzArrays(4), {4, 2})), "stream 0 *9 bytes*2 *18");
+    EXPECT_HAS(reasonOfText("a.spz", spz4(spzArrays(4), {4, 1, 0, 12, 4})), "4 streams*5");
+    EXPECT_HAS(reasonOfText("a.spz", spz4(spzArrays(4), {4, 1, 0, 12, 255})), "table of streams");
     for (const std::uint32_t table : {0u, 31u, 0xffffffffu}) {
         std::string text = spz4(spzArrays(4));
-        EXPECT_HAS(reasonOfText("a.spz", text.replace(16, 4, bytesOf(table))),
-                   "the table of streams lies outside the file");
+        EXPECT_HAS(reasonOfText("a.spz", text.replace(16, 4, bytesOf(table))), "table of streams");
     }
     // a stream that expands to more than its declared size
     std::vector<std::string> arrays = spzArrays(4);
@@ -293,14 +281,14 @@ TEST_F(SplatsTest, InvalidSpzIsRefused) {
     const std::string bomb = zstdPacked(arrays[0]);
     text.replace(32, 8, bytesOf<std::uint64_t>(bomb.size()));
     text.replace(32 + 5 * 16, zstdPacked(spzArrays(4)[0]).size(), bomb);
-    EXPECT_HAS(reasonOfText("a.spz", text), "the zstd data is invalid");
+    EXPECT_HAS(reasonOfText("a.spz", text), "zstd *invalid");
 }
 
 TEST_F(SplatsTest, MislabelledOnesAreDetectedByContent) {
     EXPECT_EQ(readText("a.ply", spzHeader({3}) + joined(spzArrays(3))).positions.size(), 1u);
     EXPECT_EQ(readText("a.spz", plyHeader(1) + plyRow({})).positions.size(), 1u);
     EXPECT_EQ(readText("a.splat", plyHeader(1) + plyRow({})).positions.size(), 1u);
-    EXPECT_HAS(reasonOfText("b.splat", "1 2 3\n4 5 6\n"), "12 bytes is not a multiple of 32");
+    EXPECT_HAS(reasonOfText("b.splat", "1 2 3\n4 5 6\n"), "12 bytes *32");
 }
 
 TEST_F(SplatsTest, EveryPrefixIsReadOrRefused) {

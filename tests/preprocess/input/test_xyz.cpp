@@ -96,15 +96,15 @@ TEST_F(XyzTest, ColumnsWithoutHeaderAreGuessedFromValues) {
 
 TEST_F(XyzTest, DoubtfulGuessesAreNoted) {
     const auto notes = [&](const char* text) { return notesOf(readText("a.xyz", text)); };
-    EXPECT_HAS(notes("1 2 3 99 10 20 30\n1 2 3 5 1 1 2\n"), "a.xyz: has no header: columns 5 to 7 are read as red");
-    EXPECT_HAS(notes("1 2 3 10 20 30 99 0 0 1\n1 2 3 1 1 2 5 0 1 0\n"), "columns 4 to 6 are read as red");
-    EXPECT_HAS(notes("1 2 3 0.1 0.2 0.3 0.4\n1 2 3 0 0 0 0.5\n"), "columns 5 to 7 are read as red");
-    EXPECT_HAS(notes("1 2 3 200.5 99.25 30.5\n1 2 3 1.5 1.5 1.5\n"), "3 columns after x, y, z that look like neither");
-    EXPECT_HAS(notes("1 2 3 4 5 6 7 8\n1 2 3 4 5 6 7 9\n"), "5 columns after x, y, z that look like neither");
-    EXPECT_HAS(notes("1 2 3 0 0 1 9.5 8.5 7.5\n1 2 3 0 1 0 1 1 1\n"), "3 columns after x, y, z and normals");
-    EXPECT_HAS(notes("1 2 3 4\n"), "1 column after x, y, z that looks like neither colours nor normals is not read");
-    EXPECT_HAS(notes("1 2 3 4 5\n"), "2 columns after x, y, z that look like neither");
-    EXPECT_HAS(notes("1 2 3 0 0 1 0.5\n1 2 3 0 1 0 7\n"), "1 column after x, y, z and normals that looks");
+    EXPECT_HAS(notes("1 2 3 99 10 20 30\n1 2 3 5 1 1 2\n"), "a.xyz: *header*5 to 7 *red");
+    EXPECT_HAS(notes("1 2 3 10 20 30 99 0 0 1\n1 2 3 1 1 2 5 0 1 0\n"), "4 to 6 *red");
+    EXPECT_HAS(notes("1 2 3 0.1 0.2 0.3 0.4\n1 2 3 0 0 0 0.5\n"), "5 to 7 *red");
+    EXPECT_HAS(notes("1 2 3 200.5 99.25 30.5\n1 2 3 1.5 1.5 1.5\n"), "3 columns *x, y, z *neither");
+    EXPECT_HAS(notes("1 2 3 4 5 6 7 8\n1 2 3 4 5 6 7 9\n"), "5 columns *x, y, z *neither");
+    EXPECT_HAS(notes("1 2 3 0 0 1 9.5 8.5 7.5\n1 2 3 0 1 0 1 1 1\n"), "3 columns *x, y, z and normals");
+    EXPECT_HAS(notes("1 2 3 4\n"), "1 column *x, y, z *neither");
+    EXPECT_HAS(notes("1 2 3 4 5\n"), "2 columns *x, y, z *neither");
+    EXPECT_HAS(notes("1 2 3 0 0 1 0.5\n1 2 3 0 1 0 7\n"), "1 column *x, y, z and normals");
     for (const char* clear : {"1 2 3\n", "1\n1 2 3 4\n", "1 2 3 10 20 30\n", "1 2 3 0 0 1\n",
                               "2\n1 2 3 99 10 20 30\n1 2 3 5 1 1 2\n", "//X Y Z R G B I\n1 2 3 99 10 20 30\n",
                               "1 2 3 0 10 20 30\n1 2 3 0 1 1 2\n", "1 2 3 10 20 30 0.5\n1 2 3 1 1 1 0.25\n"})
@@ -179,15 +179,15 @@ TEST_F(XyzTest, MissingAttributeValuesAreNoted) {
     ASSERT_EQ(height.size(), 4u);
     EXPECT_EQ(height[0], 4);
     EXPECT_TRUE(std::isnan(height[1]) && std::isnan(height[2]) && std::isnan(height[3]));
-    EXPECT_HAS(notesOf(cloud), "a.csv: columns of words and columns without a unique name are not read: 'tree'");
-    EXPECT_HAS(notesOf(cloud), "a.csv: 3 attribute values are missing or not numbers");
-    EXPECT_HAS(notesOf(readText("b.csv", "x,y,z\n1,2,3,4\n")), "columns from 4 on have no name and are not read");
+    EXPECT_HAS(notesOf(cloud), "a.csv: *not read: 'tree'");
+    EXPECT_HAS(notesOf(cloud), "a.csv: 3 attribute values");
+    EXPECT_HAS(notesOf(readText("b.csv", "x,y,z\n1,2,3,4\n")), "columns from 4 *name");
 }
 
 TEST_F(XyzTest, DecimalCommasAreNamed) {
     for (const char* text : {"1,5 2,5 3,5\n", "1,5;2,5;3,5\n", "1,5\t2,5\t3,5\n", "-1,5e3 2,5 3\n",
                              "x;y;z\n1,5;2,5;3,5\n", "\"1,5\";\"2,5\";\"3,5\"\n"})
-        EXPECT_HAS(reasonOfText("a.csv", text), "(decimal commas? write 1.5 for 1,5)");
+        EXPECT_HAS(reasonOfText("a.csv", text), "decimal commas");
     for (const char* text : {"one two three\n", "1, two, three\n", "1,5\n", "Dear reader, 1,5 is a number\n"})
         EXPECT_EQ(reasonOfText("a.csv", text).find("commas"), std::string::npos) << text;
 }
@@ -232,14 +232,14 @@ TEST_F(XyzTest, NonFiniteValues) {
 }
 
 TEST_F(XyzTest, BadFilesSayWhy) {
-    EXPECT_HAS(reasonOfText("a.txt", "Dear reader,\nthis is prose.\n"), "a.txt:1: neither a point nor a header");
-    EXPECT_HAS(reasonOfText("a.xyz", "1 2 3\n4 5\n"), "a.xyz:2: has 2 columns, but 3 are needed");
-    EXPECT_HAS(reasonOfText("a.xyz", "1 2 3\n4 five 6\n"), "a.xyz:2: column 2 is not a number: 'five'");
-    EXPECT_HAS(reasonOfText("a.csv", "1,5;2,5;3,5\n"), "a.csv:1: neither");
-    EXPECT_HAS(reasonOfText("a.csv", "x,y,z\n1,,3\n"), "a.csv:2: column 2 is not a number: ''");
-    EXPECT_HAS(reasonOfText("a.pts", "3\n1 2 3\n4 5 6\n"), "truncated: found 2 of 3 points");
-    EXPECT_HAS(reasonOfText("a.xyz", "# nothing\n"), "holds no points");
-    EXPECT_HAS(reasonOfText("a.xyz", "2\n1\n0 0 0\n1 0 0\n"), "a.xyz:2: a second count before the first point");
+    EXPECT_HAS(reasonOfText("a.txt", "Dear reader,\nthis is prose.\n"), "a.txt:1: *neither");
+    EXPECT_HAS(reasonOfText("a.xyz", "1 2 3\n4 5\n"), "a.xyz:2: *2 columns*3");
+    EXPECT_HAS(reasonOfText("a.xyz", "1 2 3\n4 five 6\n"), "a.xyz:2: column 2 *'five'");
+    EXPECT_HAS(reasonOfText("a.csv", "1,5;2,5;3,5\n"), "a.csv:1: *neither");
+    EXPECT_HAS(reasonOfText("a.csv", "x,y,z\n1,,3\n"), "a.csv:2: column 2 *''");
+    EXPECT_HAS(reasonOfText("a.pts", "3\n1 2 3\n4 5 6\n"), "truncated: *2 of 3 ");
+    EXPECT_HAS(reasonOfText("a.xyz", "# nothing\n"), "no points");
+    EXPECT_HAS(reasonOfText("a.xyz", "2\n1\n0 0 0\n1 0 0\n"), "a.xyz:2: *second count");
 }
 
 TEST_F(XyzTest, EveryPrefixIsReadOrRefused) {

@@ -12,7 +12,7 @@ namespace {
 using namespace surface;
 
 /// Discs and sensors.
-struct Scene {
+struct SightlinesScene {
     PointSet points;
 
     void add(const Vec3d& position, const Vec3d& normal, double radius, std::uint32_t sensor = 0) {
@@ -25,7 +25,7 @@ struct Scene {
 };
 
 /// Radii afterwards; shrunk: the number that clearSightlines reports.
-std::vector<float> cleared(const Scene& scene, std::size_t* shrunk = nullptr, std::size_t not_measured = 0) {
+std::vector<float> cleared(const SightlinesScene& scene, std::size_t* shrunk = nullptr, std::size_t not_measured = 0) {
     const StageProgress silent;
     PointGraph graph;
     graph.points = scene.points;
@@ -36,23 +36,24 @@ std::vector<float> cleared(const Scene& scene, std::size_t* shrunk = nullptr, st
 }
 
 constexpr int kHigh = 21, kPosts = 2 * kHigh;
-constexpr double kStep = 0.1;
+constexpr double kSightlinesStep = 0.1;
 
 /// Two posts at y = 2, 1 m apart, with points a step apart and disc radii of 0.6 m; a wall at y = 6, of which sensor 0
 /// at the origin sees the part between them: sightlines a step apart in the posts' plane, from x = -0.3 to 0.3.
-Scene gap(std::uint32_t wall_sensor = 0) {
-    Scene scene;
+SightlinesScene gap(std::uint32_t wall_sensor = 0) {
+    SightlinesScene scene;
     scene.points.sensors = {Vec3f(0, 0, 0), Vec3f(0, 0, 0)};
     for (const double x : {-0.5, 0.5})
-        for (int i = 0; i < kHigh; ++i) scene.add({x, 2, kStep * (i - kHigh / 2)}, -Vec3d::UnitY(), 0.6);
+        for (int i = 0; i < kHigh; ++i) scene.add({x, 2, kSightlinesStep * (i - kHigh / 2)}, -Vec3d::UnitY(), 0.6);
     for (int i = -3; i <= 3; ++i)
         for (int j = 0; j < kHigh; ++j)
-            scene.add(Vec3d(kStep * i, 2, kStep * (j - kHigh / 2)) * 3, -Vec3d::UnitY(), 0.25, wall_sensor);
+            scene.add(Vec3d(kSightlinesStep * i, 2, kSightlinesStep * (j - kHigh / 2)) * 3, -Vec3d::UnitY(), 0.25,
+                      wall_sensor);
     return scene;
 }
 
 TEST(Sightlines, DiscsShrinkToTheGapThatTheirSensorSawThrough) {
-    const Scene scene = gap();
+    const SightlinesScene scene = gap();
     std::size_t shrunk = 0;
     const std::vector<float> radii = cleared(scene, &shrunk);
     EXPECT_EQ(shrunk, std::size_t{kPosts});
@@ -64,7 +65,7 @@ TEST(Sightlines, DiscsShrinkToTheGapThatTheirSensorSawThrough) {
 }
 
 TEST(Sightlines, NothingShrinksWithoutASensor) {
-    Scene scene = gap();
+    SightlinesScene scene = gap();
     scene.points.sensors.clear();
     EXPECT_EQ(cleared(scene), scene.points.radii);
     scene = gap();
@@ -73,12 +74,12 @@ TEST(Sightlines, NothingShrinksWithoutASensor) {
 }
 
 TEST(Sightlines, InsertedPointsHaveNoSightlines) {
-    const Scene scene = gap();
+    const SightlinesScene scene = gap();
     EXPECT_EQ(cleared(scene, nullptr, scene.points.size() - kPosts), scene.points.radii);
 }
 
 TEST(Sightlines, ScatteredPointsKeepTheirDiscs) {
-    Scene scene = gap();
+    SightlinesScene scene = gap();
     scene.points.planarity.assign(scene.points.radii.size(), 1.0f);
     scene.points.planarity[0] = 0.0f;
     const std::vector<float> radii = cleared(scene);
@@ -89,7 +90,7 @@ TEST(Sightlines, ScatteredPointsKeepTheirDiscs) {
 /// For sensors of other scans, the third sightline counts: one is 0.2 m from a post's point; at the ends of a post, one
 /// more is at the square root of 0.05, elsewhere two are.
 TEST(Sightlines, OtherSensorsNeedThree) {
-    const Scene scene = gap(1);
+    const SightlinesScene scene = gap(1);
     const std::vector<float> radii = cleared(scene);
     for (std::size_t i = 0; i < kPosts; ++i) {
         const bool end = i % kHigh == 0 || i % kHigh == kHigh - 1;
@@ -98,7 +99,7 @@ TEST(Sightlines, OtherSensorsNeedThree) {
 }
 
 TEST(Sightlines, DiscsKeepHalfTheDistanceToTheSecondNeighbor) {
-    Scene scene = gap();
+    SightlinesScene scene = gap();
     for (std::size_t i = 0; i < kPosts; ++i) scene.points.positions[i].x() *= 0.52f; // 0.26; sightlines at 0.2
     for (std::size_t i = 0; i < 3; ++i) { // other points of the first post: half a metre apart
         scene.points.positions[i].z() = float(i) * 0.5f + 3;
@@ -111,7 +112,7 @@ TEST(Sightlines, DiscsKeepHalfTheDistanceToTheSecondNeighbor) {
 
 /// Sightlines at 2 degrees to the floor; errors of up to 10 degrees in normals, of 0.002 in heights.
 TEST(Sightlines, AFloorAtAGrazingAngleStaysClosed) {
-    Scene scene;
+    SightlinesScene scene;
     scene.points.sensors = {Vec3f(0, 0, 1)};
     Random random(5);
     for (int i = 0; i < 100; ++i)
@@ -128,7 +129,7 @@ TEST(Sightlines, AFloorAtAGrazingAngleStaysClosed) {
 
 /// A wall with a noise of one spacing, seen head-on: points behind a disc belong to the wall.
 TEST(Sightlines, NoisyPointsAreNotBehindTheirDiscs) {
-    Scene scene;
+    SightlinesScene scene;
     scene.points.sensors = {Vec3f(0, 0, 0)};
     Random random(6);
     for (int i = -30; i < 30; ++i)
@@ -142,7 +143,7 @@ TEST(Sightlines, NoisyPointsAreNotBehindTheirDiscs) {
 }
 
 TEST(Sightlines, SensorsThatRepresentADirectionDoNotCount) {
-    Scene scene = gap();
+    SightlinesScene scene = gap();
     scene.points.sensors[0] = Vec3f(0, -60, 0);
     for (std::size_t i = 0; i < kPosts; ++i) scene.points.radii[i] = 1.2f;
     EXPECT_EQ(cleared(scene), scene.points.radii);
@@ -151,12 +152,12 @@ TEST(Sightlines, SensorsThatRepresentADirectionDoNotCount) {
 /// One sensor cannot see all sides of a sphere.
 TEST(Sightlines, InconsistentSensorsDoNotCount) {
     const Shape sphere = randomSphere(20'000);
-    Scene scene;
+    SightlinesScene scene;
     scene.points.sensors = {Vec3f(0, 0, 3)};
     for (std::size_t i = 0; i < sphere.positions.size(); ++i)
         scene.add(sphere.positions[i].cast<double>(), sphere.normals[i].cast<double>(), 0.05);
     EXPECT_EQ(cleared(scene), scene.points.radii);
-    Scene front;
+    SightlinesScene front;
     front.points.sensors = scene.points.sensors;
     for (std::size_t i = 0; i < sphere.positions.size(); ++i)
         if (sphere.positions[i].z() > 1.0f / 3) // the visible part
@@ -166,7 +167,7 @@ TEST(Sightlines, InconsistentSensorsDoNotCount) {
 
 TEST(Sightlines, DoNotDependOnThreads) {
     Random random(8);
-    Scene scene;
+    SightlinesScene scene;
     for (int i = 0; i < 3; ++i)
         scene.points.sensors.push_back(Vec3f(float(uniform(random)), float(uniform(random)), float(i)));
     for (int i = 0; i < 30'000; ++i) {

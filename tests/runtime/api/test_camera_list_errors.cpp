@@ -56,12 +56,12 @@ TEST_F(CameraListErrors, OfColmapsText) {
     const std::string good = "1 PINHOLE 640 480 500 510 320 240\n", image = "1 " + kColmapPose + " 1 a.png\n\n";
     expectColmap("1 LENS 640 480 1\n", image, "cameras.txt:1: LENS is not a COLMAP camera model");
     expectColmap("# x\n1 PINHOLE 640 480 500 510 320\n", image, "cameras.txt:2: parameter of the model is missing");
-    expectColmap("1 PINHOLE 640 wide 500 510 320 240\n", image, "cameras.txt:1: wide is no HEIGHT");
+    expectColmap("1 PINHOLE 640 wide 500 510 320 240\n", image, "cameras.txt:1: wide is not a valid HEIGHT");
     expectColmap(good + good, image, "cameras.txt:2: camera 1 is defined twice");
     expectColmap(good, "1 " + kColmapPose + " 2 a.png\n\n", "images.txt:1: camera 2 is not in the file of cameras");
     expectColmap(good, "1 " + kColmapPose + " 1\n\n", "images.txt:1: NAME is missing");
     expectColmap(good, image + "2 0 0 0 0 1 2 3 1 b.png\n\n", "images.txt:3: its quaternion is zero");
-    expectColmap(good, "1 x 0 0 0 1 2 3 1 b.png\n\n", "images.txt:1: x is no part of the quaternion");
+    expectColmap(good, "1 x 0 0 0 1 2 3 1 b.png\n\n", "images.txt:1: x is not a valid part of the quaternion");
     expectColmap(good, "# nothing\n", "images.txt: contains no cameras");
     expectColmap("1 OPENCV_FISHEYE 640 480 500 510 320 240 0 0 0 0\n", image,
                  "images.txt:1: its camera model is OPENCV_FISHEYE, not a pinhole");

@@ -11,12 +11,13 @@
 #include "runtime/gpu/device.h"
 #include "runtime/util/vec.h"
 #include "tests/runtime/rays/ray_scenes.h"
+#include "tests/runtime/rays/set_scenes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace pointrt::test {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kMiss = std::numeric_limits<double>::infinity();
 
 /// Hits of rays, with all arrays.
 struct Hits {
@@ -35,10 +36,6 @@ Hits cast(const TraceScene& scene, const std::vector<double>& rays, const RayLim
     Hits hits(rays.size() / 6);
     scene.castRays(std::span<const double>(rays), limits, hits.arrays());
     return hits;
-}
-
-void addRay(std::vector<double>& rays, Vec3 origin, Vec3 direction) {
-    rays.insert(rays.end(), {origin.x, origin.y, origin.z, direction.x, direction.y, direction.z});
 }
 
 /// Fails on messages of the validation layer.
@@ -167,7 +164,7 @@ TEST_F(Cast, Misses_AreMarkedInEachArray) {
     addRay(rays, {1e300, 0, 0}, {1e-300, 0, 0});
     const Hits hits = cast(scene, rays);
     for (std::size_t i = 0; i < hits.t_hit.size(); ++i) {
-        EXPECT_EQ(hits.t_hit[i], kInfinity) << i;
+        EXPECT_EQ(hits.t_hit[i], kMiss) << i;
         EXPECT_EQ(hits.splat_ids[i], 4294967295u) << i;
         EXPECT_EQ(hits.instance_ids[i], 4294967295u) << i;
         EXPECT_EQ(hits.normal(i), Vec3{}) << i;
@@ -183,11 +180,11 @@ TEST_F(Cast, Limits_ExcludeHitsOutside) {
     addRay(rays, {500064, 4500064, 356}, {0, 0, -2}); // from 256 above the ground: hits at t 80 and 112
     const double upper = 80, lower = 112;
     EXPECT_NEAR(cast(scene, rays).t_hit[0], upper, 1e-3);
-    EXPECT_EQ(cast(scene, rays, {0, 79.9}).t_hit[0], kInfinity);
+    EXPECT_EQ(cast(scene, rays, {0, 79.9}).t_hit[0], kMiss);
     EXPECT_NEAR(cast(scene, rays, {0, 80.1}).t_hit[0], upper, 1e-3);
-    EXPECT_NEAR(cast(scene, rays, {80.1, kInfinity}).t_hit[0], lower, 1e-3);
-    EXPECT_EQ(cast(scene, rays, {80.1, 111.9}).t_hit[0], kInfinity);
-    EXPECT_EQ(cast(scene, rays, {112.1, kInfinity}).t_hit[0], kInfinity);
+    EXPECT_NEAR(cast(scene, rays, {80.1, kMiss}).t_hit[0], lower, 1e-3);
+    EXPECT_EQ(cast(scene, rays, {80.1, 111.9}).t_hit[0], kMiss);
+    EXPECT_EQ(cast(scene, rays, {112.1, kMiss}).t_hit[0], kMiss);
     std::uint8_t blocked = 7;
     const std::span<const double> one(rays);
     scene.testOcclusions(one, {80.1, 111.9}, {&blocked, 1});
@@ -239,7 +236,7 @@ TEST_F(Cast, DistantOrigins_LoseNoPrecision) {
         addRay(rays, {place.origin[0] + 64, place.origin[1] + 64, height + away}, {0, 0, -3});
         const Hits hits = cast(scene, rays);
         EXPECT_NEAR(hits.t_hit[0], away, 1e-3 * place.edge * splats[0].radius + 2 * away * 0x1p-52) << away;
-        EXPECT_EQ(hits.t_hit[1], kInfinity) << away;
+        EXPECT_EQ(hits.t_hit[1], kMiss) << away;
         EXPECT_NEAR(hits.t_hit[2] * 3, away, 1e-3 * place.edge * splats[0].radius + 2 * away * 0x1p-52) << away;
     }
 }
@@ -292,7 +289,7 @@ TEST_F(Cast, SeveralScans_NearestIsHit) {
     EXPECT_NEAR(hits.t_hit[0], 104, 1e-3);
     EXPECT_NEAR(hits.t_hit[1], 74, 1e-3);
     EXPECT_NEAR(hits.t_hit[2], 184, 1e-3);
-    EXPECT_EQ(hits.t_hit[3], kInfinity);
+    EXPECT_EQ(hits.t_hit[3], kMiss);
     std::vector<std::uint8_t> occluded(4);
     scene.testOcclusions(std::span<const double>(rays), {}, occluded);
     EXPECT_EQ(occluded, (std::vector<std::uint8_t>{1, 1, 1, 0}));

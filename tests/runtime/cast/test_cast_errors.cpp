@@ -13,9 +13,10 @@
 namespace pointrt::test {
 namespace {
 
-using Kind = TraceError::Kind;
+using ErrorKind = TraceError::Kind;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity(), kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kCastErrorsInfinity = std::numeric_limits<double>::infinity(),
+                 kNaN = std::numeric_limits<double>::quiet_NaN();
 
 class CastErrors : public testing::Test {
 protected:
@@ -29,7 +30,7 @@ protected:
 };
 
 template <typename Act>
-std::string reasonOf(Kind code, Act act) {
+std::string reasonOf(ErrorKind code, Act act) {
     try {
         act();
     } catch (const TraceError& error) {
@@ -46,9 +47,9 @@ TEST_F(CastErrors, InvalidRays_AreNamedByNumber) {
         double wrong;
         const char* reason;
     } cases[] = {{0, kNaN, "the origin is not finite"},
-                 {2, kInfinity, "the origin is not finite"},
+                 {2, kCastErrorsInfinity, "the origin is not finite"},
                  {3, kNaN, "the direction is not finite"},
-                 {5, -kInfinity, "the direction is not finite"},
+                 {5, -kCastErrorsInfinity, "the direction is not finite"},
                  {5, 0, "the direction is 0"}};
     for (const auto& each : cases) {
         std::vector<double> rays{0, 0, 9, 0, 0, -1, 0, 0, 9, 0, 0, -1, 0, 0, 9, 0, 0, -1};
@@ -62,7 +63,7 @@ TEST_F(CastErrors, InvalidRays_AreNamedByNumber) {
             EXPECT_EQ(error.ray, 1u);
             EXPECT_EQ(error.reason, each.reason);
             EXPECT_EQ(error.what(), std::string("ray 1: ") + each.reason);
-            EXPECT_EQ(error.kind, Kind::kBadInput);
+            EXPECT_EQ(error.kind, ErrorKind::kBadInput);
         }
         EXPECT_THROW(scene.testOcclusions(std::span<const double>(rays), {}, occluded), RayError);
     }
@@ -83,26 +84,26 @@ TEST_F(CastErrors, ArraysAndLimits_AreChecked) {
     const std::span<const double> two(rays);
     std::vector<double> one(1);
     const auto refused = [&](const RayLimits& limits, const HitArrays& arrays) {
-        return reasonOf(Kind::kBadUsage, [&] { scene.castRays(two, limits, arrays); });
+        return reasonOf(ErrorKind::kBadUsage, [&] { scene.castRays(two, limits, arrays); });
     };
     EXPECT_EQ(refused({}, {.t_hit = one}), "t_hit: expected 2 numbers, got 1");
     EXPECT_EQ(refused({}, {.positions = one}), "positions: expected 6 numbers, got 1");
     const std::string limits = "t_min must be finite and at least 0, and t_max at least t_min";
-    for (const RayLimits& wrong :
-         {RayLimits{-1, 1}, RayLimits{2, 1}, RayLimits{kNaN, 1}, RayLimits{0, kNaN}, RayLimits{kInfinity, kInfinity}})
+    for (const RayLimits& wrong : {RayLimits{-1, 1}, RayLimits{2, 1}, RayLimits{kNaN, 1}, RayLimits{0, kNaN},
+                                   RayLimits{kCastErrorsInfinity, kCastErrorsInfinity}})
         EXPECT_EQ(refused(wrong, {}), limits);
     std::vector<std::uint8_t> three(3);
-    EXPECT_EQ(reasonOf(Kind::kBadUsage, [&] { scene.testOcclusions(two, {}, three); }),
+    EXPECT_EQ(reasonOf(ErrorKind::kBadUsage, [&] { scene.testOcclusions(two, {}, three); }),
               "occluded must have one value per ray");
-    EXPECT_EQ(reasonOf(Kind::kBadUsage, [&] { RayRows{two.subspan(1)}; }),
+    EXPECT_EQ(reasonOf(ErrorKind::kBadUsage, [&] { RayRows{two.subspan(1)}; }),
               "rays have six numbers each, but the array has 11");
 }
 
 TEST_F(CastErrors, InvalidScenes_AreNamed) {
-    const auto refused = [&](const std::vector<std::string>& paths, Kind code = Kind::kBadInput) {
+    const auto refused = [&](const std::vector<std::string>& paths, ErrorKind code = ErrorKind::kBadInput) {
         return reasonOf(code, [&] { TraceScene(device, paths); });
     };
-    EXPECT_EQ(refused({}, Kind::kBadUsage), "a scene needs at least one .pro file");
+    EXPECT_EQ(refused({}, ErrorKind::kBadUsage), "a scene needs at least one .pro file");
     const std::string missing = folder.file("missing.pro");
     EXPECT_EQ(refused({plane(), missing}), missing + ": No such file or directory");
     EXPECT_EQ(refused({"city.proset"}), "city.proset/set.json: No such file or directory");
@@ -114,7 +115,7 @@ TEST_F(CastErrors, InvalidScenes_AreNamed) {
 }
 
 TEST_F(CastErrors, UnknownDevice_ListsDevices) {
-    const std::string reason = reasonOf(Kind::kCannotRun, [] { TraceDevice("no such device"); });
+    const std::string reason = reasonOf(ErrorKind::kCannotRun, [] { TraceDevice("no such device"); });
     EXPECT_NE(reason.find(device.name()), std::string::npos) << reason;
 }
 

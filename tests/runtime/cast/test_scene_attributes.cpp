@@ -13,8 +13,6 @@
 namespace pointrt::test {
 namespace {
 
-using Kind = TraceError::Kind;
-
 const std::string kTiny = POINTRT_GOLDEN_DIR "/tiny_compact_scan.pro"; // see tests/format/tiny_attributes.h
 
 template <typename Number>
@@ -31,7 +29,7 @@ std::string refusalOf(const TraceScene& scene, const std::string& name, std::siz
     try {
         scene.readAttribute(name, one, one, values);
     } catch (const TraceError& error) {
-        EXPECT_EQ(error.kind, Kind::kBadUsage);
+        EXPECT_EQ(error.kind, TraceError::Kind::kBadUsage);
         return error.what();
     }
     return "nothing was thrown";

@@ -11,7 +11,7 @@
 namespace pointrt {
 namespace {
 
-using Numbers = std::vector<std::uint32_t>;
+using TileNumbers = std::vector<std::uint32_t>;
 
 SetTile tileAt(std::uint32_t level, TileCell cell, double error) {
     SetTile tile;
@@ -90,10 +90,10 @@ TEST(Cut, ScreenSpaceError_IsThatOfTheNearestPoint) {
 
 TEST(Cut, Refinement_StopsBelowAPixel) {
     const TileSet set = rowOfFour();
-    EXPECT_EQ(cutOf(set, requestOf(fromTheLeft(100))).tiles, (Numbers{3, 4, 5, 6})); // 20, 10 and 3.3 pixels
-    EXPECT_EQ(cutOf(set, requestOf(fromTheLeft(12))).tiles, (Numbers{2, 3, 4}));     // 2.4, 1.2 and 0.4
-    EXPECT_EQ(cutOf(set, requestOf(fromTheLeft(9))).tiles, (Numbers{1, 2}));         // 1.8, 0.9 and 0.3
-    EXPECT_EQ(cutOf(set, requestOf(fromTheLeft(4))).tiles, Numbers{0});              // 0.8
+    EXPECT_EQ(cutOf(set, requestOf(fromTheLeft(100))).tiles, (TileNumbers{3, 4, 5, 6})); // 20, 10 and 3.3 pixels
+    EXPECT_EQ(cutOf(set, requestOf(fromTheLeft(12))).tiles, (TileNumbers{2, 3, 4}));     // 2.4, 1.2 and 0.4
+    EXPECT_EQ(cutOf(set, requestOf(fromTheLeft(9))).tiles, (TileNumbers{1, 2}));         // 1.8, 0.9 and 0.3
+    EXPECT_EQ(cutOf(set, requestOf(fromTheLeft(4))).tiles, TileNumbers{0});              // 0.8
 }
 
 TEST(Cut, Detail_IsTheErrorInPixels) {
@@ -101,13 +101,13 @@ TEST(Cut, Detail_IsTheErrorInPixels) {
     CutRequest request = requestOf(fromTheLeft(100)); // 20, 10 and 3.3 pixels
     EXPECT_EQ(request.detail, 1);
     request.detail = 4;
-    EXPECT_EQ(cutOf(set, request).tiles, (Numbers{2, 3, 4}));
+    EXPECT_EQ(cutOf(set, request).tiles, (TileNumbers{2, 3, 4}));
     request.detail = 9.9;
-    EXPECT_EQ(cutOf(set, request).tiles, (Numbers{2, 3, 4}));
+    EXPECT_EQ(cutOf(set, request).tiles, (TileNumbers{2, 3, 4}));
     request.detail = 10.1;
-    EXPECT_EQ(cutOf(set, request).tiles, (Numbers{1, 2}));
+    EXPECT_EQ(cutOf(set, request).tiles, (TileNumbers{1, 2}));
     request.detail = 20.1;
-    EXPECT_EQ(cutOf(set, request).tiles, Numbers{0});
+    EXPECT_EQ(cutOf(set, request).tiles, TileNumbers{0});
 }
 
 TEST(Cut, DetailZero_TakesTheFinestTiles) {
@@ -115,11 +115,11 @@ TEST(Cut, DetailZero_TakesTheFinestTiles) {
     CutRequest request = requestOf(fromTheLeft(1)); // a fifth of a pixel
     request.views[0].camera.forward = {-1, 0, 0};   // and no camera sees it
     request.views[0].camera.right = {0, 1, 0};
-    EXPECT_EQ(cutOf(set, request).tiles, Numbers{0});
+    EXPECT_EQ(cutOf(set, request).tiles, TileNumbers{0});
     request.detail = 0;
-    EXPECT_EQ(cutOf(set, request).tiles, (Numbers{3, 4, 5, 6}));
+    EXPECT_EQ(cutOf(set, request).tiles, (TileNumbers{3, 4, 5, 6}));
     request.memory = 399; // the limit applies all the same
-    EXPECT_EQ(cutOf(set, request).tiles, (Numbers{2, 3, 4}));
+    EXPECT_EQ(cutOf(set, request).tiles, (TileNumbers{2, 3, 4}));
     EXPECT_FALSE(cutOf(set, request).fits);
 }
 
@@ -128,9 +128,9 @@ TEST(Cut, LargestDetail_TakesTheRoot) {
     CutRequest request = requestOf(fromTheLeft(100));
     request.views[0].camera.eye = {1.5, 0.5, 0.5}; // inside: the error is infinite
     request.detail = kMaxPixelSide - 1;
-    EXPECT_EQ(cutOf(set, request).tiles, (Numbers{2, 3, 4}));
+    EXPECT_EQ(cutOf(set, request).tiles, (TileNumbers{2, 3, 4}));
     request.detail = kMaxPixelSide;
-    EXPECT_EQ(cutOf(set, request).tiles, Numbers{0});
+    EXPECT_EQ(cutOf(set, request).tiles, TileNumbers{0});
 }
 
 TEST(Cut, Memory_LimitsTheCut) {
@@ -138,33 +138,33 @@ TEST(Cut, Memory_LimitsTheCut) {
     CutRequest request = requestOf(fromTheLeft(100));
     request.memory = 399;
     const TileCut cut = cutOf(set, request);
-    EXPECT_EQ(cut.tiles, (Numbers{2, 3, 4})); // the left half has the larger error
+    EXPECT_EQ(cut.tiles, (TileNumbers{2, 3, 4})); // the left half has the larger error
     EXPECT_EQ(cut.bytes, 300u);
     EXPECT_FALSE(cut.fits);
     request.memory = 400;
-    EXPECT_EQ(cutOf(set, request).tiles, (Numbers{3, 4, 5, 6}));
+    EXPECT_EQ(cutOf(set, request).tiles, (TileNumbers{3, 4, 5, 6}));
     EXPECT_TRUE(cutOf(set, request).fits);
     request.splat_bytes = 16;
-    EXPECT_EQ(cutOf(set, request).tiles, (Numbers{2, 3, 4}));
+    EXPECT_EQ(cutOf(set, request).tiles, (TileNumbers{2, 3, 4}));
     EXPECT_EQ(cutOf(set, request).bytes, 348u);
     request.splat_bytes = 0;
     TileSet heavy = set;
     heavy.tiles[3].bytes = 1000; // tiles that do not fit are skipped
-    EXPECT_EQ(cutOf(heavy, request).tiles, (Numbers{1, 5, 6}));
+    EXPECT_EQ(cutOf(heavy, request).tiles, (TileNumbers{1, 5, 6}));
     request.memory = 0; // the root is exempt
-    EXPECT_EQ(cutOf(set, request).tiles, Numbers{0});
+    EXPECT_EQ(cutOf(set, request).tiles, TileNumbers{0});
 }
 
 TEST(Cut, UnseenTiles_MayBeCoarser) {
     const TileSet set = rowOfFour();
     CutRequest request = requestOf(fromTheLeft(29)); // 5.8, 2.9 and 0.97 pixels
-    EXPECT_EQ(cutOf(set, request).tiles, (Numbers{2, 3, 4}));
+    EXPECT_EQ(cutOf(set, request).tiles, (TileNumbers{2, 3, 4}));
     request.views[0].camera.forward = {-1, 0, 0}; // 1.45, 0.73 and 0.24
     request.views[0].camera.right = {0, 1, 0};
-    EXPECT_EQ(cutOf(set, request).tiles, (Numbers{1, 2}));
+    EXPECT_EQ(cutOf(set, request).tiles, (TileNumbers{1, 2}));
     request.hit_unseen.assign(7, false);
     request.hit_unseen[1] = true;
-    EXPECT_EQ(cutOf(set, request).tiles, (Numbers{2, 3, 4}));
+    EXPECT_EQ(cutOf(set, request).tiles, (TileNumbers{2, 3, 4}));
 }
 
 TEST(Cut, SeveralCameras_EachGetTheirDetail) {
@@ -173,7 +173,7 @@ TEST(Cut, SeveralCameras_EachGetTheirDetail) {
     CutView other = fromTheLeft(12);
     other.camera = {{5, 0.5, 0.5}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, 90, 0}; // the mirror image
     request.views.push_back(other);
-    EXPECT_EQ(cutOf(set, request).tiles, (Numbers{3, 4, 5, 6}));
+    EXPECT_EQ(cutOf(set, request).tiles, (TileNumbers{3, 4, 5, 6}));
 }
 
 TEST(Cut, MissingTiles_AreReplacedByParents) {
@@ -181,9 +181,9 @@ TEST(Cut, MissingTiles_AreReplacedByParents) {
     CutRequest request = requestOf(fromTheLeft(100));
     request.missing.assign(7, false);
     request.missing[4] = true;
-    EXPECT_EQ(cutOf(set, request).tiles, (Numbers{1, 5, 6}));
+    EXPECT_EQ(cutOf(set, request).tiles, (TileNumbers{1, 5, 6}));
     request.missing[2] = true;
-    EXPECT_EQ(cutOf(set, request).tiles, Numbers{0});
+    EXPECT_EQ(cutOf(set, request).tiles, TileNumbers{0});
 }
 
 /// 0: the root, x from 0 to 8; 1: its left half; 2: its right half, with a negligible error; 3: from 2 to 4; 4: from 4
@@ -196,7 +196,7 @@ TileSet steepSteps() {
 
 TEST(Cut, Neighbors_DifferByAtMostOneLevel) {
     const TileSet set = steepSteps();
-    EXPECT_EQ(cutOf(set, requestOf(fromTheLeft(100))).tiles, (Numbers{4, 5}));
+    EXPECT_EQ(cutOf(set, requestOf(fromTheLeft(100))).tiles, (TileNumbers{4, 5}));
 }
 
 TEST(Cut, HitBox_ExtendsWhereNoOtherTileIs) {

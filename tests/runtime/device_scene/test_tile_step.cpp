@@ -43,18 +43,18 @@ TileLoadRequest requestOfFour() {
     return request;
 }
 
-using Numbers = std::vector<std::uint32_t>;
+using TileStepNumbers = std::vector<std::uint32_t>;
 
 TEST(TileStep, CoarseTiles_AreLoadedFirst) {
     TileLoadRequest request = requestOfFour();
     EXPECT_FALSE(chooseNextCut(request)); // 160 MiB for all, 90 with a quarter of the memory, 20 with a sixteenth
-    EXPECT_EQ(request.sets[0].cut.tiles, (Numbers{1, 2}));
+    EXPECT_EQ(request.sets[0].cut.tiles, (TileStepNumbers{1, 2}));
     for (const std::uint32_t tile : request.sets[0].cut.tiles) request.resident.insert(tilePath(request.sets[0], tile));
     EXPECT_FALSE(chooseNextCut(request)); // the cut for a sixteenth is resident: on to a quarter
-    EXPECT_EQ(request.sets[0].cut.tiles, (Numbers{2, 3, 4}));
+    EXPECT_EQ(request.sets[0].cut.tiles, (TileStepNumbers{2, 3, 4}));
     for (const std::uint32_t tile : request.sets[0].cut.tiles) request.resident.insert(tilePath(request.sets[0], tile));
     EXPECT_TRUE(chooseNextCut(request));
-    EXPECT_EQ(request.sets[0].cut.tiles, (Numbers{3, 4, 5, 6}));
+    EXPECT_EQ(request.sets[0].cut.tiles, (TileStepNumbers{3, 4, 5, 6}));
 }
 
 TEST(TileStep, MissingBytes_IncludeIndicesToBuild) {
@@ -67,7 +67,7 @@ TEST(TileStep, ResidentTiles_TakeNoStep) {
     TileLoadRequest request = requestOfFour();
     for (std::uint32_t tile = 0; tile < 7; ++tile) request.resident.insert(tilePath(request.sets[0], tile));
     EXPECT_TRUE(chooseNextCut(request));
-    EXPECT_EQ(request.sets[0].cut.tiles, (Numbers{3, 4, 5, 6}));
+    EXPECT_EQ(request.sets[0].cut.tiles, (TileStepNumbers{3, 4, 5, 6}));
 }
 
 } // namespace

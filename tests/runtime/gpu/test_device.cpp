@@ -23,14 +23,14 @@
 namespace pointrt {
 namespace {
 
-constexpr VkBufferUsageFlags kTexels = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
-constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+constexpr VkBufferUsageFlags kTexelBuffer = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
+constexpr VkBufferUsageFlags kStorageBuffer = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 constexpr std::size_t kPageWords = 1024;
 // of scale_words.comp.glsl
 constexpr gpu::Binding kWords{0}, kResult{3};
 constexpr gpu::SpecId kFactor{0};
 
-struct Push {
+struct ScalePush {
     std::uint32_t count, summand, unused[2];
     float also_unused[3];
 };
@@ -53,14 +53,14 @@ protected:
     std::vector<std::uint32_t> scaleOnDevice(Buffer& words, bool indirect) {
         const std::uint32_t count = static_cast<std::uint32_t>(words.bytes / 4), groups = (count + 63) / 64;
         const std::vector<std::uint32_t> arguments = {0, groups, 1, 1};
-        Buffer result = createBuffer(device, "result", words.bytes, kStorage);
+        Buffer result = createBuffer(device, "result", words.bytes, kStorageBuffer);
         Buffer group_counts =
             createFilledBuffer(device, "arguments", arguments.data(), 16, VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
         createTexelView(device, "words", words, VK_FORMAT_R32_UINT);
         Program program = createProgram(device, "scale_words", scale_words_spv, {{kFactor, 3}});
         VkDescriptorPool pool = createDescriptorPool(device, 1);
         const VkDescriptorSet set = createDescriptorSet(device, pool, program, {{kWords, &words}, {kResult, &result}});
-        const Push push{count, 5, {}, {}};
+        const ScalePush push{count, 5, {}, {}};
         const VkCommandBuffer commands = beginCommands(device);
         if (indirect)
             recordDispatchIndirect(commands, program, set, pushBytes(push), group_counts, 4);
@@ -105,14 +105,14 @@ TEST_F(DeviceTest, Names_AreOnWithValidation) {
     ASSERT_NE(std::getenv("POINTRT_VALIDATION"), nullptr);
     EXPECT_NE(device.setObjectName, nullptr);
     device.setObjectName = nullptr; // as without the extension
-    Buffer buffer = createBuffer(device, "words", 64, kStorage);
+    Buffer buffer = createBuffer(device, "words", 64, kStorageBuffer);
     EXPECT_NE(buffer.handle, VkBuffer{});
     destroyBuffer(device, buffer);
 }
 
 TEST_F(DeviceTest, UploadsAndDownloads) {
     const std::vector<std::uint32_t> words = countingWords(100'003);
-    Buffer buffer = createFilledBuffer(device, "words", words.data(), words.size() * 4, kStorage);
+    Buffer buffer = createFilledBuffer(device, "words", words.data(), words.size() * 4, kStorageBuffer);
     EXPECT_EQ(download(buffer), words);
     const std::uint32_t patch[2] = {1, 2};
     uploadBuffer(device, buffer, patch, 8, 400);
@@ -127,14 +127,14 @@ TEST_F(DeviceTest, UploadsAndDownloads) {
 TEST_F(DeviceTest, UnmappedMemory_IsStaged) {
     device.unified_memory = false;
     const std::vector<std::uint32_t> words = countingWords((80u << 20) / 4);
-    Buffer buffer = createFilledBuffer(device, "words", words.data(), words.size() * 4, kStorage);
+    Buffer buffer = createFilledBuffer(device, "words", words.data(), words.size() * 4, kStorageBuffer);
     EXPECT_EQ(buffer.mapped, nullptr);
     EXPECT_EQ(download(buffer), words);
     destroyBuffer(device, buffer);
 }
 
 TEST_F(DeviceTest, HasBuffersForEmptySections) {
-    Buffer buffer = createFilledBuffer(device, "nothing", nullptr, 0, kTexels);
+    Buffer buffer = createFilledBuffer(device, "nothing", nullptr, 0, kTexelBuffer);
     createTexelView(device, "nothing", buffer, VK_FORMAT_R32G32B32A32_UINT);
     EXPECT_NE(buffer.view, nullptr);
     destroyBuffer(device, buffer);
@@ -142,7 +142,7 @@ TEST_F(DeviceTest, HasBuffersForEmptySections) {
 
 TEST_F(DeviceTest, RefusesMoreThanTheDeviceAllocates) {
     try {
-        createBuffer(device, "splats", device.max_allocation_bytes + 1, kStorage);
+        createBuffer(device, "splats", device.max_allocation_bytes + 1, kStorageBuffer);
         FAIL() << "no error";
     } catch (const Error& error) {
         EXPECT_EQ(error.code, ExitCode::kCannotRun);
@@ -152,14 +152,14 @@ TEST_F(DeviceTest, RefusesMoreThanTheDeviceAllocates) {
 
 TEST_F(DeviceTest, RunsAProgram) {
     const std::vector<std::uint32_t> words = countingWords(1000);
-    Buffer buffer = createFilledBuffer(device, "words", words.data(), 4000, kTexels);
+    Buffer buffer = createFilledBuffer(device, "words", words.data(), 4000, kTexelBuffer);
     EXPECT_EQ(scaleOnDevice(buffer, false), scaled(words));
     destroyBuffer(device, buffer);
 }
 
 TEST_F(DeviceTest, RunsAProgramIndirectly) {
     const std::vector<std::uint32_t> words = countingWords(1000);
-    Buffer buffer = createFilledBuffer(device, "words", words.data(), 4000, kTexels);
+    Buffer buffer = createFilledBuffer(device, "words", words.data(), 4000, kTexelBuffer);
     EXPECT_EQ(scaleOnDevice(buffer, true), scaled(words));
     destroyBuffer(device, buffer);
 }
@@ -174,7 +174,7 @@ TEST_F(DeviceTest, ReadsAnImportedReadOnlyMappingInPlace) {
     ASSERT_EQ(write(file, words.data(), words.size() * 4), static_cast<ssize_t>(words.size() * 4));
     void* mapped = mmap(nullptr, words.size() * 4, PROT_READ, MAP_PRIVATE, file, 0);
     ASSERT_NE(mapped, MAP_FAILED);
-    Buffer buffer = importHostBuffer(device, mapped, words.size() * 4, kTexels);
+    Buffer buffer = importHostBuffer(device, mapped, words.size() * 4, kTexelBuffer);
     if (buffer.handle) {
         EXPECT_TRUE(buffer.imported);
         EXPECT_EQ(scaleOnDevice(buffer, false), scaled(words));
@@ -190,14 +190,14 @@ TEST_F(DeviceTest, ReadsAnImportedReadOnlyMappingInPlace) {
 TEST_F(DeviceTest, DoesNotImportFromTheMiddleOfAPage) {
     std::vector<std::uint32_t> words(4 * kPageWords);
     const auto address = reinterpret_cast<std::uintptr_t>(words.data());
-    const Buffer buffer = importHostBuffer(device, words.data() + (address % 4096 == 4 ? 2 : 1), 4096, kTexels);
+    const Buffer buffer = importHostBuffer(device, words.data() + (address % 4096 == 4 ? 2 : 1), 4096, kTexelBuffer);
     EXPECT_EQ(buffer.handle, nullptr);
 }
 
 TEST_F(DeviceTest, ChecksBindingsAndPushConstantsAgainstTheShader) {
-    Buffer buffer = createBuffer(device, "words", 64, kTexels | kStorage);
+    Buffer buffer = createBuffer(device, "words", 64, kTexelBuffer | kStorageBuffer);
     Program program = createProgram(device, "scale_words", scale_words_spv, {{kFactor, 3}});
-    EXPECT_EQ(program.shader.push_bytes, sizeof(Push));
+    EXPECT_EQ(program.shader.push_bytes, sizeof(ScalePush));
     ASSERT_EQ(program.shader.bindings.size(), 2u);
     EXPECT_EQ(program.shader.bindings[0].type, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER);
     EXPECT_EQ(program.shader.bindings[1].type, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
@@ -239,7 +239,7 @@ TEST(Validation, CountsAMessage) {
     Device device = createDevice({});
     const std::uint64_t before = validationMessages();
     VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
-    info.usage = kStorage;
+    info.usage = kStorageBuffer;
     VkBuffer buffer = VK_NULL_HANDLE;
     testing::internal::CaptureStderr();
     vkCreateBuffer(device.handle, &info, nullptr, &buffer); // a size of 0 is not allowed

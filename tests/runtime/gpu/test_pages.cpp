@@ -89,7 +89,7 @@ struct OpenScene {
 class PagesTest : public testing::Test {
 protected:
     void SetUp() override {
-        test::BuildOptions options;
+        test::TreeOptions options;
         options.members_max = 64;
         test::sceneOf(sphere(20000, {0.5, 0.5, 0.5}, 0.4), options).write(even_);
         options.members_max = 8;

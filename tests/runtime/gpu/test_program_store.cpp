@@ -9,12 +9,12 @@
 namespace pointrt {
 namespace {
 
-constexpr gpu::SpecId kFactor{0};
+constexpr gpu::SpecId kProgramStoreFactor{0};
 
 class ProgramStoreTest : public DeviceFixture {
 protected:
     Program build(std::uint32_t factor) {
-        return createProgram(device, "scale_words", scale_words_spv, {{kFactor, factor}});
+        return createProgram(device, "scale_words", scale_words_spv, {{kProgramStoreFactor, factor}});
     }
     void buildAndGiveBack(std::uint32_t factor) {
         Program program = build(factor);
@@ -33,7 +33,8 @@ TEST_F(ProgramStoreTest, EqualPrograms_AreShared) {
 
 TEST_F(ProgramStoreTest, UndeclaredConstants_AreIgnored) {
     Program first = build(3);
-    Program second = createProgram(device, "scale_words", scale_words_spv, {{gpu::SpecId{7}, 1}, {kFactor, 3}});
+    Program second =
+        createProgram(device, "scale_words", scale_words_spv, {{gpu::SpecId{7}, 1}, {kProgramStoreFactor, 3}});
     EXPECT_EQ(first.pipeline, second.pipeline);
     destroyProgram(device, first);
     destroyProgram(device, second);
@@ -57,7 +58,8 @@ TEST_F(ProgramStoreTest, UnusedPrograms_AreKeptUpToALimit) {
 
 TEST_F(ProgramStoreTest, Workers_ShareIt) {
     Device worker = workerDevice(device);
-    Program first = build(3), second = createProgram(worker, "scale_words", scale_words_spv, {{kFactor, 3}});
+    Program first = build(3),
+            second = createProgram(worker, "scale_words", scale_words_spv, {{kProgramStoreFactor, 3}});
     EXPECT_EQ(first.pipeline, second.pipeline);
     destroyProgram(worker, first);
     destroyProgram(device, second);

@@ -14,6 +14,7 @@
 
 #include "tests/runtime/rays/array_file.h"
 #include "tests/runtime/rays/ray_scenes.h"
+#include "tests/support/says.h"
 #include "tests/support/temporary_folder.h"
 
 namespace pointrt::test {
@@ -41,13 +42,13 @@ protected:
     }
     Outcome cast(const std::string& words) const { return run(POINTRT_RAYS " cast plane.pro " + words); }
 
-    /// Expects this exit code, a single error line, no new files and an unchanged out.npz.
+    /// Expects this exit code, a single error line that says reason (says.h), no new files and an unchanged out.npz.
     void expectRefused(int code, const std::string& reason, const std::string& words) const {
         folder.write("out.npz", "precious");
         const std::size_t before = folder.entries();
         const Outcome result = run(words);
         EXPECT_EQ(result.code, code) << words;
-        EXPECT_EQ(result.err, "pointrt-rays: error: " + reason + "\n") << words;
+        EXPECT_SAYS(result.err, "pointrt-rays: error: " + reason + "\n") << words;
         EXPECT_EQ(result.out, "") << words;
         EXPECT_EQ(text("out.npz"), "precious") << words;
         EXPECT_LE(folder.entries(), before + 2) << words; // .out and .err

@@ -21,43 +21,43 @@ TEST_F(CastCommand, ArraysOfOtherThanRaysAreRefused) {
         expectRefused(1, "rays.npy: " + reason, kCast + "rays.npy -o out.npz");
     };
     array("'<i4'", "False", "(2, 6)", 48);
-    refused("the type is '<i4', but rays are float32 ('<f4') or float64 ('<f8')");
+    refused("*type*'<i4'*'<f4'*'<f8'");
     array("'>f8'", "False", "(2, 6)", 96);
-    refused("the type is '>f8', but rays are float32 ('<f4') or float64 ('<f8')");
+    refused("*type*'>f8'*'<f4'*'<f8'");
     array("'<f8'", "False", "(2, 3)", 48);
-    refused("the shape is (2, 3), but rays are (N, 6): origin and direction");
+    refused("*shape*(2, 3)*(N, 6)");
     array("'<f8'", "False", "(6,)", 48);
-    refused("the shape is (6,), but rays are (N, 6): origin and direction");
+    refused("*shape*(6,)*(N, 6)");
     array("'<f8'", "True", "(2, 6)", 96);
-    refused("the array is in Fortran order; save numpy.ascontiguousarray(array)");
+    refused("*Fortran");
     array("'<f8'", "False", "(3, 6)", 96);
-    refused("ends in ray 2 of 3");
+    refused("*ray 2 of 3");
     array("'<f8'", "False", "(18446744073709551615, 6)", 96);
-    refused("ends in ray 2 of 18446744073709551615");
+    refused("*ray 2 of 18446744073709551615");
     array("'<f8'", "False", "2, 6", 96);
-    refused("invalid shape in the header");
+    refused("*shape*header");
     array("'<f8'", "Maybe", "(2, 6)", 96);
-    refused("invalid fortran_order in the header");
+    refused("*fortran_order*header");
     folder.write("rays.npy", rayArray(kTwoRays) + "x");
-    refused("more data after 2 rays");
+    refused("*more*2 rays");
     folder.write("rays.npy", rayArray(kTwoRays).substr(0, 40));
-    refused("truncated in the header");
+    refused("*truncated*header");
     folder.write("rays.npy", std::string("\x93NUMPY\x07\x00\x02\x00{}", 12));
-    refused("unknown version of the .npy format");
+    refused("*version");
     folder.write("rays.npy", std::string("\x93NUMPY\x02\x00\xFF\xFF\xFF\x7F", 12));
-    refused("the header is too long");
+    refused("*header*long");
 }
 
 TEST_F(CastCommand, InvalidRaysAreNamedByTheirRow) {
     std::vector<double> rays(6 * 300000, 1.0); // the second chunk
     rays[6 * 299999 + 4] = std::numeric_limits<double>::quiet_NaN();
     folder.write("rays.npy", rayArray(rays));
-    expectRefused(1, "rays.npy: ray 299999: the direction is not finite", kCast + "rays.npy -o out.npz");
-    expectRefused(1, "standard input: ray 299999: the direction is not finite", kCast + "- --any -o out.npz <rays.npy");
+    expectRefused(1, "rays.npy: ray 299999: *direction*finite", kCast + "rays.npy -o out.npz");
+    expectRefused(1, "standard input: ray 299999: *direction*finite", kCast + "- --any -o out.npz <rays.npy");
     folder.write("zero.csv", "x y z dx dy dz\n1 2 3 0 0 1\n1 2 3 0 0 0\n");
-    expectRefused(1, "zero.csv:3: the direction is 0", kCast + "zero.csv -o out.npz");
+    expectRefused(1, "zero.csv:3: *direction*0", kCast + "zero.csv -o out.npz");
     folder.write("zero.csv", "1 2 inf 0 0 1\n");
-    expectRefused(1, "zero.csv:1: the origin is not finite", kCast + "zero.csv -o out.npz");
+    expectRefused(1, "zero.csv:1: *origin*finite", kCast + "zero.csv -o out.npz");
 }
 
 TEST_F(CastCommand, InvalidTextIsNamedByItsLine) {
@@ -65,13 +65,13 @@ TEST_F(CastCommand, InvalidTextIsNamedByItsLine) {
         folder.write("rays.csv", lines);
         expectRefused(1, "rays.csv:" + reason, kCast + "rays.csv -o out.npz");
     };
-    refused("1 2 3 0 0 1\n1,2,3,0,0\n", "2: 5 numbers, but a ray has 6: origin and direction");
-    refused("1 2 3 0 0 1 7\n", "1: 7 numbers, but a ray has 6: origin and direction");
-    refused("a b c\n1 2 3 0 0 one\n", "2: \"one\" is not a number");
-    refused("1 2 3 0 0 1\nx y z\n", "2: \"x\" is not a number");
-    refused("1 2 3 0 0 1e999\n", "1: \"1e999\" is not a number");
-    refused("1 2 3 0x1 0 1\n", "1: \"0x1\" is not a number");
-    refused(std::string(1 << 17, '7'), "1: line too long: not a list of rays");
+    refused("1 2 3 0 0 1\n1,2,3,0,0\n", "2: 5 *6");
+    refused("1 2 3 0 0 1 7\n", "1: 7 *6");
+    refused("a b c\n1 2 3 0 0 one\n", "2: \"one\" *number");
+    refused("1 2 3 0 0 1\nx y z\n", "2: \"x\" *number");
+    refused("1 2 3 0 0 1e999\n", "1: \"1e999\" *number");
+    refused("1 2 3 0x1 0 1\n", "1: \"0x1\" *number");
+    refused(std::string(1 << 17, '7'), "1: *long");
 }
 
 TEST_F(CastCommand, MissingFilesAreNamed) {
@@ -81,31 +81,29 @@ TEST_F(CastCommand, MissingFilesAreNamed) {
     const std::string rays = " --rays rays.npy -o out.npz";
     expectRefused(1, "missing.pro: No such file or directory", POINTRT_RAYS " cast missing.pro" + rays);
     expectRefused(1, "site.proset/set.json: No such file or directory", POINTRT_RAYS " cast site.proset" + rays);
-    expectRefused(4, "nowhere/hits.npz: the folder does not exist", kCast + "rays.npy -o nowhere/hits.npz");
-    expectRefused(4, "nowhere/stats.json: the folder does not exist",
-                  kCast + "rays.npy -o out.npz --stats nowhere/stats.json");
+    expectRefused(4, "nowhere/hits.npz: *folder", kCast + "rays.npy -o nowhere/hits.npz");
+    expectRefused(4, "nowhere/stats.json: *folder", kCast + "rays.npy -o out.npz --stats nowhere/stats.json");
 }
 
 TEST_F(CastCommand, WrongUsageExitsWithTwo) {
     folder.write("rays.npy", rayArray(kTwoRays));
     const auto refused = [&](const std::string& reason, const std::string& words) {
-        expectRefused(2, reason + " (see --help)", POINTRT_RAYS " " + words);
+        expectRefused(2, reason + "*(see --help)", POINTRT_RAYS " " + words);
     };
-    refused("a command is required: cast, lidar, sun, viewshed", "");
-    refused("throw: unknown command; commands: cast, lidar, sun, viewshed", "throw plane.pro");
-    refused("--rays is required", "cast plane.pro -o out.npz");
-    refused("unknown option --ray, did you mean --rays?", "cast plane.pro --ray rays.npy -o out.npz");
+    refused("*command*cast, lidar, sun, viewshed", "");
+    refused("throw: *command*cast, lidar, sun, viewshed", "throw plane.pro");
+    refused("--rays *required", "cast plane.pro -o out.npz");
+    refused("*--ray,*--rays", "cast plane.pro --ray rays.npy -o out.npz");
     const std::string cast = "cast plane.pro --rays rays.npy ";
-    refused("hits.txt: hits are written as .npz, .npy, .csv or .ply, or to - (standard output)", cast + "-o hits.txt");
-    refused("hits.ply: --any has no points for PLY; use .npz, .npy or .csv", cast + "--any -o hits.ply");
-    refused("rays.npy: is an input", cast + "-o rays.npy");
-    refused("plane.pro: is an input", cast + "-o out.npz --stats plane.pro");
-    refused("--any and --attributes exclude each other", cast + "-o out.npz --any --attributes intensity");
-    refused("--attributes: unknown attribute intensity; the scene has none",
-            cast + "-o out.npz --attributes intensity");
-    refused("--attributes: t_hit is already a column", cast + "-o out.npz --attributes t_hit");
-    refused("t_min must be finite and at least 0, and t_max at least t_min", cast + "-o out.npz --t-min 3 --t-max 2");
-    refused("-q and -v exclude each other", cast + "-o out.npz -q -v");
+    refused("hits.txt: *.npz, .npy, .csv", cast + "-o hits.txt");
+    refused("hits.ply: --any *.npz", cast + "--any -o hits.ply");
+    refused("rays.npy: *input", cast + "-o rays.npy");
+    refused("plane.pro: *input", cast + "-o out.npz --stats plane.pro");
+    refused("--any *--attributes *exclude", cast + "-o out.npz --any --attributes intensity");
+    refused("--attributes: *intensity*none", cast + "-o out.npz --attributes intensity");
+    refused("--attributes: t_hit *column", cast + "-o out.npz --attributes t_hit");
+    refused("t_min *t_max", cast + "-o out.npz --t-min 3 --t-max 2");
+    refused("-q *-v *exclude", cast + "-o out.npz -q -v");
 }
 
 TEST_F(CastCommand, AMissingDeviceExitsWithThree) {

@@ -49,14 +49,13 @@ TEST_F(CastSets, SceneFilesAreCast) {
     EXPECT_EQ(readArray(zipMembers(text("out.npz")).at("instance_ids.npy")).as<std::uint32_t>(),
               (std::vector<std::uint32_t>{0, 1}));
     folder.write("scene.toml", "[[instance]]\nfile = \"gone.pro\"\n");
-    expectRefused(1, "scene.toml:2: key \"instance[0].file\": there is no file \"gone.pro\"",
+    expectRefused(1, "scene.toml:2: key \"instance[0].file\": *\"gone.pro\"",
                   POINTRT_RAYS " cast scene.toml --rays rays.csv -o out.npz");
 }
 
 TEST_F(CastSets, ErrorsAreOneLine) {
     const std::string rest = " --rays rays.npy -o out.npz";
-    expectRefused(2, "--memory: \"much\" is not a size such as 2G, 500M or a number of bytes (see --help)",
-                  POINTRT_RAYS " cast ball.proset --memory much" + rest);
+    expectRefused(2, "--memory: \"much\" *size*(see --help)", POINTRT_RAYS " cast ball.proset --memory much" + rest);
     const Outcome small = run(POINTRT_RAYS " cast ball.proset --memory 4K" + rest);
     EXPECT_EQ(small.code, 2) << small.err;
     std::filesystem::copy(ball->tiles(), folder.file("copy.proset"), std::filesystem::copy_options::recursive);

@@ -9,7 +9,7 @@
 namespace pointrt::test {
 namespace {
 
-const std::string kDay = " --at 47.4,15 --date 2026-06-21 --every 120 -q ";
+const std::string kStudyScenesDay = " --at 47.4,15 --date 2026-06-21 --every 120 -q ";
 
 class StudyOfSets : public CastCommand {
 protected:
@@ -68,12 +68,13 @@ std::size_t differences(const std::vector<std::map<std::string, double>>& tiles,
 }
 
 TEST_F(StudyOfSets, PointsHaveTheHoursThatTheyHaveInOneFile) {
-    const Rows whole = table("sun ball.pro" + kDay), tiles = table("sun ball.proset" + kDay);
+    const Rows whole = table("sun ball.pro" + kStudyScenesDay), tiles = table("sun ball.proset" + kStudyScenesDay);
     ASSERT_EQ(whole.size(), SphereInTiles::kSplats);
     ASSERT_EQ(tiles.size(), SphereInTiles::kSplats);
     // radii and positions are rounded differently, which affects a few rays that graze the ball
     EXPECT_LE(differences(tiles, whole, "sun_hours", ball->points), SphereInTiles::kSplats / 200);
-    const Rows streamed = table("sun ball.proset --memory " + std::to_string(2 * ball->largestTile()) + kDay);
+    const Rows streamed =
+        table("sun ball.proset --memory " + std::to_string(2 * ball->largestTile()) + kStudyScenesDay);
     EXPECT_TRUE(streamed == tiles);
 }
 
@@ -92,7 +93,7 @@ TEST_F(StudyOfSets, InstancesOfSceneFilesShadeEachOther) {
     folder.write("scene.toml", "[[instance]]\nfile = \"plane.pro\"\n[[instance]]\nfile = \"plane.pro\"\nscale = 0.5\n"
                                "translate = [250032, 2250032, 112]\n[[instance]]\nfile = \"ball.proset\"\n"
                                "translate = [1000, 0, 0]\n");
-    const Rows rows = table("sun scene.toml" + kDay + "--sky --sky-rays 64");
+    const Rows rows = table("sun scene.toml" + kStudyScenesDay + "--sky --sky-rays 64");
     ASSERT_EQ(rows.size(), 800 + SphereInTiles::kSplats);
     for (std::size_t i = 0; i < 800; ++i) {
         EXPECT_EQ(rows[i].at("instance_id"), i < 400 ? 0 : 1);
@@ -106,12 +107,11 @@ TEST_F(StudyOfSets, InstancesOfSceneFilesShadeEachOther) {
         }
     }
     EXPECT_EQ(rows.back().at("instance_id"), 2);
-    const Rows asked = table("sun scene.toml --points ball.proset" + kDay);
+    const Rows asked = table("sun scene.toml --points ball.proset" + kStudyScenesDay);
     EXPECT_EQ(asked.size(), SphereInTiles::kSplats);
     folder.write("shapes.toml", "[[shape]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\nmaterial = \"m\"\n"
                                 "[material.m]\ncolor = [1, 1, 1]\n");
-    expectRefused(1, "shapes.toml: has no scan, so no points to study",
-                  POINTRT_RAYS " sun shapes.toml -o out.csv" + kDay);
+    expectRefused(1, "shapes.toml: *no scan", POINTRT_RAYS " sun shapes.toml -o out.csv" + kStudyScenesDay);
 }
 
 } // namespace

@@ -32,7 +32,7 @@ namespace {
 namespace fs = std::filesystem;
 using Bytes = std::vector<char>;
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kFilmInfinity = std::numeric_limits<float>::infinity();
 
 class FilmFile : public testing::Test {
 protected:
@@ -133,10 +133,10 @@ TEST_F(FilmFile, SaysWhyItIsNotOne) {
     expectReason("it holds no samples");
     texts[0].value = "12 ";
     writeExr(file, saved.film, texts);
-    expectReason("pointrt.samples is no number");
+    expectReason("pointrt.samples is not a number");
     texts[0].value = "4294967296";
     writeExr(file, saved.film, texts);
-    expectReason("pointrt.samples is no number");
+    expectReason("pointrt.samples is not a number");
     texts[0].value = "12";
     texts.pop_back();
     writeExr(file, saved.film, texts);
@@ -205,7 +205,7 @@ TEST_F(FilmFile, PicturesOfAllCodingsAreRead) {
 }
 
 TEST_F(FilmFile, PicturesHaveNoValuesThatDoHarm) {
-    const float red[] = {-1, std::nanf(""), kInfinity, 1e30f, 70000, 0.25f};
+    const float red[] = {-1, std::nanf(""), kFilmInfinity, 1e30f, 70000, 0.25f};
     const ExrChannel channels[] = {{"R", red}, {"G", red}, {"B", red}};
     writeExr(path("a.exr"), {6, 1}, channels);
     const FloatImage image = readFloatImage(path("a.exr"));

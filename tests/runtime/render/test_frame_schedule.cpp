@@ -206,7 +206,7 @@ TEST(FrameBands, CoverTheFilm) {
     }
 }
 
-Film noisyFilm(std::vector<float> lights, std::vector<float> variances) {
+Film filmOf(std::vector<float> lights, std::vector<float> variances) {
     Film film = blankFilm(static_cast<std::uint32_t>(lights.size()), 1);
     for (const float light : lights) film.rgba.insert(film.rgba.end(), {light, light, light, 1});
     film.variance = std::move(variances);
@@ -215,31 +215,31 @@ Film noisyFilm(std::vector<float> lights, std::vector<float> variances) {
 }
 
 TEST(RelativeNoise, IsTheStandardErrorInTermsOfTheLight) {
-    EXPECT_NEAR(relativeNoise(noisyFilm({2}, {0.01f})), 0.1 / (2 + 0.02), 1e-6);
+    EXPECT_NEAR(relativeNoise(filmOf({2}, {0.01f})), 0.1 / (2 + 0.02), 1e-6);
     // mean 1.5: sqrt((0.1 / 1.015)^2 / 2 + (0.4 / 2.015)^2 / 2)
-    EXPECT_NEAR(relativeNoise(noisyFilm({1, 2}, {0.01f, 0.16f})), 0.156706, 1e-5);
-    EXPECT_EQ(relativeNoise(noisyFilm({0, 0}, {0, 0})), 0);
+    EXPECT_NEAR(relativeNoise(filmOf({1, 2}, {0.01f, 0.16f})), 0.156706, 1e-5);
+    EXPECT_EQ(relativeNoise(filmOf({0, 0}, {0, 0})), 0);
 }
 
 TEST(RelativeNoise, IsUnknownAfterOneSample) {
-    Film film = noisyFilm({1, 1}, {0, 0});
+    Film film = filmOf({1, 1}, {0, 0});
     film.samples[1] = 1;
     EXPECT_EQ(relativeNoise(film), std::numeric_limits<double>::infinity());
 }
 
 TEST(RelativeNoise, IsTheSameOfRowsThatComeOneAfterTheOther) {
-    const Film one = noisyFilm({2}, {0.01f}), other = noisyFilm({0.5f}, {0.16f});
+    const Film one = filmOf({2}, {0.01f}), other = filmOf({0.5f}, {0.16f});
     NoiseMeter meter(2);
     meter.addRows(one);
     meter.addRows(other);
-    EXPECT_NEAR(meter.noise(), relativeNoise(noisyFilm({2, 0.5f}, {0.01f, 0.16f})), 1e-7);
+    EXPECT_NEAR(meter.noise(), relativeNoise(filmOf({2, 0.5f}, {0.01f, 0.16f})), 1e-7);
     meter.addRows(blankFilm(1, 1));
     EXPECT_EQ(meter.noise(), std::numeric_limits<double>::infinity());
 }
 
 TEST(RelativeNoise, PassesOverPixelsThatAreNoNumbers) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_NEAR(relativeNoise(noisyFilm({2, nan}, {0.01f, nan})), 0.1 / (2 + 0.01) / std::sqrt(2.0), 1e-6);
+    EXPECT_NEAR(relativeNoise(filmOf({2, nan}, {0.01f, nan})), 0.1 / (2 + 0.01) / std::sqrt(2.0), 1e-6);
 }
 
 } // namespace

@@ -18,7 +18,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint32_t kSide = 40, kSamples = 2;
+constexpr std::uint32_t kPassProfileSide = 40, kSamples = 2;
 
 const PassTally& passNamed(const PassProfile& profile, const std::string& name) {
     for (const PassTally& each : profile.passes)
@@ -31,7 +31,7 @@ protected:
     void SetUp() override {
         LoadRequest request;
         request.scene = ballScene();
-        request.settings.width = request.settings.height = kSide;
+        request.settings.width = request.settings.height = kPassProfileSide;
         request.settings.spp = kSamples;
         request.settings.integrator = Integrator::kPath;
         request.settings.first_hits = true;
@@ -48,7 +48,7 @@ protected:
         ProgressiveRenderer renderer(device, loaded->tracer);
         FrameJob job;
         job.samples = kSamples;
-        renderer.begin({loaded->settings, loaded->camera, {kSide, kSide}}, job);
+        renderer.begin({loaded->settings, loaded->camera, {kPassProfileSide, kPassProfileSide}}, job);
         renderer.run();
         rays = renderer.takeRays();
         Film film = renderer.takeFilm();
@@ -65,7 +65,7 @@ TEST_F(PassProfileTest, CountsTheRaysOfTheFrame) {
     render(&profile);
     ASSERT_GT(rays.secondary, 0u);
     EXPECT_EQ(passNamed(profile, "shade_surface (camera)").lanes_in, rays.primary);
-    EXPECT_EQ(rays.primary, kSamples * kSide * kSide);
+    EXPECT_EQ(rays.primary, kSamples * kPassProfileSide * kPassProfileSide);
     EXPECT_EQ(passNamed(profile, "shade_surface").lanes_in, rays.secondary);
     EXPECT_EQ(passNamed(profile, "intersect_shapes").lanes_in, rays.secondary);
     EXPECT_EQ(passNamed(profile, "intersect_shapes").lanes_out, 0u) << "no instances are to be asked";

@@ -26,7 +26,7 @@ struct Probe {
     gpu::vec4 position, normal;
 };
 
-gpu::vec4 pack(Vec3 v, float w = 0) {
+gpu::vec4 packed(Vec3 v, float w = 0) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), w};
 }
 Vec3 vecOf(const gpu::vec4& v) { return {v.x, v.y, v.z}; }
@@ -55,7 +55,7 @@ Vec3 normalOf(const gpu::Photon& photon) {
 }
 
 gpu::Photon photonAt(Vec3 position, Vec3 normal, Vec3 flux) {
-    return {pack(position, std::bit_cast<float>(packNormal(normal))), pack(flux, 1)};
+    return {packed(position, std::bit_cast<float>(packNormal(normal))), packed(flux, 1)};
 }
 
 double radiusOf(const PhotonMap& map, const gpu::Photon& photon) {
@@ -119,7 +119,7 @@ std::vector<Probe> probesAmong(const PhotonMap& map, std::size_t count, Vec3 nor
         const Vec3 step{near * (2 * unit(random) - 1), near * (2 * unit(random) - 1), near * (2 * unit(random) - 1)};
         const Vec3 anywhere{size * (2 * unit(random) - 1), size * (2 * unit(random) - 1),
                             size * (2 * unit(random) - 1)};
-        probes.push_back({pack(i % 3 == 2 ? anywhere : vecOf(photon.position) + step), pack(normal)});
+        probes.push_back({packed(i % 3 == 2 ? anywhere : vecOf(photon.position) + step), packed(normal)});
     }
     return probes;
 }
@@ -203,7 +203,7 @@ double lightSpread(std::vector<gpu::Photon> photons, PhotonDiscs discs) {
     std::vector<Probe> probes;
     const double half = 10 + map.frame.levels[PHOTON_LEVELS - 1].high.w;
     for (double x = -half; x < half; x += step)
-        for (double z = -half; z < half; z += step) probes.push_back({pack({x, 0, z}), {0, 1, 0, 0}});
+        for (double z = -half; z < half; z += step) probes.push_back({packed({x, 0, z}), {0, 1, 0, 0}});
     double sum = 0;
     for (const gpu::vec4& answer : ask(map, probes)) sum += answer.y * step * step;
     return sum / flux;
@@ -241,7 +241,7 @@ TEST(PhotonMap, LightsItsOwnSideAlone) {
     const PhotonMap map = sortPhotons(std::move(photons), 100);
     const Vec3 at{0.5, 0, 0.5};
     const auto turned = [&](double degrees) {
-        return Probe{pack(at), pack({std::sin(degrees * pi / 180), std::cos(degrees * pi / 180), 0})};
+        return Probe{packed(at), packed({std::sin(degrees * pi / 180), std::cos(degrees * pi / 180), 0})};
     };
     const std::vector<gpu::vec4> answers = ask(map, {turned(0), turned(55), turned(65), turned(180)});
     EXPECT_GT(answers[0].x, 0);
@@ -250,7 +250,7 @@ TEST(PhotonMap, LightsItsOwnSideAlone) {
     EXPECT_EQ(answers[3].x, 0);
     // photons of the other sheet of a wall
     const std::vector<gpu::vec4> beside =
-        ask(map, {{pack(at + Vec3{0, 1.1 * map.frame.levels[PHOTON_LEVELS - 1].high.w, 0}), {0, 1, 0, 0}}});
+        ask(map, {{packed(at + Vec3{0, 1.1 * map.frame.levels[PHOTON_LEVELS - 1].high.w, 0}), {0, 1, 0, 0}}});
     EXPECT_EQ(beside[0].x, 0);
 }
 

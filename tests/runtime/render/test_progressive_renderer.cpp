@@ -18,14 +18,14 @@
 namespace pointrt {
 namespace {
 
-constexpr std::uint32_t kWidth = 40, kHeight = 33, kSamples = 3;
+constexpr std::uint32_t kWidth = 40, kHeight = 33, kProgressiveSamples = 3;
 
 LoadRequest testRequest(FormRequest form = {}) {
     LoadRequest request;
     request.scene = ballScene();
     request.settings.width = kWidth;
     request.settings.height = kHeight;
-    request.settings.spp = kSamples;
+    request.settings.spp = kProgressiveSamples;
     request.settings.integrator = Integrator::kPath;
     request.settings.first_hits = true;
     request.settings.caustics = false;
@@ -40,7 +40,7 @@ protected:
     void load(FormRequest form) {
         loaded = loadScene(device, device, testRequest(form), {});
         plan = {loaded->settings, loaded->camera, {kHeight, kHeight}};
-        job.samples = kSamples;
+        job.samples = kProgressiveSamples;
         whole = render(plan);
     }
 
@@ -97,8 +97,8 @@ TEST_F(ProgressiveRendererTest, IsTheSameInSteps) {
         for (int bounces = 0; !renderer.traceStrip(static_cast<std::uint32_t>(bounces)); bounces = 1) ++steps;
     }
     EXPECT_GT(steps, 12) << "of a few bounces each";
-    EXPECT_EQ(renderer.samples(), kSamples);
-    EXPECT_EQ(renderer.takeRays().primary, std::uint64_t{kWidth} * kHeight * kSamples);
+    EXPECT_EQ(renderer.samples(), kProgressiveSamples);
+    EXPECT_EQ(renderer.takeRays().primary, std::uint64_t{kWidth} * kHeight * kProgressiveSamples);
     EXPECT_EQ(renderer.takeRays().primary, 0u);
     expectSame(renderer.takeFilm(), whole);
 }
@@ -112,7 +112,7 @@ TEST_F(ProgressiveRendererTest, GivesItsFilmAwayAndGoesOn) {
     EXPECT_EQ(one.samples[0], 1.0f);
     EXPECT_EQ(one.depth, whole.depth);
     EXPECT_NE(one.rgba, whole.rgba);
-    renderer.setSamples(kSamples);
+    renderer.setSamples(kProgressiveSamples);
     renderer.run();
     expectSame(renderer.takeFilm(), whole);
     expectSame(renderer.takeFilm(), whole);
@@ -125,7 +125,7 @@ TEST_F(ProgressiveRendererTest, HoldsWholeSamplesWhereItIsInterrupted) {
     renderer.begin(plan, job);
     const FrameState state = renderer.run();
     EXPECT_GE(state.samples, 1u);
-    EXPECT_LT(state.samples, kSamples);
+    EXPECT_LT(state.samples, kProgressiveSamples);
     const Film broken_off = renderer.takeFilm();
     EXPECT_EQ(broken_off.samples[0], static_cast<float>(state.samples));
     job.interrupted = nullptr;

@@ -11,9 +11,9 @@
 namespace pointrt {
 namespace {
 
-constexpr Vec3 kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
+constexpr Vec3 kUprightX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
 
-void expectNear(Vec3 a, Vec3 b) { EXPECT_LT(length(a - b), 1e-12) << a.x << " " << a.y << " " << a.z; }
+void expectUpNear(Vec3 a, Vec3 b) { EXPECT_LT(length(a - b), 1e-12) << a.x << " " << a.y << " " << a.z; }
 
 /// The camera that it comes to in a scene of this content, and the scene.
 struct Stood {
@@ -30,7 +30,7 @@ Stood stand(SceneDescription scene, CameraRequest camera, const UpRequest& reque
 
 TEST(Upright, AxesHaveNames) {
     EXPECT_EQ(axisNamed("z"), kZ);
-    EXPECT_EQ(axisNamed("-x"), -1.0 * kX);
+    EXPECT_EQ(axisNamed("-x"), -1.0 * kUprightX);
     for (const char* word : {"auto", "Z", "", "0,0,1"}) EXPECT_FALSE(axisNamed(word)) << word;
     EXPECT_EQ(axisName({0, -1, 0}), "-y");
     EXPECT_EQ(axisName({0, 0.5, 0.5}), "");
@@ -51,9 +51,9 @@ TEST(Upright, AScanWithItsUpAlongZIsSeenFromItsFront) {
     EXPECT_EQ(stood.scene.up, kZ);
     EXPECT_EQ(stood.staging.up, kZ);
     const Camera camera = stood.framed();
-    expectNear(camera.forward, kY);
-    expectNear(camera.up, kZ);
-    expectNear(camera.right, kX);
+    expectUpNear(camera.forward, kY);
+    expectUpNear(camera.up, kZ);
+    expectUpNear(camera.right, kUprightX);
 }
 
 TEST(Upright, AScanWithItsUpAlongYIsSeenAsAnyOther) {
@@ -63,25 +63,25 @@ TEST(Upright, AScanWithItsUpAlongYIsSeenAsAnyOther) {
 
 TEST(Upright, GivenUpsTakePrecedence) {
     SceneDescription said;
-    said.up = kX;
-    EXPECT_EQ(stand(said, {}, {kZ, kY}).scene.up, kX);
+    said.up = kUprightX;
+    EXPECT_EQ(stand(said, {}, {kZ, kY}).scene.up, kUprightX);
     CameraRequest camera;
     camera.up = Vec3{0, 0.1, 1};
     const Stood alone = stand({}, camera, {kY, {}}); // a .pro with --up X,Y,Z
     EXPECT_FALSE(alone.scene.up);
     EXPECT_EQ(alone.camera, camera);
-    const Stood filed = stand({}, camera, {kX, kY}); // a scene file, whose camera may be tilted
-    EXPECT_EQ(filed.scene.up, kX);
+    const Stood filed = stand({}, camera, {kUprightX, kY}); // a scene file, whose camera may be tilted
+    EXPECT_EQ(filed.scene.up, kUprightX);
     EXPECT_EQ(filed.camera, camera);
 }
 
 TEST(Upright, ViewsWithoutAnUpUseTheScenes) {
     SceneDescription scene;
     scene.views = {{"plain", {}}, {"tilted", {}}};
-    scene.views[1].camera.up = kX;
+    scene.views[1].camera.up = kUprightX;
     const Stood stood = stand(scene, {}, {kZ, kY});
     EXPECT_EQ(stood.scene.views[0].camera.up, kZ);
-    expectNear(stood.scene.views[0].camera.side, {0, -1, 0});
+    expectUpNear(stood.scene.views[0].camera.side, {0, -1, 0});
     EXPECT_EQ(stood.scene.views[1].camera, scene.views[1].camera);
 }
 
@@ -91,11 +91,11 @@ TEST(Upright, TheSunFollows) {
     scene.suns = {{1, {30, 90}, {}, "scene.toml:3: "}}; // in the east
     const Stood by_z = stand(scene, {}, {kZ, kY});
     const double half_root = std::sqrt(0.75);
-    expectNear(std::get<SunLight>(by_z.scene.lights[1]).towards, {half_root, 0, 0.5});
+    expectUpNear(std::get<SunLight>(by_z.scene.lights[1]).towards, {half_root, 0, 0.5});
     EXPECT_TRUE(by_z.scene.suns.empty());
-    expectNear(std::get<SunLight>(stand(scene, {}, {{}, kY}).scene.lights[1]).towards, {half_root, 0.5, 0});
-    scene.suns[0].north = kX;
-    expectNear(std::get<SunLight>(stand(scene, {}, {kZ, kY}).scene.lights[1]).towards, {0, -half_root, 0.5});
+    expectUpNear(std::get<SunLight>(stand(scene, {}, {{}, kY}).scene.lights[1]).towards, {half_root, 0.5, 0});
+    scene.suns[0].north = kUprightX;
+    expectUpNear(std::get<SunLight>(stand(scene, {}, {kZ, kY}).scene.lights[1]).towards, {0, -half_root, 0.5});
     scene.suns[0].north = kZ;
     try {
         stand(scene, {}, {kZ, kY});
@@ -106,9 +106,9 @@ TEST(Upright, TheSunFollows) {
 }
 
 TEST(Upright, FrontsAreLevel) {
-    expectNear(frontSide(kY), kZ);
-    expectNear(frontSide(2 * kX), kZ);
-    expectNear(frontSide(-3.0 * kZ), {0, -1, 0});
+    expectUpNear(frontSide(kY), kZ);
+    expectUpNear(frontSide(2 * kUprightX), kZ);
+    expectUpNear(frontSide(-3.0 * kZ), {0, -1, 0});
     for (const Vec3 up : {Vec3{1, 2, 3}, Vec3{0, 1e-9, 1e-9}, Vec3{0, 1, 1e300}, Vec3{0.6, 0.64, 0.48}}) {
         const Vec3 front = frontSide(up);
         EXPECT_NEAR(length(front), 1, 1e-12);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-void expectVector(Vec3 v, double x, double y, double z) {
+void expectReadVector(Vec3 v, double x, double y, double z) {
     EXPECT_NEAR(v.x, x, 1e-9);
     EXPECT_NEAR(v.y, y, 1e-9);
     EXPECT_NEAR(v.z, z, 1e-9);
@@ -53,11 +53,11 @@ TEST_F(SceneFile, ReadsTheWholeFile) {
                                          "[render]\nintegrator = 'whitted'\nbounces = 7\nspp = 16\nsize = [640, 480]\n"
                                          "[[instance]]\nfile = 'statue.pro'");
     EXPECT_EQ(scene.path, path("scene.toml"));
-    expectVector(*scene.up, 0, 0, 1);
+    expectReadVector(*scene.up, 0, 0, 1);
     EXPECT_EQ(scene.render.room, Room::kMirror);
-    expectVector(*scene.camera.eye, 1, 2, 3.5);
-    expectVector(*scene.camera.target, -1, 0, 0);
-    expectVector(*scene.camera.up, 0, 1, 0);
+    expectReadVector(*scene.camera.eye, 1, 2, 3.5);
+    expectReadVector(*scene.camera.target, -1, 0, 0);
+    expectReadVector(*scene.camera.up, 0, 1, 0);
     EXPECT_EQ(scene.camera.fov_deg, 55);
     EXPECT_EQ(scene.render.integrator, Integrator::kWhitted);
     EXPECT_EQ(scene.render.bounces, 7u);
@@ -74,7 +74,7 @@ TEST_F(SceneFile, LeavesMissingKeysUnset) {
     EXPECT_FALSE(scene.camera.eye || scene.camera.target || scene.camera.up);
     EXPECT_TRUE(scene.materials.empty() && scene.shapes.empty() && scene.lights.empty());
     EXPECT_FALSE(scene.instances[0].material);
-    expectVector(apply(scene.instances[0].placement, {1, 2, 3}), 1, 2, 3);
+    expectReadVector(apply(scene.instances[0].placement, {1, 2, 3}), 1, 2, 3);
 }
 
 TEST_F(SceneFile, ReadsParallelProjection) {
@@ -87,8 +87,8 @@ TEST_F(SceneFile, ReadsParallelProjection) {
 }
 
 TEST_F(SceneFile, CameraUsesTheScenesUp) {
-    expectVector(*parseMore("up = [0, 0, 1]").camera.up, 0, 0, 1);
-    expectVector(*parseMore("up = [0, 0, 1]\n[camera]\nup = [1, 0, 0]").camera.up, 1, 0, 0);
+    expectReadVector(*parseMore("up = [0, 0, 1]").camera.up, 0, 0, 1);
+    expectReadVector(*parseMore("up = [0, 0, 1]\n[camera]\nup = [1, 0, 0]").camera.up, 1, 0, 0);
 }
 
 TEST_F(SceneFile, PlacesInstances) {
@@ -97,11 +97,11 @@ TEST_F(SceneFile, PlacesInstances) {
               "rotate = [{axis = [0, 0, 5], degrees = 90}, {axis = [1, 0, 0], degrees = 90}]\n"
               "[[instance]]\nfile = 'dragon.pro'\nrotate = {axis = [0, 1, 0], degrees = 90}");
     // x turns to y about z, then to z about x
-    expectVector(apply(scene.instances[0].placement, {1, 0, 0}), 10, 20, 32);
-    expectVector(apply(scene.instances[0].placement, {0, 1, 0}), 8, 20, 30);
-    expectVector(apply(scene.instances[0].placement, {0, 0, 1}), 10, 18, 30);
-    expectVector(apply(scene.instances[1].placement, {1, 0, 0}), 0, 0, -1);
-    expectVector(apply(scene.instances[1].placement, {0, 0, 1}), 1, 0, 0);
+    expectReadVector(apply(scene.instances[0].placement, {1, 0, 0}), 10, 20, 32);
+    expectReadVector(apply(scene.instances[0].placement, {0, 1, 0}), 8, 20, 30);
+    expectReadVector(apply(scene.instances[0].placement, {0, 0, 1}), 10, 18, 30);
+    expectReadVector(apply(scene.instances[1].placement, {1, 0, 0}), 0, 0, -1);
+    expectReadVector(apply(scene.instances[1].placement, {0, 0, 1}), 1, 0, 0);
 }
 
 TEST_F(SceneFile, OverridesMaterials) {
@@ -200,11 +200,11 @@ TEST_F(SceneFile, UsesSplatColoursByDefault) {
 }
 
 void expectFrame(const ShapeDescription& shape, Vec3 w, double u_length, double v_length) {
-    expectVector(shape.w, w.x, w.y, w.z);
+    expectReadVector(shape.w, w.x, w.y, w.z);
     EXPECT_NEAR(length(shape.u), u_length, 1e-9);
     EXPECT_NEAR(length(shape.v), v_length, 1e-9);
     const Vec3 normal = normalize(cross(shape.u, shape.v)), out = normalize(w);
-    expectVector(normal, out.x, out.y, out.z);
+    expectReadVector(normal, out.x, out.y, out.z);
     EXPECT_NEAR(dot(shape.u, shape.v), 0, 1e-9);
 }
 
@@ -217,15 +217,15 @@ TEST_F(SceneFile, ReadsFlatShapes) {
               "[[shape]]\ntype = 'quad'\ncenter = [0, 0, 0]\nu = [0.707, 0.707, 0]\nv = [-0.707, 0.708, 0]\n");
     ASSERT_EQ(scene.shapes.size(), 4u);
     EXPECT_EQ(scene.shapes[0].kind, ShapeKind::kPlane);
-    expectVector(scene.shapes[0].center, 1, 2, 3);
+    expectReadVector(scene.shapes[0].center, 1, 2, 3);
     expectFrame(scene.shapes[0], {0, 0, -1}, 1, 1);
     EXPECT_EQ(scene.materials[scene.shapes[0].material].name, "f");
     EXPECT_EQ(scene.shapes[1].kind, ShapeKind::kDisc);
-    expectVector(scene.shapes[1].center, 4, 5, 6);
+    expectReadVector(scene.shapes[1].center, 4, 5, 6);
     expectFrame(scene.shapes[1], {0.6, 0.8, 0}, 2.5, 2.5);
     EXPECT_TRUE(scene.shapes[0].seen_by_camera && !scene.shapes[1].seen_by_camera);
     EXPECT_EQ(scene.shapes[2].kind, ShapeKind::kQuad);
-    expectVector(scene.shapes[2].center, 7, 8, 9);
+    expectReadVector(scene.shapes[2].center, 7, 8, 9);
     expectFrame(scene.shapes[2], {0, -1, 0}, 2, 3);
     EXPECT_NEAR(dot(scene.shapes[3].u, scene.shapes[3].v), 0, 1e-12);
     // shapes that name no material share a matte one
@@ -241,15 +241,15 @@ TEST_F(SceneFile, ReadsSolidShapes) {
         "[[shape]]\ntype = 'box'\ncenter = [1, 1, 1]\nsize = [2, 4, 6]\nrotate = {axis = [0, 0, 1], degrees = 90}\n"
         "[[shape]]\ntype = 'sphere'\ncenter = [1, 2, 3]\nradius = 0.5\n");
     EXPECT_EQ(scene.shapes[0].kind, ShapeKind::kBox);
-    expectVector(scene.shapes[0].center, 1, 3, 5);
-    expectVector(scene.shapes[0].u, 1, 0, 0);
-    expectVector(scene.shapes[0].v, 0, 2, 0);
-    expectVector(scene.shapes[0].w, 0, 0, 3);
-    expectVector(scene.shapes[1].u, 0, 1, 0);
-    expectVector(scene.shapes[1].v, -2, 0, 0);
-    expectVector(scene.shapes[1].w, 0, 0, 3);
+    expectReadVector(scene.shapes[0].center, 1, 3, 5);
+    expectReadVector(scene.shapes[0].u, 1, 0, 0);
+    expectReadVector(scene.shapes[0].v, 0, 2, 0);
+    expectReadVector(scene.shapes[0].w, 0, 0, 3);
+    expectReadVector(scene.shapes[1].u, 0, 1, 0);
+    expectReadVector(scene.shapes[1].v, -2, 0, 0);
+    expectReadVector(scene.shapes[1].w, 0, 0, 3);
     EXPECT_EQ(scene.shapes[2].kind, ShapeKind::kSphere);
-    expectVector(scene.shapes[2].center, 1, 2, 3);
+    expectReadVector(scene.shapes[2].center, 1, 2, 3);
     expectFrame(scene.shapes[2], {0, 0, 0.5}, 0.5, 0.5);
 }
 
@@ -261,16 +261,16 @@ TEST_F(SceneFile, ReadsPointsAndSpots) {
         "[[light]]\ntype = 'spot'\nposition = [1, 1, 1]\ntarget = [1, 1, 9]\nouter = 60\ninner = 10\nintensity = 1\n"
         "[[light]]\ntype = 'spot'\nposition = [1, 1, 1]\ntarget = [1, 1, 9]\nouter = 12\nintensity = 1\n");
     const auto& point = std::get<PointLight>(scene.lights[0]);
-    expectVector(point.position, 1, 2, 3);
+    expectReadVector(point.position, 1, 2, 3);
     expectColor(point.intensity, 4, 2, 0);
     expectColor(std::get<PointLight>(scene.lights[1]).intensity, 25 / kPi, 25 / kPi, 25 / kPi);
     const auto &spot = std::get<SpotLight>(scene.lights[2]), &wide = std::get<SpotLight>(scene.lights[3]);
-    expectVector(spot.position, 1, 1, 1);
-    expectVector(spot.direction, 0, -1, 0);
+    expectReadVector(spot.position, 1, 1, 1);
+    expectReadVector(spot.direction, 0, -1, 0);
     expectColor(spot.intensity, 5, 6, 7);
     EXPECT_EQ(spot.outer_deg, 30);
     EXPECT_EQ(spot.inner_deg, 25);
-    expectVector(wide.direction, 0, 0, 1);
+    expectReadVector(wide.direction, 0, 0, 1);
     EXPECT_EQ(wide.outer_deg, 60);
     EXPECT_EQ(wide.inner_deg, 10);
     EXPECT_NEAR(std::get<SpotLight>(scene.lights[4]).inner_deg, 10, 1e-12);
@@ -283,7 +283,7 @@ TEST_F(SceneFile, ReadsAreaLights) {
                   "[[light]]\ntype = 'quad'\ncenter = [4, 5, 6]\nu = [2, 0, 0]\nv = [0, 3, 0]\nradiance = [1, 2, 3]\n"
                   "[[light]]\ntype = 'quad'\ncenter = [4, 5, 6]\nu = [2, 0, 0]\nv = [0, 3, 0]\npower = 480\n");
     const auto& sphere = std::get<SphereLight>(scene.lights[0]);
-    expectVector(sphere.center, 1, 2, 3);
+    expectReadVector(sphere.center, 1, 2, 3);
     EXPECT_EQ(sphere.radius, 2);
     expectColor(sphere.radiance, 3, 3, 3);
     EXPECT_FALSE(sphere.seen_by_camera);
@@ -291,9 +291,9 @@ TEST_F(SceneFile, ReadsAreaLights) {
     const double radiance = 100 / (kPi * 16 * kPi);
     expectColor(std::get<SphereLight>(scene.lights[1]).radiance, radiance, radiance / 2, 0);
     const auto& quad = std::get<QuadLight>(scene.lights[2]);
-    expectVector(quad.center, 4, 5, 6);
-    expectVector(quad.u, 2, 0, 0);
-    expectVector(quad.v, 0, 3, 0);
+    expectReadVector(quad.center, 4, 5, 6);
+    expectReadVector(quad.u, 2, 0, 0);
+    expectReadVector(quad.v, 0, 3, 0);
     expectColor(quad.radiance, 1, 2, 3);
     EXPECT_TRUE(quad.seen_by_camera);
     expectColor(std::get<QuadLight>(scene.lights[3]).radiance, 10 / kPi, 10 / kPi, 10 / kPi);
@@ -305,12 +305,12 @@ TEST_F(SceneFile, ReadsDiscLights) {
                   "[[light]]\ntype = 'disc'\ncenter = [1, 2, 3]\ntarget = [1, -2, 0]\nradius = 2\npower = 80\n"
                   "color = [1, 0.5, 0]\nseen_by_camera = false\n");
     const auto &plain = std::get<DiscLight>(scene.lights[0]), &aimed = std::get<DiscLight>(scene.lights[1]);
-    expectVector(plain.center, 1, 2, 3);
-    expectVector(plain.normal, 0, 0, -1);
+    expectReadVector(plain.center, 1, 2, 3);
+    expectReadVector(plain.normal, 0, 0, -1);
     EXPECT_EQ(plain.radius, 2);
     expectColor(plain.radiance, 3, 3, 3);
     EXPECT_TRUE(plain.seen_by_camera);
-    expectVector(aimed.normal, 0, -0.8, -0.6);
+    expectReadVector(aimed.normal, 0, -0.8, -0.6);
     // pi * radiance * area, of both sides: 8 pi
     expectColor(aimed.radiance, 10 / (kPi * kPi), 5 / (kPi * kPi), 0);
     EXPECT_FALSE(aimed.seen_by_camera);
@@ -333,7 +333,7 @@ TEST_F(SceneFile, PlacesTheSunByTimeAndPlace) {
     EXPECT_NEAR(length(standing.towards - sunDirection({39.89, 194.34}, {0, 0, 1}, {1, 0, 0})), 0, 0.001);
     const auto plain = std::get<SunLight>(
         parseMore("[[light]]\ntype='sun'\ntowards=[0, 3, 4]\nirradiance=1\nangular_radius=0\n").lights[0]);
-    expectVector(plain.towards, 0, 0.6, 0.8);
+    expectReadVector(plain.towards, 0, 0.6, 0.8);
     EXPECT_EQ(plain.radius_deg, 0);
 }
 
@@ -359,7 +359,7 @@ TEST_F(SceneFile, ReadsRenderSettings) {
     const SceneDescription scene =
         parseMore("staged_for = [1, 2, 3]\n[render]\nseed=7\ndenoise='off'\nexposure=-1.5\nlights=4\nshadows=false\n"
                   "caustics=false\nblend=false\nreflectivity=0.25");
-    expectVector(*scene.staged_for, 1, 2, 3);
+    expectReadVector(*scene.staged_for, 1, 2, 3);
     EXPECT_EQ(scene.render.seed, 7u);
     EXPECT_EQ(scene.render.denoise, DenoiseChoice::kOff);
     EXPECT_EQ(scene.render.exposure, -1.5f);
@@ -376,12 +376,12 @@ TEST_F(SceneFile, ReadsViews) {
                   "target=[0, 0, 1]\nup=[0, 2, 0]\nfov=30\n[[view]]\nname='the other side'\northo=2.5");
     ASSERT_EQ(scene.views.size(), 2u);
     EXPECT_EQ(scene.views[0].name, "top");
-    expectVector(*scene.views[0].camera.eye, 0, 0, 5);
-    expectVector(*scene.views[0].camera.target, 0, 0, 1);
-    expectVector(*scene.views[0].camera.up, 0, 1, 0);
+    expectReadVector(*scene.views[0].camera.eye, 0, 0, 5);
+    expectReadVector(*scene.views[0].camera.target, 0, 0, 1);
+    expectReadVector(*scene.views[0].camera.up, 0, 1, 0);
     EXPECT_EQ(scene.views[0].camera.fov_deg, 30);
     EXPECT_FALSE(scene.views[1].camera.eye) << "not the camera's";
-    expectVector(*scene.views[1].camera.up, 0, 0, 1);
+    expectReadVector(*scene.views[1].camera.up, 0, 0, 1);
     EXPECT_EQ(scene.views[1].camera.ortho_height, 2.5);
 }
 
@@ -389,12 +389,12 @@ TEST_F(SceneFile, KeepsMatricesUnchanged) {
     const SceneDescription scene =
         parse("[[instance]]\nfile='statue.pro'\nrotate={ matrix=[[0, 0, 1], [1, 0, 0], [0, 1, 0]] }\n"
               "[[shape]]\ntype='disc'\ncenter=[1, 2, 3]\naxes=[[0, 2, 0], [0, 0, 2], [1, 0, 0]]\nbackdrop=true");
-    expectVector(scene.instances[0].placement.rotation[0], 0, 0, 1);
-    expectVector(scene.instances[0].placement.rotation[2], 0, 1, 0);
-    expectVector(scene.shapes[0].center, 1, 2, 3);
-    expectVector(scene.shapes[0].u, 0, 2, 0);
-    expectVector(scene.shapes[0].v, 0, 0, 2);
-    expectVector(scene.shapes[0].w, 1, 0, 0);
+    expectReadVector(scene.instances[0].placement.rotation[0], 0, 0, 1);
+    expectReadVector(scene.instances[0].placement.rotation[2], 0, 1, 0);
+    expectReadVector(scene.shapes[0].center, 1, 2, 3);
+    expectReadVector(scene.shapes[0].u, 0, 2, 0);
+    expectReadVector(scene.shapes[0].v, 0, 0, 2);
+    expectReadVector(scene.shapes[0].w, 1, 0, 0);
     EXPECT_TRUE(scene.shapes[0].backdrop);
 }
 

@@ -11,188 +11,167 @@
 #include "format/base/error.h"
 #include "runtime/scene_io/scene_file.h"
 #include "tests/runtime/scene_io/scene_file_fixture.h"
+#include "tests/support/says.h"
 
 namespace pointrt {
 namespace {
 
 TEST_F(SceneFile, SuggestsTheNearestKey) {
-    EXPECT_EQ(refusal("[material.a]\n\ncolour = [1, 1, 1]"),
-              "scene.toml:3: key \"material.a.colour\": unknown key \"colour\", did you mean \"color\"?");
-    EXPECT_EQ(refusal("[[light]]\n[[light]]\n"), "scene.toml:1: key \"light[0]\": \"type\" is missing");
-    EXPECT_EQ(refusal("[[lihgt]]"), "scene.toml:1: key \"lihgt\": unknown key \"lihgt\", did you mean \"light\"?");
-    EXPECT_EQ(refusal("[material.a]\nkind = 'metal'\nindex = 2"),
-              "scene.toml:3: key \"material.a.index\": unknown key \"index\"; a material of kind \"metal\" has kind, "
-              "color, splat_color, emission, roughness");
-    EXPECT_EQ(
+    EXPECT_SAYS(refusal("[material.a]\n\ncolour = [1, 1, 1]"),
+                "scene.toml:3: key \"material.a.colour\": *\"colour\"*\"color\"");
+    EXPECT_SAYS(refusal("[[light]]\n[[light]]\n"), "scene.toml:1: key \"light[0]\": \"type\" *missing");
+    EXPECT_SAYS(refusal("[[lihgt]]"), "scene.toml:1: key \"lihgt\": *\"lihgt\"*\"light\"");
+    EXPECT_SAYS(
+        refusal("[material.a]\nkind = 'metal'\nindex = 2"),
+        "scene.toml:3: key \"material.a.index\": *\"index\"*\"metal\" *kind, color, splat_color, emission, roughness");
+    EXPECT_SAYS(
         refusal("[render]\nroom = 'none'"),
-        "scene.toml:2: key \"render.room\": unknown key \"room\"; render has integrator, bounces, spp, size, "
-        "seed, denoise, exposure, lights, shadows, caustics, blend, reflectivity, color_by, color_map, color_range, "
-        "legend, detail");
-    EXPECT_EQ(refusal("[material.gold]\n[[instance]]\nfile = 'statue.pro'\nmaterial = 'godl'"),
-              "scene.toml:4: key \"instance[0].material\": there is no [material.godl], did you mean \"gold\"?");
+        "scene.toml:2: key \"render.room\": *\"room\"*render *integrator, bounces, spp, size, seed, denoise, exposure, "
+        "lights, shadows, caustics, blend, reflectivity, color_by, color_map, color_range, legend, detail");
+    EXPECT_SAYS(refusal("[material.gold]\n[[instance]]\nfile = 'statue.pro'\nmaterial = 'godl'"),
+                "scene.toml:4: key \"instance[0].material\": *[material.godl]*\"gold\"");
 }
 
 TEST_F(SceneFile, RefusesWrongTypes) {
-    EXPECT_EQ(refusal("[camera]\neye = 1"), "scene.toml:2: key \"camera.eye\": must be a list of 3 numbers");
-    EXPECT_EQ(refusal("[camera]\neye = [1, 2]"), "scene.toml:2: key \"camera.eye\": must be a list of 3 numbers");
-    EXPECT_EQ(refusal("[camera]\neye = [1,\n2,\n'3']"), "scene.toml:4: key \"camera.eye[2]\": must be a number");
-    EXPECT_EQ(refusal("camera = 3"), "scene.toml:1: key \"camera\": must be a table");
-    EXPECT_EQ(refusal("[light]"), "scene.toml:1: key \"light\": must be a list of tables, each begun with [[light]]");
-    EXPECT_EQ(refusal("light = [1]"), "scene.toml:1: key \"light[0]\": must be a table");
-    EXPECT_EQ(refusal("material.a = 1"),
-              "scene.toml:1: key \"material.a\": must be a table, begun with [material.NAME]");
-    EXPECT_EQ(refusal("[render]\nspp = 1.5"), "scene.toml:2: key \"render.spp\": must be an integer from 1 to 65536");
-    EXPECT_EQ(refusal("[render]\nsize = [1]"), "scene.toml:2: key \"render.size\": must be [width, height]");
-    EXPECT_EQ(refusal("[material.a]\nsplat_color = 1"),
-              "scene.toml:2: key \"material.a.splat_color\": must be true or false");
-    EXPECT_EQ(refusal("[material.a]\ncolor = 1"),
-              "scene.toml:2: key \"material.a.color\": must be a colour: [red, green, blue] or \"#rrggbb\"");
-    EXPECT_EQ(refusal("[material.a]\ncolor = 'ff0000'"),
-              "scene.toml:2: key \"material.a.color\": \"ff0000\" is not a colour such as \"#ff8000\"");
-    EXPECT_EQ(refusal("[material.a]\ncolor = '#ff-100'"),
-              "scene.toml:2: key \"material.a.color\": \"#ff-100\" is not a colour such as \"#ff8000\"");
-    EXPECT_EQ(refusal("room = 1"), "scene.toml:1: key \"room\": must be a string in quotes");
-    EXPECT_EQ(refusal("room = ''"), "scene.toml:1: key \"room\": must not be empty");
-    EXPECT_EQ(refusal("room = 'cellar'"), "scene.toml:1: key \"room\": \"cellar\" is not one of none, mirror, matte");
-    EXPECT_EQ(refusal("[material.\"a\\nb\"]"),
-              "scene.toml:1: key \"material.a\\nb\": is not a valid name of a material");
+    EXPECT_SAYS(refusal("[camera]\neye = 1"), "scene.toml:2: key \"camera.eye\": *list*3");
+    EXPECT_SAYS(refusal("[camera]\neye = [1, 2]"), "scene.toml:2: key \"camera.eye\": *list*3");
+    EXPECT_SAYS(refusal("[camera]\neye = [1,\n2,\n'3']"), "scene.toml:4: key \"camera.eye[2]\": *number");
+    EXPECT_SAYS(refusal("camera = 3"), "scene.toml:1: key \"camera\": *table");
+    EXPECT_SAYS(refusal("[light]"), "scene.toml:1: key \"light\": *tables*[[light]]");
+    EXPECT_SAYS(refusal("light = [1]"), "scene.toml:1: key \"light[0]\": *table");
+    EXPECT_SAYS(refusal("material.a = 1"), "scene.toml:1: key \"material.a\": *table*[material.NAME]");
+    EXPECT_SAYS(refusal("[render]\nspp = 1.5"), "scene.toml:2: key \"render.spp\": *integer*1 *65536");
+    EXPECT_SAYS(refusal("[render]\nsize = [1]"), "scene.toml:2: key \"render.size\": *[width, height]");
+    EXPECT_SAYS(refusal("[material.a]\nsplat_color = 1"), "scene.toml:2: key \"material.a.splat_color\": *true *false");
+    EXPECT_SAYS(refusal("[material.a]\ncolor = 1"),
+                "scene.toml:2: key \"material.a.color\": *[red, green, blue]*\"#rrggbb\"");
+    EXPECT_SAYS(refusal("[material.a]\ncolor = 'ff0000'"),
+                "scene.toml:2: key \"material.a.color\": \"ff0000\" *\"#ff8000\"");
+    EXPECT_SAYS(refusal("[material.a]\ncolor = '#ff-100'"),
+                "scene.toml:2: key \"material.a.color\": \"#ff-100\" *\"#ff8000\"");
+    EXPECT_SAYS(refusal("room = 1"), "scene.toml:1: key \"room\": *string");
+    EXPECT_SAYS(refusal("room = ''"), "scene.toml:1: key \"room\": *empty");
+    EXPECT_SAYS(refusal("room = 'cellar'"), "scene.toml:1: key \"room\": \"cellar\" *none, mirror, matte");
+    EXPECT_SAYS(refusal("[material.\"a\\nb\"]"), "scene.toml:1: key \"material.a\\nb\": *name");
 }
 
 TEST_F(SceneFile, RefusesNumbersOutOfRange) {
-    EXPECT_EQ(refusal("[camera]\nfov = 180"),
-              "scene.toml:2: key \"camera.fov\": is 180, must be from 0.001 to 179.999");
-    EXPECT_EQ(refusal("[camera]\nfov = nan"),
-              "scene.toml:2: key \"camera.fov\": is nan, must be from 0.001 to 179.999");
-    EXPECT_EQ(refusal("[camera]\northo = 0"), "scene.toml:2: key \"camera.ortho\": is 0, must be from 1e-09 to 1e+12");
+    EXPECT_SAYS(refusal("[camera]\nfov = 180"), "scene.toml:2: key \"camera.fov\": *180*0.001 *179.999");
+    EXPECT_SAYS(refusal("[camera]\nfov = nan"), "scene.toml:2: key \"camera.fov\": *nan*0.001 *179.999");
+    EXPECT_SAYS(refusal("[camera]\northo = 0"), "scene.toml:2: key \"camera.ortho\": *0*1e-09 *1e+12");
     for (const char* text : {"true", "'all'"})
-        EXPECT_EQ(refusal(std::string("[camera]\northo = ") + text),
-                  "scene.toml:2: key \"camera.ortho\": must be a height or \"fit\"");
-    EXPECT_EQ(refusal("[camera]\nfov = 30\northo = 2"),
-              "scene.toml:3: key \"camera.ortho\": excludes \"fov\": a parallel projection has no field of view");
-    EXPECT_EQ(refusal("[camera]\neye = [0, inf, 0]"),
-              "scene.toml:2: key \"camera.eye[1]\": is inf, must be from -1e+12 to 1e+12");
-    EXPECT_EQ(refusal("[render]\nbounces = -1"),
-              "scene.toml:2: key \"render.bounces\": must be an integer from 0 to 64");
-    EXPECT_EQ(refusal("[render]\nsize = [16385, 1]"),
-              "scene.toml:2: key \"render.size[0]\": must be an integer from 1 to 16384");
-    EXPECT_EQ(refusal("[material.a]\ncolor = [0, 0, 1.1]"),
-              "scene.toml:2: key \"material.a.color[2]\": is 1.1, must be from 0 to 1");
-    EXPECT_EQ(refusal("[material.a]\nemission = [0, 0, -1]"),
-              "scene.toml:2: key \"material.a.emission[2]\": is -1, must be from 0 to 1e+12");
-    EXPECT_EQ(refusal("[[shape]]\ntype = 'sphere'\ncenter = [0, 0, 0]\nradius = 0"),
-              "scene.toml:4: key \"shape[0].radius\": is 0, must be from 1e-09 to 1e+12");
-    EXPECT_EQ(refusal("[[light]]\ntype = 'spot'\nposition = [0, 0, 0]\ntarget = [0, 1, 0]\nouter = 20\ninner = 21"),
-              "scene.toml:6: key \"light[0].inner\": is 21, must be from 0 to 20");
+        EXPECT_SAYS(refusal(std::string("[camera]\northo = ") + text),
+                    "scene.toml:2: key \"camera.ortho\": *height*\"fit\"");
+    EXPECT_SAYS(refusal("[camera]\nfov = 30\northo = 2"), "scene.toml:3: key \"camera.ortho\": excludes \"fov\"");
+    EXPECT_SAYS(refusal("[camera]\neye = [0, inf, 0]"), "scene.toml:2: key \"camera.eye[1]\": *inf*-1e+12 *1e+12");
+    EXPECT_SAYS(refusal("[render]\nbounces = -1"), "scene.toml:2: key \"render.bounces\": *integer*0 *64");
+    EXPECT_SAYS(refusal("[render]\nsize = [16385, 1]"), "scene.toml:2: key \"render.size[0]\": *integer*1 *16384");
+    EXPECT_SAYS(refusal("[material.a]\ncolor = [0, 0, 1.1]"), "scene.toml:2: key \"material.a.color[2]\": *1.1*0 *1");
+    EXPECT_SAYS(refusal("[material.a]\nemission = [0, 0, -1]"),
+                "scene.toml:2: key \"material.a.emission[2]\": *-1*0 *1e+12");
+    EXPECT_SAYS(refusal("[[shape]]\ntype = 'sphere'\ncenter = [0, 0, 0]\nradius = 0"),
+                "scene.toml:4: key \"shape[0].radius\": *0*1e-09 *1e+12");
+    EXPECT_SAYS(refusal("[[light]]\ntype = 'spot'\nposition = [0, 0, 0]\ntarget = [0, 1, 0]\nouter = 20\ninner = 21"),
+                "scene.toml:6: key \"light[0].inner\": *21*0 *20");
 }
 
 TEST_F(SceneFile, RefusesBrokenGeometry) {
-    EXPECT_EQ(refusal("up = [0, 0, 0]"), "scene.toml:1: key \"up\": a vector of length zero has no direction");
-    EXPECT_EQ(refusal("[camera]\neye = [1, 2, 3]\ntarget = [1, 2, 3]"),
-              "scene.toml:3: key \"camera.target\": must be another point than \"eye\"");
-    EXPECT_EQ(refusal("[[instance]]\nfile = 'statue.pro'\nscale = [1, 2, 1]"),
-              "scene.toml:3: key \"instance[0].scale\": must be one number for all axes: discs have to stay round");
-    EXPECT_EQ(
+    EXPECT_SAYS(refusal("up = [0, 0, 0]"), "scene.toml:1: key \"up\": *zero");
+    EXPECT_SAYS(refusal("[camera]\neye = [1, 2, 3]\ntarget = [1, 2, 3]"),
+                "scene.toml:3: key \"camera.target\": *point*\"eye\"");
+    EXPECT_SAYS(refusal("[[instance]]\nfile = 'statue.pro'\nscale = [1, 2, 1]"),
+                "scene.toml:3: key \"instance[0].scale\": *axes");
+    EXPECT_SAYS(
         refusal("[[instance]]\nfile = 'statue.pro'\nrotate = [{axis = [1, 0, 0], degrees = 9},\n{axis = [0, 0, 0], "
                 "degrees = 1}]"),
-        "scene.toml:4: key \"instance[0].rotate[1].axis\": a vector of length zero has no direction");
-    EXPECT_EQ(refusal("[[instance]]\nfile = 'statue.pro'\nrotate = {axis = [1, 0, 0]}"),
-              "scene.toml:3: key \"instance[0].rotate\": \"degrees\" is missing");
-    EXPECT_EQ(refusal("[[shape]]\ntype = 'quad'\ncenter = [0, 0, 0]\nu = [1, 0, 0]\nv = [0.1, 1, 0]"),
-              "scene.toml:5: key \"shape[0].v\": must be at right angles to \"u\"");
-    EXPECT_EQ(refusal("[[shape]]\ntype = 'box'\nmin = [0, 0, 0]\nmax = [1, 0, 1]"),
-              "scene.toml:4: key \"shape[0].max\": must be above \"min\" in x, y and z");
+        "scene.toml:4: key \"instance[0].rotate[1].axis\": *zero");
+    EXPECT_SAYS(refusal("[[instance]]\nfile = 'statue.pro'\nrotate = {axis = [1, 0, 0]}"),
+                "scene.toml:3: key \"instance[0].rotate\": \"degrees\" *missing");
+    EXPECT_SAYS(refusal("[[shape]]\ntype = 'quad'\ncenter = [0, 0, 0]\nu = [1, 0, 0]\nv = [0.1, 1, 0]"),
+                "scene.toml:5: key \"shape[0].v\": *right angles*\"u\"");
+    EXPECT_SAYS(refusal("[[shape]]\ntype = 'box'\nmin = [0, 0, 0]\nmax = [1, 0, 1]"),
+                "scene.toml:4: key \"shape[0].max\": *above \"min\"");
     EXPECT_EQ(refusal("[[shape]]\ntype = 'box'\ncenter = [0, 0, 0]\nsize = [1, 1, 1]\nmax = [1, 0, 1]"),
               "scene.toml:5: key \"shape[0].max\": excludes \"center\"");
-    EXPECT_EQ(refusal("[[shape]]\ntype = 'box'\nsize = [1, 1, 1]"),
-              "scene.toml:3: key \"shape[0].size\": has no effect without \"center\"");
-    EXPECT_EQ(refusal("[[light]]\ntype = 'spot'\nposition = [1, 0, 0]\ntarget = [1, 0, 0]"),
-              "scene.toml:4: key \"light[0].target\": must be another point than \"position\"");
+    EXPECT_SAYS(refusal("[[shape]]\ntype = 'box'\nsize = [1, 1, 1]"),
+                "scene.toml:3: key \"shape[0].size\": *effect*\"center\"");
+    EXPECT_SAYS(refusal("[[light]]\ntype = 'spot'\nposition = [1, 0, 0]\ntarget = [1, 0, 0]"),
+                "scene.toml:4: key \"light[0].target\": *point*\"position\"");
 }
 
 TEST_F(SceneFile, RefusesInvalidMaterials) {
-    EXPECT_EQ(refusal("[material.a]\nkind = 'wood'"),
-              "scene.toml:2: key \"material.a.kind\": \"wood\" is not one of matte, metal, plastic, mirror, glass");
+    EXPECT_SAYS(refusal("[material.a]\nkind = 'wood'"),
+                "scene.toml:2: key \"material.a.kind\": \"wood\" *matte, metal, plastic, mirror, glass");
     const std::string glass = "[material.a]\nkind = 'glass'\n";
-    EXPECT_EQ(
-        refusal(glass + "tint = [1, 1, 0]"),
-        "scene.toml:3: key \"material.a.tint\": must be above 0 in red, green and blue: some light comes through");
+    EXPECT_SAYS(refusal(glass + "tint = [1, 1, 0]"), "scene.toml:3: key \"material.a.tint\": *above 0");
     EXPECT_EQ(refusal(glass + "tint = [1, 1, 1]\nabsorption = [1, 1, 1]"),
               "scene.toml:4: key \"material.a.absorption\": excludes \"tint\"");
-    EXPECT_EQ(refusal(glass + "tint_distance = 1"),
-              "scene.toml:3: key \"material.a.tint_distance\": has no effect without \"tint\"");
-    EXPECT_EQ(refusal(glass + "thin = true\nabsorption = [1, 1, 1]"),
-              "scene.toml:4: key \"material.a.absorption\": a thin pane has no inside that absorbs; use \"color\"");
-    EXPECT_EQ(refusal("[material.a]\n[[shape]]\ntype = 'sphere'\ncenter = [0, 0, 0]\nradius = 1\nmaterial = 'a'"),
-              "scene.toml:6: key \"shape[0].material\": needs a \"color\": shapes have no splats to "
-              "take colours from");
+    EXPECT_SAYS(refusal(glass + "tint_distance = 1"),
+                "scene.toml:3: key \"material.a.tint_distance\": *effect*\"tint\"");
+    EXPECT_SAYS(refusal(glass + "thin = true\nabsorption = [1, 1, 1]"),
+                "scene.toml:4: key \"material.a.absorption\": *thin*\"color\"");
+    EXPECT_SAYS(refusal("[material.a]\n[[shape]]\ntype = 'sphere'\ncenter = [0, 0, 0]\nradius = 1\nmaterial = 'a'"),
+                "scene.toml:6: key \"shape[0].material\": *\"color\"");
     const std::string instance =
         "[material.a]\n[[instance]]\nfile = 'statue.pro'\n[[instance.override]]\nmaterial = 'a'\n";
-    EXPECT_EQ(refusal(instance),
-              "scene.toml:4: key \"instance[0].override[0]\": \"row\", \"colors\" or \"attribute\" is missing");
+    EXPECT_SAYS(refusal(instance),
+                "scene.toml:4: key \"instance[0].override[0]\": \"row\", \"colors\" *\"attribute\" *missing");
     EXPECT_EQ(refusal(instance + "row = 1\ncolors = []"),
               "scene.toml:7: key \"instance[0].override[0].colors\": excludes \"row\"");
-    EXPECT_EQ(refusal(instance + "colors = ['#000001', '#ffff00']"),
-              "scene.toml:6: key \"instance[0].override[0].colors\": empty range: the first colour must not exceed the "
-              "second in red, green or blue");
+    EXPECT_SAYS(refusal(instance + "colors = ['#000001', '#ffff00']"),
+                "scene.toml:6: key \"instance[0].override[0].colors\": *range");
 }
 
 TEST_F(SceneFile, RefusesInvalidAttributeOverrides) {
     const std::string over = "[material.a]\n[[instance]]\nfile = 'statue.pro'\n[[instance.override]]\nmaterial = 'a'\n";
     const std::string place = "scene.toml:6: key \"instance[0].override[0].", by_class = over + "attribute = 'class'\n";
-    EXPECT_EQ(refusal(over + "values = [1]"), place + "values\": has no effect without \"attribute\"");
+    EXPECT_SAYS(refusal(over + "values = [1]"), place + "values\": *effect*\"attribute\"");
     EXPECT_EQ(refusal(over + "row = 1\nattribute = 'class'"), place + "row\": excludes \"attribute\"");
-    EXPECT_EQ(refusal(by_class), "scene.toml:4: key \"instance[0].override[0]\": \"values\" or \"range\" is missing");
+    EXPECT_SAYS(refusal(by_class), "scene.toml:4: key \"instance[0].override[0]\": \"values\" *\"range\" *missing");
     const std::string next = "scene.toml:7: key \"instance[0].override[0].";
-    EXPECT_EQ(refusal(by_class + "values = []"), next + "values\": must be a list of numbers");
-    EXPECT_EQ(refusal(by_class + "values = ['a']"), next + "values[0]\": must be a number");
-    EXPECT_EQ(refusal(by_class + "range = [2, 2]"), next + "range\": must be two numbers, the lower first");
-    EXPECT_EQ(refusal(by_class + "range = [1, 2, 3]"), next + "range\": must be a list of 2 numbers");
-    EXPECT_EQ(refusal("up = 'Z'"),
-              "scene.toml:1: key \"up\": \"Z\" is no direction such as [0, 0, 1], and none of auto, x, "
-              "y, z, -x, -y, -z");
-    EXPECT_EQ(refusal("[render]\ncolor_map = 'jet'"), "scene.toml:2: key \"render.color_map\": \"jet\" is not one of "
-                                                      "viridis, magma, inferno, plasma, cividis, turbo, "
-                                                      "grey, classes, scans");
+    EXPECT_SAYS(refusal(by_class + "values = []"), next + "values\": *list");
+    EXPECT_SAYS(refusal(by_class + "values = ['a']"), next + "values[0]\": *number");
+    EXPECT_SAYS(refusal(by_class + "range = [2, 2]"), next + "range\": *lower");
+    EXPECT_SAYS(refusal(by_class + "range = [1, 2, 3]"), next + "range\": *list*2");
+    EXPECT_SAYS(refusal("up = 'Z'"), "scene.toml:1: key \"up\": \"Z\" *[0, 0, 1] *auto, x, y, z, -x, -y, -z");
+    EXPECT_SAYS(refusal("[render]\ncolor_map = 'jet'"), "scene.toml:2: key \"render.color_map\": \"jet\" *viridis, "
+                                                        "magma, inferno, plasma, cividis, turbo, grey, classes, scans");
 }
 
 TEST_F(SceneFile, RefusesInvalidLights) {
     const std::string point = "[[light]]\ntype = 'point'\nposition = [0, 0, 0]\n", sun = "[[light]]\ntype = 'sun'\n";
-    EXPECT_EQ(refusal(point), "scene.toml:1: key \"light[0]\": \"intensity\" or \"power\" is missing");
+    EXPECT_SAYS(refusal(point), "scene.toml:1: key \"light[0]\": \"intensity\" *\"power\" *missing");
     EXPECT_EQ(refusal(point + "power = 1\nintensity = 1"),
               "scene.toml:4: key \"light[0].power\": excludes \"intensity\"");
-    EXPECT_EQ(refusal(point + "intensity = [1, 1, 1]\ncolor = [1, 1, 1]"),
-              "scene.toml:5: key \"light[0].color\": \"intensity\" is a colour already; make it a number");
-    EXPECT_EQ(refusal(sun), "scene.toml:1: key \"light[0]\": \"towards\" or \"time\" is missing");
-    EXPECT_EQ(refusal(sun + "towards = [0, 1, 0]\nnorth = [1, 0, 0]"),
-              "scene.toml:4: key \"light[0].north\": has no effect without \"time\"");
+    EXPECT_SAYS(refusal(point + "intensity = [1, 1, 1]\ncolor = [1, 1, 1]"),
+                "scene.toml:5: key \"light[0].color\": \"intensity\" *colour");
+    EXPECT_SAYS(refusal(sun), "scene.toml:1: key \"light[0]\": \"towards\" *\"time\" *missing");
+    EXPECT_SAYS(refusal(sun + "towards = [0, 1, 0]\nnorth = [1, 0, 0]"),
+                "scene.toml:4: key \"light[0].north\": *effect*\"time\"");
     const std::string zero = sun + "latitude = 0\nlongitude = 0\nirradiance = 1\n";
-    const std::string wants_offset =
-        "scene.toml:6: key \"light[0].time\": must be a date and time with the offset from "
-        "UTC, as 2026-06-21T18:30:00+02:00";
+    const std::string wants_offset = "scene.toml:6: key \"light[0].time\": *2026-06-21T18:30:00+02:00";
     for (const char* time : {"2026-06-21", "12:00:00", "2026-06-21T12:00:00", "'noon'", "7"})
-        EXPECT_EQ(refusal(zero + "time = " + time), wants_offset);
-    EXPECT_EQ(refusal(zero + "time = 1899-06-21T12:00:00Z"),
-              "scene.toml:6: key \"light[0].time\": must be from 1900 to 2100");
+        EXPECT_SAYS(refusal(zero + "time = " + time), wants_offset);
+    EXPECT_SAYS(refusal(zero + "time = 1899-06-21T12:00:00Z"), "scene.toml:6: key \"light[0].time\": *1900 *2100");
     // Midnight on the equator at the solstice: 90 less the ecliptic's 23.44 degrees.
-    EXPECT_EQ(refusal(zero + "time = 2024-06-21T00:00:00Z"),
-              "scene.toml:6: key \"light[0].time\": the sun is 66.6 degrees below the horizon at that time and place");
-    EXPECT_EQ(refusal("up = [0, 1, 0]\n" + zero + "time = 2024-03-20T12:00:00Z\nnorth = [0, 1, 0]"),
-              "scene.toml:8: key \"light[0].north\": must not be along the scene's \"up\"");
+    EXPECT_SAYS(refusal(zero + "time = 2024-06-21T00:00:00Z"), "scene.toml:6: key \"light[0].time\": *66.6 *below");
+    EXPECT_SAYS(refusal("up = [0, 1, 0]\n" + zero + "time = 2024-03-20T12:00:00Z\nnorth = [0, 1, 0]"),
+                "scene.toml:8: key \"light[0].north\": *along*\"up\"");
 }
 
 TEST_F(SceneFile, RefusesMissingFiles) {
-    EXPECT_EQ(refusal("[[instance]]"), "scene.toml:1: key \"instance[0]\": \"file\" is missing");
-    EXPECT_EQ(refusal("\n[[instance]]\nfile = 'gone.pro'"),
-              "scene.toml:3: key \"instance[0].file\": there is no file \"" + path("gone.pro") + "\"");
-    EXPECT_EQ(refusal("[[instance]]\nfile = 'sub.pro'"),
-              "scene.toml:2: key \"instance[0].file\": there is no file \"" + path("sub.pro") + "\"");
-    EXPECT_EQ(refusal("[[instance]]\nfile = \"statue.pro\\u0000\""),
-              "scene.toml:2: key \"instance[0].file\": must not have control characters");
-    EXPECT_EQ(refusal("[sky]\nimage = 'statue.pro'"), "scene.toml:2: key \"sky.image\": must end in .hdr or .exr");
+    EXPECT_SAYS(refusal("[[instance]]"), "scene.toml:1: key \"instance[0]\": \"file\" *missing");
+    EXPECT_SAYS(refusal("\n[[instance]]\nfile = 'gone.pro'"),
+                "scene.toml:3: key \"instance[0].file\": *\"" + path("gone.pro") + "\"");
+    EXPECT_SAYS(refusal("[[instance]]\nfile = 'sub.pro'"),
+                "scene.toml:2: key \"instance[0].file\": *\"" + path("sub.pro") + "\"");
+    EXPECT_SAYS(refusal("[[instance]]\nfile = \"statue.pro\\u0000\""),
+                "scene.toml:2: key \"instance[0].file\": *control");
+    EXPECT_SAYS(refusal("[sky]\nimage = 'statue.pro'"), "scene.toml:2: key \"sky.image\": *.hdr *.exr");
     EXPECT_EQ(refusal("[sky]\nimage = 'sky.hdr'\ncolor = [1, 1, 1]"),
               "scene.toml:3: key \"sky.color\": excludes \"image\"");
-    EXPECT_EQ(refusal("[sky]\nrotation = 1"), "scene.toml:2: key \"sky.rotation\": has no effect without \"image\"");
-    EXPECT_EQ(refusal(""), "scene.toml:1: the scene has neither an [[instance]] nor a [[shape]]");
+    EXPECT_SAYS(refusal("[sky]\nrotation = 1"), "scene.toml:2: key \"sky.rotation\": *effect*\"image\"");
+    EXPECT_SAYS(refusal(""), "scene.toml:1: *[[instance]] *[[shape]]");
     EXPECT_EQ(parse("[[instance]]\nfile = '" + path("statue.pro") + "'").instances[0].path, path("statue.pro"));
 }
 
@@ -205,24 +184,21 @@ std::string repeated(const std::string& text, int times) {
 TEST_F(SceneFile, EnforcesLimits) {
     const std::string instance = "[[instance]]\nfile = 'statue.pro'\n";
     EXPECT_EQ(parse(repeated(instance, 254)).instances.size(), 254u);
-    EXPECT_EQ(refusal(repeated(instance, 255)),
-              "scene.toml:509: key \"instance[254]\": there are at most 254 instances");
+    EXPECT_SAYS(refusal(repeated(instance, 255)), "scene.toml:509: key \"instance[254]\": *254 instances");
     const std::string shape = "[[shape]]\ntype = 'sphere'\ncenter = [0, 0, 0]\nradius = 1\n";
     const std::string lamp = "[[light]]\ntype = 'sphere'\ncenter = [0, 0, 0]\nradius = 1\nradiance = 1\n";
     EXPECT_EQ(parse(repeated(shape, 32) + repeated(lamp, 32)).lights.size(), 32u);
-    EXPECT_EQ(refusal(repeated(shape, 33) + repeated(lamp, 32)),
-              "scene.toml:288: key \"light[31]\": there are at most 64 shapes, sphere, quad and disc lights counted");
-    EXPECT_EQ(refusal(repeated(shape, 1) + repeated(lamp, 33)),
-              "scene.toml:165: key \"light[32]\": there are at most 32 lights");
-    EXPECT_EQ(refusal(repeated(lamp, 32) + shape + "[sky]\nimage = 'sky.hdr'\n"),
-              "scene.toml:166: key \"sky.image\": is a light, and there are 32 already");
+    EXPECT_SAYS(refusal(repeated(shape, 33) + repeated(lamp, 32)), "scene.toml:288: key \"light[31]\": *64 shapes");
+    EXPECT_SAYS(refusal(repeated(shape, 1) + repeated(lamp, 33)), "scene.toml:165: key \"light[32]\": *32 lights");
+    EXPECT_SAYS(refusal(repeated(lamp, 32) + shape + "[sky]\nimage = 'sky.hdr'\n"),
+                "scene.toml:166: key \"sky.image\": *light*32");
     std::string materials;
     for (int i = 100; i < 357; ++i) materials += "[material.m" + std::to_string(i) + "]\n";
-    EXPECT_EQ(refusal(materials), "scene.toml:257: key \"material.m356\": there are at most 256 materials");
+    EXPECT_SAYS(refusal(materials), "scene.toml:257: key \"material.m356\": *256 materials");
     const std::string range = "[[instance.override]]\ncolors = ['#000000', '#000000']\nmaterial = 'a'\n";
     EXPECT_EQ(parse("[material.a]\n" + instance + repeated(range, 8)).instances[0].overrides.size(), 8u);
-    EXPECT_EQ(refusal("[material.a]\n" + instance + repeated(range, 9)),
-              "scene.toml:28: key \"instance[0].override[8]\": an instance has at most 8 colour ranges");
+    EXPECT_SAYS(refusal("[material.a]\n" + instance + repeated(range, 9)),
+                "scene.toml:28: key \"instance[0].override[8]\": *8 *ranges");
 }
 
 TEST_F(SceneFile, ReportsTheLineOfInvalidToml) {
@@ -244,8 +220,8 @@ TEST_F(SceneFile, SurvivesDeepNesting) {
     const int deep = 100000;
     EXPECT_NE(refusal("a = " + std::string(deep, '[')), "");
     EXPECT_NE(refusal("a = {" + repeated("a={", deep)), "");
-    EXPECT_EQ(refusal(std::string("\n") + repeated("a.", deep) + "a = 1"), "scene.toml:2: more than 64 dots in a row");
-    EXPECT_EQ(refusal(std::string("[") + repeated("a . ", deep) + "a]"), "scene.toml:1: more than 64 dots in a row");
+    EXPECT_SAYS(refusal(std::string("\n") + repeated("a.", deep) + "a = 1"), "scene.toml:2: *64 dots");
+    EXPECT_SAYS(refusal(std::string("[") + repeated("a . ", deep) + "a]"), "scene.toml:1: *64 dots");
     // as deep as both limits let it be
     EXPECT_NE(refusal(repeated(repeated("a.", 64) + "a = {", 255) + repeated("}", 255)), "");
     const SceneDescription scene = parseMore("# " + repeated("etc. and so on, ", 100));
@@ -268,7 +244,7 @@ TEST_F(SceneFile, RefusesFoldersAndLargeFiles) {
     std::ofstream(large) << scene << std::string((std::size_t{1} << 20) - scene.size(), ' ');
     EXPECT_EQ(reading(large), "");
     std::ofstream(large, std::ios::app) << ' ';
-    EXPECT_EQ(reading(large), large + ": a scene file has at most 1 MiB");
+    EXPECT_SAYS(reading(large), large + ": *1 MiB");
 }
 
 std::string exampleText() {
@@ -321,14 +297,13 @@ TEST_F(SceneFile, SurvivesMutations) {
 }
 
 TEST_F(SceneFile, RefusesIntegersBeyondDoublePrecision) {
-    EXPECT_EQ(refusal("[camera]\nfov = 9223372036854775807"),
-              "scene.toml:2: key \"camera.fov\": is 9.223372037e+18, must be from 0.001 to 179.999");
+    EXPECT_SAYS(refusal("[camera]\nfov = 9223372036854775807"),
+                "scene.toml:2: key \"camera.fov\": *9.223372037e+18*0.001 *179.999");
 }
 
 TEST_F(SceneFile, RefusesDuplicateViewNames) {
-    EXPECT_EQ(refusal("[[view]]\nname = 'a'\n[[view]]\nname = 'a'"),
-              "scene.toml:4: key \"view[1].name\": is also the name of another view");
-    EXPECT_EQ(refusal("[[view]]\nfov = 30"), "scene.toml:1: key \"view[0]\": \"name\" is missing");
+    EXPECT_SAYS(refusal("[[view]]\nname = 'a'\n[[view]]\nname = 'a'"), "scene.toml:4: key \"view[1].name\": *another");
+    EXPECT_SAYS(refusal("[[view]]\nfov = 30"), "scene.toml:1: key \"view[0]\": \"name\" *missing");
 }
 
 TEST_F(SceneFile, RefusesMatricesOtherThanRotations) {

@@ -5,13 +5,13 @@
 namespace pointrt::test {
 namespace {
 
-constexpr double kGround = 0.25, kSpacing = 0.8 / 160, kHeight = 0.15; // cube units: 0.64 m and 19.2 m
-constexpr double kLow = 0.48, kHigh = 0.52;                            // edges of the tower: 5.12 m
+constexpr double kGround = 0.25, kShadowSpacing = 0.8 / 160, kShadowHeight = 0.15; // cube units: 0.64 m and 19.2 m
+constexpr double kLow = 0.48, kHigh = 0.52;                                        // edges of the tower: 5.12 m
 
 /// Whether a place on the ground is in the tower's shadow: the ray to the sun crosses the tower's footprint below its
 /// top.
 bool isShaded(double x, double y, const double* sun) {
-    const double dx = sun[0] / sun[2] * kHeight, dy = sun[1] / sun[2] * kHeight;
+    const double dx = sun[0] / sun[2] * kShadowHeight, dy = sun[1] / sun[2] * kShadowHeight;
     double from = 0, to = 1;
     const auto cut = [&](double at, double step) {
         if (step == 0) {
@@ -32,7 +32,8 @@ int surely(double x, double y, const double* sun) {
     const bool here = isShaded(x, y, sun);
     for (int k = 0; k < 16; ++k) {
         const double angle = k * std::numbers::pi / 8;
-        if (isShaded(x + kSpacing * std::cos(angle), y + kSpacing * std::sin(angle), sun) != here) return -1;
+        if (isShaded(x + kShadowSpacing * std::cos(angle), y + kShadowSpacing * std::sin(angle), sun) != here)
+            return -1;
     }
     return here;
 }
@@ -41,9 +42,11 @@ class Shadow : public Study {
 protected:
     Shadow() {
         std::vector<pro_splat> splats;
-        addSheet(splats, {{0.1, 0.1, kGround}, {0.8, 0, 0}, {0, 0.8, 0}, {0, 0, 1}}, kSpacing, 0.8 * kSpacing);
+        addSheet(splats, {{0.1, 0.1, kGround}, {0.8, 0, 0}, {0, 0.8, 0}, {0, 0, 1}}, kShadowSpacing,
+                 0.8 * kShadowSpacing);
         // discs of the walls extend beyond the edges by a fifth of the spacing
-        addBox(splats, {kLow, kLow, kGround}, {kHigh - kLow, kHigh - kLow, kHeight}, kSpacing / 2, 0.36 * kSpacing);
+        addBox(splats, {kLow, kLow, kGround}, {kHigh - kLow, kHigh - kLow, kShadowHeight}, kShadowSpacing / 2,
+               0.36 * kShadowSpacing);
         path = scan("tower.pro", splats);
         points = scanPoints(path);
     }
@@ -55,8 +58,8 @@ protected:
     }
     /// Whether the point is on the ground outside the tower.
     bool isGround(std::size_t i) const {
-        const bool inside = cube(i, 0) > kLow - kSpacing && cube(i, 0) < kHigh + kSpacing &&
-                            cube(i, 1) > kLow - kSpacing && cube(i, 1) < kHigh + kSpacing;
+        const bool inside = cube(i, 0) > kLow - kShadowSpacing && cube(i, 0) < kHigh + kShadowSpacing &&
+                            cube(i, 1) > kLow - kShadowSpacing && cube(i, 1) < kHigh + kShadowSpacing;
         return cube(i, 2) < kGround + 1e-4 && !inside;
     }
 

@@ -5,19 +5,21 @@
 namespace pointrt::test {
 namespace {
 
-constexpr double kGround = 0.25, kSpacing = 0.8 / 120, kWall = 0.55, kHeight = 0.05;
+constexpr double kSightGround = 0.25, kSightSpacing = 0.8 / 120, kWall = 0.55, kSightHeight = 0.05;
 
 class Sight : public Study {
 protected:
     Sight() {
         std::vector<pro_splat> splats;
-        addSheet(splats, {{0.1, 0.1, kGround}, {0.8, 0, 0}, {0, 0.8, 0}, {0, 0, 1}}, kSpacing, 0.8 * kSpacing);
+        addSheet(splats, {{0.1, 0.1, kSightGround}, {0.8, 0, 0}, {0, 0.8, 0}, {0, 0, 1}}, kSightSpacing,
+                 0.8 * kSightSpacing);
         // a wall across the ground: two sheets 4 spacings apart
-        for (const double x : {kWall, kWall + 4 * kSpacing})
-            addSheet(splats, {{x, 0.1, kGround}, {0, 0.8, 0}, {0, 0, kHeight}, {x > kWall ? 1.0f : -1.0f, 0, 0}},
-                     kSpacing / 2, 0.36 * kSpacing);
-        addSheet(splats, {{kWall, 0.1, kGround + kHeight}, {4 * kSpacing, 0, 0}, {0, 0.8, 0}, {0, 0, 1}}, kSpacing / 2,
-                 0.36 * kSpacing);
+        for (const double x : {kWall, kWall + 4 * kSightSpacing})
+            addSheet(splats,
+                     {{x, 0.1, kSightGround}, {0, 0.8, 0}, {0, 0, kSightHeight}, {x > kWall ? 1.0f : -1.0f, 0, 0}},
+                     kSightSpacing / 2, 0.36 * kSightSpacing);
+        addSheet(splats, {{kWall, 0.1, kSightGround + kSightHeight}, {4 * kSightSpacing, 0, 0}, {0, 0.8, 0}, {0, 0, 1}},
+                 kSightSpacing / 2, 0.36 * kSightSpacing);
         path = scan("wall.pro", splats);
         points = scanPoints(path);
     }
@@ -42,21 +44,21 @@ protected:
 
 TEST_F(Sight, ShadowOfTheWallMatchesTheFormula) {
     const double up = 0.1;
-    const auto visible = seenFrom({eyeAt(0.2, 0.5, kGround + up)});
+    const auto visible = seenFrom({eyeAt(0.2, 0.5, kSightGround + up)});
     // where the line of sight over the far edge of the wall reaches the ground
-    const double far_edge = kWall + 4 * kSpacing;
-    const double hidden_to = 0.2 + (far_edge - 0.2) * up / (up - kHeight);
+    const double far_edge = kWall + 4 * kSightSpacing;
+    const double hidden_to = 0.2 + (far_edge - 0.2) * up / (up - kSightHeight);
     std::size_t before = 0, behind = 0, beyond = 0;
     for (std::size_t i = 0; i < visible.size(); ++i) {
-        if (cube(i, 2) > kGround + 1e-4) continue;
+        if (cube(i, 2) > kSightGround + 1e-4) continue;
         const double x = cube(i, 0);
-        if (x < kWall - kSpacing) {
+        if (x < kWall - kSightSpacing) {
             ASSERT_EQ(visible[i], 1) << x << " " << cube(i, 1);
             ++before;
-        } else if (x > far_edge + kSpacing && x < hidden_to - kSpacing) {
+        } else if (x > far_edge + kSightSpacing && x < hidden_to - kSightSpacing) {
             ASSERT_EQ(visible[i], 0) << x << " " << cube(i, 1);
             ++behind;
-        } else if (x > hidden_to + kSpacing) {
+        } else if (x > hidden_to + kSightSpacing) {
             ASSERT_EQ(visible[i], 1) << x << " " << cube(i, 1);
             ++beyond;
         }
@@ -69,12 +71,12 @@ TEST_F(Sight, ShadowOfTheWallMatchesTheFormula) {
 
 TEST_F(Sight, HighObserversSeeTheGroundBeyondTheWall) {
     const double up = 0.5;
-    const auto visible = seenFrom({eyeAt(0.2, 0.5, kGround + up)});
-    const double far_edge = kWall + 4 * kSpacing, hidden_to = 0.2 + (far_edge - 0.2) * up / (up - kHeight);
+    const auto visible = seenFrom({eyeAt(0.2, 0.5, kSightGround + up)});
+    const double far_edge = kWall + 4 * kSightSpacing, hidden_to = 0.2 + (far_edge - 0.2) * up / (up - kSightHeight);
     std::size_t beyond = 0;
     for (std::size_t i = 0; i < visible.size(); ++i) {
-        if (cube(i, 2) > kGround + 1e-4 || cube(i, 0) < far_edge + kSpacing) continue;
-        if (std::abs(cube(i, 0) - hidden_to) < kSpacing) continue;
+        if (cube(i, 2) > kSightGround + 1e-4 || cube(i, 0) < far_edge + kSightSpacing) continue;
+        if (std::abs(cube(i, 0) - hidden_to) < kSightSpacing) continue;
         ASSERT_EQ(visible[i], cube(i, 0) > hidden_to) << cube(i, 0) << " " << cube(i, 1);
         beyond += visible[i];
     }
@@ -82,7 +84,7 @@ TEST_F(Sight, HighObserversSeeTheGroundBeyondTheWall) {
 }
 
 TEST_F(Sight, OnlyTheNearSideOfAWallIsSeen) {
-    const auto visible = seenFrom({eyeAt(0.2, 0.5, kGround + 0.02)});
+    const auto visible = seenFrom({eyeAt(0.2, 0.5, kSightGround + 0.02)});
     for (std::size_t i = 0; i < visible.size(); ++i) {
         const float nx = points.normals[3 * i];
         if (std::abs(nx) < 0.5f) continue;
@@ -91,16 +93,16 @@ TEST_F(Sight, OnlyTheNearSideOfAWallIsSeen) {
 }
 
 TEST_F(Sight, RadiusAndEnclosedObserversLimitSight) {
-    const auto near = seenFrom({eyeAt(0.2, 0.5, kGround + 0.1), 0.15 * place.edge});
+    const auto near = seenFrom({eyeAt(0.2, 0.5, kSightGround + 0.1), 0.15 * place.edge});
     for (std::size_t i = 0; i < near.size(); ++i) {
-        const double distance = std::hypot(cube(i, 0) - 0.2, cube(i, 1) - 0.5, cube(i, 2) - kGround - 0.1);
+        const double distance = std::hypot(cube(i, 0) - 0.2, cube(i, 1) - 0.5, cube(i, 2) - kSightGround - 0.1);
         if (std::abs(distance - 0.15) < 0.001) continue;
         ASSERT_EQ(near[i], distance < 0.15) << distance;
     }
-    const auto within = seenFrom({eyeAt(kWall + 2 * kSpacing, 0.5, kGround + kHeight / 2)});
-    const auto below = seenFrom({eyeAt(0.3, 0.5, kGround - 0.01)});
+    const auto within = seenFrom({eyeAt(kWall + 2 * kSightSpacing, 0.5, kSightGround + kSightHeight / 2)});
+    const auto below = seenFrom({eyeAt(0.3, 0.5, kSightGround - 0.01)});
     for (std::size_t i = 0; i < within.size(); ++i) {
-        const bool is_wall = std::abs(cube(i, 0) - kWall - 2 * kSpacing) < 4 * kSpacing;
+        const bool is_wall = std::abs(cube(i, 0) - kWall - 2 * kSightSpacing) < 4 * kSightSpacing;
         ASSERT_EQ(within[i] != 0 && !is_wall, false) << cube(i, 0) << " " << cube(i, 1);
         ASSERT_EQ(below[i], 0) << cube(i, 0) << " " << cube(i, 1);
     }

@@ -19,8 +19,8 @@ constexpr double kRadians = std::numbers::pi / 180;
 constexpr std::size_t kSide = 80;
 constexpr double kSplatRadius = 128 * 0.8 / kSide; // of planeSplats
 /// The plane in the middle of the cube, at the stored precision, and a scanner above its centre.
-constexpr double kGround = 100 + 128 * (0.5 + 0.5 * 0x1p-21), kAbove = 10;
-constexpr std::array<double, 3> kPlace{500064, 4500064, kGround + kAbove};
+constexpr double kSimulateLidarGround = 100 + 128 * (0.5 + 0.5 * 0x1p-21), kAbove = 10;
+constexpr std::array<double, 3> kPlace{500064, 4500064, kSimulateLidarGround + kAbove};
 
 /// Where a ray intersects a splat as stored.
 double rangeTo(const pro_splat& splat, Vec3 origin, Vec3 direction) {
@@ -100,7 +100,7 @@ TEST_F(Lidar, RangesAndIncidencesOfAPlaneMatchTheFormulas) {
         ASSERT_NEAR(points.ranges[i], range, 1e-3 * kSplatRadius / down) << i;
         ASSERT_NEAR(p.x, kPlace[0] + range * std::cos(elevations[ring] * kRadians) * std::cos(azimuth), 2e-3) << i;
         ASSERT_NEAR(p.y, kPlace[1] + range * std::cos(elevations[ring] * kRadians) * std::sin(azimuth), 2e-3) << i;
-        ASSERT_NEAR(p.z, kGround, 1e-3 * kSplatRadius) << i;
+        ASSERT_NEAR(p.z, kSimulateLidarGround, 1e-3 * kSplatRadius) << i;
         ASSERT_NEAR(static_cast<double>(points.incidences_deg[i]), 90 + elevations[ring], 0.05) << i; // 16 bit normals
         ASSERT_NEAR(static_cast<double>(points.powers[i]), down * down * down, 1e-3) << i;
         ASSERT_EQ(points.intensities[i], std::lround(4096 * static_cast<double>(points.powers[i]))) << i;
@@ -130,7 +130,7 @@ TEST_F(Lidar, NoiseHasItsMeanDeviationAndGrowth) {
     EXPECT_NEAR(std::sqrt(square), sigma, 4 * sigma / std::sqrt(2 * count));
     EXPECT_NEAR(within, 0.6827, 4 * std::sqrt(0.6827 * 0.3173 / count));
     for (std::size_t i = 0; i < points.size(); ++i)
-        ASSERT_NEAR(positionOf(points, i).z, kGround + kAbove - points.ranges[i], 1e-8);
+        ASSERT_NEAR(positionOf(points, i).z, kSimulateLidarGround + kAbove - points.ranges[i], 1e-8);
 }
 
 TEST_F(Lidar, ResultsDoNotDependOnBlocks) {
@@ -316,8 +316,8 @@ TEST_F(Lidar, AnOscillatingMirrorInFlightDrawsAZigzag) {
     LidarRun run;
     const double height = 60;
     // to the north, 40 m in two seconds
-    run.trajectory = {{5, {500064, 4500044, kGround + height}, lidarRotation(90, 0, 0)},
-                      {7, {500064, 4500084, kGround + height}, lidarRotation(90, 0, 0)}};
+    run.trajectory = {{5, {500064, 4500044, kSimulateLidarGround + height}, lidarRotation(90, 0, 0)},
+                      {7, {500064, 4500084, kSimulateLidarGround + height}, lidarRotation(90, 0, 0)}};
     const LidarPoints points = simulate(plane(), sensor, run);
     ASSERT_EQ(points.size(), 4000u);
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -11,35 +11,35 @@
 namespace pointrt {
 namespace {
 
-using Names = std::vector<std::string>;
+using FileNames = std::vector<std::string>;
 
 TEST(FileList, SortsNumbersByValue) {
-    const Names sorted{"",
-                       "10",
-                       "a",
-                       "a01",
-                       "a1",
-                       "a2b1",
-                       "a2b10",
-                       "a10",
-                       "b007",
-                       "b7",
-                       "b07x",
-                       "b8",
-                       "img2",
-                       "img10",
-                       "img10a",
-                       "scan.pro",
-                       "z99999999999999999999",
-                       "z100000000000000000000"};
-    Names shuffled = sorted;
+    const FileNames sorted{"",
+                           "10",
+                           "a",
+                           "a01",
+                           "a1",
+                           "a2b1",
+                           "a2b10",
+                           "a10",
+                           "b007",
+                           "b7",
+                           "b07x",
+                           "b8",
+                           "img2",
+                           "img10",
+                           "img10a",
+                           "scan.pro",
+                           "z99999999999999999999",
+                           "z100000000000000000000"};
+    FileNames shuffled = sorted;
     std::reverse(shuffled.begin(), shuffled.end());
     std::sort(shuffled.begin(), shuffled.end(), naturallyLess);
     EXPECT_EQ(shuffled, sorted);
 }
 
 TEST(FileList, NaturalOrderIsStrict) {
-    const Names names{"", "0", "00", "1", "01", "1a", "01a", "a", "a0", "a00b", "\xff", "10", "9"};
+    const FileNames names{"", "0", "00", "1", "01", "1a", "01a", "a", "a0", "a00b", "\xff", "10", "9"};
     for (const std::string& a : names)
         for (const std::string& b : names) {
             EXPECT_EQ(naturallyLess(a, b) + naturallyLess(b, a), a != b) << a << " " << b;
@@ -56,9 +56,9 @@ TEST(FileList, ListsScenesOfAFolder) {
         folder.write(name, "");
     std::filesystem::create_directory(folder.path / "folder.pro");
     EXPECT_EQ(sceneFiles(folder.path.string()),
-              (Names{folder.file("img2.pro"), folder.file("img2.toml"), folder.file("img10.pro")}));
-    EXPECT_EQ(sceneFiles(folder.file("none")), Names{});
-    EXPECT_EQ(sceneFiles(folder.file("img2.pro")), Names{});
+              (FileNames{folder.file("img2.pro"), folder.file("img2.toml"), folder.file("img10.pro")}));
+    EXPECT_EQ(sceneFiles(folder.file("none")), FileNames{});
+    EXPECT_EQ(sceneFiles(folder.file("img2.pro")), FileNames{});
 }
 
 TEST(FileList, WrapsAround) {

@@ -17,7 +17,7 @@ constexpr Vec3 kUp{0, 1, 0};
 const LitScene kScene{{1, 2, 3}, kUp, 4, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 template <typename L>
-L newLight() {
+L newLightOf() {
     return std::get<L>(newLight(LightDescription(L{}).index(), kScene));
 }
 
@@ -37,7 +37,7 @@ TEST(LightEdit, BrightnessOneIsWhite) {
 TEST(LightEdit, BrightnessOfADisc) {
     // its area is pi
     EXPECT_NEAR(brightnessOf(DiscLight{{}, kUp, 1, {100, 0, 0}, true}, 10), 1, 1e-6);
-    auto disc = newLight<DiscLight>();
+    auto disc = newLightOf<DiscLight>();
     expectNear(disc.normal, normalize(kScene.centre - disc.center));
     resize(disc, [&] { disc.radius *= 3; });
     EXPECT_NEAR(brightnessOf(disc, 8), 0.7, 1e-6);
@@ -69,8 +69,8 @@ TEST(LightEdit, StaysWithinSceneFileLimits) {
 }
 
 TEST(LightEdit, ResizingKeepsTheBrightness) {
-    auto sphere = newLight<SphereLight>();
-    auto quad = newLight<QuadLight>();
+    auto sphere = newLightOf<SphereLight>();
+    auto quad = newLightOf<QuadLight>();
     resize(sphere, [&] { sphere.radius = 3; });
     resize(quad, [&] {
         quad.u = 3 * normalize(quad.u);
@@ -82,14 +82,14 @@ TEST(LightEdit, ResizingKeepsTheBrightness) {
 
 TEST(LightEdit, NewLightsFaceTheScene) {
     const auto towards = [](Vec3 from) { return normalize(kScene.centre - from); };
-    const auto spot = newLight<SpotLight>();
+    const auto spot = newLightOf<SpotLight>();
     expectNear(spot.direction, towards(spot.position));
     EXPECT_NEAR(spot.outer_deg, 30, 1e-9); // the scene's sphere at a distance of twice its radius
-    const auto quad = newLight<QuadLight>();
+    const auto quad = newLightOf<QuadLight>();
     expectNear(quad.facing(), towards(quad.center));
     EXPECT_NEAR(dot(quad.u, quad.v), 0, 1e-9);
     EXPECT_NEAR(quad.u.y, 0, 1e-9);
-    const auto sun = newLight<SunLight>();
+    const auto sun = newLightOf<SunLight>();
     expectNear(sun.towards, normalize(Vec3{-1, 1, 1}));
 }
 

@@ -21,7 +21,7 @@
 namespace pointrt {
 namespace {
 
-constexpr ViewSize kSize{1280, 720};
+constexpr ViewSize kViewCameraSize{1280, 720};
 constexpr double kInfinity = std::numeric_limits<double>::infinity(), kNan = std::nan("");
 const Vec3 kUps[] = {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {0, -3, 0}, {1, 2, -3}};
 
@@ -113,9 +113,9 @@ TEST(ViewCamera, OrbitFollowsTheDrag) {
     for (const Vec3& up : kUps) {
         const ViewCamera view = slantedView(kUnit, up);
         const Vec3 near = view.pivot - axesOf(view).forward * 0.5; // towards the eye
-        const ViewPoint before = *projected(view, kSize, near);
-        const ViewPoint right = *projected(orbited(view, kSize, 10, 0), kSize, near);
-        const ViewPoint down = *projected(orbited(view, kSize, 0, 10), kSize, near);
+        const ViewPoint before = *projected(view, kViewCameraSize, near);
+        const ViewPoint right = *projected(orbited(view, kViewCameraSize, 10, 0), kViewCameraSize, near);
+        const ViewPoint down = *projected(orbited(view, kViewCameraSize, 0, 10), kViewCameraSize, near);
         EXPECT_GT(right.x, before.x + 2);
         EXPECT_GT(down.y, before.y + 2);
         EXPECT_NEAR(down.x, before.x, 1e-9);
@@ -124,9 +124,9 @@ TEST(ViewCamera, OrbitFollowsTheDrag) {
 
 TEST(ViewCamera, PictureHeightIsHalfATurn) {
     const ViewCamera view = framedView({}, kNationalGrid.low, kNationalGrid.high, {0, 1, 0}, 1);
-    const ViewCamera behind = orbited(view, kSize, kSize.height, 0);
+    const ViewCamera behind = orbited(view, kViewCameraSize, kViewCameraSize.height, 0);
     expectNear(behind.eye - view.pivot, (view.eye - view.pivot) * -1, 1e-6);
-    const ViewCamera quarter = orbited(view, kSize, kSize.height / 2, 0); // the camera moves left
+    const ViewCamera quarter = orbited(view, kViewCameraSize, kViewCameraSize.height / 2, 0); // the camera moves left
     expectNear(normalize(quarter.eye - view.pivot), {-1, 0, 0}, 1e-8);
 }
 
@@ -138,7 +138,7 @@ TEST(ViewCamera, OrbitKeepsHorizonAndDistance) {
             ViewCamera view = slantedView(scene, up);
             const double distance = distanceToPivot(view);
             for (int i = 0; i < 5000; ++i) {
-                view = orbited(view, kSize, move(random), move(random));
+                view = orbited(view, kViewCameraSize, move(random), move(random));
                 ASSERT_NEAR(roll(view), 0, 1e-9);
                 ASSERT_GT(dot(axesOf(view).up, normalize(view.up)), 0); // never upside down
             }
@@ -150,12 +150,12 @@ TEST(ViewCamera, OrbitKeepsHorizonAndDistance) {
 TEST(ViewCamera, OrbitStopsBeforeThePoles) {
     for (const Vec3& up : kUps)
         for (double side : {1.0, -1.0}) {
-            const ViewCamera view = orbited(slantedView(kNationalGrid, up), kSize, 0, side * 5000);
+            const ViewCamera view = orbited(slantedView(kNationalGrid, up), kViewCameraSize, 0, side * 5000);
             const double along = dot(axesOf(view).forward, normalize(up)) * -side;
             EXPECT_NEAR(std::acos(along) * 180 / std::numbers::pi, 0.1, 1e-6);
             EXPECT_NEAR(roll(view), 0, 1e-9);
             // and they return from there with the same right vector
-            const ViewCamera back = orbited(view, kSize, 0, side * -100);
+            const ViewCamera back = orbited(view, kViewCameraSize, 0, side * -100);
             expectNear(axesOf(back).right, axesOf(view).right, 1e-6);
         }
 }
@@ -165,8 +165,8 @@ TEST(ViewCamera, OrbitLeavesAPoleSmoothly) {
         const ViewCamera top = standardView(slantedView(kNationalGrid, up), StandardView::kTop);
         for (const ViewCamera& pole : {top, oppositeView(top)}) {
             EXPECT_NEAR(std::abs(dot(axesOf(pole).forward, normalize(up))), 1, 1e-15);
-            expectSamePicture(orbited(pole, kSize, 0, 0), pole, 0.01); // 0.1 degrees from the pole
-            expectSamePicture(orbited(pole, kSize, 1, 0), pole, 0.03);
+            expectSamePicture(orbited(pole, kViewCameraSize, 0, 0), pole, 0.01); // 0.1 degrees from the pole
+            expectSamePicture(orbited(pole, kViewCameraSize, 1, 0), pole, 0.03);
         }
     }
 }
@@ -175,9 +175,9 @@ TEST(ViewCamera, PanFollowsTheCursor) {
     for (const Vec3& up : kUps)
         for (const Scene& scene : {kUnit, kNationalGrid})
             for (const ViewCamera& view : {slantedView(scene, up), orthoToggled(slantedView(scene, up))}) {
-                const Vec3 grabbed = pointAtPivotDepth(view, kSize, 200, 610);
-                const ViewCamera after = panned(view, kSize, 333, -217);
-                const ViewPoint there = *projected(after, kSize, grabbed);
+                const Vec3 grabbed = pointAtPivotDepth(view, kViewCameraSize, 200, 610);
+                const ViewCamera after = panned(view, kViewCameraSize, 333, -217);
+                const ViewPoint there = *projected(after, kViewCameraSize, grabbed);
                 EXPECT_NEAR(there.x, 533, 1e-5);
                 EXPECT_NEAR(there.y, 393, 1e-5);
                 expectNear(axesOf(after).forward, axesOf(view).forward, 1e-8);
@@ -187,12 +187,12 @@ TEST(ViewCamera, PanFollowsTheCursor) {
 TEST(ViewCamera, ZoomIsAboutTheCursor) {
     for (const Scene& scene : {kUnit, kNationalGrid})
         for (ViewCamera view : {slantedView(scene, {0, 0, 1}), orthoToggled(slantedView(scene, {0, 0, 1}))}) {
-            const Vec3 aimed = pointAtPivotDepth(view, kSize, 1000, 100);
+            const Vec3 aimed = pointAtPivotDepth(view, kViewCameraSize, 1000, 100);
             const double height = heightAtPivot(view);
-            for (double steps : {1.0, 2.5, 0.5}) view = zoomed(view, kSize, steps, 1000, 100);
+            for (double steps : {1.0, 2.5, 0.5}) view = zoomed(view, kViewCameraSize, steps, 1000, 100);
             EXPECT_NEAR(heightAtPivot(view) / height, 0.5, 1e-8);
-            EXPECT_NEAR(projected(view, kSize, aimed)->x, 1000, 1e-4);
-            EXPECT_NEAR(projected(view, kSize, aimed)->y, 100, 1e-4);
+            EXPECT_NEAR(projected(view, kViewCameraSize, aimed)->x, 1000, 1e-4);
+            EXPECT_NEAR(projected(view, kViewCameraSize, aimed)->y, 100, 1e-4);
         }
 }
 
@@ -201,10 +201,10 @@ TEST(ViewCamera, ZoomRespectsItsLimits) {
         for (ViewCamera view : {slantedView(scene, {0, 1, 0}), orthoToggled(slantedView(scene, {0, 1, 0}))}) {
             const Vec3 forward = axesOf(view).forward;
             const double to_distance = 1 / (2 * std::tan(20 * std::numbers::pi / 180));
-            for (int i = 0; i < 300; ++i) view = zoomed(view, kSize, 1, 640, 360);
+            for (int i = 0; i < 300; ++i) view = zoomed(view, kViewCameraSize, 1, 640, 360);
             expectNear(axesOf(view).forward, forward, 1e-6);
             EXPECT_NEAR(heightAtPivot(view) * to_distance / scene.radius(), 1e-4, 1e-7);
-            for (int i = 0; i < 300; ++i) view = zoomed(view, kSize, -1, 640, 360);
+            for (int i = 0; i < 300; ++i) view = zoomed(view, kViewCameraSize, -1, 640, 360);
             EXPECT_NEAR(heightAtPivot(view) * to_distance / scene.radius(), 1e3, 1e-3);
             EXPECT_NO_THROW(frameCamera(requestOf(view), scene.low, scene.high, 1));
         }
@@ -214,8 +214,8 @@ TEST(ViewCamera, ZoomReturnsFromBeyondItsLimits) {
     CameraRequest request;
     request.eye = Vec3{0, 0, 9000};
     const ViewCamera far = framedView(request, kUnit.low, kUnit.high, {0, 1, 0}, 1);
-    expectSame(zoomed(far, kSize, -1, 640, 360), far);
-    EXPECT_NEAR(zoomed(far, kSize, 4, 640, 360).eye.z, 4500, 1e-6);
+    expectSame(zoomed(far, kViewCameraSize, -1, 640, 360), far);
+    EXPECT_NEAR(zoomed(far, kViewCameraSize, 4, 640, 360).eye.z, 4500, 1e-6);
 }
 
 TEST(ViewCamera, CentringKeepsSizes) {
@@ -225,10 +225,10 @@ TEST(ViewCamera, CentringKeepsSizes) {
         const ViewCamera after = centredOn(view, point);
         EXPECT_EQ(after.pivot, point);
         expectNear(axesOf(after).forward, axesOf(view).forward, 1e-9);
-        EXPECT_NEAR(projected(after, kSize, point)->x, 640, 1e-4);
-        EXPECT_NEAR(projected(after, kSize, point)->y, 360, 1e-4);
+        EXPECT_NEAR(projected(after, kViewCameraSize, point)->x, 640, 1e-4);
+        EXPECT_NEAR(projected(after, kViewCameraSize, point)->y, 360, 1e-4);
         const auto width = [&](const ViewCamera& v) {
-            return projected(v, kSize, beside)->x - projected(v, kSize, point)->x;
+            return projected(v, kViewCameraSize, beside)->x - projected(v, kViewCameraSize, point)->x;
         };
         EXPECT_NEAR(width(after), width(view), 1e-5);
     }
@@ -268,15 +268,16 @@ TEST(ViewCamera, FlyingSpeedIsLimitedBySceneSize) {
 TEST(ViewCamera, LookRotatesAboutTheEye) {
     for (const Vec3& up : kUps) {
         const ViewCamera view = slantedView(kNationalGrid, up);
-        const ViewCamera right = looked(view, kSize, 100, 0), up_there = looked(view, kSize, 0, -100);
+        const ViewCamera right = looked(view, kViewCameraSize, 100, 0),
+                         up_there = looked(view, kViewCameraSize, 0, -100);
         EXPECT_EQ(right.eye, view.eye);
         EXPECT_GT(dot(axesOf(right).forward, axesOf(view).right), 0.1);
         EXPECT_GT(dot(axesOf(up_there).forward, axesOf(view).up), 0.1);
         EXPECT_NEAR(roll(up_there), 0, 1e-9);
-        EXPECT_NEAR(dot(axesOf(looked(view, kSize, 0, -1e5)).forward, normalize(up)), 1, 1e-5);
+        EXPECT_NEAR(dot(axesOf(looked(view, kViewCameraSize, 0, -1e5)).forward, normalize(up)), 1, 1e-5);
         EXPECT_NEAR(distanceToPivot(right), distanceToPivot(view), 1e-6);
     }
-    const double angle = std::acos(dot(axesOf(looked(slantedView(kUnit, {0, 1, 0}), kSize, 0, 72)).forward,
+    const double angle = std::acos(dot(axesOf(looked(slantedView(kUnit, {0, 1, 0}), kViewCameraSize, 0, 72)).forward,
                                        axesOf(slantedView(kUnit, {0, 1, 0})).forward));
     EXPECT_NEAR(angle * 180 / std::numbers::pi, 9, 1e-9); // a tenth of a quarter turn
 }
@@ -323,16 +324,17 @@ TEST(ViewCamera, TopViewMatchesFrameCamera) {
 
 TEST(ViewCamera, OrthographicKeepsTheSizeAtThePivot) {
     for (const Scene& scene : {kUnit, kNationalGrid}) {
-        ViewCamera view = zoomed(slantedView(scene, {0, 1, 0}), kSize, 12, 800, 300);
+        ViewCamera view = zoomed(slantedView(scene, {0, 1, 0}), kViewCameraSize, 12, 800, 300);
         const ViewCamera ortho = orthoToggled(view);
         EXPECT_EQ(ortho.ortho_height, heightAtPivot(view));
-        const Vec3 beside = pointAtPivotDepth(view, kSize, 111, 222);
-        EXPECT_NEAR(projected(ortho, kSize, beside)->x, 111, 1e-4);
-        EXPECT_NEAR(projected(ortho, kSize, beside)->y, 222, 1e-4);
+        const Vec3 beside = pointAtPivotDepth(view, kViewCameraSize, 111, 222);
+        EXPECT_NEAR(projected(ortho, kViewCameraSize, beside)->x, 111, 1e-4);
+        EXPECT_NEAR(projected(ortho, kViewCameraSize, beside)->y, 222, 1e-4);
         expectNear(orthoToggled(ortho).eye, view.eye, 1e-7 * scene.radius());
         ViewCamera turning = ortho;
         for (int i = 0; i < 50; ++i) {
-            turning = panned(orbited(zoomed(turning, kSize, 0.3, 900, 500), kSize, 77, 13), kSize, 50, -20);
+            turning = panned(orbited(zoomed(turning, kViewCameraSize, 0.3, 900, 500), kViewCameraSize, 77, 13),
+                             kViewCameraSize, 50, -20);
             const double depth = dot(scene.centre() - turning.eye, axesOf(turning).forward);
             EXPECT_GE(depth, scene.radius() * (1 - 1e-6));
         }
@@ -350,20 +352,20 @@ TEST(ViewCamera, FovCanKeepTheSizeAtThePivot) {
 
 TEST(ViewCamera, PointsBehindTheEyeAreNotProjected) {
     const ViewCamera view = slantedView(kUnit, {0, 1, 0});
-    EXPECT_FALSE(projected(view, kSize, view.eye - axesOf(view).forward));
-    EXPECT_NEAR(projected(view, kSize, view.pivot)->depth, distanceToPivot(view), 1e-12);
+    EXPECT_FALSE(projected(view, kViewCameraSize, view.eye - axesOf(view).forward));
+    EXPECT_NEAR(projected(view, kViewCameraSize, view.pivot)->depth, distanceToPivot(view), 1e-12);
 }
 
 TEST(ViewCamera, NonFiniteNumbersChangeNothing) {
     for (const ViewCamera& view : {slantedView(kNationalGrid, {0, 0, 1}), orthoToggled(slantedView(kUnit, {0, 1, 0}))})
         for (double bad : {kNan, kInfinity, -kInfinity}) {
-            expectSame(orbited(view, kSize, bad, 0), view);
-            expectSame(panned(view, kSize, 0, bad), view);
-            expectSame(zoomed(view, kSize, bad, 1, 1), view);
-            expectSame(zoomed(view, kSize, 1, bad, 1), view);
+            expectSame(orbited(view, kViewCameraSize, bad, 0), view);
+            expectSame(panned(view, kViewCameraSize, 0, bad), view);
+            expectSame(zoomed(view, kViewCameraSize, bad, 1, 1), view);
+            expectSame(zoomed(view, kViewCameraSize, 1, bad, 1), view);
             expectSame(flown(view, {0, 0, bad}, 1), view);
             expectSame(flown(view, {1, 0, 0}, bad), view);
-            expectSame(looked(view, kSize, bad, 1), view);
+            expectSame(looked(view, kViewCameraSize, bad, 1), view);
             expectSame(centredOn(view, {bad, 0, 0}), view);
             expectSame(withFov(view, bad, true), view);
         }
@@ -378,19 +380,19 @@ TEST(ViewCamera, StaysWithinFrameCamerasLimits) {
             const double a = move(random) * 1000, b = move(random) * 1000;
             switch (random() % 9) {
             case 0:
-                view = orbited(view, kSize, a, b);
+                view = orbited(view, kViewCameraSize, a, b);
                 break;
             case 1:
-                view = panned(view, kSize, a * 3, b * 3);
+                view = panned(view, kViewCameraSize, a * 3, b * 3);
                 break;
             case 2:
-                view = zoomed(view, kSize, a / 50, 640 + a, 360 + b);
+                view = zoomed(view, kViewCameraSize, a / 50, 640 + a, 360 + b);
                 break;
             case 3:
                 view = flown(view, {move(random), move(random), move(random)}, 200);
                 break;
             case 4:
-                view = looked(view, kSize, a, b);
+                view = looked(view, kViewCameraSize, a, b);
                 break;
             case 5:
                 view = standardView(view, static_cast<StandardView>(random() % 3));
@@ -402,7 +404,7 @@ TEST(ViewCamera, StaysWithinFrameCamerasLimits) {
                 view = orthoToggled(view);
                 break;
             case 8:
-                view = centredOn(view, pointAtPivotDepth(view, kSize, 640 + a, 360 + b));
+                view = centredOn(view, pointAtPivotDepth(view, kViewCameraSize, 640 + a, 360 + b));
                 break;
             }
             ASSERT_NO_THROW(frameCamera(requestOf(view), scene.low, scene.high, 1)) << i;
@@ -414,7 +416,8 @@ TEST(ViewCamera, StaysWithinFrameCamerasLimits) {
 
 TEST(ViewFlight, StartsAndEndsAtItsViews) {
     const ViewCamera from = slantedView(kNationalGrid, {0, 0, 1});
-    const ViewCamera to = zoomed(orbited(centredOn(from, kNationalGrid.low), kSize, 200, 100), kSize, 3, 0, 0);
+    const ViewCamera to =
+        zoomed(orbited(centredOn(from, kNationalGrid.low), kViewCameraSize, 200, 100), kViewCameraSize, 3, 0, 0);
     const ViewFlight flight{from, to, 10};
     expectSamePicture(viewAt(flight, 10), from, 1e-9);
     expectSamePicture(viewAt(flight, 9), from, 1e-9);
@@ -428,7 +431,7 @@ TEST(ViewFlight, StartsAndEndsAtItsViews) {
 TEST(ViewFlight, IsLevelAndEased) {
     for (const Vec3& up : kUps) {
         const ViewCamera from = standardView(slantedView(kUnit, up), StandardView::kTop);
-        const ViewFlight flight{from, orbited(from, kSize, 500, -500), 0};
+        const ViewFlight flight{from, orbited(from, kViewCameraSize, 500, -500), 0};
         double last = 0;
         for (int i = 0; i <= 30; ++i) {
             const ViewCamera view = viewAt(flight, i * 0.01);
@@ -447,14 +450,14 @@ TEST(ViewFlight, IsLevelAndEased) {
 
 TEST(ViewFlight, TakesTheShortWay) {
     const ViewCamera from = slantedView(kUnit, {0, 1, 0});
-    const ViewCamera to = orbited(from, kSize, 1400, 0); // 350 degrees one way, 10 the other
+    const ViewCamera to = orbited(from, kViewCameraSize, 1400, 0); // 350 degrees one way, 10 the other
     const ViewCamera half = viewAt({from, to, 0}, 0.15);
     EXPECT_NEAR(std::acos(dot(axesOf(half).right, axesOf(from).right)) * 180 / std::numbers::pi, 5, 1e-6);
 }
 
 TEST(ViewFlight, ProjectionChangeKeepsTheSize) {
     const ViewCamera from = slantedView(kUnit, {0, 1, 0});
-    const ViewCamera to = zoomed(orthoToggled(from), kSize, 4, 640, 360);
+    const ViewCamera to = zoomed(orthoToggled(from), kViewCameraSize, 4, 640, 360);
     for (const ViewFlight& flight : {ViewFlight{from, to, 0}, ViewFlight{to, from, 0}}) {
         EXPECT_NEAR(heightAtPivot(viewAt(flight, 0)) / heightAtPivot(flight.from), 1, 1e-9);
         const double half = std::sqrt(heightAtPivot(from) * heightAtPivot(to));
@@ -462,7 +465,7 @@ TEST(ViewFlight, ProjectionChangeKeepsTheSize) {
     }
 }
 
-std::string errorOf(const std::string& text) {
+std::string errorOfInViewCamera(const std::string& text) {
     try {
         withCameraText(slantedView(kUnit, {0, 1, 0}), text);
         return "";
@@ -505,8 +508,9 @@ TEST(CameraText, RoundTripsExactly) {
             const ViewCamera other = slantedView(scene, {0, 1, 0});
             ViewCamera view = slantedView(scene, up);
             for (int i = 0; i < 200; ++i) {
-                view = panned(orbited(view, kSize, move(random), move(random)), kSize, move(random), move(random));
-                view = zoomed(view, kSize, move(random) / 100, 640 + move(random), 360);
+                view = panned(orbited(view, kViewCameraSize, move(random), move(random)), kViewCameraSize, move(random),
+                              move(random));
+                view = zoomed(view, kViewCameraSize, move(random) / 100, 640 + move(random), 360);
                 if (i % 7 == 0) view = orthoToggled(view);
                 const ViewCamera pasted = withCameraText(other, cameraText(view));
                 EXPECT_EQ(pasted.eye, view.eye);
@@ -548,22 +552,24 @@ TEST(CameraText, AcceptsAnyOrderAndMissingOptions) {
 
 TEST(CameraText, RejectsOtherTextWithAReason) {
     const std::string good = "--eye 4,5,6 --target 1,2,3 ";
-    EXPECT_EQ(errorOf(good), "");
-    EXPECT_EQ(errorOf(""), "camera text: --eye is missing");
-    EXPECT_EQ(errorOf("--eye 1,2,3"), "camera text: --target is missing");
-    EXPECT_EQ(errorOf("hello world"), "camera text: \"hello\" is not one of --eye, --target, --up, --fov, --ortho");
-    EXPECT_EQ(errorOf(good + "--eye 1,2,3"), "camera text: --eye is given twice");
-    EXPECT_EQ(errorOf(good + "--up"), "camera text: --up has no value");
-    EXPECT_EQ(errorOf(good + "--up 1,2"), "camera text: --up: invalid value \"1,2\"");
-    EXPECT_EQ(errorOf(good + "--up 1,2,inf"), "camera text: --up: invalid value \"1,2,inf\"");
-    EXPECT_EQ(errorOf(good + "--fov 180"), "camera text: --fov: invalid value \"180\"");
-    EXPECT_EQ(errorOf(good + "--ortho -1"), "camera text: --ortho: invalid value \"-1\"");
-    EXPECT_EQ(errorOf(good + "--fov 20 --ortho 2"), "camera text: --fov and --ortho exclude each other");
-    EXPECT_EQ(errorOf(std::string(5000, ' ')), "camera text: too long");
-    for (const char* text : {"--up 0,0,0", "--ortho 1e11", "--fov 0.0001"}) EXPECT_NE(errorOf(good + text), "");
-    EXPECT_NE(errorOf("--eye 1,1,1 --target 1,1,1"), "");
-    EXPECT_NE(errorOf("--eye 1e300,1,1 --target 1,1,1"), "");
-    EXPECT_EQ(errorOf("\x1b[31m\xff --x").find('\x1b'), std::string::npos);
+    EXPECT_EQ(errorOfInViewCamera(good), "");
+    EXPECT_EQ(errorOfInViewCamera(""), "camera text: --eye is missing");
+    EXPECT_EQ(errorOfInViewCamera("--eye 1,2,3"), "camera text: --target is missing");
+    EXPECT_EQ(errorOfInViewCamera("hello world"),
+              "camera text: \"hello\" is not one of --eye, --target, --up, --fov, --ortho");
+    EXPECT_EQ(errorOfInViewCamera(good + "--eye 1,2,3"), "camera text: --eye is given twice");
+    EXPECT_EQ(errorOfInViewCamera(good + "--up"), "camera text: --up has no value");
+    EXPECT_EQ(errorOfInViewCamera(good + "--up 1,2"), "camera text: --up: invalid value \"1,2\"");
+    EXPECT_EQ(errorOfInViewCamera(good + "--up 1,2,inf"), "camera text: --up: invalid value \"1,2,inf\"");
+    EXPECT_EQ(errorOfInViewCamera(good + "--fov 180"), "camera text: --fov: invalid value \"180\"");
+    EXPECT_EQ(errorOfInViewCamera(good + "--ortho -1"), "camera text: --ortho: invalid value \"-1\"");
+    EXPECT_EQ(errorOfInViewCamera(good + "--fov 20 --ortho 2"), "camera text: --fov and --ortho exclude each other");
+    EXPECT_EQ(errorOfInViewCamera(std::string(5000, ' ')), "camera text: too long");
+    for (const char* text : {"--up 0,0,0", "--ortho 1e11", "--fov 0.0001"})
+        EXPECT_NE(errorOfInViewCamera(good + text), "");
+    EXPECT_NE(errorOfInViewCamera("--eye 1,1,1 --target 1,1,1"), "");
+    EXPECT_NE(errorOfInViewCamera("--eye 1e300,1,1 --target 1,1,1"), "");
+    EXPECT_EQ(errorOfInViewCamera("\x1b[31m\xff --x").find('\x1b'), std::string::npos);
 }
 
 TEST(CameraText, AcceptsUpOfAnyLength) {

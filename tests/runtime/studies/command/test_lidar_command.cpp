@@ -95,28 +95,25 @@ TEST_F(LidarCommand, ErrorsAreOneLine) {
                              "[range]\nmax_m = 10\n");
     folder.write("bad.csv", "t,x,y,z,qx,qy,qz,qw\n0,1,2,3,0,0,0,0\n");
     const auto refused = [&](int code, const std::string& reason, const std::string& words) {
-        expectRefused(code, reason + (code == 2 ? " (see --help)" : ""), POINTRT_RAYS " lidar " + words);
+        expectRefused(code, reason + (code == 2 ? "*(see --help)" : ""), POINTRT_RAYS " lidar " + words);
     };
     const std::string good = "plane.pro --sensor good.toml ", out = " -o out.ply";
-    refused(1, "bad.toml:4: key \"flash.frame_hz\": is -5, must be from 1e-06 to 1000000000",
+    refused(1, "bad.toml:4: key \"flash.frame_hz\": *-5*1e-06 *1000000000",
             "plane.pro --sensor bad.toml" + kMiddle + out);
     refused(1, "missing.toml: No such file or directory", "plane.pro --sensor missing.toml" + kMiddle + out);
-    refused(1, "bad.csv:2: the quaternion is 0, which is not a rotation", good + "--trajectory bad.csv" + out);
+    refused(1, "bad.csv:2: *quaternion*0", good + "--trajectory bad.csv" + out);
     refused(1, "missing.pro: No such file or directory", "missing.pro --sensor good.toml" + kMiddle + out);
-    refused(2, "good.toml: has no pose or trajectory; give --pose or --trajectory", good + out);
-    refused(2, "--pose: must be three or six finite numbers, X,Y,Z or X,Y,Z,YAW,PITCH,ROLL", good + "--pose 1,2" + out);
-    refused(2, "--pose: must be three or six finite numbers, X,Y,Z or X,Y,Z,YAW,PITCH,ROLL",
-            good + "--pose 1,2,nan" + out);
-    refused(2, "duration_s must be above 0 and finite", good + kMiddle + "--duration 0" + out);
-    refused(2, "out.txt: points are written as .ply, .las, .laz or .csv", good + kMiddle + "-o out.txt");
-    refused(2, "-o -: points cannot be streamed, as their number is not known in advance; write a file",
-            good + kMiddle + "-o -");
-    refused(2, "good.toml: is an input", good + kMiddle + "-o good.toml");
-    refused(2, "--attributes: unknown attribute gloss; the scene has none",
-            good + kMiddle + "--attributes gloss" + out);
-    refused(2, "--attributes: ring is already a column", good + kMiddle + "--attributes ring" + out);
-    refused(2, "--sensor is required", "plane.pro" + kMiddle + out);
-    refused(4, "nowhere/out.ply: the folder does not exist", good + kMiddle + "-o nowhere/out.ply");
+    refused(2, "good.toml: *--pose *--trajectory", good + out);
+    refused(2, "--pose: *X,Y,Z,YAW,PITCH,ROLL", good + "--pose 1,2" + out);
+    refused(2, "--pose: *X,Y,Z,YAW,PITCH,ROLL", good + "--pose 1,2,nan" + out);
+    refused(2, "duration_s *0", good + kMiddle + "--duration 0" + out);
+    refused(2, "out.txt: *.ply, .las, .laz", good + kMiddle + "-o out.txt");
+    refused(2, "-o -: *streamed", good + kMiddle + "-o -");
+    refused(2, "good.toml: *input", good + kMiddle + "-o good.toml");
+    refused(2, "--attributes: *gloss*none", good + kMiddle + "--attributes gloss" + out);
+    refused(2, "--attributes: ring *column", good + kMiddle + "--attributes ring" + out);
+    refused(2, "--sensor *required", "plane.pro" + kMiddle + out);
+    refused(4, "nowhere/out.ply: *folder", good + kMiddle + "-o nowhere/out.ply");
 }
 
 } // namespace
