@@ -13,6 +13,7 @@
 #include "runtime/image/film_parts.h"
 #include "runtime/render/frame_params.h"
 #include "shaders/shared/luminance.h"
+#include "shaders/shared/luminance_moments.h"
 
 namespace pointrt {
 
@@ -32,19 +33,11 @@ const gpu::vec4* readVectors(Device& device, const Buffer& buffer, std::size_t c
     return copy.data();
 }
 
-/// Variance of the mean of samples with this sum and this sum of squares.
-float varianceOfMean(double sum, double squares, double samples) {
-    if (samples < 2) return std::numeric_limits<float>::infinity();
-    const double mean = sum / samples;
-    return static_cast<float>(std::max(squares / samples - mean * mean, 0.0) / (samples - 1));
-}
-
-/// The film of a pixel on the device: sums over samples.
+/// The film of a pixel on the device: means over the samples.
 struct PixelLight {
     gpu::vec4 layers[FILM_LAYERS];
-    gpu::vec4 sum; ///< total light; w: coverage
+    gpu::vec4 total; ///< light of all layers; w: coverage
     std::uint32_t samples;
-    float share; ///< 1 / samples
 };
 
 /// The first hit of a pixel's centre ray.
@@ -55,28 +48,26 @@ struct PixelHit {
     Vec3 position;
 };
 
-void storeMean(const gpu::vec4& sum, float share, float* rgb) {
-    rgb[0] = sum.x * share;
-    rgb[1] = sum.y * share;
-    rgb[2] = sum.z * share;
+void storeColor(const gpu::vec4& color, float* rgb) {
+    rgb[0] = color.x;
+    rgb[1] = color.y;
+    rgb[2] = color.z;
 }
-
-gpu::vec4 restored(const float* rgb, float sum) { return {rgb[0] * sum, rgb[1] * sum, rgb[2] * sum, 0}; }
 
 // The sources named in FILM_PARTS: each stores its values from a pixel's light or from its first hit.
 
 struct Beauty {
     static void store(const PixelLight& pixel, float* rgba) {
-        storeMean(pixel.sum, pixel.share, rgba);
-        rgba[3] = pixel.sum.w * pixel.share;
+        storeColor(pixel.total, rgba);
+        rgba[3] = pixel.total.w;
     }
 };
 
-/// The mean of a film layer; can be restored to a sum.
+/// A film layer, which can be restored.
 template <std::uint32_t kLayer>
-struct Mean {
+struct Layer {
     static constexpr std::uint32_t layer = kLayer;
-    static void store(const PixelLight& pixel, float* rgb) { storeMean(pixel.layers[kLayer], pixel.share, rgb); }
+    static void store(const PixelLight& pixel, float* rgb) { storeColor(pixel.layers[kLayer], rgb); }
 };
 
 struct Samples {
@@ -85,10 +76,11 @@ struct Samples {
 
 struct Variance {
     static void store(const PixelLight& pixel, float* variance) {
-        // the last sample is not in the sum of squares yet
-        const float last = pixel.layers[LAYER_INDIRECT].w;
-        const double squares = double{pixel.layers[LAYER_CAUSTIC].w} + double{last} * last;
-        *variance = varianceOfMean(luminance(pixel.sum.x, pixel.sum.y, pixel.sum.z), squares, pixel.samples);
+        const auto samples = static_cast<float>(pixel.samples);
+        // the moments lack the last sample
+        const LuminanceMoments moments = addLuminance({pixel.layers[LAYER_ALBEDO].w, pixel.layers[LAYER_CAUSTIC].w},
+                                                      pixel.layers[LAYER_INDIRECT].w, samples);
+        *variance = samples < 2 ? std::numeric_limits<float>::infinity() : moments.variance / (samples - 1);
     }
 };
 
@@ -162,27 +154,26 @@ void storePixel(const Pixel& pixel, std::size_t at, Film& film) {
 #undef POINTRT_STORE
 }
 
-/// Restores the sums of a layer, if the source is a mean.
+/// Restores a layer, if that is the source.
 template <typename Source>
-void restoreValues(std::size_t at, const std::vector<float>& values, float samples, PixelLight& pixel) {
-    if constexpr (requires { Source::layer; }) pixel.layers[Source::layer] = restored(values.data() + 3 * at, samples);
+void restoreValues(std::size_t at, const std::vector<float>& values, PixelLight& pixel) {
+    const float* rgb = values.data() + 3 * at;
+    if constexpr (requires { Source::layer; }) pixel.layers[Source::layer] = {rgb[0], rgb[1], rgb[2], 0};
 }
 template <typename Source>
-void restoreValues(std::size_t, const std::vector<std::uint32_t>&, float, PixelLight&) {}
+void restoreValues(std::size_t, const std::vector<std::uint32_t>&, PixelLight&) {}
 
-/// The sums of a pixel over that many samples.
+/// A pixel after that many samples, the last of which had the mean luminance and is still to be added to the moments.
 PixelLight restoredPixel(const Film& film, std::size_t at, std::uint32_t samples) {
     PixelLight pixel{};
-    const auto sum = static_cast<float>(samples);
 #define POINTRT_RESTORE(array, Value, channels, group, nothing, source, view)                                          \
-    restoreValues<source>(at, film.array, sum, pixel);
+    restoreValues<source>(at, film.array, pixel);
     FILM_PARTS(POINTRT_RESTORE)
 #undef POINTRT_RESTORE
     const float* rgba = film.rgba.data() + 4 * at;
-    const double mean = luminance(rgba[0], rgba[1], rgba[2]);
-    const double squares = samples * (double{film.variance[at]} * (samples - 1.0) + mean * mean);
-    pixel.layers[LAYER_DIRECT].w = rgba[3] * sum;
-    pixel.layers[LAYER_CAUSTIC].w = samples > 1 ? static_cast<float>(squares) : static_cast<float>(mean * mean);
+    pixel.layers[LAYER_DIRECT].w = rgba[3];
+    pixel.layers[LAYER_INDIRECT].w = pixel.layers[LAYER_ALBEDO].w = luminance(rgba[0], rgba[1], rgba[2]);
+    pixel.layers[LAYER_CAUSTIC].w = samples > 1 ? film.variance[at] * static_cast<float>(samples) : 0;
     return pixel;
 }
 
@@ -219,12 +210,12 @@ void storeLight(Device& device, const FrameBuffers& buffers, const BandRows& row
     std::vector<gpu::vec4> copy;
     const gpu::vec4* const layers = readVectors(device, buffers.film, FILM_LAYERS * stride, copy) + from;
     const auto store = [&](std::size_t i) {
-        PixelLight pixel{{}, {}, samples, 1.0f / static_cast<float>(samples)};
+        PixelLight pixel{{}, {}, samples};
         for (std::uint32_t layer = 0; layer < FILM_LAYERS; ++layer) pixel.layers[layer] = layers[layer * stride + i];
         const gpu::vec4 &direct = pixel.layers[LAYER_DIRECT], &indirect = pixel.layers[LAYER_INDIRECT],
                         &caustic = pixel.layers[LAYER_CAUSTIC];
-        pixel.sum = {direct.x + indirect.x + caustic.x, direct.y + indirect.y + caustic.y,
-                     direct.z + indirect.z + caustic.z, direct.w};
+        pixel.total = {direct.x + indirect.x + caustic.x, direct.y + indirect.y + caustic.y,
+                       direct.z + indirect.z + caustic.z, direct.w};
         storePixel(pixel, to + i, film);
     };
     forAll((pixels + kPixelsAtOnce - 1) / kPixelsAtOnce, [&](std::size_t part) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Resolves the film's sums to means: a picture of the part shown, and the guides of the denoiser.
+// Resolves the film: a picture of the part shown, and the guides of the denoiser.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/color.glsl"
 #include "shaders/shared/display_layout.h"
 #include "shaders/shared/film_parts.h"
+#include "shaders/shared/luminance_moments.h"
 #include "shaders/shared/params.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/spec_constants.h"
@@ -23,12 +24,6 @@ layout(std430, binding = BINDING_RESOLVE_ALBEDOS) writeonly buffer AlbedoBuffer 
 
 vec4 layer(uint pixel, uint which) { return film[which * push.film_pixels + pixel]; }
 
-// Variance of the mean of samples with this sum and this sum of squares.
-float varianceOfMean(float sum, float squares, float samples) {
-    float mean = sum / samples;
-    return max(squares / samples - mean * mean, 0.0) / (samples - 1.0);
-}
-
 // The film at a pixel.
 struct Pixel {
     uint number;
@@ -43,12 +38,12 @@ struct Pixel {
 
 // The views, by the function names in FILM_PARTS.
 vec3 showBeauty(Pixel p) { return p.beauty; }
-vec3 showAlbedo(Pixel p) { return p.albedo.rgb * push.share; }
+vec3 showAlbedo(Pixel p) { return p.albedo.rgb; }
 vec3 showNormal(Pixel p) { return p.hit.w >= 0.0 ? 0.5 + 0.5 * p.hit.xyz : vec3(0.0); }
 vec3 showDepth(Pixel p) { return vec3(p.hit.w >= 0.0 ? max(1.0 - p.hit.w / push.depth_black, 0.0) : 0.0); }
-vec3 showDirect(Pixel p) { return p.direct.rgb * push.share; }
-vec3 showIndirect(Pixel p) { return p.indirect.rgb * push.share; }
-vec3 showCaustic(Pixel p) { return p.caustic.rgb * push.share; }
+vec3 showDirect(Pixel p) { return p.direct.rgb; }
+vec3 showIndirect(Pixel p) { return p.indirect.rgb; }
+vec3 showCaustic(Pixel p) { return p.caustic.rgb; }
 // Relative standard deviation; 10% is shown as white.
 vec3 showNoise(Pixel p) { return vec3(10.0 * sqrt(p.variance) / max(luminance(p.beauty), 1e-3)); }
 
@@ -73,19 +68,19 @@ vec3 shownOf(Pixel pixel) {
 void main() {
     if (gl_GlobalInvocationID.x >= push.count) return;
     uint pixel = push.first + gl_GlobalInvocationID.x;
-    float share = push.share, samples = push.samples;
+    float samples = push.samples;
     vec4 direct = layer(pixel, LAYER_DIRECT), indirect = layer(pixel, LAYER_INDIRECT),
          caustic = layer(pixel, LAYER_CAUSTIC), albedo = layer(pixel, LAYER_ALBEDO);
-    vec3 sum = direct.rgb + indirect.rgb + caustic.rgb;
-    // one sample has no variance; the last sample is not in the sum of squares yet
-    float variance = samples < 2.0 ? 0.0
-                                   : varianceOfMean(luminance(sum), caustic.w + indirect.w * indirect.w, samples);
+    vec3 beauty = direct.rgb + indirect.rgb + caustic.rgb;
+    // the moments lack the last sample; one sample has no variance
+    LuminanceMoments moments = addLuminance(LuminanceMoments(albedo.w, caustic.w), indirect.w, samples);
+    float variance = samples < 2.0 ? 0.0 : moments.variance / (samples - 1.0);
     vec4 hit = vec4(0.0, 0.0, 0.0, -1.0);
     if (HAS_FIRST_HITS != 0u) hit = first_hits[FIRST_HIT_VECTORS * pixel];
     // uncovered pixels show the backdrop, whose shadows need denoising too
-    float alpha = direct.w > 0.0 ? direct.w * share : 1.0;
-    colors[pixel] = vec4(shownOf(Pixel(pixel, sum * share, direct, indirect, caustic, albedo, hit, variance)), alpha);
+    float alpha = direct.w > 0.0 ? direct.w : 1.0;
+    colors[pixel] = vec4(shownOf(Pixel(pixel, beauty, direct, indirect, caustic, albedo, hit, variance)), alpha);
     if (HAS_FIRST_HITS == 0u) return;
     surfaces[pixel] = hit.w < 0.0 ? vec4(0.0) : vec4(hit.xyz, hit.w * push.scale);
-    albedos[pixel] = vec4(albedo.rgb * share, variance);
+    albedos[pixel] = vec4(albedo.rgb, variance);
 }

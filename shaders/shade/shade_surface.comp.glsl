@@ -19,7 +19,11 @@ void main() {
     vec3 albedo = covered ? point.albedo : vec3(0.0);
     ShadedHit shaded = shadeAt(path, point, index);
     Shading shading = shaded.shading;
-    if (live && kCameraPass) beginSample(index, push.sample_index == 0u, shading.radiance, covered ? 1.0 : 0.0, albedo);
+    if (live && kCameraPass) {
+        FilmPixel pixel = beginSample(loadFilmPixel(index), covered ? 1.0 : 0.0, albedo, push.sample_index);
+        accumulateLight(pixel, shading.radiance, 0u, push.sample_index);
+        storeFilmPixel(index, pixel);
+    }
     if (live && !kCameraPass) accumulateLight(index, shading.radiance, bounce);
     bool lit = live && needsDirectLight(shading);
     appendEntry(LIST_DIRECT_LIGHT, lit, index);

@@ -211,11 +211,11 @@ struct ShadowRay {
 };
 #define SHADOW_RAY_VECTORS 4
 
-// Layers of the film, one vector per pixel each: sums over the samples.
+// Layers of the film, one vector per pixel each: means over the samples.
 #define LAYER_DIRECT 0u   // light scattered at most once; w: coverage by the scene
 #define LAYER_INDIRECT 1u // w: luminance of the current sample
-#define LAYER_CAUSTIC 2u  // w: squared luminance of the earlier samples
-#define LAYER_ALBEDO 3u
+#define LAYER_CAUSTIC 2u  // w: variance of the luminance of the earlier samples
+#define LAYER_ALBEDO 3u   // w: mean luminance of the earlier samples
 #define FILM_LAYERS 4u
 
 // first_hits, per pixel: normal and t (negative: a miss); as bits, splat or shape, owner with the tile above it

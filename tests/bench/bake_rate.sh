@@ -1,23 +1,23 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# How bakes scale: 1, 4 and 16 million points of one mesh in random order, bare and with normals; the median of 3 bakes,
-# of 16 million points a single one. Figures go to OUT.json, an object a size and kind.
+# How bakes scale: 1, 4 and 16 million points of one mesh in random order, without and with normals; medians of 3 bakes,
+# for 16 million points of one. Writes figures to OUT.json, an object for each size and kind.
 #   tests/bench/bake_rate.sh BIN_DIR MESH OUT.json
-# 16 million bare points take about 4 GB of memory, and 1 GB in TMPDIR. In the environment: MILLIONS (default
-# "1 4 16"), BAKE_OPTIONS for pointrt-bake.
+# 16 million points without normals take about 4 GB of memory, and 1 GB in TMPDIR. Environment variables: MILLIONS
+# (default "1 4 16"), and BAKE_OPTIONS for pointrt-bake.
 set -euo pipefail
 [ $# = 3 ] || {
     sed -n '3,7s/^# //p' "$0" >&2
     exit 2
 }
 bin=$1 mesh=$2 out=$3
-: >"$out" # a place that cannot be written shows at once
+: >"$out" # fails at once if it cannot be written
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 read -ra millions <<<"${MILLIONS:-1 4 16}"
 read -ra bake_options <<<"${BAKE_OPTIONS:-}"
 
-# Prints the reports of some bakes of the points, one after the other.
+# bakes COUNT: bakes the points COUNT times and prints the reports.
 bakes() {
     local count=$1 run
     for ((run = 0; run < count; ++run)); do

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Our first hits on flat discs against Embree's, by random and by grazing rays from outside; every difference is
-// explained by a recomputation in double, or counted as unexplained.
+// Compares our first hits on flat discs with Embree's, for random and grazing rays from outside. Every difference is
+// explained by recomputing it in double, or counted as unexplained.
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Unexplained rays written out, enough to look into.
+/// Number of unexplained rays to print.
 constexpr std::size_t kExamples = 20;
 
 struct Comparison {
@@ -64,7 +64,7 @@ void print(const char* kind, const FirstHitCheck& check) {
                 check.unexplained.size(), check.count(Verdict::kWeMiss), check.count(Verdict::kEmbreeMisses));
 }
 
-/// 1 where a difference stays unexplained.
+/// Returns 1 if a difference is unexplained.
 int compare(const std::string& path, const CompareOptions& options) {
     const std::vector<CubeSplat> splats = loadCubeSplats(path);
     const EmbreeDiscs embree(splats);

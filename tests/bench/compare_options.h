@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command line that the comparing tools share.
+// The command line shared by the tools that compare first hits.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -22,7 +22,7 @@ inline void addCompareOptions(CLI::App& app, CompareOptions& options) {
     app.add_flag("--json", options.json, "JSON on standard output");
 }
 
-/// Parses, then runs body() -> int; errors as those of the product's tools.
+/// Parses the command line and calls body() -> int, with errors like those of the product's tools.
 template <typename Body>
 int runCompare(CLI::App& app, int argc, char** argv, Body&& body) {
     try {

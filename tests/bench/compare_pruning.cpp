@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The first hits of a scan baked with --prune off and with --prune on, by random and by grazing rays from outside.
+// Compares first hits of a scan baked with --prune off and with --prune on, for random and grazing rays from outside.
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>

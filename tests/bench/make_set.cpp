@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cloud estimated as a whole, and its splats as a tile set: what a bake in tiles is held against.
+// A tile set from splats that were estimated from the whole cloud, for comparison with bakes in tiles.
 #include <iostream>
 
 #include "format/base/error.h"

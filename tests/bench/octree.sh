@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# References, size and what pruning changes, for six scans: baked with --prune off and on, first hits compared by rays
-# and with Embree, pictures by FLIP. Figures go to OUT.json, an object a scan.
+# References, sizes and effects of pruning for six scans, baked with --prune off and on: compares first hits with each
+# other and with Embree's, and pictures by FLIP. Writes figures to OUT.json, an object for each scan.
 #   tests/bench/octree.sh BIN_DIR DATA_DIR OUT.json
-# DATA_DIR holds folders of scans as named below; those that are not there are left out, and said so.
-# In the environment: RAYS (default 1000000, random ones and as many grazing), BAKE_OPTIONS for pointrt-bake,
-# SCANS (other ones, paths in DATA_DIR), FLIP for quality/flip.sh.
+# DATA_DIR holds folders of scans as named below; missing ones are skipped with a message.
+# Environment variables: RAYS (random ones, and as many grazing ones; default 1000000), BAKE_OPTIONS for pointrt-bake,
+# SCANS (paths of other scans in DATA_DIR), FLIP for quality/flip.sh.
 set -euo pipefail
 [ $# = 3 ] || {
     sed -n '3,8s/^# //p' "$0" >&2
@@ -31,7 +31,7 @@ measure() {
     done
     "$bin/count_references" --json "$folder/off.pro" >"$folder/counts.json"
     "$bin/compare_pruning" --json --rays "$rays" "$folder/off.pro" "$folder/on.pro" >"$folder/pruning.json"
-    # 1 says that differences stay unexplained: the figures have their number
+    # exit status 1: some differences are unexplained; the figures have their number
     "$bin/compare_embree" --json --rays "$rays" "$folder/off.pro" >"$folder/embree.json" || [ $? = 1 ]
     "$here/quality/prune_flip.sh" "$bin" "$scan" "$folder/flip.json" >/dev/null
     printf '{"bake_full": %s,\n"bake_pruned": %s,\n"counts": %s,\n"pruning": %s,\n"embree": %s,\n"flip": %s}' \

@@ -26,7 +26,7 @@ bool boundsMeet(const Disc& disc, const Vec3f& reach, const Box& box) {
            ((disc.center + reach).array() >= box.lo.array()).all();
 }
 
-/// Takes one splat after the other down the octree, into every cell that its slab's bounding box meets.
+/// Descends the octree with one splat after the other, into all cells that overlap the bounding box of its slab.
 class Descent {
 public:
     Descent(const ProFile& file, ReferenceCounts& counts)
@@ -62,7 +62,7 @@ private:
     Vec3f reach_ = Vec3f::Zero();
 };
 
-/// Each inner node, one for every group but the root's, turns one leaf into eight.
+/// Each inner node replaces one leaf by eight.
 std::uint64_t allLeaves(const pro_info& info) {
     const std::uint64_t inner = info.node_count / PRO_GROUP_SIZE - 1;
     return 1 + inner * (PRO_GROUP_SIZE - 1);

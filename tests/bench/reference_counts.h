@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many references a splat would cost in the same leaves, by the test that lists it there.
+// The number of references per splat in the same leaves, for different overlap tests.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +23,8 @@ struct ReferenceCounts {
     std::uint64_t stored = 0; ///< members and references of the file
 };
 
-/// Cells count as half a position step larger on each side, as they do for the bake (preprocess/octree/build.cpp).
-/// Pruning drops leaves: files baked with --prune off have all of them.
+/// Cells are extended by half a position step on each side, as in the bake (preprocess/octree/build.cpp). Pruning drops
+/// leaves, so use files baked with --prune off.
 ReferenceCounts countReferences(const ProFile& file);
 
 } // namespace pointrt::test

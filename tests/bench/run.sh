@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Bakes each scan and times its rendering; the figures go to OUT.json as an array, one object a scan.
+# Bakes each scan and times its rendering. Writes figures to OUT.json, an array with an object for each scan.
 #   tests/bench/run.sh BIN_DIR OUT.json SCAN...
-# VIEW_OPTIONS and BAKE_OPTIONS in the environment are handed to the tools.
+# The environment variables VIEW_OPTIONS and BAKE_OPTIONS are passed to the tools.
 # With --json, speed/run.sh times our tracer against Embree's on standard scenes instead:
 #   tests/bench/run.sh --json OUT.json [--sizes "0.25 1 4 16"] [BIN_DIR [DATA_DIR]]
 set -euo pipefail
@@ -16,7 +16,7 @@ shift 2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-# One machine's figures say little beside another's without this.
+# Figures of different machines cannot be compared without this.
 processor=$(awk -F ': ' '/^model name/ { print $2; exit }' /proc/cpuinfo)
 read -ra view_options <<<"${VIEW_OPTIONS:---size 512x512 --spp 4 --room matte --lights 4}"
 read -ra bake_options <<<"${BAKE_OPTIONS:-}"

@@ -23,7 +23,7 @@ Counted countScene(const Splats& splats, const BuildOptions& options) {
     return {std::move(built), counts};
 }
 
-/// Pairs of filled leaves and discs with meeting bounding boxes, each leaf with each disc.
+/// The number of pairs of a filled leaf and a disc whose bounding boxes overlap, found by testing all pairs.
 std::uint64_t boxPairs(const Built& built) {
     std::uint64_t pairs = 0;
     for (const Leaf& leaf : built.octree.leaves) {
@@ -38,21 +38,21 @@ std::uint64_t boxPairs(const Built& built) {
 
 } // namespace
 
-TEST(ReferenceCounts, SlabsAreWhatABakeLists) {
+TEST(ReferenceCounts, SlabsMatchABake) {
     const auto [built, counts] = countScene(randomSplats(3000, 5, 0.01f, 0.05f), {});
     EXPECT_EQ(counts.stored, built.packed.discs.size() + built.octree.refs.size());
-    // slabs that touch nothing of a cell but its slack may go either way: 7 pairs in 2 million on a scan
+    // slabs that only touch the extension of a cell may be listed or not: 7 pairs in 2 million for a scan
     EXPECT_NEAR(static_cast<double>(counts.slab.filled), static_cast<double>(counts.stored), 3);
     EXPECT_EQ(counts.filled_leaves, built.octree.leaves.size());
 }
 
-TEST(ReferenceCounts, BoxesAsPairByPair) {
+TEST(ReferenceCounts, BoxesMatchAllPairs) {
     const auto [built, counts] = countScene(randomSplats(1000, 6, 0.02f, 0.1f), {});
-    // rounding and slack move what touches only
+    // rounding decides on boxes that only touch
     EXPECT_NEAR(static_cast<double>(counts.disc_box.filled), static_cast<double>(boxPairs(built)), 3);
     EXPECT_GT(counts.disc_box.filled, counts.disc.filled);
     EXPECT_GT(counts.slab_box.filled, counts.slab.filled);
-    EXPECT_EQ(counts.disc.empty, 0u) << "a disc crosses a leaf that is empty";
+    EXPECT_EQ(counts.disc.empty, 0u) << "a disc overlaps an empty leaf";
 }
 
 TEST(ReferenceCounts, OneLeafListsEachSplatOnce) {

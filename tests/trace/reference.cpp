@@ -14,8 +14,8 @@ struct Sums {
     Vec3 normal;
 };
 
-/// Weighted sums over the splats whose slab holds point and whose normal, once turned, is within 60 degrees of side;
-/// what they lack to a weight of 0.5 is filled up by the plane of the disc hit first.
+/// Weighted sums over the splats whose slab contains point and whose normal, flipped if necessary, is within 60 degrees
+/// of side. If their weights add up to less than 0.5, the plane of the disc hit first gets the rest.
 Sums gather(const Reference& scene, const ReferenceSplat& first, Vec3 point, Vec3 side, double front) {
     Sums sums;
     for (const ReferenceSplat& splat : scene.splats) {
@@ -39,7 +39,7 @@ Sums gather(const Reference& scene, const ReferenceSplat& first, Vec3 point, Vec
     return sums;
 }
 
-/// The normals of the splats that face the viewer and whose slabs hold point, by weight.
+/// The weighted sum of the normals of splats that face the viewer and whose slabs contain point.
 Vec3 frontsAt(const Reference& scene, Vec3 point, Vec3 direction) {
     Vec3 sum;
     for (const ReferenceSplat& splat : scene.splats) {
@@ -99,7 +99,7 @@ std::optional<ReferenceHit> firstSurface(const Reference& scene, Vec3 origin, Ve
     const ReferenceSplat& first = scene.splats[hit->splat];
     Vec3 side = hit->normal;
     double front = dot(side, first.normal) < 0 ? -1 : 1;
-    // a back that fronts cover is their rim
+    // a back covered by fronts belongs to their rim
     const Vec3 fronts = scene.oriented && front < 0 ? frontsAt(scene, hit->position, direction) : Vec3{};
     if (dot(fronts, fronts) > 0) side = normalize(fronts), front = 1;
     const double t_first = hit->t;

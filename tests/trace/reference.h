@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tracer without octree: every ray against every splat of a .pro. Slow, short, and written apart from the shaders.
+// A tracer without an octree: every ray against every splat of a .pro. Slow, short, and independent of the shaders.
 #pragma once
 
 #include <optional>

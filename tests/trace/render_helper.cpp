@@ -16,15 +16,15 @@
 #include "runtime/render/progressive_renderer.h"
 #include "tests/support/splat_scenes.h"
 
-/// Read by AddressSanitizer where it is linked in: drivers and layers keep memory when they are unloaded, and then the
-/// leak checker has no name to suppress them by.
+/// Options of AddressSanitizer, if it is linked in: drivers and layers leak memory and are unloaded, so that no
+/// suppression can name them.
 extern "C" const char* __asan_default_options() { return "detect_leaks=0"; }
 
 namespace pointrt::test {
 
 namespace {
 
-/// One device for the whole program: creating one takes longer than most frames here.
+/// One device for all tests, as creating one takes longer than most frames here.
 Device& sharedDevice() {
     static struct Owner {
         Device device = createDevice({});

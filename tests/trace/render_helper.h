@@ -23,14 +23,14 @@ struct Rendered {
     gpu::FrameParams params{}; ///< what the shaders saw
     pro_info info{};           ///< of the first instance
     double cell_edge = 0;      ///< of its bricks, cube units
-    SceneDescription scene;    ///< with what was put around it
+    SceneDescription scene;    ///< with its default surroundings
 };
 
 /// size x size pixels, one sample through each centre, three lights on the ring, no room.
 RenderSettings square(std::uint32_t size);
 
-/// first_hits is always on. form: of its passes. strip_rows: in strips of so many rows, each pass by itself, as windows
-/// do; 0: as frames are cut.
+/// first_hits is always on. form: the kernel form. strip_rows: the rows of a strip, with each pass submitted by itself,
+/// as windows do; 0: as for frames.
 Rendered renderScene(SceneDescription scene, RenderSettings settings, FormRequest form = {},
                      std::uint32_t strip_rows = 0);
 /// The same of a .pro alone.
@@ -49,15 +49,15 @@ struct SphereFile {
 SceneDescription splatBody(const std::string& path, const MaterialDescription& material);
 /// The same of the analytic unit sphere around the origin.
 SceneDescription analyticSphere(const MaterialDescription& material);
-/// radiance from everywhere, of which phong and whitted take that share as ambient.
+/// The same radiance from all directions; phong and whitted take that share of it as ambient light.
 SkyDescription evenSky(float radiance, float ambient = 0);
 
 /// Writes an equirectangular picture for SkyDescription::image, height rows and twice as many columns, and returns its
-/// path; radiance(direction) is asked for the direction of each texel's centre.
+/// path; calls radiance with the direction of each texel's centre.
 std::string writeSky(const std::string& name, std::uint32_t height, const std::function<Color(Vec3)>& radiance);
 /// Radiance (1 + direction) / 2 from each direction.
 Color directionColor(Vec3 direction);
-/// The direction whose directionColor is in pixel i, not normalized: unit length only where one direction was seen.
+/// The direction whose directionColor is in pixel i, not normalized: of unit length only if all samples have the same.
 Vec3 colorDirection(const Film& film, std::size_t i);
 
 /// Degrees between two directions.
@@ -68,7 +68,7 @@ struct Spread {
 /// values must not be empty.
 Spread spreadOf(std::vector<double> values);
 
-/// Luminance-free access: channel c of pixel (x, y).
+/// Channel c of pixel (x, y).
 float pixel(const Film& film, std::uint32_t x, std::uint32_t y, int channel);
 
 } // namespace pointrt::test

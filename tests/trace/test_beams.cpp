@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Camera rays that start where the beam of their tile ends hit what the same rays hit one by one.
+// Camera rays that start at the end of their tile's beam have the same hits as rays that start at the camera.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint32_t kSize = 128; // pixels a side
 
-/// A scene in a file that goes with it.
+/// A scene in a temporary file.
 struct SceneFile {
     std::string path = temporaryPath("beams.pro");
     explicit SceneFile(const Splats& scene) { writeScene(path, scene, {}); }
@@ -35,7 +35,7 @@ View view(Vec3 eye, Vec3 target, double fov_deg, std::size_t hits_least, std::si
     return {{eye, target, {}, fov_deg}, hits_least, hits_most};
 }
 
-/// Of parallel projection.
+/// The same for a parallel projection.
 View orthoView(Vec3 eye, Vec3 target, double height, std::size_t hits_least, std::size_t hits_most = kSize * kSize) {
     View view{{eye, target, {}}, hits_least, hits_most};
     view.camera.ortho_height = height;
@@ -63,7 +63,7 @@ Difference compare(RayCaster& caster, const CameraRequest& camera) {
             in_beam += beams[i].hit();
             one_by_one += single[i].hit();
             result.hit_or_miss += beams[i].hit() != single[i].hit();
-            // rays start elsewhere in the same line: distances differ by a few roundings of 2^-24
+            // rays start elsewhere on the same line: distances differ by a few roundings of 2^-24
             const double apart = std::abs(beams[i].t_flat - single[i].t_flat);
             result.other_hit += beams[i].splat != single[i].splat && apart > 0x1p-20 * (1 + single[i].t_flat);
         }
@@ -73,8 +73,8 @@ Difference compare(RayCaster& caster, const CameraRequest& camera) {
     return result;
 }
 
-/// Rays for which the rounding of another start decides on a rim or the order of two discs: none to two of 16384 were
-/// seen in each view.
+/// Rays for which the rounding of their start decides on a rim or on the order of two discs: up to two of 16384 were
+/// observed in each view.
 constexpr std::size_t kRoundedMost = 4;
 
 void expectSameHits(const Splats& splats, const std::vector<View>& views) {
@@ -94,7 +94,7 @@ void expectSameHits(const Splats& splats, const std::vector<View>& views) {
 }
 
 TEST(Beams, HitTheSameOnASphere) {
-    // the whole sphere is a disc of 45.4 pixels' radius, 6475 pixels, and one of 42.2, 5588 pixels
+    // the whole sphere is a disc with a radius of 45.4 pixels, 6475 pixels; from afar 42.2, 5588 pixels
     expectSameHits(sphereSplats(20000, Vec3f(1, 2, 3), 1.0f),
                    {view({1, 2, 7}, {1, 2, 3}, 40, 6430, 6530),      // the whole sphere
                     view({1, 60, 3}, {1, 2, 3}, 3, 5540, 5640),      // from afar
@@ -104,7 +104,7 @@ TEST(Beams, HitTheSameOnASphere) {
                     view({1, 2.9, 3.9}, {1, 3, 3.2}, 60, 1000)});    // in a corner of the bounds
 }
 
-/// Discs of 32, 96 and 1.3 pixels' radius: 3217, the whole picture but for its corners, and 5 pixels.
+/// Discs with a radius of 32, 96 and 1.3 pixels: 3217 pixels, all but the corners, and 5 pixels.
 TEST(Beams, HitTheSameInParallelProjection) {
     expectSameHits(sphereSplats(20000, Vec3f(1, 2, 3), 1.0f),
                    {orthoView({1, 2, 7}, {1, 2, 3}, 4, 3190, 3240),            // along an axis
@@ -123,7 +123,7 @@ TEST(Beams, HitTheSameInParallelProjectionOfASparseCloud) {
                                                          orthoView({30, 40, 20}, {0.5, 0.5, 0.5}, 3, 10, 4000)});
 }
 
-/// Thin things with much sky in between: what beams are most likely to pass by.
+/// Thin objects with much sky between them, which beams are most likely to miss.
 TEST(Beams, HitTheSameInASparseCloud) {
     expectSameHits(randomSplats(300, 3, 0.002f, 0.01f), {view({0.5, 0.5, 3}, {0.5, 0.5, 0.5}, 30, 50, 2000),
                                                          view({0.4, 0.6, 0.5}, {1, 0.5, 0.4}, 70, 20, 4000),
@@ -137,7 +137,7 @@ TEST(Beams, HitTheSameOnOneSplat) {
                          view({2, 0.5, 0.4}, {1, 0.1, 0.1}, 0.5, 0, 16384), view({0, 3, 0.3}, {1, 0, 0}, 20, 0, 4000)});
 }
 
-/// Small things between the middles of tiles that spread far: only what a beam takes in around its middle finds them.
+/// Small objects between the centre rays of wide tiles: only the width of beams finds them.
 TEST(Beams, HitTheSameInWideTiles) {
     Splats balls = sphereSplats(1500, Vec3f(0, 0, 0), 0.03f);
     for (const Vec3f& at : {Vec3f(1, 1, 1), Vec3f(0.2f, 0.5f, 0.9f), Vec3f(0.8f, 0.3f, 0.6f), Vec3f(0.4f, 0.9f, 0.3f),
@@ -149,8 +149,8 @@ TEST(Beams, HitTheSameInWideTiles) {
                            view({1.5, 1.2, 0.2}, {0.5, 0.5, 0.5}, 140, 10, 4000)});
 }
 
-/// The view's axis goes through the only tile, where directions spread most towards the middles of its edges: pixel
-/// (7, 3)'s ray goes through the one small disc, whose cell is as small.
+/// A wide view of one tile, with the largest angles at the middles of its edges: the ray of pixel (7, 3) hits the only
+/// disc, whose cell is as small as the disc.
 TEST(Beams, FindADiscAtTheEdgeOfAWideTile) {
     const SceneFile scene(sphereSplats(1, Vec3f(0, 0, 0), 1.0f, 0.05f)); // a disc at (1, 0, 0) facing +x
     RayCaster caster(scene.path);
@@ -167,7 +167,7 @@ TEST(Beams, FindADiscAtTheEdgeOfAWideTile) {
     }
 }
 
-/// A dense patch in a wide loose sheet: cells are cut further (uneven), and beams end in the grid above.
+/// A dense patch in a wide sparse sheet: cells are subdivided, and beams end in the grid above them.
 TEST(Beams, HitTheSameInAnUnevenScene) {
     const Splats sheet = squareSplats(40, Vec3f(0, 0, 0), Vec3f(10, 0, 0), Vec3f(0, 10, 0), 0.9f);
     const Splats patch = squareSplats(100, Vec3f(1, 2, 0.5f), Vec3f(0.1f, 0, 0), Vec3f(0, 0.1f, 0.02f), 0.9f);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light that mirrors and glass bundle, brought by photons: against closed forms, and against paths that find lamps by
-// chance.
+// Caustics of mirrors and glass by photons, compared with closed forms, and with paths that hit lamps by chance.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -55,8 +54,8 @@ RenderSettings view(Integrator integrator, std::uint32_t spp, bool caustics = tr
     return settings;
 }
 
-/// Means over parts x parts parts of the picture of one channel (of three, or of four) where use(position) holds of the
-/// pixel and those around it, others' light being in pixels at their edges; elsewhere the light counts as 0.
+/// Means of one channel (of three or four) over parts x parts parts of the picture. Pixels count as 0 unless
+/// use(position) holds for them and their neighbours, because pixels at edges have light of both sides.
 template <typename Use>
 std::vector<double> regionMeans(const Film& film, const std::vector<float>& layer, std::uint32_t parts,
                                 const Use& use) {
@@ -83,7 +82,7 @@ double sumOf(const std::vector<double>& values) {
     return sum;
 }
 
-// Caustics alone: on a floor so dark that what it sends back is nothing.
+// Caustics alone, on a floor so dark that it reflects next to nothing.
 
 constexpr double kFloor = -1.6;
 constexpr float kDark = 0.02f;
@@ -97,7 +96,7 @@ SceneDescription onDarkFloor(SceneDescription scene, Vec3 lamp) {
     return scene;
 }
 
-/// From a side where the body does not hide its caustic.
+/// A view in which the body does not hide its caustic.
 RenderSettings overlook(Vec3 eye, Vec3 target, Integrator integrator, std::uint32_t spp, bool caustics) {
     RenderSettings settings = view(integrator, spp, caustics);
     settings.camera.eye = eye;
@@ -105,8 +104,8 @@ RenderSettings overlook(Vec3 eye, Vec3 target, Integrator integrator, std::uint3
     return settings;
 }
 
-/// The photons' light on the floor beside the light that paths find by way of mirrors and glass: in all, and the mean
-/// difference of the picture's parts over their mean.
+/// Compares the light of photons on the floor with that of paths through mirrors and glass: in total, and as the mean
+/// difference of the picture's parts, relative to their mean.
 void expectCausticOfPaths(const char* what, const SceneDescription& scene, Vec3 eye, Vec3 target, std::uint32_t spp) {
     const auto onFloor = [](Vec3 at) { return std::abs(at.y - kFloor) < 1e-3; };
     const Rendered photons = renderScene(scene, overlook(eye, target, Integrator::kWhitted, 16, true));
@@ -136,7 +135,7 @@ TEST(Caustics, OfAGlassBallOfSplats) {
                          kBallsCaustic, 768);
 }
 
-/// A ring open above and below, normals outwards.
+/// A ring, open above and below, with normals outwards.
 Splats ringSplats(double radius, double low, double high, std::size_t around) {
     Splats splats;
     splats.oriented = true;
@@ -155,7 +154,7 @@ Splats ringSplats(double radius, double low, double high, std::size_t around) {
 
 TEST(Caustics, OfAMirrorRingOfSplats) {
     const std::string path = temporaryPath("ring.pro");
-    // clear of the floor: discs blur what is bundled at the wall to where the wall hides it, or no longer does
+    // above the floor: photon discs blur a caustic at the foot of the wall across the wall
     writeScene(path, ringSplats(1.5, kFloor + 0.6, kFloor + 1.2, 400), {});
     expectCausticOfPaths("mirror ring of splats",
                          onDarkFloor(splatBody(path, material(MaterialKind::kMirror, 0.9f)), {5, 5, 0}), {0, 9, 0.1},
@@ -216,7 +215,7 @@ std::vector<Case> brightCases() {
     Case room{"in a room", brightScene({glass}, {body}, ball)};
     room.scene.shapes.push_back({ShapeKind::kBox, {0, 4, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 10}, 0});
     cases.push_back(room);
-    // what light it gives back hangs on where it came from, which photons do not tell
+    // metal reflects light by its direction, which photons do not store
     Case shiny{"on metal", brightScene({glass}, {body}, ball), false};
     shiny.scene.materials[0] = metal;
     cases.push_back(shiny);
@@ -225,8 +224,8 @@ std::vector<Case> brightCases() {
 
 class CausticScene : public testing::TestWithParam<std::size_t> {};
 
-/// Mean light of the picture and its quarters, with photons over without.
-TEST_P(CausticScene, LosesNothingAndCountsNothingTwice) {
+/// Compares the mean light of the picture and of its quarters with and without photons.
+TEST_P(CausticScene, CountsAllLightOnce) {
     const Case each = brightCases().at(GetParam());
     const auto all = [](Vec3) { return true; };
     const Film on = renderScene(each.scene, view(Integrator::kPath, 32)).film;
@@ -239,7 +238,7 @@ TEST_P(CausticScene, LosesNothingAndCountsNothingTwice) {
         worst = std::max(worst, std::abs(seen[part] - known[part]) / sumOf(known) * 4);
     std::printf("%-26s %+.2f%% in all, %.2f%% in the worst quarter, caustics are %.1f%%\n", each.name, 100 * total,
                 100 * worst, 100 * share);
-    // where caustics were counted twice or not at all, more than this would be seen
+    // counting caustics twice or not at all would exceed this
     if (each.gathers)
         EXPECT_GT(share, 0.001) << each.name;
     else
@@ -263,7 +262,7 @@ double lightUnder(SceneDescription scene, Integrator integrator, bool caustics =
     return pi * sumOf(regionMeans(film, film.rgba, 1, [](Vec3) { return true; })) / kDark;
 }
 
-/// Over a floor that sends next to nothing back.
+/// Above a floor that reflects next to nothing.
 SceneDescription under(const std::vector<MaterialDescription>& materials, const std::vector<ShapeDescription>& shapes,
                        const LightDescription& light) {
     SceneDescription scene = brightScene(materials, shapes, light);
@@ -287,14 +286,14 @@ TEST(Caustics, OfPanesUnderASun) {
     const double one = 1 - kPaneReflects, two = one * one / (1 - kPaneReflects * kPaneReflects);
     for (const Integrator integrator : {Integrator::kPhong, Integrator::kWhitted, Integrator::kPath}) {
         EXPECT_NEAR(lightUnder(under({thinGlass()}, {paneAt(0)}, sun), integrator) / one, 1, 0.02);
-        // one behind another: light meets the upper one first, whichever it was sent to
+        // one behind the other: light hits the upper one first, whichever pane photons are aimed at
         EXPECT_NEAR(lightUnder(under({thinGlass()}, {paneAt(0), paneAt(0.5)}, sun), integrator) / two, 1, 0.02);
         EXPECT_LT(lightUnder(under({thinGlass()}, {paneAt(0)}, sun), integrator, false), 0.002);
     }
 }
 
 TEST(Caustics, OfAPaneUnderAPoint) {
-    // paths cannot find a point: photons alone bring it
+    // paths cannot hit a point light: only photons carry its light
     const double height = 5;
     const SceneDescription scene =
         under({thinGlass()}, {paneAt(0)}, PointLight{{0, kFloor + height, 0}, grey(height * height)});
@@ -304,14 +303,15 @@ TEST(Caustics, OfAPaneUnderAPoint) {
     }
 }
 
-/// Irradiance of each pixel under a pane under a point, the floor wide enough that it hardly changes: 1 over the known.
+/// Irradiance of each pixel under a pane and a point light, relative to the exact value. It hardly varies over the
+/// floor.
 std::vector<double> lightUnderAPane(std::uint32_t spp) {
     constexpr double kHeight = 40;
     SceneDescription scene =
         under({thinGlass()}, {paneAt(0)}, PointLight{{0, kFloor + kHeight, 0}, grey(kHeight * kHeight)});
     scene.sky = evenSky(0);
     RenderSettings settings = view(Integrator::kWhitted, spp);
-    settings.width = 512; // as many maps as there are: 16 samples show each
+    settings.width = 512; // so large that 16 samples share a map
     settings.height = 32;
     settings.camera.eye = Vec3{0.9, kFloor + 0.9, 0};
     settings.camera.target = Vec3{0, kFloor, 0};
@@ -336,11 +336,11 @@ TEST(Caustics, ConvergeOverMaps) {
     std::printf("a map: %.4f +- %.4f, four: %.4f +- %.4f\n", mean, noise, mean_of_4, noise_of_4);
     EXPECT_NEAR(mean, 1, 0.02);
     EXPECT_NEAR(mean_of_4, 1, 0.005);
-    // by independent maps half, times 1.2 as their discs shrink; all of it and more were they the same
+    // independent maps halve the noise, times 1.2 because discs shrink; equal maps would not reduce it
     EXPECT_LT(noise_of_4, 0.7 * noise);
 }
 
-TEST(Caustics, AreDimmedByWhatGlassAbsorbs) {
+TEST(Caustics, AreDimmedByAbsorption) {
     MaterialDescription clear = material(MaterialKind::kGlass);
     clear.index = 1;
     clear.absorption = {0.8f, 0.8f, 0.8f};
@@ -349,8 +349,8 @@ TEST(Caustics, AreDimmedByWhatGlassAbsorbs) {
                 std::exp(-0.8), 0.01 * std::exp(-0.8));
 }
 
-TEST(Caustics, StayBehindWhatIsDark) {
-    // a roof that is wider than the bodies' bounds hides the sun from the pane
+TEST(Caustics, DoNotPassOpaqueShapes) {
+    // a roof wider than the body's bounds hides the sun from it
     const SphereFile file(2000);
     SceneDescription scene = splatBody(file.path, material(MaterialKind::kGlass));
     scene.materials.push_back(material(MaterialKind::kMatte, 0.7f));
@@ -360,8 +360,8 @@ TEST(Caustics, StayBehindWhatIsDark) {
     EXPECT_EQ(sumOf(regionMeans(film, film.caustic, 1, [](Vec3) { return true; })), 0);
 }
 
-TEST(Caustics, OfManyBodies) {
-    // as many instances as there may be, of which the last one is of glass
+TEST(Caustics, OfTheLargestNumberOfInstances) {
+    // the largest number of instances; only the last one is of glass
     const SphereFile file(200);
     SceneDescription scene = splatBody(file.path, material(MaterialKind::kGlass));
     scene.materials.push_back(material(MaterialKind::kMatte, 0.7f));

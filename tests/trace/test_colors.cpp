@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scans coloured by their attributes and with other materials by them, under a sky that shows reflectances as they are.
+// Scans with colours and materials by attributes, under a sky of radiance 1, so that pictures show reflectances.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,8 @@
 namespace pointrt::test {
 namespace {
 
-/// A unit sphere whose upper half is of class 6, the lower of class 2, of red splats over a row of half the colour.
+/// A unit sphere of class 6 in its upper half and class 2 in its lower half. Splats are red; their material halves
+/// that.
 struct ClassSphere {
     ClassSphere() {
         const std::string bare = temporaryPath("bare.pro");
@@ -43,7 +44,7 @@ double linear(std::uint8_t byte) {
     return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
 }
 
-/// Paths of one bounce under a sky of radiance 1 see the reflectance.
+/// With paths of one bounce under a sky of radiance 1, pixels have the reflectance.
 RenderSettings furnace() {
     RenderSettings settings = square(32);
     settings.integrator = Integrator::kPath;
@@ -65,7 +66,7 @@ void expectColor(const Film& film, std::uint32_t y, Srgb8 expected) {
         EXPECT_NEAR(pixel(film, 16, y, c), linear(expected[static_cast<std::size_t>(c)]), 0.02) << y << " " << c;
 }
 
-TEST(Colors, OfClassesAreReflectances) {
+TEST(Colors, ClassColoursAreReflectances) {
     const ClassSphere sphere;
     RenderSettings settings = furnace();
     settings.color_by = "class";
@@ -74,7 +75,7 @@ TEST(Colors, OfClassesAreReflectances) {
     expectColor(rendered.film, 22, classColor(2));
     settings.color_by = kOwnColors;
     const Rendered plain = renderScene(underSky(sphere.path), settings);
-    EXPECT_NEAR(pixel(plain.film, 16, 10, 0), 0.5, 0.02) << "the file's row counts again";
+    EXPECT_NEAR(pixel(plain.film, 16, 10, 0), 0.5, 0.02) << "the file's material applies again";
     EXPECT_NEAR(pixel(plain.film, 16, 10, 1), 0, 0.02);
 }
 
@@ -90,13 +91,13 @@ TEST(Colors, OverridesByClassGiveOtherMaterials) {
     const Rendered rendered = renderScene(scene, furnace());
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(pixel(rendered.film, 16, 10, c), 2 + c, 0.02);
     EXPECT_NEAR(pixel(rendered.film, 16, 21, 1), 0.25, 0.02);
-    // the table: two of the scene, the file's row, a row for each material of the overrides
+    // the table: the scene's two materials, the file's row, a row for each material of the overrides
     EXPECT_EQ(rendered.film.material_id[10 * 32 + 16], 3u);
     EXPECT_EQ(rendered.film.material_id[21 * 32 + 16], 4u);
 }
 
-/// Two instances of a file, each of which has its own paint.
-TEST(Colors, OfHeightFollowThePlaceOfEachInstance) {
+/// Two instances of a file, each with its own paint.
+TEST(Colors, HeightColoursFollowEachInstance) {
     const ClassSphere sphere;
     SceneDescription scene = underSky(sphere.path);
     scene.instances[0].placement.translation = {-1.5, 0, 0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// First hits of arbitrary rays through the shaders against Embree's oriented discs, and the rays themselves.
+// First hits of arbitrary rays, compared with Embree's oriented discs, and the rays themselves.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 #include "tests/support/splat_scenes.h"
 #include "tests/trace/reference.h"
 
-/// As in render_helper.cpp: drivers and layers keep memory when they are unloaded.
+/// As in render_helper.cpp: drivers and layers leak memory.
 extern "C" const char* __asan_default_options() { return "detect_leaks=0"; }
 
 namespace pointrt::test {
@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t kRays = 20'000;
 
-/// A scene in a file that goes with it.
+/// A scene in a temporary file.
 struct EmbreeSceneFile {
     std::string path = temporaryPath("embree.pro");
     std::vector<CubeSplat> splats;
@@ -41,7 +41,7 @@ std::vector<Ray> bothKinds(std::span<const CubeSplat> splats, std::size_t count,
     return rays;
 }
 
-/// Our own and Embree's hits, where Embree knows embree_splats only.
+/// Compares our hits with Embree's on embree_splats.
 FirstHitCheck check(const EmbreeSceneFile& scene, std::span<const CubeSplat> embree_splats, std::uint64_t seed) {
     const std::vector<Ray> rays = bothKinds(scene.splats, kRays, seed);
     const std::uint64_t messages = validationMessages();
@@ -56,11 +56,11 @@ FirstHitCheck check(const EmbreeSceneFile& scene, std::span<const CubeSplat> emb
     return result;
 }
 
-/// agreement: the least share of rays, half of them grazing, with the same hit.
+/// agreement: the smallest share of rays, half of them grazing, that must have the same hit.
 void expectEmbreesHits(double agreement, const Splats& splats, const BuildOptions& options = {}) {
     const EmbreeSceneFile scene(splats, options);
     const FirstHitCheck result = check(scene, scene.splats, 1);
-    EXPECT_GT(result.hits, kRays); // the grazing ones hit what they were aimed through, or something before it
+    EXPECT_GT(result.hits, kRays); // grazing rays hit the disc they are aimed at, or one before it
     EXPECT_EQ(result.unexplained.size(), 0u);
     EXPECT_GT(result.agreement(), agreement);
 }
@@ -90,8 +90,9 @@ TEST(Embree, AgreesInASingleLeaf) {
     expectEmbreesHits(0.968, randomSplats(500, 7, 0.01f, 0.1f), options);
 }
 
-/// A far stray makes the sphere's leaves so small that a ray's look ahead of one position step is a good part of them.
-TEST(Embree, TinyLeavesLoseNoMoreThanRoundingGains) {
+/// A stray far away makes the sphere's leaves so small that one position step, which rays look ahead, is a large part
+/// of a leaf.
+TEST(Embree, TinyLeavesLoseNoHits) {
     constexpr float kFar = 40000; // radii: discs of about one position step, leaves at depth 18
     const EmbreeSceneFile scene(
         joinSplats(sphereSplats(20000, Vec3f(0, 0, 0), 1.0f), sphereSplats(1, Vec3f(kFar, 0, 0), 0.01f)));
@@ -107,16 +108,17 @@ TEST(Embree, TinyLeavesLoseNoMoreThanRoundingGains) {
         sooner += apart < -clearly;
     }
     std::printf("%zu later than Embree, %zu sooner\n", later, sooner);
-    EXPECT_LE(later, sooner + sooner / 3 + 10); // rounding goes either way; lists that are too short only lose
+    EXPECT_LE(later, sooner + sooner / 3 + 10); // rounding moves hits either way; missing references only lose hits
 }
 
-TEST(Embree, ALostDiscIsNeverExplained) {
-    const EmbreeSceneFile scene(sphereSplats(500, Vec3f(0, 0, 0), 1.0f, 0.7f)); // hardly any overlap: it leaves a hole
+TEST(Embree, LostDiscsAreUnexplained) {
+    const EmbreeSceneFile scene(
+        sphereSplats(500, Vec3f(0, 0, 0), 1.0f, 0.7f)); // discs hardly overlap, so that it leaves a hole
     std::vector<CubeSplat> without = scene.splats;
     without[123].radius = 1e-6;
     const FirstHitCheck result = check(scene, without, 2);
     EXPECT_GT(result.count(Verdict::kEmbreeMisses),
-              10u); // 40000 rays by a 500th of the sphere, some of them past its rim
+              10u); // about 40000 / 500 rays, fewer near its rim
     EXPECT_EQ(result.count(Verdict::kWeMiss), 0u);
 }
 
@@ -131,15 +133,15 @@ TEST(Embree, PacketsHitWhatSingleRaysHit) {
         other += single[i].splat != packets[i].splat;
     }
     EXPECT_GT(hits, rays.size() / 2);
-    EXPECT_LE(other, 2u); // rims: packets fuse other multiplications and additions
+    EXPECT_LE(other, 2u); // rims: packets use fused multiply-add differently
 }
 
 /// A unit disc at the origin facing +z, and one below it.
 const std::vector<CubeSplat> kDiscs{{{0, 0, 0}, {0, 0, 1}, 1}, {{0, 0, -0.1}, {0, 0, 1}, 1}};
-/// Centres off by a hundredth of a radius.
+/// Centres may be off by a hundredth of a radius.
 constexpr NearRounding kRounded{0.01, 0.01, 1};
 
-/// A hand-made dispute over the first disc, met at x by a ray from above with this slope.
+/// The verdict on a difference at the first disc, which a ray from above with this slope crosses at x.
 Verdict verdictAt(double x, bool we_hit, bool embree_hits, double slope = 1) {
     const Vec3 direction{std::sqrt(1 - slope * slope), 0, -slope};
     const Ray ray{Vec3{x, 0, 0} - direction, direction, {}, 0};
@@ -150,7 +152,7 @@ Verdict verdictAt(double x, bool we_hit, bool embree_hits, double slope = 1) {
     return judge(kDiscs, kRounded, ray, ours, embrees);
 }
 
-TEST(Embree, VerdictsAreFair) {
+TEST(Embree, DisputesAreExplainedByRounding) {
     EXPECT_EQ(verdictAt(0.5, true, true), Verdict::kAgree);
     EXPECT_EQ(verdictAt(1.5, false, false), Verdict::kAgree);
     EXPECT_EQ(verdictAt(0.5, false, true), Verdict::kWeMiss);
@@ -164,10 +166,10 @@ TEST(Embree, VerdictsAreFair) {
     // the plane is 0.0156 higher or lower at the rim: along a ray of slope 0.1 that is 0.165
     EXPECT_EQ(verdictAt(0.82, false, true, 0.1), Verdict::kRounding);
     EXPECT_EQ(verdictAt(0.8, false, true, 0.1), Verdict::kWeMiss);
-    EXPECT_EQ(verdictAt(0.2, false, true, 0.005), Verdict::kRounding); // it may as well run along the plane
+    EXPECT_EQ(verdictAt(0.2, false, true, 0.005), Verdict::kRounding); // the ray may be parallel to the plane
 }
 
-/// Both hit at x = 0, we the lower disc and Embree the upper one, gap below it.
+/// Both hit at x = 0: we the lower disc, Embree the upper one. gap: their distance.
 Verdict orderAt(double gap, double slope) {
     std::vector<CubeSplat> discs = kDiscs;
     discs[1].center.z = -gap;
@@ -176,7 +178,7 @@ Verdict orderAt(double gap, double slope) {
     return judge(discs, kRounded, ray, {1 + gap / slope, 1, 0, {}, 0}, {1, 0});
 }
 
-TEST(Embree, OrderIsOpenAsFarAsPlanesMove) {
+TEST(Embree, OrderMayChangeWithinRounding) {
     EXPECT_EQ(orderAt(0.014, 1), Verdict::kAgree); // the same hit
     EXPECT_EQ(orderAt(0.03, 1), Verdict::kTie);    // twice 0.0156
     EXPECT_EQ(orderAt(0.035, 1), Verdict::kWeMiss);
@@ -184,7 +186,7 @@ TEST(Embree, OrderIsOpenAsFarAsPlanesMove) {
     EXPECT_EQ(orderAt(0.035, 0.2), Verdict::kWeMiss);
 }
 
-TEST(Embree, OnlyWhatRoundingAllowsMayBeFirst) {
+TEST(Embree, FirstHitsAreLimitedByRounding) {
     const Ray middle{{0, 0, 1}, {0, 0, -1}, {}, 0}, rim{{0.99, 0, 1}, {0, 0, -1}, {}, 0},
         past{{2, 0, 1}, {0, 0, -1}, {}, 0};
     const auto may = [](const Ray& ray, std::optional<double> t) { return mayBeFirst(kDiscs, kRounded, ray, t); };
@@ -199,7 +201,7 @@ TEST(Embree, OnlyWhatRoundingAllowsMayBeFirst) {
     EXPECT_TRUE(may(past, std::nullopt));
 }
 
-TEST(Rays, ComeFromOutsideAsAnnounced) {
+TEST(Rays, StartOutsideTheScene) {
     const EmbreeSceneFile scene(randomSplats(300, 11, 0.01f, 0.1f));
     const Sphere bounds = boundingSphere(scene.splats);
     const std::vector<Ray> rays = bothKinds(scene.splats, 5000, 4), again = bothKinds(scene.splats, 5000, 4);
@@ -216,14 +218,14 @@ TEST(Rays, ComeFromOutsideAsAnnounced) {
         if (i < 5000) continue;
         const bool grazes = std::any_of(scene.splats.begin(), scene.splats.end(), [&](const CubeSplat& splat) {
             const DiscHit at = meetPlane(splat, ray.origin, ray.direction);
-            return at.share < 1 + 1e-3 && at.slope < std::sin(0.1746); // 10 degrees and some rounding
+            return at.share < 1 + 1e-3 && at.slope < std::sin(0.1746); // 10 degrees, with some rounding
         });
         ASSERT_TRUE(grazes) << i;
     }
     EXPECT_LT(length(mean), 0.05); // 5000 unit vectors: 0.014 is expected
 }
 
-TEST(Rays, BlendedSurfaceIsTheReferences) {
+TEST(Rays, BlendedSurfacesMatchTheReference) {
     const EmbreeSceneFile file(sphereSplats(3000, Vec3f(10, -20, 5), 2.0f));
     const pro_info info = ProFile(file.path).info();
     const Reference reference = loadReference(file.path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The blended surface against a gather over all splats, where rays leave the cell of their first hit on the way to it.
+// The blended surface, compared with a sum over all splats, where rays reach it outside the cell of their first hit.
 #include <gtest/gtest.h>
 
 #include "pointrt/pro.hpp"
@@ -13,7 +13,8 @@ namespace pointrt::test {
 
 namespace {
 
-/// A sphere whose splats stand up to a fifth of a radius in and out, so that first hits lie off the blended surface.
+/// A sphere whose splats are up to a fifth of a radius inside or outside, so that first hits are off the blended
+/// surface.
 Splats roughSphere(float radius_factor) {
     Splats splats = sphereSplats(3000, Vec3f(0, 0, 0), 1.0f, radius_factor);
     unsigned state = 7;
@@ -29,7 +30,7 @@ pro_info infoOf(const std::string& path) {
     return file.info();
 }
 
-/// Of the rays that hit, the share whose blended surface is more than 0.01 radii from that of all splats.
+/// The share of hits whose blended surface is more than 0.01 radii from that of all splats.
 double shareOff(const Splats& scene) {
     const std::string path = temporaryPath("rough.pro");
     writeScene(path, scene, {});
@@ -54,36 +55,36 @@ double shareOff(const Splats& scene) {
     return static_cast<double>(off) / static_cast<double>(compared);
 }
 
-/// Where the field is nearly parallel to the ray, rounding decides.
+/// The share of rays nearly parallel to the field, where rounding decides.
 constexpr double kRounding = 1e-3;
 
-TEST(Field, IsThatOfTheCellWhereItIsAskedFor) { EXPECT_LE(shareOff(roughSphere(1.6f)), kRounding); }
+TEST(Field, IsEvaluatedInTheCellOfThePoint) { EXPECT_LE(shareOff(roughSphere(1.6f)), kRounding); }
 
-TEST(Field, IsFilledUpWhereLittleElseWeighs) { EXPECT_LE(shareOff(roughSphere(0.6f)), kRounding); }
+TEST(Field, IsCompletedByTheDiscWhereWeightsAreLow) { EXPECT_LE(shareOff(roughSphere(0.6f)), kRounding); }
 
-TEST(Field, IsTheDiscWhereNobodySeesIt) {
-    const std::string path = temporaryPath("unseen.pro");
+TEST(Field, IsTheDiscForDiffusedRays) {
+    const std::string path = temporaryPath("diffused.pro");
     writeScene(path, roughSphere(1.6f), {});
     const std::vector<CubeSplat> splats = loadCubeSplats(path);
     std::vector<Ray> rays = grazingRays(splats, 1000, 3);
     RayCaster caster(path);
-    const std::vector<CastHit> seen = caster.cast(rays);
+    const std::vector<CastHit> direct = caster.cast(rays);
     for (Ray& ray : rays) ray.diffused = true;
-    const std::vector<CastHit> unseen = caster.cast(rays);
+    const std::vector<CastHit> diffused = caster.cast(rays);
     std::remove(path.c_str());
 
     std::size_t hits = 0, apart = 0, of_the_disc = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (!seen[i].hit()) continue;
+        if (!direct[i].hit()) continue;
         ++hits;
-        ASSERT_EQ(unseen[i].splat, seen[i].splat);
-        EXPECT_FLOAT_EQ(static_cast<float>(unseen[i].t_blended), static_cast<float>(unseen[i].t_flat));
-        of_the_disc += std::abs(dot(unseen[i].normal, splats[unseen[i].splat].normal)) > 1 - 1e-6;
-        apart += std::abs(dot(seen[i].normal, splats[seen[i].splat].normal)) < 1 - 1e-6;
+        ASSERT_EQ(diffused[i].splat, direct[i].splat);
+        EXPECT_FLOAT_EQ(static_cast<float>(diffused[i].t_blended), static_cast<float>(diffused[i].t_flat));
+        of_the_disc += std::abs(dot(diffused[i].normal, splats[diffused[i].splat].normal)) > 1 - 1e-6;
+        apart += std::abs(dot(direct[i].normal, splats[direct[i].splat].normal)) < 1 - 1e-6;
     }
     EXPECT_GT(hits, 900u);
-    EXPECT_GT(of_the_disc, hits * 9 / 10); // a back that fronts cover has their side
-    EXPECT_GT(apart, hits / 2);            // where it is seen it is another
+    EXPECT_GT(of_the_disc, hits * 9 / 10); // the others are backs covered by fronts, whose side they get
+    EXPECT_GT(apart, hits / 2);            // the blended normals of visible hits differ
 }
 
 } // namespace

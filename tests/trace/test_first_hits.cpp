@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shaders' first hits against brute force and against analytic shapes.
+// The shaders' first hits, compared with brute force and with analytic shapes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -54,7 +54,7 @@ Comparison compare(const std::string& path, const Rendered& rendered, double dep
     return result;
 }
 
-/// How flat hits compare with brute force, which rounding of near splats excuses as far as its bounds go.
+/// Compares flat hits with brute force, within the bounds of the rounding of near splats.
 struct FlatComparison {
     std::size_t pixels = 0, hits = 0;
     std::size_t same = 0;         ///< hit at the same distance, or missed, in both
@@ -62,7 +62,7 @@ struct FlatComparison {
     std::size_t unexplained = 0;  ///< beyond those bounds
 };
 
-/// In cube units, as the shaders. Distances are the same within tolerance, in input units.
+/// Compares in cube units, like the shaders. tolerance: of distances, in input units.
 FlatComparison compareFlat(const std::string& path, const Rendered& rendered, double tolerance) {
     const std::vector<CubeSplat> splats = loadCubeSplats(path);
     const NearRounding rounding = nearRounding(splats, rendered.cell_edge);
@@ -94,8 +94,8 @@ FlatComparison compareFlat(const std::string& path, const Rendered& rendered, do
     return result;
 }
 
-/// Flat hits are brute force's for all but this share of pixels, the most that random discs of all sizes were seen to
-/// lose to rims and ties.
+/// The share of pixels whose flat hits may differ from brute force: the most that was observed at rims and ties of
+/// random discs of all sizes.
 constexpr double kMinSame = 0.985;
 
 class RandomClouds : public testing::TestWithParam<unsigned> {};
@@ -147,7 +147,7 @@ TEST(FirstHits, PrunedSphereStaysClosedAndRound) {
             RenderSettings settings = square(256);
             const Vec3 d = centerRayDirection(settings, rendered.camera, x, y), eye = rendered.camera.eye;
             const double b = dot(eye, d), c = dot(eye, eye) - 1.0, discriminant = b * b - c;
-            if (discriminant < 0.02) continue; // the silhouette is the discs' own
+            if (discriminant < 0.02) continue; // at the silhouette the outline is that of discs
             ++inside;
             if (!std::isfinite(rendered.film.depth[i])) {
                 ++holes;
@@ -165,13 +165,13 @@ TEST(FirstHits, PrunedSphereStaysClosedAndRound) {
                 depth_error, angle_sum / static_cast<double>(inside), worst_angle);
     EXPECT_GT(inside, 10000u);
     EXPECT_EQ(holes, 0u);
-    EXPECT_LT(depth_error, 2e-3); // a disc's radius is 0.02, its rim stands 2e-4 off
+    EXPECT_LT(depth_error, 2e-3); // discs of radius 0.02, whose rims are 2e-4 off the sphere
     EXPECT_LT(angle_sum / static_cast<double>(inside), 0.1);
     EXPECT_LT(worst_angle, 1.2); // a flat disc's normal is up to 1.2 degrees off at its rim
 }
 
-TEST(FirstHits, PruningLongListsOpensNothing) {
-    // leaves that list far more splats than they have probes
+TEST(FirstHits, PruningLongListsOpensNoHoles) {
+    // leaves that list far more splats than there are probe rays
     const std::string path = temporaryPath("long.pro");
     const auto render = [&](bool prune) {
         BuildOptions options;
@@ -245,12 +245,12 @@ TEST(FirstHits, NameTheMaterialsRow) {
         return std::array{film.material_id[middle], film.material_id[floor], film.material_id[above]};
     };
     EXPECT_EQ(materialsAt(renderScene(scene, settings).film), (std::array{2u, 1u, NO_INDEX}));
-    // splats of that range of colours, which is all of them, wear the scene's material itself
+    // all splats are in that range of colours and have the scene's material itself
     scene.instances[0].overrides.push_back({MaterialOverride::ColorRange{{0, 0, 0}, {255, 255, 255}}, 0, ""});
     EXPECT_EQ(materialsAt(renderScene(scene, settings).film), (std::array{0u, 1u, NO_INDEX}));
 }
 
-/// A scene that has all of it: a scan and a ball of glass over a floor under a lamp.
+/// A scene that fills every film part: a scan and a glass ball over a floor, under a lamp.
 TEST(FilmParts, AreAllFilled) {
     const SphereFile sphere(2000);
     SceneDescription scene;
@@ -269,7 +269,7 @@ TEST(FilmParts, AreAllFilled) {
     forEachFilmPart(film, [&](const FilmPart& part, const auto& values) {
         ASSERT_EQ(values.size(), part.channels.size() * 32 * 32) << part.channels.front();
         const bool differ = std::any_of(values.begin(), values.end(), [&](auto each) { return each != values[0]; });
-        const bool is_even = part.channels.front() == "samples" || part.channels.front() == "id.tile"; // of plain files
+        const bool is_even = part.channels.front() == "samples" || part.channels.front() == "id.tile";
         EXPECT_EQ(differ, !is_even) << part.channels.front();
     });
     EXPECT_EQ(film.samples[0], 8.0f);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fused passes and the queued ones trace the same rays: pictures differ by rounding alone.
+// Megakernel and wavefront trace the same rays: pictures differ only by rounding.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -50,10 +50,10 @@ SceneDescription allLights(const std::string& ball) {
     return scene;
 }
 
-/// How far two films are apart.
+/// The difference of two films.
 struct Apart {
-    double mean = 0;        ///< of the channels' differences, over the mean channel
-    std::size_t pixels = 0; ///< more than a thousandth off: paths that rounding sent elsewhere
+    double mean = 0;        ///< of the channels' differences, relative to the mean of the channels
+    std::size_t pixels = 0; ///< more than a thousandth off: rounding sent their paths elsewhere
 };
 
 Apart apart(const Film& a, const Film& b) {
@@ -69,28 +69,28 @@ Apart apart(const Film& a, const Film& b) {
     return result;
 }
 
-/// What photons bring, in the mean of all channels.
+/// Mean contribution of photons over all channels.
 double meanCaustic(const Film& film) {
     return std::accumulate(film.caustic.begin(), film.caustic.end(), 0.0) / static_cast<double>(film.caustic.size());
 }
 
-void expectAlike(const SceneDescription& scene, const RenderSettings& settings) {
-    const Rendered queued = renderScene(scene, settings, KernelForm::kWavefront);
-    const Rendered fused = renderScene(scene, settings, KernelForm::kMegakernel);
-    ASSERT_EQ(queued.form, KernelForm::kWavefront);
-    ASSERT_EQ(fused.form, KernelForm::kMegakernel);
-    const Apart rgba = apart(fused.film, queued.film);
-    // a path that goes elsewhere moves its pixel by a quarter of what it is
+void expectAgreement(const SceneDescription& scene, const RenderSettings& settings) {
+    const Rendered wavefront = renderScene(scene, settings, KernelForm::kWavefront);
+    const Rendered megakernel = renderScene(scene, settings, KernelForm::kMegakernel);
+    ASSERT_EQ(wavefront.form, KernelForm::kWavefront);
+    ASSERT_EQ(megakernel.form, KernelForm::kMegakernel);
+    const Apart rgba = apart(megakernel.film, wavefront.film);
+    // one path of four that goes elsewhere changes its pixel by a quarter
     EXPECT_LE(rgba.pixels, kFormsSize * kFormsSize / 1000);
     EXPECT_LT(rgba.mean, rgba.pixels > 0 ? 1e-3 : 1e-6);
-    EXPECT_EQ(fused.film.depth, queued.film.depth);
-    EXPECT_EQ(fused.rays.primary, queued.rays.primary);
-    EXPECT_NEAR(static_cast<double>(fused.rays.secondary), static_cast<double>(queued.rays.secondary), 8);
-    EXPECT_NEAR(static_cast<double>(fused.rays.shadow), static_cast<double>(queued.rays.shadow), 8);
+    EXPECT_EQ(megakernel.film.depth, wavefront.film.depth);
+    EXPECT_EQ(megakernel.rays.primary, wavefront.rays.primary);
+    EXPECT_NEAR(static_cast<double>(megakernel.rays.secondary), static_cast<double>(wavefront.rays.secondary), 8);
+    EXPECT_NEAR(static_cast<double>(megakernel.rays.shadow), static_cast<double>(wavefront.rays.shadow), 8);
 }
 
-/// Those that show light.
-class Forms : public testing::TestWithParam<Integrator> {
+/// With integrators that show light.
+class KernelForms : public testing::TestWithParam<Integrator> {
 protected:
     RenderSettings settingsOf() const {
         RenderSettings settings = square(kFormsSize);
@@ -104,47 +104,47 @@ protected:
     SphereFile ball{kSplats};
 };
 
-TEST_P(Forms, AreAlikeWithoutInstances) {
+TEST_P(KernelForms, AgreeWithoutInstances) {
     SceneDescription scene = allLights(ball.path);
     scene.instances.clear();
-    expectAlike(scene, settingsOf());
+    expectAgreement(scene, settingsOf());
 }
 
-TEST_P(Forms, AreAlikeOfAllMaterials) { expectAlike(allMaterials(ball.path), settingsOf()); }
+TEST_P(KernelForms, AgreeOnAllMaterials) { expectAgreement(allMaterials(ball.path), settingsOf()); }
 
-TEST_P(Forms, AreAlikeUnderAllLights) { expectAlike(allLights(ball.path), settingsOf()); }
+TEST_P(KernelForms, AgreeUnderAllLights) { expectAgreement(allLights(ball.path), settingsOf()); }
 
-TEST_P(Forms, AreAlikeWithCaustics) {
+TEST_P(KernelForms, AgreeOnCaustics) {
     RenderSettings settings = settingsOf();
     settings.light_parts = true;
-    const Film queued = renderScene(allLights(ball.path), settings, KernelForm::kWavefront).film;
-    const Film fused = renderScene(allLights(ball.path), settings, KernelForm::kMegakernel).film;
-    ASSERT_GT(meanCaustic(queued), 1e-3);
-    EXPECT_NEAR(meanCaustic(fused), meanCaustic(queued), 1e-4 * meanCaustic(queued));
+    const Film wavefront = renderScene(allLights(ball.path), settings, KernelForm::kWavefront).film;
+    const Film megakernel = renderScene(allLights(ball.path), settings, KernelForm::kMegakernel).film;
+    ASSERT_GT(meanCaustic(wavefront), 1e-3);
+    EXPECT_NEAR(meanCaustic(megakernel), meanCaustic(wavefront), 1e-4 * meanCaustic(wavefront));
     settings.caustics = false;
-    expectAlike(allLights(ball.path), settings);
+    expectAgreement(allLights(ball.path), settings);
 }
 
-TEST_P(Forms, AreAlikeUnderASkyImage) {
+TEST_P(KernelForms, AgreeUnderASkyImage) {
     SceneDescription scene = allMaterials(ball.path);
     scene.sky = evenSky(1);
     scene.sky->image = writeSky("forms.exr", 16, directionColor);
-    expectAlike(scene, settingsOf());
+    expectAgreement(scene, settingsOf());
     std::remove(scene.sky->image.c_str());
 }
 
-TEST_P(Forms, AreAlikeThroughPixelCentres) {
+TEST_P(KernelForms, AgreeThroughPixelCentres) {
     RenderSettings settings = settingsOf();
     settings.spp = 1;
     settings.bounces = 0;
-    expectAlike(allMaterials(ball.path), settings);
+    expectAgreement(allMaterials(ball.path), settings);
     settings.bounces = 12;
-    expectAlike(allMaterials(ball.path), settings);
+    expectAgreement(allMaterials(ball.path), settings);
 }
 
-/// Shapes alone: paths never leave registers for an instance, but lavapipe would end the loop over so many shapes,
+/// Only shapes: without instances paths never leave registers, but lavapipe would end a loop over so many shapes,
 /// lights and bounces.
-TEST_P(Forms, AreAlikeOfLongPathsAmongManyShapes) {
+TEST_P(KernelForms, AgreeOnLongPathsAmongManyShapes) {
     SceneDescription scene = allLights(ball.path);
     scene.instances.clear();
     for (int i = 0; i < 4; ++i) scene.lights.push_back(PointLight{{-1.0 * i, 3, 2}, {1, 1, 1}});
@@ -158,25 +158,25 @@ TEST_P(Forms, AreAlikeOfLongPathsAmongManyShapes) {
     settings.bounces = 64;
     settings.spp = 1;
     settings.caustics = false;
-    expectAlike(scene, settings);
+    expectAgreement(scene, settings);
 }
 
-TEST_P(Forms, FusedPicturesAreTheSameEachTime) {
+TEST_P(KernelForms, MegakernelIsDeterministic) {
     const RenderSettings settings = settingsOf();
     const Film first = renderScene(allLights(ball.path), settings, KernelForm::kMegakernel).film;
     for (int i = 0; i < 2; ++i)
         EXPECT_EQ(renderScene(allLights(ball.path), settings, KernelForm::kMegakernel).film.rgba, first.rgba);
     EXPECT_EQ(renderScene(allLights(ball.path), settings, KernelForm::kMegakernel, 16).film.rgba, first.rgba)
-        << "in steps";
+        << "in strips";
 }
 
-/// Frames are cut into few rows where they take long: what is seen may not depend on time.
-TEST(Strips, OfPartsOfTilesShowTheSame) {
+/// Slow frames are traced in strips of few rows, which must not change the picture.
+TEST(Strips, PartsOfTilesGiveTheSamePicture) {
     const SphereFile ball(20000);
     SceneDescription scene;
     scene.instances.push_back({ball.path, {}, {}, {}});
     RenderSettings settings = square(256);
-    settings.camera.eye = Vec3{20, 50, 30}; // so far that where a ray starts decides on its last bits
+    settings.camera.eye = Vec3{20, 50, 30}; // so far away that the last bits depend on where rays start
     settings.camera.target = Vec3{0, 0, 0};
     settings.camera.fov_deg = 2;
     const Film whole = renderScene(scene, settings).film;
@@ -187,32 +187,33 @@ TEST(Strips, OfPartsOfTilesShowTheSame) {
     }
 }
 
-/// Where no path goes on, but with path itself: points are asked for light in the same go.
-class FormsOfMatte : public Forms {};
+/// Scenes in which only the path integrator has secondary rays: other paths get their light in the same pass.
+class MatteKernelForms : public KernelForms {};
 
-TEST_P(FormsOfMatte, AreAlikeInAMatteRoom) {
+TEST_P(MatteKernelForms, AgreeInAMatteRoom) {
     SceneDescription scene;
     scene.instances.push_back({ball.path, {}, {}, {}});
     RenderSettings settings = settingsOf();
     settings.room = Room::kMatte;
-    expectAlike(scene, settings);
+    expectAgreement(scene, settings);
     settings.blend = false;
     settings.shadows = false;
-    expectAlike(scene, settings);
+    expectAgreement(scene, settings);
 }
 
-TEST_P(FormsOfMatte, AreAlikeUnderFewAndUnderManyLights) {
+TEST_P(MatteKernelForms, AgreeUnderFewAndManyLights) {
     SceneDescription scene = allLights(ball.path);
     for (MaterialDescription& each : scene.materials) each = ofKind(MaterialKind::kMatte);
-    expectAlike(scene, settingsOf());
+    expectAgreement(scene, settingsOf());
     for (int i = 0; i < 8; ++i) scene.lights.push_back(PointLight{{i - 4.0, 3, 2}, {1, 1, 1}});
-    expectAlike(scene, settingsOf());
+    expectAgreement(scene, settingsOf());
 }
 
 std::string nameOfParam(const testing::TestParamInfo<Integrator>& each) { return nameOf(kIntegratorNames, each.param); }
 
-INSTANTIATE_TEST_SUITE_P(Integrators, Forms, testing::Values(Integrator::kWhitted, Integrator::kPath), nameOfParam);
-INSTANTIATE_TEST_SUITE_P(Integrators, FormsOfMatte, testing::Values(Integrator::kPhong, Integrator::kPath),
+INSTANTIATE_TEST_SUITE_P(Integrators, KernelForms, testing::Values(Integrator::kWhitted, Integrator::kPath),
+                         nameOfParam);
+INSTANTIATE_TEST_SUITE_P(Integrators, MatteKernelForms, testing::Values(Integrator::kPhong, Integrator::kPath),
                          nameOfParam);
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Energy: what evenly lit white things look like is known without rendering.
+// Conservation of energy: the radiance of evenly lit white objects is known in advance.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ std::vector<Body> whiteBodies() {
             pane};
 }
 
-/// One of each kind: how rough it is makes no other program, and most of a picture's time here is its programs'.
+/// One of each kind: roughness needs no other program, and building programs takes most of the time here.
 std::vector<Body> oneOfEachKind() {
     std::vector<Body> bodies;
     for (Body& body : whiteBodies()) {
@@ -59,7 +59,7 @@ std::vector<Body> oneOfEachKind() {
     return bodies;
 }
 
-/// Mean, lowest and highest of one channel over the pixels that the body covers whole.
+/// Mean, lowest and highest value of one channel over the pixels that the body covers completely.
 struct Reading {
     double mean = 0, low = 1e30, high = -1e30;
     std::size_t pixels = 0;
@@ -96,7 +96,7 @@ RenderSettings seenFrom(Vec3 eye, Vec3 target, double fov_deg, Integrator integr
     return settings;
 }
 
-/// The closed sphere from within, from its centre and near its wall.
+/// Views inside the closed sphere: from its centre, and from near its wall.
 std::vector<RenderSettings> insideViews(Integrator integrator) {
     return {seenFrom({0, 0, 0}, {0, 0, -1}, 90, integrator), seenFrom({0.7, 0.1, 0.2}, {0, -1, 0.1}, 90, integrator)};
 }
@@ -113,7 +113,7 @@ std::vector<Surface> bothSurfaces(const SphereFile& file, const MaterialDescript
     return {{"splats", splatBody(file.path, material)}, {"shape", analyticSphere(material)}};
 }
 
-TEST(Furnace, GlowingGreySphereFromWithin) {
+TEST(Furnace, GlowingGreySphereIsWhiteFromWithin) {
     // albedo and emission 0.5: 0.5 + 0.5 (0.5 + 0.5 (...)) = 1
     const SphereFile file(kFurnaceSplats);
     MaterialDescription grey;
@@ -129,8 +129,8 @@ TEST(Furnace, GlowingGreySphereFromWithin) {
         }
 }
 
-TEST(Furnace, GreySphereLitFromItsCentre) {
-    // E = I / R^2 everywhere: one reflection gives albedo E / pi, all of them albedo / (1 - albedo) E / pi = 1
+TEST(Furnace, GreySphereLitFromItsCentreMatchesTheFormula) {
+    // E = I / R^2 everywhere: one reflection gives albedo E / pi, infinitely many albedo / (1 - albedo) E / pi = 1
     const SphereFile file(kFurnaceSplats);
     MaterialDescription grey;
     grey.color = {0.5f, 0.5f, 0.5f};
@@ -180,7 +180,7 @@ TEST(Furnace, WhiteBodiesVanishInAWhitePicture) {
 }
 
 TEST(Furnace, ClassicIntegratorsKeepAllLight) {
-    // with all of the sky taken as ambient every kind gives back what it gets; mirrors and glass need no ambient
+    // with the whole sky as ambient light every kind reflects all of it; mirrors and glass need no ambient light
     const SphereFile file(kFurnaceSplats);
     for (const Body& body : oneOfEachKind())
         for (Surface& surface : bothSurfaces(file, body.material))

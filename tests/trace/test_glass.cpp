@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A glass ball of splats beside the analytic one: where light that has crossed it comes from, and the picture in it.
+// A glass ball of splats, compared with the analytic one: the directions of light through it, and the picture in it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ RenderSettings lookAtBall(Integrator integrator) {
     return settings;
 }
 
-/// Where light leaves the unit ball at the origin: mirrored at once, or after no, one or two reflections inside.
+/// Directions of light from the unit ball at the origin: reflected outside, or after no, one or two reflections inside.
 std::optional<std::array<Vec3, 4>> exactWays(Vec3 eye, Vec3 d) {
     const double along = -dot(eye, d), squared = along * along - dot(eye, eye) + 1;
     if (squared < 0) return std::nullopt;
@@ -58,7 +58,7 @@ struct WayErrors {
     std::size_t pixels = 0;
 };
 
-/// One path a pixel, each a single way through the ball.
+/// One path per pixel, each with a single way through the ball.
 WayErrors wayErrors(SceneDescription scene, const std::string& sky) {
     scene.sky->image = sky;
     const RenderSettings settings = lookAtBall(Integrator::kPath);
@@ -75,13 +75,13 @@ WayErrors wayErrors(SceneDescription scene, const std::string& sky) {
             const auto nearest = std::min_element(errors.begin(), errors.end());
             ++result.pixels;
             result.other += *nearest > 10;
-            // light that came by another way says nothing of the refracted one
+            // light that came another way is not compared
             if (nearest == errors.begin() + 1 && *nearest <= 10) result.errors.push_back(*nearest);
         }
     return result;
 }
 
-TEST(Glass, LightLeavesTheBallWhereSnellSaysSo) {
+TEST(Glass, LightLeavesTheBallBySnellsLaw) {
     const std::string sky = writeSky("directions.exr", 512, directionColor);
     const WayErrors shape = wayErrors(analyticSphere(clearGlass()), sky);
     const Spread exact = spreadOf(shape.errors);
@@ -89,7 +89,7 @@ TEST(Glass, LightLeavesTheBallWhereSnellSaysSo) {
                 exact.mean, exact.p99, exact.largest, shape.errors.size(), shape.pixels, shape.other);
     EXPECT_LT(exact.p99, 0.02);
     EXPECT_GT(shape.errors.size(), shape.pixels * 8 / 10);
-    // degrees, half as much again as measured
+    // degrees, 1.5 times what was measured
     struct Case {
         std::size_t splats;
         double mean, p99;
@@ -110,7 +110,7 @@ TEST(Glass, LightLeavesTheBallWhereSnellSaysSo) {
 }
 
 TEST(Glass, ShowsThePictureBehindTheBall) {
-    // bands of light as wide as 20 degrees, seen through splats and through the analytic ball
+    // bands of light of 20 degrees, seen through splats and through the analytic ball
     const std::string sky = writeSky("bands.exr", 512, [](Vec3 d) {
         const auto wave = [](double v) { return static_cast<float>(0.5 + 0.5 * std::sin(18 * v)); };
         return Color{wave(std::atan2(d.x, -d.z)), wave(std::asin(d.y)), 0.5f};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays that leave blended surfaces as shaders/shade/shade_surface.comp.glsl makes them, on bodies whose surface is
-// known: none may hit the patch that it left (acne), none may go through a surface (leak).
+// Secondary rays from blended surfaces, as shaders/shade/shade_surface.comp.glsl makes them, on bodies whose surface is
+// known: they must neither hit the patch they start from (acne) nor pass through a surface (leak).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,8 +23,8 @@ namespace pointrt::test {
 
 namespace {
 
-constexpr std::size_t kLeaksRays = 1000000; ///< secondary rays a body
-constexpr double kMaxErrors = 1e-5;         ///< share of them
+constexpr std::size_t kLeaksRays = 1000000; ///< secondary rays per body
+constexpr double kMaxErrors = 1e-5;         ///< share of the rays
 constexpr double kLeaksIndex = 1.5;
 
 /// Signed distance in input units, negative inside.
@@ -34,14 +34,14 @@ struct LeaksBody {
     std::string name;
     Splats splats;
     Distance distance;
-    double edge = INFINITY; ///< along x and z from the origin: rays leave within 0.7 of it, and are followed to it
+    double edge = INFINITY; ///< along x and z from the origin: rays start within 0.7 of it and are followed up to it
 };
 
 LeaksBody sphereBody() {
     return {"sphere", sphereSplats(100000, Vec3f(0, 0, 0), 1.0f), [](Vec3 p) { return length(p) - 1; }};
 }
 
-/// Around the z axis; rows of splats by the golden ratio, as many as the area asks for.
+/// Around the z axis; splats are evenly distributed by the golden ratio.
 LeaksBody torusBody() {
     const double major = 1, minor = 0.4;
     const std::size_t count = 100000;
@@ -51,7 +51,7 @@ LeaksBody torusBody() {
     const auto radius = static_cast<float>(1.2 * std::sqrt(area / static_cast<double>(count)));
     for (std::size_t i = 0; i < count; ++i) {
         const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
-        // the area up to angle v is as v + minor / major sin v
+        // the area up to angle v is proportional to v + minor / major sin v
         double v = 2 * std::numbers::pi * share;
         for (int step = 0; step < 20; ++step)
             v -= (v + minor / major * std::sin(v) - 2 * std::numbers::pi * share) / (1 + minor / major * std::cos(v));
@@ -66,7 +66,7 @@ LeaksBody torusBody() {
     return {"torus", splats, [=](Vec3 p) { return std::hypot(std::hypot(p.x, p.y) - major, p.z) - minor; }};
 }
 
-/// Two sheets back to back, two radii apart; what happens at their open rim says nothing.
+/// Two sheets back to back, two radii apart. Their open rim is not tested.
 LeaksBody plateBody() {
     const std::size_t side = 200;
     const float spacing = 2.0f / side, half = 1.2f * spacing;
@@ -82,7 +82,7 @@ public:
         const double z = 1 - 2 * unit(), ring = std::sqrt(1 - z * z), angle = 2 * std::numbers::pi * unit();
         return {ring * std::cos(angle), ring * std::sin(angle), z};
     }
-    /// By cosine around unit n.
+    /// Distributed by the cosine to unit n.
     Vec3 diffuse(Vec3 n) { return normalize(n + 0.9999999 * onSphere()); }
 
 private:
@@ -92,7 +92,7 @@ private:
 enum Kind { kDiffuse, kMirrored, kRefracted, kKinds };
 constexpr const char* kNames[] = {"diffuse", "mirrored", "refracted"};
 
-/// Without one where all light is reflected.
+/// At total internal reflection also kRefracted is reflected.
 Vec3 scattered(Kind kind, Vec3 n, Vec3 direction, bool inside, Random& random) {
     if (kind == kDiffuse) return random.diffuse(n);
     const double cosine = -dot(n, direction), eta = inside ? kLeaksIndex : 1 / kLeaksIndex;
@@ -105,11 +105,11 @@ Vec3 scattered(Kind kind, Vec3 n, Vec3 direction, bool inside, Random& random) {
 struct Leaving {
     Ray ray;
     Kind kind = kDiffuse;
-    bool inside = false; ///< the body, as it sets out
+    bool inside = false; ///< whether it starts towards the inside of the body
     double radius = 0;
 };
 
-/// As offsetRayOrigin (shaders/trace/offset.glsl) and scatteredPath (shaders/shade/scattered_path.glsl) have it.
+/// Like offsetRayOrigin (shaders/trace/offset.glsl) and scatteredPath (shaders/shade/scattered_path.glsl).
 Leaving leave(const Ray& ray, const CastHit& hit, Kind kind, Random& random) {
     const bool back = hit.back;
     Leaving leaving;
@@ -129,10 +129,10 @@ struct Errors {
     std::size_t rays = 0, acne = 0, leaks = 0;
 };
 
-/// What the exact surface says of a ray, in cube units.
+/// Where a ray crosses the exact surface, in cube units.
 struct Course {
-    double crosses = INFINITY; ///< first length at which it is on the other side
-    double beyond = INFINITY;  ///< first length at which it is half a radius into that side
+    double crosses = INFINITY; ///< first distance at which it is on the other side
+    double beyond = INFINITY;  ///< first distance at which it is half a radius inside that side
 };
 
 bool isWithin(Vec3 p, double edge) { return std::abs(p.x) < edge && std::abs(p.z) < edge; }
@@ -148,7 +148,7 @@ public:
         return leaving.inside ? -d : d;
     }
 
-    /// Up to end.
+    /// Follows the ray up to end.
     Course follow(const Leaving& leaving, double end) const {
         Course course;
         for (double t = 0; t < end;) {
@@ -159,7 +159,7 @@ public:
                 course.beyond = t;
                 break;
             }
-            t += std::max(std::abs(d), 0.25 * leaving.radius); // steps that far pass no surface by half a radius unseen
+            t += std::max(std::abs(d), 0.25 * leaving.radius); // no step skips a surface by half a radius
         }
         return course;
     }
@@ -169,11 +169,11 @@ private:
     const pro_info& info_;
 };
 
-/// Hits within this many radii may be on the patch left: half as far again as own hits are ignored.
+/// Hits within this many radii may be on the patch that the ray left: 1.5 times the largest self-intersection distance.
 constexpr double kPatch = 12;
-/// Radii along the ray by which a disc that sticks out may bring a hit forward, or put it off.
+/// Radii along the ray by which a disc that sticks out may make a hit earlier or later.
 constexpr double kSlack = 4;
-/// Out of any body here, in cube units.
+/// Beyond every body here, in cube units.
 constexpr double kFar = 4;
 
 void judge(const Leaving& leaving, const CastHit& hit, const Course& course, double slack, Errors& errors) {
@@ -182,7 +182,7 @@ void judge(const Leaving& leaving, const CastHit& hit, const Course& course, dou
     errors.leaks += std::isfinite(course.beyond) && (!hit.hit() || hit.t_flat > course.beyond + slack);
 }
 
-/// Rays from all these hits that are on the body, one a hit, of the kinds in turn.
+/// A ray from each of these hits that is on the body, of each kind in turn.
 std::vector<Leaving> leaveAll(const LeaksBody& body, const Geometry& geometry, std::span<const Ray> rays,
                               const std::vector<CastHit>& hits, Random& random) {
     std::vector<Leaving> all;
@@ -195,7 +195,7 @@ std::vector<Leaving> leaveAll(const LeaksBody& body, const Geometry& geometry, s
     return all;
 }
 
-/// From outside towards splats, from all directions alike: many of them grazing.
+/// From outside towards splats, from uniformly distributed directions: many are grazing.
 std::vector<Ray> aimedRays(const std::vector<CubeSplat>& splats, std::size_t count, Random& random) {
     std::vector<Ray> rays;
     for (std::size_t i = 0; i < count; ++i) {
@@ -212,7 +212,7 @@ std::vector<Ray> raysOf(const std::vector<Leaving>& all) {
     return rays;
 }
 
-/// Traces them and adds up what went wrong, by kind and by the side they set out on.
+/// Traces the rays and counts errors by kind and by the side on which the rays start.
 std::vector<CastHit> judgeAll(RayCaster& caster, const Geometry& geometry, const std::vector<Leaving>& all,
                               Errors (&errors)[2][kKinds]) {
     const std::vector<Ray> rays = raysOf(all);
@@ -260,9 +260,9 @@ void checkBody(const LeaksBody& body) {
     EXPECT_LE(static_cast<double>(acne + leaks), kMaxErrors * static_cast<double>(rays));
 }
 
-TEST(Leaks, Sphere) { checkBody(sphereBody()); }
-TEST(Leaks, Torus) { checkBody(torusBody()); }
-TEST(Leaks, ThinPlate) { checkBody(plateBody()); }
+TEST(Leaks, ClosedSphereHasNoLeaksOrAcne) { checkBody(sphereBody()); }
+TEST(Leaks, TorusHasNoLeaksOrAcne) { checkBody(torusBody()); }
+TEST(Leaks, ThinPlateHasNoLeaksOrAcne) { checkBody(plateBody()); }
 
 } // namespace
 

@@ -24,7 +24,7 @@ Vec3 hitPosition(const Rendered& rendered, std::uint32_t x, std::uint32_t y) {
 }
 
 TEST(Light, MirrorShowsTheWallItFaces) {
-    // a mirror seen from the left at 45 degrees faces a red wall on the right; what lies behind the mirror is green
+    // a mirror seen from the left at 45 degrees faces a red wall on the right; behind the mirror everything is green
     Splats mirror = squareSplats(60, Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0), 1.2f);
     Splats red = squareSplats(80, Vec3f(3, 0, 3), Vec3f(0, 0, 2), Vec3f(0, 2, 0), 1.2f);
     Splats green = squareSplats(60, Vec3f(0, 0, -1), Vec3f(2, 0, 0), Vec3f(0, 2, 0), 1.2f);
@@ -73,7 +73,7 @@ TEST(Light, MirrorShowsTheWallItFaces) {
     }
 }
 
-TEST(Light, ShadowsFallWhereBruteForceSaysSo) {
+TEST(Light, ShadowsMatchBruteForce) {
     // a small square floats above a large one; one light
     Splats splats = joinSplats(squareSplats(120, Vec3f(0, 0, 0), Vec3f(0, 0, 2), Vec3f(2, 0, 0), 1.2f),
                                squareSplats(30, Vec3f(0.3f, 0.7f, -0.2f), Vec3f(0, 0, 0.5f), Vec3f(0.5f, 0, 0), 1.2f));
@@ -110,7 +110,7 @@ TEST(Light, ShadowsFallWhereBruteForceSaysSo) {
 }
 
 TEST(Light, NoAcneOnASphere) {
-    // a convex body shades none of its own lit points
+    // a convex body does not shadow its own lit points
     const std::string path = temporaryPath("acne.pro");
     BuildOptions options;
     options.prune = true;
@@ -135,7 +135,7 @@ TEST(Light, NoAcneOnASphere) {
 }
 
 TEST(Light, MirrorRoomCountsEveryBounce) {
-    // in a closed mirror room no ray ever leaves: each bounce traces what the matte body has not stopped
+    // no ray leaves a closed mirror room: each bounce traces all rays that the matte body has not stopped
     const std::string path = temporaryPath("room.pro");
     writeScene(path, sphereSplats(5000, Vec3f(0, 0, 0), 1.0f), {});
     RenderSettings settings = square(64);
@@ -152,8 +152,8 @@ TEST(Light, MirrorRoomCountsEveryBounce) {
     }
 }
 
-TEST(Light, SixtyFourBouncesAreNotCutShort) {
-    // two facing mirrors: every bounce of every ray is traced, though lavapipe ends loops after 65535 turns
+TEST(Light, SixtyFourBouncesAreTraced) {
+    // two facing mirrors: every bounce of every ray is traced, although lavapipe ends loops after 65535 iterations
     Splats a = squareSplats(40, Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0), 1.2f);
     Splats b = squareSplats(40, Vec3f(0, 0, 1), Vec3f(0, 1, 0), Vec3f(1, 0, 0), 1.2f);
     BuildOptions options;
@@ -171,7 +171,7 @@ TEST(Light, SixtyFourBouncesAreNotCutShort) {
 }
 
 TEST(Light, BandsJoinWithoutASeam) {
-    // larger than one band of pixels: the same picture as a crop rendered alone would show, no row missing or doubled
+    // larger than one band: the same picture as a crop rendered alone, without missing or doubled rows
     const std::string path = temporaryPath("bands.pro");
     writeScene(path, sphereSplats(3000, Vec3f(0, 0, 0), 1.0f), {});
     RenderSettings settings = square(1200);
@@ -192,7 +192,7 @@ TEST(Light, BandsJoinWithoutASeam) {
         }
 }
 
-/// The sky's green averaged over the hemisphere around +Z by the cosine, up being +Y.
+/// The cosine-weighted mean of the sky's green over the hemisphere around +Z; +Y is up.
 double skyOverHemisphere() {
     const SkyDescription sky;
     double sum = 0;
@@ -207,8 +207,8 @@ double skyOverHemisphere() {
     return sum / (steps * steps);
 }
 
-TEST(Light, WhiteSphereGivesBackTheWholeSky) {
-    // a white convex body is lit by the sky alone: where its normal is +Z it shows the sky's mean over that hemisphere
+TEST(Light, WhiteSphereReflectsTheWholeSky) {
+    // only the sky lights a white convex body: where its normal is +Z it has the mean radiance of that hemisphere
     const std::string path = temporaryPath("furnace.pro");
     writeScene(path, sphereSplats(20000, Vec3f(0, 0, 0), 1.0f), {});
     RenderSettings settings = square(32);
@@ -223,10 +223,10 @@ TEST(Light, WhiteSphereGivesBackTheWholeSky) {
     EXPECT_NEAR(middle, skyOverHemisphere(), 0.02 * skyOverHemisphere());
 }
 
-/// A white square floor, y = 0, of splats, alone.
+/// A square floor of splats at y = 0.
 struct WhiteFloor {
     WhiteFloor() : path(temporaryPath("floor.pro")) {
-        // rays start a quarter of a radius above it, nearer to the lamps: fine splats keep that below what is asked
+        // rays start a quarter of a radius above it, nearer to the lamps: with fine splats that is below the tolerance
         writeScene(path, squareSplats(300, Vec3f(0, 0, 0), Vec3f(0, 0, 2), Vec3f(2, 0, 0), 1.2f), {});
         MaterialDescription grey;
         grey.color = {0.6f, 0.6f, 0.6f};
@@ -257,9 +257,9 @@ double meanLight(const Film& film) {
     return sum / static_cast<double>(film.samples.size());
 }
 
-TEST(Light, LampsGiveWhatTheirShapesGiveByChance) {
-    // the same shapes as lamps that are asked for, and as surfaces that shine and that scattered rays meet by chance;
-    // a gloss on the floor gives weight to both ways of finding them
+TEST(Light, LampsMatchEmissiveShapes) {
+    // the same shapes as lamps, which next event estimation samples, and as emissive surfaces, which only scattered
+    // rays hit; on a glossy floor both strategies have weight
     WhiteFloor floor;
     floor.scene.materials[0].kind = MaterialKind::kPlastic;
     floor.scene.materials[0].roughness = 0.3f;
@@ -268,21 +268,21 @@ TEST(Light, LampsGiveWhatTheirShapesGiveByChance) {
     shining.emission = {3, 3, 3};
     floor.scene.materials.push_back(shining);
     const Color radiance{3, 3, 3};
-    SceneDescription asked = floor.scene, met = floor.scene;
-    asked.lights = {SphereLight{{-0.8, 1.2, 0}, 0.5, radiance}, DiscLight{{0, 1, 0.8}, {0, -1, 0}, 0.4, radiance},
-                    QuadLight{{1, 1.2, 0}, {0.4, 0.3, 0}, {0, 0, 0.6}, radiance}};
-    met.shapes = {{ShapeKind::kSphere, {-0.8, 1.2, 0}, {0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}, 1},
-                  {ShapeKind::kDisc, {0, 1, 0.8}, {0.4, 0, 0}, {0, 0, 0.4}, {0, -1, 0}, 1},
-                  {ShapeKind::kQuad, {1, 1.2, 0}, {0.4, 0.3, 0}, {0, 0, 0.6}, normalize({0.18, -0.24, 0}), 1}};
-    const double by_lamps = meanLight(renderScene(asked, aboveFloor(256)).film),
-                 by_chance = meanLight(renderScene(met, aboveFloor(1024)).film);
-    std::printf("asked for %.5f, met by chance %.5f\n", by_lamps, by_chance);
+    SceneDescription with_lamps = floor.scene, with_shapes = floor.scene;
+    with_lamps.lights = {SphereLight{{-0.8, 1.2, 0}, 0.5, radiance}, DiscLight{{0, 1, 0.8}, {0, -1, 0}, 0.4, radiance},
+                         QuadLight{{1, 1.2, 0}, {0.4, 0.3, 0}, {0, 0, 0.6}, radiance}};
+    with_shapes.shapes = {{ShapeKind::kSphere, {-0.8, 1.2, 0}, {0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}, 1},
+                          {ShapeKind::kDisc, {0, 1, 0.8}, {0.4, 0, 0}, {0, 0, 0.4}, {0, -1, 0}, 1},
+                          {ShapeKind::kQuad, {1, 1.2, 0}, {0.4, 0.3, 0}, {0, 0, 0.6}, normalize({0.18, -0.24, 0}), 1}};
+    const double by_lamps = meanLight(renderScene(with_lamps, aboveFloor(256)).film),
+                 by_chance = meanLight(renderScene(with_shapes, aboveFloor(1024)).film);
+    std::printf("lamps %.5f, emissive shapes %.5f\n", by_lamps, by_chance);
     EXPECT_GT(by_lamps, 0.1);
     EXPECT_NEAR(by_lamps, by_chance, 0.004 * by_chance);
 }
 
 TEST(Light, DiscLampGivesItsViewFactor) {
-    // below its middle pi L r^2 / (r^2 + d^2), of which the floor gives back 0.6 / pi; its other side shines too
+    // below its centre pi L r^2 / (r^2 + d^2), of which the floor reflects 0.6 / pi; both sides of the lamp shine
     for (const Vec3 normal : {Vec3{0, -1, 0}, Vec3{0, 1, 0}})
         for (const Integrator integrator : {Integrator::kPhong, Integrator::kWhitted, Integrator::kPath}) {
             WhiteFloor floor;
@@ -319,8 +319,8 @@ TEST(Light, CameraSeesADiscLamp) {
     }
 }
 
-TEST(Light, SkyPictureGivesWhatTheEvenSkyGives) {
-    // a picture is asked for beside the scattered rays, an even sky is only met by them
+TEST(Light, SkyImageMatchesTheEvenSky) {
+    // next event estimation samples a sky image, but only scattered rays see an even sky
     WhiteFloor floor;
     floor.scene.materials[0].kind = MaterialKind::kPlastic;
     floor.scene.shapes = {{ShapeKind::kSphere, {0, 0.6, 0}, {0.6, 0, 0}, {0, 0.6, 0}, {0, 0, 0.6}, 0}};
@@ -360,8 +360,8 @@ TEST(Light, LayersAddUpToThePicture) {
     }
 }
 
-TEST(Light, GrazingLampShadesNoneOfAHollow) {
-    // a sphere seen from within, lit from near its wall: all of it sees the lamp
+TEST(Light, HollowIsNotShadowedUnderAGrazingLamp) {
+    // a sphere seen from inside, lit from near its wall: all of it sees the lamp
     const SphereFile file(20000);
     MaterialDescription white;
     white.color = {1, 1, 1};
@@ -388,10 +388,10 @@ TEST(Light, GrazingLampShadesNoneOfAHollow) {
     EXPECT_LT(worst, 0.05);
 }
 
-/// Pixels that shadows darken on a level sheet whose splats lie up to a radius off it, seen from above.
+/// The number of pixels that shadows darken on a level sheet seen from above, whose splats are up to a radius off it.
 std::size_t darkenedOnNoisySheet(const Vec3f& u, const Vec3f& v) {
     Splats sheet = squareSplats(100, Vec3f(0, 0, 0), u, v, 1.2f);
-    for (std::size_t i = 0; i < sheet.positions.size(); ++i) // an even spread of heights without any order
+    for (std::size_t i = 0; i < sheet.positions.size(); ++i) // heights are evenly distributed, in no order
         sheet.positions[i].y() += sheet.radii[i] * static_cast<float>(std::fmod(0.618034 * double(i * i % 9973), 1.0));
     const std::string path = temporaryPath("sheet.pro");
     writeScene(path, sheet, {});
@@ -411,7 +411,7 @@ std::size_t darkenedOnNoisySheet(const Vec3f& u, const Vec3f& v) {
     return dark;
 }
 
-TEST(Light, NoisySheetShadesNoneOfItselfOnEitherSide) {
+TEST(Light, NoisySheetDoesNotShadeItselfOnEitherSide) {
     const std::size_t front = darkenedOnNoisySheet(Vec3f(0, 0, 1), Vec3f(1, 0, 0)),
                       back = darkenedOnNoisySheet(Vec3f(1, 0, 0), Vec3f(0, 0, 1));
     std::printf("in shadow: %zu pixels seen from the front, %zu from behind\n", front, back);
@@ -419,7 +419,7 @@ TEST(Light, NoisySheetShadesNoneOfItselfOnEitherSide) {
     EXPECT_LE(back, 16u);
 }
 
-TEST(Light, WholeCloudInOneLeaf) {
+TEST(Light, CloudInOneLeafGivesTheSamePicture) {
     // no octree at all: the root is the leaf, and its list is longer than any leaf of a real scene
     const std::string path = temporaryPath("root.pro");
     BuildOptions options;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mirror ball of splats shows each direction where the analytic one does: the sky's colours tell directions.
+// A mirror ball of splats reflects like the analytic one. The colours of the sky encode directions.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kMirrorSize = 384;
 
-/// Where the unit sphere around the origin mirrors the ray of a pixel's centre to.
+/// The direction in which the unit sphere around the origin reflects the ray through a pixel's centre.
 std::optional<Vec3> exactReflection(const RenderSettings& settings, const Camera& camera, std::uint32_t x,
                                     std::uint32_t y) {
     const Vec3 d = centerRayDirection(settings, camera, x, y);
@@ -25,7 +25,7 @@ std::optional<Vec3> exactReflection(const RenderSettings& settings, const Camera
     return d - 2 * dot(d, n) * n;
 }
 
-/// Degrees between the directions seen and the exact ones, over all of the ball's pixels.
+/// Degrees between rendered and exact directions, over all pixels of the ball.
 Spread reflectionErrors(SceneDescription scene, const std::string& sky) {
     scene.sky->image = sky;
     RenderSettings settings = square(kMirrorSize);
@@ -47,8 +47,8 @@ Spread reflectionErrors(SceneDescription scene, const std::string& sky) {
     return spreadOf(std::move(errors));
 }
 
-/// Rays after the camera's, of a ball under an even sky.
-std::uint64_t raysThatGoOn(Integrator integrator, const MaterialDescription& material) {
+/// The number of secondary rays from a ball under an even sky.
+std::uint64_t secondaryRaysOf(Integrator integrator, const MaterialDescription& material) {
     SceneDescription scene = analyticSphere(material);
     scene.sky = evenSky(1);
     RenderSettings settings = square(32);
@@ -56,26 +56,26 @@ std::uint64_t raysThatGoOn(Integrator integrator, const MaterialDescription& mat
     return renderScene(std::move(scene), settings).rays.secondary;
 }
 
-// Programs for them are built, and passes made, only for materials that send rays on with the integrator.
-TEST(Mirror, RaysGoOnFromWhatMirrorsAlone) {
+// Programs and passes for secondary rays exist only if the integrator has such rays from one of the materials.
+TEST(Mirror, SecondaryRaysLeaveMirrorsOnly) {
     MaterialDescription matte, share, highlight, metal;
     share.mirror_share = 0.25f;
     highlight.specular = 0.5f;
     metal.kind = MaterialKind::kMetal;
     for (const MaterialDescription& each : {matte, share, highlight, metal}) {
-        EXPECT_GT(raysThatGoOn(Integrator::kPath, each), 0u);
-        EXPECT_EQ(raysThatGoOn(Integrator::kNormal, each), 0u);
+        EXPECT_GT(secondaryRaysOf(Integrator::kPath, each), 0u);
+        EXPECT_EQ(secondaryRaysOf(Integrator::kNormal, each), 0u);
     }
     for (const Integrator classic : {Integrator::kPhong, Integrator::kWhitted}) {
-        EXPECT_EQ(raysThatGoOn(classic, matte), 0u);
-        EXPECT_GT(raysThatGoOn(classic, share), 0u);
-        EXPECT_GT(raysThatGoOn(classic, metal), 0u);
+        EXPECT_EQ(secondaryRaysOf(classic, matte), 0u);
+        EXPECT_GT(secondaryRaysOf(classic, share), 0u);
+        EXPECT_GT(secondaryRaysOf(classic, metal), 0u);
     }
-    EXPECT_EQ(raysThatGoOn(Integrator::kPhong, highlight), 0u);
-    EXPECT_GT(raysThatGoOn(Integrator::kWhitted, highlight), 0u);
+    EXPECT_EQ(secondaryRaysOf(Integrator::kPhong, highlight), 0u);
+    EXPECT_GT(secondaryRaysOf(Integrator::kWhitted, highlight), 0u);
 }
 
-TEST(Mirror, ReflectsWhereTheAnalyticBallDoes) {
+TEST(Mirror, ReflectsAsTheAnalyticBall) {
     MaterialDescription mirror;
     mirror.kind = MaterialKind::kMirror;
     mirror.color = {1, 1, 1};
@@ -83,7 +83,7 @@ TEST(Mirror, ReflectsWhereTheAnalyticBallDoes) {
     const Spread shape = reflectionErrors(analyticSphere(mirror), sky);
     std::printf("shape: mean %.5f, p99 %.5f, largest %.4f degrees\n", shape.mean, shape.p99, shape.largest);
     EXPECT_LT(shape.p99, 0.01);
-    // degrees, half as much again as measured; a splat's own radius is 1.7, 0.77 and 0.34 degrees of arc
+    // degrees, 1.5 times what was measured; a splat's radius is 1.7, 0.77 and 0.34 degrees of arc
     struct Case {
         std::size_t splats;
         double mean, p99;

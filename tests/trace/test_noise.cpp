@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light at grazing angles on scans that scatter: an even plane is evenly lit, and what stands above it still casts its
-// shadow.
+// Light at grazing angles on noisy scans: a plane is evenly lit, and objects above it still cast shadows.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,19 +18,21 @@ namespace {
 
 constexpr double kElevation = 10; ///< degrees, of the sun
 constexpr std::size_t kSide = 120;
-constexpr float kSpacing = 2.0f / kSide, kRadius = 1.5f * kSpacing; ///< as the bake has it for even clouds, about
+constexpr float kSpacing = 2.0f / kSide,
+                kRadius = 1.5f * kSpacing; ///< about as estimated by the bake for evenly sampled clouds
 
-/// The square [-1, 1]^2 with its normals along z; its splats stand off by gaussian noise, in spacings.
-Splats noisyPlane(float sigma, bool told) {
+/// The square [-1, 1]^2 with normals along z, whose splats are displaced by Gaussian noise of sigma spacings. The file
+/// has the noise if stored.
+Splats noisyPlane(float sigma, bool stored) {
     Splats splats = squareSplats(kSide, Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0), kRadius / kSpacing);
     std::mt19937 random(5);
     std::normal_distribution<float> gauss(0, sigma * kSpacing);
     for (Vec3f& position : splats.positions) position.z() += gauss(random);
-    if (told) splats.noise.assign(splats.positions.size(), sigma * kSpacing);
+    if (stored) splats.noise.assign(splats.positions.size(), sigma * kSpacing);
     return splats;
 }
 
-/// What a sun lights, white, seen from above over the middle.
+/// A white scene under a sun, seen from above the middle.
 Film litFromThere(Splats splats, Vec3 towards, Integrator integrator) {
     const std::string path = temporaryPath("noisy.pro");
     writeScene(path, std::move(splats), {});
@@ -76,12 +77,12 @@ Vec3 lowSun() {
     return {std::cos(angle) * 0.8, std::cos(angle) * 0.6, std::sin(angle)};
 }
 
-/// A plane whose normals are known is as bright as a plane, whatever its points' heights.
-Evenness litPlane(float sigma, bool told) {
+/// With known normals the plane should be as bright as an exact one.
+Evenness litPlane(float sigma, bool stored) {
     const double expected = std::sin(kElevation * std::numbers::pi / 180) / std::numbers::pi;
-    const Evenness lit = evennessOf(litFromThere(noisyPlane(sigma, told), lowSun(), Integrator::kPath), expected);
+    const Evenness lit = evennessOf(litFromThere(noisyPlane(sigma, stored), lowSun(), Integrator::kPath), expected);
     std::printf("noise of %.1f spacings, %s: mean %.4f, deviation %.4f, dark %.5f\n", double{sigma},
-                told ? "told" : "not told", lit.mean, lit.deviation, lit.dark);
+                stored ? "stored" : "not stored", lit.mean, lit.deviation, lit.dark);
     return lit;
 }
 
@@ -94,9 +95,11 @@ TEST(Noise, PlanesUnderALowSunAreEvenlyLit) {
     }
 }
 
-TEST(Noise, ItIsTheFileThatKnows) { EXPECT_GT(litPlane(1.0f, false).dark, 0.004) << "else there is nothing to mend"; }
+TEST(Noise, EvenLightNeedsTheNoiseOfTheFile) {
+    EXPECT_GT(litPlane(1.0f, false).dark, 0.004) << "else the noise would not matter";
+}
 
-/// A ball of ten radii over the middle of the plane, up by so many radii.
+/// A ball of ten radii, with its lowest point height radii above the middle of the plane.
 Splats withBall(Splats plane, float height, bool oriented) {
     const float size = 10 * kRadius;
     Splats ball = sphereSplats(4000, Vec3f(0, 0, size + height * kRadius), size);
@@ -108,8 +111,7 @@ Splats withBall(Splats plane, float height, bool oriented) {
     return both;
 }
 
-/// Of the plane's points around what is straight under the ball, seen from aside, the share that a sun overhead
-/// reaches.
+/// The share of visible points straight under the ball, seen from the side, that a sun overhead reaches.
 double litUnderTheBall(float sigma, bool oriented) {
     Splats scene = withBall(noisyPlane(sigma, true), 6, oriented);
     const std::string path = temporaryPath("ball.pro");
@@ -139,7 +141,7 @@ double litUnderTheBall(float sigma, bool oriented) {
     return static_cast<double>(lit) / static_cast<double>(seen);
 }
 
-TEST(Noise, ShadowsOfWhatStandsSixRadiiAboveStay) {
+TEST(Noise, ShadowsFromSixRadiiAboveRemain) {
     for (const bool oriented : {true, false})
         for (const float sigma : {0.3f, 1.0f}) EXPECT_EQ(litUnderTheBall(sigma, oriented), 0) << sigma << oriented;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parallel projection against the closed form: what a picture shows of a sphere is a disc of the sphere's radius.
+// Parallel projection, compared with closed forms: the picture of a sphere is a disc of the same radius.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,13 +17,13 @@ namespace pointrt::test {
 namespace {
 
 constexpr double kHeight = 2.5; // of the window; the sphere's diameter is 2
-/// Splats lie on the unit sphere and reach past its silhouette by their rims, which stand 2e-4 off; those of the far
-/// side are seen beyond that, at grazing angles.
+/// Splats are on the unit sphere; their rims, 2e-4 off, extend beyond its silhouette, where those of the far side are
+/// seen at grazing angles.
 constexpr double kRim = 2e-3;
 constexpr std::size_t kOrthoSplats = 40000;
 constexpr double kSplatRadius = 0.025; // 1.2 times the mean spacing, and a little
 
-/// Wider than high, from aside, with the picture turned: nothing is along an axis.
+/// Wider than high, from an oblique direction with a rotated picture: nothing is along an axis.
 RenderSettings slantedView(double distance) {
     RenderSettings settings = square(128);
     settings.width = 200;
@@ -34,7 +34,7 @@ RenderSettings slantedView(double distance) {
     return settings;
 }
 
-/// The place of a pixel's centre on the window, input coordinates.
+/// A pixel's centre on the window, in input coordinates.
 Vec3 windowPoint(const Rendered& rendered, std::uint32_t x, std::uint32_t y) {
     const double width = rendered.film.width, height = rendered.film.height, pixel = kHeight / height;
     return rendered.camera.eye + pixel * (x + 0.5 - width / 2) * rendered.camera.right +
@@ -50,7 +50,7 @@ struct SphereErrors {
     double depth = 0, position = 0, normal_deg = 0; ///< largest
 };
 
-/// Where a ray meets the unit sphere first.
+/// Distance of the ray's first hit with the unit sphere.
 std::optional<double> meetSphere(Vec3 start, Vec3 direction) {
     const double along = dot(start, direction), half2 = along * along - dot(start, start) + 1;
     if (half2 < 0) return {};
@@ -59,7 +59,7 @@ std::optional<double> meetSphere(Vec3 start, Vec3 direction) {
     return {};
 }
 
-/// Of the first hits of the unit sphere.
+/// Errors of the first hits of the unit sphere.
 SphereErrors compareWithSphere(const Rendered& rendered) {
     const Film& film = rendered.film;
     const Vec3 forward = rendered.camera.forward;
@@ -74,7 +74,7 @@ SphereErrors compareWithSphere(const Rendered& rendered) {
             if (std::abs(across - 1) < kRim || std::abs(from_middle - 1) < kSplatRadius) continue;
             const std::optional<double> t = meetSphere(start, forward);
             errors.wrong_hit += hit != t.has_value();
-            if (!hit || !t || across > 0.99) continue; // at the silhouette distances are the discs' own
+            if (!hit || !t || across > 0.99) continue; // at the silhouette distances are those of discs
             const Vec3 at = start + *t * forward, normal = from_middle < 1 ? -1.0 * at : at;
             errors.depth = std::max(errors.depth, std::abs(film.depth[i] - *t));
             errors.position = std::max(errors.position, length(three(film.position, i) - at));
@@ -85,15 +85,15 @@ SphereErrors compareWithSphere(const Rendered& rendered) {
     return errors;
 }
 
-/// Pixels of the unit disc.
+/// The number of pixels that the unit disc covers.
 double discPixels(const Film& film) { return std::numbers::pi * film.height * film.height / (kHeight * kHeight); }
 
 void expectSplatSphere(const SphereErrors& errors) {
     EXPECT_EQ(errors.wrong_hit, 0u);
-    // discs' rims stand 2e-4 off, and rays of 8 degrees to the surface multiply that by 7
+    // rims of discs are 2e-4 off, and rays at 8 degrees to the surface multiply that by 7
     EXPECT_LT(errors.depth, 1.4e-3);
     EXPECT_LT(errors.position, 1.4e-3);
-    EXPECT_LT(errors.normal_deg, 0.5); // of the 1.2 between a disc's middle and its rim blending leaves little
+    EXPECT_LT(errors.normal_deg, 0.5); // blending leaves little of the 1.2 between a disc's centre and its rim
 }
 
 TEST(Ortho, ShowsASphereAsADiscFromAnywhere) {
@@ -106,7 +106,7 @@ TEST(Ortho, ShowsASphereAsADiscFromAnywhere) {
     }
 }
 
-/// A window past the sphere's middle: rays that start inside see the far side, the others miss.
+/// A window beyond the sphere's centre: rays that start inside see the far side, the others miss.
 TEST(Ortho, ShowsNothingBehindItsWindow) {
     const SphereFile sphere(kOrthoSplats);
     RenderSettings settings = slantedView(1);
@@ -125,7 +125,7 @@ TEST(Ortho, ShowsShapesWhereTheyAre) {
     EXPECT_LT(errors.normal_deg, 1e-3);
 }
 
-/// Samples all over the pixels: what is covered is the disc to a small part of a pixel.
+/// With samples all over each pixel the covered area is exact to a small part of a pixel.
 TEST(Ortho, CoversTheDiscsArea) {
     RenderSettings settings = slantedView(5);
     settings.spp = 64;
@@ -135,8 +135,8 @@ TEST(Ortho, CoversTheDiscsArea) {
     EXPECT_NEAR(covered, discPixels(rendered.film), 2);
 }
 
-/// Light falls on points where they are: Lambert under a near lamp.
-TEST(Ortho, LightsWhatIsSeen) {
+/// Points are lit at their positions: Lambert's law under a nearby lamp.
+TEST(Ortho, LightsVisiblePoints) {
     const SphereFile sphere(kOrthoSplats);
     SceneDescription splats = splatBody(sphere.path, {}), shape = analyticSphere({});
     const Vec3 lamp{1, 1.5, 2};

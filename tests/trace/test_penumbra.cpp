@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Soft shadows of a straight edge: how much of the lamp is seen from each point of the floor is known.
+// Soft shadows of a straight edge: the part of the lamp that each point of the floor sees is known.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,22 +18,22 @@ namespace {
 
 using std::numbers::pi;
 
-// The floor is y = 0, the blind half of the plane y = kEdge with x < 0, the lamp's middle straight above the edge.
+// The floor is y = 0, the blind the half plane y = kEdge, x < 0; the lamp's centre is straight above the edge.
 constexpr double kEdge = 4, kLamp = 12;
 constexpr double kLampSize = 1; ///< radius, or half edge
 constexpr double kHalfFloor = 3;
 
-/// Irradiance from all of a sphere of radiance 1 above the horizon.
+/// Irradiance from an unoccluded sphere of radiance 1 above the horizon.
 double sphereIrradiance(double x, double z) {
     const double squared = x * x + z * z + kLamp * kLamp;
     return pi * kLampSize * kLampSize / squared * kLamp / std::sqrt(squared);
 }
 
-/// Times the part of the disc, as seen from the floor, that is on the open side of the edge. The edge runs along z:
-/// seen from the floor it cuts the lamp's cone as a plane through the eye, at this angle from the cone's axis.
+/// The same times the share of the sphere's disc, as seen from the floor, that is on the open side of the edge. The
+/// edge is along z: with the point of the floor it spans a plane that cuts the lamp's cone.
 double sphereBehindEdge(double x, double z) {
     const double distance = std::sqrt(x * x + z * z + kLamp * kLamp);
-    // plane through (x, 0, z) and the edge, with a normal that points to the open side
+    // the plane through (x, 0, z) and the edge, with its normal towards the open side
     const Vec3 normal = normalize(Vec3{kEdge, x, 0}), to_lamp = Vec3{-x, kLamp, -z} * (1 / distance);
     const double s = std::clamp(dot(normal, to_lamp) * distance / kLampSize, -1.0, 1.0);
     return sphereIrradiance(x, z) * (std::acos(-s) + s * std::sqrt(1 - s * s)) / pi;
@@ -56,7 +56,7 @@ double quadBehindEdge(double x, double z) {
     return rectangleIrradiance(left - x, kLampSize - x, -kLampSize - z, kLampSize - z, kLamp);
 }
 
-/// In strips.
+/// Summed over strips of the disc.
 double discBehindEdge(double x, double z) {
     const double left = std::clamp(x - x * kLamp / kEdge, -kLampSize, kLampSize);
     const int strips = 200;
@@ -79,7 +79,7 @@ struct Floor {
     std::string path;
 };
 
-/// The blind half plane: black, so that nothing of it lights the floor.
+/// The blind: black, so that it does not light the floor.
 ShapeDescription shapeBlind() { return {ShapeKind::kQuad, {-20, kEdge, 0}, {20, 0, 0}, {0, 0, -20}, {0, 1, 0}, 1}; }
 
 SceneDescription penumbraScene(const std::string& floor, const LightDescription& lamp) {
@@ -97,7 +97,7 @@ struct Profile {
     double total = 0; ///< relative difference of the sum
 };
 
-/// Compares stretches of the floor across the edge, a tenth of its width each, with the closed form.
+/// Compares tenths of the floor's width across the edge with the closed form.
 Profile profileOf(SceneDescription scene, Integrator integrator, double (*expected)(double, double)) {
     RenderSettings settings = square(64);
     settings.camera.eye = Vec3{0, 3.5, 6};
@@ -156,7 +156,7 @@ void checkProfile(const char* blind, const PenumbraCase& each, const SceneDescri
     }
 }
 
-TEST(Penumbra, OfAShapesEdge) {
+TEST(Penumbra, OfAShapeMatchesTheClosedForm) {
     const Floor floor;
     for (const PenumbraCase& each : lamps()) {
         SceneDescription scene = penumbraScene(floor.path, each.lamp);
@@ -165,12 +165,12 @@ TEST(Penumbra, OfAShapesEdge) {
     }
 }
 
-TEST(Penumbra, OfAnEdgeOfSplats) {
+TEST(Penumbra, OfSplatsMatchesTheClosedForm) {
     const Floor floor;
     const std::string path = temporaryPath("blind.pro");
     const std::size_t side = 400;
     const float half = 4, spacing = 2 * half / static_cast<float>(side), radius = 1.2f * spacing;
-    // the rim is scalloped: circles of that radius, a spacing apart, reach this far beyond their centres on average
+    // the rim is scalloped: circles of that radius, a spacing apart, extend this far beyond their centres on average
     double reach = 0;
     const int steps = 1000;
     for (int i = 0; i < steps; ++i) {

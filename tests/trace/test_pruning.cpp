@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What pruning does to the hits that the shaders find, against the harm it promises.
+// Changes of the shaders' hits by pruning, compared with the bounds that it promises.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -20,7 +20,7 @@ Splats scene() {
                       squareSplats(60, Vec3f(0.2f, 0, 0), Vec3f(1.2f, 0, 0.3f), Vec3f(0, 1.2f, 0), 1.5f));
 }
 
-TEST(Pruning, HitsStayWhereTheyWere) {
+TEST(Pruning, HitsAreUnchangedWithinItsBounds) {
     const std::string full_path = temporaryPath("full.pro"), pruned_path = temporaryPath("pruned.pro");
     BuildOptions options;
     const Built full = writeScene(full_path, scene(), options);
@@ -42,8 +42,8 @@ TEST(Pruning, HitsStayWhereTheyWere) {
                 change.blended.moved_along_ray);
     EXPECT_GT(change.hits_both, kPruningRays);
     EXPECT_EQ(change.lost + change.gained, 0u);
-    // three times the bound of 1 in 10,000, because so few rays are subject to chance; along the normal, because cells
-    // with other discs are rounded otherwise, and grazing rays slide from one of two discs in a plane to the other
+    // three times the bound of 1 in 10,000, because of the variance of so few rays; along the normal, because cells
+    // with other discs are rounded differently, and grazing rays change between two discs in nearly one plane
     constexpr double kMax = 3e-4 * 2 * kPruningRays;
     EXPECT_LE(static_cast<double>(change.flat.moved_along_normal), kMax);
     EXPECT_LE(static_cast<double>(change.blended.moved_along_normal), kMax / 3);

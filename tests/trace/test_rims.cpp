@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Discs that stick out over a body's outline are met from behind there: they are taken for the front that covers them.
-// Real backs stay what they are.
+// Discs that stick out over a body's outline are hit from behind there: they count as the front that covers them. Real
+// backs remain backs.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ namespace pointrt::test {
 
 namespace {
 
-/// A unit sphere whose splats stand off by gaussian noise, in radii, with normals that are off by as much in radians.
+/// A unit sphere whose splats are displaced by Gaussian noise of that many radii, and normals by as many radians.
 Splats roughBall(float noise) {
     Splats splats = sphereSplats(20000, Vec3f(0, 0, 0), 1.0f, 1.5f);
     std::mt19937 random(3);
@@ -32,7 +32,7 @@ Splats roughBall(float noise) {
     return splats;
 }
 
-/// Of camera rays from afar onto the scene.
+/// Hits of camera rays from afar.
 struct Seen {
     std::vector<Ray> rays;
     std::vector<CastHit> hits;
@@ -59,8 +59,8 @@ Seen lookAt(const Splats& splats, Vec3 eye) {
     return seen;
 }
 
-/// Where discs stand further off than the slabs of their neighbours reach, some stay backs.
-TEST(Rims, ClosedBodiesShowNoBacks) {
+/// Some discs remain backs if they are displaced by more than the thickness of their neighbours' slabs.
+TEST(Rims, ClosedBodiesHaveNoVisibleBacks) {
     constexpr std::pair<float, double> kMost[] = {{0.0f, 0}, {0.05f, 5e-4}, {0.1f, 5e-4}, {0.25f, 0.01}};
     for (const auto& [noise, most] : kMost) {
         const Splats ball = roughBall(noise);
@@ -71,7 +71,7 @@ TEST(Rims, ClosedBodiesShowNoBacks) {
             ++hits;
             backs += seen.hits[i].back;
             EXPECT_LT(dot(seen.hits[i].normal, seen.rays[i].direction), 0);
-            // what is lit is the side that the body turns there
+            // the lit side must be the body's outside
             behind += dot(seen.hits[i].normal, normalize(seen.at(i))) < 0;
         }
         std::printf("noise %.2f: %zu hits, %zu backs, %zu turned inwards\n", double{noise}, hits, backs, behind);
@@ -81,8 +81,8 @@ TEST(Rims, ClosedBodiesShowNoBacks) {
     }
 }
 
-/// A sun from the right lights the ball's right rim in full: normals are within 20 degrees of it there.
-TEST(Rims, OutlinesAreLitAsTheFront) {
+/// A sun from the right fully lights the right rim of the ball, where normals are within 20 degrees of its direction.
+TEST(Rims, OutlinesAreLitLikeFronts) {
     const std::string path = temporaryPath("lit.pro");
     writeScene(path, roughBall(0.05f), {});
     MaterialDescription white;
@@ -110,7 +110,7 @@ TEST(Rims, OutlinesAreLitAsTheFront) {
     EXPECT_EQ(dark, 0u);
 }
 
-TEST(Rims, TheInsideOfABowlStaysABack) {
+TEST(Rims, InsidesOfBowlsRemainBacks) {
     Splats bowl = sphereSplats(20000, Vec3f(0, 0, 0), 1.0f, 1.5f);
     Splats lower = bowl;
     lower.positions.clear(), lower.normals.clear(), lower.radii.clear(), lower.input_index.clear();
@@ -136,7 +136,7 @@ TEST(Rims, TheInsideOfABowlStaysABack) {
 }
 
 /// A sheet scanned from both sides, three spacings thick; the upper side has an opening.
-TEST(Rims, TheFarSideOfAThinSheetStaysABack) {
+TEST(Rims, FarSidesOfThinSheetsRemainBacks) {
     constexpr std::size_t kSide = 100;
     const float spacing = 2.0f / kSide, thick = 3 * spacing, factor = 1.5f;
     const Splats top = squareSplats(kSide, Vec3f(0, 0, thick), Vec3f(1, 0, 0), Vec3f(0, 1, 0), factor);

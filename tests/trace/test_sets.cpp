@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tiles of a set are one scan: what rays hit, what is lit and what is mirrored is that of the splats in one file.
+// The tiles of a set are one scan: hits, light and reflections are those of the same splats in one file.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,10 +17,10 @@ namespace {
 
 constexpr std::uint32_t kSetsSide = 320; // ten pictures have a million rays
 constexpr int kPictures = 10;
-/// What two tiles of the same splats may make of one hit: cells round their discs, and surfaces lie between them.
+/// By how much a hit may differ between two tiles: cells round their discs, which moves blended surfaces.
 constexpr double kSameShare = 0.02; // of a radius
 
-/// Eight tiles of something around the point where they meet, and the root, of the same splats where nothing is said.
+/// Splats cut into eight tiles that meet in the origin, and a root of the same splats by default.
 struct CutInEight {
     explicit CutInEight(const Splats& splats) : CutInEight(splats, splats) {}
     CutInEight(const Splats& splats, const Splats& root) : radius(static_cast<double>(splats.radii[0])) {
@@ -39,7 +39,8 @@ struct SphereSet : CutInEight {
     SphereSet() : CutInEight(sphereSplats(20000, Vec3f(0, 0, 0), 1)) {}
 };
 
-/// Of two films the pixels where one sees a surface and the other does not, or elsewhere.
+/// Counts pixels where two films differ. holes: only whole has a hit; elsewhere: tiles have another hit, or an extra
+/// one.
 struct SetsDifference {
     std::size_t rays = 0, hits = 0, holes = 0, elsewhere = 0;
     void add(const Film& whole, const Film& tiles, double near) {
@@ -53,7 +54,7 @@ struct SetsDifference {
     }
 };
 
-/// Looks around on a spiral: the same places on any machine.
+/// Cameras on a spiral.
 RenderSettings lookFrom(int picture, double distance) {
     RenderSettings settings = square(kSetsSide);
     settings.integrator = Integrator::kNormal;
@@ -77,33 +78,32 @@ SetsDifference differenceFrom(const CutInEight& sphere, double distance) {
     return difference;
 }
 
-TEST(TileSets, FirstHitsAreThoseOfOneFile) {
+TEST(TileSets, FirstHitsMatchOneFile) {
     const SphereSet sphere;
     ASSERT_EQ(sphere.set.tiles.size(), 9u);
     const SetsDifference difference = differenceFrom(sphere, 3);
     EXPECT_EQ(difference.rays, std::size_t{kPictures} * kSetsSide * kSetsSide);
     EXPECT_GT(difference.hits, difference.rays / 2);
-    // positions are in steps of the tile's cube: outlines differ by those
+    // positions are rounded to steps of the tile's cube, which moves outlines
     EXPECT_LE(difference.holes + difference.elsewhere, difference.rays / 100'000);
 }
 
-TEST(TileSets, NoRayFindsAWayBetweenTiles) {
+TEST(TileSets, NoRayPassesBetweenTiles) {
     const SphereSet sphere;
-    const SetsDifference difference = differenceFrom(sphere, 0.3); // from within there is nothing but sphere
+    const SetsDifference difference = differenceFrom(sphere, 0.3); // from inside, all rays hit the sphere
     EXPECT_EQ(difference.hits, difference.rays);
     EXPECT_EQ(difference.holes, 0u);
     EXPECT_LE(difference.elsewhere, difference.rays / 100'000);
 }
 
-/// Where a disc lies there is no other behind it that would fill a gap: of a square grid whose discs just meet in the
-/// middle of four, few overlap.
+/// A square grid of discs that just meet between four of them: few overlap, so that another disc rarely hides a gap.
 TEST(TileSets, DiscsAreNotCutAtBorders) {
     const CutInEight plane(
         squareSplats(200, Vec3f(0, 0, 0), Vec3f(0.9f, 0.1f, 0.2f), Vec3f(-0.05f, 0.9f, 0.3f), 0.75f));
     SetsDifference difference;
     for (int picture = 0; picture < kPictures; ++picture) {
         RenderSettings settings = lookFrom(picture, 0.5);
-        settings.camera.target = Vec3{}; // where the tiles meet, and nothing but plane around it
+        settings.camera.target = Vec3{}; // where the tiles meet; the plane fills the picture
         settings.camera.fov_deg = 20;
         difference.add(renderFile(plane.whole(), settings).film, renderFile(plane.folder, settings).film,
                        kSameShare * plane.radius);
@@ -114,7 +114,7 @@ TEST(TileSets, DiscsAreNotCutAtBorders) {
     EXPECT_LE(difference.holes + difference.elsewhere, difference.rays / 100'000);
 }
 
-/// What is hit lies in its tile's core, or within two radii of it, where its disc reaches out of that.
+/// Hits are in their tile's core or within two radii of it, as discs extend out of the core.
 TEST(TileSets, FirstHitsNameTheirTiles) {
     const SphereSet sphere;
     std::vector<std::size_t> hits(sphere.set.tiles.size());
@@ -137,9 +137,9 @@ TEST(TileSets, FirstHitsNameTheirTiles) {
         }
     }
     EXPECT_EQ(nameless, 0u);
-    // with rays that graze a disc at a core's border its rounding is far along the ray
+    // if a ray grazes a disc at a core's border, rounding moves the hit far along the ray
     EXPECT_LE(away, std::size_t{kPictures} * kSetsSide * kSetsSide / 100'000);
-    EXPECT_EQ(hits[0], 0u); // the root, which its children stand for
+    EXPECT_EQ(hits[0], 0u); // the root is replaced by its children
     for (std::size_t tile = 1; tile < hits.size(); ++tile) EXPECT_GT(hits[tile], 10'000u) << tile;
     const Film whole = renderFile(sphere.whole(), lookFrom(0, 3)).film;
     for (const std::uint32_t tile : whole.tile_id) ASSERT_EQ(tile, NO_INDEX);
@@ -151,8 +151,8 @@ double meanDifference(const Film& a, const Film& b) {
     return sum / static_cast<double>(a.rgba.size());
 }
 
-/// Rays that leave a tile's surface do not meet its repeats in the next one, nor do they pass below it.
-TEST(TileSets, LightIsThatOfOneFile) {
+/// Secondary rays neither hit the same surface in the next tile nor pass below it.
+TEST(TileSets, LightMatchesOneFile) {
     const SphereSet sphere;
     for (const Room room : {Room::kMatte, Room::kMirror})
         for (const Integrator integrator : {Integrator::kPhong, Integrator::kWhitted, Integrator::kPath}) {
@@ -161,15 +161,15 @@ TEST(TileSets, LightIsThatOfOneFile) {
             settings.integrator = integrator;
             settings.spp = 4;
             settings.reflectivity = 0.3f;
-            settings.caustics = false; // of more instances fewer photons are traced
+            settings.caustics = false; // the number of photons depends on the number of instances
             const Film whole = renderFile(sphere.whole(), settings).film,
                        tiles = renderFile(sphere.folder, settings).film;
             EXPECT_LT(meanDifference(whole, tiles), 2e-4) << static_cast<int>(integrator);
         }
 }
 
-/// A ball, and beside it a sparse one; of the root's splats there is the ball alone.
-TEST(TileSets, ThePictureIsFramedAsThatOfOneFile) {
+/// A ball and a sparser one beside it. The root of the second set has only the first ball.
+TEST(TileSets, FramingMatchesOneFile) {
     Splats both = sphereSplats(20000, Vec3f(-0.5f, 0, 0), 0.6f);
     const Splats ball = both, sparse = sphereSplats(4000, Vec3f(0.7f, 0.2f, 0.3f), 0.4f);
     both.positions.insert(both.positions.end(), sparse.positions.begin(), sparse.positions.end());
@@ -186,7 +186,7 @@ TEST(TileSets, ThePictureIsFramedAsThatOfOneFile) {
     }
 }
 
-/// Ground, and two radii above it a roof 0.6 wide that faces up as the ground does; the sun stands at 45 degrees.
+/// Ground, and two radii above it a roof 0.6 wide that faces up like the ground; the sun is at 45 degrees.
 TEST(TileSets, LowRoofsShadeTheGroundOfMergedTiles) {
     const double radius = 2.0 / 60, height = 2 * radius;
     Splats site = squareSplats(60, Vec3f(0, 0, 0.05f), Vec3f(1, 0, 0), Vec3f(0, 1, 0));
@@ -212,27 +212,27 @@ TEST(TileSets, LowRoofsShadeTheGroundOfMergedTiles) {
             for (std::uint32_t x = 0; x < 200; ++x) dark += pixel(film, x, y, 1) < 0.3f ? 1 : 0;
         return dark / (200.0 * 200.0);
     };
-    // a strip as wide as the roof is high; the roof's discs reach a radius beyond their middles all around
+    // a strip as wide as the roof is high; the roof's discs extend a radius beyond their centres
     EXPECT_NEAR(darkShare(16384), height * 0.6, 0.4 * height * 0.6);
-    EXPECT_LT(darkShare(0), 0.01) << "scans may lie so far beside each other";
+    EXPECT_LT(darkShare(0), 0.01) << "surfaces of one scan may be that far apart";
 }
 
-TEST(TileSets, TheParentOfALostTileIsDrawn) {
+TEST(TileSets, UnreadableTilesAreReplacedByParents) {
     const SphereSet sphere;
     const RenderSettings settings = lookFrom(0, 3);
     std::filesystem::resize_file(tilePath(sphere.folder, sphere.set.tiles[3]), 5000);
     testing::internal::CaptureStderr();
     const Rendered tiles = renderFile(sphere.folder, settings);
-    const std::string told = testing::internal::GetCapturedStderr();
-    EXPECT_NE(told.find(sphere.set.tiles[3].file), std::string::npos) << told;
-    EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 1) << told;
+    const std::string warning = testing::internal::GetCapturedStderr();
+    EXPECT_NE(warning.find(sphere.set.tiles[3].file), std::string::npos) << warning;
+    EXPECT_EQ(std::count(warning.begin(), warning.end(), '\n'), 1) << warning;
     SetsDifference difference;
     difference.add(renderFile(sphere.whole(), settings).film, tiles.film, kSameShare * sphere.radius);
     EXPECT_EQ(difference.holes, 0u);
     EXPECT_LE(difference.elsewhere, 1u);
 }
 
-TEST(TileSets, WithoutItsRootASetIsNone) {
+TEST(TileSets, SetsWithoutRootAreRefused) {
     const SphereSet sphere;
     std::filesystem::remove(sphere.whole());
     EXPECT_THROW(renderFile(sphere.folder, lookFrom(0, 3)), Error);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays are sifted for the instances that they may meet: pictures are those of instances that are asked for all rays, to
-// the bit, and few rays are asked for.
+// Instance culling: rays are traced only through instances whose boxes they cross. Pictures are bit-identical to those
+// without culling, and few rays are traced.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,26 +17,26 @@
 namespace pointrt::test {
 namespace {
 
-constexpr std::uint32_t kSiftingSide = 64;
+constexpr std::uint32_t kCullingSide = 64;
 
-/// Turned about an axis that is none of space's: its boxes lie along no axis of render space.
+/// A rotation about an oblique axis, so that boxes lie along no axis of render space.
 std::array<Vec3, 3> turnedBy(double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
     return {Vec3{c, -0.6 * s, 0.8 * s}, Vec3{0.6 * s, 0.64 + 0.36 * c, 0.48 - 0.48 * c},
             Vec3{-0.8 * s, 0.48 - 0.48 * c, 0.36 + 0.64 * c}};
 }
 
-class Sifting : public DeviceFixture {
+class InstanceCulling : public DeviceFixture {
 protected:
-    Sifting() : ball(3000) {
+    InstanceCulling() : ball(3000) {
         const Splats splats = sphereSplats(20000, Vec3f(0, 0, 0), 1);
         writeHandCutSet(folder, {{-1.25, -1.25, -1.25}, 1.25, 2, 1, splats.radii[0]}, splats, splats);
     }
-    ~Sifting() override { std::filesystem::remove_all(folder); }
+    ~InstanceCulling() override { std::filesystem::remove_all(folder); }
     void SetUp() override { profile.clock = createGpuTimer(device); }
     void TearDown() override { destroyGpuTimer(device, profile.clock); }
 
-    /// Many balls here and there, of all sizes.
+    /// Scattered balls of different sizes.
     SceneDescription crowd(std::uint32_t count) const {
         SceneDescription scene;
         for (std::uint32_t i = 0; i < count; ++i) {
@@ -49,7 +49,7 @@ protected:
         return scene;
     }
 
-    /// Eight tiles, turned, and balls beside them.
+    /// Eight rotated tiles, and balls around them.
     SceneDescription turnedSet(std::uint32_t balls) const {
         SceneDescription scene = crowd(balls);
         InstanceDescription set{folder, {}, {}, {}};
@@ -58,8 +58,8 @@ protected:
         return scene;
     }
 
-    Film render(const SceneDescription& scene, RenderSettings settings, FormRequest form, bool sifts) {
-        settings.caustics = false; // what is kept in a map is sifted for before a picture is begun
+    Film render(const SceneDescription& scene, RenderSettings settings, FormRequest form, bool culls) {
+        settings.caustics = false; // photon maps are traced before the groups are taken away below
         settings.first_hits = true;
         LoadRequest request;
         request.scene = scene;
@@ -67,30 +67,30 @@ protected:
         request.form = form;
         const std::unique_ptr<LoadedScene> loaded = loadScene(device, device, request, {});
         BandTracer& tracer = loaded->tracer;
-        sieves = tracer.instances.cull_groups.size();
+        groups = tracer.instances.cull_groups.size();
         std::vector<CullGroup> unused;
-        if (!sifts) unused.swap(tracer.instances.cull_groups);
+        if (!culls) unused.swap(tracer.instances.cull_groups);
         tracer.profile = &profile;
         ProgressiveRenderer renderer(device, tracer);
         FrameJob job;
         job.samples = settings.spp;
         renderer.begin({settings, loaded->camera, tilingFor(device, settings.width, settings.height)}, job);
         renderer.run();
-        if (!sifts) unused.swap(tracer.instances.cull_groups); // it is freed with the others
+        if (!culls) unused.swap(tracer.instances.cull_groups); // they are freed with the scene
         return renderer.takeFilm();
     }
 
     void expectTheSame(const SceneDescription& scene, Integrator integrator, FormRequest form) {
-        RenderSettings settings = square(kSiftingSide);
+        RenderSettings settings = square(kCullingSide);
         settings.integrator = integrator;
         settings.room = integrator == Integrator::kPath ? Room::kMatte : Room::kMirror;
         settings.reflectivity = 0.3f;
         settings.spp = 2;
-        const Film sifted = render(scene, settings, form, true), whole = render(scene, settings, form, false);
-        EXPECT_EQ(sifted.rgba, whole.rgba);
-        EXPECT_EQ(sifted.variance, whole.variance);
-        EXPECT_EQ(sifted.depth, whole.depth);
-        EXPECT_EQ(sifted.splat_id, whole.splat_id);
+        const Film culled = render(scene, settings, form, true), whole = render(scene, settings, form, false);
+        EXPECT_EQ(culled.rgba, whole.rgba);
+        EXPECT_EQ(culled.variance, whole.variance);
+        EXPECT_EQ(culled.depth, whole.depth);
+        EXPECT_EQ(culled.splat_id, whole.splat_id);
     }
 
     /// In every integrator that shows light, and both forms.
@@ -103,7 +103,7 @@ protected:
             }
     }
 
-    /// What a pass worked on, and what it listed, since the last call; 0 where it was not run.
+    /// Lanes that a pass worked on and entries that it listed in the last frame; 0 if it did not run.
     std::pair<std::uint64_t, std::uint64_t> lanesOf(const std::string& pass) const {
         for (const PassTally& each : profile.passes)
             if (each.name == pass) return {each.lanes_in, each.lanes_out};
@@ -113,34 +113,34 @@ protected:
     SphereFile ball;
     std::string folder = temporaryPath("turned.proset");
     PassProfile profile;
-    std::size_t sieves = 0; ///< of the scene rendered last
+    std::size_t groups = 0; ///< cull groups of the scene rendered last
 };
 
-TEST_F(Sifting, PicturesOfTilesAreTheSame) {
+TEST_F(InstanceCulling, TilesAreCulledWithoutChange) {
     expectAlwaysTheSame(turnedSet(0));
-    EXPECT_EQ(sieves, 1u);
+    EXPECT_EQ(groups, 1u);
 }
 
-TEST_F(Sifting, PicturesOfManyInstancesAreTheSame) {
+TEST_F(InstanceCulling, ManyInstancesAreCulledWithoutChange) {
     expectAlwaysTheSame(crowd(40));
-    EXPECT_EQ(sieves, 2u); // 32 and 8
+    EXPECT_EQ(groups, 2u); // 32 and 8
 }
 
-/// Tiles are not sifted for together with what else there is.
-TEST_F(Sifting, PicturesOfTilesAmongInstancesAreTheSame) {
+/// Tiles are not in a group with other instances.
+TEST_F(InstanceCulling, TilesAmongInstancesAreCulledWithoutChange) {
     expectTheSame(turnedSet(6), Integrator::kPath, {});
-    EXPECT_EQ(sieves, 3u); // three balls, eight tiles, three balls
+    EXPECT_EQ(groups, 3u); // three balls, eight tiles, three balls
 }
 
-TEST_F(Sifting, FewInstancesAreAskedForAll) {
-    render(crowd(3), square(kSiftingSide), {}, true);
-    EXPECT_EQ(sieves, 0u);
+TEST_F(InstanceCulling, FewInstancesAreNotCulled) {
+    render(crowd(3), square(kCullingSide), {}, true);
+    EXPECT_EQ(groups, 0u);
     EXPECT_EQ(lanesOf("cull_shadow").first, 0u);
 }
 
-TEST_F(Sifting, TilesAreAskedForFewRays) {
+TEST_F(InstanceCulling, TilesAreTracedForFewRays) {
     const SceneDescription scene = turnedSet(0);
-    const RenderSettings settings = square(kSiftingSide);
+    const RenderSettings settings = square(kCullingSide);
     render(scene, settings, {}, false);
     const std::uint64_t all = lanesOf("intersect_shadow").first;
     EXPECT_EQ(lanesOf("cull_shadow").first, 0u);
@@ -152,9 +152,9 @@ TEST_F(Sifting, TilesAreAskedForFewRays) {
     EXPECT_EQ(lanesOf("cull_shadow").first, all / 8);
 }
 
-/// Balls in one place, each of which stands in the way of each shadow ray, and many lamps: more entries than there is
-/// room for.
-TEST_F(Sifting, TargetsWhoseListsDoNotFitAreAskedForAll) {
+/// Balls in one place, all of them in the way of every shadow ray, and many lamps: more entries than lists have room
+/// for.
+TEST_F(InstanceCulling, InstancesBeyondTheListsAreTracedForAllRays) {
     SceneDescription scene;
     for (int i = 0; i < 32; ++i) {
         InstanceDescription instance{ball.path, {}, {}, {}};
@@ -162,13 +162,13 @@ TEST_F(Sifting, TargetsWhoseListsDoNotFitAreAskedForAll) {
         instance.placement.scale = 1 + 0.01 * i;
         scene.instances.push_back(instance);
     }
-    RenderSettings settings = square(kSiftingSide);
+    RenderSettings settings = square(kCullingSide);
     settings.room = Room::kMatte;
     settings.lights = 8;
-    const Film sifted = render(scene, settings, {}, true);
+    const Film culled = render(scene, settings, {}, true);
     EXPECT_GT(lanesOf("compact").second, 0u);
     EXPECT_GT(lanesOf("intersect_shadow").first, lanesOf("compact").second);
-    EXPECT_EQ(sifted.rgba, render(scene, settings, {}, false).rgba);
+    EXPECT_EQ(culled.rgba, render(scene, settings, {}, false).rgba);
 }
 
 } // namespace

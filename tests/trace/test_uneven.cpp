@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes whose density varies a thousandfold, where cells are cut further than bricks do: first hits against Embree's
-// and against brute force.
+// Scenes whose density varies a thousandfold, where cells of bricks are subdivided: first hits, compared with Embree's
+// and with brute force.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,13 +17,13 @@ namespace {
 
 constexpr std::size_t kUnevenRays = 10'000;
 
-/// A sheet of loose splats, and on it a body whose splats lie a thousand times denser.
+/// A sheet of sparse splats, and on it a body with a thousand times their density.
 Splats bodyOnSheet() {
     return joinSplats(squareSplats(30, Vec3f(0, 0, 0), Vec3f(10, 0, 0), Vec3f(0, 10, 1), 1.2f),
                       sphereSplats(12000, Vec3f(2, 3, 1), 0.6f));
 }
 
-/// Rays through all of the scene and, as many, through its dense part alone.
+/// Rays through the whole scene, and as many through its dense part.
 std::vector<Ray> raysFor(std::span<const CubeSplat> splats) {
     const double finest = std::ranges::min_element(splats, {}, &CubeSplat::radius)->radius;
     std::vector<CubeSplat> dense;
@@ -40,7 +40,7 @@ struct Uneven {
     std::vector<Ray> rays;
     std::vector<CastHit> hits;
     NearRounding rounding;
-    bool cut = false; ///< cells are
+    bool cut = false; ///< whether cells are subdivided
 };
 
 Uneven castUneven(const Splats& scene) {
@@ -57,7 +57,7 @@ Uneven castUneven(const Splats& scene) {
     return result;
 }
 
-TEST(Uneven, FirstHitsAreEmbrees) {
+TEST(Uneven, FirstHitsMatchEmbree) {
     const Uneven scene = castUneven(bodyOnSheet());
     EXPECT_TRUE(scene.cut);
     const FirstHitCheck check = checkFirstHits(scene.splats, scene.rounding, scene.rays, scene.hits,
@@ -67,10 +67,10 @@ TEST(Uneven, FirstHitsAreEmbrees) {
                 check.count(Verdict::kRounding), check.unexplained.size());
     EXPECT_GT(check.hits, kUnevenRays);
     EXPECT_EQ(check.unexplained.size(), 0u);
-    EXPECT_GT(check.agreement(), 0.88); // half of the rays graze discs that lie in one plane
+    EXPECT_GT(check.agreement(), 0.88); // half of the rays graze discs in nearly one plane
 }
 
-TEST(Uneven, FirstHitsAreBruteForces) {
+TEST(Uneven, FirstHitsMatchBruteForce) {
     const Uneven scene = castUneven(bodyOnSheet());
     std::size_t unexplained = 0;
     for (std::size_t i = 0; i < scene.rays.size(); i += 10) { // each against all splats

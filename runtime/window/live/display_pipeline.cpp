@@ -93,15 +93,14 @@ std::uint64_t deviceBytes(const DisplayPipeline& d) {
 
 void recordResolve(VkCommandBuffer commands, const DisplayPipeline& d, const FilmRange& range, const Look& look,
                    bool guides) {
-    const auto samples = static_cast<float>(range.samples);
     const gpu::ResolveParams params{range.first,
                                     range.count,
                                     range.film_pixels,
                                     look.shown,
-                                    1 / samples,
-                                    samples,
+                                    static_cast<float>(range.samples),
                                     static_cast<float>(look.scale),
-                                    static_cast<float>(look.depth_black / look.scale)};
+                                    static_cast<float>(look.depth_black / look.scale),
+                                    0};
     const bool reads_hits = guides || needsFirstHits(look);
     recordDispatch(commands, reads_hits ? d.resolve_guides : d.resolve,
                    reads_hits ? d.resolve_guides_set : d.resolve_set, pushBytes(params), groupsOf(range));

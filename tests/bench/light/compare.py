@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How far a picture is from its reference: compare.py SCENE.json REFERENCE.exr TEST.exr OUT [--first-hits HITS.exr]
+"""Compares a picture with its reference: compare.py SCENE.json REFERENCE.exr TEST.exr OUT [--first-hits HITS.exr]
 
 Both are multiplied by the scene's exposure, clipped and sRGB encoded. Writes OUT.json and the pictures
-OUT.reference.png, OUT.test.png, OUT.flip.png (FLIP: black equal, yellow far off) and OUT.difference.png (grey equal,
-test minus reference, 4 times), and prints a row of a Markdown table; --heading prints the table's head instead. With
-the reference's first hits, FLIP is also told apart by what a pixel shows: each instance, outlines (2 pixels wide), the
-rest. Of a scene that asks for its caustic alone the test's layer caustic is compared, or its whole picture where it has
-none, on the floor alone (first hits are needed); then the parts are what the reference shows bright (above half of
-white when encoded), faint (above a tenth) and dark.
+OUT.reference.png, OUT.test.png, OUT.flip.png (FLIP: black equal, yellow far off) and OUT.difference.png (grey equal, 4
+times test minus reference), and prints a row of a Markdown table; --heading prints the table's head instead. With the
+reference's first hits, FLIP is also given by part: each instance, outlines (2 pixels wide), the rest. For scenes with
+"caustic" only the layer caustic of the test is compared, or its whole picture if it has none, on the floor only (needs
+first hits); then the parts are bright (encoded reference above half of white), faint (above a tenth) and dark.
 """
 
 import argparse
@@ -33,7 +32,7 @@ def flip(reference, test):
 
 
 def shift(reference, test):
-    """By how many pixels (right, down) test seems moved: one step of Lucas and Kanade over all of it."""
+    """The displacement of test in pixels (right, down): one step of Lucas and Kanade over the whole picture."""
     reference, test = reference.mean(axis=2), test.mean(axis=2)
     down, right = np.gradient(reference)
     slopes = np.stack([right.ravel(), down.ravel()], axis=1)
@@ -42,7 +41,7 @@ def shift(reference, test):
 
 
 def outlines(number):
-    """Pixels beside which, across or down, another thing is seen."""
+    """Pixels whose neighbour in x or y shows another object."""
     edge = np.zeros(number.shape, bool)
     across, down = number[:, 1:] != number[:, :-1], number[1:] != number[:-1]
     edge[:, 1:] |= across
@@ -61,7 +60,7 @@ def parts(scene, first_hits):
 
 
 def onFloor(first_hits):
-    """Pixels that show the floor y = 0 and are not beside something else; 2 pixels are left out."""
+    """Pixels of the floor y = 0 that are at least 2 pixels from other objects."""
     up = pictures.readChannels(first_hits, ["N.Y"])[..., 0] > 0.999
     bodies = pictures.readChannels(first_hits, ["ID"])[..., 0] > 0
     return ~nextTo(nextTo(bodies | ~up))
@@ -74,7 +73,7 @@ def brightnessParts(encoded, floor):
 
 
 def read(scene, path):
-    """What of a picture is compared."""
+    """The light of the picture that is compared."""
     layer = "caustic." if "caustic" in scene and pictures.hasChannel(path, "caustic.R") else ""
     return pictures.readLight(path, layer)
 
@@ -104,7 +103,7 @@ def writePictures(out, reference, test, errors, exposure):
 
 
 def heat(errors):
-    """Black over red to yellow, brightness rising all the way."""
+    """A colour map from black over red to yellow with increasing brightness."""
     return np.stack([np.clip(2 * errors, 0, 1), np.clip(2 * errors - 0.6, 0, 1), np.clip(4 * errors - 3, 0, 1)], axis=2)
 
 

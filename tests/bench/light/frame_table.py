@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Times frames beside Mitsuba and Cycles: frame_table.py BIN_DIR FOLDER, as frames.sh calls it in FOLDER's Python.
+"""Compares frame times with Mitsuba and Cycles: frame_table.py BIN_DIR FOLDER, called by frames.sh in FOLDER's Python.
 
-Programs take turns on the same cores. Prints Markdown: milliseconds of the same samples, the noise of these, what the
-same noise takes, and how far frames are from the sum of their rays' own times by trace_speed.
+Programs run in turn on the same cores. Prints Markdown: milliseconds for the same samples, their noise, the time for
+equal noise, and frame times relative to the sum of the times of their rays by trace_speed.
 
-Noise is the variance of a pixel between seeds, which is that against a picture of endless samples, as the mean over
-pixels; light past white is cut, as on a screen. Time for the same noise is time times variance.
+Noise is the mean over pixels of the variance between seeds, which is that to a picture of infinitely many samples;
+light is clipped at white. The time for equal noise is time times variance.
 """
 
 import argparse
@@ -22,13 +22,13 @@ import numpy as np
 import pictures
 
 HERE = pathlib.Path(__file__).resolve().parent
-# Which of trace_speed's rays the further ones of a scene are like.
+# The kind of trace_speed's rays that is most like a scene's secondary rays.
 FURTHER = {"room": "diffuse", "studio": "diffuse", "mirrors": "mirror", "glass": "mirror"}
 SEEDS = 2  # one degree of freedom in each of 262,144 pixels
 
 
 def command(options, program, scene):
-    """What renders a scene; options for frames and pictures follow."""
+    """The command that renders a scene, without options for frames or pictures."""
     json_path = str(options.folder / f"{scene}.json")
     if program == "ours":
         integrator = json.loads(pathlib.Path(json_path).read_text())["integrator"]
@@ -38,7 +38,7 @@ def command(options, program, scene):
 
 
 def run(words):
-    """Its standard output."""
+    """The standard output of a command."""
     done = subprocess.run(words, stdout=subprocess.PIPE, text=True)
     if done.returncode:
         raise SystemExit(f"{' '.join(words)}: exit code {done.returncode}")
@@ -68,7 +68,7 @@ def renderPictures(options, program, scene):
 
 
 def measure(options, scene):
-    """By program: times of all turns, variance and mean light."""
+    """For each program: times of all runs, variance and mean light."""
     found = {program: {"ms": [], "cpu_ms": []} for program in options.programs}
     for _ in range(options.turns):
         for program, times in found.items():
@@ -108,7 +108,7 @@ def printFrames(options, all_found):
 
 
 def raySpeeds(options):
-    """Million rays a second by kind, of hits alone and of blended ones."""
+    """Million rays per second by kind, without and with blended surfaces."""
     text = run([str(options.bin / "trace_speed"), str(options.folder / "mesh.pro"), "--json", "--size",
                    str(options.size), "--runs", str(options.turns)])
     return {row["rays"]: (row["mrays_per_second"], row["ratio_blended"] * row["embree_mrays_per_second"])
@@ -148,7 +148,7 @@ def main():
     parser.add_argument("--turns", type=int, default=3)
     parser.add_argument("--size", type=int, default=512)
     options = parser.parse_args()
-    os.environ["LP_NUM_THREADS"] = str(len(os.sched_getaffinity(0)))  # lavapipe asks for no affinity
+    os.environ["LP_NUM_THREADS"] = str(len(os.sched_getaffinity(0)))  # lavapipe ignores affinity
     began = time.monotonic()
     all_found = {scene: measure(options, scene) for scene in options.scenes}
     (options.folder / "frames.json").write_text(json.dumps(all_found, indent=1))

@@ -150,7 +150,7 @@ TEST(Quality, CountsTheHole) {
     EXPECT_EQ(back.holes, 0u);
 }
 
-TEST(Quality, CountsWhatFloats) {
+TEST(Quality, CountsFloatingSplats) {
     constexpr float kFloater = 0.1f;
     Splats splats = unitSphere(), floater = test::squareSplats(1, {0, 0, 1.2f}, Vec3f::UnitX(), Vec3f::UnitY());
     floater.radii = {kFloater};

@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What readers that are not ours make of a scan, in the terms of read_scan."""
+"""Reads scans with other readers, with results like those of read_scan."""
 import os
 
 import numpy as np
 
-# laspy's dimensions that are no attributes of ours: positions, colours apart, and what it makes up itself
+# laspy's dimensions that are not attributes here: positions and colours
 LAS_ROLES = {"X", "Y", "Z", "red", "green", "blue"}
-# which are not read
+# not read here
 LAS_WAVEFORM = {"wavepacket_index", "wavepacket_offset", "wavepacket_size", "return_point_wave_location", "x_t", "y_t",
                 "z_t"}
 
 
 def summary(array):
-    """Of the numbers that are finite."""
+    """Statistics of the finite numbers."""
     array = np.asarray(array).reshape(-1)
     finite = array[np.isfinite(array)].astype(np.float64) if array.dtype.kind == "f" else array.astype(np.float64)
     if len(finite) == 0:
@@ -22,7 +22,7 @@ def summary(array):
 
 
 def with_extents(reader, positions, attributes):
-    """positions: three columns of doubles, of which only whole finite rows count."""
+    """positions: three columns of doubles; rows that are not finite do not count."""
     good = np.isfinite(positions).all(axis=1)
     positions = positions[good]
     extents = [(float(column.min()), float(column.max())) for column in positions.T] if len(positions) else []
@@ -45,7 +45,7 @@ E57_NAMES = {"intensity": "intensity", "rowIndex": "row", "columnIndex": "column
 
 
 def e57_positions(raw):
-    """In the scan's frame; NaN where neither kind of coordinates is valid."""
+    """Positions in the scan's frame; NaN where neither kind of coordinates is valid."""
     count = len(next(iter(raw.values())))
     positions = np.full((count, 3), np.nan)
     if "sphericalRange" in raw:
@@ -61,7 +61,7 @@ def e57_positions(raw):
 
 
 def e57_columns(file, scan):
-    """All columns of a scan as doubles. read_scan_raw of pye57 does not know all, and takes colours for bytes."""
+    """All columns of a scan as doubles: pye57's read_scan_raw lacks some, and reads colours as bytes."""
     from pye57 import libe57
     points = file.get_header(scan).points
     prototype = libe57.StructureNode(points.prototype())
@@ -91,24 +91,24 @@ def read_e57(path):
         positions.append(e57_world(file, scan, raw))
         for name, attribute in E57_NAMES.items():
             if name in raw:
-                # returns are counted from 0, or from 1 where one is as large as their count, and from 1 by us
+                # files count returns from 0, or from 1 if one is as large as their number; we count from 1
                 counts = raw.get("returnCount", np.full(1, np.inf))
                 from_0 = name == "returnIndex" and not ((counts > 0) & (raw[name] >= counts)).any()
                 attributes.setdefault(attribute, []).append(raw[name] + from_0)
     positions = np.concatenate(positions)
     whole = {name: np.concatenate(parts) for name, parts in attributes.items()}
-    # what only some scans have is 0 or NaN in the others
+    # columns of some scans only are 0 or NaN in the others
     return with_extents("pye57", positions, {name: array for name, array in whole.items()
                                              if len(array) == len(positions)})
 
 
-# and places in a texture, which are not read
+# and texture coordinates, which are not read
 PLY_ROLES = {"x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "diffuse_red", "diffuse_green", "diffuse_blue",
              "s", "t", "u", "v", "texture_u", "texture_v"}
 
 
 def ply_name(name, known):
-    """As the reader of PLY names it: CloudCompare's prefix goes."""
+    """The name that our PLY reader gives it: without CloudCompare's prefix."""
     return name[len("scalar_"):].lower() if name.lower().startswith("scalar_") and \
         name[len("scalar_"):].lower() in known else name
 
@@ -136,11 +136,11 @@ READERS = {".las": read_las, ".laz": read_las, ".e57": read_e57, ".ply": read_pl
 
 
 def read(path):
-    """A dictionary, or None and why not."""
+    """A dictionary, or None and the reason."""
     reader = READERS.get(os.path.splitext(path)[1].lower())
     if reader is None:
         return None, None
     try:
         return reader(path), None
-    except Exception as error:  # whatever it is, it is theirs
+    except Exception as error:  # any failure of theirs
         return None, "%s: %s" % (type(error).__name__, str(error).split("\n")[0][:100])

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How fast scans are read, beside laspy with lazrs and pye57: a table in Markdown.
+"""How fast scans are read, compared with laspy (with lazrs) and pye57: a table in Markdown.
 
   rates.py BIN_DIR FILE... [--runs N] [--cores 1,2] [--json OUT.json]
 
-Each reader reads each file N times (5), the readers in turn, each time in a process of its own that is held to so many
-cores; medians are printed, in millions of points a second, and a second of a core, which other work on the machine
-hardly changes. read_scan of BIN_DIR goes from the file to the points and attributes that a bake starts with. The others
-are timed as far as they unpack the file into arrays, in which coordinates are whole numbers still (laspy) or not yet
-turned by the pose (pye57), and "in place" to coordinates of the file's own frame; loading Python does not count. "over" is the most memory that read_scan had beyond the
-points kept, the program itself and the part of the mapped file that was in memory included.
+Each reader reads each file N times (5), the readers in turn, each time in a new process limited to that many cores.
+Prints medians, in millions of points per second, and per second of a core, which other work on the machine hardly
+affects. BIN_DIR's read_scan is timed from the file to the points and attributes that a bake starts with. The others are
+timed to arrays with coordinates that are integers (laspy) or without the pose (pye57), and "in place" to coordinates in
+the file's frame; loading Python does not count. "over" is the peak memory of read_scan minus the points kept, including
+the program and the resident part of the mapped file.
 Needs numpy, laspy, lazrs and pye57 (PyPI), and taskset.
 """
 import argparse
@@ -22,7 +22,7 @@ import time
 
 
 class Clock:
-    """From now on, on the wall and of the processor."""
+    """Wall time and processor time since its creation."""
 
     def __init__(self):
         self.wall, self.cpu = time.perf_counter(), time.process_time()
@@ -58,7 +58,7 @@ OTHERS = {".las": ("laspy", time_laspy), ".laz": ("laspy", time_laspy), ".e57": 
 
 
 def held(cores, command):
-    """What a command prints, run on the first so many of the cores that there are."""
+    """The output of a command that runs on the first cores of the machine, that many."""
     which = ",".join(str(core) for core in sorted(os.sched_getaffinity(0))[:cores])
     return json.loads(subprocess.run(["taskset", "-c", which] + command, check=True, capture_output=True).stdout)
 
@@ -88,7 +88,7 @@ def measure(bin_dir, path, cores, runs):
 
 
 def rate(figures, runs, which):
-    """Million points a second, by the median run."""
+    """Million points per second of the median run."""
     return figures["points"] / 1e6 / statistics.median(run[which] for run in figures[runs])
 
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads scans as a bake does, and tells what came of it: points, extents, attributes, how long it took.
+// Reads scans as a bake does and prints the result: points, extents, attributes and seconds.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -18,10 +18,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Of finite numbers.
+/// Statistics of the finite numbers.
 struct Range {
     double least = std::numeric_limits<double>::infinity(), most = -least, sum = 0;
-    std::uint64_t others = 0; ///< that are not finite
+    std::uint64_t others = 0; ///< number of values that are not finite
 
     void add(double value) {
         if (!std::isfinite(value)) {
@@ -67,7 +67,7 @@ Json attributeOf(const Attribute& attribute) {
     return json;
 }
 
-/// What a bake goes on with, at least.
+/// The least that a bake needs from here on.
 std::uint64_t bytesOf(const Cloud& cloud) {
     std::uint64_t bytes = cloud.positions.size() * sizeof(Vec3f) + cloud.normals.size() * sizeof(Vec3f) +
                           cloud.colors.size() * sizeof(Rgb8) + cloud.radii.size() * sizeof(float) +
@@ -136,11 +136,11 @@ int readScan(const Request& request) {
               {"unused", cloud.points_unused},
               {"seconds", took.count()},
               {"cpu_seconds", seconds(used.ru_utime) + seconds(used.ru_stime)},
-              {"peak_bytes", static_cast<std::uint64_t>(used.ru_maxrss) * 1024}, // it is in KiB
-              {"file_bytes", file_bytes}, // mapped: in memory as long as nothing else wants it
+              {"peak_bytes", static_cast<std::uint64_t>(used.ru_maxrss) * 1024}, // in KiB
+              {"file_bytes", file_bytes}, // mapped: evictable, but part of the peak
               {"cloud_bytes", bytesOf(cloud)}};
     if (request.content) json.update(contentOf(cloud));
-    // names may be of any bytes
+    // names may have any bytes
     std::cout << json.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
     return 0;
 }

@@ -1,14 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Every file of a folder of scans: read or refused, and whether truth.json and other readers say the same.
+"""Reads every file of a folder of scans, and compares the results with truth.json and with other readers.
 
   table.py BIN_DIR DATA_DIR [--json OUT.json]
 
-Prints a row a file in Markdown: points kept and read, attributes, or the line that refuses it; what was compared, and
-what disagrees. Exits with 1 when anything does, or a program crashed. Compared are: with DATA_DIR/truth.json, points,
-extents, colours, normals and faces; with laspy and lazrs (LAS, LAZ), pye57 (E57) and plyfile (PLY), which read the
-file beside ours, points, extents to the bits of the floats that we keep, and least, largest and summed values of each
-attribute.
+Prints a Markdown row for each file: points kept and read, attributes, or the error; what was compared, and what
+disagrees. Exits with 1 if anything disagrees or a program crashed. Compares points, extents, colours, normals and faces
+with DATA_DIR/truth.json; points, extents to the precision of our floats, and minimum, maximum and sum of each attribute
+with laspy and lazrs (LAS, LAZ), pye57 (E57) and plyfile (PLY).
 Needs numpy, laspy, lazrs, pye57 and plyfile (PyPI).
 """
 import argparse
@@ -23,7 +22,7 @@ import others
 
 SKIPPED = re.compile(r"(README.*|MANIFEST\.md|truth\.json)$")
 
-# What a truth.json that a reader wrote cannot say: files that it took otherwise than their format means.
+# Files that the reader behind truth.json read differently from their format's definition.
 KNOWN = {
     "draco/cube_pc.drc": "has normals, which truth.json's reader of Draco point clouds leaves out",
     "ply_odd/pdal_simple_binary.obj": "its normals belong to no vertex",
@@ -32,7 +31,7 @@ KNOWN = {
 
 
 def run_ours(bin_dir, path):
-    """Its JSON, or the line that it ends with."""
+    """The JSON of read_scan, or its error."""
     done = subprocess.run([os.path.join(bin_dir, "read_scan"), "--content", path], capture_output=True, text=True,
                           errors="replace", timeout=300)
     if done.returncode == 0:
@@ -52,13 +51,13 @@ def extents_of(text):
 
 
 def against_truth(ours, truth, theirs):
-    """Words of what disagrees."""
+    """Descriptions of what disagrees."""
     wrong = []
     number = re.match(r"\d+", str(truth["points"]))
     counted = number and "lines" not in str(truth["points"])
     if counted and int(number.group()) != ours["points"]:
         wrong.append("%d points, truth has %s" % (ours["points"], truth["points"]))
-    black = "rgb max 0" in truth.get("note", "")  # which is no colour to us
+    black = "rgb max 0" in truth.get("note", "")  # which we treat as no colour
     if truth["col"] is not None and (truth["col"] and not black) != (ours["colors"] is not None):
         wrong.append("colours %s, truth says %s" % (ours["colors"] is not None, truth["col"]))
     # meshes without normals get them from their faces; normals that are all zero are none
@@ -79,7 +78,7 @@ def against_truth(ours, truth, theirs):
 
 
 def refused_rightly(truth, theirs):
-    """Whether what refuses a file need not be explained."""
+    """Whether the error needs no explanation."""
     if truth is None:
         return theirs is None or not theirs.get("points")
     text = str(truth["points"])
@@ -99,7 +98,7 @@ def attribute_differs(mine, yours):
 def against_other(ours, theirs):
     wrong = []
     if theirs.get("gaussians"):
-        return wrong  # those that are nearly transparent are left out
+        return wrong  # we leave out nearly transparent splats
     if theirs["points"] != ours["kept"] + ours["unused"]:
         wrong.append("%d points kept, %s has %d" % (ours["kept"], theirs["reader"], theirs["points"]))
     if ours["unused"] == 0 and theirs["points"] > 0:

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How bakes of tile sets scale: lidar-like points by the million, baked to a set, one size after the other.
+"""How bakes of tile sets scale: bakes millions of lidar-like points to sets, one size after the other.
 
     bake.py BIN_DIR TILE.laz FOLDER OUT.json --millions 10,100,300 [-- options for pointrt-bake]
 
-Each size is made by make_lidar in FOLDER, baked with `--max-memory 4G --clean off` unless the options say otherwise, and
-taken away again but for what --keep names: points, set. Per size OUT.json has points, seconds, points a second, the peak
-memory of the process, and bytes a point of the input, of what lay in FOLDER beside the input at most, of the final set.
+Makes the points of each size with make_lidar in FOLDER, bakes them with `--max-memory 4G --clean off` unless the
+options differ, and deletes all but what --keep names: points, set. For each size OUT.json has points, seconds, points
+per second, the peak memory of the process, and bytes per point of the input, of the peak disk use beside it, and of the
+final set.
 """
 import argparse
 import json
@@ -22,7 +23,7 @@ POLL_SECONDS = 0.5
 
 
 def disk_bytes(*folders):
-    """What is allocated below these, as far as it stays long enough to be looked at."""
+    """Bytes allocated below these folders, except for files that disappear meanwhile."""
     total = 0
     for folder in folders:
         for root, _, names in os.walk(folder):
@@ -35,7 +36,7 @@ def disk_bytes(*folders):
 
 
 class DiskPeak(threading.Thread):
-    """The most that the folders held while this ran."""
+    """The largest size of the folders while this ran."""
 
     def __init__(self, *folders):
         super().__init__(daemon=True)
@@ -64,7 +65,7 @@ def bake(options, points, output):
     stats = output.with_suffix(".stats.json")
     command = [options.bin / "pointrt-bake", "-q", points, "-o", output, "--force", "--stats", stats]
     for folder in (output, work):
-        shutil.rmtree(folder, ignore_errors=True)  # a bake that was stopped would go on, in less time
+        shutil.rmtree(folder, ignore_errors=True)  # else an interrupted bake would be continued, in less time
     disk = DiskPeak(output, work)
     disk.start()
     began = time.monotonic()

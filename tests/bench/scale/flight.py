@@ -4,12 +4,12 @@
 
     pointrt-view SITE.proset --eye ... --target ... --memory 2G --replay flight.txt --offscreen --stats flight.json
 
-W is held down, and the pointer looks slowly around, right and back; five screenshots on the way. flight.json has
-percentiles of its frames."""
+W is held down, and the pointer turns the view slowly to the right and back; five screenshots are taken. flight.json has
+percentiles of frame times."""
 import sys
 
-LOOK_EVERY = 4  # frames between two steps of the pointer, a pixel each: slow, so that most of a frame stays in view
-TURN_AFTER = 120  # frames, as far as a step goes each way
+LOOK_EVERY = 4  # frames between steps of the pointer by a pixel: so slow that most of the picture remains in view
+TURN_AFTER = 120  # frames until the direction changes
 
 
 def main():

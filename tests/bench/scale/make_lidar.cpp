@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any number of lidar points out of a real tile, for measuring at scale: make_lidar TILE.laz N FOLDER writes
+// Makes any number of lidar points from a real tile, for measurements at scale: make_lidar TILE.laz N FOLDER writes
 // FOLDER/scan_0000.laz, scan_0001.laz ... of 10 million points each.
 //
-// The tile is laid out again and again in rows of a square, each copy the mirror image of those beside it, so that
-// heights, density and colours go on across every border as they stood there. Long waves of the ground, over the whole
-// of it, give copies heights of their own; each point is moved by up to a sixth of the spacing, so that no two copies
-// are equal. Records are otherwise those of the tile, in its order: returns, classes, colours and all. The same
-// arguments give the same bytes. A file that is there is passed over, so what was killed goes on where it was; --first
-// and --files make a part.
+// Copies of the tile fill rows of a square. Each copy is the mirror image of its neighbours, so that heights, density
+// and colours are continuous across borders. Long waves across the whole ground make the heights of copies differ, and
+// each point is moved by up to a sixth of the spacing, so that no two copies are equal. Otherwise records are those of
+// the tile in its order, with returns, classes and colours. The same arguments give the same bytes. Existing files are
+// skipped, so an interrupted run can be repeated; --first and --files make a part.
 //
-// In memory is the tile, at most 2^25 points of it, and what packing takes.
+// Memory holds the tile, at most 2^25 points, and the buffers of compression.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -41,7 +40,7 @@ struct Request {
 constexpr std::uint64_t kTilePointsMax = 1u << 25; // 1 GB at 34 bytes each
 constexpr std::size_t kPointsAtOnce = 1 << 16;
 
-/// A tile's points in raw numbers, from 0 up to size.
+/// A tile's points as integers from 0 to size.
 struct Tile {
     LasHeader header;
     std::vector<char> records;
@@ -117,12 +116,12 @@ std::uint64_t mixed(std::uint64_t x) {
     return x ^ (x >> 31);
 }
 
-/// Where copies lie, and what is different about each.
+/// Places and modifies copies of the tile.
 struct Layout {
     const Tile& tile;
     std::uint64_t columns, seed;
 
-    /// Point number `at` of all, into record.
+    /// Writes point number `at` to record.
     void place(std::uint64_t at, char* record) const {
         const std::uint64_t copy = at / tile.points(), row = copy / columns;
         const std::uint64_t along = copy % columns, column = row % 2 == 0 ? along : columns - 1 - along;
@@ -144,13 +143,13 @@ struct Layout {
     }
 
 private:
-    /// -reach to reach, of 20 random bits.
+    /// From -reach to reach, by 20 random bits.
     static std::int64_t jitter(std::uint64_t random, double reach) {
         const double share = static_cast<double>(random & 0xFFFFF) / 0x80000 - 1;
         return std::llround(share * reach);
     }
 
-    /// Of the ground: some hills to 12 tiles, as high as 1 % of their length.
+    /// Height of the ground's waves: a period of 12 tiles, and 1% of that high.
     std::int64_t wave(const std::array<double, 2>& place) const {
         constexpr double kAcross = 12, kSlope = 0.01;
         const double turn = 2 * std::numbers::pi / kAcross;

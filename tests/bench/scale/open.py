@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How soon a tile set without an index is there, beside the same set with one.
+"""How fast a tile set without an index opens, compared with the same set with an index.
 
     open.py BIN_DIR WITH_INDEX.proset COMPACT.proset [--runs N] [-- options for pointrt-view]
 
-Each set is opened in a window without a display, by turns: the one with an index; the compact one with nothing kept
-("off"); the same with nothing kept of it yet ("cold"); the same again ("kept"). Medians and the range of the seconds to the first picture and to a sample of the
-picture with all tiles that it wants, of the peak memory, and the bytes that are kept."""
+Opens each set in a window without a display, in turn: the one with an index; the compact one without an index cache
+("off"), with an empty cache ("cold"), and again ("kept"). Prints medians and ranges of the seconds to the first picture
+and to a sample with all tiles of the cut, of the peak memory, and the bytes in the cache."""
 import argparse
 import json
 import os
@@ -28,7 +28,7 @@ def open_set(options, path, cache, work, size):
     """first picture, all tiles (seconds), peak memory (bytes)"""
     stats, tape = work / "stats.json", work / "tape.txt"
     tape.write_text(RECORDING)
-    shaders = os.environ.get("XDG_CACHE_HOME", os.path.expanduser("~/.cache"))  # the driver's stay as they are
+    shaders = os.environ.get("XDG_CACHE_HOME", os.path.expanduser("~/.cache"))  # the driver's cache is kept
     variables = dict(os.environ, XDG_CACHE_HOME=str(cache), MESA_SHADER_CACHE_DIR=shaders)
     variables["POINTRT_INDEX_CACHE"] = size
     command = [options.bin / "pointrt-view", path, "--replay", tape, "--offscreen", "--stats", stats, *options.view]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tile of 10 x 10 points laid out to 350: where they come to lie, and that it is done again alike.
+// 350 points made from a tile of 10 x 10: their places, and that runs are reproducible.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -55,7 +55,7 @@ struct MakeLidar : testing::Test {
         ASSERT_EQ(std::system(command.c_str()), 0) << command;
     }
 
-    /// Of all files, in order.
+    /// The records of all files, in order.
     std::vector<test::Bytes> records(const std::string& name) {
         std::vector<test::Bytes> all;
         for (const char* file : {"scan_0000.las", "scan_0001.las", "scan_0002.las", "scan_0003.las"}) {
@@ -78,7 +78,7 @@ TEST_F(MakeLidar, LaysCopiesOutAsMirrorImages) {
     constexpr std::array<std::array<int, 2>, 4> kCells = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}; // there and back
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Raw is = test::loadAt<Raw>(points[i], 0), in_tile = tilePoint(static_cast<int>(i % 100));
-        EXPECT_EQ(std::to_integer<std::size_t>(points[i][12]), i % 100) << "what else a record holds stays";
+        EXPECT_EQ(std::to_integer<std::size_t>(points[i][12]), i % 100) << "other fields are unchanged";
         const auto cell = kCells[i / 100];
         const std::array<int, 2> inside = {in_tile[0] - 5000, in_tile[1] + 3000};
         for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -91,7 +91,7 @@ TEST_F(MakeLidar, LaysCopiesOutAsMirrorImages) {
     EXPECT_EQ(different.size(), 350u);
 }
 
-TEST_F(MakeLidar, MakesTheSameBytesInPartsAndOtherOnesOfAnotherSeed) {
+TEST_F(MakeLidar, BytesDependOnTheSeedAndNotOnParts) {
     run("350 " + folder.file("a") + " --las --per-file 100");
     run("350 " + folder.file("b") + " --las --per-file 100 --first 2");
     run("350 " + folder.file("b") + " --las --per-file 100 --first 0 --files 2");

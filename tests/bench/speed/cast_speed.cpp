@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays a second of the library's calls, beside those of the walk alone (trace_speed) on the same rays.
+// Rays per second of the library's calls, compared with the walk alone (trace_speed) on the same rays.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
@@ -21,7 +21,7 @@ struct Options {
     std::uint32_t size = 1024;
 };
 
-/// Of one call.
+/// Results of one call.
 struct Cost {
     double seconds = 0;
     double processor = 0; ///< seconds of all cores: where others are at work, it tells more
@@ -35,7 +35,7 @@ double median(std::vector<Cost>& costs, Value Cost::*value) {
     return (*middle).*value;
 }
 
-/// work returns the seconds that count.
+/// work returns the measured seconds.
 Cost medianCost(int runs, const std::function<double()>& work) {
     work(); // warms up
     std::vector<Cost> costs;
@@ -53,7 +53,7 @@ double timed(const std::function<void()>& work) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// As callers have them: doubles in the scan's coordinates.
+/// Rays as callers have them: doubles in the scan's coordinates.
 std::vector<double> rowsOf(std::span<const Ray> rays, const pro_info& info) {
     std::vector<double> rows;
     for (const Ray& ray : rays)

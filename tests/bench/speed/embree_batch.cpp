@@ -15,7 +15,7 @@ namespace pointrt::test {
 namespace {
 
 constexpr std::size_t kPacket = 8;
-/// Rays handed to a core at once: long enough that sharing out costs nothing.
+/// Rays per task: so many that the overhead of scheduling is negligible.
 constexpr std::size_t kBlockRays = 1024;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
@@ -23,7 +23,7 @@ struct Valid {
     alignas(32) int lanes[kPacket]; // as rtcIntersect8 wants it
 };
 
-// One face for the four kinds of query: how many rays it holds, where a ray's members are, and the call.
+// One interface for the four kinds of query: the number of rays, the members of a ray, and the call.
 template <typename Query>
 constexpr std::size_t kLanes = 1;
 template <>

@@ -16,7 +16,7 @@ struct EmbreeRun {
     std::vector<EmbreeHit> hits; ///< in the rays' order; any hit has splat 0 and t 0
 };
 
-/// Traces rays once. any_hit asks by rtcOccluded whether there is a hit at all. coherent is Embree's hint for packets.
+/// Traces rays once. any_hit: tests by rtcOccluded whether there is any hit. coherent: Embree's hint for packets.
 EmbreeRun runEmbree(const EmbreeDiscs& discs, std::span<const Ray> rays, EmbreeMode mode, bool any_hit, bool coherent);
 
 } // namespace pointrt::test

@@ -45,7 +45,7 @@ double medianSeconds(RayCaster& caster, int runs) {
     return seconds[static_cast<std::size_t>(runs) / 2];
 }
 
-/// Of as many rays as the file has, which is told beforehand.
+/// The number of rays must be known before the first is written.
 class HitFile {
 public:
     HitFile(const std::string& path, std::uint64_t rays) : path_(path), out_(path, std::ios::binary) {
@@ -69,7 +69,7 @@ private:
     std::ofstream out_;
 };
 
-/// Adds what comes of one batch.
+/// Adds the results of one batch.
 void walkBatch(RayCaster& caster, std::span<const FileRay> batch, int runs, std::optional<HitFile>& file,
                FileWalk& walk) {
     std::vector<Ray> rays;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays of a file through the walk alone, so that its hits and its rate can be held against those of all that is built
-// on it.
+// Rays of a file traced by the walk alone, so that its hits and rate can be compared with those of the library and
+// tools.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace pointrt::test {
 
-/// Of all batches of a file, each traced several times.
+/// Sums over the batches of a file, each of which is traced several times.
 struct FileWalk {
     std::size_t rays = 0, hits = 0;
     double seconds = 0; ///< the sum of the batches' medians
 };
 
-/// Traces the rays at path, as pointrt-rays cast takes them, in batches of as many as caster holds, first hits, each
-/// batch runs times after one that is not counted. Hits are put into the array at hits_path unless that is empty: a
-/// record for each, t_hit (lengths of its direction, infinity for a miss) and splat_ids (kNoSplat). Throws Error.
+/// Traces the rays at path, a file for pointrt-rays cast, for first hits. Each batch of batch_rays is traced once as a
+/// warm-up and then runs times. Unless hits_path is empty, writes hits to an array of records there: t_hit (in lengths
+/// of the direction, infinity for a miss) and splat_ids (kNoSplat). Throws Error.
 FileWalk walkFile(RayCaster& caster, const std::string& scene, const std::string& path, const std::string& hits_path,
                   std::size_t batch_rays, int runs);
 

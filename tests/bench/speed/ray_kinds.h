@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rays that a picture is made of, to time tracers by.
+// The kinds of rays that pictures consist of, to time tracers with.
 #pragma once
 
 #include <span>
@@ -13,15 +13,16 @@ enum class RayKind { kPrimary, kShadow, kMirror, kDiffuse };
 constexpr RayKind kRayKinds[] = {RayKind::kPrimary, RayKind::kShadow, RayKind::kMirror, RayKind::kDiffuse};
 const char* nameOf(RayKind kind);
 
-/// Secondary rays start this many local radii above the blended surface: the height up to which the product takes discs
-/// of the same facing for the surface itself (kSelfHeight in shaders/trace/offset.glsl). Here the origin says so, with
-/// self_t of 0, because Embree knows no own surface.
+/// Secondary rays start this many local radii above the blended surface: up to that height the product ignores discs
+/// that face the same way as self-intersections (kSelfHeight in shaders/trace/offset.glsl). Embree has no such rule, so
+/// here the origin is moved and self_t is 0.
 constexpr double kLiftRadii = 3;
 
-/// What kPrimary rays go on as where they hit, in their order; hits are the primary rays' own, as by RayCaster::cast.
-///  - kShadow: towards light where the surface faces it, and beyond: a light outside the scene has nothing behind it;
+/// Rays of this kind from the hits of primary rays, in their order. hits: of the primary rays, by RayCaster::cast.
+///  - kShadow: towards light where the surface faces it, of unlimited length, as nothing is behind a light outside the
+///    scene;
 ///  - kMirror: reflected at the blended normal;
-///  - kDiffuse: in a direction distributed as the cosine to that normal, the same for the same seed.
+///  - kDiffuse: in a cosine-weighted direction around that normal, the same for the same seed.
 /// kPrimary gives the primary rays themselves.
 std::vector<Ray> raysOf(RayKind kind, std::span<const Ray> primary, std::span<const CastHit> hits, Vec3 light,
                         std::uint64_t seed = 1);

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Bakes standard scenes and times our tracer against Embree's oriented discs on each, by trace_speed: the same rays and
-# cores, in turn. Figures go to OUT.json, an object for each scene and kind of ray; a table to standard output.
+# Bakes standard scenes and compares our tracer with Embree's oriented discs by trace_speed: the same rays and cores, in
+# turn. Writes figures to OUT.json, an object for each scene and kind of ray, and a table to standard output.
 #   tests/bench/run.sh --json OUT.json [--sizes "0.25 1 4 16"] [BIN_DIR [DATA_DIR]]
-# The scenes are a mesh sampled at so many million points (the bunny of Debian's glmark2-data, or MESH from the
-# environment, or a sphere) and, where DATA_DIR holds folders of scans as named below, three scans.
-# --sizes "" leaves the mesh out. BIN_DIR is build/release/bin unless named.
-# SPEED_OPTIONS and BAKE_OPTIONS in the environment are handed to the tools.
+# The scenes are a mesh sampled at that many million points (the environment variable MESH, or the bunny of Debian's
+# glmark2-data, or a sphere), and three scans if DATA_DIR holds the folders named below.
+# --sizes "" leaves out the mesh. BIN_DIR is build/release/bin by default.
+# The environment variables SPEED_OPTIONS and BAKE_OPTIONS are passed to the tools.
 set -euo pipefail
 usage() {
     sed -n '5s/^# //p' "$0" >&2

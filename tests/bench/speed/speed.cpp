@@ -10,14 +10,14 @@ namespace pointrt::test {
 
 namespace {
 
-/// values is not empty. Of an even number the mean of the middle two.
+/// The median of values, which must not be empty: for an even number the mean of the middle two.
 double median(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     const std::size_t middle = values.size() / 2;
     return values.size() % 2 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
 
-/// One turn's seconds.
+/// Seconds of one run.
 struct Turn {
     double ours = 0, single = 0, packets = 0;
     double blending = 0; ///< after ours

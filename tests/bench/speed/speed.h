@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Our tracer against Embree's oriented discs: the same rays, in turn.
+// Compares the speed of our tracer with Embree's oriented discs: the same rays, in turn.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace pointrt::test {
 
-/// One kind of ray. Rates are medians over the runs, in million rays a second; ratio is ours over Embree's of a run.
+/// Results for one kind of ray. Rates are medians over the runs in million rays per second; ratio: ours over Embree's.
 struct Speed {
     RayKind kind = RayKind::kPrimary;
     std::size_t rays = 0;
@@ -18,16 +18,16 @@ struct Speed {
     double ours = 0, embree = 0;
     double ratio = 0, ratio_min = 0, ratio_max = 0; ///< median, least and largest over the runs
     double ratio_blended = 0;                       ///< median, with the surfaces at our first hits blended
-    double agreement = 0;                           ///< share of rays with the same result, as sameResult says
-    EmbreeMode embree_mode = EmbreeMode::kSingle;   ///< that won most of the runs
+    double agreement = 0;                           ///< share of rays with the same result, by sameFirstHit, or any hit
+    EmbreeMode embree_mode = EmbreeMode::kSingle;   ///< the faster one in most runs
 };
 
 /// Whether two first hits are the same: no hit in both, the same splat, or within kSameHitRadii of our hit's disc.
 bool sameFirstHit(std::span<const CubeSplat> splats, const CastHit& ours, const EmbreeHit& embrees);
 
-/// Times rays (not empty, at most the caster's batch): a first turn that is not counted, then runs turns of ours,
-/// Embree's single rays, Embree's packets of 8, and the blending of our first hits' surfaces, which Embree has none of.
-/// Embree's time in a turn is its better one.
+/// Times rays (not empty, at most the caster's batch) with our tracer, Embree's single rays, Embree's packets of 8, and
+/// our tracer with blended surfaces, which Embree does not have: all in turn, once as a warm-up and then runs times. Of
+/// Embree's two times in a run the better one counts.
 Speed measureSpeed(RayCaster& caster, const EmbreeDiscs& discs, std::span<const CubeSplat> splats,
                    std::span<const Ray> rays, RayKind kind, int runs);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rays that tracers are timed by, and that both give their answers in time.
+// The rays that tracers are timed with, and the comparison of both tracers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,14 +9,14 @@
 #include "tests/support/first_hit_check.h"
 #include "tests/support/splat_scenes.h"
 
-/// Drivers and layers keep memory when they are unloaded.
+/// Drivers and layers leak memory.
 extern "C" const char* __asan_default_options() { return "detect_leaks=0"; }
 
 namespace pointrt::test {
 
 namespace {
 
-/// A scene in a file that goes with it.
+/// A scene in a temporary file.
 struct SceneFile {
     std::string path = temporaryPath("speed.pro");
     std::vector<CubeSplat> splats;
@@ -29,7 +29,7 @@ struct SceneFile {
     SceneFile& operator=(const SceneFile&) = delete;
 };
 
-/// Splats of a floor that rises away from the eye, with a sphere over it: some rays of every kind hit.
+/// A floor that rises away from the eye and a sphere above it: some rays of every kind hit.
 Splats floorAndSphere() {
     return joinSplats(sphereSplats(4000, Vec3f(0, 0.8f, 0), 0.5f),
                       squareSplats(60, Vec3f(0, 0, 0), Vec3f(2, 0, 0), Vec3f(0, 0.6f, -1.8f)));
@@ -52,7 +52,7 @@ TEST(RayKinds, MirrorRaysAreReflectedAboveTheSurface) {
     EXPECT_EQ(rays[0].self_t, 0);
 }
 
-TEST(RayKinds, ShadowRaysGoToALightThatTheSurfaceFaces) {
+TEST(RayKinds, ShadowRaysAimAtALightThatTheSurfaceFaces) {
     const std::vector<Ray> rays = raysOf(RayKind::kShadow, kPrimary, kHits, {1, 2, 5});
     ASSERT_EQ(rays.size(), 1u);
     expectNear(rays[0].origin, kStart);
@@ -93,7 +93,7 @@ TEST(EmbreeBatch, EveryWayGivesTheSameHits) {
                 other += any_hit ? hit != expected_hit : run.hits[i].splat != expected[i].splat;
             }
             EXPECT_GT(hits, rays.size() / 3);
-            EXPECT_LE(other, 2u); // rims: packets fuse other multiplications and additions
+            EXPECT_LE(other, 2u); // rims: packets use fused multiply-add differently
         }
 }
 
@@ -116,7 +116,7 @@ TEST(RayCaster, CameraRaysComeInTilesThatCoverTheView) {
     EXPECT_NEAR(highest, 31.5 * pixel, 1e-5);
 }
 
-TEST(RayCaster, AnyHitsAreHitsWhereFirstHitsAre) {
+TEST(RayCaster, AnyHitsMatchFirstHits) {
     const SceneFile scene(floorAndSphere());
     RayCaster caster(scene.path);
     const std::vector<Ray> rays = randomRays(boundingSphere(scene.splats), 4000, 2);
@@ -135,7 +135,7 @@ TEST(RayCaster, AnyHitsAreHitsWhereFirstHitsAre) {
     EXPECT_GT(hits, 400u);
 }
 
-TEST(Speed, TheSameHitIsTheSameSplatOrAsFar) {
+TEST(Speed, HitsAreEqualIfTheSplatOrTheDistanceIs) {
     const std::vector<CubeSplat> splats{{{}, {0, 0, 1}, 0.1}, {{}, {0, 0, 1}, 0.1}};
     const CastHit first{2, 0, 2, {}, 0}, none;
     EXPECT_TRUE(sameFirstHit(splats, none, {}));
@@ -146,7 +146,7 @@ TEST(Speed, TheSameHitIsTheSameSplatOrAsFar) {
     EXPECT_FALSE(sameFirstHit(splats, none, {2, 0}));
 }
 
-TEST(Speed, BothTracersAgreeAndLostDiscsShow) {
+TEST(Speed, TracersAgreeAndLostDiscsAreNoticed) {
     const SceneFile scene(floorAndSphere());
     const EmbreeDiscs discs(scene.splats, EmbreeFlag::kFast);
     std::vector<CubeSplat> thinned = scene.splats;
@@ -162,7 +162,7 @@ TEST(Speed, BothTracersAgreeAndLostDiscsShow) {
         EXPECT_EQ(speed.rays, rays.size());
         EXPECT_GT(speed.hit_share, 0.005) << nameOf(kind);
         EXPECT_LT(speed.hit_share, 0.95) << nameOf(kind);
-        EXPECT_GT(speed.agreement, 0.997) << nameOf(kind); // rims and, for flat rays, which of two discs is first
+        EXPECT_GT(speed.agreement, 0.997) << nameOf(kind); // rims, and the order of two discs at grazing angles
         EXPECT_GT(speed.ours, 0);
         EXPECT_GT(speed.ratio_min, 0);
         EXPECT_LE(speed.ratio_min, speed.ratio);

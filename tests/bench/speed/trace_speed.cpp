@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays a second of our tracer and of Embree's oriented discs on the same splats, rays and cores.
+// Rays per second of our tracer and of Embree's oriented discs with the same splats, rays and cores.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -26,7 +26,7 @@ struct Options {
     bool json = false, robust = false;
 };
 
-/// What all kinds of ray share.
+/// Settings shared by all kinds of rays.
 struct Setting {
     std::string scene, device;
     std::size_t splats = 0;
@@ -70,7 +70,7 @@ void printTable(const Setting& setting, std::span<const Speed> speeds) {
                     speed.ratio_max, speed.ratio_blended, 100 * speed.agreement, nameOf(speed.embree_mode));
 }
 
-/// Of the file's rays, by our walk alone.
+/// Times the rays of a file with our walk alone.
 int runFile(const Options& options) {
     RayCaster caster(options.scene, {options.device}, options.size * options.size);
     const FileWalk walk =
@@ -119,7 +119,7 @@ int parseAndRun(int argc, char** argv) {
     Options options;
     app.add_option("SCENE.pro", options.scene)->required();
     app.add_option("--runs", options.runs, "Counted turns of each tracer")->check(CLI::Range(1, 1000));
-    // 64 bytes a ray are to stay below the 128 MiB that some drivers allow in a storage binding
+    // 64 bytes per ray must fit in the 128 MiB that some drivers allow for a storage buffer
     app.add_option("--size", options.size, "Pixels a side, a multiple of 16")
         ->check(CLI::Range(16, 1424))
         ->check([](const std::string& text) { return std::stoul(text) % 16 ? "not a multiple of 16" : ""; });
@@ -127,7 +127,7 @@ int parseAndRun(int argc, char** argv) {
         ->delimiter(',')
         ->check(CLI::IsMember({"primary", "shadow", "mirror", "diffuse"}));
     app.add_option("--fov", options.fov_deg, "Vertical field of view in degrees; a smaller one looks closer")
-        ->check(CLI::Range(1.0, 40.0)); // beyond the default's, the scene only gets smaller
+        ->check(CLI::Range(1.0, 40.0)); // at larger angles the scene only gets smaller
     const auto rays =
         app.add_option("--rays", options.rays, "An array of rays (.npy) for our walk alone, in place of the view's");
     app.add_option("--hits", options.hits, "What they hit, an array (.npy) of t_hit and splat_ids")->needs(rays);

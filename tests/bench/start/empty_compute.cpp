@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What any Vulkan compute program has to wait for: prints the seconds from the start of the process to the end of a
-// dispatch that does next to nothing, on the best device or the one named.
+// The time that any Vulkan compute program needs: prints the seconds from the start of the process to the end of a
+// nearly empty dispatch, on the best device or the one named.
 #include <cstdio>
 
 #include "format/base/run_tool.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The least there is to dispatch.
+// The smallest possible program.
 #version 450
 
 layout(local_size_x = 1) in;

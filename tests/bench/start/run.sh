@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# How long the first frame of a scene takes beside an empty Vulkan program, in turn, by --bench and on the way to a PNG
-# (preview: with what its filter is guided by), and how much memory that takes: medians of RUNS (default 7) as JSON, an
-# object for each scene. The file is in the page cache after a run that is not counted.
+# Time to the first frame of a scene by --bench and for a PNG (preview: with the guides of its filter), compared with an
+# empty Vulkan program in turn, and peak memory: medians of RUNS (default 7) as JSON, an object for each scene. A first
+# run, which is not counted, puts the file into the page cache.
 #   tests/bench/start/run.sh BIN_DIR SCENE.pro...
 set -euo pipefail
 [ $# -ge 2 ] || {

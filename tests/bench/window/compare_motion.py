@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A row of motion.sh's table: compare_motion.py NAME FOLDER, of which moving/ and resting/ have screenshots of the same
-frames. What has come to light is told by the resting pictures alone: pixels whose surroundings in the first of them have
-no such colour."""
+"""A row of motion.sh's table: compare_motion.py NAME FOLDER. FOLDER/moving and FOLDER/resting have screenshots of the
+same frames. Disocclusions are found in the resting pictures: pixels whose colour was nowhere near them in the picture
+before."""
 import glob
 import json
 import os
@@ -12,7 +12,7 @@ import flip_evaluator
 import numpy
 from PIL import Image
 
-# of 1280x720, what neither figures nor panel cover
+# the part of 1280x720 that neither figures nor the panel cover
 TOP, RIGHT = 140, 975
 REACH = 24  # pixels that the picture moves at most between kept frames of the slow orbit
 
@@ -21,8 +21,8 @@ def load(path):
     return numpy.asarray(Image.open(path).convert("RGB")).astype(numpy.float32)[TOP:, :RIGHT] / 255
 
 
-def come_to_light(before, now):
-    """Nothing within REACH of them looked like this before, to 6 of 255 steps; every fourth place is asked."""
+def disoccluded(before, now):
+    """Pixels with no similar colour (6 of 255 steps) within REACH in the picture before; tests every fourth place."""
     found = numpy.zeros(now.shape[:2], bool)
     for dy in range(-REACH, REACH + 1, 4):
         for dx in range(-REACH, REACH + 1, 4):
@@ -42,7 +42,7 @@ def main():
         means.append(mean)
         worst.append(numpy.percentile(error, 95))
         if before is not None:
-            mask = come_to_light(before, now)
+            mask = disoccluded(before, now)
             if mask.any():
                 new.append(error[mask].mean())
         before = now

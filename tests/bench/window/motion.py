@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A recording of something that moves: motion.py slow|fast|lamp moving|resting. Resting, each view that is kept waits
-for its samples first. Screenshots are named by frame."""
+"""A recording of a motion: motion.py slow|fast|lamp moving|resting. If resting, each screenshot waits for its samples.
+Screenshots are named by frame."""
 import sys
 
 FRAMES, EVERY, SAMPLES = 40, 8, 4
-# where the pointer begins, and how far it goes a frame: an orbit of a quarter of a degree, of five, and the first
-# number of the position of a room's first lamp
+# where the pointer starts, and its step per frame: orbits by 0.25 and 5 degrees, and the x coordinate of a room's first
+# lamp
 MOTIONS = {"slow": (500, 300, 1), "fast": (500, 300, 20), "lamp": (1032, 218, 3)}
 
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# What is seen while things move: pictures of a replayed window, frame by frame, against the same views at rest.
+# Picture quality during motion: frames of a replayed window, compared with the same views at rest.
 #   tests/bench/window/motion.sh BIN SCENE.pro [ROOM] [OPTIONS...]     BIN: the folder of pointrt-view; OPTIONS: its own
-# For a slow and a fast orbit and a lamp that is moved: FLIP of moving frames against pictures of 4 samples (mean, and
-# the worst twentieth of the pixels), the same in what has come to light since the picture before, frame times. Without
-# a window. FLIP and its Python environment: as in tests/bench/quality/flip.sh, with numpy and pillow.
+# For a slow orbit, a fast orbit and a moving lamp: FLIP of moving frames and pictures of 4 samples (mean, and the worst
+# 5% of the pixels), the same for disoccluded pixels only, and frame times. Needs no window. FLIP and its Python
+# environment: as in tests/bench/quality/flip.sh, with numpy and pillow.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 [ $# -ge 2 ] || {

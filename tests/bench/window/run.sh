@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# How the window feels: plays tour.txt and prints, for each run, frame times in milliseconds.
+# Frame times of the window: plays tour.txt and prints frame times of each run in milliseconds.
 #   tests/bench/window/run.sh BIN SCENE.pro [RUNS]     BIN: the folder of pointrt-view
-# On $DISPLAY, or without a window where that is not set. The screenshots of the last run stay in window-tour/.
+# Uses $DISPLAY, or no window if that is not set. The screenshots of the last run remain in window-tour/.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 bin=$(cd "${1:?usage: run.sh BIN SCENE.pro [RUNS]}" && pwd)

@@ -11,11 +11,11 @@
 
 namespace pointrt::test {
 
-/// Of a camera at (1, 2, 3) that looks along +x, with +z up: its axes in the world are right (0, -1, 0), down
-/// (0, 0, -1) and forward (1, 0, 0). COLMAP's camera_from_world has them for rows, which is the quaternion
-/// (1, 1, -1, 1) / 2, and moves the eye to 0.
+/// The pose of a camera at (1, 2, 3) that looks along +x with +z up: its axes in the world are right (0, -1, 0), down
+/// (0, 0, -1) and forward (1, 0, 0). These are the rows of COLMAP's camera_from_world, which is the quaternion
+/// (1, 1, -1, 1) / 2, followed by the translation that moves the eye to 0.
 inline const std::string kColmapPose = "0.5 0.5 -0.5 0.5 2 3 -1";
-/// nerfstudio's world_from_camera has right, up and back for columns.
+/// The columns of nerfstudio's world_from_camera are right, up, back and the eye.
 inline const std::string kTransformPose = "[[0, 0, -1, 1], [-1, 0, 0, 2], [0, 1, 0, 3], [0, 0, 0, 1]]";
 
 inline const std::string kColmapCameras = "# Camera list\n1 PINHOLE 640 480 500 510 320.5 239.25\n";
@@ -39,7 +39,7 @@ private:
     std::string bytes_;
 };
 
-/// kColmapCameras and kColmapImages as .bin.
+/// kColmapCameras and kColmapImages in COLMAP's binary format.
 inline std::string packedCameras() {
     Packed file;
     file.add(std::uint64_t{1}).add(std::uint32_t{1}).add(std::int32_t{1});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures in memory beside the OpenEXR files of pointrt-view.
+// Compares pictures in memory with the OpenEXR files of pointrt-view.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ inline std::vector<std::string> allLayers() {
     return names;
 }
 
-/// Of the values of channel c, those whose bits are others than in plane.
+/// The number of values of channel c whose bits differ from those of plane.
 template <typename Value>
 std::size_t differences(const std::vector<Value>& values, std::size_t channels, std::size_t c,
                         std::span<const Value> plane) {
@@ -51,7 +51,7 @@ inline void expectSame(const Picture& picture, const ExrPicture& file) {
 
 class PictureFolder : public testing::Test {
 protected:
-    /// By pointrt-view, with these words of the command line.
+    /// The picture by pointrt-view with these command-line arguments.
     ExrPicture viewed(const std::string& words) const {
         const std::string command = "cd '" + folder.path.string() + "' && '" POINTRT_VIEW "' -q -o out.exr " + words;
         EXPECT_EQ(std::system(command.c_str()), 0) << command;

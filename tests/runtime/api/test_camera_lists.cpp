@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The same camera out of every kind of list.
+// The same camera, read from every kind of list.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -45,7 +45,7 @@ void expectColmap(const std::vector<CameraShot>& shots) {
     }
 }
 
-TEST_F(CameraLists, ColmapAsText) {
+TEST_F(CameraLists, ReadColmapText) {
     folder.write("cameras.txt", kColmapCameras);
     folder.write("images.txt", kColmapImages);
     expectColmap(read(""));
@@ -53,7 +53,7 @@ TEST_F(CameraLists, ColmapAsText) {
     expectColmap(read("cameras.txt"));
 }
 
-TEST_F(CameraLists, ColmapAsBinary) {
+TEST_F(CameraLists, ReadColmapBinary) {
     std::filesystem::create_directories(folder.path / "sparse" / "0");
     folder.write("sparse/0/cameras.bin", packedCameras());
     folder.write("sparse/0/images.bin", packedImages());
@@ -62,7 +62,7 @@ TEST_F(CameraLists, ColmapAsBinary) {
     expectColmap(read("sparse/0/images.bin"));
 }
 
-TEST_F(CameraLists, Transforms) {
+TEST_F(CameraLists, ReadTransforms) {
     const auto shots =
         readJson(R"({"w": 640, "h": 480, "fl_x": 500, "fl_y": 510, "cx": 320.5, "cy": 239.25, "k1": 0,
         "camera_model": "OPENCV", "frames": [{"file_path": "a/one.jpg", "transform_matrix": )" +
@@ -80,7 +80,7 @@ TEST_F(CameraLists, FramesOverrideTheFile) {
     expectPose(shots[0].pose);
 }
 
-TEST_F(CameraLists, AnglesAndSizesOfOriginalNerfScenes) {
+TEST_F(CameraLists, ReadAnglesOfOriginalNerfScenes) {
     const std::string text = R"({"camera_angle_x": 1.5707963267948966, "frames": [{"file_path": "./train/r_0",
         "transform_matrix": )" +
                              kTransformPose + "}]}";
@@ -92,8 +92,8 @@ TEST_F(CameraLists, AnglesAndSizesOfOriginalNerfScenes) {
     EXPECT_EQ(shots[0].lens.cy, 300);
 }
 
-TEST_F(CameraLists, UndoesAppliedTransforms) {
-    // ns-process-data turns COLMAP's world: x, y, z to x, z, -y; then moves it here. Its camera goes with it.
+TEST_F(CameraLists, UndoAppliedTransforms) {
+    // ns-process-data rotates COLMAP's world, x, y, z to x, z, -y, and moves it; the camera moves with it
     const auto shots = readJson(R"({"w": 640, "h": 480, "fl_x": 500,
         "applied_transform": [[1, 0, 0, 10], [0, 0, 1, 20], [0, -1, 0, 30]],
         "frames": [{"file_path": "one", "transform_matrix": [[0, 0, -1, 11], [0, 1, 0, 23], [1, 0, 0, 28],
@@ -101,7 +101,7 @@ TEST_F(CameraLists, UndoesAppliedTransforms) {
     expectPose(shots[0].pose);
 }
 
-TEST_F(CameraLists, AreTheSameWhenReadAgain) {
+TEST_F(CameraLists, RoundTripBitIdentically) {
     TransformsFile file;
     file.offset = {500064, 4500064, 0};
     for (int i = 0; i < 3; ++i) {

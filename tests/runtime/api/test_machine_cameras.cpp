@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cameras with intrinsics and a pose: what lies at a known place is in the pixel where the formulas have it.
+// Cameras with intrinsics and a pose: objects at known places are in the pixels given by the formulas.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-/// Turned by 0.3 about its own z and then tilted by 0.4 about x from looking straight down, north up.
+/// Looks straight down with north up, rotated by 0.3 about its own z and then tilted by 0.4 about x.
 PinholeCamera tilted(Vector eye) {
     const double c = std::cos(0.3), s = std::sin(0.3), ct = std::cos(0.4), st = std::sin(0.4);
     // columns: right, down, forward
@@ -32,7 +32,7 @@ PinholeCamera tilted(Vector eye) {
     return camera;
 }
 
-/// Of the ray through a place of the picture, from the camera's own definition; z of the camera is 1.
+/// The direction of the ray through a place of the picture, by the camera's definition: 1 along the camera's z.
 Vector directionOf(const PinholeCamera& camera, double x, double y) {
     const Vector in_camera{(x - camera.cx) / camera.fx, (y - camera.cy) / camera.fy, 1};
     Vector direction{};
@@ -42,7 +42,7 @@ Vector directionOf(const PinholeCamera& camera, double x, double y) {
     return direction;
 }
 
-/// Where a place in the world is in the picture.
+/// The place in the picture of a place in the world.
 std::array<double, 2> pixelOf(const PinholeCamera& camera, Vector place) {
     Vector in_camera{};
     for (std::size_t column = 0; column < 3; ++column)
@@ -93,7 +93,7 @@ TEST(MachineCameras, PointsProjectToTheirPixels) {
             for (std::uint32_t x = 0; x < width; ++x)
                 if (ids[y * width + x] == number) sum_x += x + 0.5, sum_y += y + 0.5, ++count;
         ASSERT_GT(count, 30); // a radius of 6 pixels
-        // the index of a cube with so little in it keeps discs to some millimetres, a fifth of a pixel here
+        // the index of so sparse a cube rounds discs by some millimetres, a fifth of a pixel here
         EXPECT_NEAR(sum_x / count, at[0], 0.3);
         EXPECT_NEAR(sum_y / count, at[1], 0.3);
     }

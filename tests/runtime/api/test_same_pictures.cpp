@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures in memory beside the OpenEXR files of pointrt-view: the same, to the bit.
+// Pictures in memory are bit-identical to the OpenEXR files of pointrt-view.
 #include <algorithm>
 #include <span>
 
@@ -9,7 +9,7 @@
 namespace pointrt::test {
 namespace {
 
-/// A ball, and a table, over the UTM zone of ray_scenes.h.
+/// A ball and a plane in the UTM coordinates of ray_scenes.h.
 class SamePictures : public PictureFolder {
 protected:
     SamePictures() {
@@ -52,17 +52,17 @@ TEST_F(SamePictures, OfASceneFileWithGlassAndSun) {
 }
 
 TEST_F(SamePictures, InSeveralBands) {
-    // of 2^19 pixels at most; bands take turns
+    // a band has at most 2^19 pixels
     expectSame(rendered({"plane.pro"}, {{"spp", "4"}, {"shadows", "off"}, {"lights", "1"}}, LookAt{}, 1024, 600),
                viewed("plane.pro --size 1024x600 --spp 4 --shadows off --lights 1"));
 }
 
-TEST_F(SamePictures, WhateverWasRenderedBefore) {
+TEST_F(SamePictures, AfterOtherPictures) {
     PictureRenderer several(device, {folder.file("ball.pro")}, {{"spp", "2"}});
     const LookAt whole;
     PinholeCamera aside{30, 40, 10, 50, {1, 0, 0, 500064, 0, -1, 0, 4500064, 0, 0, -1, 290, 0, 0, 0, 1}};
     const Picture before = several.render(whole, 40, 30, allLayers());
-    several.render(aside, 700, 800, {"rgba"}); // makes room
+    several.render(aside, 700, 800, {"rgba"}); // needs a larger film
     several.render(aside, 5, 3, {"depth"});
     const Picture after = several.render(whole, 40, 30, allLayers());
     ASSERT_EQ(before.layers.size(), after.layers.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tile sets from one camera after another: each picture has the tiles that it would have alone.
+// Pictures of tile sets from several cameras: each has the tiles that it would have alone.
 #include <algorithm>
 
 #include "tests/runtime/api/same_pictures.h"
@@ -18,11 +18,11 @@ protected:
     }
 };
 
-TEST_F(SetPictures, AreThoseOfPointrtView) {
+TEST_F(SetPictures, MatchPointrtView) {
     const PictureSettings settings{{"integrator", "path"}, {"spp", "2"}, {"lights", "2"}};
     folder.write("scene.toml", "up = \"z\"\nstaged_for = [0, -5, 0]\n[[instance]]\nfile = \"ball.proset\"\n");
     PictureRenderer renderer(device, {folder.file("scene.toml")}, settings);
-    // near, so far that the root alone will do, and near again from another side
+    // near, so far away that the root suffices, and near again from another side
     const std::array<double, 3> eyes[] = {{1.5, -1.5, 0.5}, {0, -60, 1}, {-1.4, 1.2, -0.6}};
     for (const auto& eye : eyes) {
         LookAt camera;

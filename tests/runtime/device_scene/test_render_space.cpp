@@ -26,7 +26,7 @@ pro_info infoAt(Vec3 origin, double scale) {
     return info;
 }
 
-/// About a slanted axis (Rodrigues), rows orthonormal to the last bits.
+/// A rotation about an oblique axis by Rodrigues' formula, orthonormal to the last bits.
 std::array<Vec3, 3> rotation(double degrees) {
     const Vec3 axis = normalize({1, 2, -1});
     const double angle = degrees * kRenderSpacePi / 180;
@@ -84,7 +84,7 @@ void expectRow(const gpu::vec4& row, float x, float y, float z, float w) {
     EXPECT_EQ(row.w, w);
 }
 
-TEST(RenderSpace, IsTheFirstCubeExactlyWhereItIsNotMoved) {
+TEST(RenderSpace, IsTheFirstCubeIfThatIsNotTransformed) {
     for (const Vec3 origin : {Vec3{}, Vec3{5'412'345.678, 331'234.567, -12.3}, Vec3{-0.1, 0.7, 1e-9}})
         for (const double scale : {1.0, 0.0731, 123.456789}) {
             const pro_info infos[] = {infoAt(origin, scale)};
@@ -115,7 +115,7 @@ TEST(RenderSpace, FollowsTheFirstInstance) {
     EXPECT_NEAR(world.z, 297.5, 1e-12);
 }
 
-TEST(RenderSpace, FramesShapesWhereThereIsNoInstance) {
+TEST(RenderSpace, FramesShapesIfThereIsNoInstance) {
     SceneDescription scene;
     EXPECT_EQ(chooseRenderSpace(scene, {}).scale, 1);
     scene.shapes.push_back({});
@@ -130,7 +130,7 @@ TEST(RenderSpace, FramesShapesWhereThereIsNoInstance) {
 }
 
 // A millimetre of a national grid's coordinates is the 13th digit.
-TEST(RenderSpace, LosesNothingOfNationalGrids) {
+TEST(RenderSpace, KeepsMillimetresOfNationalGrids) {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> unit;
     for (int round = 0; round < 200; ++round) {
@@ -181,7 +181,7 @@ TEST(RenderSpace, BoundsHoldEveryCorner) {
     EXPECT_NEAR(length(bounds.hi - corners.hi), 0, 1e-12);
 }
 
-/// Furthest along each axis of points center + x u + y v + z w, by trying many.
+/// The largest coordinate along each axis of points center + x u + y v + z w, by trying many.
 Bounds triedBounds(const ShapeDescription& shape) {
     std::mt19937_64 random(5);
     std::normal_distribution<double> normal;
@@ -213,7 +213,7 @@ TEST(RenderSpace, BoundsOfShapesAreTight) {
     EXPECT_FALSE(shapeBounds({}).has_value());
 }
 
-TEST(PackShape, TakesThePlaceToTheUnitForm) {
+TEST(PackShape, TransformsTheShapeToItsUnitForm) {
     const Vec3 far{5'000'000, 330'000, 100};
     const auto axes = rotation(33);
     const ShapeDescription shape{ShapeKind::kBox,
@@ -243,7 +243,7 @@ TEST(PackShape, TakesThePlaceToTheUnitForm) {
     EXPECT_EQ(packed.kind.z, SHAPE_UNSEEN_BY_CAMERA);
 }
 
-TEST(PackShape, KnowsEachKind) {
+TEST(PackShape, StoresEachKind) {
     const std::pair<ShapeKind, std::uint32_t> kinds[] = {{ShapeKind::kPlane, SHAPE_PLANE},
                                                          {ShapeKind::kDisc, SHAPE_DISC},
                                                          {ShapeKind::kQuad, SHAPE_QUAD},
@@ -299,7 +299,7 @@ TEST(PackLight, PutsDiscsInTheirPlane) {
     const gpu::Shape shape = lampShape(space, disc, 3).value();
     EXPECT_EQ(shape.kind.x, std::uint32_t{SHAPE_DISC});
     EXPECT_EQ(shape.kind.z, SHAPE_UNSEEN_BY_CAMERA);
-    // a point of the rim, half a unit from the middle, is 1 from it in the unit form
+    // a point of the rim, half a unit from the centre, is at distance 1 in the unit form
     EXPECT_NEAR(std::hypot(shape.row_x.x * 1.5 + shape.row_x.w, shape.row_y.x * 1.5 + shape.row_y.w), 1, 1e-6);
     EXPECT_EQ(lampMaterial(disc, 9).value().emission.z, 7);
 }

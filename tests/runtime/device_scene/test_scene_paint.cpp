@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "format/base/error.h"
+#include "tests/support/says.h"
 #include "tests/support/temporary_folder.h"
 #include "tiny_attributes.h"
 
@@ -234,11 +235,10 @@ TEST_F(ScenePaintTest, ColouredScans_KeepTheirOverrides) {
 
 TEST_F(ScenePaintTest, Errors_ListWhatIsAvailable) {
     colorBy("intensty");
-    EXPECT_EQ(
-        refusal(ExitCode::kBadUsage),
-        "--color-by: " + scan.path +
-            " has no attribute \"intensty\", did you mean \"intensity\"? Available: rgb, height, normal, intensity, "
-            "classification, gps_time, rgb16.0, rgb16.1, rgb16.2, größe in einer Einheit, 31 By");
+    EXPECT_SAYS(refusal(ExitCode::kBadUsage),
+                "--color-by: " + scan.path +
+                    " *\"intensty\"*\"intensity\"*rgb, height, normal, intensity, classification, gps_time, rgb16.0, "
+                    "rgb16.1, rgb16.2, größe in einer Einheit, 31 By");
     for (const char* word : {"rgb16", "rgb16.3", "rgb16.", ".0", "scan"}) {
         colorBy(word);
         EXPECT_NE(refusal(ExitCode::kBadUsage), "") << word;
@@ -246,8 +246,7 @@ TEST_F(ScenePaintTest, Errors_ListWhatIsAvailable) {
     colorBy(kOwnColors);
     scene.materials.resize(1);
     put(MaterialOverride::Numbers{"normal", {{0, 1}}}, 0);
-    EXPECT_TRUE(
-        refusal(ExitCode::kBadInput).starts_with("scene.toml:9: " + scan.path + " has no attribute \"normal\""));
+    EXPECT_SAYS(refusal(ExitCode::kBadInput), "scene.toml:9: " + scan.path + " *attribute \"normal\"");
 }
 
 TEST_F(ScenePaintTest, Materials_AreLimitedTo256) {
@@ -255,8 +254,7 @@ TEST_F(ScenePaintTest, Materials_AreLimitedTo256) {
     for (std::uint32_t m = 0; m < 254; ++m) put(MaterialOverride::Numbers{"intensity", {{0, 0}}}, m);
     EXPECT_EQ(refusal(ExitCode::kBadInput), "");
     put(MaterialOverride::Numbers{"intensity", {{0, 0}}}, 254);
-    EXPECT_EQ(refusal(ExitCode::kBadInput),
-              "scene.toml:9: " + scan.path + " has more than 256 materials with those of overrides");
+    EXPECT_SAYS(refusal(ExitCode::kBadInput), "scene.toml:9: " + scan.path + " *256 materials");
 }
 
 TEST_F(ScenePaintTest, Requests_DifferIfPaintDiffers) {

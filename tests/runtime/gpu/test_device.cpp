@@ -18,6 +18,7 @@
 #include "runtime/gpu/program.h"
 #include "runtime/gpu/resources.h"
 #include "shaders/scale_words.spv.h"
+#include "tests/support/says.h"
 #include "tests/support/validated_device.h"
 
 namespace pointrt {
@@ -314,9 +315,8 @@ TEST(DeviceChoice, PrefersTheFastestKind) {
         chooseCandidate(candidates, "force");
         FAIL() << "no error";
     } catch (const Error& error) {
-        EXPECT_EQ(std::string(error.what()),
-                  "no usable Vulkan device: 0 \"llvmpipe\": does not match \"force\"; 1 \"Iris\": does not match "
-                  "\"force\"; 2 \"Virtio\": does not match \"force\"; 3 \"GeForce\": no compute queue");
+        EXPECT_SAYS(error.what(), "*0 \"llvmpipe\": *\"force\"*1 \"Iris\": *\"force\"*2 \"Virtio\": "
+                                  "*\"force\"*3 \"GeForce\": no compute queue");
     }
     EXPECT_THROW(chooseCandidate({}, ""), Error);
 }

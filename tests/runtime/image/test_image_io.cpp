@@ -20,6 +20,7 @@
 #include "runtime/image/image_exr.h"
 #include "runtime/image/image_png.h"
 #include "runtime/util/output_file.h"
+#include "tests/support/says.h"
 #include "tests/support/temporary_folder.h"
 
 namespace pointrt {
@@ -265,17 +266,17 @@ void expectCannotWrite(const std::string& path, const char* reason, const std::f
         FAIL() << "no error";
     } catch (const Error& error) {
         EXPECT_EQ(error.code, ExitCode::kCannotWrite);
-        EXPECT_EQ(std::string(error.what()), path + ": " + reason);
+        EXPECT_SAYS(error.what(), path + ": " + reason);
     }
 }
 
 TEST_F(ImageIo, Errors_SayWhy) {
     const std::string missing = path("none/a.exr"), occupied = path("folder.png");
     fs::create_directory(occupied);
-    expectCannotWrite(missing, "the folder does not exist", [&] { requireWritable(missing); });
-    expectCannotWrite(missing, "the folder does not exist", [&] { writeExr(missing, testFilm(2, 2)); });
-    expectCannotWrite(occupied, "it is a folder", [&] { requireWritable(occupied); });
-    expectCannotWrite(occupied, "it is a folder", [&] { writePng(occupied, {1, 1, 3, {1, 2, 3}}); });
+    expectCannotWrite(missing, "*folder*exist", [&] { requireWritable(missing); });
+    expectCannotWrite(missing, "*folder*exist", [&] { writeExr(missing, testFilm(2, 2)); });
+    expectCannotWrite(occupied, "*is a folder", [&] { requireWritable(occupied); });
+    expectCannotWrite(occupied, "*is a folder", [&] { writePng(occupied, {1, 1, 3, {1, 2, 3}}); });
     EXPECT_EQ(folder.entries(), 1u);
     requireWritable(path("fine.png"));
 }

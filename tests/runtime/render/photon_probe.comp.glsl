@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Asks shaders/shade/caustic.glsl for the light at many points of a photon map.
+// Evaluates shaders/shade/caustic.glsl at many points of a photon map.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/shared/photon_layout.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The preview denoiser on made-up films, whose pictures without noise are known: what it must take away and must keep.
+// The preview denoiser on synthetic films whose noise-free pictures are known: what it must remove and what it must
+// keep.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,11 +21,11 @@ namespace {
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinity = std::numeric_limits<float>::infinity();
 constexpr std::uint32_t kSide = 128;
 
-/// Where a statistic is taken: every pixel for which it holds.
+/// Selects the pixels of a statistic.
 using Where = std::function<bool(std::uint32_t x, std::uint32_t y)>;
 bool everywhere(std::uint32_t, std::uint32_t) { return true; }
 
-/// A white plane facing the eye, lit by 0.5, without noise and its variance 0.
+/// A white plane that faces the eye, lit by 0.5, without noise or variance.
 Film planeFilm(std::uint32_t width, std::uint32_t height) {
     const std::size_t pixels = std::size_t{width} * height;
     Film film;
@@ -93,8 +94,8 @@ protected:
         return film;
     }
 
-    /// Light 0.2 on the left half and 0.8 on the right, with a variance that lets anything through: only guides that
-    /// edge sets keep the halves apart.
+    /// Light is 0.2 on the left half and 0.8 on the right, with a variance so large that only guides, which edge sets
+    /// on the right, keep the halves apart.
     void expectGuidesKeepHalvesApart(const std::function<void(Film&, std::size_t right_pixel)>& edge) {
         Film film = planeFilm(kSide, kSide);
         for (std::size_t i = 0; i < film.depth.size(); ++i) {
@@ -112,11 +113,9 @@ protected:
         EXPECT_NEAR(meanOf(result, beside), 0.2, 0.002);
         EXPECT_NEAR(meanOf(result, beyond), 0.8, 0.008);
     }
-
-private:
 };
 
-TEST_F(DenoiserTest, TakesNoiseFromAPlaneAndKeepsItsMean) {
+TEST_F(DenoiserTest, RemovesNoiseOfAPlaneAndKeepsItsMean) {
     const Film truth = planeFilm(kSide, kSide);
     for (const float deviation : {0.1f, 0.5f}) {
         Film noisy = truth;
@@ -127,9 +126,9 @@ TEST_F(DenoiserTest, TakesNoiseFromAPlaneAndKeepsItsMean) {
     }
 }
 
-// Of skewed noise bright pixels look uncertain and dark ones certain, which costs some light; one-sided weights lose
-// twice as much.
-TEST_F(DenoiserTest, LosesLittleLightOfSkewedNoise) {
+// With skewed noise, bright pixels have a large variance and dark ones a small one, which costs some light; one-sided
+// weights lose twice as much.
+TEST_F(DenoiserTest, LosesLittleLightToSkewedNoise) {
     Film noisy = planeFilm(kSide, kSide);
     std::mt19937 random(1);
     std::exponential_distribution<float> light(2.0f);
@@ -146,7 +145,7 @@ TEST_F(DenoiserTest, LosesLittleLightOfSkewedNoise) {
     EXPECT_NEAR(meanOf(denoised(noisy), everywhere) / meanOf(noisy, everywhere), 1, 0.02);
 }
 
-TEST_F(DenoiserTest, GuessesTheVarianceWhereThereIsNone) {
+TEST_F(DenoiserTest, EstimatesAMissingVariance) {
     const Film truth = planeFilm(kSide, kSide);
     Film noisy = truth;
     addNoise(noisy, 0.5f);
@@ -168,7 +167,7 @@ TEST_F(DenoiserTest, WorksWithoutGuides) {
     EXPECT_LT(4 * errorOf(denoised(noisy), truth), errorOf(noisy, truth));
 }
 
-// A floor up to ten times as far at its far end: from row to row depth steps as it does at edges.
+// A floor whose far end is ten times as far: depth differs between rows as much as at edges.
 TEST_F(DenoiserTest, FollowsATiltedPlane) {
     Film facing = planeFilm(kSide, kSide);
     const Film truth = facing;
@@ -190,11 +189,11 @@ TEST_F(DenoiserTest, StopsAtEdgesOfTheDepth) {
     expectGuidesKeepHalvesApart([](Film& film, std::size_t pixel) { film.depth[pixel] = 3; });
 }
 
-TEST_F(DenoiserTest, KeepsTheBackgroundOut) {
+TEST_F(DenoiserTest, DoesNotBlendInTheBackground) {
     expectGuidesKeepHalvesApart([](Film& film, std::size_t pixel) { film.rgba[4 * pixel + 3] = 0; });
 }
 
-TEST_F(DenoiserTest, LeavesTheBackgroundAsItIs) {
+TEST_F(DenoiserTest, LeavesTheBackgroundUnchanged) {
     Film film = planeFilm(kSide, kSide);
     for (std::size_t i = 0; i < film.depth.size(); ++i)
         if (isRight(i % kSide, 0)) {
@@ -211,8 +210,8 @@ TEST_F(DenoiserTest, LeavesTheBackgroundAsItIs) {
     EXPECT_NEAR(meanOf(result, isLeft) / meanOf(film, isLeft), 1, 0.005);
 }
 
-// A column of half covered pixels, half of their light from a bright background.
-TEST_F(DenoiserTest, LetsNoBackgroundInThroughPartlyCoveredPixels) {
+// A column of half-covered pixels, which get half of their light from a bright background.
+TEST_F(DenoiserTest, PartlyCoveredPixelsSpreadNoBackground) {
     Film film = planeFilm(kSide, kSide);
     for (std::size_t i = kSide / 2; i < film.depth.size(); i += kSide) {
         film.rgba[4 * i + 3] = 0.5f;
@@ -223,7 +222,7 @@ TEST_F(DenoiserTest, LetsNoBackgroundInThroughPartlyCoveredPixels) {
     for (std::size_t i = 0; i < film.rgba.size(); ++i) ASSERT_NEAR(result.rgba[i], film.rgba[i], 1e-4 * film.rgba[i]);
 }
 
-TEST_F(DenoiserTest, KeepsTextureThatIsInTheAlbedo) {
+TEST_F(DenoiserTest, KeepsTextureOfTheAlbedo) {
     Film truth = planeFilm(kSide, kSide);
     for (std::size_t i = 0; i < truth.depth.size(); ++i) {
         const float albedo = (i % kSide / 4 + i / kSide / 4) % 2 ? 0.8f : 0.1f;
@@ -237,7 +236,7 @@ TEST_F(DenoiserTest, KeepsTextureThatIsInTheAlbedo) {
     EXPECT_LT(8 * errorOf(result, truth), errorOf(noisy, truth));
 }
 
-TEST_F(DenoiserTest, KeepsAShadowsEdgeWhereTheVarianceIsLow) {
+TEST_F(DenoiserTest, KeepsShadowEdgesOfLowVariance) {
     Film truth = planeFilm(kSide, kSide);
     for (std::size_t i = 0; i < truth.depth.size(); ++i) setRgb(truth, i, isRight(i % kSide, 0) ? 0.6f : 0.3f);
     Film noisy = truth;
@@ -248,8 +247,8 @@ TEST_F(DenoiserTest, KeepsAShadowsEdgeWhereTheVarianceIsLow) {
     EXPECT_LT(4 * errorOf(result, truth), errorOf(noisy, truth));
 }
 
-// What a mirror shows: detail of single pixels that no guide knows of.
-TEST_F(DenoiserTest, KeepsEverythingWhereTheVarianceIsNone) {
+// As in a mirror: detail of single pixels that no guide shows.
+TEST_F(DenoiserTest, KeepsPixelsOfZeroVariance) {
     Film film = planeFilm(kSide, kSide);
     addNoise(film, 1.0f);
     film.variance.assign(film.variance.size(), 0.0f);
@@ -258,8 +257,8 @@ TEST_F(DenoiserTest, KeepsEverythingWhereTheVarianceIsNone) {
         ASSERT_NEAR(result.rgba[i], film.rgba[i], 1e-5 * std::abs(film.rgba[i])) << i;
 }
 
-// A mirror that shows a noisy thing before nothing. Variances are smoothed over 2 pixels.
-TEST_F(DenoiserTest, LetsNoNoisyLightIntoWhatIsCertain) {
+// A mirror that shows a noisy object in front of black. Variances are smoothed over 2 pixels.
+TEST_F(DenoiserTest, ConvergedPixelsTakeNoLightFromNoisyOnes) {
     Film film = planeFilm(kSide, kSide);
     for (std::size_t i = 0; i < film.depth.size(); ++i)
         if (isRight(i % kSide, 0)) setRgb(film, i, 0);
@@ -269,7 +268,7 @@ TEST_F(DenoiserTest, LetsNoNoisyLightIntoWhatIsCertain) {
     EXPECT_EQ(meanOf(result, certain), 0);
 }
 
-TEST_F(DenoiserTest, LeavesLampsAlone) {
+TEST_F(DenoiserTest, LeavesLampsUnchanged) {
     Film film = planeFilm(kSide, kSide);
     addNoise(film, 0.3f);
     const std::size_t lamp = kSide * kSide / 2 + kSide / 2;
@@ -293,7 +292,7 @@ TEST_F(DenoiserTest, ClampsAFireflyButNoHighlight) {
     EXPECT_NEAR(denoised(film).rgba[4 * pixel], 50, 0.5);
 }
 
-TEST_F(DenoiserTest, ReplacesWhatIsNoNumber) {
+TEST_F(DenoiserTest, ReplacesNonFiniteValues) {
     const Film truth = planeFilm(kSide, kSide);
     Film film = truth;
     addNoise(film, 0.3f);
@@ -313,7 +312,7 @@ TEST_F(DenoiserTest, ReplacesWhatIsNoNumber) {
     EXPECT_LT(errorOf(result, truth), before / 2);
 }
 
-TEST_F(DenoiserTest, ReplacesWhatIsNoNumberInTheBackground) {
+TEST_F(DenoiserTest, ReplacesNonFiniteValuesInTheBackground) {
     Film film = planeFilm(5, 5);
     for (std::size_t i = 0; i < 25; ++i) film.rgba[4 * i + 3] = 0;
     film.rgba[4 * 12] = kNan;
@@ -321,7 +320,7 @@ TEST_F(DenoiserTest, ReplacesWhatIsNoNumberInTheBackground) {
     for (std::size_t i = 0; i < 25; ++i) EXPECT_EQ(result.rgba[4 * i], 0.5f);
 }
 
-TEST_F(DenoiserTest, TakesFilmsOfAnySize) {
+TEST_F(DenoiserTest, AcceptsFilmsOfAnySize) {
     for (const auto& [width, height] : {std::pair{1u, 1u}, {3u, 5u}, {1u, 40u}, {131u, 2u}}) {
         Film film = planeFilm(width, height);
         film.variance.assign(film.variance.size(), 0.01f);
@@ -332,7 +331,7 @@ TEST_F(DenoiserTest, TakesFilmsOfAnySize) {
     EXPECT_TRUE(denoised(Film{}).rgba.empty());
 }
 
-/// A film with edges in all that guides the filter, fireflies, and pixels that are no number.
+/// A film with edges in every guide, fireflies, and pixels that are NaN.
 Film unevenFilm(std::uint32_t width, std::uint32_t height) {
     Film film = planeFilm(width, height);
     addNoise(film, 0.5f);
@@ -348,7 +347,7 @@ Film unevenFilm(std::uint32_t width, std::uint32_t height) {
     return film;
 }
 
-TEST_F(DenoiserTest, IsTheSameInAnyTiles) {
+TEST_F(DenoiserTest, DoesNotDependOnTiles) {
     const PixelSize size{203, 171};
     const Film film = unevenFilm(size.width, size.height);
     for (const bool has_variance : {true, false}) {
@@ -368,8 +367,8 @@ TEST_F(DenoiserTest, IsTheSameInAnyTiles) {
     }
 }
 
-TEST_F(DenoiserTest, HasTilesThatAnyDeviceBinds) {
-    constexpr std::uint64_t kBytesBound = 1u << 27, kTexel = 16; // what Vulkan promises
+TEST_F(DenoiserTest, TilesFitTheBuffersOfAnyDevice) {
+    constexpr std::uint64_t kBytesBound = 1u << 27, kTexel = 16; // the least that Vulkan guarantees
     for (const PixelSize size : {PixelSize{4000, 3000}, {16384, 16384}, {1, 16384}, {16384, 200}}) {
         const FilterTile tile = filterTileFor(size);
         EXPECT_LE(kTexel * tile.width * tile.rows, kBytesBound);
@@ -388,7 +387,7 @@ TEST_F(DenoiserTest, RefusesArraysOfAnotherSize) {
     EXPECT_THROW(denoiseFilm(device, film), std::logic_error);
 }
 
-/// A device buffer of film's values, count of them a pixel followed by one of last.
+/// A device buffer with a texel per pixel: three of its count values, then its value of last.
 Buffer texelsOf(Device& device, const std::vector<float>& values, std::size_t count, const std::vector<float>& last) {
     std::vector<float> texels;
     for (std::size_t i = 0; i < last.size(); ++i) {
@@ -401,7 +400,7 @@ Buffer texelsOf(Device& device, const std::vector<float>& values, std::size_t co
     return buffer;
 }
 
-TEST_F(DenoiserTest, FiltersFrameAfterFrameOnTheDevice) {
+TEST_F(DenoiserTest, FiltersSeveralFramesOnTheDevice) {
     Film film = planeFilm(70, 33);
     addNoise(film, 0.3f);
     std::vector<float> alpha;

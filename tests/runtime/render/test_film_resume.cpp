@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A film that is broken off, saved and gone on with is the film of one go; a film of something else is refused.
+// A film that is interrupted, saved and continued equals one rendered without a break; films of other scenes or
+// settings are refused.
 #include "runtime/render/film_resume.h"
 
 #include <gtest/gtest.h>
@@ -18,6 +19,7 @@
 #include "runtime/render/progressive_renderer.h"
 #include "runtime/scene/camera.h"
 #include "tests/support/ball_scene.h"
+#include "tests/support/says.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/validated_device.h"
 
@@ -53,7 +55,7 @@ protected:
         return filmSignature(loaded->scene, settings, camera, loaded->tracer.programs.form);
     }
 
-    /// The film start with this many samples in all.
+    /// Continues the film start to this many samples in total.
     Film refine(const Film* start, std::uint32_t samples) {
         const RenderSettings& settings = loaded->settings;
         ProgressiveRenderer renderer(device, loaded->tracer);
@@ -80,7 +82,7 @@ protected:
     Camera camera;
 };
 
-/// Largest difference in terms of the larger of the two, or of 1e-3.
+/// Largest difference relative to the larger of the two, or to 1e-3.
 double difference(const std::vector<float>& a, const std::vector<float>& b) {
     EXPECT_EQ(a.size(), b.size());
     double worst = 0;
@@ -90,7 +92,7 @@ double difference(const std::vector<float>& a, const std::vector<float>& b) {
     return worst;
 }
 
-TEST_F(FilmResume, GoesOnAsIfItHadNeverStopped) {
+TEST_F(FilmResume, ContinuesAsIfItHadNeverStopped) {
     const RenderSettings settings = testSettings();
     const Film whole = refine(nullptr, 64);
     for (const std::uint32_t first : {32u, 23u, 1u}) {
@@ -99,28 +101,28 @@ TEST_F(FilmResume, GoesOnAsIfItHadNeverStopped) {
         ASSERT_TRUE(half);
         EXPECT_EQ(mostSamples(*half), first);
         const Film film = refine(&*half, 64);
-        EXPECT_LT(difference(film.rgba, whole.rgba), 2e-6) << first; // a sum of floats and 64 roundings less
+        EXPECT_LT(difference(film.rgba, whole.rgba), 2e-6) << first; // a sum of floats, without 64 roundings
         EXPECT_LT(difference(film.indirect, whole.indirect), 2e-6) << first;
-        EXPECT_LT(difference(film.variance, whole.variance), 1e-3) << first; // what is left of a difference
+        EXPECT_LT(difference(film.variance, whole.variance), 1e-3) << first; // cancellation in a difference
         EXPECT_EQ(film.depth, whole.depth);
         EXPECT_EQ(film.splat_id, whole.splat_id);
         EXPECT_EQ(film.material_id, whole.material_id);
         EXPECT_EQ(fewestSamples(film), 64u);
     }
-    EXPECT_GT(difference(refine(nullptr, 32).rgba, whole.rgba), 1e-2) << "the second half counts";
+    EXPECT_GT(difference(refine(nullptr, 32).rgba, whole.rgba), 1e-2) << "the second half must matter";
 }
 
-TEST_F(FilmResume, GoesOnInTheFormThatItBeganIn) {
+TEST_F(FilmResume, ContinuesInItsKernelForm) {
     EXPECT_FALSE(formToResume(path())) << "there is no film";
     RenderSettings settings = testSettings();
-    settings.caustics = false; // those have one form
+    settings.caustics = false; // they exist in one form only
     for (const KernelForm form : {KernelForm::kWavefront, KernelForm::kMegakernel}) {
         load(settings, form);
         const Film whole = refine(nullptr, 16);
         writeSavedFilm(path(), {refine(nullptr, 5), 5, settings.seed, signature(settings)});
         ASSERT_EQ(formToResume(path()), form);
         load(settings, form == KernelForm::kWavefront ? KernelForm::kMegakernel : KernelForm::kWavefront);
-        EXPECT_NE(refusal(settings).find("passes was"), std::string::npos);
+        EXPECT_HAS(refusal(settings), ": *passes ");
         load(settings, formToResume(path()));
         const std::optional<Film> start = filmToResume(path(), signature(settings), settings);
         const Film film = refine(&*start, 16);
@@ -132,46 +134,45 @@ TEST_F(FilmResume, TakesTheColoursFromTheLayers) {
     const RenderSettings settings = testSettings();
     Film film = refine(nullptr, 8);
     const std::vector<float> rgba = film.rgba;
-    for (std::size_t i = 0; i < film.rgba.size(); i += 4) film.rgba[i] = 0.5f; // as a denoiser might
+    for (std::size_t i = 0; i < film.rgba.size(); i += 4) film.rgba[i] = 0.5f; // as by a denoiser
     writeSavedFilm(path(), {film, 8, settings.seed, signature(settings)});
     EXPECT_LT(difference(filmToResume(path(), signature(settings), settings)->rgba, rgba), 1e-6);
 }
 
-TEST_F(FilmResume, BeginsWhereThereIsNoFile) { EXPECT_FALSE(filmToResume(path(), "", testSettings())); }
+TEST_F(FilmResume, StartsIfThereIsNoFile) { EXPECT_FALSE(filmToResume(path(), "", testSettings())); }
 
-TEST_F(FilmResume, SaysWhatDiffers) {
+TEST_F(FilmResume, NamesTheSettingThatDiffers) {
     const RenderSettings settings = testSettings();
     writeSavedFilm(path(), {refine(nullptr, 2), 2, settings.seed, signature(settings)});
     EXPECT_EQ(refusal(settings), "");
     RenderSettings other = settings;
-    other.spp = 1000; // how many there are in the end does not matter
+    other.spp = 1000; // the number of samples may differ
     EXPECT_EQ(refusal(other), "");
     other.seed = 5;
-    EXPECT_EQ(refusal(other), path() + ": not a film to continue: seed was 0 and is 5");
+    EXPECT_SAYS(refusal(other), path() + ": *seed *0 *5");
     other = settings;
     other.integrator = Integrator::kWhitted;
-    EXPECT_EQ(refusal(other), path() + ": not a film to continue: integrator was path and is whitted");
+    EXPECT_SAYS(refusal(other), path() + ": *integrator *path *whitted");
     other = settings;
     other.width = 25;
-    EXPECT_EQ(refusal(other), path() + ": not a film to continue: size was 24x24 and is 25x24");
+    EXPECT_SAYS(refusal(other), path() + ": *size *24x24 *25x24");
     other = settings;
     other.spp = 1;
-    EXPECT_EQ(refusal(other), path() + ": not a film to continue: pixel was area and is centre");
+    EXPECT_SAYS(refusal(other), path() + ": *pixel *area *centre");
     camera.eye.x += 1e-9;
-    EXPECT_NE(refusal(settings).find("camera was"), std::string::npos);
+    EXPECT_HAS(refusal(settings), ": *camera ");
     camera.eye.x -= 1e-9;
     camera.ortho_height = 4;
-    EXPECT_NE(refusal(settings).find("camera was"), std::string::npos);
+    EXPECT_HAS(refusal(settings), ": *camera ");
     writeSavedFilm(path(), {refine(nullptr, 2), 2, settings.seed, signature(settings)});
     EXPECT_EQ(refusal(settings), "");
-    camera.fov_deg += 1; // nothing to a parallel projection
+    camera.fov_deg += 1; // has no effect on a parallel projection
     EXPECT_EQ(refusal(settings), "");
     camera.ortho_height = 4.5;
-    EXPECT_NE(refusal(settings).find("camera was"), std::string::npos);
-    EXPECT_NE(refusal(settings).find("ortho 4.5"), std::string::npos);
+    EXPECT_HAS(refusal(settings), ": *camera *ortho 4.5");
 }
 
-TEST_F(FilmResume, RefusesFilmsThatAreNotWhole) {
+TEST_F(FilmResume, RefusesIncompleteFilms) {
     const RenderSettings settings = testSettings();
     const Film film = refine(nullptr, 2);
     const auto save = [&](auto damage) {
@@ -180,19 +181,19 @@ TEST_F(FilmResume, RefusesFilmsThatAreNotWhole) {
         writeSavedFilm(path(), {copy, 2, settings.seed, signature(settings)});
     };
     save([](Film& copy) { copy.caustic.clear(); });
-    EXPECT_NE(refusal(settings).find("it has no channel caustic.R"), std::string::npos);
+    EXPECT_HAS(refusal(settings), "no channel caustic.R");
     save([](Film& copy) { copy.samples[30] = 3; });
-    EXPECT_NE(refusal(settings).find("its channel samples is damaged"), std::string::npos);
+    EXPECT_HAS(refusal(settings), "channel samples *damaged");
     save([](Film& copy) { copy.samples.assign(copy.samples.size(), 1e9f); });
-    EXPECT_NE(refusal(settings).find("its channel samples is damaged"), std::string::npos);
+    EXPECT_HAS(refusal(settings), "channel samples *damaged");
 }
 
-TEST(SignatureDifference, NamesTheFirst) {
+TEST(SignatureDifference, NamesTheFirstSettingThatDiffers) {
     EXPECT_EQ(signatureDifference("a=1; b=2", "a=1; b=2"), "");
-    EXPECT_EQ(signatureDifference("a=1; b=2; c=3", "a=1; b=4; c=5"), "b was 2 and is 4");
-    EXPECT_EQ(signatureDifference("a=1", "a=1; b=2"), "b was nothing and is 2");
-    EXPECT_EQ(signatureDifference("a=1; b=2", "a=1"), "b was 2 and is nothing");
-    EXPECT_EQ(signatureDifference("junk", "a=1"), "a was nothing and is 1");
+    EXPECT_SAYS(signatureDifference("a=1; b=2; c=3", "a=1; b=4; c=5"), "b *2 *4");
+    EXPECT_SAYS(signatureDifference("a=1", "a=1; b=2"), "b *nothing *2");
+    EXPECT_SAYS(signatureDifference("a=1; b=2", "a=1"), "b *2 *nothing");
+    EXPECT_SAYS(signatureDifference("junk", "a=1"), "a *nothing *1");
 }
 
 } // namespace

@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// Films are gone on with years later: what their signatures say stays the same to the letter.
+// Films may be continued years later, so their signatures must stay the same to the letter.
 #include "runtime/render/film_signature.h"
 
 #include <gtest/gtest.h>
 
 #include "runtime/scene/camera.h"
 #include "runtime/scene/render_setting_table.h"
+#include "tests/support/says.h"
 
 namespace pointrt {
 namespace {
 
 Camera testCamera() { return frameCamera({}, {-1, -1, -1}, {1, 1, 1}, 1); }
 
-/// What follows the renderer's version and the scene's hash.
+/// The part after the renderer's version and the scene's hash.
 std::string settingsPart(const RenderSettings& settings, const Camera& camera) {
     const std::string signature = filmSignature({}, settings, camera, KernelForm::kWavefront);
     EXPECT_TRUE(signature.starts_with("renderer=")) << signature;
     return signature.substr(signature.find("; size="));
 }
 
-TEST(FilmSignature, OfDefaultsIsTheTextThatItWas) {
+TEST(FilmSignature, OfDefaultsNeverChanges) {
     Camera camera = testCamera();
     camera.eye = {0.1, -2, 5};
     EXPECT_EQ(settingsPart({}, camera),
@@ -28,7 +29,7 @@ TEST(FilmSignature, OfDefaultsIsTheTextThatItWas) {
               "reflectivity=default");
 }
 
-TEST(FilmSignature, OfEverySettingIsTheTextThatItWas) {
+TEST(FilmSignature, OfAllSettingsNeverChanges) {
     RenderSettings settings;
     settings.width = 30;
     settings.height = 20;
@@ -51,7 +52,7 @@ TEST(FilmSignature, OfEverySettingIsTheTextThatItWas) {
               "reflectivity=0.10000000149011612");
 }
 
-TEST(FilmSignature, TellsColoursAfterAllThatWasThereBefore) {
+TEST(FilmSignature, ListsColourSettingsAfterOlderOnes) {
     RenderSettings settings;
     settings.color_by = "gps_time";
     settings.color_map = ColorMap::kTurbo;
@@ -62,14 +63,14 @@ TEST(FilmSignature, TellsColoursAfterAllThatWasThereBefore) {
               before + "; color_by=gps_time; color_map=turbo; color_range=0.1,3e+09");
 }
 
-TEST(FilmSignature, TellsTheFormOfItsPassesLast) {
+TEST(FilmSignature, ListsTheKernelFormLast) {
     const std::string queued = filmSignature({}, {}, testCamera(), KernelForm::kWavefront);
     const std::string fused = filmSignature({}, {}, testCamera(), KernelForm::kMegakernel);
-    EXPECT_EQ(fused, queued + "; passes=fused") << "films from before there were forms are queued";
+    EXPECT_EQ(fused, queued + "; passes=fused") << "older films name no form and are wavefront";
     EXPECT_EQ(formOf(queued), KernelForm::kWavefront);
     EXPECT_EQ(formOf(fused), KernelForm::kMegakernel);
     EXPECT_EQ(formOf(""), KernelForm::kWavefront);
-    EXPECT_EQ(signatureDifference(fused, queued), "passes was fused and is nothing");
+    EXPECT_SAYS(signatureDifference(fused, queued), "passes *fused *nothing");
 }
 
 std::uint32_t anotherValue(CountRange range, const std::optional<std::uint32_t>& value) {
@@ -86,7 +87,7 @@ Named anotherValue(OneOf<Named> choices, const std::optional<Named>& value) {
     return value == choices.names[0].value ? choices.names[1].value : choices.names[0].value;
 }
 
-TEST(FilmSignature, TellsEverySettingThatTheTableSaysItTells) {
+TEST(FilmSignature, ListsTheSettingsMarkedInTheTable) {
     const RenderSettings before;
     forEachRenderSetting([&](const auto& row) {
         RenderChoices choices;
@@ -96,7 +97,7 @@ TEST(FilmSignature, TellsEverySettingThatTheTableSaysItTells) {
         const std::string difference =
             signatureDifference(filmSignature({}, before, testCamera(), KernelForm::kWavefront),
                                 filmSignature({}, after, testCamera(), KernelForm::kWavefront));
-        const std::string expected = row.film.place == 0 ? "" : std::string(row.film.name) + " was ";
+        const std::string expected = row.film.place == 0 ? "" : std::string(row.film.name) + ' ';
         EXPECT_EQ(difference.substr(0, expected.size()), expected) << row.command_line.option;
         EXPECT_EQ(difference.empty(), row.film.place == 0) << row.command_line.option << ": " << difference;
     });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which samples a frame takes, with a tracer that only counts and a clock that runs by its samples.
+// Which samples a frame takes, with a tracer that only counts, and a clock that its samples advance.
 #include "runtime/render/frame_schedule.h"
 #include "runtime/scene/render_settings.h"
 
@@ -21,9 +21,9 @@ Film blankFilm(std::uint32_t width, std::uint32_t height) {
     return film;
 }
 
-/// A tracer whose noise is 1 / sqrt(samples) and whose bands take their rows' share of a second a sample.
-struct Pretender {
-    double now = 100;                              // clocks start anywhere
+/// A tracer whose noise is 1 / sqrt(samples). A sample of all rows takes a second, of a band its share of that.
+struct FakeTracer {
+    double now = 100;                              // an arbitrary start
     std::map<std::uint32_t, std::uint32_t> traced; ///< by first row
     std::uint32_t opened = 0, looks = 0;
 
@@ -52,7 +52,7 @@ struct Pretender {
 };
 
 TEST(FrameSchedule, TakesAllSamplesOfABandAtOnceWithoutLimits) {
-    Pretender tracer;
+    FakeTracer tracer;
     FrameJob job;
     job.samples = 5;
     double share = 0;
@@ -68,10 +68,10 @@ TEST(FrameSchedule, TakesAllSamplesOfABandAtOnceWithoutLimits) {
     EXPECT_NEAR(share, 1, 1e-9);
 }
 
-TEST(FrameSchedule, GoesOnWithEachBandFromWhereItIs) {
+TEST(FrameSchedule, ContinuesEachBandFromItsSamples) {
     Film film = blankFilm(2, 4);
     film.samples = {7, 7, 3, 3, 3, 3, 9, 9};
-    Pretender tracer;
+    FakeTracer tracer;
     FrameJob job;
     job.samples = 8;
     const FrameState state = tracer.run(job, film, 4);
@@ -80,23 +80,23 @@ TEST(FrameSchedule, GoesOnWithEachBandFromWhereItIs) {
     EXPECT_NEAR(state.traced, (1 + 2 * 5) / 4.0, 1e-9);
 }
 
-TEST(FrameSchedule, HasNothingToDoOnAFilmThatIsComplete) {
+TEST(FrameSchedule, CompleteFilmsNeedNoSamples) {
     Film film = blankFilm(1, 2);
     film.samples = {8, 8};
-    Pretender tracer;
+    FakeTracer tracer;
     FrameJob job;
     job.samples = 8;
     EXPECT_EQ(tracer.run(job, film, 1).traced, 0);
     EXPECT_EQ(tracer.opened, 0u);
 }
 
-TEST(FrameSchedule, KeepsItsTime) {
+TEST(FrameSchedule, StopsAtTheTimeLimit) {
     for (const double seconds : {0.3, 1.0, 2.0, 7.9, 100.5}) {
         FrameJob job;
         job.samples = kMaxSpp;
         job.limits.seconds = seconds;
         for (const std::uint32_t band_rows : {16u, 3u}) {
-            Pretender tracer;
+            FakeTracer tracer;
             const FrameState state = tracer.run(job, blankFilm(1, 16), band_rows);
             EXPECT_EQ(state.samples, std::max(1u, static_cast<std::uint32_t>(seconds + 1e-6))) << seconds;
             EXPECT_LE(state.seconds, std::max(1.0, seconds) + 1e-6);
@@ -104,49 +104,49 @@ TEST(FrameSchedule, KeepsItsTime) {
     }
 }
 
-TEST(FrameSchedule, TakesOneSampleMoreOfAFilmHoweverShortTheTime) {
+TEST(FrameSchedule, ResumedFilmsGetASampleInAnyTime) {
     Film film = blankFilm(1, 1);
     film.samples = {32};
-    Pretender tracer;
+    FakeTracer tracer;
     FrameJob job;
     job.samples = kMaxSpp;
     job.limits.seconds = 0.001;
     EXPECT_EQ(tracer.run(job, film, 1).samples, 33u);
 }
 
-TEST(FrameSchedule, StopsAtItsNoise) {
+TEST(FrameSchedule, StopsAtTheNoiseLimit) {
     FrameJob job;
     job.samples = kMaxSpp;
     job.limits.noise = 0.05; // 400 samples
-    Pretender tracer;
+    FakeTracer tracer;
     const FrameState state = tracer.run(job, blankFilm(1, 16), 16);
     EXPECT_GE(state.samples, 400u);
-    EXPECT_LE(state.samples, 402u); // the target hit to rounding, and then one more step
+    EXPECT_LE(state.samples, 402u); // the target but for rounding, and then one more step
     EXPECT_LE(*state.noise, 0.05);
     EXPECT_LE(tracer.looks, 9u) << "at 8, 16, ... 256 and the end";
 }
 
-TEST(FrameSchedule, HasNoMoreSamplesThanAskedForWhateverTheLimits) {
+TEST(FrameSchedule, LimitsNeverAddSamples) {
     FrameJob job;
     job.samples = 50;
     job.limits = {1000, 0.001};
-    Pretender tracer;
+    FakeTracer tracer;
     EXPECT_EQ(tracer.run(job, blankFilm(1, 16), 5).samples, 50u);
 }
 
-TEST(FrameSchedule, HasSomethingEverywhereWhenInterrupted) {
-    Pretender tracer;
+TEST(FrameSchedule, InterruptedFramesHaveSamplesEverywhere) {
+    FakeTracer tracer;
     FrameJob job;
     job.samples = 1000;
     job.interrupted = [&] { return tracer.now > 110; };
     const FrameState state = tracer.run(job, blankFilm(1, 10), 5);
     EXPECT_EQ(state.samples, 8u); // 1, 2, 4, 8 in both bands take 8 of 10 seconds
-    EXPECT_EQ(tracer.traced[0], 13u) << "the sample under way is finished";
+    EXPECT_EQ(tracer.traced[0], 13u) << "the current sample is finished";
     EXPECT_EQ(tracer.traced[5], 8u);
 }
 
-TEST(FrameSchedule, TakesABandsSamplesAtOnceThoughItMayBeInterrupted) {
-    Pretender tracer;
+TEST(FrameSchedule, TakesAllSamplesOfABandAtOnceIfBandByBand) {
+    FakeTracer tracer;
     FrameJob job;
     job.samples = 5;
     job.interrupted = [] { return false; };
@@ -155,8 +155,8 @@ TEST(FrameSchedule, TakesABandsSamplesAtOnceThoughItMayBeInterrupted) {
     EXPECT_EQ(tracer.opened, 3u);
 }
 
-TEST(FrameSchedule, BreaksASampleOffThatIsMuchTooLate) {
-    Pretender tracer;
+TEST(FrameSchedule, AbortsALateSample) {
+    FakeTracer tracer;
     FrameJob job;
     job.samples = kMaxSpp;
     job.limits.seconds = 3;
@@ -171,14 +171,14 @@ TEST(FrameSchedule, BreaksASampleOffThatIsMuchTooLate) {
     EXPECT_EQ(schedule.state().empty_rows, 48u);
     EXPECT_NEAR(schedule.state().traced, 0.25, 1e-9);
     schedule.addRows(16);
-    EXPECT_EQ(schedule.next(), nullptr) << "nor does another band begin";
+    EXPECT_EQ(schedule.next(), nullptr) << "no other band begins either";
     EXPECT_EQ(schedule.state().empty_rows, 32u);
 }
 
-TEST(FrameSchedule, GoesOnWhereMoreSamplesAreAskedFor) {
+TEST(FrameSchedule, ContinuesIfMoreSamplesAreRequested) {
     FrameJob job;
     job.samples = 2;
-    Pretender tracer;
+    FakeTracer tracer;
     FrameSchedule schedule(job, emptyBands(5, 3), tracer.gauges());
     const auto count = [&] {
         int samples = 0;
@@ -214,7 +214,7 @@ Film filmOf(std::vector<float> lights, std::vector<float> variances) {
     return film;
 }
 
-TEST(RelativeNoise, IsTheStandardErrorInTermsOfTheLight) {
+TEST(RelativeNoise, IsTheStandardErrorRelativeToTheLight) {
     EXPECT_NEAR(relativeNoise(filmOf({2}, {0.01f})), 0.1 / (2 + 0.02), 1e-6);
     // mean 1.5: sqrt((0.1 / 1.015)^2 / 2 + (0.4 / 2.015)^2 / 2)
     EXPECT_NEAR(relativeNoise(filmOf({1, 2}, {0.01f, 0.16f})), 0.156706, 1e-5);
@@ -227,7 +227,7 @@ TEST(RelativeNoise, IsUnknownAfterOneSample) {
     EXPECT_EQ(relativeNoise(film), std::numeric_limits<double>::infinity());
 }
 
-TEST(RelativeNoise, IsTheSameOfRowsThatComeOneAfterTheOther) {
+TEST(RelativeNoise, DoesNotDependOnHowRowsAreAdded) {
     const Film one = filmOf({2}, {0.01f}), other = filmOf({0.5f}, {0.16f});
     NoiseMeter meter(2);
     meter.addRows(one);
@@ -237,7 +237,7 @@ TEST(RelativeNoise, IsTheSameOfRowsThatComeOneAfterTheOther) {
     EXPECT_EQ(meter.noise(), std::numeric_limits<double>::infinity());
 }
 
-TEST(RelativeNoise, PassesOverPixelsThatAreNoNumbers) {
+TEST(RelativeNoise, IgnoresNonFinitePixels) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     EXPECT_NEAR(relativeNoise(filmOf({2, nan}, {0.01f, nan})), 0.1 / (2 + 0.01) / std::sqrt(2.0), 1e-6);
 }

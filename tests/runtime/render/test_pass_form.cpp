@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which form passes have is known before anything is traced: it hangs on the kind of device and scene alone.
+// The kernel form depends only on the kind of device, the integrator and the request.
 #include "runtime/render/kernel_form_choice.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ constexpr VkPhysicalDeviceType kProcessor = VK_PHYSICAL_DEVICE_TYPE_CPU;
 
 constexpr Integrator kShowLight[] = {Integrator::kPhong, Integrator::kWhitted, Integrator::kPath};
 
-TEST(KernelForm, IsFusedOnProcessors) {
+TEST(KernelForm, IsMegakernelOnCpus) {
     for (const Integrator integrator : kShowLight) {
         EXPECT_EQ(kernelFormFor(kProcessor, integrator, {}), KernelForm::kMegakernel);
         for (const VkPhysicalDeviceType device :
@@ -21,13 +21,13 @@ TEST(KernelForm, IsFusedOnProcessors) {
     }
 }
 
-TEST(KernelForm, IsQueuedWhereNoLightIsShown) {
-    for (const FormRequest asked : {FormRequest(), FormRequest(KernelForm::kMegakernel)})
+TEST(KernelForm, IsWavefrontWithoutLight) {
+    for (const FormRequest request : {FormRequest(), FormRequest(KernelForm::kMegakernel)})
         for (const Integrator integrator : {Integrator::kNormal, Integrator::kDepth})
-            EXPECT_EQ(kernelFormFor(kProcessor, integrator, asked), KernelForm::kWavefront);
+            EXPECT_EQ(kernelFormFor(kProcessor, integrator, request), KernelForm::kWavefront);
 }
 
-TEST(KernelForm, IsTheOneAskedForOnAnyDevice) {
+TEST(KernelForm, CanBeRequestedOnAnyDevice) {
     for (const VkPhysicalDeviceType device : {kProcessor, VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU})
         for (const Integrator integrator : kShowLight)
             for (const KernelForm form : {KernelForm::kWavefront, KernelForm::kMegakernel})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a profile says of frames whose rays are counted elsewhere as well.
+// Profiles of frames, compared with other counts of the same rays.
 #include "runtime/render/pass_profile.h"
 
 #include <gtest/gtest.h>
@@ -41,9 +41,9 @@ protected:
     }
     void TearDown() override { destroyGpuTimer(device, profile.clock); }
 
-    /// With profile where it is asked for.
-    Film render(PassProfile* asked) {
-        loaded->tracer.profile = asked;
+    /// Measures into target, unless that is null.
+    Film render(PassProfile* target) {
+        loaded->tracer.profile = target;
         const Clock::time_point start = Clock::now();
         ProgressiveRenderer renderer(device, loaded->tracer);
         FrameJob job;
@@ -68,29 +68,29 @@ TEST_F(PassProfileTest, CountsTheRaysOfTheFrame) {
     EXPECT_EQ(rays.primary, kSamples * kPassProfileSide * kPassProfileSide);
     EXPECT_EQ(passNamed(profile, "shade_surface").lanes_in, rays.secondary);
     EXPECT_EQ(passNamed(profile, "intersect_shapes").lanes_in, rays.secondary);
-    EXPECT_EQ(passNamed(profile, "intersect_shapes").lanes_out, 0u) << "no instances are to be asked";
+    EXPECT_EQ(passNamed(profile, "intersect_shapes").lanes_out, 0u) << "the scene has no instances";
     EXPECT_EQ(passNamed(profile, "intersect_shadow_shapes").lanes_in, passNamed(profile, "shade_shadow").lanes_in);
-    // rays and queries for light
+    // secondary rays and direct light queries
     EXPECT_EQ(passNamed(profile, "shade_surface (camera)").lanes_out + passNamed(profile, "shade_surface").lanes_out,
               rays.secondary + passNamed(profile, "shade_shadow").lanes_in);
 }
 
-TEST_F(PassProfileTest, AccountsForNoMoreThanThereIs) {
+TEST_F(PassProfileTest, TimesAddUpToNoMoreThanTheFrame) {
     render(&profile);
     double passes_ms = 0;
     for (const PassTally& each : profile.passes) {
         EXPECT_GT(each.runs, 0u);
         EXPECT_GT(each.host_ms, 0) << each.name;
         passes_ms += each.host_ms;
-        // two clocks, of which one may go by steps of some microseconds
+        // two clocks, one of which may have a resolution of some microseconds
         EXPECT_LE(each.device_ms, 1.01 * each.host_ms + 0.01 * static_cast<double>(each.runs)) << each.name;
         EXPECT_EQ(each.device_ms > 0, profile.clock.pool != VK_NULL_HANDLE) << each.name;
     }
     EXPECT_GE(unaccountedMilliseconds(profile), 0);
-    EXPECT_LT(unaccountedMilliseconds(profile) + passes_ms, profile.frames_ms) << "the film was read back";
+    EXPECT_LT(unaccountedMilliseconds(profile) + passes_ms, profile.frames_ms) << "frames also read the film back";
 }
 
-TEST_F(PassProfileTest, LeavesThePictureAsItIs) {
+TEST_F(PassProfileTest, DoesNotChangeThePicture) {
     const Film without = render(nullptr);
     EXPECT_TRUE(profile.passes.empty() && profile.host.empty());
     const Film with = render(&profile);
@@ -109,7 +109,7 @@ TEST(PassProfile, CountsBytesByLanesAndEntries) {
     const PassTally& trace = profile.passes.front();
     EXPECT_EQ(trace.lanes_in, 100u);
     EXPECT_EQ(trace.lanes_out, 10u);
-    // a word of the list, a path of four vectors, and what was hit before; a word and a vector for each hit
+    // read: a word of the list, a path of four vectors, and the previous hit; written: a word and a vector per hit
     EXPECT_EQ(trace.bytes, 100u * (4 + 64 + 16) + 10u * (4 + 16));
     EXPECT_EQ(trace.host_ms, 3);
     EXPECT_EQ(trace.cpu_ms, 6);
@@ -117,7 +117,7 @@ TEST(PassProfile, CountsBytesByLanesAndEntries) {
     EXPECT_THROW(addRun(profile, {"unheard of", PassLanes::kOne, 0, {}, {}, 0, 0, {}}), std::logic_error);
 }
 
-TEST(PassProfile, CountsNothingWhereListsAreEmptied) {
+TEST(PassProfile, EmptyingListsIsNotOutput) {
     PassProfile profile;
     PassRun run{"prepare", PassLanes::kOne, 4, {}, {}, 1, 0, {}};
     run.before.queued[0] = 12;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Photons that leave the lights: how much light they carry, and where to.
+// Photons emitted by lights: their flux and their directions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,17 +26,17 @@ const PhotonTarget kBall{{1, -2, 3}, 0.75, 7};
 
 Vec3 vecOf(const gpu::vec3& v) { return {v.x, v.y, v.z}; }
 
-/// What each photon says of itself, whatever light it comes from.
-void expectSound(const std::vector<gpu::PathState>& paths, const PhotonTarget& target) {
+/// Expects what holds for photons of any light.
+void expectValid(const std::vector<gpu::PathState>& paths, const PhotonTarget& target) {
     for (const gpu::PathState& path : paths) {
         const Vec3 direction = vecOf(path.direction), way = target.center - vecOf(path.origin);
         ASSERT_NEAR(length(direction), 1, 1e-6);
-        ASSERT_LT(length(cross(way, direction)), target.radius * (1 + 1e-4)) << "passes by";
-        ASSERT_GT(dot(way, direction), -target.radius) << "flies away";
+        ASSERT_LT(length(cross(way, direction)), target.radius * (1 + 1e-4)) << "misses the target";
+        ASSERT_GT(dot(way, direction), -target.radius) << "leaves the target behind";
         ASSERT_EQ(path.target, target.code);
         ASSERT_EQ(path.bits, NO_OWNER << PATH_OWNER_SHIFT);
         ASSERT_TRUE(std::isfinite(path.throughput.x) && path.throughput.x > 0);
-        // colours are those of the lights below
+        // all lights here have this colour
         ASSERT_NEAR(path.throughput.y / path.throughput.x, 0.5, 1e-6);
         ASSERT_NEAR(path.throughput.z / path.throughput.x, 0.25, 1e-6);
     }
@@ -57,7 +57,7 @@ double fluxOf(const std::vector<gpu::PathState>& paths) {
 double emittedFlux(const LightDescription& light, const PhotonTarget& target) {
     const std::vector<gpu::Light> rows{packLight({}, light)};
     const std::vector<gpu::PathState> paths = emitPhotons(rows, std::vector{target}, kScene, kCount);
-    expectSound(paths, target);
+    expectValid(paths, target);
     return fluxOf(paths);
 }
 
@@ -89,15 +89,15 @@ double overSphere(int n, const std::function<double(Vec3)>& f) {
            });
 }
 
-TEST(PhotonEmission, OfAPoint) {
+TEST(PhotonEmission, PointLightsEmitTheirFlux) {
     const PointLight light{{4, 0, 1}, kColor};
     expectFlux(light, kBall, 2 * 2 * pi * capOf(kBall, light.position));
-    // from within the target, and from its very centre
+    // from inside the target, and from its centre
     for (const Vec3 inside : {Vec3{1.2, -1.9, 2.7}, kBall.center})
         expectFlux(PointLight{inside, kColor}, kBall, 2 * 4 * pi);
 }
 
-TEST(PhotonEmission, OfASpot) {
+TEST(PhotonEmission, SpotLightsEmitTheirFlux) {
     const Vec3 from{4, 0, 1};
     const auto flux = [&](const SpotLight& light, const PhotonTarget& target) {
         const double outer = std::cos(light.outer_deg * pi / 180), inner = std::cos(light.inner_deg * pi / 180);
@@ -110,12 +110,12 @@ TEST(PhotonEmission, OfASpot) {
         });
     };
     const Vec3 aim = normalize(kBall.center - from);
-    // a beam that the ball is in, one that is in the ball, one beside it that it half covers, one that starts in it
+    // a cone around the ball, one inside its silhouette, one that it covers half of, one that starts inside it
     for (const SpotLight& light :
          {SpotLight{from, aim, 30, 25, kColor}, SpotLight{from, aim, 5, 3, kColor},
           SpotLight{from, normalize(aim + Vec3{0, 0.2, 0}), 10, 4, kColor}, SpotLight{{1.2, -2, 3}, aim, 8, 4, kColor}})
         expectFlux(light, kBall, flux(light, kBall));
-    // a ray of light in the ball: directions all around would hardly meet it
+    // a very narrow cone inside the ball: directions sampled over the whole sphere would hardly be in it
     const double middle = std::cos(1.99 / 2 * pi / 180);
     expectFlux(SpotLight{{1.2, -2, 3}, aim, 1, 0.99, kColor}, kBall, 2 * 2 * pi * (1 - middle));
     EXPECT_EQ(emittedFlux(SpotLight{from, -1 * aim, 30, 25, kColor}, kBall), 0) << "turned away";
@@ -130,7 +130,7 @@ double sharedArea(double r, double s, double d) {
            b * std::sqrt(s * s - b * b);
 }
 
-/// Lines from one ball to another, apart from it: by direction, as the area that their shadows share.
+/// The measure of lines through two separate balls: the area shared by their shadows, integrated over directions.
 double linesBetween(double r, double s, double distance) {
     const int n = 100'000;
     double sum = 0;
@@ -141,29 +141,29 @@ double linesBetween(double r, double s, double distance) {
     return 2 * pi * sum * (pi / 2) / n;
 }
 
-TEST(PhotonEmission, OfASphere) {
+TEST(PhotonEmission, SphereLightsEmitTheirFlux) {
     for (const SphereLight& light : {SphereLight{{4, 0, 1}, 0.5, kColor}, SphereLight{{2, -2, 3.8}, 0.5, kColor},
                                      SphereLight{{31, -2, 3}, 29, kColor}, SphereLight{{500, 0, 0}, 3, kColor}})
         expectFlux(light, kBall, 2 * linesBetween(light.radius, kBall.radius, length(light.center - kBall.center)));
-    // a lamp in the target sends all it has; a target in a lamp gets nothing, lamps shine outwards
+    // a lamp in the target sends it all of its light; a target in a lamp gets none, as lamps shine outwards
     expectFlux(SphereLight{{1.1, -2, 3.1}, 0.2, kColor}, kBall, 2 * pi * 4 * pi * 0.2 * 0.2);
     EXPECT_EQ(emittedFlux(SphereLight{{1, -2, 3.5}, 2, kColor}, kBall), 0);
 }
 
-TEST(PhotonEmission, OfAQuad) {
+TEST(PhotonEmission, QuadLightsEmitTheirFlux) {
     const QuadLight above{{0.5, 2, 2}, {0, 0, 1.5}, {0.8, 0, 0}, kColor};
     const auto pointOf = [](const QuadLight& light, double u, double v) {
         return light.center + (2 * u - 1) * light.u + (2 * v - 1) * light.v;
     };
     const auto area = [](const QuadLight& light) { return 4 * length(light.u) * length(light.v); };
-    // a ball over the horizon: its projected solid angle is pi sin^2 times the cosine to its middle
+    // a ball above the lamp's horizon: its projected solid angle is pi sin^2 times the cosine to its centre
     expectFlux(above, kBall, 2 * area(above) * integral(400, [&](double u, double v) {
                                  const Vec3 way = kBall.center - pointOf(above, u, v);
                                  const double squared = dot(way, way);
                                  return pi * kBall.radius * kBall.radius / squared * std::abs(way.y) /
                                         std::sqrt(squared);
                              }));
-    // one that the lamp's plane cuts: both sides shine
+    // a ball across the lamp's plane: both sides shine
     const QuadLight level{{3, -2.2, 3}, {0, 0, 0.5}, {0.5, 0, 0}, kColor};
     expectFlux(level, kBall, 2 * area(level) * integral(12, [&](double u, double v) {
                                  const Vec3 from = pointOf(level, u, v), axis = normalize(kBall.center - from);
@@ -176,7 +176,7 @@ TEST(PhotonEmission, OfAQuad) {
     expectFlux(inside, kBall, 2 * area(inside) * 2 * pi);
 }
 
-TEST(PhotonEmission, OfADisc) {
+TEST(PhotonEmission, DiscLightsEmitTheirFlux) {
     const auto ringPoint = [](const DiscLight& light, double u, double v) {
         const double ring = light.radius * std::sqrt(u), angle = 2 * pi * v;
         return light.center + ring * Vec3{std::cos(angle), 0, std::sin(angle)};
@@ -196,24 +196,25 @@ TEST(PhotonEmission, OfADisc) {
     expectFlux(inside, kBall, 2 * pi * 0.2 * 0.2 * 2 * pi);
 }
 
-TEST(PhotonEmission, OfASun) {
+TEST(PhotonEmission, SunLightsEmitTheirFlux) {
     const Vec3 towards = normalize(Vec3{1, 2, -1});
     for (const double radius_deg : {0.0, 0.2665, 10.0, 45.0}) {
-        // irradiance is the radiance times pi sin^2, the flux that times the disc's solid angle and the ball's shadow
+        // radiance is irradiance / (pi sin^2); the flux is radiance times the sun's solid angle and the ball's shadow
         const double cosine = std::cos(radius_deg * pi / 180);
         const std::vector<gpu::Light> rows{packLight({}, SunLight{towards, radius_deg, kColor})};
         const std::vector<gpu::PathState> paths = emitPhotons(rows, std::vector{kBall}, kScene, kCount);
-        expectSound(paths, kBall);
+        expectValid(paths, kBall);
         EXPECT_NEAR(fluxOf(paths) / (2 * 2 / (1 + cosine) * pi * kBall.radius * kBall.radius), 1, 0.003);
         for (const gpu::PathState& path : paths) {
-            ASSERT_GT(length(vecOf(path.origin) - kScene.center), kScene.radius) << "nothing may be behind the photon";
+            ASSERT_GT(length(vecOf(path.origin) - kScene.center), kScene.radius)
+                << "photons must start outside the scene";
             ASSERT_GE(-dot(vecOf(path.direction), towards), cosine - 1e-6);
         }
     }
 }
 
-TEST(PhotonEmission, ReachesTheTargetEvenly) {
-    // flux on the halves of the ball's silhouette, seen from the light
+TEST(PhotonEmission, IsEvenOverTheTarget) {
+    // the flux on the halves of the ball's silhouette as seen from the light
     const PointLight light{{4, 0, 1}, kColor};
     const Vec3 axis = normalize(kBall.center - light.position), side = normalize(cross(axis, {0, 1, 0})),
                up = cross(side, axis);
@@ -229,8 +230,8 @@ TEST(PhotonEmission, ReachesTheTargetEvenly) {
     EXPECT_NEAR(low / all, 0.5, 0.003);
 }
 
-TEST(PhotonEmission, SharesPhotonsByLight) {
-    // two lights and two targets: each pair gets as many photons as it has light, and all its light
+TEST(PhotonEmission, SharesPhotonsByFlux) {
+    // two lights and two targets: each pair has its whole flux, and a share of the photons in proportion to that
     const std::vector<LightDescription> lights{PointLight{{4, 0, 1}, kColor}, PointLight{{-3, 4, 0}, {20, 10, 5}}};
     const std::vector<PhotonTarget> targets{kBall, {{-2, 0, 0}, 0.5, OWNER_SHAPES | 3u << PHOTON_SHAPE_SHIFT}};
     std::vector<gpu::Light> rows;
@@ -254,7 +255,7 @@ TEST(PhotonEmission, SharesPhotonsByLight) {
     }
 }
 
-TEST(PhotonEmission, IsTheSameEachTime) {
+TEST(PhotonEmission, IsDeterministic) {
     const std::vector<gpu::Light> lights{packLight({}, SphereLight{{4, 0, 1}, 0.5, kColor}),
                                          packLight({}, SunLight{{0, 1, 0}, 3, kColor})};
     const auto once = emitPhotons(lights, std::vector{kBall}, kScene, 1000);
@@ -264,8 +265,7 @@ TEST(PhotonEmission, IsTheSameEachTime) {
     EXPECT_NE(std::memcmp(&once[0].direction, &once[1].direction, sizeof(gpu::vec4)), 0);
 }
 
-/// How far the share of the photons in a cell of directions is from the cell's of the cone, the root mean square over
-/// cells, in shares of that.
+/// The root mean square, over cells of equal solid angle, of the relative error of the number of photons in a cell.
 double unevenness(const std::vector<gpu::PathState>& paths, Vec3 from) {
     constexpr int kCells = 24;
     const Frame frame(normalize(kBall.center - from));
@@ -283,7 +283,7 @@ double unevenness(const std::vector<gpu::PathState>& paths, Vec3 from) {
     return std::sqrt(sum) / kCells;
 }
 
-TEST(PhotonEmission, OfMapAfterMapIsOneEvenSequence) {
+TEST(PhotonEmission, MapsArePartsOfOneEvenSequence) {
     const PointLight light{{4, 0, 1}, kColor};
     const std::vector<gpu::Light> lights{packLight({}, light)};
     std::vector<gpu::PathState> all;
@@ -294,7 +294,7 @@ TEST(PhotonEmission, OfMapAfterMapIsOneEvenSequence) {
         all.insert(all.end(), paths.begin(), paths.end());
         if (map == 0) one = unevenness(paths, light.position);
     }
-    // random ones would be a quarter as uneven, the same again as uneven as one map
+    // sixteen independent maps would have a quarter of the unevenness of one, sixteen equal ones all of it
     std::printf("unevenness of one map %.5f, of sixteen %.5f\n", one, unevenness(all, light.position));
     EXPECT_LT(unevenness(all, light.position), one / 8);
     const auto at_once = emitPhotons(lights, {kBall}, kScene, 16 * kCount);
@@ -303,7 +303,7 @@ TEST(PhotonEmission, OfMapAfterMapIsOneEvenSequence) {
         ASSERT_LT(length(vecOf(at_once[i].direction) - vecOf(all[i].direction)), 1e-5) << i;
 }
 
-TEST(PhotonEmission, OfSeedsDiffers) {
+TEST(PhotonEmission, DiffersBySeed) {
     const std::vector<gpu::Light> lights{packLight({}, PointLight{{4, 0, 1}, kColor})};
     const auto first = emitPhotons(lights, {kBall}, kScene, 1000),
                other = emitPhotons(lights, {kBall}, kScene, 1000, {0, 1}),
@@ -314,7 +314,7 @@ TEST(PhotonEmission, OfSeedsDiffers) {
     }
 }
 
-TEST(PhotonEmission, OfNothing) {
+TEST(PhotonEmission, IsEmptyWithoutLightsOrTargets) {
     const gpu::Light sky{{0, 0, 0, LIGHT_SKY}, {}, {}, {}, {}}, lamp = packLight({}, PointLight{{4, 0, 1}, kColor});
     EXPECT_TRUE(emitPhotons({}, std::vector{kBall}, kScene, kCount).empty());
     EXPECT_TRUE(emitPhotons(std::vector{lamp}, {}, kScene, kCount).empty());

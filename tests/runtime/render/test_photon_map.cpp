@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What shaders/shade/caustic.glsl gathers from a photon map, beside a search through all photons.
+// What shaders/shade/caustic.glsl gathers from a photon map, compared with a search through all photons.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ gpu::vec4 packed(Vec3 v, float w = 0) {
 }
 Vec3 vecOf(const gpu::vec4& v) { return {v.x, v.y, v.z}; }
 
-std::vector<gpu::vec4> ask(const PhotonMap& map, const std::vector<Probe>& probes) {
+std::vector<gpu::vec4> gatherAt(const PhotonMap& map, const std::vector<Probe>& probes) {
     ValidatedDevice validated;
     Device& device = validated.device;
     std::vector<gpu::Photon> photons = map.photons;
@@ -42,7 +42,7 @@ std::vector<gpu::vec4> ask(const PhotonMap& map, const std::vector<Probe>& probe
                                 probes.size(), {});
 }
 
-/// As packSnorm4x8 does.
+/// Like packSnorm4x8.
 std::uint32_t packNormal(Vec3 n) {
     const auto byte = [](double v) { return static_cast<std::uint32_t>(std::lround(v * 127)) & 0xFF; };
     return byte(n.x) | byte(n.y) << 8 | byte(n.z) << 16;
@@ -62,7 +62,7 @@ double radiusOf(const PhotonMap& map, const gpu::Photon& photon) {
     return map.frame.levels[static_cast<std::size_t>(photon.flux.w)].high.w;
 }
 
-/// By the level that the photon was given, over all photons.
+/// The light at probe by a loop over all photons, each with the radius of its level.
 Vec3 searchAll(const PhotonMap& map, const Probe& probe, double margin) {
     Vec3 sum;
     const Vec3 position = vecOf(probe.position), normal = vecOf(probe.normal);
@@ -82,7 +82,7 @@ using Random = std::mt19937;
 
 double unit(Random& random) { return std::uniform_real_distribution<double>(0, 1)(random); }
 
-/// On a floor around the origin, in two heaps of unlike density and far around them.
+/// On a floor around the origin: two clusters of different density, and some far around them.
 std::vector<gpu::Photon> floorPhotons(std::size_t count) {
     Random random(5);
     std::normal_distribution<double> heap;
@@ -96,7 +96,7 @@ std::vector<gpu::Photon> floorPhotons(std::size_t count) {
     return photons;
 }
 
-/// In a cloud, with normals from anywhere.
+/// In a cloud, all with this normal.
 std::vector<gpu::Photon> cloudPhotons(std::size_t count, double size, Vec3 normal) {
     Random random(9);
     std::vector<gpu::Photon> photons;
@@ -109,7 +109,7 @@ std::vector<gpu::Photon> cloudPhotons(std::size_t count, double size, Vec3 norma
     return photons;
 }
 
-/// Some at photons' places, some beside them, some anywhere.
+/// A third at photons, a third near them, a third anywhere.
 std::vector<Probe> probesAmong(const PhotonMap& map, std::size_t count, Vec3 normal, double size) {
     Random random(3);
     std::vector<Probe> probes;
@@ -125,10 +125,10 @@ std::vector<Probe> probesAmong(const PhotonMap& map, std::size_t count, Vec3 nor
 }
 
 void expectAsSearched(const PhotonMap& map, const std::vector<Probe>& probes) {
-    const std::vector<gpu::vec4> answers = ask(map, probes);
+    const std::vector<gpu::vec4> answers = gatherAt(map, probes);
     std::size_t lit = 0;
     for (std::size_t i = 0; i < probes.size(); ++i) {
-        // photons at a disc's very rim are in or out by rounding: both are granted
+        // rounding decides on photons at the rim of a disc: either is accepted
         const Vec3 low = searchAll(map, probes[i], -1e-4), high = searchAll(map, probes[i], 1e-4);
         const auto expectBetween = [&](double value, double a, double b) {
             const double slack = 2e-3 * (a + b);
@@ -170,19 +170,19 @@ TEST(PhotonMap, KeepsEveryPhoton) {
     EXPECT_EQ(levelsUsed(map), std::size_t{PHOTON_LEVELS}) << "the scene has all densities";
 }
 
-TEST(PhotonMap, GathersWhatASearchFindsOnAFloor) {
+TEST(PhotonMap, GatheringMatchesASearchOnAFloor) {
     const PhotonMap map = sortPhotons(floorPhotons(20'000), 10);
     expectAsSearched(map, probesAmong(map, 600, {0, 1, 0}, 10));
 }
 
-TEST(PhotonMap, GathersWhatASearchFindsInACloud) {
+TEST(PhotonMap, GatheringMatchesASearchInACloud) {
     const Vec3 normal = normalize(Vec3{1, -2, 0.5});
     const PhotonMap map = sortPhotons(cloudPhotons(20'000, 3, normal), 10);
     expectAsSearched(map, probesAmong(map, 600, normal, 3));
 }
 
-TEST(PhotonMap, GathersWhereBucketsAreShared) {
-    // more cells with photons than there are buckets, so that most hold several cells'
+TEST(PhotonMap, GatheringMatchesASearchInSharedBuckets) {
+    // more cells with photons than buckets, so that most buckets hold the photons of several cells
     const Vec3 normal{0, 0, -1};
     std::vector<gpu::Photon> photons;
     Random random(1);
@@ -193,23 +193,23 @@ TEST(PhotonMap, GathersWhereBucketsAreShared) {
     expectAsSearched(map, probesAmong(map, 60, normal, 0.5));
 }
 
-/// The light that a map spreads over a floor so fine that sums are integrals, over that of its photons.
+/// The light gathered on a floor, summed over a fine grid of probes, relative to the flux of the photons.
 double lightSpread(std::vector<gpu::Photon> photons, PhotonDiscs discs) {
     double flux = 0;
     for (const gpu::Photon& photon : photons) flux += photon.flux.y;
     const PhotonMap map = sortPhotons(std::move(photons), 40, discs);
-    // discs are at least this wide: a probe every half of their radius
+    // a probe for every half of the smallest radius
     const double step = map.frame.levels[0].high.w / 2;
     std::vector<Probe> probes;
     const double half = 10 + map.frame.levels[PHOTON_LEVELS - 1].high.w;
     for (double x = -half; x < half; x += step)
         for (double z = -half; z < half; z += step) probes.push_back({packed({x, 0, z}), {0, 1, 0, 0}});
     double sum = 0;
-    for (const gpu::vec4& answer : ask(map, probes)) sum += answer.y * step * step;
+    for (const gpu::vec4& answer : gatherAt(map, probes)) sum += answer.y * step * step;
     return sum / flux;
 }
 
-TEST(PhotonMap, SpreadsTheLightAndLosesNone) {
+TEST(PhotonMap, KeepsTheTotalFlux) {
     std::vector<gpu::Photon> photons = floorPhotons(8000);
     std::erase_if(photons, [](const gpu::Photon& p) { return std::hypot(p.position.x + 1, p.position.z - 1) < 0.4; });
     EXPECT_NEAR(lightSpread(photons, {}), 1, 0.005);
@@ -234,7 +234,7 @@ TEST(PhotonMap, ShrinksItsDiscsAndKeepsTheirLevels) {
     expectAsSearched(narrow, probesAmong(narrow, 600, {0, 1, 0}, 10));
 }
 
-TEST(PhotonMap, LightsItsOwnSideAlone) {
+TEST(PhotonMap, LightsOnlyTheSideOfItsNormal) {
     std::vector<gpu::Photon> photons;
     Random random(1);
     for (int i = 0; i < 1000; ++i) photons.push_back(photonAt({unit(random), 0, unit(random)}, {0, 1, 0}, {1, 1, 1}));
@@ -243,27 +243,27 @@ TEST(PhotonMap, LightsItsOwnSideAlone) {
     const auto turned = [&](double degrees) {
         return Probe{packed(at), packed({std::sin(degrees * pi / 180), std::cos(degrees * pi / 180), 0})};
     };
-    const std::vector<gpu::vec4> answers = ask(map, {turned(0), turned(55), turned(65), turned(180)});
+    const std::vector<gpu::vec4> answers = gatherAt(map, {turned(0), turned(55), turned(65), turned(180)});
     EXPECT_GT(answers[0].x, 0);
     EXPECT_GT(answers[1].x, 0);
     EXPECT_EQ(answers[2].x, 0);
     EXPECT_EQ(answers[3].x, 0);
     // photons of the other sheet of a wall
     const std::vector<gpu::vec4> beside =
-        ask(map, {{packed(at + Vec3{0, 1.1 * map.frame.levels[PHOTON_LEVELS - 1].high.w, 0}), {0, 1, 0, 0}}});
+        gatherAt(map, {{packed(at + Vec3{0, 1.1 * map.frame.levels[PHOTON_LEVELS - 1].high.w, 0}), {0, 1, 0, 0}}});
     EXPECT_EQ(beside[0].x, 0);
 }
 
-TEST(PhotonMap, OfNoPhotonAndOfFew) {
+TEST(PhotonMap, FewOrNoPhotonsAreAccepted) {
     const std::vector<Probe> probes{{{0, 0, 0, 0}, {0, 1, 0, 0}}, {{-5, 3, 2, 0}, {0, 1, 0, 0}}};
-    for (const gpu::vec4& answer : ask(sortPhotons({}, 1), probes)) EXPECT_EQ(answer.x, 0);
+    for (const gpu::vec4& answer : gatherAt(sortPhotons({}, 1), probes)) EXPECT_EQ(answer.x, 0);
     // one photon, and many in one place
     for (const std::size_t count : {1u, 2u, 1000u}) {
         const PhotonMap map =
             sortPhotons(std::vector<gpu::Photon>(count, photonAt({0, 0, 0}, {0, 1, 0}, {1, 2, 3})), 1);
         ASSERT_EQ(map.photons.size(), count);
         const double radius = radiusOf(map, map.photons[0]);
-        const std::vector<gpu::vec4> answers = ask(map, probes);
+        const std::vector<gpu::vec4> answers = gatherAt(map, probes);
         EXPECT_NEAR(answers[0].y * pi * radius * radius / 3 / (2.0 * static_cast<double>(count)), 1, 1e-5);
         EXPECT_EQ(answers[1].y, 0);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// However a film is cut into bands, strips and steps, it is the same film.
+// A film is the same for any division into bands, strips and steps.
 #include "runtime/render/progressive_renderer.h"
 
 #include <gtest/gtest.h>
@@ -44,9 +44,9 @@ protected:
         whole = render(plan);
     }
 
-    Film render(const RenderPlan& asked, const Film* start = nullptr) {
+    Film render(const RenderPlan& of, const Film* start = nullptr) {
         ProgressiveRenderer renderer(device, loaded->tracer);
-        renderer.begin(asked, job, start ? std::optional(*start) : std::nullopt);
+        renderer.begin(of, job, start ? std::optional(*start) : std::nullopt);
         renderer.run();
         return renderer.takeFilm();
     }
@@ -63,10 +63,10 @@ protected:
     std::unique_ptr<LoadedScene> loaded;
     RenderPlan plan;
     FrameJob job;
-    Film whole; ///< of one band in one strip
+    Film whole; ///< rendered as one band in one strip
 };
 
-TEST_F(ProgressiveRendererTest, IsTheSameInAnyBandsAndStrips) {
+TEST_F(ProgressiveRendererTest, DoesNotDependOnBandsAndStrips) {
     ASSERT_NE(whole.rgba[0], whole.rgba[4 * (kWidth * 20 + 20)]);
     for (const FrameTiling tiling : {FrameTiling{kHeight, 8}, FrameTiling{16, 16}, FrameTiling{8, 8}}) {
         plan.tiling = tiling;
@@ -74,10 +74,11 @@ TEST_F(ProgressiveRendererTest, IsTheSameInAnyBandsAndStrips) {
     }
 }
 
-/// Bands that are left for one another come back from the host, where sums are means: equal but for their rounding.
-TEST_F(ProgressiveRendererTest, ComesBackToItsBands) {
+/// A band that is continued after another one comes from the host, which stores means instead of sums: they are
+/// rounded.
+TEST_F(ProgressiveRendererTest, ReturnsToEarlierBands) {
     plan.tiling = {16, 16};
-    job.interrupted = [] { return false; }; // looks at 1 and 2 samples
+    job.interrupted = [] { return false; }; // called at 1 and 2 samples
     const Film film = render(plan);
     EXPECT_EQ(film.depth, whole.depth);
     EXPECT_EQ(film.samples, whole.samples);
@@ -85,8 +86,8 @@ TEST_F(ProgressiveRendererTest, ComesBackToItsBands) {
         ASSERT_NEAR(film.rgba[i], whole.rgba[i], 1e-5f + 1e-5f * whole.rgba[i]) << i;
 }
 
-TEST_F(ProgressiveRendererTest, IsTheSameInSteps) {
-    load(KernelForm::kWavefront); // fused, shapes are done in one
+TEST_F(ProgressiveRendererTest, DoesNotDependOnSteps) {
+    load(KernelForm::kWavefront); // the megakernel traces all bounces at once
     ProgressiveRenderer renderer(device, loaded->tracer);
     renderer.begin(plan, job);
     int steps = 0;
@@ -96,14 +97,14 @@ TEST_F(ProgressiveRendererTest, IsTheSameInSteps) {
         ++steps;
         for (int bounces = 0; !renderer.traceStrip(static_cast<std::uint32_t>(bounces)); bounces = 1) ++steps;
     }
-    EXPECT_GT(steps, 12) << "of a few bounces each";
+    EXPECT_GT(steps, 12) << "steps of a few bounces each";
     EXPECT_EQ(renderer.samples(), kProgressiveSamples);
     EXPECT_EQ(renderer.takeRays().primary, std::uint64_t{kWidth} * kHeight * kProgressiveSamples);
     EXPECT_EQ(renderer.takeRays().primary, 0u);
     expectSame(renderer.takeFilm(), whole);
 }
 
-TEST_F(ProgressiveRendererTest, GivesItsFilmAwayAndGoesOn) {
+TEST_F(ProgressiveRendererTest, ContinuesAfterItsFilmIsTaken) {
     ProgressiveRenderer renderer(device, loaded->tracer);
     job.samples = 1;
     renderer.begin(plan, job);
@@ -118,21 +119,21 @@ TEST_F(ProgressiveRendererTest, GivesItsFilmAwayAndGoesOn) {
     expectSame(renderer.takeFilm(), whole);
 }
 
-TEST_F(ProgressiveRendererTest, HoldsWholeSamplesWhereItIsInterrupted) {
-    int asked = 0;
-    job.interrupted = [&] { return ++asked > 3; };
+TEST_F(ProgressiveRendererTest, InterruptionLeavesWholeSamples) {
+    int calls = 0;
+    job.interrupted = [&] { return ++calls > 3; };
     ProgressiveRenderer renderer(device, loaded->tracer);
     renderer.begin(plan, job);
     const FrameState state = renderer.run();
     EXPECT_GE(state.samples, 1u);
     EXPECT_LT(state.samples, kProgressiveSamples);
-    const Film broken_off = renderer.takeFilm();
-    EXPECT_EQ(broken_off.samples[0], static_cast<float>(state.samples));
+    const Film part = renderer.takeFilm();
+    EXPECT_EQ(part.samples[0], static_cast<float>(state.samples));
     job.interrupted = nullptr;
-    EXPECT_EQ(render(plan, &broken_off).samples, whole.samples);
+    EXPECT_EQ(render(plan, &part).samples, whole.samples);
 }
 
-/// Rows as they are handed on, one film after the other.
+/// The rows of films, one after the other.
 struct TakenRows {
     std::vector<float> rgba, samples, depth;
 
@@ -143,7 +144,7 @@ struct TakenRows {
     }
 };
 
-TEST_F(ProgressiveRendererTest, HandsItsRowsOnAsTheyAreDone) {
+TEST_F(ProgressiveRendererTest, DeliversRowsOfCompletedBands) {
     TakenRows taken;
     plan.tiling = {16, 8};
     job.band_by_band = true;
@@ -159,11 +160,11 @@ TEST_F(ProgressiveRendererTest, HandsItsRowsOnAsTheyAreDone) {
     EXPECT_EQ(taken.samples, whole.samples);
     EXPECT_EQ(taken.depth, whole.depth);
     job.limits.noise = 0.1;
-    EXPECT_THROW(renderer.begin(plan, job), std::logic_error) << "whose bands come again";
+    EXPECT_THROW(renderer.begin(plan, job), std::logic_error) << "a noise limit returns to bands";
 }
 
-/// In the second sample of the second of three bands.
-TEST_F(ProgressiveRendererTest, IsBrokenOffBetweenStrips) {
+/// Interrupted in the second sample of the second of three bands.
+TEST_F(ProgressiveRendererTest, StopsBetweenStrips) {
     TakenRows taken;
     int strips = 0;
     plan.tiling = {16, 8};
@@ -182,16 +183,16 @@ TEST_F(ProgressiveRendererTest, IsBrokenOffBetweenStrips) {
     EXPECT_EQ(taken.samples[24 * kWidth], 1.0f);
 }
 
-TEST_F(ProgressiveRendererTest, GoesOnWhereItWasBrokenOff) {
+TEST_F(ProgressiveRendererTest, ContinuesWhereItStopped) {
     int strips = 0;
     plan.tiling = {kHeight, 8};
     job.progress = [&](const FrameState&, double) { ++strips; };
-    for (const int broken_off : {2, 7}) {
+    for (const int last : {2, 7}) {
         strips = 0;
-        job.interrupted = [&] { return strips == broken_off; };
+        job.interrupted = [&] { return strips == last; };
         const Film part = render(plan);
-        EXPECT_EQ(part.samples.front(), broken_off == 2 ? 1.0f : 2.0f);
-        EXPECT_EQ(part.samples.back(), broken_off == 2 ? 0.0f : 1.0f);
+        EXPECT_EQ(part.samples.front(), last == 2 ? 1.0f : 2.0f);
+        EXPECT_EQ(part.samples.back(), last == 2 ? 0.0f : 1.0f);
         job.interrupted = nullptr;
         const Film film = render(plan, &part);
         EXPECT_EQ(film.samples, whole.samples);
@@ -201,26 +202,26 @@ TEST_F(ProgressiveRendererTest, GoesOnWhereItWasBrokenOff) {
     }
 }
 
-TEST_F(ProgressiveRendererTest, HasAnEmptyFilmWhereNothingWasTraced) {
+TEST_F(ProgressiveRendererTest, HasAnEmptyFilmIfNothingWasTraced) {
     job.interrupted = [] { return true; };
     const Film film = render(plan);
     EXPECT_EQ(film.width, kWidth);
     EXPECT_EQ(film.rgba, std::vector<float>(whole.rgba.size(), 0.0f));
 }
 
-TEST_F(ProgressiveRendererTest, LooksAtItsNoise) {
+TEST_F(ProgressiveRendererTest, StopsAtTheNoiseLimit) {
     job.samples = 1000;
-    job.limits.noise = 10; // there at once
+    job.limits.noise = 10; // any film has less
     plan.tiling = {16, 16};
     ProgressiveRenderer renderer(device, loaded->tracer);
     renderer.begin(plan, job);
     const FrameState state = renderer.run();
-    EXPECT_EQ(state.samples, 8u) << "the first look";
+    EXPECT_EQ(state.samples, 8u) << "the first check";
     ASSERT_TRUE(state.noise);
     EXPECT_EQ(*state.noise, relativeNoise(renderer.takeFilm()));
 }
 
-TEST_F(ProgressiveRendererTest, PreviewsAreOfAnotherLight) {
+TEST_F(ProgressiveRendererTest, PreviewsAreLitDifferently) {
     plan.preview = true;
     job.samples = 1;
     const Film preview = render(plan);
@@ -228,7 +229,7 @@ TEST_F(ProgressiveRendererTest, PreviewsAreOfAnotherLight) {
     EXPECT_NE(preview.rgba, whole.rgba);
 }
 
-TEST_F(ProgressiveRendererTest, PicksWhatItsFilmHas) {
+TEST_F(ProgressiveRendererTest, PicksMatchTheFilm) {
     int found = 0;
     for (std::uint32_t y = 1; y < kHeight; y += 3)
         for (std::uint32_t x = 2; x < kWidth; x += 3) {
@@ -243,8 +244,8 @@ TEST_F(ProgressiveRendererTest, PicksWhatItsFilmHas) {
     EXPECT_GT(found, 3);
 }
 
-/// Caustics whose samples show the first map (0 to 7), the second (8 to 15) and the third one.
-class RendererOverMaps : public DeviceFixture {
+/// Caustics of which samples 0 to 7 use the first photon map, 8 to 15 the second and 16 and 17 the third.
+class RendererWithPhotonMaps : public DeviceFixture {
 protected:
     static constexpr std::uint32_t kSpp = 18;
 
@@ -269,14 +270,14 @@ protected:
         return renderer.takeFilm();
     }
 
-    /// Each from the film before, as --resume goes on.
+    /// Each piece continues the film of the one before, as --resume does.
     Film renderInPieces(std::initializer_list<std::uint32_t> pieces) {
         std::optional<Film> film;
         for (const std::uint32_t samples : pieces) film = render(samples, std::move(film));
         return std::move(*film);
     }
 
-    /// In slices, as windows do; how many of them photons took.
+    /// In slices, as windows do. Returns also the number of slices that traced photons.
     std::pair<Film, int> renderInSlices() {
         ProgressiveRenderer renderer(device, loaded->tracer);
         FrameJob job;
@@ -299,23 +300,23 @@ protected:
     RenderPlan plan;
 };
 
-TEST_F(RendererOverMaps, ShowsTheMapsOfItsSamplesHoweverItIsCut) {
+TEST_F(RendererWithPhotonMaps, DoesNotDependOnBandsSlicesAndResumes) {
     const Film whole = render(kSpp);
     EXPECT_EQ(loaded->tracer.caustics.later_number, 2u);
     plan.tiling = {80, 80};
-    EXPECT_EQ(render(kSpp).caustic, whole.caustic) << "in bands, each from the first map to the last";
+    EXPECT_EQ(render(kSpp).caustic, whole.caustic) << "each band uses the first map to the last";
     plan.tiling = {144, 144};
     const auto [sliced, slices] = renderInSlices();
     EXPECT_EQ(sliced.caustic, whole.caustic);
-    EXPECT_GT(slices, 2 * 8) << "of some milliseconds each";
-    const Film pieces = renderInPieces({4, 8, 16, kSpp}); // whose means are exact
+    EXPECT_GT(slices, 2 * 8) << "slices of some milliseconds each";
+    const Film pieces = renderInPieces({4, 8, 16, kSpp}); // numbers of samples whose means are exact
     EXPECT_EQ(pieces.samples, whole.samples);
     EXPECT_EQ(pieces.caustic, whole.caustic);
-    // other maps are seen: the film is not that of the first one alone
+    // later maps matter
     EXPECT_GT(difference(render(8).caustic, whole.caustic), 1e-3);
 }
 
-TEST_F(RendererOverMaps, IsBrokenOffWhileItTracesPhotons) {
+TEST_F(RendererWithPhotonMaps, StopsWhileTracingPhotons) {
     ProgressiveRenderer renderer(device, loaded->tracer);
     FrameJob job;
     job.samples = kSpp;
@@ -325,18 +326,19 @@ TEST_F(RendererOverMaps, IsBrokenOffWhileItTracesPhotons) {
     EXPECT_EQ(renderer.takeFilm().samples[0], 8.0f);
     dropPhotons(loaded->tracer);
     rebind(device, loaded->tracer);
-    EXPECT_EQ(render(9).caustic, std::vector<float>(std::size_t{3} * 256 * 144, 0.0f)) << "nor of later maps";
+    EXPECT_EQ(render(9).caustic, std::vector<float>(std::size_t{3} * 256 * 144, 0.0f))
+        << "dropped photons leave no caustics, of later maps either";
 }
 
 using LoadScene = DeviceFixture;
 
-TEST_F(LoadScene, TellsItsStagesAndCanBeGivenUp) {
+TEST_F(LoadScene, ReportsItsStagesAndCanBeCancelled) {
     struct Enough {};
     std::vector<std::string> stages;
     double before = 0;
     const LoadStage stage = [&](const char* what, double share) {
         stages.push_back(what);
-        EXPECT_TRUE(share >= before || stages.size() == 4) << "of the second time, the first";
+        EXPECT_TRUE(share >= before || stages.size() == 4) << "the fourth stage is the first of the second load";
         before = share;
         if (stages.size() == 5) throw Enough{};
     };
@@ -345,7 +347,7 @@ TEST_F(LoadScene, TellsItsStagesAndCanBeGivenUp) {
     EXPECT_THROW(loadScene(device, device, testRequest(), stage), Enough);
 }
 
-TEST(StripPace, TracesUsualScansInTheLargestStrips) {
+TEST(StripPace, UsualScansUseTheLargestStrips) {
     EXPECT_EQ(StripPace(40).rowsFor(512, 512), 512u);
     EXPECT_EQ(StripPace(0).rowsFor(16384, 16), 16u);
     StripPace pace(40);
@@ -353,25 +355,25 @@ TEST(StripPace, TracesUsualScansInTheLargestStrips) {
     EXPECT_EQ(pace.rowsFor(512, 512), 512u);
 }
 
-TEST(StripPace, TakesFewRowsOfWhatTakesLong) {
+TEST(StripPace, SlowScenesUseFewRows) {
     StripPace crowded(7000);
     EXPECT_EQ(crowded.rowsFor(512, 512), 5u);
     EXPECT_EQ(crowded.rowsFor(16384, 16), 1u);
     crowded.update(512 * 5, 1e-4);
-    EXPECT_EQ(crowded.rowsFor(512, 512), 5u) << "nothing was there: what comes may be as crowded as any";
+    EXPECT_EQ(crowded.rowsFor(512, 512), 5u) << "a fast strip may have been empty, and the next one crowded";
     StripPace slow(20);
     slow.update(512 * 512, 10);
-    EXPECT_EQ(slow.rowsFor(512, 512), 51u) << "of about a second";
+    EXPECT_EQ(slow.rowsFor(512, 512), 51u) << "about a second";
     slow.update(512 * 51, 0.01);
     EXPECT_GT(slow.rowsFor(512, 512), 51u);
 }
 
-TEST(FrameTiling, CutsStripsWhereTilesEnd) {
+TEST(FrameTiling, StripsEndAtTiles) {
     EXPECT_EQ(stripRows(0, 512, 33), 33u);
     EXPECT_EQ(stripRows(0, 21, 33), 16u);
-    EXPECT_EQ(stripRows(16, 21, 33), 17u) << "with the tile that the band ends in";
+    EXPECT_EQ(stripRows(16, 21, 33), 17u) << "includes the partial tile at the band's end";
     EXPECT_EQ(stripRows(0, 5, 33), 5u);
-    EXPECT_EQ(stripRows(5, 48, 33), 3u) << "to the tile's end";
+    EXPECT_EQ(stripRows(5, 48, 33), 3u) << "up to the tile's end";
     EXPECT_EQ(stripRows(5, 2, 33), 2u);
     EXPECT_EQ(stripRows(32, 5, 33), 1u);
 }

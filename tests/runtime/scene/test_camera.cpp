@@ -131,7 +131,7 @@ TEST(Camera, TakesAHeightAndAnEyeAsTheyAre) {
     const Camera camera = frameCamera(request, kMin, kMax, 1);
     EXPECT_EQ(camera.ortho_height, 12.5);
     expectNear(camera.eye, *request.eye, 0);
-    EXPECT_EQ(frameCamera({}, kMin, kMax, 1).ortho_height, 0) << "a pinhole where nothing is said";
+    EXPECT_EQ(frameCamera({}, kMin, kMax, 1).ortho_height, 0) << "a pinhole by default";
 }
 
 TEST(Camera, LeavesNothingBehindAParallelPicture) {

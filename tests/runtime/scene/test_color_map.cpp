@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colours of maps against those that their authors publish, and what legends say of them.
+// Colours of maps, compared with those that their authors publish, and the numbers of legends.
 #include "runtime/scene/color_map.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ void expectMap(ColorMap map, std::uint32_t low, std::uint32_t middle, std::uint3
 }
 
 TEST(ColorMap, HasThePublishedColours) {
-    // what matplotlib 3.11 gives for 0, 0.5 and 1, 8 bits each
+    // the colours of matplotlib 3.11 for 0, 0.5 and 1
     expectMap(ColorMap::kViridis, 0x440154, 0x21918c, 0xfde725);
     expectMap(ColorMap::kMagma, 0x000004, 0xb73779, 0xfcfdbf);
     expectMap(ColorMap::kInferno, 0x000004, 0xbc3754, 0xfcffa4);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The studio that scans stand in where nobody says otherwise.
+// The studio that surrounds scans by default.
 #include "runtime/scene/default_lighting.h"
 
 #include <gtest/gtest.h>
@@ -27,16 +27,17 @@ TEST(Studio, FlatDiscsAtTheBottomAreAboveTheFloor) {
     const SceneDescription scene = studio({0, -10, 0}, false);
     ASSERT_EQ(scene.shapes.size(), 1u);
     const double gap = kLow.z - scene.shapes[0].center.z;
-    const double float_step = std::ldexp(10.0, -23); // of what is as far as the eye
+    const double float_step = std::ldexp(10.0, -23); // of coordinates as large as the eye's
     EXPECT_GT(gap, 100 * float_step);
-    EXPECT_LT(gap, 0.01) << "a finger under a room";
+    EXPECT_LT(gap, 0.01) << "a centimetre";
 }
 
 TEST(Studio, HasNoFloorForAnEyeBelowIt) {
     const SceneDescription scene = studio({0, -1, -10}, false);
     EXPECT_TRUE(scene.shapes.empty());
     ASSERT_EQ(scene.lights.size(), 3u);
-    for (const auto& light : scene.lights) EXPECT_LT(std::get<SunLight>(light).towards.z, 0) << "from where one looks";
+    for (const auto& light : scene.lights)
+        EXPECT_LT(std::get<SunLight>(light).towards.z, 0) << "on the side of the eye";
 }
 
 double lampOn(const PointLight& lamp, Vec3 place) {

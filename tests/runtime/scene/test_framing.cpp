@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Made scenes: where they are seen from, and how much of the picture they fill.
+// Default views of synthetic scenes: where the camera is, and how much of the picture the scene fills.
 #include "runtime/scene/framing.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ public:
     void add(Vec3 position, Vec3 normal, double radius = 0.01) {
         sample.splats.push_back({position, normal, radius, {0.5f, 0.5f, 0.5f}});
     }
-    /// corner + [0, 1] u + [0, 1] v, with its front where u x v points.
+    /// Random points of corner + [0, 1] u + [0, 1] v with normals along u x v.
     void addRectangle(Vec3 corner, Vec3 u, Vec3 v, int count) {
         for (int i = 0; i < count; ++i) add(corner + share() * u + share() * v, normalize(cross(u, v)));
     }
@@ -37,7 +37,7 @@ private:
     std::mt19937 random_{1};
 };
 
-/// Radius 1, half of it where only that with this side is there.
+/// A ball of radius 1, or only its half towards *half.
 Scene ball(Vec3 middle = {}, const Vec3* half = nullptr) {
     Scene scene;
     for (int i = 0; i < 6000; ++i) {
@@ -48,7 +48,7 @@ Scene ball(Vec3 middle = {}, const Vec3* half = nullptr) {
     return scene;
 }
 
-/// 40 wide, z up, with boxes.
+/// Ground 40 wide with four boxes; z is up.
 Scene site() {
     Scene scene;
     scene.addRectangle({-20, -15, 0}, 40.0 * kX, 30.0 * kY, 6000);
@@ -60,7 +60,7 @@ Scene site() {
     return scene;
 }
 
-/// 6 x 5 x 2.5, z up, all normals into it.
+/// A room of 6 x 5 x 2.5 with normals towards its inside; z is up.
 Scene room() {
     Scene scene;
     scene.addRectangle({0, 0, 0}, 6.0 * kX, 5.0 * kY, 2000);
@@ -73,11 +73,11 @@ Scene room() {
     return scene;
 }
 
-/// What lies within the box is measured, strays are not.
 struct Frame {
     double left = 1, right = 0, bottom = 1, top = 0; ///< shares of the picture
 };
 
+/// The rectangle of the picture around all splats within reach of the origin, so without strays.
 Frame frameOf(const SceneSample& sample, const Camera& camera, double aspect, double reach) {
     Frame frame;
     const double tangent = std::tan(camera.fov_deg / 2 * kDegree);
@@ -121,7 +121,7 @@ TEST(Framing, IgnoresManyStrays) {
     EXPECT_LT(frame.right - frame.left, 0.85);
 }
 
-/// Of a square picture of all within reach of zero.
+/// Expects that the splats within reach of the origin fill and centre a square picture.
 void expectFramed(const SceneSample& sample, Vec3 up, double reach) {
     const Frame frame = frameOf(sample, completed(frameScene({}, sample, up, {1, 1}, true), 1), 1, reach);
     const double share = std::max(frame.right - frame.left, frame.top - frame.bottom);
@@ -134,7 +134,7 @@ void expectFramed(const SceneSample& sample, Vec3 up, double reach) {
 TEST(Framing, KeepsSparseConnectedTips) {
     Scene scene;
     scene.addRectangle({-6, -6, 0}, 12.0 * kX, 12.0 * kY, 8000);
-    for (int i = 1; i <= 40; ++i) scene.add({0, 0, 0.4 * i}, kX); // 0.5% of all is 16 high
+    for (int i = 1; i <= 40; ++i) scene.add({0, 0, 0.4 * i}, kX); // 0.5% of the splats
     expectFramed(scene.sample, kZ, 100);
 }
 
@@ -142,7 +142,7 @@ TEST(Framing, DropsSparseFringes) {
     Scene scene;
     scene.addRectangle({-10, -4, 0}, 20.0 * kX, 8.0 * kY, 6000);
     scene.addRectangle({-60, -70, 0}, 120.0 * kX, 60.0 * kY, 100);
-    scene.addRectangle({-5, -60, 0}, 10.0 * kX, 3.0 * kZ, 60); // a wall far off
+    scene.addRectangle({-5, -60, 0}, 10.0 * kX, 3.0 * kZ, 60); // a distant wall
     expectFramed(scene.sample, kZ, 10.8);
 }
 
@@ -245,7 +245,7 @@ TEST(Framing, StandardViewsApplyToGivenTargets) {
     EXPECT_EQ(seen.target, request.target);
     request.eye = Vec3{0, 0, 9};
     EXPECT_EQ(frameScene(request, scene.sample, kZ, {}, true).camera.eye, request.eye)
-        << "a view is overruled by an eye";
+        << "a given eye overrides a view";
 }
 
 TEST(Framing, SensorViewUsesScannerPositions) {
@@ -253,7 +253,7 @@ TEST(Framing, SensorViewUsesScannerPositions) {
     request.view = StandardView::kSensor;
     try {
         frameScene(request, ball().sample, kY, {}, true);
-        ADD_FAILURE() << "nobody knows where";
+        ADD_FAILURE() << "no scanner position is known";
     } catch (const Error& error) {
         EXPECT_EQ(error.code, ExitCode::kBadUsage);
     }
@@ -279,7 +279,7 @@ TEST(DefaultView, FromTheSideThatWasScanned) {
 TEST(DefaultView, SitesFromThreeQuartersAbove) {
     const ViewChoice choice = chooseView(site().sample, kZ);
     EXPECT_NEAR(std::asin(choice.side.z) / kDegree, 35, 1);
-    EXPECT_LT(choice.side.y, -0.3) << "their front";
+    EXPECT_LT(choice.side.y, -0.3) << "from the front";
     EXPECT_FALSE(choice.eye);
 }
 
@@ -296,11 +296,11 @@ TEST(DefaultView, RoomsFromInside) {
             double nearest = std::numeric_limits<double>::infinity();
             for (const SampledSplat& splat : scene.sample.splats)
                 nearest = std::min(nearest, length(splat.position - eye));
-            EXPECT_GT(nearest, 0.4) << "in the way";
+            EXPECT_GT(nearest, 0.4) << "something is too near";
         }
 }
 
-/// Whether a cupboard from (2.5, 1.8) to (3.5, 3.2), as high as the room, is between a place and one in the room.
+/// Whether a cupboard from (2.5, 1.8) to (3.5, 3.2), as high as the room, is between eye and place.
 bool isBehindCupboard(Vec3 eye, Vec3 place) {
     for (int step = 1; step < 200; ++step) {
         const Vec3 p = eye + step / 200.0 * (place - eye);
@@ -316,15 +316,15 @@ TEST(DefaultView, RoomsFromAnUnrecordedScannerPosition) {
     scene.addRectangle({2.5, 1.8, 0}, 1.0 * kX, 2.5 * kZ, 400);
     std::erase_if(scene.sample.splats, [&](const SampledSplat& s) { return isBehindCupboard(stood, s.position); });
     scene.sample.zeros = {{20, 0, 0}, stood};
-    EXPECT_EQ(chooseView(scene.sample, kZ).eye, stood) << "it saw all that is there";
+    EXPECT_EQ(chooseView(scene.sample, kZ).eye, stood) << "all splats are visible from there";
     scene.sample.zeros = {{5.2, 4.1, 1.3}};
-    EXPECT_NE(chooseView(scene.sample, kZ).eye, scene.sample.zeros[0]) << "it would have seen the other sides";
+    EXPECT_NE(chooseView(scene.sample, kZ).eye, scene.sample.zeros[0]) << "it would have scanned the other sides";
 }
 
 TEST(DefaultView, NoEyeIsInADisc) {
     Scene scene;
     for (int i = 0; i < 4; ++i) scene.add({double(i % 2), double(i / 2), 0}, kZ, 0.85);
-    scene.sample.sensors = {{-0.5, 0.5, 0.05}}; // all of it ahead
+    scene.sample.sensors = {{-0.5, 0.5, 0.05}}; // beside the discs
     EXPECT_FALSE(chooseView(scene.sample, kZ).eye);
     scene.sample.sensors = {{0.5, 0.5, 3}};
     EXPECT_TRUE(chooseView(scene.sample, kZ).eye);
@@ -334,7 +334,7 @@ TEST(DefaultView, NoObstacleIsInFrontOfTheEye) {
     Scene scene = room();
     const std::optional<Vec3> free = chooseView(scene.sample, kZ).eye;
     ASSERT_TRUE(free);
-    scene.add(*free + Vec3{1, 0, 0}, kZ, 1.2); // it hides nothing, and its middle is as far as the walls are
+    scene.add(*free + Vec3{1, 0, 0}, kZ, 1.2); // its centre is as far as the walls
     const std::optional<Vec3> eye = chooseView(scene.sample, kZ).eye;
     ASSERT_TRUE(eye);
     EXPECT_GT(length(*eye - scene.sample.splats.back().position), 1.3);
@@ -353,12 +353,12 @@ TEST(DefaultView, RangeImagesFromTheirScanner) {
     const FramedRequest framed = frameScene({}, scene.sample, kY, {4.0 / 3, 1}, true);
     EXPECT_EQ(framed.camera.eye, Vec3{});
     EXPECT_TRUE(framed.within);
-    EXPECT_GT(framed.camera.fov_deg, 40) << "the camera saw more than others do";
+    EXPECT_GT(framed.camera.fov_deg, 40) << "the scanner's field of view is wider than the default";
     const Frame frame = frameOf(scene.sample, completed(framed, 4.0 / 3), 4.0 / 3, 10);
     EXPECT_NEAR(frame.right - frame.left, 0.8, 0.05);
-    const FramedRequest said = frameScene({}, scene.sample, kY, {4.0 / 3, 1}, false);
-    EXPECT_EQ(said.camera.fov_deg, 40);
-    EXPECT_GT(said.camera.eye.value().z, 0.5) << "farther back, as all is to be seen";
+    const FramedRequest fixed = frameScene({}, scene.sample, kY, {4.0 / 3, 1}, false);
+    EXPECT_EQ(fixed.camera.fov_deg, 40);
+    EXPECT_GT(fixed.camera.eye.value().z, 0.5) << "farther back, so that all of it is visible";
 }
 
 TEST(Framing, SurvivesOneSplat) {

@@ -37,10 +37,10 @@ TEST(LegendPicture, ShowsEveryColourOfTheBar) {
     EXPECT_TRUE(has(legend.bar.front()));
     EXPECT_TRUE(has(legend.bar[128]) || has(legend.bar[129]));
     EXPECT_TRUE(has({255, 255, 255})) << "letters";
-    EXPECT_TRUE(has({35, 35, 35})) << "the back: 90 of 255 of the picture's 100";
+    EXPECT_TRUE(has({35, 35, 35})) << "the background: 90 / 255 of the picture's 100";
 }
 
-TEST(LegendPicture, LiesInTheLowerLeftCorner) {
+TEST(LegendPicture, IsInTheLowerLeftCorner) {
     const Legend legend = barLegend("height", ColorMap::kMagma, {0, 10});
     const LegendPicture drawn = drawLegend(legend, kPicture);
     EXPECT_EQ(drawn.left, 10u);
@@ -54,10 +54,10 @@ TEST(LegendPicture, LiesInTheLowerLeftCorner) {
             }
         }
     const LegendPicture large = drawLegend(legend, {2048, 2048});
-    EXPECT_EQ(large.size.width, 4 * drawn.size.width) << "letters grow with the picture";
+    EXPECT_EQ(large.size.width, 4 * drawn.size.width) << "letters scale with the picture";
 }
 
-TEST(LegendPicture, IsTheSameRowByRow) {
+TEST(LegendPicture, DoesNotDependOnHowRowsAreAdded) {
     const Legend legend = listLegend("classification", ColorMap::kClasses, std::vector<double>{2, 5, 6});
     const Pixels whole = withLegend(legend);
     const LegendPicture drawn = drawLegend(legend, kPicture);

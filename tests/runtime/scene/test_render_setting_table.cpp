@@ -36,7 +36,7 @@ const std::vector<std::string>& helpLines() {
     return lines;
 }
 
-/// The help of an option, its lines joined.
+/// The help of an option as one line.
 std::string helpOf(const std::string& option) {
     std::string help;
     for (const std::string& line : helpLines()) {
@@ -50,7 +50,8 @@ std::string helpOf(const std::string& option) {
     return help;
 }
 
-/// key, default and description in docs/SCENES.md, without back quotes. Keys that share a row are parted by commas.
+/// Rows of docs/SCENES.md: key, default and description, without back quotes. A row may have several keys, separated by
+/// commas.
 std::vector<std::string> docOf(const std::string& key) {
     for (const std::string& line : linesOf(std::ifstream(POINTRT_SCENES_DOC))) {
         std::vector<std::string> columns;
@@ -63,7 +64,7 @@ std::vector<std::string> docOf(const std::string& key) {
     return {"", "", ""};
 }
 
-/// The defaults as scene files spell them, by key.
+/// Defaults by key, as written in scene files.
 std::map<std::string, std::string> writtenDefaults() {
     SceneDescription scene;
     scene.render = choicesOf({});
@@ -73,7 +74,7 @@ std::map<std::string, std::string> writtenDefaults() {
     return values;
 }
 
-/// Every word that users may need to see of the limits: the numbers, or the names.
+/// All words that help must have for these limits: the numbers or the names.
 template <typename Limits>
 std::vector<std::string> limitWords(const Limits& limits) {
     return {limitsText(limits)};
@@ -91,7 +92,7 @@ TEST(RenderSettingTable, AgreesWithHelp) {
         EXPECT_FALSE(contains(help, "{")) << help;
         const auto standard = settingOf(RenderSettings{}, row.member);
         EXPECT_TRUE(contains(help, standard ? "(default " + valueText(row.limits, *standard) : "(default")) << help;
-        if (option == "--reflectivity") // which says what its ends are
+        if (option == "--reflectivity") // its help names the meaning of both limits
             EXPECT_TRUE(contains(help, "0 matte to 1 mirror") && limitsText(row.limits) == "0 to 1") << help;
         else
             for (const std::string& word : limitWords(row.limits)) EXPECT_TRUE(contains(help, word)) << option << word;
@@ -147,7 +148,7 @@ RenderChoices said(const std::string& option, const std::string& value) {
     return options.choices;
 }
 
-/// What a scene file says that has choices.
+/// The choices after writing and reading a scene file.
 RenderChoices filed(const RenderChoices& choices) {
     SceneDescription scene;
     scene.render = choices;
@@ -156,7 +157,7 @@ RenderChoices filed(const RenderChoices& choices) {
     return parseScene(sceneText(scene, ""), "scene.toml").render;
 }
 
-/// A value of the command line as a scene file has it.
+/// A value of the command line as written in a scene file.
 template <typename Limits>
 std::string inFile(const Limits&, const std::string& text) {
     return text;
@@ -210,7 +211,7 @@ TEST(RenderSettingTable, ChoicesReproduceSettings) {
     applyChoices(choicesOf(settings), copy);
     EXPECT_EQ(choicesOf(copy), choicesOf(settings));
     EXPECT_EQ(copy.width, 7u);
-    EXPECT_FALSE(choicesOf({}).room) << "left to the scene";
+    EXPECT_FALSE(choicesOf({}).room) << "the scene decides";
 }
 
 } // namespace

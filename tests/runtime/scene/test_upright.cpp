@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which way is up where nobody says otherwise.
+// The up direction of scenes, and default cameras by it.
 #include "runtime/scene/upright.h"
 
 #include <gtest/gtest.h>
@@ -7,6 +7,7 @@
 #include "format/base/error.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/default_lighting.h"
+#include "tests/support/says.h"
 
 namespace pointrt {
 namespace {
@@ -15,7 +16,7 @@ constexpr Vec3 kUprightX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
 
 void expectUpNear(Vec3 a, Vec3 b) { EXPECT_LT(length(a - b), 1e-12) << a.x << " " << a.y << " " << a.z; }
 
-/// The camera that it comes to in a scene of this content, and the scene.
+/// A scene and its cameras after resolveUp.
 struct Stood {
     SceneDescription scene;
     CameraRequest camera, staging;
@@ -46,7 +47,7 @@ TEST(Upright, ScansWithoutAnUpAreUnchanged) {
     }
 }
 
-TEST(Upright, AScanWithItsUpAlongZIsSeenFromItsFront) {
+TEST(Upright, ScansWithUpAlongZAreSeenFromTheirFront) {
     const Stood stood = stand({}, {}, {kZ, {}});
     EXPECT_EQ(stood.scene.up, kZ);
     EXPECT_EQ(stood.staging.up, kZ);
@@ -56,7 +57,7 @@ TEST(Upright, AScanWithItsUpAlongZIsSeenFromItsFront) {
     expectUpNear(camera.right, kUprightX);
 }
 
-TEST(Upright, AScanWithItsUpAlongYIsSeenAsAnyOther) {
+TEST(Upright, ScansWithUpAlongYAreSeenAsByDefault) {
     const Stood stood = stand({}, {}, {kY, {}});
     EXPECT_EQ(stood.framed(), frameCamera({}, {-1, -2, -3}, {1, 2, 3}, 1));
 }
@@ -101,7 +102,7 @@ TEST(Upright, TheSunFollows) {
         stand(scene, {}, {kZ, kY});
         FAIL();
     } catch (const Error& error) {
-        EXPECT_STREQ(error.what(), "scene.toml:3: must not be along the scene's \"up\"");
+        EXPECT_SAYS(error.what(), "scene.toml:3: *along*\"up\"");
     }
 }
 

@@ -25,7 +25,7 @@ protected:
 
     std::string path(const char* name) const { return (folder_ / name).string(); }
     SceneDescription parse(const std::string& text) const { return parseScene(text, path("scene.toml")); }
-    /// With something to see, so that text need not have it.
+    /// Adds an instance, as scenes need something visible.
     SceneDescription parseMore(const std::string& text) const {
         return parse(text + "\n[[instance]]\nfile='statue.pro'\n");
     }

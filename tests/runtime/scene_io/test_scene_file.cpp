@@ -138,7 +138,7 @@ TEST_F(SceneFile, AcceptsAxisNamesForUp) {
                            scene = parseMore("up = 'z'\n[camera]\nfov = 30\n[[view]]\nname = 'a'");
     EXPECT_EQ(plain.up, (Vec3{0, 0, 1}));
     EXPECT_EQ(scene.up, plain.up);
-    EXPECT_EQ(plain.camera.side, (Vec3{0, 0, 1})) << "as ever";
+    EXPECT_EQ(plain.camera.side, (Vec3{0, 0, 1})) << "the default";
     EXPECT_EQ(scene.camera.side, (Vec3{0, -1, 0})) << "its front";
     EXPECT_EQ(scene.views[0].camera.side, (Vec3{0, -1, 0}));
 }
@@ -326,7 +326,7 @@ TEST_F(SceneFile, PlacesTheSunByTimeAndPlace) {
     EXPECT_EQ(sun.radius_deg, 0.2665);
     expectColor(sun.irradiance, 2, 2, 2);
     const SceneDescription waiting = parseMore("[[light]]\ntype='point'\nposition=[0,0,0]\nintensity=1\n" + when);
-    ASSERT_EQ(waiting.suns.size(), 1u) << "the scan may know what is up";
+    ASSERT_EQ(waiting.suns.size(), 1u) << "the scan may have an up direction";
     EXPECT_EQ(waiting.suns[0].light, 1u);
     EXPECT_NEAR(waiting.suns[0].position.azimuth_deg, 194.34, 0.01);
     const auto standing = std::get<SunLight>(parseMore("up = [0, 0, 1]\n" + when + "north = [1, 0, 5]").lights[0]);
@@ -411,7 +411,7 @@ TEST_F(SceneFile, ReadsTheExample) {
     for (const MaterialDescription& each : scene.materials) materials.insert(each.kind);
     EXPECT_EQ(shapes.size(), 5u);
     EXPECT_EQ(materials.size(), 5u);
-    // The comment beside it says the same colour twice.
+    // the example's comment gives the same colour in another form
     expectColor(materialNamed(scene, "floor").color, 0.43415, 0.39157, 0.31399);
 }
 

@@ -133,7 +133,7 @@ TEST_F(SceneFile, RefusesInvalidAttributeOverrides) {
     EXPECT_SAYS(refusal(by_class + "values = ['a']"), next + "values[0]\": *number");
     EXPECT_SAYS(refusal(by_class + "range = [2, 2]"), next + "range\": *lower");
     EXPECT_SAYS(refusal(by_class + "range = [1, 2, 3]"), next + "range\": *list*2");
-    EXPECT_SAYS(refusal("up = 'Z'"), "scene.toml:1: key \"up\": \"Z\" *[0, 0, 1] *auto, x, y, z, -x, -y, -z");
+    EXPECT_SAYS(refusal("up = 'Z'"), "scene.toml:1: key \"up\": \"Z\" *[0, 0, 1]*auto, x, y, z, -x, -y, -z");
     EXPECT_SAYS(refusal("[render]\ncolor_map = 'jet'"), "scene.toml:2: key \"render.color_map\": \"jet\" *viridis, "
                                                         "magma, inferno, plasma, cividis, turbo, grey, classes, scans");
 }
@@ -208,7 +208,7 @@ TEST_F(SceneFile, ReportsTheLineOfInvalidToml) {
     EXPECT_EQ(refusal("\nroom = \"\xff\"").substr(0, 14), "scene.toml:2: ");
 }
 
-// Of these toml++'s tables of white space know nothing: it promises its compiler that nobody asks them.
+// toml++ assumes that these are never looked up in its tables of white space (runtime/scene_io/toml_defined.h).
 TEST_F(SceneFile, RefusesUnexpectedUnicode) {
     for (const char* text :
          {"\u00e9 = 1", "up = \u00e9", "up = 1 \u00e9", "up = [\u0416]", "[\u00e9]", "\u3001 = 1", "\ufe70 = 1"})
@@ -222,7 +222,7 @@ TEST_F(SceneFile, SurvivesDeepNesting) {
     EXPECT_NE(refusal("a = {" + repeated("a={", deep)), "");
     EXPECT_SAYS(refusal(std::string("\n") + repeated("a.", deep) + "a = 1"), "scene.toml:2: *64 dots");
     EXPECT_SAYS(refusal(std::string("[") + repeated("a . ", deep) + "a]"), "scene.toml:1: *64 dots");
-    // as deep as both limits let it be
+    // as deep as both limits allow
     EXPECT_NE(refusal(repeated(repeated("a.", 64) + "a = {", 255) + repeated("}", 255)), "");
     const SceneDescription scene = parseMore("# " + repeated("etc. and so on, ", 100));
     EXPECT_EQ(scene.instances.size(), 1u);
@@ -252,7 +252,7 @@ std::string exampleText() {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// text with one thing changed, as a slip of the hand or ill will might.
+/// text with one random change.
 std::string mutated(std::string text, std::mt19937& random) {
     static const char* const pieces[] = {
         "1e308", "-1e308", "1e-320",  "nan", "-inf", "0",    "-1",   "9223372036854775807",
@@ -291,7 +291,7 @@ TEST_F(SceneFile, SurvivesMutations) {
         for (unsigned more = random() % 3; more > 0; --more) text = mutated(text, random);
         if (refusal(text).empty()) ++parsed; // anything but an Error ends the test
     }
-    // both ends of the road were walked
+    // both outcomes must occur often
     EXPECT_GT(parsed, tries / 50);
     EXPECT_LT(parsed, tries * 9 / 10);
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "format/base/error.h"
+#include "tests/support/says.h"
 
 namespace pointrt {
 namespace {
@@ -133,8 +134,7 @@ TEST(Options, TakesParallelProjection) {
     EXPECT_EQ(height.ortho_height, 2.5);
     const CameraRequest fit = parse({"a.pro", "-o", "a.png", "--ortho", "fit"}).camera;
     EXPECT_TRUE(fit.ortho && !fit.ortho_height);
-    EXPECT_EQ(refusal({"--ortho", "2", "--fov", "30"}),
-              "--fov and --ortho exclude each other: a parallel projection has no field of view");
+    EXPECT_SAYS(refusal({"--ortho", "2", "--fov", "30"}), "--fov *--ortho *exclude");
 }
 
 TEST(Options, TakesNegativeCoordinates) {
@@ -157,8 +157,7 @@ TEST(Options, TakesAnAxisForUp) {
     EXPECT_EQ(vector.camera.up, (Vec3{0, 0, 1}));
     EXPECT_EQ(vector.camera.side, (Vec3{0, 0, 1}));
     EXPECT_EQ(parse({"a.pro", "-o", "a.png", "--up", "z", "--up", "auto"}).camera, CameraRequest{});
-    EXPECT_EQ(refusal({"--up", "upwards"}),
-              "--up: \"upwards\" is not one of auto, x, y, z, -x, -y, -z, and not X,Y,Z with three finite numbers");
+    EXPECT_SAYS(refusal({"--up", "upwards"}), "--up: \"upwards\" *auto, x, y, z, -x, -y, -z*X,Y,Z");
 }
 
 TEST(Options, TakesColours) {
@@ -168,10 +167,9 @@ TEST(Options, TakesColours) {
     EXPECT_EQ(options.choices.color_map, ColorMap::kMagma);
     EXPECT_EQ(options.choices.color_range, (ValueRange{-1, 2}));
     EXPECT_EQ(options.choices.legend, true);
-    EXPECT_EQ(refusal({"--color-range", "3,2"}),
-              "--color-range: \"3,2\" is not LO,HI with two finite numbers, the lower first");
-    EXPECT_EQ(refusal({"--color-by", "a\nb"}), "--color-by: \"a\\nb\" is not a valid attribute name");
-    EXPECT_EQ(refusal({"-o", "a.exr", "--legend", "on"}), "--legend: needs -o FILE.png");
+    EXPECT_SAYS(refusal({"--color-range", "3,2"}), "--color-range: \"3,2\" *LO,HI");
+    EXPECT_SAYS(refusal({"--color-by", "a\nb"}), "--color-by: \"a\\nb\" *name");
+    EXPECT_SAYS(refusal({"-o", "a.exr", "--legend", "on"}), "--legend: *FILE.png");
 }
 
 TEST(Options, TakesTheLastOfARepeatedOption) {
@@ -181,8 +179,8 @@ TEST(Options, TakesTheLastOfARepeatedOption) {
 TEST(Options, ResumeNeedsExrAndExposureNeedsPng) {
     EXPECT_TRUE(parse({"a.pro", "-o", "a.exr", "--resume"}).resume);
     EXPECT_EQ(parse({"a.pro", "-o", "a.png", "--exposure", "-1.5"}).choices.exposure, -1.5f);
-    EXPECT_EQ(refusal({"--resume"}), "--resume: needs -o FILE.exr");
-    EXPECT_EQ(refusal({"-o", "a.exr", "--exposure", "1"}), "--exposure: needs -o FILE.png");
+    EXPECT_SAYS(refusal({"--resume"}), "--resume: *FILE.exr");
+    EXPECT_SAYS(refusal({"-o", "a.exr", "--exposure", "1"}), "--exposure: *FILE.png");
     EXPECT_NE(refusal({"-o", "a.exr", "--resume", "--bench", "1"}), "");
 }
 
@@ -192,19 +190,18 @@ TEST(Options, TakesATurntableWithAPattern) {
     EXPECT_NE(refusal({"-o", "%d.png"}), "");
     for (const char* text : {"0", "100001", "-1", "x"})
         EXPECT_TRUE(contains(refusal({"-o", "%d.png", "--turntable", text}), "--turntable: ")) << text;
-    EXPECT_EQ(refusal({"-o", "%d.exr", "--turntable", "3", "--resume"}), "--turntable and --resume exclude each other");
-    EXPECT_EQ(refusal({"-o", "%d.png", "--turntable", "3", "--bench", "1"}),
-              "--turntable and --bench exclude each other");
+    EXPECT_SAYS(refusal({"-o", "%d.exr", "--turntable", "3", "--resume"}), "--turntable *--resume *exclude");
+    EXPECT_SAYS(refusal({"-o", "%d.png", "--turntable", "3", "--bench", "1"}), "--turntable *--bench *exclude");
 }
 
 TEST(Options, ListsDevicesWithoutAScene) {
     EXPECT_TRUE(parse({"--device", "list"}).list_devices);
-    EXPECT_EQ(refusal({"--device", "list"}), "--device list cannot be combined with other options");
+    EXPECT_SAYS(refusal({"--device", "list"}), "--device list *other");
 }
 
 TEST(Options, DepthUnitNeedsTheDepthLayer) {
-    EXPECT_EQ(refusal({"--cameras", "list.json", "-o", "set", "--layers", "rgb", "--depth-unit", "0.001"}),
-              "--depth-unit: needs the depth layer, which --layers omits");
+    EXPECT_SAYS(refusal({"--cameras", "list.json", "-o", "set", "--layers", "rgb", "--depth-unit", "0.001"}),
+                "--depth-unit: *depth *--layers");
     EXPECT_EQ(refusal({"--cameras", "list.json", "-o", "set", "--layers", "rgb,depth", "--depth-unit", "0.001"}), "");
 }
 
@@ -227,15 +224,15 @@ TEST(Options, RefusesBadValuesByName) {
         EXPECT_TRUE(contains(refusal({"--noise", text}), "--noise: ")) << text;
     for (const char* text : {"-21", "21", "nan", "+1EV"})
         EXPECT_TRUE(contains(refusal({"--exposure", text}), "--exposure: ")) << text;
-    EXPECT_EQ(refusal({"--denoise", "maybe"}), "--denoise: \"maybe\" is not one of on, off, auto");
-    EXPECT_EQ(refusal({"--room", "cellar"}), "--room: \"cellar\" is not one of none, mirror, matte");
+    EXPECT_SAYS(refusal({"--denoise", "maybe"}), "--denoise: \"maybe\" *on, off, auto");
+    EXPECT_SAYS(refusal({"--room", "cellar"}), "--room: \"cellar\" *none, mirror, matte");
     EXPECT_TRUE(contains(refusal({"--integrator", "bidirectional"}), "whitted"));
     EXPECT_TRUE(contains(refusal({"--shadows", "yes"}), "--shadows: "));
     EXPECT_TRUE(contains(refusal({"--lights", "17"}), "--lights: "));
     EXPECT_TRUE(contains(refusal({"--bounces", "65"}), "--bounces: "));
     EXPECT_TRUE(contains(refusal({"--bench", "0"}), "--bench: "));
     EXPECT_TRUE(contains(refusal({"--seed", "-1"}), "--seed: "));
-    EXPECT_EQ(refusal({"-o", "a.jpeg"}), "a.jpeg: image files must end in .png or .exr");
+    EXPECT_SAYS(refusal({"-o", "a.jpeg"}), "a.jpeg: *.png *.exr");
 }
 
 TEST(Options, RefusesUnknownArguments) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "format/base/error.h"
+#include "tests/support/says.h"
 
 namespace pointrt {
 namespace {
@@ -89,9 +90,9 @@ TEST(Settings, ColourOptionsNeedColorBy) {
     range.color_range = ValueRange{0, 1};
     legend.legend = true;
     bare.legend = false;
-    EXPECT_EQ(refusal(map, {}), "--color-map: needs --color-by");
-    EXPECT_EQ(refusal(range, {}), "--color-range: needs --color-by");
-    EXPECT_EQ(refusal(legend, {}), "--legend: needs --color-by");
+    EXPECT_SAYS(refusal(map, {}), "--color-map: *--color-by");
+    EXPECT_SAYS(refusal(range, {}), "--color-range: *needs --color-by");
+    EXPECT_SAYS(refusal(legend, {}), "--legend: *--color-by");
     EXPECT_EQ(refusal(bare, {}), "") << "there is none";
     SceneDescription colored;
     colored.render.color_by = "height";
@@ -99,7 +100,7 @@ TEST(Settings, ColourOptionsNeedColorBy) {
     range.color_by = "class";
     EXPECT_EQ(refusal(range, {}), "");
     range.color_by = "normal";
-    EXPECT_EQ(refusal(range, {}), "--color-range: does not apply to --color-by normal");
+    EXPECT_SAYS(refusal(range, {}), "--color-range: *--color-by normal");
     bare.color_by = "normal";
     EXPECT_EQ(refusal(bare, {}), "");
 }
@@ -108,14 +109,14 @@ TEST(Settings, UseTheNamedView) {
     SceneDescription scene = talkativeScene();
     scene.path = "a.toml";
     Options options;
-    const std::string every = ", and every scene has front, back, left, right, top, bottom, iso, sensor";
+    const std::string standard = "*front, back, left, right, top, bottom, iso, sensor";
     options.view = "upper";
     const auto refusal = [&] { return refusalOf(options, scene); };
-    EXPECT_EQ(refusal(), "--view: a.toml has no view \"upper\"; it has none" + every);
+    EXPECT_SAYS(refusal(), "--view: a.toml *\"upper\"*none" + standard);
     scene.views.resize(2);
     scene.views[0].name = "front";
     scene.views[1].name = "side";
-    EXPECT_EQ(refusal(), "--view: a.toml has no view \"upper\"; it has front, side" + every);
+    EXPECT_SAYS(refusal(), "--view: a.toml *\"upper\"*front, side" + standard);
     options.view = "top";
     const CameraRequest above = resolveSettings(options, scene).camera;
     EXPECT_EQ(above.view, StandardView::kTop) << "which every scene has";

@@ -8,11 +8,11 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// The options that the lines are of.
+/// The option that each line begins with.
 Lines named(const Options& options, const SceneTraits& scene) {
     Lines names;
     for (const std::string& line : optionsWithoutEffect(options, scene))
-        names.push_back(line.substr(0, line.find(" has no effect: ")));
+        names.push_back(line.substr(0, line.find(' ')));
     return names;
 }
 

@@ -10,6 +10,7 @@
 #include "runtime/studies/reflectance.h"
 #include "runtime/util/vec.h"
 #include "tests/runtime/rays/ray_scenes.h"
+#include "tests/support/says.h"
 #include "tests/support/temporary_folder.h"
 
 namespace pointrt::test {
@@ -364,10 +365,7 @@ TEST_F(Lidar, ReflectancesComeFromColorsOrAttributes) {
         ReflectanceLookup(numbered, {LidarReflectance::Source::kAttribute, 1, "gloss", 0});
         ADD_FAILURE();
     } catch (const TraceError& error) {
-        EXPECT_TRUE(
-            std::string(error.what())
-                .starts_with("the sensor's reflectance needs the attribute gloss, but the scene has intensity, "))
-            << error.what();
+        EXPECT_SAYS(error.what(), "*attribute gloss*intensity, ");
     }
 }
 
@@ -389,41 +387,31 @@ TEST(LidarCheck, InvalidSensorsAreNamedByTheirMember) {
         change(sensor);
         return refusalOf(sensor, standing());
     };
-    EXPECT_EQ(refusal([](LidarSensor& s) {
-                  s.pattern = LidarSpinning{{0}, -1, 1, 0, false};
-              }),
-              "rotation_hz is -1, must be from 1e-06 to 1e+09");
-    EXPECT_EQ(refusal([](LidarSensor& s) {
-                  s.pattern = LidarSpinning{{}, 1, 1, 0, false};
-              }),
-              "the number of elevations_deg is 0, must be from 1 to 65536");
-    EXPECT_EQ(refusal([](LidarSensor& s) {
-                  s.pattern = LidarSpinning{{91}, 1, 1, 0, false};
-              }),
-              "elevations_deg is 91, must be from -90 to 90");
-    EXPECT_EQ(refusal([](LidarSensor& s) {
-                  s.pattern = LidarFlash{0, 1, 10, 10, 1};
-              }),
-              "width is 0, must be from 1 to 65536");
-    EXPECT_EQ(refusal([](LidarSensor& s) {
-                  s.pattern = LidarTable{{}, 1};
-              }),
-              "the number of beams is 0, must be from 1 to 16777216");
-    EXPECT_EQ(refusal([](LidarSensor& s) {
-                  s.pattern = LidarTable{{{0, 0, 0, 2}}, 1};
-              }),
-              "delay_s is 2, must be from 0 to 1");
-    EXPECT_EQ(refusal([&](LidarSensor& s) { s.max_range_m = nan; }), "max_range_m is nan, must be from 1e-06 to 1e+09");
-    EXPECT_EQ(refusal([](LidarSensor& s) { s.min_range_m = 50; }), "min_range_m must be below max_range_m");
-    EXPECT_EQ(refusal([](LidarSensor& s) { s.rays = 0; }), "rays is 0, must be from 1 to 4096");
-    EXPECT_EQ(refusal([](LidarSensor& s) { s.rays = 5; }), "range_resolution_m is 0, must be from 1e-06 to 1e+09");
-    EXPECT_EQ(refusal([](LidarSensor& s) { s.most_returns = 16; }), "most_returns is 16, must be from 1 to 15");
-    EXPECT_EQ(refusal([](LidarSensor& s) { s.drop_probability = 1.5; }),
-              "drop_probability is 1.5, must be from 0 to 1");
-    EXPECT_EQ(refusal([](LidarSensor& s) {
-                  s.pattern = LidarFlash{65536, 65536, 10, 10, 1e9};
-              }),
-              "a run of 1.000000 s fires more pulses than can be counted");
+    EXPECT_SAYS(refusal([](LidarSensor& s) {
+                    s.pattern = LidarSpinning{{0}, -1, 1, 0, false};
+                }),
+                "rotation_hz *-1*1e-06 *1e+09");
+    EXPECT_SAYS(refusal([](LidarSensor& s) {
+                    s.pattern = LidarSpinning{{}, 1, 1, 0, false};
+                }),
+                "the number of elevations_deg *0*1 *65536");
+    EXPECT_SAYS(refusal([](LidarSensor& s) {
+                    s.pattern = LidarSpinning{{91}, 1, 1, 0, false};
+                }),
+                "elevations_deg *91*-90 *90");
+    EXPECT_SAYS(refusal([](LidarSensor& s) { s.pattern = LidarFlash{0, 1, 10, 10, 1}; }), "width *0*1 *65536");
+    EXPECT_SAYS(refusal([](LidarSensor& s) { s.pattern = LidarTable{{}, 1}; }), "the number of beams *0*1 *16777216");
+    EXPECT_SAYS(refusal([](LidarSensor& s) { s.pattern = LidarTable{{{0, 0, 0, 2}}, 1}; }), "delay_s *2*0 *1");
+    EXPECT_SAYS(refusal([&](LidarSensor& s) { s.max_range_m = nan; }), "max_range_m *nan*1e-06 *1e+09");
+    EXPECT_SAYS(refusal([](LidarSensor& s) { s.min_range_m = 50; }), "min_range_m *below max_range_m");
+    EXPECT_SAYS(refusal([](LidarSensor& s) { s.rays = 0; }), "rays *0*1 *4096");
+    EXPECT_SAYS(refusal([](LidarSensor& s) { s.rays = 5; }), "range_resolution_m *0*1e-06 *1e+09");
+    EXPECT_SAYS(refusal([](LidarSensor& s) { s.most_returns = 16; }), "most_returns *16*1 *15");
+    EXPECT_SAYS(refusal([](LidarSensor& s) { s.drop_probability = 1.5; }), "drop_probability *1.5*0 *1");
+    EXPECT_SAYS(refusal([](LidarSensor& s) {
+                    s.pattern = LidarFlash{65536, 65536, 10, 10, 1e9};
+                }),
+                "*1.000000 s *pulses");
 }
 
 TEST(LidarCheck, InvalidRunsAreRefused) {
@@ -434,16 +422,13 @@ TEST(LidarCheck, InvalidRunsAreRefused) {
         change(run);
         return refusalOf(plummet(), run);
     };
-    EXPECT_EQ(refusal([](LidarRun& r) { r.trajectory.clear(); }), "the trajectory has no pose");
-    EXPECT_EQ(refusal([](LidarRun& r) { r.trajectory[1].time = 100; }),
-              "pose 1: its time must be later than the previous pose's");
-    EXPECT_EQ(refusal([&](LidarRun& r) { r.trajectory[0].position[2] = nan; }),
-              "pose 0: its time or position is not finite");
-    EXPECT_EQ(refusal([](LidarRun& r) { r.trajectory[1].rotation = {}; }), "pose 1: its quaternion is 0 or not finite");
-    EXPECT_EQ(refusal([](LidarRun& r) { r.duration_s = 0; }), "duration_s must be above 0 and finite");
-    EXPECT_EQ(refusal([](LidarRun& r) { r.start_s = 102; }), "start_s is 102, but the trajectory is from 100 to 102 s");
-    EXPECT_EQ(refusal([](LidarRun& r) { r.duration_s = 3; }),
-              "the run ends at 103 s, but the trajectory is from 100 to 102 s");
+    EXPECT_SAYS(refusal([](LidarRun& r) { r.trajectory.clear(); }), "*trajectory *no pose");
+    EXPECT_SAYS(refusal([](LidarRun& r) { r.trajectory[1].time = 100; }), "pose 1: *time *later");
+    EXPECT_SAYS(refusal([&](LidarRun& r) { r.trajectory[0].position[2] = nan; }), "pose 0: *position *finite");
+    EXPECT_SAYS(refusal([](LidarRun& r) { r.trajectory[1].rotation = {}; }), "pose 1: *quaternion");
+    EXPECT_SAYS(refusal([](LidarRun& r) { r.duration_s = 0; }), "duration_s *above 0");
+    EXPECT_SAYS(refusal([](LidarRun& r) { r.start_s = 102; }), "start_s *102*100 *102 s");
+    EXPECT_SAYS(refusal([](LidarRun& r) { r.duration_s = 3; }), "*ends *103 s*100 *102 s");
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include <random>
 
 #include "tests/runtime/studies/study_scenes.h"
+#include "tests/support/says.h"
 
 namespace pointrt::test {
 namespace {
@@ -153,13 +154,13 @@ TEST_F(Surface, InvalidPointsAreNamedByTheirIndex) {
         }
         return "";
     };
-    EXPECT_EQ(reason({positions}, {}), "point 1: the position is not finite");
+    EXPECT_SAYS(reason({positions}, {}), "point 1: *position *finite");
     positions[3] = 1;
     const std::vector<float> one(1), six(6);
     EXPECT_EQ(reason({positions}, {}), "");
-    EXPECT_EQ(reason({positions, one}, {}), "normals must have one row per point");
-    EXPECT_EQ(reason({positions, six, one}, {}), "radii must have one row per point");
-    EXPECT_EQ(reason({positions}, {.radius = -1}), "the radius must be finite and at least 0");
+    EXPECT_SAYS(reason({positions, one}, {}), "normals *row");
+    EXPECT_SAYS(reason({positions, six, one}, {}), "radii *row");
+    EXPECT_SAYS(reason({positions}, {.radius = -1}), "*radius *0");
 }
 
 } // namespace

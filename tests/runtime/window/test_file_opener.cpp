@@ -10,6 +10,7 @@
 #include <memory>
 #include <thread>
 
+#include "tests/support/says.h"
 #include "tests/support/temporary_folder.h"
 
 namespace pointrt {
@@ -61,7 +62,7 @@ TEST_F(FileOpenerTest, OpensTheFirstDroppedScene) {
     EXPECT_EQ(messages, "");
     EXPECT_EQ(next(), "a.toml first");
     opener.drop({"b.pro", "c.pro"});
-    EXPECT_EQ(messages, "opening only the first of 2 files");
+    EXPECT_SAYS(messages, "*first *2 files");
     EXPECT_EQ(next(), "b.pro");
 }
 
@@ -75,7 +76,7 @@ TEST_F(FileOpenerTest, BakesOneScanAtATime) {
     const std::string scan = folder.write("a.xyz", "0 0 0\n");
     jobs.start(JobKind::kBake, [] { return startedJob<NoWork>(std::make_unique<NoWork>(), {}); });
     opener.drop({scan});
-    EXPECT_EQ(messages, "error: Loading is still running; bake one scan at a time");
+    EXPECT_SAYS(messages, "error: Loading *one scan");
 }
 
 TEST_F(FileOpenerTest, StepsThroughTheFolder) {

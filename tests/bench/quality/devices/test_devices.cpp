@@ -113,7 +113,7 @@ TEST(TriangulationTest, PlateIsFlatAndCurlsAtItsEdges) {
     EXPECT_LT(farthest, 0.02 + device.half_width);
 }
 
-TEST(TriangulationTest, ConfPutsScansOnTheObject) {
+TEST(TriangulationTest, ConfPlacesScansOnTheObject) {
     World world;
     WorldBuilder(world).addBall({0.003, 0.002, 0.001}, 0.02);
     const WorldTracing tracing(world);
@@ -176,7 +176,7 @@ TEST(TerrestrialTest, MixedPixelsLieBetweenTwoScreens) {
     EXPECT_NEAR(deviationOf(off), 0.0005, 0.0001);
 }
 
-TEST(TerrestrialTest, PtxPutsTheStationWhereItStood) {
+TEST(TerrestrialTest, PtxHasTheStationsPose) {
     World world;
     addScreen(world, 15, -3, 3, 0, 3);
     TerrestrialScanner device;

@@ -88,7 +88,7 @@ TEST(PictureErrorsTest, DepthIsOffBeyondTheTolerance) {
     EXPECT_EQ(ball.errorsOf(picture).all.depth_off, 1u);
 }
 
-TEST(PictureErrorsTest, NormalsTurnedAreMeasuredWithoutSign) {
+TEST(PictureErrorsTest, NormalErrorsAreUnsigned) {
     const Ball ball;
     Sights picture = ball.truth;
     for (Sight& sight : picture) // rotated by 10 degrees about an axis perpendicular to the normal, and flipped
@@ -112,7 +112,7 @@ TEST(PictureErrorsTest, FalseSurfaceIsThreeSpacingsInFront) {
     EXPECT_EQ(errors.floating, 2u);
 }
 
-TEST(PictureErrorsTest, WhatNobodyScannedIsNotSeen) {
+TEST(PictureErrorsTest, UnscannedPixelsAreNotCountedAsSeen) {
     Ball ball;
     std::vector<Vec3f> half;
     for (const Vec3f& position : ball.mesh.positions)
