@@ -50,7 +50,8 @@ std::optional<Film> filmToResume(const std::string& path, const std::string& sig
     if (!saved) return std::nullopt;
     const std::string difference = signatureDifference(saved->signature, signature);
     if (!difference.empty()) refuseFilm(path, difference);
-    if (saved->film.width != settings.width || saved->film.height != settings.height) refuseFilm(path, "its size is wrong");
+    if (saved->film.width != settings.width || saved->film.height != settings.height)
+        refuseFilm(path, "its size is wrong");
     requireAllParts(path, saved->film);
     requireRowCounts(path, saved->film);
     colorsFromLayers(saved->film);

@@ -29,9 +29,9 @@ constexpr double kNoHit = 1e30;
 constexpr double kMin = 1e-4; // t_min
 
 std::vector<ShapesAnswer> ask(const std::vector<gpu::Shape>& shapes, const std::vector<Query>& queries,
-                        std::uint32_t shape_count) {
+                              std::uint32_t shape_count) {
     return runProbe<ShapesAnswer>(shapes_probe_spv, shapes, queries,
-                            {static_cast<std::uint32_t>(queries.size()), shape_count, 0, 0});
+                                  {static_cast<std::uint32_t>(queries.size()), shape_count, 0, 0});
 }
 
 Vec3 vecOfInShapes(const gpu::vec4& v) { return {v.x, v.y, v.z}; }
@@ -129,8 +129,8 @@ Expected expectedHit(const ShapeDescription& s, const Query& ray) {
 
 /// Compares hits of all queries except those near an edge. tolerance: absolute, or relative if t exceeds 1. Returns the
 /// number of hits.
-std::size_t compare(const ShapeDescription& shape, std::span<const Query> queries, std::span<const ShapesAnswer> answers,
-                    double tolerance) {
+std::size_t compare(const ShapeDescription& shape, std::span<const Query> queries,
+                    std::span<const ShapesAnswer> answers, double tolerance) {
     std::size_t hits = 0, wrong = 0;
     double worst_t = 0, worst_normal = 0;
     for (std::size_t i = 0; i < queries.size(); ++i) {

@@ -119,8 +119,8 @@ TEST(Settings, UseTheNamedView) {
     EXPECT_SAYS(refusal(), "--view: a.toml *\"upper\"*front, side" + standard);
     options.view = "top";
     const CameraRequest above = resolveSettings(options, scene).camera;
-    EXPECT_EQ(above.view, StandardView::kTop) << "which every scene has";
-    EXPECT_FALSE(above.eye) << "not that of the scene's camera";
+    EXPECT_EQ(above.view, StandardView::kTop) << "every scene has the standard views";
+    EXPECT_FALSE(above.eye) << "the scene's camera does not apply";
     scene.views[1] = {"top", {Vec3{0, 9, 0}, {}, {}, 30}};
     options.camera.target = Vec3{1, 1, 1};
     const CameraRequest camera = resolveSettings(options, scene).camera;
@@ -128,7 +128,7 @@ TEST(Settings, UseTheNamedView) {
     EXPECT_EQ(camera.target->y, 1) << "the command line's";
     EXPECT_EQ(camera.fov_deg, 30);
     EXPECT_FALSE(camera.up);
-    EXPECT_EQ(resolveSettings({}, scene).camera.eye->y, 2) << "no view was asked for";
+    EXPECT_EQ(resolveSettings({}, scene).camera.eye->y, 2) << "no view is requested";
 }
 
 TEST(Settings, CommandLineOverridesTheSceneFile) {
@@ -141,7 +141,7 @@ TEST(Settings, CommandLineOverridesTheSceneFile) {
     options.camera.eye = Vec3{7, 7, 7};
     const RenderSettings settings = resolveSettings(options, talkativeScene());
     EXPECT_EQ(settings.camera.eye->y, 7);
-    EXPECT_EQ(settings.camera.target->y, 5) << "the file's, as nothing else was said";
+    EXPECT_EQ(settings.camera.target->y, 5) << "the file's";
     EXPECT_EQ(settings.camera.fov_deg, 60);
     EXPECT_EQ(settings.integrator, Integrator::kDepth);
     EXPECT_EQ(settings.bounces, 1u);

@@ -93,7 +93,7 @@ TEST_F(JobQueueTest, EndedCallbackMayThrow) {
     });
     gate = Gate::kBroken;
     EXPECT_THROW(next(), Error);
-    EXPECT_EQ(events, Events{}) << "it is not told besides";
+    EXPECT_EQ(events, Events{}) << "the error is reported once";
     EXPECT_FALSE(queue.any());
 }
 
@@ -110,7 +110,7 @@ TEST_F(JobQueueTest, CancelsTheDisplayedJob) {
 TEST_F(JobQueueTest, IgnoresCancelOfUncancellableJobs) {
     queue.start(JobKind::kSave, work("save", false));
     queue.cancel();
-    EXPECT_EQ(queue.status()->detail, "") << "nor does it say that it is cancelling";
+    EXPECT_EQ(queue.status()->detail, "") << "it must not claim to be cancelling";
     gate = Gate::kOpen;
     EXPECT_EQ(next(), (Events{"end save", "done save"}));
 }
@@ -137,13 +137,13 @@ TEST_F(JobQueueTest, LastLoadReplacesEarlierOnes) {
 }
 
 TEST_F(JobQueueTest, LoadsAfterSceneUpdate) {
-    queue.start(JobKind::kSceneUpdate, work("relight"));
+    queue.start(JobKind::kSceneUpdate, work("update"));
     queue.enqueue(JobKind::kLoad, work("load"));
-    EXPECT_FALSE(queue.start(JobKind::kSceneUpdate, work("again"))) << "a load waits, which makes it needless";
+    EXPECT_FALSE(queue.start(JobKind::kSceneUpdate, work("again"))) << "a waiting load replaces it";
     queue.poll();
-    EXPECT_TRUE(queue.status()->can_cancel) << "it is not given up";
+    EXPECT_TRUE(queue.status()->can_cancel) << "it is not cancelled";
     gate = Gate::kOpen;
-    EXPECT_EQ(next(), (Events{"end relight", "done relight", "start load"}));
+    EXPECT_EQ(next(), (Events{"end update", "done update", "start load"}));
     EXPECT_FALSE(queue.start(JobKind::kSceneUpdate, work("early")));
 }
 

@@ -124,7 +124,7 @@ TEST(ChildProcess, ReadsStdoutAndStderr) {
         return child.waitStatus().has_value();
     }));
     said += child.read(1ms);
-    EXPECT_EQ(said, "out\na 'b'\n$c\n") << "there is nothing to read, and no shell but the one asked for";
+    EXPECT_EQ(said, "out\na 'b'\n$c\n") << "standard input is empty, and arguments are not expanded";
     EXPECT_SAYS(describeExit(*child.waitStatus()), "*status 3");
 }
 

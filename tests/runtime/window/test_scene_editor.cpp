@@ -87,7 +87,7 @@ TEST_F(SceneEditorTest, BuildsTheRequestedRoom) {
     EXPECT_FALSE(work.scene.materials.empty());
     goTo(Room::kNone);
     EXPECT_TRUE(work.scene.shapes.empty());
-    EXPECT_TRUE(work.scene.materials.empty()) << "of a room that was taken down";
+    EXPECT_TRUE(work.scene.materials.empty()) << "those of the removed room";
     goTo(std::nullopt);
     EXPECT_EQ(work.scene.lights, studio.lights);
     EXPECT_EQ(work.scene.shapes, studio.shapes);
@@ -103,7 +103,7 @@ TEST_F(SceneEditorTest, RestoresTheLightsOfARoom) {
     goTo(Room::kMatte);
     EXPECT_EQ(work.scene.lights, (std::vector<LightDescription>{lampAt(1)}));
     goTo(Room::kMatte, 2);
-    EXPECT_EQ(work.scene.lights.size(), 2u) << "another number of them is asked for";
+    EXPECT_EQ(work.scene.lights.size(), 2u) << "another number of them is requested";
     goTo(Room::kMatte);
     EXPECT_EQ(work.scene.lights, ring);
 }
@@ -188,7 +188,7 @@ TEST_F(SceneEditorTest, SavesTheDisplayedScene) {
     EXPECT_EQ(saved.lights, work.scene.lights) << "the studio's are its own now";
     EXPECT_EQ(saved.render.room, Room::kNone);
     work.target_samples = 256;
-    EXPECT_EQ(sceneAsShown(work, {64, 48}).render.denoise, DenoiseChoice::kOff) << "there is nothing to filter then";
+    EXPECT_EQ(sceneAsShown(work, {64, 48}).render.denoise, DenoiseChoice::kOff) << "such pictures have no noise";
 }
 
 /// The update between two descriptions.
