@@ -21,8 +21,8 @@ namespace pointrt {
 
 namespace {
 
-/// Lists of scans have 10 numbers per splat, those of very unevenly sampled ones 130. Only hostile files have many
-/// more, and a coarser grid serves them.
+/// The lists of most scans have 10 numbers per splat, those of very unevenly sampled scans 130. Only hostile files have
+/// many more, and get a coarser grid.
 constexpr std::size_t kListedPerSplat = 1024, kListedMin = std::size_t{1} << 24;
 
 /// Nodes per run, the unit of work of a thread.
@@ -38,8 +38,8 @@ constexpr float kSlackEdges = 1e-3f, kSlackSteps = 1.5f;
 constexpr std::size_t kMaxDiscs = 48;
 constexpr std::uint32_t kMaxHalvings = PRO_INDEX_HALVINGS_MAX;
 constexpr std::size_t kMaxListGrowth = 3;
-/// Cells to halve have half edges of at least this many slacks: the corners of a half with its slack then stay within
-/// one edge of its centre, the range of slab heights.
+/// A cell is halved only if half its edge is at least this many times its slack. Then the corners of each half,
+/// enlarged by the slack, are within one edge of the half's centre, which is the range of slab heights.
 constexpr float kMinHalfEdge = 16;
 
 /// Output for a run of nodes; indices are relative to the part.
@@ -376,7 +376,7 @@ std::vector<Part> buildParts(const pro_info& info, const pro_view& view, const E
 Bricks buildBricks(const pro_info& info, const pro_view& view, EntryGrid& grid, const IndexOptions& given) {
     IndexOptions options = given;
     options.limits.listed = std::min(given.limits.listed, kListedMin + kListedPerSplat * info.splat_count);
-    double reported = 0; // with another grid the work starts again, but progress must not
+    double reported = 0; // with another grid the work starts over, but progress must not go back
     if (given.progress) options.progress = [&](double share) { given.progress(reported = std::max(reported, share)); };
     std::vector<Part> parts = buildParts(info, view, grid, options);
     while (!fits(parts, options.limits)) {

@@ -59,8 +59,8 @@ std::uint32_t bits(std::int32_t value, std::uint32_t count) {
 
 constexpr float kMaxHalf = 65504;
 
-/// Rounds down to one of few values, all of them half floats, so that lists that differ in a disc or two (pruned and
-/// unpruned files) get the same one.
+/// Rounds down to one of a few values, all of them half floats, so that lists that differ in a disc or two, such as
+/// those of pruned and unpruned files, get the same value.
 float sixteenthOctaveBelow(float value) {
     const float step = std::ldexp(0.0625f, std::ilogb(value));
     return std::floor(value / step) * step;
@@ -71,7 +71,7 @@ struct Heights {
     float least = std::numeric_limits<float>::infinity(), most = -least;
 };
 
-/// Extends heights to the part of the disc in the cell.
+/// Extends the range of heights to include the part of the disc that is in the cell.
 void widen(Heights& heights, const CellDisc& disc, const Vector& normal, const CellBox& box) {
     const PlacedDisc placed = placedIn(disc, box);
     const float middle = dot(normal, placed.center), half = box.half_edge + box.slack;

@@ -108,7 +108,7 @@ private:
     std::vector<std::vector<std::uint32_t>> lists_;
 };
 
-/// Orders the cells greedily: each is followed by the one that shares most discs with it.
+/// Orders the cells greedily: each is followed by the one that shares the most discs with it.
 std::vector<std::size_t> greedyOrder(std::size_t count, const Memberships& members) {
     std::vector<std::size_t> order(count);
     std::iota(order.begin(), order.end(), std::size_t{0});

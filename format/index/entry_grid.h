@@ -30,7 +30,7 @@ struct EntryGrid {
 constexpr float skippedCells(std::uint32_t code) {
     return code == PRO_SKIP_MASK ? PRO_SKIP_FARTHEST : std::bit_cast<float>((code << PRO_SKIP_SHIFT) + PRO_SKIP_BIAS);
 }
-/// The largest skip code, at least 1, for a cube of at most this many edges.
+/// The largest skip code whose cube is at most this many edges wide; at least 1.
 constexpr std::uint8_t skipCode(float cells) {
     std::uint32_t code = 1;
     while (code < PRO_SKIP_MASK && skippedCells(code + 1) <= cells) ++code;
@@ -41,7 +41,7 @@ constexpr std::uint8_t skipCode(float cells) {
 constexpr std::uint32_t kEmptyWord = 0x11111111u;
 
 /// Writes the skips of an empty word; does not change filled ones.
-/// @param edges edges(octant) is the size of the empty cube towards it, in edges of the cell
+/// @param edges edges(octant) is the size of the empty cube in that direction, in edges of the cell
 template <typename Edges>
 void writeSkips(std::uint32_t& word, const Edges& edges) {
     if ((word & PRO_SKIP_MASK) == 0) return;

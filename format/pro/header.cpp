@@ -9,7 +9,7 @@
 
 namespace pointrt::format {
 
-// Views point into the file's bytes, so byte order cannot be fixed while the header is loaded.
+// Sections are read in place, so their byte order cannot be swapped.
 static_assert(std::endian::native == std::endian::little, ".pro files are used in place: little-endian hosts only");
 
 namespace {

@@ -62,7 +62,7 @@ void checkWorld(const TileSet& set) {
         const bool finite = allFinite({sensor[0], sensor[1], sensor[2]});
         const bool none = sensor == std::array<double, 4>{};
         if (!finite || (sensor[3] != 1 && !none))
-            refuse(placeIn("sensors", i) + "is neither there and finite nor all zeros");
+            refuse(placeIn("sensors", i) + "is neither a finite position nor all zeros");
     }
 }
 
@@ -99,7 +99,7 @@ void checkAttributes(const TileSet& set) {
     }
     std::sort(names.begin(), names.end());
     const auto twice = std::adjacent_find(names.begin(), names.end());
-    if (twice != names.end()) refuse("attributes: " + printable(*twice) + " is there twice");
+    if (twice != names.end()) refuse("attributes: " + printable(*twice) + " appears twice");
 }
 
 /// A name that cannot leave tiles/.
@@ -119,7 +119,7 @@ void checkTile(const TileSet& set, const SetTile& tile) {
     constexpr std::uint64_t kSplatsMax = std::numeric_limits<std::uint32_t>::max();
     require(tile.level < set.levels.size(), "level does not exist");
     require(isTileFile(tile.file), "file must be a plain name in tiles/ that ends in .pro");
-    require(tile.splats >= 1 && tile.splats <= tile.stored, "splats are none, or more than stored");
+    require(tile.splats >= 1 && tile.splats <= tile.stored, "splats are not from 1 to the number stored");
     require(tile.stored <= kSplatsMax, "stored are more than 2^32 - 1");
     require(tile.bytes >= PRO_HEADER_BYTES && tile.bytes <= kWholeMax, "bytes are not those of a .pro file");
     require(isNotNegative(tile.error), "error is out of range");
@@ -129,7 +129,7 @@ void checkTile(const TileSet& set, const SetTile& tile) {
 void checkOrder(const TileSet& set, std::size_t i) {
     const SetTile &before = set.tiles[i - 1], &tile = set.tiles[i];
     if (isTileBefore(before, tile)) return;
-    require(isTileBefore(tile, before), "is there twice");
+    require(isTileBefore(tile, before), "appears twice");
     refuse("does not follow the one before: highest level first, then in Morton order");
 }
 
@@ -162,13 +162,13 @@ void checkTree(const TileSet& set) {
     forEachTile(set, [&](std::size_t i) {
         const SetTile& tile = set.tiles[i];
         if (i == 0) return require(tile.level == top, "is not of the highest level");
-        require(tile.level < top, "is a second one of the highest level");
+        require(tile.level < top, "is a second tile of the highest level");
         checkParent(set, tile, has_children);
     });
     forEachTile(set, [&](std::size_t i) {
         const bool original = set.tiles[i].isOriginal();
-        require(!original || !has_children[i], "has children, but no error as merged splats have");
-        require(original || has_children[i], "has an error as merged splats have, but no children");
+        require(!original || !has_children[i], "has children, but its error is 0");
+        require(original || has_children[i], "has no children, but its error is not 0");
     });
 }
 
@@ -218,7 +218,7 @@ void check(const TileSet& set) {
     checkSettings(set);
     for (std::size_t i = 0; i < set.levels.size(); ++i) checkLevel(set.levels[i], placeIn("levels", i).c_str());
     checkAttributes(set);
-    require(!set.tiles.empty() && set.tiles.size() <= kTilesMax, "tiles: are none, or more than 2^20");
+    require(!set.tiles.empty() && set.tiles.size() <= kTilesMax, "tiles: are not 1 to 2^20");
     forEachTile(set, [&](std::size_t i) { checkTile(set, set.tiles[i]); });
     forEachTile(set, [&](std::size_t i) {
         if (i > 0) checkOrder(set, i);

@@ -167,7 +167,7 @@ void compareWith(Tile& tile, const SetTile& owner, const Offset& offset, const s
     const auto strange = std::count(owned.begin(), owned.end(), false);
     if (strange > 0)
         tile.add(std::to_string(strange) + " of its splats lie in the core of " + owner.file +
-                 " but are not its splats");
+                 " but are not among that tile's splats");
     if (missing > 0) tile.add("lacks " + std::to_string(missing) + " splats of " + owner.file + " that cross its core");
 }
 

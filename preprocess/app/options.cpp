@@ -194,7 +194,7 @@ void addSurfaceOptions(CommandLine& app, BakeOptions& options) {
     addChoice(
         app, "--orient", surface.orient, kOrientModes,
         "Orient normals; auto: towards known sensors, upwards for airborne lidar, else by a minimum spanning tree; "
-        "none: leave them unoriented, without smoothing points (default auto)");
+        "none: leave them unoriented, which also turns off smoothing (default auto)");
     app.add_option("--radius-scale", surface.radius_scale, "Scale splat radii by this factor, 0.01 to 100 (default 1)")
         ->check(range(0.01, 100.0))
         ->type_name("S");
@@ -225,7 +225,8 @@ void addOctreeOptions(CommandLine& app, BakeOptions& options) {
         ->type_name("N");
     app.add_option(
            "--prune-harm", options.pruning.harm,
-           "Fraction of rays whose hit pruning may move by more than 1 % of a radius, 1e-7 to 0.5 (default 0.0001)")
+           "Fraction of rays for which pruning may move the hit by more than 1 % of a radius, 1e-7 to 0.5 (default "
+           "0.0001)")
         ->check(range(1e-7, 0.5))
         ->type_name("H");
 }

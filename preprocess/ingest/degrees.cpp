@@ -57,7 +57,7 @@ bool scaleDegrees(Cloud& cloud, const std::string& file) {
     addNote(cloud, file,
             fmt::format(
                 "is in degrees: x and y are converted to metres around {:.7f}, {:.7f}, where a degree is {:.3f} and "
-                "{:.3f} m; any --transform, also the identity, keeps degrees",
+                "{:.3f} m; any --transform, even the identity, keeps degrees",
                 middle.x(), middle.y(), metres.x(), metres.y()));
     return true;
 }

@@ -47,7 +47,7 @@ bool anotherMember(const z_stream& stream) {
 void checkSize(const InputFile& input, std::size_t unpacked) {
     if (unpacked > kLargestUnpacked) refuse(input, "unpacks to more than 8 GiB; unpack it first");
     if (unpacked > kUnpackedAtLeast + kUnpackedPerByte * input.bytes.size())
-        refuse(input, "unpacks to more than 100 times its size, unlike scans; if it is one, unpack it first");
+        refuse(input, "unpacks to more than 100 times its size, which scans do not; if it is a scan, unpack it first");
 }
 
 } // namespace

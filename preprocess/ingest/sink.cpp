@@ -229,7 +229,7 @@ void Sink::setWorldFrame(const InputFile& input, const WorldFrame& frame) {
         return;
     }
     if (world.crs != moved.crs && !world.crs.empty() && !moved.crs.empty())
-        note(input, "is in another coordinate system than a file before it");
+        note(input, "is in a different coordinate system from an earlier file");
     intersect(world, moved);
 }
 

@@ -380,7 +380,7 @@ void note(const InputFile& input, Sink& sink, const ScanCounts& counts, std::siz
         if (count > 0) sink.note(input, text);
     };
     say(counts.invalid,
-        fmt::format("{} of its {} points are marked invalid and left out, {} of them have a valid direction",
+        fmt::format("{} of its {} points are marked invalid and left out; {} of those have a valid direction",
                     counts.invalid, counts.points, counts.directions));
     say(counts.colors_invalid,
         fmt::format("{} of its colours are marked invalid: those points are grey", counts.colors_invalid));

@@ -113,7 +113,7 @@ void readGaussians(const InputFile& input, const GaussianFile& file, const EachG
     });
     if (file.count > 0 && left_out.faint + left_out.huge == file.count)
         refuse(input,
-               fmt::format("none of its {} Gaussian splats has an opacity of {} and more", file.count, kLeastOpacity));
+               fmt::format("none of its {} Gaussian splats has an opacity of {} or more", file.count, kLeastOpacity));
     noteLosses(input, file, left_out, sink);
     WorldFrame frame;
     frame.up = file.up;

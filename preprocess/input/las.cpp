@@ -74,7 +74,7 @@ void setFrame(const LasCrs& crs, const InputFile& input, Sink& sink) {
     frame.from_above = !frame.up.isZero() && isAirborne(sink, crs);
     sink.setWorldFrame(input, frame);
     if (crs.kind != LasCrs::Kind::kGeographic) return;
-    if (!sink.scales_degrees) sink.note(input, "is in degrees: x and y have another unit than z");
+    if (!sink.scales_degrees) sink.note(input, "is in degrees: x and y have a different unit from z");
     ++sink.files_in_degrees;
 }
 

@@ -202,7 +202,7 @@ void dropUnused(Cloud& cloud, std::vector<ScanRange>& scans, const std::vector<s
         if (scan.has_faces && few)
             addNote(cloud, scan.name,
                     fmt::format("its faces use only {} of {} points; {}", used, scan.position_count,
-                                sampled[i] ? "the others are not sampled" : "the others stay, as points"));
+                                sampled[i] ? "the others are not sampled" : "the others are kept as points"));
         if (scan.has_faces && (sampled[i] || !few)) cloud.points_unused += scan.position_count - used;
         if (!scan.has_faces || sampled[i] || few) std::fill(first, last, true);
         left[i].first_position = kept;

@@ -168,7 +168,7 @@ EachGaussian packedGaussians(const InputFile& input, const PlyHeader& header) {
                 if (element.name != "vertex" && element.name != "chunk") body.skipElement(element);
                 if (element.name != "vertex") return;
                 if (chunks.size() != chunksOf(header))
-                    refuse(input, fmt::format("has no chunks ahead of its {} packed splats", element.count));
+                    refuse(input, fmt::format("has no chunks before its {} packed splats", element.count));
                 Wanted wanted(element, kPackedNames);
                 for (std::uint64_t i = 0; i < element.count; ++i) {
                     wanted.read(body, element, i);

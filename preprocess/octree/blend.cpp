@@ -28,7 +28,7 @@ using LanesInArray = float __attribute__((vector_size(kLanes * sizeof(float)), a
 #define LOAD(array, i) (*reinterpret_cast<const LanesInArray*>(&(array)[i]))
 #define STORE(array, i, lanes) (*reinterpret_cast<LanesInArray*>(&(array)[i]) = (lanes))
 
-/// A padding disc, which no ray hits and no point is near to.
+/// A padding disc, which no ray hits and which is near no point.
 constexpr float kFarAway = 1e6f, kTiny = 1e-12f;
 
 struct LaneSums {

@@ -17,7 +17,7 @@ namespace {
 
 [[noreturn]] void fail(const std::string& reason) { throw Error{ExitCode::kBadInput, reason}; }
 
-/// The position farthest from one, the first of several.
+/// The position farthest from the given one; of equally distant ones the first.
 Vec3d farthestFrom(const std::vector<Vec3f>& positions, const Vec3d& from) {
     struct Farthest {
         double distance = -1;
@@ -43,7 +43,7 @@ bool allOnLine(const std::vector<Vec3f>& positions, const Vec3d& base, const Vec
 
 /// Whether all are on a line to within a millionth of their extent and the rounding of float.
 bool onLine(const std::vector<Vec3f>& positions, const Bounds& bounds) {
-    // If there is a line, the point farthest from any point is its end, and the point farthest from that the other.
+    // If all points are on a line, the one farthest from any of them is an end, and the one farthest from it the other.
     const Vec3d base = farthestFrom(positions, positions.front().cast<double>());
     const Vec3d direction = (farthestFrom(positions, base) - base).normalized();
     // Rounding changes a coordinate by at most 2^-24 of itself; the distance has four such errors.
@@ -55,8 +55,8 @@ bool onLine(const std::vector<Vec3f>& positions, const Bounds& bounds) {
 /// theirs: floats hold those with few bits, and soon underflow.
 const double kMostExtents = std::ldexp(1.0, 60);
 
-/// Indices, ascending, of the points more than 100 times as far from the median as 99% of all: together with such an
-/// outlier, all points seem to be on a line. Empty for fewer than 100 points.
+/// Indices, ascending, of the points more than 100 times as far from the median as 99% of all points: such an outlier
+/// makes all points seem to be on a line. Empty for fewer than 100 points.
 std::vector<std::uint32_t> farOutliers(const std::vector<Vec3f>& positions) {
     constexpr double kShare = 0.99, kFar = 100;
     Vec3d middle;

@@ -13,7 +13,7 @@ namespace pointrt {
 
 struct SurfaceReport;
 
-/// Statistics of a cloud. As decisions for a part of it: the part decides if a value is missing.
+/// Statistics of a cloud. A part of the cloud uses them as decisions, and decides for itself where a value is missing.
 struct CloudStatistics {
     std::vector<float> noise; ///< [scans] standard deviation across the surface over the spacing; empty: not measured
     std::optional<bool> scattered;          ///< whether some points are scattered in space, such as foliage
@@ -31,10 +31,10 @@ struct SurfaceDecisions {
     std::vector<std::uint8_t> inner;
 };
 
-/// Statistics of a cloud from several places in it; without noise and common_reach.
+/// Statistics of a cloud, sampled at several places in it; noise and common_reach are left out.
 class StatisticsSampler {
 public:
-    /// @param splats of a place, with radius_limit infinity and radius_scale 1
+    /// @param splats those of one place, estimated with radius_limit infinity and radius_scale 1
     void add(const SurfaceReport& report, const Splats& splats);
 
     /// Empty for fewer than kMinPointsForPlanarity points.

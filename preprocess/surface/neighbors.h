@@ -90,12 +90,13 @@ struct NeighborLists {
 /// radius, are spread evenly over a plane.
 float spacingFromRadius(float radius, std::size_t count);
 
-/// Finds the k nearest neighbours of every point; all others in smaller clouds. Needs at least 2 points.
+/// Finds the k nearest neighbours of every point, or all other points if there are fewer than k. Needs at least 2
+/// points.
 NeighborLists findNeighbors(const PointSet& points, const NearestSearch& search, std::size_t k,
                             const StageShare& share);
 
-/// After keepRows(points, keep): renumbers the lists, and finds those anew that held a dropped point. search is over
-/// the points left. Lists found anew are of nearest neighbours, no longer thinned.
+/// After keepRows(points, keep): renumbers the lists, and replaces those that held a dropped point by lists of nearest
+/// neighbours, which are not thinned. search covers the remaining points.
 void keepNeighbors(NeighborLists& lists, const std::vector<std::uint8_t>& keep, const PointSet& points,
                    const NearestSearch& search);
 

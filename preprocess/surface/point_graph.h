@@ -20,7 +20,7 @@ struct PointGraph {
     /// Keeps the points whose flag is set, in order. Rebuilds the kd-tree and the lists that held a dropped point.
     void keep(const std::vector<std::uint8_t>& flags);
 
-    /// As keep, then refits the points to unit size; if that changes their order, finds all neighbours anew.
+    /// As keep, then refits the points to unit size; if that changes their order, finds all neighbours again.
     void keepAndRefit(const std::vector<std::uint8_t>& flags);
 
 private:

@@ -14,7 +14,7 @@
 namespace pointrt::surface {
 namespace {
 
-/// A point this near to the disc's plane, in standard deviations, may be on the disc's own surface.
+/// A point this close to the disc's plane, in standard deviations, may be on the disc's own surface.
 constexpr float kSigmas = 5;
 /// The same for clean clouds, whose local noise is unknown but below kCleanNoise spacings.
 constexpr float kClean = kSigmas * kCleanNoise;
@@ -38,7 +38,7 @@ constexpr float kOtherClear = 0.5f;
 /// of 0.5, 48% with 1, where 44% is true.
 constexpr float kFullyPlanar = 1.0f;
 
-/// Limit of sensors tested per disc besides its own, nearest to that one first: each takes as long.
+/// Maximum number of sensors tested per disc besides its own, the nearest to its own first: each costs the same time.
 constexpr std::size_t kMostOthers = 8;
 
 /// A scanner's sightlines are as far apart as the points it sees. In a cloud merged from many scans, the far side shows
@@ -146,7 +146,7 @@ std::array<float, kCount> nearestSightlines(const Job& job, std::size_t point, c
     return nearest;
 }
 
-/// How far behind its disc a point has to be, for the disc's own sensor.
+/// Least distance behind a disc at which a point seen by the disc's own sensor counts as behind it.
 float clearance(const Job& job, std::size_t point) {
     const std::vector<float>& noise = job.graph.points.noise;
     const float sigma = noise.empty() ? 0 : noise[point];
@@ -164,7 +164,8 @@ std::vector<float> ownSightlines(const Job& job, const StageShare& share) {
     return nearest;
 }
 
-/// [sensors], 1 if few of its points have a sightline so near that it must be another scanner's.
+/// [sensors], 1 if the sensor is consistent: its sightlines pass very close to few of its own points. Points that they
+/// pass very close to must be another scanner's.
 std::vector<std::uint8_t> consistentSensors(const Job& job, const std::vector<float>& nearest) {
     std::vector<std::size_t> points(job.sensors.size()), inside(job.sensors.size());
     for (std::size_t i = 0; i < job.measured; ++i) {

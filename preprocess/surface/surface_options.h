@@ -15,13 +15,13 @@ enum class OrientMode {
     kSensor, ///< to the sensor; every point must have one
     kUp,     ///< up; normals of steep surfaces follow their neighbours
     kMst,    ///< by minimum spanning tree, ignoring given sides and sensors
-    kNone    ///< leaves given or fitted normals on any side
+    kNone    ///< leaves normals as given or fitted, on either side
 };
 
 struct SurfaceOptions {
     NormalSource normals = NormalSource::kAuto;
     OrientMode orient = OrientMode::kAuto;
-    int neighbors = 16;        ///< k of the neighbourhoods, 3 to 255; all other points in smaller clouds
+    int neighbors = 16;        ///< size of the neighbourhoods, 3 to 255; smaller clouds use all other points
     double radius_scale = 1.0; ///< multiplies every radius, above 0
     bool remove_outliers = true;
     double clean = 1.0; ///< strength of cleaning; 0: none

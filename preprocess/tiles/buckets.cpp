@@ -146,7 +146,7 @@ struct Picking {
         }
         if (cloud.sensors.empty()) return;
         for (const Pick& pick : picks) {
-            if (pick.scan >= plan.scans.size()) refuse(plan.work, "a bucket has a scan that the plan has not");
+            if (pick.scan >= plan.scans.size()) refuse(plan.work, "a bucket has a scan that is missing from the plan");
             cloud.sensor_of_point.push_back(sensor_of_scan[pick.scan]);
         }
     }

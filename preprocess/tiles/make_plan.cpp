@@ -246,7 +246,7 @@ SetPlan makePlan(const SetRequest& request, const ReadProgress& progress) {
     choice.leaves_out_strays = request.bake.surface.remove_outliers;
     if (kept > choice.most_points && choice.points_per_tile > choice.most_points)
         plan.notes.push_back(
-            {"--tile-splats", fmt::format("{} points do not fit in a tile with this --max-memory, at most {}",
+            {"--tile-splats", fmt::format("{} points do not fit in a tile with this --max-memory; at most {} do",
                                           choice.points_per_tile, choice.most_points)});
     named(request, [&] {
         chooseTiles(survey.counts.cells(), survey.counts.edge(), choice, plan);

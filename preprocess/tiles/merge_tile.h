@@ -9,7 +9,7 @@
 
 namespace pointrt {
 
-/// A parent's splats on surfaces over its children's; fewer if a tile would have too many.
+/// Number of a parent's splats as a share of its children's, on surfaces; less if a tile would have too many.
 constexpr double kMergedShare = 0.25;
 
 /// A child's own splats.

@@ -78,7 +78,8 @@ SpaceNeeded spaceNeeded(const SetPlan& plan) {
 
 std::string spaceLine(const SetPlan& plan) {
     const SpaceNeeded needed = spaceNeeded(plan);
-    return fmt::format("up to {} of disk while baking, {} in the end", gigabytes(needed.peak), gigabytes(needed.final));
+    return fmt::format("up to {} of disk space during the bake, {} at the end", gigabytes(needed.peak),
+                       gigabytes(needed.final));
 }
 
 void requireSpace(const SetPlan& plan) {

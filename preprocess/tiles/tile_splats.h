@@ -52,8 +52,8 @@ Vec3f normalOf(std::uint32_t word);
 /// No splats, with the same schema.
 TileSplats emptyLike(const TileSplats& splats);
 
-/// Appends splat i of a view with the same schema, at another position. If only one of the two has noise, it is 0 for
-/// the other's splats.
+/// Appends splat i of from, which has the same schema, at another position. If only one of the two stores noise, the
+/// splats of the other get noise 0.
 void appendSplat(TileSplats& to, const SplatsView& from, std::size_t i, const PositionCode& position);
 
 /// Spacing: edge of the square per splat, median over a sample, input units; 0 for fewer than 2 splats. Positions must

@@ -63,8 +63,8 @@ void requirePictureMemory(const RenderSession& session, const Options& options) 
     if (bytes <= available) return;
     const RenderSettings& settings = session.settings;
     throw Error{ExitCode::kCannotRun, named(options) + "a picture of " + std::to_string(settings.width) + "x" +
-                                          std::to_string(settings.height) + " pixels takes " + gibibytes(bytes) +
-                                          " of memory here, and " + gibibytes(available) + " are free"};
+                                          std::to_string(settings.height) + " pixels needs " + gibibytes(bytes) +
+                                          " of memory, but only " + gibibytes(available) + " are free"};
 }
 
 } // namespace pointrt

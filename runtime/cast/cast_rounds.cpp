@@ -123,7 +123,7 @@ void CastRounds::loadFor(std::vector<Queue> queues) {
 /// Removes the rays of ready queues from waiting. Returns them queue by queue, in their order in waiting.
 std::vector<std::uint32_t> CastRounds::takeReady(std::vector<std::uint32_t>& waiting, const std::vector<Queue>& ready) {
     constexpr std::uint32_t kElsewhere = 0xFFFFFFFFu;
-    std::vector<std::uint32_t>& place = waiting_; // where the next ray of each instance goes, from 1 on
+    std::vector<std::uint32_t>& place = waiting_; // for each instance, 1 + the row of its next ray
     std::uint32_t total = 0;
     for (const Queue& queue : ready) {
         place[queue.instance] = total + 1;

@@ -26,7 +26,7 @@ constexpr double kUnseenPixelScale = 4;
 constexpr std::uint64_t kTileMemory = std::uint64_t{2} << 30;
 
 struct CutRequest {
-    std::vector<CutView> views; ///< at least one; the one that sees an error largest counts
+    std::vector<CutView> views; ///< at least one; the view in which an error is largest counts
     /// Largest screen-space error to accept, pixels. The error of a tile is its geometric error or the spacing of its
     /// splats. 0 refines to the finest tiles; kMaxPixelSide or more accepts the root.
     double detail = RenderSettings{}.detail;

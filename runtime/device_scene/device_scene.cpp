@@ -89,7 +89,7 @@ std::optional<Environment> readSky(const DeviceScene& scene) {
     return image.empty() ? Environment{} : makeEnvironment(readFloatImage(image));
 }
 
-/// Paints splats anew if the paint request changed.
+/// Repaints the splats if the paint request has changed.
 void updatePaint(Device& device, DeviceScene& scene, const RenderSettings& settings) {
     const PaintRequest request = paintRequest(scene.description, settings);
     if (request == scene.paint.request) return;

@@ -37,7 +37,7 @@ struct TileLoadRequest {
 };
 TileLoadRequest makeTileLoadRequest(const DeviceScene& scene, const TileRequest& request);
 
-/// Chooses the cuts of request anew with a share of its memory. Returns how many bytes of them are not resident.
+/// Chooses the cuts of request again, with a share of its memory. Returns how many bytes of them are not resident.
 std::uint64_t chooseTiles(TileLoadRequest& request, double share = 1);
 
 /// Tiles on the device that the scene does not have yet.

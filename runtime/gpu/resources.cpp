@@ -221,6 +221,12 @@ void uploadBuffer(Device& device, Buffer& buffer, const void* data, std::uint64_
     });
 }
 
+void copyBuffer(Device& device, const Buffer& from, Buffer& to, std::uint64_t bytes) {
+    requireInside(from, bytes, 0);
+    requireInside(to, bytes, 0);
+    if (bytes > 0) copyAndWait(device, from, to, {0, 0, bytes});
+}
+
 void downloadBuffer(Device& device, const Buffer& buffer, void* data, std::uint64_t bytes, std::uint64_t offset) {
     requireInside(buffer, bytes, offset);
     if (bytes == 0) return;

@@ -62,6 +62,8 @@ Buffer createTexelRows(Device& device, const char* what, std::vector<Row> rows, 
 
 /// Copies bytes from data to buffer at offset, and waits for the copy. Offset and bytes are multiples of 4.
 void uploadBuffer(Device& device, Buffer& buffer, const void* data, std::uint64_t bytes, std::uint64_t offset = 0);
+/// Copies the first bytes of a buffer to the start of another, and waits.
+void copyBuffer(Device& device, const Buffer& from, Buffer& to, std::uint64_t bytes);
 /// Copies bytes at offset of buffer to data, and waits for the copy only.
 void downloadBuffer(Device& device, const Buffer& buffer, void* data, std::uint64_t bytes, std::uint64_t offset = 0);
 

@@ -104,7 +104,7 @@ Bytes gatherRows(ExrSize size, std::span<const ExrChannel> channels, std::uint32
     return raw;
 }
 
-/// The filter of ZIP compression before deflate: even bytes, then odd ones, each as difference to the one before.
+/// The filter of ZIP compression before deflate: even bytes, then odd ones, each as its difference from the one before.
 Bytes reorder(const Bytes& raw) {
     Bytes split(raw.size());
     const std::size_t half = (raw.size() + 1) / 2;

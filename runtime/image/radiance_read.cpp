@@ -103,7 +103,7 @@ void readRow(Source& source, std::span<Rgbe> row) {
     const bool coded = row.size() >= kMinCodedWidth && row.size() <= kMaxCodedWidth && first[0] == 2 && first[1] == 2 &&
                        first[2] < 128;
     if (!coded) return readFlat(source, row, first);
-    if (first[2] * std::size_t{256} + first[3] != row.size()) source.fail("a row has another width");
+    if (first[2] * std::size_t{256} + first[3] != row.size()) source.fail("a row has a different width");
     for (std::size_t component = 0; component < 4; ++component) readComponent(source, row, component);
 }
 

@@ -36,10 +36,10 @@ void addOptions(CommandLine& app, CastOptions& options) {
         ->type_name("NAMES")
         ->delimiter(',')
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    app.add_option("--t-min", options.limits.t_min, "Ignore nearer hits, in lengths of the direction (default 0)")
+    app.add_option("--t-min", options.limits.t_min, "Ignore hits before T, in lengths of the direction (default 0)")
         ->type_name("T");
     app.add_option("--t-max", options.limits.t_max,
-                   "Ignore hits from here on, in lengths of the direction (default inf)")
+                   "Ignore hits at T and beyond, in lengths of the direction (default inf)")
         ->type_name("T");
     addDeviceAndReport(app, options);
     addCommonOptions(app, POINTRT_VERSION, kWrongInput, kCastExamples, kCastNotes);

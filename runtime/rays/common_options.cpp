@@ -34,8 +34,8 @@ void addSceneAndOutput(CommandLine& app, CommonOptions& options, const std::stri
                        const std::string& suffixes) {
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     app.add_option("SCENE", options.scene,
-                   "A .pro file, tile set (.proset) or scene file (.toml). instance_ids number them from 0, in a scene "
-                   "file its instances")
+                   "A .pro file, tile set (.proset) or scene file (.toml). instance_ids are the indices, from 0, of "
+                   "these files or of a scene file's instances")
         ->required()
         ->type_name("")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -56,7 +56,7 @@ void addOptions(CommandLine& app, SunOptions& options) {
     addValue(app, "--north", "X,Y,Z",
              "True north in the scan's coordinates (default: by its coordinate system, else +Y, or -Z if Y is up)",
              [&](const std::string& text) { options.north = parseTriple(text); });
-    app.add_flag("--sky", options.sky, "Compute the sky view of points, too");
+    app.add_flag("--sky", options.sky, "Also compute the sky view of the points");
     addValue(app, "--sky-rays", "N", "Directions that sample the sky (default 256)", [&](const std::string& text) {
         options.sky_rays = parseCount(text, 1, 65536);
         options.sky_rays_given = true;

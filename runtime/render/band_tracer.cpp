@@ -46,7 +46,7 @@ void createBandTracer(Device& device, BandTracer& tracer, const DeviceScene& sce
     tracer.scene = &scene;
     tracer.shadows = settings.shadows;
     const OnError undo([&] { destroyBandTracer(device, tracer); });
-    tracer.buffers = createFrameBuffers(device, lanes, film_pixels, mayCull(scene));
+    tracer.buffers = createFrameBuffers(device, lanes, {film_pixels, settings.spp}, mayCull(scene));
     tracer.programs = createPrograms(device, scene, settings, form);
     tracer.caustics.first = emptyCaustics(device);
     bind(device, tracer);
@@ -100,9 +100,15 @@ void dropPhotons(BandTracer& tracer) {
     maps.job.reset();
 }
 
-void resizeFilm(Device& device, BandTracer& tracer, std::uint64_t film_pixels) {
-    createFilm(device, tracer.buffers, film_pixels);
+void resizeFilm(Device& device, BandTracer& tracer, FilmRoom film) {
+    createFilm(device, tracer.buffers, film);
     rebind(device, tracer);
+}
+
+bool extendFilm(Device& device, BandTracer& tracer, std::uint32_t samples) {
+    if (!extendFilm(device, tracer.buffers, samples)) return false;
+    rebind(device, tracer);
+    return true;
 }
 
 void rebind(Device& device, BandTracer& tracer) {

@@ -33,7 +33,8 @@ struct BandTracer {
     BandTracer& operator=(const BandTracer&) = delete;
 };
 
-/// Fills the empty tracer for bands of up to `lanes` lanes (lanesOf) of films of up to film_pixels, without photons.
+/// Fills the empty tracer for bands of up to `lanes` lanes (lanesOf) of films of up to film_pixels, with the settings'
+/// samples, without photons.
 /// scene must have its tables and outlive the tracer.
 void createBandTracer(Device& device, BandTracer& tracer, const DeviceScene& scene, const RenderSettings& settings,
                       std::uint32_t lanes, std::uint64_t film_pixels, FormRequest form = {});
@@ -51,8 +52,10 @@ bool usePhotonMap(Device& device, BandTracer& tracer, std::uint32_t sample, std:
 /// Renders without photons from now on.
 void dropPhotons(BandTracer& tracer);
 
-/// Reallocates the film for up to film_pixels pixels; its contents are lost.
-void resizeFilm(Device& device, BandTracer& tracer, std::uint64_t film_pixels);
+/// Reallocates the film; its contents are lost.
+void resizeFilm(Device& device, BandTracer& tracer, FilmRoom film);
+/// Gives the film room for so many samples; its contents stay. Whether it is another buffer now.
+bool extendFilm(Device& device, BandTracer& tracer, std::uint32_t samples);
 /// Call after the scene's buffers have been rebuilt with the same features.
 void rebind(Device& device, BandTracer& tracer);
 

@@ -22,8 +22,8 @@ void requireMemory(const RenderSettings& settings) {
     const std::uint64_t available = availableMemory();
     if (bytes <= available) return;
     throw Error{ExitCode::kCannotRun, "a picture of " + std::to_string(settings.width) + "x" +
-                                          std::to_string(settings.height) + " pixels takes " + gibibytes(bytes) +
-                                          " of memory here, and " + gibibytes(available) + " are free"};
+                                          std::to_string(settings.height) + " pixels needs " + gibibytes(bytes) +
+                                          " of memory, but only " + gibibytes(available) + " are free"};
 }
 
 } // namespace

@@ -16,14 +16,14 @@ namespace pointrt {
 /// Photons emitted for a map: two cores trace them in half a second to a second.
 constexpr std::uint32_t kPhotons = 1u << 20;
 
-/// The map to trace.
+/// Which photon map to trace.
 struct CausticOrder {
     std::uint32_t count = kPhotons; ///< approximate number of photons; scenes of many instances get fewer
     std::uint32_t map = 0, seed = 0;
     double finest = 0; ///< PhotonDiscs::finest
 };
 
-/// A map being traced. It depends only on the scene and the order, not on camera or image.
+/// A photon map being traced. It depends on the scene and the CausticOrder, not on camera or image.
 class CausticJob {
 public:
     /// device, scene and programs must outlive it unchanged.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "format/base/parallel.h"
@@ -33,11 +34,18 @@ const gpu::vec4* readVectors(Device& device, const Buffer& buffer, std::size_t c
     return copy.data();
 }
 
-/// The film of a pixel on the device: means over the samples.
+static_assert(kMaxSpp <= FILM_BATCH * FILM_BATCH, "a sum of more batches keeps too few bits of each");
+
+bool hasEarlierBatches(std::uint32_t samples) { return samples > FILM_BATCH; }
+
+gpu::vec4 sumOf(const gpu::vec4& a, const gpu::vec4& b) { return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w}; }
+
+/// The film of a pixel on the device: sums over samples, of all batches.
 struct PixelLight {
     gpu::vec4 layers[FILM_LAYERS];
-    gpu::vec4 total; ///< light of all layers; w: coverage
+    gpu::vec4 sum; ///< total light; w: coverage
     std::uint32_t samples;
+    float share; ///< 1 / samples
 };
 
 /// The first hit of a pixel's centre ray.
@@ -48,26 +56,28 @@ struct PixelHit {
     Vec3 position;
 };
 
-void storeColor(const gpu::vec4& color, float* rgb) {
-    rgb[0] = color.x;
-    rgb[1] = color.y;
-    rgb[2] = color.z;
+void storeMean(const gpu::vec4& sum, float share, float* rgb) {
+    rgb[0] = sum.x * share;
+    rgb[1] = sum.y * share;
+    rgb[2] = sum.z * share;
 }
+
+gpu::vec4 restored(const float* rgb, float sum) { return {rgb[0] * sum, rgb[1] * sum, rgb[2] * sum, 0}; }
 
 // The sources named in FILM_PARTS: each stores its values from a pixel's light or from its first hit.
 
 struct Beauty {
     static void store(const PixelLight& pixel, float* rgba) {
-        storeColor(pixel.total, rgba);
-        rgba[3] = pixel.total.w;
+        storeMean(pixel.sum, pixel.share, rgba);
+        rgba[3] = pixel.sum.w * pixel.share;
     }
 };
 
-/// A film layer, which can be restored.
+/// The mean of a film layer; can be restored to a sum.
 template <std::uint32_t kLayer>
-struct Layer {
+struct Mean {
     static constexpr std::uint32_t layer = kLayer;
-    static void store(const PixelLight& pixel, float* rgb) { storeColor(pixel.layers[kLayer], rgb); }
+    static void store(const PixelLight& pixel, float* rgb) { storeMean(pixel.layers[kLayer], pixel.share, rgb); }
 };
 
 struct Samples {
@@ -80,7 +90,7 @@ struct Variance {
         // the moments lack the last sample
         const LuminanceMoments moments = addLuminance({pixel.layers[LAYER_ALBEDO].w, pixel.layers[LAYER_CAUSTIC].w},
                                                       pixel.layers[LAYER_INDIRECT].w, samples);
-        *variance = samples < 2 ? std::numeric_limits<float>::infinity() : moments.variance / (samples - 1);
+        *variance = samples < 2 ? std::numeric_limits<float>::infinity() : varianceOfMean(moments, samples);
     }
 };
 
@@ -154,27 +164,33 @@ void storePixel(const Pixel& pixel, std::size_t at, Film& film) {
 #undef POINTRT_STORE
 }
 
-/// Restores a layer, if that is the source.
+/// Restores the sums of a layer, if the source is a mean.
 template <typename Source>
-void restoreValues(std::size_t at, const std::vector<float>& values, PixelLight& pixel) {
-    const float* rgb = values.data() + 3 * at;
-    if constexpr (requires { Source::layer; }) pixel.layers[Source::layer] = {rgb[0], rgb[1], rgb[2], 0};
+void restoreValues(std::size_t at, const std::vector<float>& values, float samples, PixelLight& pixel) {
+    if constexpr (requires { Source::layer; }) pixel.layers[Source::layer] = restored(values.data() + 3 * at, samples);
 }
 template <typename Source>
-void restoreValues(std::size_t, const std::vector<std::uint32_t>&, PixelLight&) {}
+void restoreValues(std::size_t, const std::vector<std::uint32_t>&, float, PixelLight&) {}
 
-/// A pixel after that many samples, the last of which had the mean luminance and is still to be added to the moments.
+/// The sums of a pixel over that many samples, the last of which had the mean luminance.
 PixelLight restoredPixel(const Film& film, std::size_t at, std::uint32_t samples) {
     PixelLight pixel{};
+    const auto sum = static_cast<float>(samples);
 #define POINTRT_RESTORE(array, Value, channels, group, nothing, source, view)                                          \
-    restoreValues<source>(at, film.array, pixel);
+    restoreValues<source>(at, film.array, sum, pixel);
     FILM_PARTS(POINTRT_RESTORE)
 #undef POINTRT_RESTORE
     const float* rgba = film.rgba.data() + 4 * at;
-    pixel.layers[LAYER_DIRECT].w = rgba[3];
+    pixel.layers[LAYER_DIRECT].w = rgba[3] * sum;
     pixel.layers[LAYER_INDIRECT].w = pixel.layers[LAYER_ALBEDO].w = luminance(rgba[0], rgba[1], rgba[2]);
-    pixel.layers[LAYER_CAUSTIC].w = samples > 1 ? film.variance[at] * static_cast<float>(samples) : 0;
+    pixel.layers[LAYER_CAUSTIC].w = samples > 1 ? film.variance[at] * sum * (sum - 1) : 0;
     return pixel;
+}
+
+/// Moves the sums of a layer to the earlier batches, as shaders/shade/fold_film.comp.glsl does.
+void foldLayer(std::uint32_t layer, gpu::vec4& batch, gpu::vec4& earlier) {
+    earlier = std::exchange(batch, {});
+    if (layer == LAYER_INDIRECT || layer == LAYER_ALBEDO) std::swap(batch.w, earlier.w);
 }
 
 bool has(FilmGroup group, const RenderSettings& settings) {
@@ -208,14 +224,17 @@ void storeLight(Device& device, const FrameBuffers& buffers, const BandRows& row
     const std::size_t width = film.width, stride = width * rows.band.rows, pixels = width * rows.rows;
     const std::size_t from = width * rows.first, to = width * (rows.band.first_row + rows.first - rows.film_origin);
     std::vector<gpu::vec4> copy;
-    const gpu::vec4* const layers = readVectors(device, buffers.film, FILM_LAYERS * stride, copy) + from;
+    const gpu::vec4* const layers = readVectors(device, buffers.film, filmLayers(samples) * stride, copy) + from;
     const auto store = [&](std::size_t i) {
-        PixelLight pixel{{}, {}, samples};
-        for (std::uint32_t layer = 0; layer < FILM_LAYERS; ++layer) pixel.layers[layer] = layers[layer * stride + i];
+        PixelLight pixel{{}, {}, samples, 1.0f / static_cast<float>(samples)};
+        for (std::uint32_t layer = 0; layer < FILM_LAYERS; ++layer) {
+            const gpu::vec4* batch = layers + layer * stride + i;
+            pixel.layers[layer] = hasEarlierBatches(samples) ? sumOf(*batch, batch[FILM_LAYERS * stride]) : *batch;
+        }
         const gpu::vec4 &direct = pixel.layers[LAYER_DIRECT], &indirect = pixel.layers[LAYER_INDIRECT],
                         &caustic = pixel.layers[LAYER_CAUSTIC];
-        pixel.total = {direct.x + indirect.x + caustic.x, direct.y + indirect.y + caustic.y,
-                       direct.z + indirect.z + caustic.z, direct.w};
+        pixel.sum = {direct.x + indirect.x + caustic.x, direct.y + indirect.y + caustic.y,
+                     direct.z + indirect.z + caustic.z, direct.w};
         storePixel(pixel, to + i, film);
     };
     forAll((pixels + kPixelsAtOnce - 1) / kPixelsAtOnce, [&](std::size_t part) {
@@ -227,10 +246,13 @@ void storeLight(Device& device, const FrameBuffers& buffers, const BandRows& row
 void restoreLight(Device& device, FrameBuffers& buffers, Band band, std::uint32_t samples, const Film& film) {
     if (film.direct.empty()) throw std::logic_error("film: lacks the light parts needed to resume");
     const std::size_t pixels = pixelCount(band, film), first = firstPixel(band, film);
-    std::vector<gpu::vec4> layers(FILM_LAYERS * pixels);
+    std::vector<gpu::vec4> layers(filmLayers(samples) * pixels);
     for (std::size_t i = 0; i < pixels; ++i) {
         const PixelLight pixel = restoredPixel(film, first + i, samples);
-        for (std::uint32_t layer = 0; layer < FILM_LAYERS; ++layer) layers[layer * pixels + i] = pixel.layers[layer];
+        for (std::uint32_t layer = 0; layer < FILM_LAYERS; ++layer) {
+            gpu::vec4& batch = layers[layer * pixels + i] = pixel.layers[layer];
+            if (hasEarlierBatches(samples)) foldLayer(layer, batch, (&batch)[FILM_LAYERS * pixels]);
+        }
     }
     uploadBuffer(device, buffers.film, layers.data(), layers.size() * sizeof layers[0]);
 }

@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/render/frame_buffers.h"
 
+#include <utility>
+
 #include "runtime/util/on_error.h"
 #include "shaders/shared/params.h"
 
 namespace pointrt {
+namespace {
+
+Buffer createFilmBuffer(Device& device, std::uint64_t pixels, std::uint32_t layers) {
+    return createBuffer(device, "film buffer", pixels * layers * sizeof(gpu::vec4), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+}
+
+} // namespace
 
 std::uint32_t tilesOf(std::uint32_t width, std::uint32_t rows) {
     return (width + TILE_SIDE - 1) / TILE_SIDE * ((rows + TILE_SIDE - 1) / TILE_SIDE);
@@ -12,7 +21,9 @@ std::uint32_t tilesOf(std::uint32_t width, std::uint32_t rows) {
 
 std::uint32_t lanesOf(std::uint32_t width, std::uint32_t rows) { return tilesOf(width, rows) * TILE_PIXELS; }
 
-FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, std::uint64_t film_pixels, bool culls) {
+std::uint32_t filmLayers(std::uint32_t samples) { return samples > FILM_BATCH ? 2 * FILM_LAYERS : FILM_LAYERS; }
+
+FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, FilmRoom film, bool culls) {
     const std::uint64_t lanes = lane_count;
     FrameBuffers buffers;
     const auto storage = [&](const char* what, std::uint64_t bytes, VkBufferUsageFlags more = 0) {
@@ -44,20 +55,34 @@ FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, std::u
     buffers.no_cull_boxes = storage("blank cull boxes", sizeof(gpu::CullBoxes), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     buffers.light_masks = storage("light mask buffer", lanes * sizeof(std::uint32_t));
     buffers.deferred = storage("deferred ray buffer", lanes * MAX_DEFERRED * sizeof(gpu::PathState));
-    createFilm(device, buffers, film_pixels);
+    createFilm(device, buffers, film);
     return buffers;
 }
 
-void createFilm(Device& device, FrameBuffers& buffers, std::uint64_t film_pixels) {
-    const auto replace = [&](const char* what, Buffer& buffer, std::uint64_t vectors) {
-        buffers.device_bytes -= buffer.bytes;
-        destroyBuffer(device, buffer);
-        buffer =
-            createBuffer(device, what, film_pixels * vectors * sizeof(gpu::vec4), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-        buffers.device_bytes += buffer.bytes;
-    };
-    replace("film buffer", buffers.film, FILM_LAYERS);
-    replace("first hit buffer", buffers.first_hits, FIRST_HIT_VECTORS);
+void createFilm(Device& device, FrameBuffers& buffers, FilmRoom film) {
+    buffers.device_bytes -= buffers.film.bytes + buffers.first_hits.bytes;
+    destroyBuffer(device, buffers.film);
+    destroyBuffer(device, buffers.first_hits);
+    buffers.film_pixels = film.pixels;
+    buffers.film_layers = filmLayers(film.samples);
+    buffers.film = createFilmBuffer(device, film.pixels, buffers.film_layers);
+    buffers.device_bytes += buffers.film.bytes;
+    buffers.first_hits = createBuffer(device, "first hit buffer", film.pixels * FIRST_HIT_VECTORS * sizeof(gpu::vec4),
+                                      VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    buffers.device_bytes += buffers.first_hits.bytes;
+}
+
+bool extendFilm(Device& device, FrameBuffers& buffers, std::uint32_t samples) {
+    const std::uint32_t layers = filmLayers(samples);
+    if (layers <= buffers.film_layers) return false;
+    Buffer film = createFilmBuffer(device, buffers.film_pixels, layers);
+    const OnError undo([&] { destroyBuffer(device, film); });
+    copyBuffer(device, buffers.film, film, buffers.film.bytes); // the layers that are new come last
+    buffers.device_bytes += film.bytes - buffers.film.bytes;
+    std::swap(buffers.film, film);
+    destroyBuffer(device, film);
+    buffers.film_layers = layers;
+    return true;
 }
 
 void destroyFrameBuffers(Device& device, FrameBuffers& buffers) {

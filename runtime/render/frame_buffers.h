@@ -14,6 +14,8 @@ struct FrameBuffers {
     Buffer params, control, queues, paths, hits, surfaces, light_queries, light_masks, deferred, film, first_hits,
         beams, pixel_list;
     Buffer no_cull_boxes; ///< for programs that cull nothing
+    std::uint64_t film_pixels = 0;
+    std::uint32_t film_layers = 0; ///< filmLayers of the most samples that the film has room for
     std::uint64_t device_bytes = 0;
 };
 
@@ -32,10 +34,21 @@ struct FilmPlace {
     std::uint32_t first_pixel = 0; ///< index in the film of the first pixel of the band
 };
 
-/// Buffers for bands of up to `lanes` lanes, and films of up to film_pixels pixels. culls: with room for culled lists.
-FrameBuffers createFrameBuffers(Device& device, std::uint32_t lanes, std::uint64_t film_pixels, bool culls);
-/// Reallocates the film and the first hits for film_pixels pixels.
-void createFilm(Device& device, FrameBuffers& buffers, std::uint64_t film_pixels);
+/// The largest film that buffers have room for.
+struct FilmRoom {
+    std::uint64_t pixels = 0;
+    std::uint32_t samples = 1; ///< per pixel
+};
+
+/// Layers of a film: those of a batch of samples, twice if there may be earlier batches.
+std::uint32_t filmLayers(std::uint32_t samples);
+
+/// Buffers for bands of up to `lanes` lanes. culls: with room for culled lists.
+FrameBuffers createFrameBuffers(Device& device, std::uint32_t lanes, FilmRoom film, bool culls);
+/// Reallocates the film and the first hits.
+void createFilm(Device& device, FrameBuffers& buffers, FilmRoom film);
+/// Reallocates the film, with what it holds, if it lacks room for so many samples. Whether it did.
+bool extendFilm(Device& device, FrameBuffers& buffers, std::uint32_t samples);
 void destroyFrameBuffers(Device& device, FrameBuffers& buffers);
 /// Bindings as in shaders/lib/bindings.glsl.
 std::vector<BufferBinding> frameBindings(const FrameBuffers& buffers);

@@ -33,6 +33,7 @@ constexpr PassBytes kPassBytes[] = {
     {"surface (camera)", kWord + kHit + 2 * kSurface}, // stored, and loaded by shade_surface
     {"surface", kWord + kPath + kHit + 2 * kSurface},
     {"first_hits", kHit + FIRST_HIT_VECTORS* kVector},
+    {"fold_film", 4 * FILM_LAYERS* kVector}, // both halves of the film, loaded and stored
     {"shade_surface (camera)", kHit + 2 * FILM_LAYERS* kVector},
     {"shade_surface", kWord + kPath + kHit + kAddedLight},
     {"intersect_shadow_shapes", kWord + kQuery + kWord},

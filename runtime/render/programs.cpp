@@ -19,6 +19,7 @@
 #include "shaders/cull_shadow.spv.h"
 #include "shaders/cull_shadow_ray.spv.h"
 #include "shaders/first_hits.spv.h"
+#include "shaders/fold_film.spv.h"
 #include "shaders/intersect_camera.spv.h"
 #include "shaders/intersect_camera_paged.spv.h"
 #include "shaders/intersect_closest.spv.h"
@@ -181,7 +182,8 @@ std::vector<Order> orderAll(const DeviceScene& scene, const Constants& constants
         {&programs.prepare, "prepare", prepare_spv, constants},
         {&programs.first_hits, "first_hits", first_hits_spv, of_camera},
         {&programs.camera.intersect_shapes, "intersect_shapes (camera)", intersect_shapes_spv, of_camera},
-        {&programs.beam, "beam", beam_spv, constants}};
+        {&programs.beam, "beam", beam_spv, constants},
+        {&programs.fold_film, "fold_film", fold_film_spv, of_camera}};
     if (programs.form == KernelForm::kMegakernel)
         orderMegakernel(constants, of_camera, programs, orders);
     else
@@ -225,9 +227,10 @@ void addPrograms(Device& device, const DeviceScene& scene, const RenderSettings&
 void destroyPrograms(Device& device, Programs& programs) {
     for (Program* program :
          {&programs.prepare, &programs.first_hits, &programs.beam, &programs.intersect_shadow_shapes,
-          &programs.shade_shadow, &programs.photon, &programs.caustic, &programs.camera.intersect_shapes,
-          &programs.camera.shade_surface, &programs.camera.megakernel, &programs.queued.intersect_shapes,
-          &programs.queued.shade_surface, &programs.queued.megakernel, &programs.compact, &programs.accumulate_shadow})
+          &programs.shade_shadow, &programs.photon, &programs.caustic, &programs.fold_film,
+          &programs.camera.intersect_shapes, &programs.camera.shade_surface, &programs.camera.megakernel,
+          &programs.queued.intersect_shapes, &programs.queued.shade_surface, &programs.queued.megakernel,
+          &programs.compact, &programs.accumulate_shadow})
         destroyProgram(device, *program);
     for (auto& [traits, variant] : programs.variants)
         for (Program* program : {&variant.intersect_closest, &variant.intersect_camera, &variant.camera_surface,

@@ -39,7 +39,7 @@ struct Programs {
     bool has_secondary_rays = true, has_direct_lighting = true; ///< if false, the programs for it are not built
     bool samples_one_light = false;                             ///< at each hit, instead of every light
     bool inline_nee = false;                                    ///< see FEATURE_INLINE_NEE
-    Program prepare, first_hits, beam, intersect_shadow_shapes, shade_shadow, photon, caustic;
+    Program prepare, first_hits, beam, intersect_shadow_shapes, shade_shadow, photon, caustic, fold_film;
     PassPrograms camera, queued;
     std::map<InstanceTraits, InstancePrograms> variants;
     std::map<std::uint32_t, CullPrograms> cull; ///< by the number of boxes (cullProgramSize)

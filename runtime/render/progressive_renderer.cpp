@@ -24,6 +24,7 @@ void ProgressiveRenderer::begin(const RenderPlan& plan, const FrameJob& job, std
     const bool revisits_bands = job.limits.seconds || job.limits.noise || (job.interrupted && !job.band_by_band);
     if (job.take_rows && (revisits_bands || start))
         throw std::logic_error("frame: take_rows needs bands that are rendered once");
+    extendFilm(device_, tracer_, job.samples);
     plan_ = plan;
     take_rows_ = job.take_rows;
     may_abort_ = job.interrupted || job.limits.seconds;

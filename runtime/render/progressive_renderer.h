@@ -31,12 +31,13 @@ struct Strip {
 
 class ProgressiveRenderer {
 public:
-    /// tracer must outlive it, have a scene with its tables on the device, and room for what is rendered.
+    /// tracer must outlive it, have a scene with its tables on the device, and room for the pixels rendered.
     ProgressiveRenderer(Device& device, BandTracer& tracer) : device_(device), tracer_(tracer) {}
     ProgressiveRenderer(const ProgressiveRenderer&) = delete;
     ProgressiveRenderer& operator=(const ProgressiveRenderer&) = delete;
 
     /// Starts a film, or resumes start, which must have the same scene, settings and camera. Drops the current film.
+    /// Extends the tracer's film if it lacks room for the job's samples.
     void begin(const RenderPlan& plan, const FrameJob& job, std::optional<Film> start = {});
 
     /// For frames of one band, between strips: works for some milliseconds on the photons that the next strip needs.
@@ -51,7 +52,7 @@ public:
     /// aborted. The film is then on the host, or was handed to take_rows. If aborted, some rows have one more sample.
     FrameState run();
 
-    /// Changes the number of samples per pixel.
+    /// Changes the number of samples per pixel. The tracer's film must have room for them (extendFilm).
     void setSamples(std::uint32_t samples) {
         if (schedule_) schedule_->setSamples(samples);
     }

@@ -18,6 +18,7 @@ void SampleRecorder::firstHits() {
 
 void SampleRecorder::begin() {
     prepare(STEP_RESET);
+    if (sample_ > 0 && sample_ % FILM_BATCH == 0) run(tracer_.programs.fold_film, tracer_.instances.sets, 0, rays_);
     intersectCamera(center_);
     if (stores_first_hits_) run(tracer_.programs.first_hits, tracer_.instances.sets, center_, rays_);
     if (tracer_.programs.form == KernelForm::kMegakernel)

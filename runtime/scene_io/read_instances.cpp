@@ -34,7 +34,7 @@ Matrix matrixOf(const SceneValue& matrix) {
     const Matrix rows = rowsOf(matrix);
     for (const Vec3& row : rows)
         if (std::abs(length(row) - 1) > kAxesError) refuse(matrix, "must have rows of length 1");
-    if (!areRightAngled(rows)) refuse(matrix, "must have rows at right angles, right-handed");
+    if (!areRightAngled(rows)) refuse(matrix, "must have perpendicular, right-handed rows");
     return rows;
 }
 
@@ -61,7 +61,7 @@ Placement placementOf(const SceneValue& table) {
 
 MaterialOverride::ColorRange colorRangeOf(const SceneValue& value) {
     if (!value.node->is_array() || value.node->as_array()->size() != 2)
-        refuse(value, "must be the lowest and the highest colour, as [\"#000000\", \"#ffffff\"]");
+        refuse(value, "must be the lowest and the highest colour, such as [\"#000000\", \"#ffffff\"]");
     const std::vector<SceneValue> ends = elementsOf(value);
     const MaterialOverride::ColorRange range{bytesOf(ends[0]), bytesOf(ends[1])};
     for (std::size_t i = 0; i < range.low.size(); ++i)

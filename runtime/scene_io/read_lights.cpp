@@ -31,7 +31,7 @@ Color strengthOrPower(const SceneValue& table, std::string_view key, double watt
 double unixSecondsOf(const SceneValue& value) {
     const auto* moment = value.node->as_date_time();
     if (!moment || !moment->get().offset)
-        refuse(value, "must be a date and time with the offset from UTC, as 2026-06-21T18:30:00+02:00");
+        refuse(value, "must be a date and time with the offset from UTC, such as 2026-06-21T18:30:00+02:00");
     const auto& [date, time, offset] = moment->get();
     if (date.year < 1900 || date.year > 2100) refuse(value, "must be from 1900 to 2100");
     const std::chrono::sys_days day = std::chrono::year{date.year} / date.month / date.day;
@@ -88,8 +88,7 @@ struct FieldReader {
         }
         const SceneValue target = require(table, "target");
         const Vec3 ahead = vectorOf(target) - field.from.value;
-        if (length(ahead) < kSmallest)
-            refuse(target, "must be another point than \"" + std::string(field.from.key) + "\"");
+        if (length(ahead) < kSmallest) refuse(target, "must differ from \"" + std::string(field.from.key) + "\"");
         field.value = normalize(ahead);
     }
 

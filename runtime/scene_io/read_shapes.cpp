@@ -83,8 +83,8 @@ void readAxes(const SceneValue& table, const SceneValue& axes, ShapeDescription&
     const bool flat = shape.kind != ShapeKind::kBox && shape.kind != ShapeKind::kSphere;
     const bool round = shape.kind != ShapeKind::kBox && shape.kind != ShapeKind::kQuad;
     if (!areRightAngled({shape.u * (1 / u), shape.v * (1 / v), shape.w * (1 / w)}))
-        refuse(axes, "must be at right angles, right-handed");
-    if (flat && !areAlike(w, 1)) refuse(axes, "the third is the normal, and must be 1 long");
+        refuse(axes, "must be perpendicular and right-handed");
+    if (flat && !areAlike(w, 1)) refuse(axes, "the third is the normal, and must have length 1");
     if (round && !areAlike(u, v)) refuse(axes, "the first two must have the same length");
     if (shape.kind == ShapeKind::kSphere && !areAlike(u, w)) refuse(axes, "must have the same length, the radius");
 }

@@ -50,7 +50,7 @@ CameraRequest cameraOf(const SceneValue& table, const SceneDescription& scene) {
     takeNumber(table, "fov", {0.001, 179.999}, camera.fov_deg);
     if (const auto ortho = find(table, "ortho")) takeOrtho(table, *ortho, camera);
     if (camera.eye && camera.target && !(length(*camera.target - *camera.eye) > 0))
-        refuse(*find(table, "target"), "must be another point than \"eye\"");
+        refuse(*find(table, "target"), "must differ from \"eye\"");
     return camera;
 }
 

@@ -50,7 +50,8 @@ void writeInstance(SceneWriting& writing, const InstanceDescription& instance) {
     for (const MaterialOverride& over : instance.overrides) writeOverride(writing, over);
 }
 
-/// The radius that the reader makes shape's u and v of, where there is one: length(u) is that but for rounding.
+/// The radius from which the reader makes exactly the shape's u and v, if there is one: length(u) differs from it by
+/// rounding only.
 std::optional<double> radiusOfFlat(const ShapeDescription& shape) {
     constexpr int nearby = 8;
     const double step = std::numeric_limits<double>::epsilon() / 2 * length(shape.u);

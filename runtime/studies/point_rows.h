@@ -9,7 +9,7 @@
 
 namespace pointrt {
 
-/// Throws TraceError kBadUsage if an array has other than count rows, or the rules are invalid.
+/// Throws TraceError kBadUsage if the number of rows of an array is not count, or the rules are invalid.
 void requireRows(const StudyPoints& points, std::size_t count, const StudyRules& rules);
 
 /// Throws TraceError kBadInput "point N: ..." if the position is not finite.

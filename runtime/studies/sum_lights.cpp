@@ -41,7 +41,7 @@ public:
     std::uint64_t castCount() const { return cast_; }
 
 private:
-    /// A batch with less room is cast; the next one continues the light.
+    /// A batch with room for fewer rays than this is cast; the light's remaining rays go into the next one.
     static constexpr std::size_t kLeastRoom = kRaysAtOnce / 8;
 
     const TraceScene& scene_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Resolves the film: a picture of the part shown, and the guides of the denoiser.
+// Resolves the film's sums to means: a picture of the part shown, and the guides of the denoiser.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/color.glsl"
@@ -22,7 +22,13 @@ layout(std430, binding = BINDING_RESOLVE_SURFACES) writeonly buffer SurfaceBuffe
 // rgb: albedo, w: variance of the mean luminance
 layout(std430, binding = BINDING_RESOLVE_ALBEDOS) writeonly buffer AlbedoBuffer { vec4 albedos[]; };
 
-vec4 layer(uint pixel, uint which) { return film[which * push.film_pixels + pixel]; }
+// Loads twice what there is only one of: lavapipe would rebuild the program for each value that an `if` depends on.
+vec4 layer(uint pixel, uint which) {
+    bool has_earlier = push.samples > float(FILM_BATCH);
+    uint batch = which * push.film_pixels + pixel;
+    vec4 earlier = film[batch + (has_earlier ? FILM_LAYERS : 0u) * push.film_pixels];
+    return film[batch] + mix(vec4(0.0), earlier, bvec4(has_earlier));
+}
 
 // The film at a pixel.
 struct Pixel {
@@ -38,12 +44,12 @@ struct Pixel {
 
 // The views, by the function names in FILM_PARTS.
 vec3 showBeauty(Pixel p) { return p.beauty; }
-vec3 showAlbedo(Pixel p) { return p.albedo.rgb; }
+vec3 showAlbedo(Pixel p) { return p.albedo.rgb * push.share; }
 vec3 showNormal(Pixel p) { return p.hit.w >= 0.0 ? 0.5 + 0.5 * p.hit.xyz : vec3(0.0); }
 vec3 showDepth(Pixel p) { return vec3(p.hit.w >= 0.0 ? max(1.0 - p.hit.w / push.depth_black, 0.0) : 0.0); }
-vec3 showDirect(Pixel p) { return p.direct.rgb; }
-vec3 showIndirect(Pixel p) { return p.indirect.rgb; }
-vec3 showCaustic(Pixel p) { return p.caustic.rgb; }
+vec3 showDirect(Pixel p) { return p.direct.rgb * push.share; }
+vec3 showIndirect(Pixel p) { return p.indirect.rgb * push.share; }
+vec3 showCaustic(Pixel p) { return p.caustic.rgb * push.share; }
 // Relative standard deviation; 10% is shown as white.
 vec3 showNoise(Pixel p) { return vec3(10.0 * sqrt(p.variance) / max(luminance(p.beauty), 1e-3)); }
 
@@ -68,19 +74,19 @@ vec3 shownOf(Pixel pixel) {
 void main() {
     if (gl_GlobalInvocationID.x >= push.count) return;
     uint pixel = push.first + gl_GlobalInvocationID.x;
-    float samples = push.samples;
+    float share = push.share, samples = push.samples;
     vec4 direct = layer(pixel, LAYER_DIRECT), indirect = layer(pixel, LAYER_INDIRECT),
          caustic = layer(pixel, LAYER_CAUSTIC), albedo = layer(pixel, LAYER_ALBEDO);
-    vec3 beauty = direct.rgb + indirect.rgb + caustic.rgb;
+    vec3 sum = direct.rgb + indirect.rgb + caustic.rgb;
     // the moments lack the last sample; one sample has no variance
     LuminanceMoments moments = addLuminance(LuminanceMoments(albedo.w, caustic.w), indirect.w, samples);
-    float variance = samples < 2.0 ? 0.0 : moments.variance / (samples - 1.0);
+    float variance = samples < 2.0 ? 0.0 : varianceOfMean(moments, samples);
     vec4 hit = vec4(0.0, 0.0, 0.0, -1.0);
     if (HAS_FIRST_HITS != 0u) hit = first_hits[FIRST_HIT_VECTORS * pixel];
     // uncovered pixels show the backdrop, whose shadows need denoising too
-    float alpha = direct.w > 0.0 ? direct.w : 1.0;
-    colors[pixel] = vec4(shownOf(Pixel(pixel, beauty, direct, indirect, caustic, albedo, hit, variance)), alpha);
+    float alpha = direct.w > 0.0 ? direct.w * share : 1.0;
+    colors[pixel] = vec4(shownOf(Pixel(pixel, sum * share, direct, indirect, caustic, albedo, hit, variance)), alpha);
     if (HAS_FIRST_HITS == 0u) return;
     surfaces[pixel] = hit.w < 0.0 ? vec4(0.0) : vec4(hit.xyz, hit.w * push.scale);
-    albedos[pixel] = vec4(albedo.rgb, variance);
+    albedos[pixel] = vec4(albedo.rgb * share, variance);
 }

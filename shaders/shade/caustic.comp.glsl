@@ -12,5 +12,7 @@ void main() {
     if (path == NO_INDEX) return;
     Material row = loadMaterial(query.material & SURFACE_MATERIAL_MASK);
     Bsdf bsdf = makeBsdf(row, query.albedo, false, dot(query.normal, query.view));
-    accumulateCaustic(path, causticLight(true, query, row, bsdf));
+    vec3 light = causticLight(true, query, row, bsdf);
+    film[filmIndex(path, LAYER_CAUSTIC)].rgb += light;
+    film[filmIndex(path, LAYER_INDIRECT)].w += luminance(light);
 }

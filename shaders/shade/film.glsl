@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Adds the light of the current sample to the film.
+// Film accumulation.
 #ifndef POINTRT_SHADERS_FILM_GLSL
 #define POINTRT_SHADERS_FILM_GLSL
 #include "shaders/lib/path.glsl"
 #include "shaders/lib/color.glsl"
-#include "shaders/shade/film_pixel.glsl"
+#include "shaders/shade/film_sums.glsl"
 
 uint filmIndex(uint path, uint layer) { return layer * params.film_pixels + params.film_first + bandPixel(path); }
 
@@ -12,27 +12,23 @@ uint filmIndex(uint path, uint layer) { return layer * params.film_pixels + para
 // memory traffic.
 void accumulateLight(uint path, vec3 light, uint scatterings) {
     if (light == vec3(0.0)) return;
-    film[filmIndex(path, scatterings <= 1u ? LAYER_DIRECT : LAYER_INDIRECT)].rgb +=
-        light * sampleShare(push.sample_index);
+    film[filmIndex(path, scatterings <= 1u ? LAYER_DIRECT : LAYER_INDIRECT)].rgb += light;
     film[filmIndex(path, LAYER_INDIRECT)].w += luminance(light);
 }
 
-void accumulateCaustic(uint path, vec3 light) {
-    film[filmIndex(path, LAYER_CAUSTIC)].rgb += light * sampleShare(push.sample_index);
-    film[filmIndex(path, LAYER_INDIRECT)].w += luminance(light);
+// The layers from first on: 0, or FILM_LAYERS for the earlier batches. Without those that only the camera pass changes,
+// or photons.
+PixelSums loadSums(uint path, uint first) {
+    return PixelSums(film[filmIndex(path, first + LAYER_DIRECT)], film[filmIndex(path, first + LAYER_INDIRECT)],
+                     kGathersPhotons || kCameraPass ? film[filmIndex(path, first + LAYER_CAUSTIC)] : vec4(0.0),
+                     kCameraPass ? film[filmIndex(path, first + LAYER_ALBEDO)] : vec4(0.0));
 }
 
-FilmPixel loadFilmPixel(uint path) {
-    return FilmPixel(film[filmIndex(path, LAYER_DIRECT)], film[filmIndex(path, LAYER_INDIRECT)],
-                     kGathersPhotons || kCameraPass ? film[filmIndex(path, LAYER_CAUSTIC)] : vec4(0.0),
-                     kCameraPass ? film[filmIndex(path, LAYER_ALBEDO)] : vec4(0.0));
-}
-
-void storeFilmPixel(uint path, FilmPixel pixel) {
-    film[filmIndex(path, LAYER_DIRECT)] = pixel.direct;
-    film[filmIndex(path, LAYER_INDIRECT)] = pixel.indirect;
-    if (kGathersPhotons || kCameraPass) film[filmIndex(path, LAYER_CAUSTIC)] = pixel.caustic;
-    if (kCameraPass) film[filmIndex(path, LAYER_ALBEDO)] = pixel.albedo;
+void storeSums(uint path, uint first, PixelSums sums) {
+    film[filmIndex(path, first + LAYER_DIRECT)] = sums.direct;
+    film[filmIndex(path, first + LAYER_INDIRECT)] = sums.indirect;
+    if (kGathersPhotons || kCameraPass) film[filmIndex(path, first + LAYER_CAUSTIC)] = sums.caustic;
+    if (kCameraPass) film[filmIndex(path, first + LAYER_ALBEDO)] = sums.albedo;
 }
 
 #endif

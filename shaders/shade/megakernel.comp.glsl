@@ -40,7 +40,7 @@ void shadeBounce(inout PathLoop loop, SurfaceInteraction hit, uint index) {
     uint bounce = bounceOf(loop.path.bits);
     vec3 view = -loop.path.direction;
     ShadedHit shaded = shadeAt(loop.path, hit, index);
-    if (loop.running) accumulateLight(loop.pixel, shaded.shading.radiance, bounce, push.sample_index);
+    if (loop.running) accumulateLight(loop.sums, shaded.shading.radiance, bounce);
     DirectLightQuery query = lightQuery(shaded.point, view, shaded.shading.direct_weight, bounce);
     bool lit = loop.running && needsDirectLight(shaded.shading);
     PathState next_path;
@@ -56,9 +56,7 @@ void shadeBounce(inout PathLoop loop, SurfaceInteraction hit, uint index) {
         sampleAllLights(loop, lit, query, shaded.bsdf, index);
     }
     if (kGathersPhotons && kInlineNee)
-        accumulateCaustic(loop.pixel,
-                          causticLight(lit && params.caustics.count.x > 0u, query, shaded.row, shaded.bsdf),
-                          push.sample_index);
+        accumulateCaustic(loop.sums, causticLight(lit && params.caustics.count.x > 0u, query, shaded.row, shaded.bsdf));
     advance(loop, continues, next_path, next_hit);
 }
 
@@ -99,11 +97,11 @@ void main() {
     index = live ? index : 0u; // idle lanes take part: appending needs the whole subgroup
     uvec4 hit = live ? loadHit(index) : kNoHit;
     SurfaceInteraction splats = splatInteraction(index);
-    PathLoop loop = PathLoop(path, hit, loadFilmPixel(index), live, false, false, 0u, kNoShadow, kNoQuery, 0u, 0u);
+    PathLoop loop = PathLoop(path, hit, loadSums(index, 0u), live, false, false, 0u, kNoShadow, kNoQuery, 0u, 0u);
     if (kCameraPass) {
         SurfaceInteraction point = interactionOf(loop, splats);
         float covered = covers(point) ? 1.0 : 0.0;
-        loop.pixel = beginSample(loop.pixel, covered, covered * point.albedo, push.sample_index);
+        loop.sums = beginSample(loop.sums, covered, covered * point.albedo, push.sample_index);
     }
     uint bounces = 0u;
     do {
@@ -111,7 +109,7 @@ void main() {
         bounces++;
     } while (continuesLoop(loop, bounces));
 
-    if (live) storeFilmPixel(index, loop.pixel);
+    if (live) storeSums(index, 0u, loop.sums);
     bool queued = loop.queued || loop.running;
     if (queued) imageStore(hit_texels, int(index), loop.hit);
     appendRay(queued, index, loop.path);

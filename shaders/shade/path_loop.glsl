@@ -13,7 +13,7 @@
 struct PathLoop {
     PathState path;
     uvec4 hit;              // of the path's ray
-    FilmPixel pixel;
+    PixelSums sums;         // of the pixel in the film
     bool running;           // the path continues in this loop,
     bool queued;            // or in the next pass,
     bool ray_waits;         // after instances were intersected with its ray,
@@ -57,7 +57,7 @@ void sampleOneLight(inout PathLoop loop, bool live, DirectLightQuery query, Bsdf
     if (direct.waits)
         loop.shadow = shadowRay(query, ray, direct.light);
     else
-        accumulateLight(loop.pixel, direct.light, query.bounce + 1u, push.sample_index);
+        accumulateLight(loop.sums, direct.light, query.bounce + 1u);
     loop.shadows_wait |= direct.waits ? 1u : 0u;
 }
 
@@ -76,7 +76,7 @@ void sampleAllLights(inout PathLoop loop, bool live, DirectLightQuery query, Bsd
         waits |= direct.waits ? 1u << number : 0u;
         sum += direct.waits ? vec3(0.0) : direct.light;
     }
-    if (kInlineNee) accumulateLight(loop.pixel, sum, query.bounce + 1u, push.sample_index);
+    if (kInlineNee) accumulateLight(loop.sums, sum, query.bounce + 1u);
     loop.shadows_wait |= waits;
 }
 

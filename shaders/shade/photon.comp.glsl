@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Photon tracing: at a hit, mirrors and glass reflect or refract a photon; a surface that scatters light stores it if
-// it came by way of such.
+// it came from a mirror or glass.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/trace/surface_interaction.glsl"

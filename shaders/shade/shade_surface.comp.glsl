@@ -20,9 +20,9 @@ void main() {
     ShadedHit shaded = shadeAt(path, point, index);
     Shading shading = shaded.shading;
     if (live && kCameraPass) {
-        FilmPixel pixel = beginSample(loadFilmPixel(index), covered ? 1.0 : 0.0, albedo, push.sample_index);
-        accumulateLight(pixel, shading.radiance, 0u, push.sample_index);
-        storeFilmPixel(index, pixel);
+        PixelSums sums = beginSample(loadSums(index, 0u), covered ? 1.0 : 0.0, albedo, push.sample_index);
+        accumulateLight(sums, shading.radiance, bounce);
+        storeSums(index, 0u, sums);
     }
     if (live && !kCameraPass) accumulateLight(index, shading.radiance, bounce);
     bool lit = live && needsDirectLight(shading);

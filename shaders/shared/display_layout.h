@@ -14,11 +14,11 @@ struct ResolveParams {
     uint first; // pixel
     uint count;
     uint film_pixels;
-    uint shown; // number of the film part to show (shaders/shared/film_parts.h)
+    uint shown;  // number of the film part to show (shaders/shared/film_parts.h)
+    float share; // 1 / samples
     float samples;
     float scale;       // input units per render unit
     float depth_black; // depth shown as black, render units
-    uint padding;
 };
 
 struct TonemapParams {

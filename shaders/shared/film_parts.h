@@ -45,13 +45,13 @@
     X(normal, float, VECTOR("N"), kFirstHits, 0, Normal, \
       SHOWN(2u, NORMAL, "Normals", kNumber, showNormal)) \
     X(position, float, VECTOR("P"), kFirstHits, 0, Position, NOT_SHOWN) \
-    X(direct, float, COLOR("direct"), kLightParts, 0, Layer<LAYER_DIRECT>, \
+    X(direct, float, COLOR("direct"), kLightParts, 0, Mean<LAYER_DIRECT>, \
       SHOWN(4u, DIRECT, "Direct light", kLight, showDirect)) \
-    X(indirect, float, COLOR("indirect"), kLightParts, 0, Layer<LAYER_INDIRECT>, \
+    X(indirect, float, COLOR("indirect"), kLightParts, 0, Mean<LAYER_INDIRECT>, \
       SHOWN(5u, INDIRECT, "Indirect light", kLight, showIndirect)) \
-    X(caustic, float, COLOR("caustic"), kLightParts, 0, Layer<LAYER_CAUSTIC>, \
+    X(caustic, float, COLOR("caustic"), kLightParts, 0, Mean<LAYER_CAUSTIC>, \
       SHOWN(6u, CAUSTIC, "Caustics", kLight, showCaustic)) \
-    X(albedo, float, COLOR("albedo"), kAlways, 0, Layer<LAYER_ALBEDO>, \
+    X(albedo, float, COLOR("albedo"), kAlways, 0, Mean<LAYER_ALBEDO>, \
       SHOWN(1u, ALBEDO, "Colours only", kShare, showAlbedo)) \
     X(splat_id, std::uint32_t, CHANNELS("id.splat"), kFirstHits, NO_INDEX, SplatId, NOT_SHOWN) \
     X(tile_id, std::uint32_t, CHANNELS("id.tile"), kFirstHits, NO_INDEX, TileId, NOT_SHOWN) \

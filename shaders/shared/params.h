@@ -211,12 +211,17 @@ struct ShadowRay {
 };
 #define SHADOW_RAY_VECTORS 4
 
-// Layers of the film, one vector per pixel each: means over the samples.
+// Layers of the film, one vector per pixel each: sums over the samples of the current batch. Films of more samples than
+// a batch have the same layers again, from FILM_LAYERS on: sums over the earlier batches, defined once there is one.
 #define LAYER_DIRECT 0u   // light scattered at most once; w: coverage by the scene
-#define LAYER_INDIRECT 1u // w: luminance of the current sample
-#define LAYER_CAUSTIC 2u  // w: variance of the luminance of the earlier samples
-#define LAYER_ALBEDO 3u   // w: mean luminance of the earlier samples
+#define LAYER_INDIRECT 1u // w: luminance of the current sample; 0 of earlier batches
+// w: squared distances of the luminance of the samples before the current one from its mean
+#define LAYER_CAUSTIC 2u
+#define LAYER_ALBEDO 3u // w: mean luminance of all samples before the current one; 0 of earlier batches
 #define FILM_LAYERS 4u
+// Samples of a batch, the square root of kMaxSpp: a sum of 256 like terms keeps 16 of the 24 bits of each, and so does
+// a sum of 256 batches. A sum of all 65,536 samples would keep 8 bits, which is up to 0.2% off.
+#define FILM_BATCH 256u
 
 // first_hits, per pixel: normal and t (negative: a miss); as bits, splat or shape, owner with the tile above it
 // (HIT_TILE_SHIFT), and material; view dependence of the reflection, 0 to 1.

@@ -123,7 +123,7 @@ uvec2 splatsOf(PairLoop pairs, uint pair, out bvec2 valid) {
     return uvec2(loadListed(is_disc ? disc : blending.x), loadListed(is_disc ? disc + 1u : valid.y ? blending.y : 0u));
 }
 
-// The blended field at the probe. If not live, the field of the disc hit first alone.
+// The blended field at the probe. If not live, only the field of the disc that was hit first.
 Field evaluateField(uint cell_index, bool live, uvec4 first, Probe probe) {
     Field field = Field(0.0, 0.0, vec3(0.0), vec3(0.0), 0.0, 0.0, splatMaterial(first));
     PairLoop pairs = pairsOf(cell_index);

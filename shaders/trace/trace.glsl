@@ -133,8 +133,9 @@ Visit stepWalk(Walk walk, Grid grid, out float t_out) {
 // Distance, in radii, between the quantized discs of the same splat in two tiles: each is off by less than a hundredth.
 const float kCoreSlack = 1.0 / 32.0;
 
-// Clips hits to the core of a tile: a hit counts within the core, or if at the core's border the ray is so near to the
-// disc that the neighbouring tile's copy may lie beyond it. With rays that graze the disc that is far along the ray.
+// Clips hits to the core of a tile. A hit counts if it lies in the core, or if the ray is so close to the disc at the
+// core's border that the neighbouring tile's copy may lie beyond it. A ray that grazes the disc stays that close for
+// a long way.
 bool isInCore(float t, float slope, float normal_squared, float radius_squared, vec2 t_core) {
     float height = (t - clamp(t, t_core.x, t_core.y)) * slope;
     return height * height <= kCoreSlack * kCoreSlack * normal_squared * radius_squared;

@@ -1,36 +1,45 @@
 // SPDX-License-Identifier: Apache-2.0
-// Accumulates 65,536 samples in shaders/shade/film_pixel.glsl, whose light alternates between two values.
+// Accumulates samples by shaders/shade/film_sums.glsl, and ends batches as fold_film.comp.glsl does.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shaders/shade/film_pixel.glsl"
+#include "shaders/shared/params.h"
+#include "shaders/shade/film_sums.glsl"
 
 layout(local_size_x = 64) in;
 
-struct Answer {
-    vec4 direct;
-    vec4 albedo;
-    vec4 luminance; // mean, variance, the last sample
+struct Lights {
+    float even; // of every other sample
+    float odd;  // of those between
+    float more; // of every sample, accumulated by itself
+    uint samples; // a multiple of 4
 };
 
-layout(std430, set = 0, binding = 0) readonly buffer LightBuffer { vec4 lights[]; }; // mean, and distance from it
+struct Answer {
+    vec4 sum;     // of the direct light; w: coverage
+    vec4 albedo;  // sum
+    vec4 moments; // mean, squares, the last luminance
+};
+
+layout(std430, set = 0, binding = 0) readonly buffer LightBuffer { Lights lights[]; };
 layout(std430, set = 0, binding = 1) writeonly buffer AnswerBuffer { Answer answers[]; };
 
-void addSample(inout FilmPixel pixel, vec4 light, uint sample_index) {
-    pixel = beginSample(pixel, 1.0, vec3(light.x), sample_index);
-    float side = (sample_index & 1u) != 0u ? 1.0 : -1.0;
-    accumulateLight(pixel, vec3(light.x + side * light.y), 0u, sample_index);
+void addSample(inout PixelSums batch, inout PixelSums earlier, Lights light, uint sample_index) {
+    if (sample_index > 0u && sample_index % FILM_BATCH == 0u) {
+        earlier = addBatch(earlier, batch);
+        batch = nextBatch(batch);
+    }
+    batch = beginSample(batch, 1.0, vec3(light.even), sample_index);
+    accumulateLight(batch, vec3((sample_index & 1u) == 0u ? light.even : light.odd), 0u);
+    accumulateLight(batch, vec3(light.more), 1u);
 }
 
 void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= lights.length()) return;
-    FilmPixel pixel = FilmPixel(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+    PixelSums batch = kNoSums, earlier = kNoSums;
     // four at a time: lavapipe silently ends loops after 65,535 iterations
-    for (uint first = 0u; first < 65536u; first += 4u) {
-        addSample(pixel, lights[i], first);
-        addSample(pixel, lights[i], first + 1u);
-        addSample(pixel, lights[i], first + 2u);
-        addSample(pixel, lights[i], first + 3u);
-    }
-    answers[i] = Answer(pixel.direct, pixel.albedo, vec4(pixel.albedo.w, pixel.caustic.w, pixel.indirect.w, 0.0));
+    for (uint first = 0u; first < lights[i].samples; first += 4u)
+        for (uint next = 0u; next < 4u; next++) addSample(batch, earlier, lights[i], first + next);
+    PixelSums all = addBatch(earlier, batch);
+    answers[i] = Answer(all.direct, all.albedo, vec4(batch.albedo.w, all.caustic.w, batch.indirect.w, 0.0));
 }

@@ -214,7 +214,7 @@ fn u64_at(bytes: &[u8], at: usize) -> Result<u64, String> {
 fn xml_of(bytes: &[u8]) -> Result<Vec<u8>, String> {
     const OFFSET_AT: usize = 24;
     const LENGTH_AT: usize = 32;
-    const OUTSIDE: &str = "is broken or cut short: its XML section is said to be where the file has none";
+    const OUTSIDE: &str = "is broken or cut short: its XML section lies outside the file";
     let mut pages = Pages::of(bytes);
     let start = pages.logical(u64_at(bytes, OFFSET_AT)?).ok_or(OUTSIDE)?;
     let length = u64_at(bytes, LENGTH_AT)?;

@@ -117,7 +117,7 @@ impl Stream {
             _ => self.take_wide(least, values),
         };
         if largest > range {
-            return Err(format!("is broken: a value of {} is beyond the largest that it may have", self.name));
+            return Err(format!("is broken: a value of {} is above the declared maximum", self.name));
         }
         Ok(())
     }
@@ -181,12 +181,12 @@ impl<'a> Points<'a> {
     }
 
     fn open_section(&mut self, physical: u64) -> Result<(), String> {
-        const OUTSIDE: &str = "is broken or cut short: points are said to be where the file has none";
+        const OUTSIDE: &str = "is broken or cut short: its points lie outside the file";
         let start = self.pages.logical(physical).ok_or(OUTSIDE)?;
         let mut header = Vec::new();
         self.pages.read(start, SECTION_HEADER, &mut header)?;
         if header[0] != COMPRESSED_VECTOR {
-            return Err("is broken: no points are where they are said to be".to_string());
+            return Err("is broken: the section of points is not where the XML says it is".to_string());
         }
         self.end = start.checked_add(u64_at(&header, 8)).ok_or(OUTSIDE)?.min(self.pages.len());
         self.at = self.pages.logical(u64_at(&header, 16)).ok_or(OUTSIDE)?;
@@ -205,7 +205,7 @@ impl<'a> Points<'a> {
         self.pages.read(self.at, 4, &mut self.packet)?;
         let (kind, size) = (self.packet[0], u16_at(&self.packet, 2) + 1);
         if size % 4 != 0 || kind > IGNORED_PACKET || size as u64 > self.end - self.at {
-            return Err(format!("is broken: no packet where one is to be, after {} points", self.done));
+            return Err(format!("is broken: a packet is missing after {} points", self.done));
         }
         if kind == DATA_PACKET {
             self.pages.read(self.at + 4, size - 4, &mut self.packet)?;

@@ -101,7 +101,7 @@ void Window::notify(const std::string& text, bool error) {
                      printable(text, std::string::npos).c_str());
 }
 
-/// Runs body; reports an error as a notice, after subject.
+/// Runs body. An error becomes a notice that starts with subject.
 void Window::tryOrNotify(const std::string& subject, const std::function<void()>& body) {
     try {
         body();

@@ -205,8 +205,8 @@ void Window::updatePicture() {
     if (image_.isFilmReady() && !jobs_.has(JobKind::kSave)) tryOrNotify("", [&] { saveFilm(); });
 }
 
-/// While there is no input the interface is not redrawn, so that the picture gets all the time. Input is polled as
-/// often as ever.
+/// While there is no input the interface is not redrawn, so that all the time goes to the picture. Input is polled as
+/// often as before.
 void Window::refineWithoutRedraw() {
     const ViewportRenderer& live = *image_.live();
     while (!image_.moved() && !input_.any && !ui_.isDragging() && !view_.isInFlight() && !work_.job &&

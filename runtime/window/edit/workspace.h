@@ -63,7 +63,7 @@ struct Requests {
     bool scene_changed = false;    ///< lights, materials, shapes or sky were edited
     bool settings_changed = false; ///< settings were edited (integrator, bounces, room, shadows, caustics...)
     bool look_changed = false;     ///< look or denoise: show the same light another way
-    bool dragging = false;         ///< an edit is in progress: more of the same follows
+    bool dragging = false;         ///< an edit is in progress: more changes of its kind follow
     std::optional<Vec3> up;        ///< new up axis
     bool save_scene = false, screenshot = false, save_view = false, home = false, quit = false;
     bool cancel_job = false;

@@ -37,11 +37,7 @@ void createAll(Device& device, DisplayPipeline& d, const FrameBuffers& frame, st
     d.resolve = createProgram(device, "resolve", resolve_spv, {{SPEC_HAS_FIRST_HITS, 0}});
     d.resolve_guides = createProgram(device, "resolve", resolve_spv, {{SPEC_HAS_FIRST_HITS, 1}});
     d.tonemap = createProgram(device, "tonemap", tonemap_spv);
-    d.pool = createDescriptorPool(device, 4);
-    d.resolve_set = createResolveSet(device, d, d.resolve, frame);
-    d.resolve_guides_set = createResolveSet(device, d, d.resolve_guides, frame);
-    d.tonemap_set = createDescriptorSet(device, d.pool, d.tonemap,
-                                        {{BINDING_TONEMAP_COLORS, &d.color}, {BINDING_TONEMAP_PIXELS, &d.pixels}});
+    bindFilm(device, d, frame);
 }
 
 void dropDenoiser(Device& device, DisplayPipeline& pipeline) {
@@ -61,6 +57,15 @@ DisplayPipeline createDisplayPipeline(Device& device, const FrameBuffers& frame,
     const OnError undo([&] { destroyDisplayPipeline(device, pipeline); });
     createAll(device, pipeline, frame, film_pixels);
     return pipeline;
+}
+
+void bindFilm(Device& device, DisplayPipeline& d, const FrameBuffers& frame) {
+    destroyDescriptorPool(device, d.pool);
+    d.pool = createDescriptorPool(device, 3);
+    d.resolve_set = createResolveSet(device, d, d.resolve, frame);
+    d.resolve_guides_set = createResolveSet(device, d, d.resolve_guides, frame);
+    d.tonemap_set = createDescriptorSet(device, d.pool, d.tonemap,
+                                        {{BINDING_TONEMAP_COLORS, &d.color}, {BINDING_TONEMAP_PIXELS, &d.pixels}});
 }
 
 void destroyDisplayPipeline(Device& device, DisplayPipeline& pipeline) {
@@ -93,14 +98,15 @@ std::uint64_t deviceBytes(const DisplayPipeline& d) {
 
 void recordResolve(VkCommandBuffer commands, const DisplayPipeline& d, const FilmRange& range, const Look& look,
                    bool guides) {
+    const auto samples = static_cast<float>(range.samples);
     const gpu::ResolveParams params{range.first,
                                     range.count,
                                     range.film_pixels,
                                     look.shown,
-                                    static_cast<float>(range.samples),
+                                    1 / samples,
+                                    samples,
                                     static_cast<float>(look.scale),
-                                    static_cast<float>(look.depth_black / look.scale),
-                                    0};
+                                    static_cast<float>(look.depth_black / look.scale)};
     const bool reads_hits = guides || needsFirstHits(look);
     recordDispatch(commands, reads_hits ? d.resolve_guides : d.resolve,
                    reads_hits ? d.resolve_guides_set : d.resolve_set, pushBytes(params), groupsOf(range));

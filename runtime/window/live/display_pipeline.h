@@ -39,6 +39,8 @@ struct DisplayPipeline {
 
 /// The film and first hits in frame must outlive it.
 DisplayPipeline createDisplayPipeline(Device& device, const FrameBuffers& frame, std::uint64_t film_pixels);
+/// Call after the film has been reallocated.
+void bindFilm(Device& device, DisplayPipeline& pipeline, const FrameBuffers& frame);
 void destroyDisplayPipeline(Device& device, DisplayPipeline& pipeline);
 /// Creates the denoiser for pictures of this size, unless it exists.
 void prepareDenoiser(Device& device, DisplayPipeline& pipeline, PixelSize size);

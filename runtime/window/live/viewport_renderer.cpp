@@ -53,10 +53,12 @@ ViewportRenderer::ViewportRenderer(Device& device, BandTracer& tracer, double pr
 
 ViewportRenderer::~ViewportRenderer() { destroyDisplayPipeline(device_, display_); }
 
-void ViewportRenderer::fitFilm() {
+/// Makes room for the view's pixels and samples. Whether the film keeps what it holds.
+bool ViewportRenderer::fitFilm() {
     const PixelSize requested{view_.settings.width, view_.settings.height};
+    const std::uint32_t samples = view_.settings.spp;
     const std::uint64_t most =
-        device_.limits.maxStorageBufferRange / (FILM_LAYERS * sizeof(gpu::vec4)) - kMaxListedPixels;
+        device_.limits.maxStorageBufferRange / (filmLayers(samples) * sizeof(gpu::vec4)) - kMaxListedPixels;
     const PixelSize before = full_;
     full_ = withinFilm(requested, most);
     view_.settings.width = full_.width;
@@ -66,14 +68,19 @@ void ViewportRenderer::fitFilm() {
         reprojector_.reset();
         shows_full_frame_ = false;
     }
-    if (pixels <= film_pixels_) return;
+    if (film_pixels_ == 0 && pixels == 0) return true;
+    if (pixels <= film_pixels_ && film_pixels_ <= most) {
+        if (extendFilm(device_, tracer_, samples)) bindFilm(device_, display_, tracer_.buffers);
+        return full_ == before;
+    }
     reprojector_.reset();
     destroyDisplayPipeline(device_, display_);
     display_ = {};
     film_pixels_ = 0;
-    resizeFilm(device_, tracer_, pixels + kMaxListedPixels);
+    resizeFilm(device_, tracer_, {pixels + kMaxListedPixels, samples});
     display_ = createDisplayPipeline(device_, tracer_.buffers, pixels);
     film_pixels_ = pixels;
+    return false;
 }
 
 void ViewportRenderer::setView(const Viewport& view, bool moving, ViewChange change) {
@@ -158,8 +165,9 @@ void ViewportRenderer::setLook(const Look& look, bool denoise) {
 void ViewportRenderer::setSamples(std::uint32_t spp) {
     const std::uint32_t before = std::exchange(view_.settings.spp, spp);
     if (before == spp) return;
+    const bool keeps_film = fitFilm();
     // a single sample goes through the pixel's centre
-    if (before == 1 || spp == 1) return restart(false);
+    if (before == 1 || spp == 1 || !keeps_film) return restart(false);
     if (isFullSize()) renderer_.setSamples(spp);
     if (stage_ == Stage::kIdle && renderer_.samples() < spp) stage_ = Stage::kRefine;
 }

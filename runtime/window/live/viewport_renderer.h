@@ -96,7 +96,7 @@ private:
     enum class Stage { kInteractive, kReprojection, kCoarse, kRefine, kFillCache, kDenoising, kIdle };
     using Clock = std::chrono::steady_clock;
 
-    void fitFilm();
+    bool fitFilm();
     bool workReprojection(double seconds);
     void fillCache();
     bool needsCacheFill();

@@ -260,7 +260,7 @@ TEST_F(FilmFile, InvalidRadianceIsRefusedWithAReason) {
     expectReason("unexpected end", "-Y 1 +X 8", {2, 2, 0, 8, 128 + 8, 1, 3, 1});
     expectReason("run *long", "-Y 1 +X 8", {2, 2, 0, 8, 128 + 9, 1});
     expectReason("run *long", "-Y 1 +X 8", {2, 2, 0, 8, 0, 0, 0});
-    expectReason("another width", "-Y 1 +X 8", {2, 2, 0, 9});
+    expectReason("width", "-Y 1 +X 8", {2, 2, 0, 9});
     expectReason("invalid run", "-Y 1 +X 4", {1, 1, 1, 4});
     expectReason("run *long", "-Y 1 +X 4", {3, 3, 3, 3, 1, 1, 1, 4});
 }

@@ -198,6 +198,27 @@ TEST_P(ViewportRendererTest, Resizes) {
     EXPECT_EQ(live->readFilm().rgba, headless().rgba);
 }
 
+/// The film is extended once there are to be several batches of samples.
+TEST_P(ViewportRendererTest, KeepsItsLightWhenSamplesAreAdded) {
+    view.settings.width = view.settings.height = 16;
+    live->setView(view, false);
+    finish();
+    const std::uint64_t bytes = live->deviceBytes();
+    view.settings.spp = FILM_BATCH + 4;
+    live->setSamples(view.settings.spp);
+    EXPECT_GT(live->deviceBytes(), bytes);
+    EXPECT_EQ(live->progress().samples, 4u);
+    finish();
+    const Film film = live->readFilm(), whole = headless();
+    EXPECT_EQ(film.rgba, whole.rgba);
+    EXPECT_EQ(film.variance, whole.variance);
+    const Image8 developed = tonemapFilm(whole);
+    std::vector<std::uint32_t> words(16 * 16);
+    downloadBuffer(device, live->pixels(), words.data(), words.size() * 4);
+    for (std::size_t i = 0; i < words.size(); ++i)
+        EXPECT_NEAR(static_cast<int>(words[i] >> 16 & 255), developed.pixels[3 * i], 1) << i;
+}
+
 TEST_P(ViewportRendererTest, PicksMatchFirstHits) {
     view.settings.first_hits = true;
     live->setView(view, false);
