@@ -124,7 +124,7 @@ const std::vector<Fault> kFaults = {
     {"attributes[1]: low and high ", [](TileSet& set) { set.attributes[1].high = -2; }},
     {"attributes: gps_time *twice", [](TileSet& set) { set.attributes[0].name = "gps_time"; }},
     {"attributes: *32", [](TileSet& set) { set.attributes.resize(33, set.attributes[0]); }},
-    {"tiles: *none", [](TileSet& set) { set.tiles.clear(); }},
+    {"tiles: *2^20", [](TileSet& set) { set.tiles.clear(); }},
     {"tiles[3] 3-0-1-0: level ", [](TileSet& set) { set.tiles[3].level = 3; }},
     {"tiles[3] 1-0-1-0: splats ", [](TileSet& set) { set.tiles[3].splats = 0; }},
     {"tiles[3] 1-0-1-0: splats ", [](TileSet& set) { set.tiles[3].splats = 61; }},
@@ -153,7 +153,7 @@ const std::vector<Fault> kFaults = {
      }},
     {"tiles[1] 1-0-0-0: error *parent", [](TileSet& set) { set.tiles[0].error = 0.0625; }},
     {"tiles[1] 1-0-0-0: has children*error", [](TileSet& set) { set.tiles[1].error = 0; }},
-    {"tiles[2] 1-1-0-0: has an error*children", [](TileSet& set) { set.tiles[2].error = 0.25; }},
+    {"tiles[2] 1-1-0-0: *children*error", [](TileSet& set) { set.tiles[2].error = 0.25; }},
     {"tiles: tiles/1-0-0-0.pro ", [](TileSet& set) { set.tiles[2].file = set.tiles[1].file; }},
     {"levels[1]: tiles ", [](TileSet& set) { ++set.levels[1].tiles; }},
     {"levels[1]: splats ", [](TileSet& set) { --set.levels[1].splats; }},
@@ -188,7 +188,7 @@ TEST_F(HostileSet, EveryRuleHasASetThatBreaksIt) {
 
 TEST_F(HostileSet, SetsAreCheckedAfterReading) {
     EXPECT_SAYS(faultOfChange([](Json& json) { json["tiles"][4]["error"] = 0.25; }),
-                "tiles[4] 1-1-1-0: has an error*children");
+                "tiles[4] 1-1-1-0: *children*error");
     EXPECT_SAYS(faultOfChange([](Json& json) { json["attributes"][0]["type"] = "uint17"; }), "attributes[0]: *type");
 }
 

@@ -306,7 +306,7 @@ TEST_F(E57Test, MessagesNameTheScan) {
     EXPECT_HAS(reasonOfScans({{two(), poseXml({0, 0, 0, 0}, {0, 0, 0})}}), "pose *rotation");
     E57TestColumn beyond = e57Whole("las:height", 0, 5, {1, 5});
     beyond.values[1] = 7; // fits in the bits, not in the limits
-    EXPECT_HAS(reasonOfScans({{two({beyond})}}), "las:height *largest");
+    EXPECT_HAS(reasonOfScans({{two({beyond})}}), "las:height *maximum");
 }
 
 TEST_F(E57Test, WrongChecksumsAreRefused) {

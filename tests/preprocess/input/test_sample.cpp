@@ -117,7 +117,7 @@ TEST_F(SampleTest, ACloudWithSomeFacesKeepsItsPoints) {
     const Cloud cloud = readText("a.obj", text + "f 1 2 8\n");
     EXPECT_EQ(cloud.positions.size(), 40u);
     EXPECT_EQ(cloud.points_unused, 0u);
-    EXPECT_HAS(countedNotesOf(cloud), "a.obj +0: *3 of 40 points*stay");
+    EXPECT_HAS(countedNotesOf(cloud), "a.obj +0: *3 of 40 points*kept");
 }
 
 const ReadOptions kWhereCoarse{.format = "", .sample_count = std::nullopt};

@@ -78,7 +78,7 @@ TEST_F(SceneFile, RefusesNumbersOutOfRange) {
 TEST_F(SceneFile, RefusesBrokenGeometry) {
     EXPECT_SAYS(refusal("up = [0, 0, 0]"), "scene.toml:1: key \"up\": *zero");
     EXPECT_SAYS(refusal("[camera]\neye = [1, 2, 3]\ntarget = [1, 2, 3]"),
-                "scene.toml:3: key \"camera.target\": *point*\"eye\"");
+                "scene.toml:3: key \"camera.target\": *\"eye\"");
     EXPECT_SAYS(refusal("[[instance]]\nfile = 'statue.pro'\nscale = [1, 2, 1]"),
                 "scene.toml:3: key \"instance[0].scale\": *axes");
     EXPECT_SAYS(
@@ -96,7 +96,7 @@ TEST_F(SceneFile, RefusesBrokenGeometry) {
     EXPECT_SAYS(refusal("[[shape]]\ntype = 'box'\nsize = [1, 1, 1]"),
                 "scene.toml:3: key \"shape[0].size\": *effect*\"center\"");
     EXPECT_SAYS(refusal("[[light]]\ntype = 'spot'\nposition = [1, 0, 0]\ntarget = [1, 0, 0]"),
-                "scene.toml:4: key \"light[0].target\": *point*\"position\"");
+                "scene.toml:4: key \"light[0].target\": *\"position\"");
 }
 
 TEST_F(SceneFile, RefusesInvalidMaterials) {
@@ -311,7 +311,7 @@ TEST_F(SceneFile, RefusesMatricesOtherThanRotations) {
         return refusal("[[instance]]\nfile='statue.pro'\nrotate={ matrix=" + matrix + " }");
     };
     EXPECT_NE(rotated("[[1, 0, 0], [0, 1, 0], [0, 0, 1.1]]").find("rows of length 1"), std::string::npos);
-    EXPECT_NE(rotated("[[1, 0, 0], [0.6, 0.8, 0], [0, 0, 1]]").find("right angles"), std::string::npos);
+    EXPECT_NE(rotated("[[1, 0, 0], [0.6, 0.8, 0], [0, 0, 1]]").find("perpendicular"), std::string::npos);
     EXPECT_NE(rotated("[[1, 0, 0], [0, 1, 0], [0, 0, -1]]").find("right-handed"), std::string::npos);
     EXPECT_NE(rotated("[[1, 0, 0], [0, 1, 0]]").find("3 vectors"), std::string::npos);
     EXPECT_NE(rotated("[[1, 0, 0], [0, 1, 0], [0, 0, 1]], degrees=1").find("excludes"), std::string::npos);
@@ -321,9 +321,9 @@ TEST_F(SceneFile, RefusesAxesThatDoNotFitTheShape) {
     const auto shape = [&](const std::string& type, const std::string& axes) {
         return refusal("[[shape]]\ntype='" + type + "'\ncenter=[0, 0, 0]\naxes=" + axes);
     };
-    EXPECT_NE(shape("box", "[[1, 0, 0], [1, 1, 0], [0, 0, 1]]").find("right angles"), std::string::npos);
+    EXPECT_NE(shape("box", "[[1, 0, 0], [1, 1, 0], [0, 0, 1]]").find("perpendicular"), std::string::npos);
     EXPECT_NE(shape("box", "[[1, 0, 0], [0, 0, 0], [0, 0, 1]]").find("length zero"), std::string::npos);
-    EXPECT_NE(shape("quad", "[[1, 0, 0], [0, 3, 0], [0, 0, 2]]").find("1 long"), std::string::npos);
+    EXPECT_NE(shape("quad", "[[1, 0, 0], [0, 3, 0], [0, 0, 2]]").find("length"), std::string::npos);
     EXPECT_NE(shape("disc", "[[1, 0, 0], [0, 3, 0], [0, 0, 1]]").find("first two"), std::string::npos);
     EXPECT_NE(shape("sphere", "[[2, 0, 0], [0, 2, 0], [0, 0, 1]]").find("the radius"), std::string::npos);
     EXPECT_NE(shape("sphere", "[[2, 0, 0], [0, 2, 0], [0, 0, 2]]\nradius=2").find("excludes"), std::string::npos);
