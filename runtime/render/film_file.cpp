@@ -16,13 +16,9 @@ namespace {
 
 constexpr const char *kSamples = "pointrt.samples", *kSeed = "pointrt.seed", *kSignature = "pointrt.signature";
 
-[[noreturn]] void refuseFile(const std::string& path, const std::string& reason) {
-    throw Error{ExitCode::kBadInput, path + ": not a film to continue: " + reason};
-}
-
 const std::string& textOf(const std::string& path, const ExrPicture& picture, const char* name) {
     const auto found = picture.texts.find(name);
-    if (found == picture.texts.end()) refuseFile(path, std::string("it has no ") + name);
+    if (found == picture.texts.end()) refuseFilm(path, std::string("it has no ") + name);
     return found->second;
 }
 
@@ -31,7 +27,7 @@ std::uint32_t numberOf(const std::string& path, const ExrPicture& picture, const
     std::uint32_t number = 0;
     const char* end = text.data() + text.size();
     const auto parsed = std::from_chars(text.data(), end, number);
-    if (parsed.ec != std::errc{} || parsed.ptr != end) refuseFile(path, std::string(name) + " is not a number");
+    if (parsed.ec != std::errc{} || parsed.ptr != end) refuseFilm(path, std::string(name) + " is not a number");
     return number;
 }
 
@@ -54,7 +50,7 @@ void readPart(const std::string& path, const ExrPicture& picture, const FilmPart
     values.resize(stride * picture.width * picture.height);
     for (std::size_t c = 0; c < stride; ++c) {
         const auto plane = planes.find(part.channels[c]);
-        if (plane == planes.end()) refuseFile(path, "it has no channel " + part.channels[c]);
+        if (plane == planes.end()) refuseFilm(path, "it has no channel " + part.channels[c]);
         for (std::size_t i = 0; i < plane->second.size(); ++i) values[i * stride + c] = plane->second[i];
     }
 }
@@ -67,13 +63,17 @@ void writeSavedFilm(const std::string& path, const SavedFilm& saved) {
     writeExr(path, saved.film, texts);
 }
 
+void refuseFilm(const std::string& path, const std::string& reason) {
+    throw Error{ExitCode::kBadInput, path + ": not a film to continue: " + reason};
+}
+
 std::optional<SavedFilm> readSavedFilm(const std::string& path) {
     std::error_code failure;
     if (std::filesystem::status(path, failure).type() == std::filesystem::file_type::not_found) return std::nullopt;
     const ExrPicture picture = readExr(path, ExrKind::kFilm);
     SavedFilm saved;
     saved.samples = numberOf(path, picture, kSamples);
-    if (saved.samples == 0) refuseFile(path, "it holds no samples");
+    if (saved.samples == 0) refuseFilm(path, "it holds no samples");
     saved.seed = numberOf(path, picture, kSeed);
     saved.signature = textOf(path, picture, kSignature);
     saved.film.width = picture.width;

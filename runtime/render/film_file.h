@@ -21,6 +21,9 @@ struct SavedFilm {
 /// pointrt.signature. Throws Error kCannotWrite "PATH: reason".
 void writeSavedFilm(const std::string& path, const SavedFilm& saved);
 
+/// Throws Error kBadInput: path is not a film to continue, for this reason.
+[[noreturn]] void refuseFilm(const std::string& path, const std::string& reason);
+
 /// Reads back exactly what writeSavedFilm wrote; nothing if there is no file at path.
 /// Throws Error kBadInput "PATH: reason" if it is not such a file.
 std::optional<SavedFilm> readSavedFilm(const std::string& path);

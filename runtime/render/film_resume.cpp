@@ -14,10 +14,6 @@
 namespace pointrt {
 namespace {
 
-[[noreturn]] void refuseFilm(const std::string& path, const std::string& reason) {
-    throw Error{ExitCode::kBadInput, path + ": not a film to continue: " + reason};
-}
-
 void requireAllParts(const std::string& path, Film& film) {
     forEachFilmPart(film, [&](const FilmPart& part, auto& values) {
         if (values.empty()) refuseFilm(path, "it has no channel " + part.channels.front());

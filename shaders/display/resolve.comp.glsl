@@ -22,7 +22,7 @@ layout(std430, binding = BINDING_RESOLVE_SURFACES) writeonly buffer SurfaceBuffe
 // rgb: albedo, w: variance of the mean luminance
 layout(std430, binding = BINDING_RESOLVE_ALBEDOS) writeonly buffer AlbedoBuffer { vec4 albedos[]; };
 
-// Loads twice what there is only one of: lavapipe would rebuild the program for each value that an `if` depends on.
+// Without an `if` on the number of layers, for each value of which lavapipe would compile the program again.
 vec4 layer(uint pixel, uint which) {
     bool has_earlier = push.samples > float(FILM_BATCH);
     uint batch = which * push.film_pixels + pixel;

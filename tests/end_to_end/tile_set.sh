@@ -52,7 +52,7 @@ case_an_interrupted_bake_says_that_it_goes_on() {
     hill 60000 >a.xyz
     run timeout -s INT 1 pointrt-bake -q a.xyz -o out/a.proset --tile-splats 1000
     [ "$status" = 124 ] || fail "exit status $status: it was not interrupted"
-    grep -q "interrupted; .*resume" stderr || fail "it does not say that it goes on"
+    grep -q "interrupted; .*resume" stderr || fail "it does not say how to resume"
     [ -e out/a.proset.work ] || fail "what was done is gone"
 }
 

@@ -163,7 +163,7 @@ def listsOf(root: pathlib.Path) -> dict[str, list[str]]:
 
 def main() -> int:
     parser = argparse.ArgumentParser()
-    parser.add_argument("--update", action="store_true", help="write the lists anew")
+    parser.add_argument("--update", action="store_true", help="rewrite the lists")
     parser.add_argument("repository", type=pathlib.Path)
     arguments = parser.parse_args()
     findings: list[str] = []
