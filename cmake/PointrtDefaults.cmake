@@ -15,3 +15,9 @@ if(POINTRT_CCACHE)
     endif()
   endforeach()
 endif()
+
+# the default of what makes builds from nothing faster where ccache keeps nothing
+set(POINTRT_WITHOUT_CCACHE ON)
+if(POINTRT_CCACHE)
+  set(POINTRT_WITHOUT_CCACHE OFF)
+endif()

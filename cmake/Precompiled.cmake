@@ -5,11 +5,7 @@
 # builds with it see whether each source includes what it uses, as does the asan preset.
 include_guard(GLOBAL)
 
-set(without_ccache ON)
-if(POINTRT_CCACHE)
-  set(without_ccache OFF)
-endif()
-option(POINTRT_PRECOMPILE "Read other people's headers once, not once a source" ${without_ccache})
+option(POINTRT_PRECOMPILE "Read other people's headers once, not once a source" ${POINTRT_WITHOUT_CCACHE})
 # Lines without variables are enough to know where a program was, and take a tenth less.
 if(POINTRT_PRECOMPILE AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   add_compile_options($<$<CONFIG:RelWithDebInfo>:-g1>)

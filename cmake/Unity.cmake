@@ -5,11 +5,7 @@
 # namespaces must differ.
 include_guard(GLOBAL)
 
-set(without_ccache ON)
-if(POINTRT_CCACHE)
-  set(without_ccache OFF)
-endif()
-option(POINTRT_UNITY "Compile sources in batches, each of which reads headers once" ${without_ccache})
+option(POINTRT_UNITY "Compile sources in batches, each of which reads headers once" ${POINTRT_WITHOUT_CCACHE})
 
 set(POINTRT_UNITY_BATCH 10) # of 6 to 40 sources a room: larger batches no longer fill two cores evenly
 
