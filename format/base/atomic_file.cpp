@@ -46,7 +46,8 @@ std::string describe(int error) {
 
 std::string descriptorPath(int descriptor) { return "/proc/self/fd/" + std::to_string(descriptor); }
 
-/// -1 if the file system has no unnamed files, or without /proc, which linkat needs to name one.
+/// Opens an unnamed file. Returns -1 if the file system does not support that, or if /proc, through which linkat later
+/// names the file, is missing.
 int openUnnamed(const std::string& folder) {
 #ifdef O_TMPFILE
     if (access("/proc/self/fd", X_OK) == 0) return ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, kMode);
@@ -95,7 +96,8 @@ bool renameWithoutReplacing(const std::string& from, const std::string& to) {
 #endif
     if (link(from.c_str(), to.c_str()) == 0) return unlink(from.c_str()) == 0;
     if (errno == EEXIST) return false;
-    // no hard links either, as on FAT: a file that appears between the next two calls is replaced
+    // The file system has no hard links either, like FAT. There is a race: a file that another process creates between
+    // access and rename is replaced.
     if (access(to.c_str(), F_OK) == 0) {
         errno = EEXIST;
         return false;
@@ -139,7 +141,7 @@ bool AtomicFile::openNamed() {
         temporary_ = temporaryStem(path_) + randomLetters();
         descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kMode);
         if (descriptor_ < 0 && errno == EEXIST) continue;
-        if (descriptor_ < 0 && errno == ENOENT && access(folder_.c_str(), F_OK) == 0) { // as in /proc
+        if (descriptor_ < 0 && errno == ENOENT && access(folder_.c_str(), F_OK) == 0) { // /proc does this
             error_ = "cannot create files in " + folder_;
             return false;
         }

@@ -264,7 +264,7 @@ private:
     std::array<CellLists, PRO_BRICK_WORDS> cells_;
 };
 
-/// Appends a member of all parts to all, and frees it.
+/// Appends one array of every part to `all`, and frees it in the parts.
 template <typename All, typename Member>
 void appendAll(All& all, std::vector<Part>& parts, Member member) {
     std::size_t size = all.size();
@@ -277,7 +277,7 @@ void appendAll(All& all, std::vector<Part>& parts, Member member) {
     }
 }
 
-/// Total sizes of the parts before one.
+/// Total sizes of the arrays of all parts before a part.
 struct Offsets {
     std::size_t groups = 0, cells = 0, near = 0, blending = 0;
 };

@@ -37,7 +37,7 @@ struct DataAccess {
 /// Reads and sets the number of elements of a section.
 struct CountAccess {
     std::uint64_t (*get)(const pro_info&, const Content&);
-    void (*set)(Content&, std::uint64_t) = nullptr; ///< null where the header or another section has the count
+    void (*set)(Content&, std::uint64_t) = nullptr; ///< null if the header or another section gives the count
     std::uint64_t limit = 0; ///< largest count that set takes; 0: the count must equal get() as soon as it is read
 };
 
@@ -55,7 +55,7 @@ extern const std::array<SectionRule, 17> kSectionRules; ///< in file order
 /// Null for unknown kinds.
 const SectionRule* findRule(std::uint32_t kind);
 
-/// Points content at the elements of a section, and sets their count where the header does not have it.
+/// Points content at the elements of a section, and sets their count if the header does not give it.
 void setSection(Content& content, const SectionRule& rule, const void* data, std::uint64_t count);
 
 /// The four characters of a kind for messages, with '?' for unprintable ones.
@@ -64,7 +64,7 @@ std::array<char, 5> kindName(std::uint32_t kind);
 /// Whether all sections of the index are present.
 bool isComplete(const pro_index& index);
 
-/// Words in the entry grid by its frame, saturated at 2^64 - 1.
+/// The number of words that the entry grid has according to the header's grid frame, saturated at 2^64 - 1.
 std::uint64_t gridWords(const pro_index& index);
 
 } // namespace pointrt::format

@@ -71,7 +71,7 @@ TileHeader readHeader(const std::string& path) {
     return loadHeader(header.data(), static_cast<std::uint64_t>(status.st_size));
 }
 
-/// "" if it is the tile that the set names.
+/// How the file differs from what set.json says of the tile; "" if it does not.
 std::string differenceOf(const TileSet& set, const SetTile& tile, const TileHeader& header) {
     const auto both = [](const auto& is, const auto& wanted, const char* what) {
         return std::to_string(is) + what + ", not " + std::to_string(wanted);
@@ -147,7 +147,7 @@ ProFile openTile(const TileSet& set, const SetTile& tile, const std::string& fol
     requireSame(set, tile, readHeader(path), path);
     try {
         ProFile file(path, open_flags);
-        // again, as another file may have taken the name meanwhile
+        // checked again: another file may have replaced it since
         requireSame(set, tile, loadHeader(file.bytes().data(), file.bytes().size()), path);
         requireContent(set, file, path);
         return file;

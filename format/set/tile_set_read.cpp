@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads set.json, which may be hostile: keeps only known keys, converts tiles one by one, and bounds everything that is
-// held meanwhile.
+// Reads set.json, which may be hostile: keeps only known keys, converts tiles one by one, and limits the JSON in
+// memory.
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -19,12 +19,12 @@ namespace pointrt {
 
 namespace {
 
-/// ordered_json would take quadratic time in the keys of an object.
+/// Not ordered_json, whose time is quadratic in the number of keys of an object.
 using Json = nlohmann::json;
 
-constexpr int kDepthMax = 64; // settings; printing recurses
-/// Limits of JSON held at a time: a quarter of a million sensors. The parser scans a list at the end of each object in
-/// it, so the product of both limits bounds its time to half a second.
+constexpr int kDepthMax = 64; // of "settings", whose text is printed by a recursive function
+/// Limits of the JSON in memory at a time: enough for a quarter of a million sensors. The parser scans a list at the
+/// end of each object in it, so the product of both limits bounds its time to half a second.
 constexpr std::size_t kValuesMax = std::size_t{1} << 20, kObjectsMax = 256;
 
 constexpr std::string_view kKeys[] = {"format", "version",  "splats",  "input_points", "lattice",  "bounds",

@@ -32,14 +32,14 @@ InputFile openInputFile(const std::string& path, NamedBy named_by = NamedBy::kUs
 /// Releases the memory of the first `bytes` bytes of a mapped file; they are read again if accessed.
 void releasePages(const InputFile& input, std::uint64_t bytes);
 
-/// Releases, from time to time, the pages behind a reader that goes through a input once.
+/// For readers that go through an input once: releases, from time to time, the pages that they have read.
 struct ReleasePagesBehind {
     const InputFile& input;
     std::uint64_t kept_from = 0; ///< bytes before it are released
 
     /// done: number of bytes read
     void operator()(std::uint64_t done) {
-        constexpr std::uint64_t kStep = 8 << 20; // little compared with the memory of a bake, and few calls
+        constexpr std::uint64_t kStep = 8 << 20; // little beside the memory of a bake, and still few calls
         if (done > kept_from + kStep) releasePages(input, kept_from = done);
     }
 };

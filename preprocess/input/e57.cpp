@@ -216,8 +216,8 @@ struct ScanStream {
     }
 };
 
-/// Converters from LAS keep its return numbers, which start at 1, so that some equal the count of returns. Reads these
-/// two columns to find out.
+/// Whether return indices start at 1, as in files converted from LAS, instead of at 0. Then the index of a pulse's last
+/// return equals the number of its returns. Reads these two columns to find out.
 bool countsReturnsFromOne(const InputFile& input, const E57File& file, std::size_t number) {
     const std::vector<E57Column>& columns = file.scans[number].columns;
     std::array<std::int64_t, kBatch> indices, counts;

@@ -136,7 +136,7 @@ Scalar typeFor(const E57Column& column, std::int64_t add) {
     return Scalar::kF64;
 }
 
-/// Without limits in the file the attribute is untyped.
+/// Whether the file states no limits for an integer. The type of the attribute then depends on its values (untyped).
 bool hasNoLimits(const E57Column& column) {
     return column.kind == E57Kind::kWhole && column.least == std::numeric_limits<std::int64_t>::min() &&
            column.most == std::numeric_limits<std::int64_t>::max();

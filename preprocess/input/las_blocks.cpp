@@ -14,15 +14,15 @@
 namespace pointrt {
 namespace {
 
-/// Bytes of records in a block, and in all blocks in flight: with their arrays, about twice as large, and the program
-/// they take less than 64 MiB.
+/// Most bytes of records in one block, and in all blocks in flight together. The arrays that records are decoded to are
+/// about twice as large as the records: with them and the program itself, reading takes less than 64 MiB.
 constexpr std::size_t kMostRecordBytes = std::size_t{8} << 20, kMostUnderWay = std::size_t{12} << 20;
 constexpr std::size_t kBlockPoints = std::size_t{1} << 16;
 
 /// A block in the pipeline.
 struct Job {
-    std::optional<LazChunk> chunk; ///< to unpack
-    const char* records = nullptr; ///< or uncompressed records, in the file or in `unpacked`
+    std::optional<LazChunk> chunk; ///< a whole chunk that is still compressed, if any
+    const char* records = nullptr; ///< uncompressed records, in the file or in `unpacked`; null before unpacking
     std::vector<char> unpacked;
     std::size_t points = 0;
     LasBlock block;
@@ -134,7 +134,7 @@ void toArrays(const LasPlan& plan, std::size_t first, std::size_t count, Job& jo
 
 /// Decodes a few points at a time, so that their records stay in the cache from field to field.
 void toArrays(const LasPlan& plan, Job& job) {
-    constexpr std::size_t kAtOnce = 2048; // of about 30 bytes: with the arrays they fit in a core's own cache
+    constexpr std::size_t kAtOnce = 2048; // records of about 30 bytes: with their arrays they fit in a core's own cache
     job.block.positions.resize(job.points);
     job.block.values.resize(plan.fields.size());
     for (std::size_t f = 0; f < plan.fields.size(); ++f)

@@ -19,7 +19,7 @@ bool isUnit(const double* v) {
     return std::abs(length - 1) <= kUnitTolerance;
 }
 
-/// Markers of a missing normal.
+/// Whether v marks a missing normal: zeros, or NaN.
 bool isMissing(const double* v) {
     return (v[0] == 0 && v[1] == 0 && v[2] == 0) || std::isnan(v[0]) || std::isnan(v[1]) || std::isnan(v[2]);
 }
@@ -42,7 +42,7 @@ bool isConstant(const ColumnStatistics& statistics, std::size_t column) {
     return statistics.least[column] == statistics.most[column];
 }
 
-/// A constant alpha.
+/// Whether a column can be the alpha of opaque points: always 255, or always 1.
 bool isOpaque(const ColumnStatistics& statistics, std::size_t column) {
     return isConstant(statistics, column) && (statistics.most[column] == 255 || statistics.most[column] == 1);
 }
@@ -53,7 +53,7 @@ std::optional<std::size_t> findNormals(const ColumnStatistics& statistics, std::
     return std::nullopt;
 }
 
-/// Other properties of the list.
+/// What else is known of the list: whether it is a .pts file, and whether normals were found.
 struct Others {
     bool is_pts, normals;
 };
@@ -64,17 +64,17 @@ struct ColorPlace {
     bool doubtful = false;
 };
 
-/// Which end of the integers "a b c d" is an intensity, decided by which of them exceed a byte: 'a', 'd', or 0 if
-/// undecided.
+/// Which of the integer columns a, b, c and d is an intensity: 'a', 'd', or 0 if undecided. b and c are colours in
+/// either case. If all three colours exceed a byte, or none does, the intensity is the end that differs from b and c.
 char intensityByWidth(const ColumnStatistics& statistics, std::size_t a) {
     const auto wide = [&](std::size_t i) { return statistics.most[a + i] > 255; };
     if (wide(1) != wide(2) || wide(0) == wide(3)) return 0;
     return wide(0) == wide(1) ? 'd' : 'a';
 }
 
-/// Which of "a b c d" are colours: the first three if d is constant, an alpha or an unused intensity; otherwise all but
-/// the intensity, a or d. If undecided, it is a in lists of points and intensities, as in .pts files, and d beside
-/// normals, as programs write it there.
+/// Which of the columns a, b, c and d are colours. a, b and c if d is an alpha or, except in .pts files, constant;
+/// otherwise all but the intensity, which is a or d. If the values fit both, the intensity is d in lists with normals
+/// and a in others, as programs write them.
 std::optional<ColorPlace> colorsOfFour(const ColumnStatistics& statistics, std::size_t a, const Others& others) {
     const bool first = colorLike(statistics, a), second = colorLike(statistics, a + 1);
     if (!first && !second) return std::nullopt;
@@ -89,7 +89,7 @@ std::optional<ColorPlace> colorsOfFour(const ColumnStatistics& statistics, std::
     return ColorPlace{others.normals ? a : a + 1, !others.is_pts && !(unused_first && !others.normals)};
 }
 
-/// Colours among the columns from begin to end.
+/// Finds the colours among the columns [begin, end).
 std::optional<ColorPlace> colorsOfRun(const ColumnStatistics& statistics, std::size_t begin, std::size_t end,
                                       const Others& others) {
     if (end - begin == 4) return colorsOfFour(statistics, begin, others);

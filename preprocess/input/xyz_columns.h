@@ -16,7 +16,8 @@ namespace pointrt {
 struct ColumnStatistics {
     static constexpr std::size_t kMax = 7; ///< columns after x, y, z that are examined
     std::array<bool, kMax> whole;          ///< integers only
-    /// This column and the next two are unit vectors, zeros or NaN, and at least one is a unit vector.
+    /// unit: in every row, this column and the next two are a unit vector, zeros or NaN. directed: in some row, a unit
+    /// vector.
     std::array<bool, kMax> unit, directed;
     std::array<double, kMax> least, most;
     ColumnStatistics();
@@ -32,12 +33,15 @@ struct ColumnGuess {
     std::string doubt;                    ///< a note for the user about the guess, or empty
 };
 
-/// Column meanings of a list with column_count columns. 6: normals or rgb. 7: intensity and rgb, rgb and alpha or
-/// intensity, or normals and one more. 9 or 10: normals and, before or after them, what 3 or 4 columns alone would be.
-/// Otherwise only x, y, z are read. Colours are integers up to 65535 or in [0, 1]. If four columns may be intensity and
-/// rgb in either order, the guess gets a doubt, except in .pts files (is_pts), whose order is used. A single column
-/// beside colours that is not alpha is an intensity, if there is no doubt; so is the fourth of a .pts file. Other
-/// columns that are not read also give a doubt.
+/// Guesses the columns of a list with column_count columns, of which the first three are x, y and z:
+///  - 6: normals or rgb
+///  - 7: rgb and an intensity or alpha, or normals and a column that is not read
+///  - 9 or 10: normals and, before or after them, rgb, perhaps with an intensity or alpha
+///  - others: only x, y and z are read
+/// Colours are integers up to 65535, or numbers in [0, 1]. The intensity may be before or after rgb: if the values fit
+/// both, the guess gets a doubt, except in .pts files (is_pts), whose order is known. The only column besides xyz,
+/// normals and colours is an intensity, unless it is an alpha or there is a doubt. So is the fourth column of a .pts
+/// file with four columns. Other columns are not read, which also gives a doubt.
 ColumnGuess guessColumns(const ColumnStatistics& statistics, std::size_t column_count, bool is_pts);
 
 } // namespace pointrt

@@ -102,8 +102,8 @@ Audit LeafPruner::audit(ProbeSequence& sequence, std::uint32_t probes) {
     return result;
 }
 
-/// Compares the first hit and the blended surface there with and without the dropped discs, and restores missing discs.
-/// Returns whether none was missing.
+/// Casts a probe ray. Compares its first hit, and the blended surface there, with and without the dropped discs, and
+/// restores discs until they agree. Returns false if a disc was restored.
 bool LeafPruner::probe(const Chord& chord) {
     const FirstHits hits = castRay(list_, chord.origin, chord.direction, chord.length);
     if (std::isinf(hits.any)) return true;
@@ -149,7 +149,8 @@ bool LeafPruner::weighDropped(const FirstHit& hit, float t) {
     return true;
 }
 
-/// The sums at the point of the last weighAt, raised to the minimum weight: fillUp of shaders/trace/blend.glsl.
+/// The sums at the point of the last weighDropped, raised to the minimum weight: addFloorWeight of
+/// shaders/trace/blend.glsl.
 FieldSums LeafPruner::fieldAround(const FirstHit& hit, bool only_kept) const {
     FieldSums field = sumField(list_, only_kept);
     const float missing = std::max(BLEND_WEIGHT_FLOOR - field.weight, 0.0f);

@@ -14,7 +14,7 @@ std::pair<std::uint32_t, bool> ParitySets::find(std::uint32_t point) {
     bool flipped = false;
     while (parent_[point] != point) {
         const std::uint32_t parent = parent_[point];
-        // Path halving: makes the point a child of its grandparent. That is right for children of the root, too: a
+        // Path halving: makes the point a child of its grandparent. This changes nothing if the parent is the root: a
         // root is its own parent, and its flag is 0.
         flipped_[point] ^= flipped_[parent];
         parent_[point] = parent_[parent];

@@ -59,8 +59,8 @@ void connect(PointGraph& graph, const Estimation& job) {
     widenLineNeighborhoods(graph.lists, graph.points, *graph.search, {job.progress, kNeighborStage, kSearch, 1});
 }
 
-/// Turns normals to decided sides. Not at a grazing angle: a side was decided for a wide neighbourhood, whose normal
-/// may be that far off.
+/// Turns normals to the decided sides. Leaves a normal that is nearly perpendicular to its decided side: that was
+/// decided for a wide neighbourhood, whose normal may differ by so much.
 void faceDecidedSides(PointSet& points, const std::vector<Vec3f>& sides) {
     constexpr float kGrazing = 0.3f; // cosine of 73 degrees
     for (std::size_t i = 0; i < points.size() && !sides.empty(); ++i) {
@@ -88,13 +88,13 @@ bool setNormals(PointGraph& graph, bool given_sides, const Estimation& job) {
     return report.oriented;
 }
 
-/// What scans say of their points.
+/// What is known of the points before estimation, from the cloud's scans.
 struct ScanPriors {
     std::vector<std::size_t> first_points; ///< [scans]
     std::vector<std::uint8_t> silhouettes; ///< [points of the cloud], flagSilhouettes
 };
 
-/// Removes the quantisation of depths and takes the priors, both of which need the cloud's range grids.
+/// Finds the priors, and removes the quantisation of depths. Both need the cloud's range grids.
 ScanPriors takePriors(Cloud& cloud, const Estimation& job) {
     ScanPriors priors;
     for (const Scan& scan : cloud.scans) priors.first_points.push_back(scan.first_point);
@@ -118,8 +118,8 @@ void applyPriors(PointSet& points, const ScanPriors& priors) {
         points.at_silhouette[i] = priors.silhouettes[points.input_index[i]];
 }
 
-/// A surface was found among noisy points, however scattered they were, if their support is high: it is above 70% for
-/// nine in ten points of the noisiest scans.
+/// Raises the planarity weight of noisy points around which cleaning has found a surface, however scattered they were:
+/// to 1 for a support of kSure, which nine in ten points of the noisiest scans reach, and to 0 for kNone.
 void raisePlanarity(PointSet& points) {
     if (points.support.empty()) return;
     constexpr float kNone = 0.5f, kSure = 0.7f;
@@ -152,7 +152,7 @@ void clean(PointGraph& graph, const ScanPriors& priors, const Estimation& job) {
     report.clean_moved = std::max(cleaned.moved, report.dequantized.moved);
 }
 
-/// Sets planarity weights. Before cleaning, which puts surfaces through scattered points.
+/// Sets planarity weights. Called before cleaning, after which scattered points would lie on surfaces, too.
 void setPlanarity(PointGraph& graph, const Estimation& job) {
     const Stopwatch watch(job.report.seconds_radii);
     const StageProgress silent;
@@ -164,8 +164,8 @@ void setPlanarity(PointGraph& graph, const Estimation& job) {
     job.report.scattered = weighPlanarity(graph, job.decided.statistics.scattered, inner, {silent, kRadiusStage});
 }
 
-/// Inserts points between scan lines and gives them the input indices from cloud_count up. Returns the input index of
-/// the point that each of them was copied from.
+/// Inserts points between scan lines. Their input indices count up from cloud_count. Returns for each of them the input
+/// index of the point that it was copied from.
 std::vector<std::uint32_t> fill(PointGraph& graph, std::size_t cloud_count, const Estimation& job) {
     std::vector<std::uint32_t> sources = fillBetweenLines(graph, job.decided.statistics.fill_rows, job.report.filling,
                                                           {job.progress, kRadiusStage, 0, kFillShare});

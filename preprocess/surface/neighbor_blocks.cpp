@@ -59,7 +59,7 @@ void BlockSearch::fillBlock(std::size_t begin, std::size_t end) {
         bound *= kMargin;
         measure(positions[i]);
         keepWithin(bound * bound);
-        if (kept_count_ < wanted_) { // squared distances underflow
+        if (kept_count_ < wanted_) { // the points are so close that their squared distances underflow
             fillAlone(i);
             continue;
         }

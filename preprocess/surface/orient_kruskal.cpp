@@ -14,7 +14,7 @@
 namespace pointrt::surface {
 namespace {
 
-/// One normal of an edge, reflected in the edge's bisecting plane, against the other.
+/// Compares the normal at one end of an edge, reflected in the plane that bisects the edge, with that at the other end.
 struct Reflection {
     float cosine; ///< of the normals as they are
     float scaled; ///< of the reflected one, times length_squared
@@ -63,11 +63,12 @@ bool listedByNeighbor(const NeighborLists& lists, std::size_t point, std::uint32
     return std::find(theirs.begin(), theirs.end(), std::uint32_t(point)) != theirs.end();
 }
 
-/// Quantiles at which the sorted edges are cut into parts. Over sampled meshes and raw range scans, no part then holds
-/// more than 2 or 3 of the 10 edges per point, because most edges of later parts no longer join two sets.
+/// Quantiles at which the sorted edges are cut into parts, only one of which is in memory at a time. For sampled meshes
+/// and raw range scans no part holds more than 2 or 3 of the 10 edges per point: most edges of later parts are left
+/// out, because their points are in one set already.
 constexpr double kCuts[] = {0.25, 0.5, 0.75};
 
-/// The edges at the cuts, from a sample of one point in 64, then the end of all edges.
+/// The upper bound of each part: the quantiles of the edges of one point in 64, and a bound of all edges.
 std::vector<std::uint64_t> cutEdges(const Graph& graph) {
     const NeighborLists& lists = graph.lists;
     constexpr std::size_t kStep = 64;
@@ -122,8 +123,9 @@ void joinAlong(const std::vector<std::uint64_t>& edges, const Graph& graph, Pari
 } // namespace
 
 Agreement agreementOf(const PointSet& points, std::size_t a, std::size_t b) {
-    // Weight of edges that join sheets, or seem to by noise: less than edges along a surface, whose squared cosine is
-    // below it only if they leave its plane by 37 degrees, but more than edges from sheet to sheet across corners.
+    // Factor for edges that join sheets, or seem to because of noise, so that they come after edges along a surface:
+    // those have less than this only if they leave its plane by 25 degrees (cos^2 of twice that is 0.4). It is large
+    // enough for them to come before edges that run from sheet to sheet across a corner.
     constexpr float kBetween = 0.4f;
     const Reflection reflection = reflectionOf(points, a, b);
     const float reflected = reflection.scaled / reflection.length_squared;

@@ -13,7 +13,8 @@ namespace {
 /// leaves in a mean falls with the number of points, the bias from curvature grows with the radius squared. Factors of
 /// 15 to 25 times sqrt(0.34) spacings, the Dragon's noise, give the same result to 1%; 10 is the least of those.
 constexpr float kSupportRadius = 10;
-/// Limits of the support radius: 28 neighbours, for the 6 terms of a quadric, to 113.
+/// Limits of the support radius: within 3 spacings are 28 neighbours, enough for the 6 terms of a quadric; within 6,
+/// 113.
 constexpr float kLeastSpacings = 3, kMostSpacings = 6;
 
 constexpr int kRounds = 2; // a third changes nothing; with one, a sixth more pixels are off in depth
@@ -37,7 +38,7 @@ float supportRadius(float sigma, float spacing) {
     return std::clamp(kSupportRadius * std::sqrt(sigma * spacing), kLeastSpacings * spacing, kMostSpacings * spacing);
 }
 
-/// 0 for points without noise.
+/// The support radius of each point; 0 for points without noise, which stay.
 std::vector<float> supportRadii(const NeighborLists& lists, const std::vector<float>& sigma, float strength) {
     std::vector<float> radii(sigma.size(), 0);
     for (std::size_t i = 0; i < radii.size(); ++i)
@@ -91,9 +92,9 @@ void moveOnce(Projection& job, std::vector<float>* support, const StageShare& sh
     points.normals = std::move(normals);
 }
 
-/// Puts points scattered in space back, with their normals. Averages support over neighbours to find them: a single
-/// noisy point far from the surface has little of its own, and still belongs there. Returns the average for points
-/// that moved, 0 for others.
+/// Moves points scattered in space back to where they were, with their normals: points whose support, averaged over
+/// their neighbours, is low. A noisy point far from the surface has low support itself, but its neighbours do not.
+/// Returns the average for points that have moved, 0 for others.
 std::vector<float> putScatteredBack(Projection& job, const std::vector<float>& support,
                                     const std::vector<Vec3f>& normals) {
     const NeighborLists& lists = job.graph.lists;

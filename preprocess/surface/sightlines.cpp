@@ -77,7 +77,7 @@ struct Job {
     }
 };
 
-/// Whether a sensor that saw these points, relative to it, represents a direction, or saw nothing.
+/// Whether a sensor represents a direction, or saw nothing. seen: the points that it saw, relative to it.
 bool isDirection(const std::vector<Vec3f>& seen) {
     Vec3f mean = Vec3f::Zero();
     for (const Vec3f& each : seen) mean += each.normalized();
@@ -164,8 +164,8 @@ std::vector<float> ownSightlines(const Job& job, const StageShare& share) {
     return nearest;
 }
 
-/// [sensors], 1 if the sensor is consistent: its sightlines pass very close to few of its own points. Points that they
-/// pass very close to must be another scanner's.
+/// [sensors], 1 if the sensor is consistent with the points attributed to it: its sightlines pass right beside few of
+/// them. A surface that a scanner has measured blocks its sightlines, so points that do not were measured by another.
 std::vector<std::uint8_t> consistentSensors(const Job& job, const std::vector<float>& nearest) {
     std::vector<std::size_t> points(job.sensors.size()), inside(job.sensors.size());
     for (std::size_t i = 0; i < job.measured; ++i) {

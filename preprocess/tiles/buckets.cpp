@@ -32,7 +32,7 @@ void verify(const std::string& path, const Bucket& bucket, const BucketTrailer& 
         refuse(path, "is damaged: its checksum does not match");
 }
 
-/// @param whole whether to check all of its bytes
+/// @param whole whether to verify the checksum of all records
 Bucket openBucket(const SetPlan& plan, const PlanTile& tile, const BucketLayout& layout, bool whole) {
     const std::string path = bucketFile(plan, tile);
     Bucket bucket{std::make_unique<format::MappedFile>(), nullptr, 0, coreOf(plan, tile).min()};

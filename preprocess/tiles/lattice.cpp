@@ -8,8 +8,8 @@ namespace pointrt {
 
 namespace {
 
-/// One axis of codeIn. Cells have 32 bits and codes 20. Levels differ by up to kTileSetLevelsMax without overflow, as
-/// cells of a higher level are as many bits smaller.
+/// codeIn for one axis. Does not overflow: cells have 32 bits, codes 20, and cells of a level that is higher by n have
+/// n bits less.
 std::int64_t stepIn(const TileKey& to, const TileKey& from, std::size_t axis, std::int32_t code) {
     std::int64_t step = std::int64_t{from.cell[axis]} * kCoreSteps + code;
     if (from.level > to.level)

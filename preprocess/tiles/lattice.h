@@ -44,8 +44,9 @@ PositionCode codeOf(const TileSet& set, const TileKey& tile, const Vec3d& positi
 /// Position of a code, input coordinates.
 Vec3d positionOf(const TileSet& set, const TileKey& tile, const PositionCode& code);
 
-/// Converts a code of one tile to another: on the same level exactly the same position; between levels the step of the
-/// second that contains the middle of the first one's step. nullopt if that is not in the second one's cube.
+/// Converts a code of a tile to a code of another tile. If they are on the same level, the position stays exactly the
+/// same. Otherwise the result is the step of the other level that contains the middle of the given step. nullopt if it
+/// is outside the other tile's cube.
 std::optional<PositionCode> codeIn(const TileKey& to, const TileKey& from, const PositionCode& code);
 
 } // namespace pointrt

@@ -16,30 +16,32 @@
 namespace pointrt {
 namespace {
 
-/// Number of places, and their largest number of points.
+/// The number of places to measure, and the most points of a place.
 struct Sampling {
     std::uint64_t places, points;
 };
 
-/// Takes three seconds; enough for a scan with uniform noise.
+/// Places for the noise. They take three seconds, and suffice if the noise is the same throughout a scan.
 constexpr Sampling kNoiseSampling{8, 20'000};
 
-/// Shares and quantiles of all points need more places; without cleaning these take half a second.
+/// Places for the other statistics. Shares and quantiles of all points need more of them; as they are not cleaned, they
+/// take half a second.
 constexpr Sampling kOtherSampling{32, 6'000};
 
-/// One of `of` places at even steps along a tile's points, in reading order.
+/// A place to measure: the surroundings of one point. A tile's places (`of` of them) are at even steps along its points
+/// in reading order.
 struct Place {
     std::uint32_t tile = 0;
     std::uint64_t number = 0, of = 1;
 };
 
-/// A part of a cloud, with flags for points whose neighbourhood is complete.
+/// A part of a cloud; inner flags the points whose neighbours are all in it.
 struct CutCloud {
     Cloud cloud;
     std::vector<std::uint8_t> inner;
 };
 
-/// The box of a place.
+/// A cube around a point.
 struct Box {
     Vec3f middle;
     float half_edge = 0;
@@ -47,7 +49,7 @@ struct Box {
     float distanceTo(const Vec3f& position) const { return (position - middle).cwiseAbs().maxCoeff(); }
 };
 
-/// The box around one of the points that holds `count` points.
+/// The cube around the point of a place that holds `count` points, or all if there are no more.
 Box boxOf(const Cloud& bucket, const Place& place, std::size_t count) {
     Box box{bucket.positions[(2 * place.number + 1) * bucket.positions.size() / (2 * place.of)],
             std::numeric_limits<float>::infinity()};
@@ -61,8 +63,8 @@ Box boxOf(const Cloud& bucket, const Place& place, std::size_t count) {
     return box;
 }
 
-/// The positions and scans of a place. Keeps the order of points, so that scans stay consecutive. A tenth of the width
-/// of a place of 6,000 points on a surface is eight spacings; neighbours are within three.
+/// The points of a place, in their order, so that scans stay consecutive. Inner points are at least a tenth of the
+/// cube's width from its faces: for 6,000 points on a surface that is eight spacings, and neighbours are within three.
 CutCloud cut(const Cloud& bucket, const Place& place, std::size_t count) {
     constexpr float kInner = 0.8f;
     const Box box = boxOf(bucket, place, count);
@@ -112,7 +114,8 @@ void measurePlace(CutCloud&& part, const SurfaceOptions& options, std::optional<
     }
 }
 
-/// Places in the tiles holding every n-th point; as many in each as its points allow.
+/// Distributes the places over the tiles in proportion to their points, but at most one place for each
+/// sampling.points points of a tile.
 std::vector<Place> placesOf(const SetPlan& plan, const Sampling& sampling) {
     std::vector<Place> places;
     std::uint64_t before = 0;
@@ -128,7 +131,7 @@ std::vector<Place> placesOf(const SetPlan& plan, const Sampling& sampling) {
     return places;
 }
 
-/// Measures all places. common_reach: see CloudStatistics
+/// Measures all places. common_reach: see CloudStatistics.
 void measurePlaces(const SetPlan& plan, const Sampling& sampling, SurfaceOptions options,
                    std::optional<float> common_reach, const PlaceResult& result) {
     options.orient = OrientMode::kUp; // sides do not affect these statistics
@@ -145,7 +148,7 @@ void measurePlaces(const SetPlan& plan, const Sampling& sampling, SurfaceOptions
     }
 }
 
-/// Noise by scan, from the values of its places.
+/// The noise of each scan: the median of its places, or the median of all places if it has none.
 std::vector<float> noiseOf(const std::vector<std::vector<float>>& of_scan) {
     std::vector<float> all, noise;
     for (const std::vector<float>& values : of_scan) all.insert(all.end(), values.begin(), values.end());
@@ -176,7 +179,7 @@ CloudStatistics measureStatistics(const SetPlan& plan) {
                   [&](const SurfaceReport& report, const Splats& splats, auto&) { places.add(report, splats); });
     CloudStatistics statistics = places.statistics();
     statistics.common_reach = common_reach;
-    // places miss the widest discs; unless points have radii, the limit is found from all discs (widest_radius.h)
+    // the places miss the widest discs: unless the input gives radii, widest_radius.h finds the limit from all discs
     if (!plan.schema.radii) statistics.radius_limit = std::numeric_limits<float>::max();
     if (plan.bake.surface.clean > 0) statistics.noise = measureNoise(plan, common_reach);
     return statistics;

@@ -12,14 +12,14 @@ namespace pointrt {
 
 namespace {
 
-/// Few enough to have one density, enough that a cell more or less along an edge matters little: on a surface 256 to
-/// 1024 discs make 6 to 13 cells.
+/// Most discs of a region: few enough for a uniform density, and enough that one more cell along an edge changes
+/// little: regions of 256 to 1024 discs on a surface have 6 to 13 cells along an edge.
 constexpr std::size_t kRegionDiscs = 1024;
-/// Number of halvings: as fine as position codes.
+/// Most halvings of the cube into regions, which are then as small as a step of position codes.
 constexpr int kDepthMax = 20;
 /// A plane intersects this many cells of edge 1 per unit of area, averaged over directions.
 constexpr double kCellsPerArea = 1.5;
-/// Limit of cells along an edge; on surfaces a cell holds a single disc before.
+/// Most cells along an edge; on a surface, fewer are enough for a single disc in each.
 constexpr std::uint32_t kCellsMax = 128;
 
 struct Region {
@@ -95,7 +95,8 @@ double missOf(const MergeGroups& groups, double wanted) {
     return std::max(ratio, 1 / ratio);
 }
 
-/// Searches for the number of cells, starting from that of a surface, upwards or downwards while the ratio improves.
+/// Groups the discs of a region into about share times their number. Searches for the number of cells along an edge:
+/// starts with that of a plane, and goes up or down as long as the number of groups gets closer.
 MergeGroups groupRegion(const MergeDiscs& discs, const Region& region, double share, bool oriented) {
     const double wanted = std::max(1.0, share * (region.end - region.begin));
     const auto guess = static_cast<std::uint32_t>(std::round(std::sqrt(wanted / kCellsPerArea)));

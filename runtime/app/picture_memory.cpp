@@ -62,9 +62,10 @@ void requirePictureMemory(const RenderSession& session, const Options& options) 
     const std::uint64_t bytes = pictureBytes(session, options), available = availableMemory();
     if (bytes <= available) return;
     const RenderSettings& settings = session.settings;
+    const SizeAndLimit shown = sizeAndLimit(bytes, available, gibibytes);
     throw Error{ExitCode::kCannotRun, named(options) + "a picture of " + std::to_string(settings.width) + "x" +
-                                          std::to_string(settings.height) + " pixels needs " + gibibytes(bytes) +
-                                          " of memory, but only " + gibibytes(available) + " are free"};
+                                          std::to_string(settings.height) + " pixels needs " + shown.size +
+                                          " of memory, but only " + shown.limit + " are free"};
 }
 
 } // namespace pointrt

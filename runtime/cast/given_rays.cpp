@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
+#include "runtime/cast/ray_interval.h"
 #include "shaders/shared/params.h"
 
 namespace pointrt {
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kNumbers = 6, kTexelBytes = 16;
 
-constexpr gpu::GivenHit kMiss{std::numeric_limits<double>::infinity(), NO_INDEX, 0};
+constexpr gpu::GivenHit kMiss{kInfinity, NO_INDEX, 0};
 
 gpu::GivenPush pushOf(const RayFrame& frame, const RayLimits& limits, std::size_t rays) {
     const double scale = frame.space.scale;

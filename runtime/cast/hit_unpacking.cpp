@@ -8,13 +8,14 @@
 
 #include "format/base/error.h"
 #include "pointrt/pro.h"
+#include "runtime/cast/ray_interval.h"
 #include "runtime/cast/shape_hit.h"
 #include "shaders/shared/params.h"
 
 namespace pointrt {
 namespace {
 
-constexpr double kFarthest = std::numeric_limits<double>::infinity(), kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 void requireSize(std::size_t size, std::size_t wanted, const char* name) {
     if (size != 0 && size != wanted)
@@ -51,11 +52,11 @@ Vec3 normalAt(const InstanceList& list, const RayHit& hit, Vec3 position) {
 
 void putIds(const InstanceList& list, std::size_t row, const RayHit& hit, const HitArrays& arrays) {
     const bool is_splat = hit.instance < list.instances.size();
-    const std::uint32_t elsewhere = hit.instance == kShape ? kShapesInstance : kFarthest;
-    if (!arrays.splat_ids.empty()) arrays.splat_ids[row] = is_splat ? hit.splat : kFarthest;
+    const std::uint32_t elsewhere = hit.instance == kShape ? kShapesInstance : kNoHit;
+    if (!arrays.splat_ids.empty()) arrays.splat_ids[row] = is_splat ? hit.splat : kNoHit;
     if (!arrays.instance_ids.empty())
         arrays.instance_ids[row] = is_splat ? list.instances[hit.instance].scene_instance : elsewhere;
-    if (!arrays.tile_ids.empty()) arrays.tile_ids[row] = is_splat ? list.instances[hit.instance].tile : kFarthest;
+    if (!arrays.tile_ids.empty()) arrays.tile_ids[row] = is_splat ? list.instances[hit.instance].tile : kNoHit;
 }
 
 } // namespace
@@ -79,7 +80,7 @@ RayHit hitOf(const gpu::CastHit& found, std::uint32_t instance, const RayStart& 
 
 void putHit(const InstanceList& list, const RayRows& rays, std::size_t row, const RayHit& hit,
             const HitArrays& arrays) {
-    if (!arrays.t_hit.empty()) arrays.t_hit[row] = hit.instance != kNothing ? hit.t : kFarthest;
+    if (!arrays.t_hit.empty()) arrays.t_hit[row] = hit.instance != kNothing ? hit.t : kInfinity;
     putIds(list, row, hit, arrays);
     if (!arrays.normals.empty() || !arrays.positions.empty()) putVectors(list, rays, row, hit, arrays);
 }

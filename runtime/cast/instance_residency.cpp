@@ -23,7 +23,7 @@ constexpr std::size_t kTileAllocations = 16;
 /// Margin around a file's box as a share of its size, larger than the rounding errors of the box tests.
 constexpr double kFileMargin = 1e-4;
 
-/// A box around all discs of a file, world units: around its entry grid.
+/// A box in world units that contains all discs of a file: its entry grid, with a margin.
 Bounds boxOf(const DeviceScan& scan, const Placement& placement) {
     pro_info grid = scan.info;
     const double cell = scan.info.scale * std::ldexp(1.0, static_cast<int>(scan.index.shift) - PRO_POSITION_BITS);
@@ -139,7 +139,7 @@ void InstanceResidency::loadFiles(const std::vector<std::uint32_t>& files) {
     const OnError undo([&] {
         for (DeviceScan& scan : scans) destroyScan(device_, scan);
     });
-    forAll(files.size(), [&](std::size_t k) { // opening checks a file, which reads all of it
+    forAll(files.size(), [&](std::size_t k) { // in parallel, as opening a file reads all of it, to check it
         const InstanceFile& file = list_.files[files[k]];
         if (isTile(files[k])) {
             const InstanceSet& set = list_.sets[file.set];
@@ -150,7 +150,7 @@ void InstanceResidency::loadFiles(const std::vector<std::uint32_t>& files) {
     for (std::size_t k = 0; k < files.size(); ++k) {
         uploadScan(device_, scans[k], {});
         add(files[k], std::exchange(scans[k], {}));
-        // it may take more than expected; the tile just loaded is the most recently used and stays
+        // a tile may take more than expected; the one just loaded is the most recently used, so it is not evicted
         while (resident_.bytes() > memory_ && resident_.evictable() > 1) evictOldest();
     }
 }
@@ -182,8 +182,9 @@ std::uint64_t InstanceResidency::bytesExpected(std::uint32_t file) const {
 }
 
 void InstanceResidency::refuseTile(std::uint64_t bytes) const {
-    throw Error(ExitCode::kBadUsage, "one tile needs " + mebibytes(bytes) + " but the limit is " + mebibytes(memory_) +
-                                         ": allow more memory");
+    const SizeAndLimit shown = sizeAndLimit(bytes, memory_, mebibytes);
+    throw Error(ExitCode::kBadUsage,
+                "one tile needs " + shown.size + " but the limit is " + shown.limit + ": allow more memory");
 }
 
 void InstanceResidency::place(std::uint32_t number) {

@@ -3,10 +3,14 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 
 #include "runtime/util/vec.h"
 
 namespace pointrt {
+
+/// The distance of a miss, and the end of an unbounded interval.
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// An interval along a ray, in lengths of its direction.
 struct RayInterval {

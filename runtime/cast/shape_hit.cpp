@@ -4,14 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "runtime/cast/ray_interval.h"
 
 namespace pointrt {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Two distances along a ray; infinite for none.
 using Places = std::array<double, 2>;

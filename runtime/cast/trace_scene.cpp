@@ -27,7 +27,7 @@ std::size_t slotCount() { return std::clamp(std::thread::hardware_concurrency(),
 /// Rays traced from instance to instance at once, 52 bytes each. The more, the less often tiles are reloaded.
 constexpr std::size_t kBatchRays = std::size_t{1} << 20;
 
-/// Reads the scene. Shapes take an instance number as well.
+/// Reads the scene. Refuses shapes with more than 254 instances, as they take an instance number, too.
 InstanceList described(const std::vector<std::string>& paths) {
     InstanceList list = describeInstances(paths);
     if (!list.shapes.empty() && list.scene_instances.size() >= kShapesInstance)
@@ -91,7 +91,7 @@ struct TraceScene::State {
                    const std::size_t first = k * most, count = std::min(most, rays - first);
                    bool done = false;
                    slots.with([&](CastSlot& slot) { done = trace(slot, first, count); });
-                   if (!done) castAndPut(request, first, count, put); // takes slots of its own
+                   if (!done) castAndPut(request, first, count, put); // after the slot is free: it takes slots itself
                },
                slots.most());
     }

@@ -26,7 +26,7 @@ using ScanNumbers = std::vector<std::optional<SplatNumbers>>;
 /// Calls visit(number) for the finite numbers of every step-th block of splats.
 template <typename Visit>
 void visitNumbers(const PlacedScan& scan, const SplatNumbers& source, std::size_t step, const Visit& visit) {
-    constexpr std::size_t kBlock = 64; // small: neighbours are alike, so many blocks sample better
+    constexpr std::size_t kBlock = 64; // many small blocks sample better than a few large ones: neighbours are alike
     double numbers[kBlock];
     const std::size_t count = scan.file->info.splat_count;
     for (std::size_t first = 0; first < count; first += kBlock * step) {

@@ -14,9 +14,10 @@
 namespace pointrt {
 namespace {
 
-/// Sample size: its extremes differ from those of all splats by 0.2% of the picture; by 0.8% with an eighth of it.
+/// Size of the sample. Its extent differs from that of all splats by 0.2% of the picture; with an eighth of it, by
+/// 0.8%.
 constexpr std::uint64_t kSamples = 65536;
-/// Limit for the splats read from a set: 64 MiB, which take 0.2 seconds from memory and a second from a slow disk.
+/// Most splats to read from a set: 64 MiB, which take 0.2 seconds if they are cached and a second from a slow disk.
 constexpr std::uint64_t kSplatsOfSet = std::uint64_t{4} << 20;
 
 /// sRGB to linear: IEC 61966-2-1.
@@ -57,14 +58,15 @@ void addSplats(const DeviceScan& file, const Placement& placement, std::uint64_t
     }
 }
 
-/// The step through a tile, so that its part of the sample is in proportion to the original splats it represents.
+/// One splat in so many is taken from a tile, so that its part of the sample is in proportion to the original splats
+/// that it represents.
 std::uint64_t stepThrough(const SetTile& tile, std::uint64_t originals, std::uint64_t step) {
     const double kept = static_cast<double>(tile.splats) / static_cast<double>(std::max<std::uint64_t>(1, originals));
     return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(kept * static_cast<double>(step)));
 }
 
-/// The first splat to take, evenly distributed over the tiles. If all began at 0, their low corners would have more
-/// weight.
+/// The first splat to take from a tile: different for each, because always starting at 0 would give more weight to the
+/// low corners of tiles.
 std::uint64_t firstOf(std::size_t tile, std::uint64_t step) {
     constexpr double kGolden = 0.6180339887498949;
     const double turns = kGolden * static_cast<double>(tile);
@@ -88,7 +90,7 @@ void addTiles(const SceneSet& set, const Placement& placement, std::uint64_t ste
     }
 }
 
-/// Uses the root alone if a tile cannot be read: that is reported when the tile is loaded.
+/// Samples the root alone if a tile cannot be read. The error is reported later, when the tile is loaded.
 void addSet(const SceneSet& set, const Placement& placement, std::uint64_t step, SceneSample& sample) {
     try {
         addTiles(set, placement, step, sample);
@@ -111,7 +113,7 @@ void addSensors(const DeviceScan& file, const Placement& placement, SceneSample&
     }
 }
 
-/// For each instance of the description; original splats of sets.
+/// The number of splats of each instance of the description; of sets, only original splats count.
 std::vector<std::uint64_t> splatCounts(const DeviceScene& scene, const std::vector<const DeviceScan*>& scans) {
     std::vector<std::uint64_t> counts;
     for (const DeviceScan* scan : scans) counts.push_back(scan->info.splat_count);

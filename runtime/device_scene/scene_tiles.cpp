@@ -26,13 +26,14 @@ namespace {
 /// Share of the device's own memory for tiles. The rest is left to films, programs and other processes.
 constexpr double kDeviceShare = 0.75;
 
-/// Rounding errors of a tile's hits, in its cube: hits and cores are exact to a position step, and the matrix of a tile
-/// that is small compared with render space rounds its translation.
+/// Bounds of the rounding error of a tile's hits: some position steps of its cube, and the error of the translation in
+/// its matrix, which is large for a tile that is small compared with render space.
 constexpr float kCoreSteps = 4, kMatrixRounding = 4e-7f; // a few times 2^-24
 
-/// Self-intersection distance of merged discs, as a share of that of original ones. Merging averages out registration
-/// errors, so only the curvature of their cells moves merged discs off the surface. At the full distance, roofs a few
-/// radii above the ground would cast no shadow on coarser levels (tests/bench/NOTES.md, Outlines).
+/// Self-intersection distance of merged discs, as a share of that of original ones. They need less: merging averages
+/// out registration errors, so merged discs are off the surface only because it is curved within a cell. At the full
+/// distance, roofs a few radii above the ground would cast no shadow on coarser levels (tests/bench/NOTES.md,
+/// Silhouettes).
 constexpr float kMergedSelfShare = 0.5f;
 
 /// Bytes per splat of an index that has yet to be built, typical of surfaces; lidar takes 30 to 127, mostly 35 to 55.
@@ -90,7 +91,7 @@ private:
     std::unordered_map<std::string, std::uint32_t> slots_;
 };
 
-/// Paths of the tiles in the current cuts and in those of coming sets.
+/// Paths of the tiles in the cuts of the scene's sets and of the sets that will replace them.
 std::unordered_set<std::string> tilesInUse(const DeviceScene& scene, const std::vector<OpenedSet>& coming) {
     std::unordered_set<std::string> used;
     const auto use = [&](const OpenedSet& set) {
@@ -172,7 +173,7 @@ private:
             for (TileFile& file : tiles) destroyScan(device_, file.scan);
         };
         const OnError undo(close);
-        // opening checks a file, which reads all of it
+        // in parallel if allowed, as opening a file reads all of it, to check it
         if (request_.on_all_cores) forAll(tiles.size(), [&](std::size_t i) { openTile(set, tiles[i]); });
         bool found = true;
         for (TileFile& file : tiles) {
@@ -225,11 +226,12 @@ CutRequest cutRequest(const DeviceScene& scene, const SceneSet& set, const TileR
 void reportCoarse(SceneSet& set, double detail, std::uint64_t memory) {
     const OpenedSet& opened = set.opened;
     if (opened.cut.fits || std::exchange(set.reported_coarse, true)) return;
+    const SizeAndLimit shown = sizeAndLimit(opened.full_cut.bytes, memory, mebibytes);
     std::fprintf(stderr,
                  "pointrt-view: %s: coarser than --detail %s: %zu tiles fit in %s, full detail needs %zu tiles (%s); "
                  "raise --memory\n",
                  printable(opened.folder).c_str(), plainText(detail).c_str(), opened.cut.tiles.size(),
-                 mebibytes(memory).c_str(), opened.full_cut.tiles.size(), mebibytes(opened.full_cut.bytes).c_str());
+                 shown.limit.c_str(), opened.full_cut.tiles.size(), shown.size.c_str());
 }
 
 } // namespace

@@ -139,10 +139,11 @@ void addView(Device& device, const char* what, Buffer& buffer, VkFormat format) 
 } // namespace
 
 Buffer createBuffer(Device& device, const char* what, std::uint64_t bytes, VkBufferUsageFlags usage, MemoryHome home) {
-    if (bytes > device.max_allocation_bytes)
-        throw Error{ExitCode::kCannotRun, std::string("cannot allocate ") + what + ": " + mebibytes(bytes) +
-                                              " exceeds the device's largest allocation, " +
-                                              mebibytes(device.max_allocation_bytes)};
+    if (bytes > device.max_allocation_bytes) {
+        const SizeAndLimit shown = sizeAndLimit(bytes, device.max_allocation_bytes, mebibytes);
+        throw Error{ExitCode::kCannotRun, std::string("cannot allocate ") + what + ": " + shown.size +
+                                              " exceeds the device's largest allocation, " + shown.limit};
+    }
     Buffer buffer;
     buffer.bytes = bytes;
     const OnError undo([&] { destroyBuffer(device, buffer); });

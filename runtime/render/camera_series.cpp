@@ -21,9 +21,10 @@ void requireMemory(const RenderSettings& settings) {
     const std::uint64_t bytes = std::uint64_t{settings.width} * settings.height * filmBytesPerPixel(settings);
     const std::uint64_t available = availableMemory();
     if (bytes <= available) return;
+    const SizeAndLimit shown = sizeAndLimit(bytes, available, gibibytes);
     throw Error{ExitCode::kCannotRun, "a picture of " + std::to_string(settings.width) + "x" +
-                                          std::to_string(settings.height) + " pixels needs " + gibibytes(bytes) +
-                                          " of memory, but only " + gibibytes(available) + " are free"};
+                                          std::to_string(settings.height) + " pixels needs " + shown.size +
+                                          " of memory, but only " + shown.limit + " are free"};
 }
 
 } // namespace

@@ -158,7 +158,7 @@ void orderCulling(const DeviceScene& scene, const Constants& constants, Programs
     }
 }
 
-/// Programs for instances whose traits are new.
+/// Orders programs for instances with traits that no instance has had before.
 void orderInstances(const DeviceScene& scene, const Constants& constants, Programs& programs,
                     std::vector<Order>& orders) {
     const auto add = [&](const InstanceTraits& traits) {
@@ -168,7 +168,7 @@ void orderInstances(const DeviceScene& scene, const Constants& constants, Progra
     for (const Instance& instance : scene.instances) {
         InstanceTraits traits = traitsOf(scene, instance);
         add(traits);
-        // tiles loaded later may be uneven or not
+        // tiles that are loaded later may need the other variant
         traits.uneven = !traits.uneven;
         if (instance.tile && scene.tile_cache_bytes > 0) add(traits);
     }

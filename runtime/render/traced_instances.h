@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The instances of a scene with what rays are intersected by, and the passes that intersect a ray list with all of
-// them.
+// The instances of a scene with the programs and descriptor sets that intersect them, and the passes that intersect a
+// list of rays with all instances.
 #pragma once
 
 #include <cstdint>

@@ -22,7 +22,8 @@ constexpr Color kMatteWall{0.42f, 0.42f, 0.43f};
 /// Silvered glass reflects nine tenths of the light, and slightly less of the blue.
 constexpr Color kMirrorWall{0.90f, 0.90f, 0.88f};
 
-/// The ring of lights, in the same unit: inside either room, whose floor is at most 1 below the centre.
+/// The ring of lights, in bounding radii. It is inside both rooms: their floor is at most 1 below the centre, so their
+/// ceilings are above it.
 constexpr double kRingRadius = 1.5;
 constexpr double kRingHeight = 1.9;
 /// Smallest distance between the eye and the wall behind it, in bounding radii.
@@ -120,25 +121,26 @@ constexpr double kStudioGap = 1e-3;
 /// light.
 constexpr float kStudioZenith = 0.35f;
 
-/// The highest and the lowest reflectance that the lamps suit unchanged, and the largest gain for darker subjects.
+/// The lamps are dimmed for subjects of a higher reflectance than kBright, and amplified for those of a lower one than
+/// kDark, by at most kMostGain.
 constexpr double kBright = 0.75, kDark = 0.25, kMostGain = 2.5;
 
-/// The factor of the lamps' light for a subject of this reflectance.
+/// The gain of the lamps for a subject of this reflectance.
 float lampGain(double reflectance) {
     if (reflectance > kBright) return static_cast<float>(kBright / reflectance);
     return static_cast<float>(std::clamp(kDark / std::max(reflectance, 1e-6), 1.0, kMostGain));
 }
 
-/// A lamp near the eye gives a white surface at the centre's distance this radiance. A dim sky adds ambient light, so
-/// that neither near nor far surfaces are too dark or too bright.
+/// The light of a lamp near the eye, as the radiance of a white surface at the centre's distance, and that of a dim sky
+/// (all_around), whose ambient light reduces the contrast between near and far surfaces.
 struct EyeLamp {
     float lamp, all_around;
 };
 constexpr EyeLamp kBeforeEye{0.5f, 0.9f};
 constexpr EyeLamp kAmongWalls{0.6f, 0.75f};                    // walls occlude much of the sky from each other
 constexpr float kAbove = 0.4f, kAcross = 0.36f, kBelow = 0.3f; // floors, walls and ceilings differ in brightness
-/// Among walls the lamp is this share of the way from the eye up to the ceiling: nearby objects at eye level do not
-/// outshine the rest, and their shadows show their shape.
+/// Among walls the lamp is this share of the way from the eye up to the ceiling, so that nearby objects at eye level
+/// are not too bright, and cast visible shadows.
 constexpr double kLampHeight = 0.5;
 
 void addEyeLamp(SceneDescription& scene, const Staging& staging, float gain) {

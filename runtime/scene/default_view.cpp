@@ -170,9 +170,9 @@ double ceilingShare(const SceneSample& sample, const Ground& ground) {
 }
 
 /// True for interiors: either scanners were inside and saw nothing of the outside, or there are objects under a
-/// ceiling.
+/// ceiling. An empty box has no hidden parts (kFurniture), and the top of a statue is not level (kCeiling).
 bool isRoom(const SceneSample& sample, const Ground& ground) {
-    constexpr double kFurniture = 0.015, kCeiling = 0.5; // a box occludes nothing, and no statue has a flat top
+    constexpr double kFurniture = 0.015, kCeiling = 0.5;
     const bool scanned_within = !freeWithin(sample, boundsOf(sample), sample.sensors).empty();
     if (sample.oriented && scanned_within && showsItsBack(sample, ground)) return true;
     return hiddenShare(sample, ground) >= kFurniture && ceilingShare(sample, ground) >= kCeiling;

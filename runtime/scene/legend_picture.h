@@ -12,7 +12,7 @@
 
 namespace pointrt {
 
-/// A rectangle to composite over a picture, which clips it.
+/// A rectangle of pixels to composite over a picture. Parts outside the picture are clipped.
 struct LegendPicture {
     std::size_t left = 0, top = 0;
     PixelSize size;

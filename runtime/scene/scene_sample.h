@@ -19,12 +19,12 @@ struct SampledSplat {
 struct SceneSample {
     std::vector<SampledSplat> splats; ///< each represents the same number of splats
     std::vector<Vec3> sensors;        ///< positions of scanners
-    std::vector<Vec3> zeros; ///< origins of the files' coordinates: a scanner's position in an unregistered scan
+    std::vector<Vec3> zeros; ///< origins of the files' coordinates: in an unregistered scan the scanner is there
     bool oriented = false;
     bool has_shapes = false; ///< the scene has shapes besides its scans
 };
 
-/// In scenes of fewer splats none is treated as a stray.
+/// Scenes of fewer splats have no strays: every splat counts.
 constexpr std::size_t kEachCounts = 100;
 
 /// A range of numbers.
@@ -54,9 +54,9 @@ SampleBox discBounds(const SceneSample& sample);
 /// The bounds of the inner 95% along each axis. sample: not empty
 SampleBox denseBox(const SceneSample& sample);
 
-/// The largest connected part, and other parts that are near or large: a part may enlarge the box's diagonal by 100% if
-/// it holds 5% of the sample, and in proportion. A tree's tip belongs to the tree, however few its splats; the sparse
-/// fringe seen by a spinning scanner does not belong to the street. Samples below kEachCounts are kept whole.
+/// The largest connected part, and other parts that are near or large: a part that holds 5% of the sample may enlarge
+/// the diagonal of the box by 100%, smaller parts by proportionally less. So the tip of a tree is kept, however few its
+/// splats, but not the sparse far surroundings in a street scan. Samples below kEachCounts are kept whole.
 SceneSample withoutStrays(const SceneSample& sample);
 
 } // namespace pointrt

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const std::string& reason) { throw Error{ExitCode::kBadInput, reason}; }
+[[noreturn]] void refuseList(const std::string& reason) { throw Error{ExitCode::kBadInput, reason}; }
 
 bool isThere(const fs::path& path) {
     std::error_code ignored;
@@ -36,7 +36,7 @@ std::vector<CameraShot> readKind(const CameraFileKind& kind, const fs::path& fil
     if (!kind.cameras) return kind.read(file.string(), "", request);
     const fs::path images = file.parent_path() / kind.images, cameras = file.parent_path() / kind.cameras;
     for (const fs::path& each : {images, cameras})
-        if (!isThere(each)) refuse(each.string() + ": No such file or directory; a COLMAP model needs both files");
+        if (!isThere(each)) refuseList(each.string() + ": No such file or directory; a COLMAP model needs both files");
     return kind.read(images.string(), cameras.string(), request);
 }
 
@@ -49,31 +49,31 @@ std::optional<std::vector<CameraShot>> readFolder(const fs::path& folder, const 
 std::vector<CameraShot> readAny(const std::string& path, const CameraFileRequest& request) {
     std::error_code failure;
     const fs::file_status status = fs::status(path, failure);
-    if (!fs::exists(status)) refuse(path + ": " + (failure ? failure.message() : "No such file or directory"));
+    if (!fs::exists(status)) refuseList(path + ": " + (failure ? failure.message() : "No such file or directory"));
     if (fs::is_directory(status)) {
         for (const fs::path& folder : {fs::path(path), fs::path(path) / "sparse" / "0"})
             if (auto shots = readFolder(folder, request)) return std::move(*shots);
-        refuse(path + ": has neither transforms.json nor a COLMAP model (cameras and images, .bin or .txt)");
+        refuseList(path + ": has neither transforms.json nor a COLMAP model (cameras and images, .bin or .txt)");
     }
     const std::string name = fs::path(path).filename().string();
     for (const CameraFileKind& kind : kKinds)
         if (name == kind.images || (kind.cameras && name == kind.cameras)) return readKind(kind, path, request);
     if (name.ends_with(".json")) return readTransforms(path, "", request);
-    refuse(path + ": not a list of cameras; use transforms.json or COLMAP's cameras and images (.bin or .txt)");
+    refuseList(path + ": not a list of cameras; use transforms.json or COLMAP's cameras and images (.bin or .txt)");
 }
 
 void requireUsable(const CameraShot& shot, bool drops_distortion) {
     if (shot.size.width < 1 || shot.size.height < 1 || shot.size.width > kMaxPixelSide ||
         shot.size.height > kMaxPixelSide)
-        refuse(shot.place + "picture size " + std::to_string(shot.size.width) + " x " +
-               std::to_string(shot.size.height) + "; each side must be 1 to " + std::to_string(kMaxPixelSide));
+        refuseList(shot.place + "picture size " + std::to_string(shot.size.width) + " x " +
+                   std::to_string(shot.size.height) + "; each side must be 1 to " + std::to_string(kMaxPixelSide));
     if (!shot.distortion.empty() && !drops_distortion)
-        refuse(shot.place + "the lens has distortion (" + shot.distortion +
-               "), which cannot be rendered; --distortion drop ignores it");
+        refuseList(shot.place + "the lens has distortion (" + shot.distortion +
+                   "), which cannot be rendered; --distortion drop ignores it");
     try {
         pinholeCamera(shot.pose, shot.lens, shot.size);
     } catch (const std::invalid_argument& error) {
-        refuse(shot.place + "the camera of " + printable(shot.name) + ": " + error.what());
+        refuseList(shot.place + "the camera of " + printable(shot.name) + ": " + error.what());
     }
 }
 
@@ -81,7 +81,7 @@ void requireUsable(const CameraShot& shot, bool drops_distortion) {
 
 std::vector<CameraShot> readCameraList(const std::string& path, const CameraFileRequest& request) {
     std::vector<CameraShot> shots = readAny(path, request);
-    if (shots.empty()) refuse(path + ": contains no cameras");
+    if (shots.empty()) refuseList(path + ": contains no cameras");
     for (const CameraShot& shot : shots) requireUsable(shot, request.drops_distortion);
     return shots;
 }

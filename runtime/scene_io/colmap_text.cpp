@@ -102,7 +102,7 @@ std::vector<CameraShot> readColmapText(const std::string& images, const std::str
         } catch (const std::invalid_argument& error) {
             lines.refuse(error.what());
         }
-        lines.next(line); // its points, maybe an empty line
+        lines.next(line); // skips the list of the image's 2D points, which may be empty
     }
     return shots;
 }

@@ -23,7 +23,7 @@ const NamedView& viewNamed(const SceneDescription& scene, const std::string& nam
                                          joinedNames(kStandardViewNames, ", ")};
 }
 
-/// Each part from options, else from the scene file.
+/// Takes each part of the camera from the options if they give it, else from the scene file.
 CameraRequest resolveCamera(const Options& options, const CameraRequest& filed) {
     CameraRequest camera = options.camera;
     if (!camera.eye) camera.eye = filed.eye;
@@ -56,7 +56,7 @@ CameraRequest filedCamera(const Options& options, const SceneDescription& scene)
     return viewNamed(scene, options.view).camera;
 }
 
-/// The colour options need a --color-by, possibly from the scene file.
+/// Refuses options for colours by value if neither --color-by nor the scene file selects a value.
 void requireColored(const RenderChoices& said, const std::string& color_by) {
     const char* const option = said.color_map                ? "--color-map"
                                : said.color_range            ? "--color-range"

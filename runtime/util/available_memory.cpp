@@ -103,4 +103,10 @@ std::string gibibytes(std::uint64_t bytes) {
 
 std::string mebibytes(std::uint64_t bytes) { return std::to_string((bytes + (1u << 20) - 1) >> 20) + " MiB"; }
 
+SizeAndLimit sizeAndLimit(std::uint64_t size, std::uint64_t limit, std::string (*inUnit)(std::uint64_t bytes)) {
+    const SizeAndLimit rounded{inUnit(size), inUnit(limit)};
+    if (rounded.size != rounded.limit) return rounded;
+    return {std::to_string(size) + " bytes", std::to_string(limit) + " bytes"};
+}
+
 } // namespace pointrt

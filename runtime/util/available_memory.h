@@ -17,4 +17,11 @@ std::string gibibytes(std::uint64_t bytes);
 /// "1536 MiB", rounded up.
 std::string mebibytes(std::uint64_t bytes);
 
+/// A size and a smaller limit, for a message.
+struct SizeAndLimit {
+    std::string size, limit;
+};
+/// Both in a unit, gibibytes or mebibytes; if rounding would make them look equal, in bytes.
+SizeAndLimit sizeAndLimit(std::uint64_t size, std::uint64_t limit, std::string (*inUnit)(std::uint64_t bytes));
+
 } // namespace pointrt

@@ -28,7 +28,8 @@ void advance(inout PathLoop loop, bool continues, PathState next_path, ShapeHit 
     loop.rays += loop.running ? 1u : 0u;
 }
 
-// Hits on splats occur only as the first hit of the loop: later ones would have to be traced by other programs.
+// The interaction at the loop's current hit. Only the first hit of the loop may be on splats: when a later ray may hit
+// an instance, its path leaves the loop.
 SurfaceInteraction interactionOf(PathLoop loop, SurfaceInteraction splats) {
     if (loop.hit.z == NO_INDEX) return noInteraction();
     if (loop.hit.w == OWNER_SHAPES) return shapeInteraction(loop.path, loop.hit);

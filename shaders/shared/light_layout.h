@@ -50,7 +50,7 @@ struct Light {
 };
 #define LIGHT_VECTORS 5
 
-// Names for the remaining components: readable in both languages, writable in C++.
+// Names for components of the vectors that hold other values. GLSL may only read them, C++ may also assign them.
 #define LIGHT_KIND(light) (light).position.w // LIGHT_* as a number
 #define LIGHT_SHAPE(light) (light).edge_v.w  // area lights: index of their shape, as bits
 #define SPOT_OUTER_COSINE(light) (light).axis.w

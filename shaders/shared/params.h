@@ -143,7 +143,7 @@ struct PathState {
     vec3 direction;
     float pdf; // of the direction, over solid angle; 0: a delta distribution (mirrors, glass, camera)
     vec3 throughput;
-    uint target;      // photons from a light: the owner they are emitted to, with the number of a shape above it
+    uint target;      // photons from a light: the owner that they are aimed at; for a shape, its number above the owner
     vec3 self_normal; // normal of the surface that the ray left
     uint bits;        // PATH_*
 };
@@ -215,7 +215,8 @@ struct ShadowRay {
 // a batch have the same layers again, from FILM_LAYERS on: sums over the earlier batches, defined once there is one.
 #define LAYER_DIRECT 0u   // light scattered at most once; w: coverage by the scene
 #define LAYER_INDIRECT 1u // w: luminance of the current sample; 0 of earlier batches
-// w: squared distances of the luminance of the samples before the current one from its mean
+// w: sum of squared deviations of the luminance from its mean (luminance_moments.h): what the batch's samples before
+// the current one, or the earlier batches, have added to it
 #define LAYER_CAUSTIC 2u
 #define LAYER_ALBEDO 3u // w: mean luminance of all samples before the current one; 0 of earlier batches
 #define FILM_LAYERS 4u

@@ -35,7 +35,7 @@ TONE_FUNCTION float compressedPeak(float peak) {
     return 1.0f - headroom * headroom / (peak + headroom - TONE_COMPRESSION_START);
 }
 
-// How far such a colour is blended towards white, 0 to 1.
+// How far a colour whose largest channel is compressed from peak to new_peak is blended towards white, 0 to 1.
 TONE_FUNCTION float peakWhiteness(float peak, float new_peak) {
     return 1.0f - 1.0f / (TONE_DESATURATION * (peak - new_peak) + 1.0f);
 }

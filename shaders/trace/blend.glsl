@@ -197,7 +197,7 @@ vec3 bentToViewer(vec3 normal, vec3 direction) {
 }
 
 // Whether the hits of a path with these bits are visible in the picture, directly or by mirrors and glass. After
-// diffuse scattering, blended and flat surfaces look alike (NOTES.md, Frames).
+// diffuse scattering, blended and flat surfaces look alike (tests/bench/NOTES.md, Hits after diffuse scattering).
 bool isSeen(uint bits) { return (bits & PATH_DIFFUSED) == 0u; }
 
 // The surface at a traced hit (the words as stored) of the ray. blends: false gives the flat disc, with the side chosen

@@ -1,26 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ray offsets against self-intersection: where rays that leave a surface start, and how far hits on that surface are
-// ignored.
+// Ray offsets against self-intersection: the origin of a ray that leaves a surface, and the distance along the ray
+// within which hits on that surface are ignored.
 #ifndef POINTRT_SHADERS_OFFSET_GLSL
 #define POINTRT_SHADERS_OFFSET_GLSL
 #include "shaders/lib/features.glsl"
 
-// Neighbouring discs deviate from the blended surface by curvature, by noise, and where several scans overlap by the
+// Neighbouring discs deviate from the blended surface by curvature, noise and, where several scans overlap, the
 // residual of their registration: two or three radii on dense merges. So the ray origin is lifted a little, enough that
-// rounding cannot put it below the surface, and hits on discs of the same facing are self-intersections until the ray
-// is kSelfHeight radii up. At grazing angles it would never get there: kSelfReach radii along the ray, four disc
-// widths, end the self-intersection distance, beyond which the same surface may be hit again.
+// rounding cannot put it below the surface. Hits on discs that face the same way are self-intersections, and ignored,
+// until the ray is kSelfHeight radii above the surface, or kSelfReach radii (four disc widths) from its origin: at
+// grazing angles it would never get so high.
 const float kSelfHeight = 3.0;
 const float kSelfReach = 8.0;
-// Radii that the origin is lifted by.
+// By how many radii the origin is lifted.
 const float kLift = 0.25;
-// Shapes are exact but for rounding: 4 units in the last place of the largest coordinate.
+// Bound of the rounding error on shapes, which are exact otherwise: 4 units in the last place of the largest
+// coordinate.
 const float kShapeUlps = 4.0 / 8388608.0;
 
-// If the scan stores noise, a ray has left the surface at kNoisyHeight standard deviations: of the ten discs or so that
-// it passes on the way, one in 10^5 is that high above a point that itself deviates by half a standard deviation
-// (10 * Q(5 / sqrt(1.25)) = 4e-5). It gets there at elevations of 10 degrees and more; what is lower receives less than
-// a sixth of the light.
+// If the scan stores noise, a ray has left the surface when it is kNoisyHeight standard deviations above it. On the way
+// it passes about ten discs. The probability that one of them is so high above the ray's origin, which itself deviates
+// by half a standard deviation, is 10 * Q(5 / sqrt(1.25)) = 4e-5. kNoisyReach is long enough for rays at elevations of
+// 10 degrees and more; lower ones carry less than a sixth of the light.
 const float kNoisyHeight = 5.0;
 const float kNoisyReach = kNoisyHeight / 0.1736482; // sine of 10 degrees
 // Upper limit of the noise, in radii: geometry more than 5 radii away always casts its shadow.

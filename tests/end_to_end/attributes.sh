@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# What a scan says beside its points: from the file through the bake to pointrt-info and back out; which points are read.
+# Attributes of points, from the scan through the bake to pointrt-info and its exports; options that select points.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 
-# scan COUNT: a sphere as PLY with classes 2 above and 6 below the middle, and an intensity that is its place.
+# scan COUNT: prints a sphere as PLY, with class 2 in the upper and 6 in the lower half, and the point's index as intensity.
 scan() {
     printf 'ply\nformat ascii 1.0\nelement vertex %s\n' "$1"
     printf 'property float x\nproperty float y\nproperty float z\n'
@@ -12,7 +12,7 @@ scan() {
     sphere "$1" | awk '{ print $0, ($3 > 0 ? 2 : 6), NR - 1 }'
 }
 
-# splatsOf FILE.pro: how many there are.
+# splatsOf FILE.pro: the number of its splats.
 splatsOf() {
     pointrt-info "$1" --json >info.json
     jsonValue info.json splats
@@ -76,7 +76,7 @@ case_bounds_thin_and_every() {
     expectDone pointrt-bake -q scan.ply -o out/c.pro --thin 0.1 --outliers keep
     local thinned
     thinned=$(splatsOf out/c.pro)
-    # cells of edge e that a unit sphere meets: 1.5 * 4 pi / e^2 = 1885, of which 2000 points find the larger ones
+    # A unit sphere crosses 1.5 * 4 pi / e^2 = 1885 cells of edge e = 0.1; 2000 points do not lie in all of them.
     [ "$thinned" -gt 900 ] && [ "$thinned" -lt 1885 ] || fail "$thinned points are not one a cell"
     expectError 2 "--bounds: .*6 numbers .*5" pointrt-bake scan.ply -o out/d.pro --bounds 1,2,3,4,5
     expectError 2 "--bounds: in z .*3 .*2" pointrt-bake scan.ply -o out/d.pro --bounds 1,2,3,4,5,2

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# pointrt-bake: what it reads, and the one line it says about what it can't.
+# The inputs of pointrt-bake, and the one-line errors for inputs that it cannot read.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 
-# rejects FILE [PATTERN]: refused with exit status 1 and a line that names the file.
+# rejects FILE [PATTERN]: the bake must refuse FILE with exit status 1 and one line that names it.
 rejects() {
     expectError 1 "$1(:[^ ]+)?: .*${2:-}" pointrt-bake -q "$1" -o out/scene.pro
 }
@@ -87,7 +87,7 @@ case_no_such_file() {
     rejects missing.ply
 }
 
-# Root reads everything, so it first gives up the capability to do so.
+# Root may read all files, so the test first drops that capability.
 case_no_permission() {
     local as_user=()
     sphere 100 >secret.xyz
@@ -105,7 +105,7 @@ case_one_bad_file_among_good_ones() {
     expectError 1 "empty.ply(:[^ ]+)?: " pointrt-bake -q good.xyz empty.ply -o out/scene.pro
 }
 
-# 1e30 and the like are marks of some programs for no data: first, in between, and alone.
+# Some programs mark missing data by coordinates such as 1e30: among other points, as the first point, and alone.
 case_coordinates_out_of_all_proportion() {
     for value in 1e20 1e25 1e30 1.70141e38 1e60; do
         { sphere 1000 && echo "$value $value $value" && sphere 2000; } >stray.xyz
@@ -137,8 +137,8 @@ case_standard_input() {
     expectDone pointrt-info out/scene.pro --verify
 }
 
-# every FORMAT: its content tells it, on standard input too, and --input-format overrules that.
-case_standard_input_is_told_by_content() {
+# Formats are detected by content, on standard input too. --input-format overrides that.
+case_standard_input_is_detected_by_content() {
     sphere 1000 >sphere.xyz
     { plyHeader ascii 1000 && sphere 1000; } >sphere.ply
     gzip -k sphere.ply
@@ -174,7 +174,7 @@ case_conf_stays_in_its_folder() {
     expectError 1 'pipe: .*regular' timeout 10 pointrt-bake -q set/set.conf -o out/scene.pro
 }
 
-case_content_is_told_before_the_suffix() {
+case_content_overrides_the_suffix() {
     { plyHeader ascii 1000 && sphere 1000; } >cloud.xyz
     expectDone pointrt-bake -q cloud.xyz -o out/scene.pro --stats stats.json
     [ "$(jsonValue stats.json input_points)" = 1000 ] || fail "1000 points went in"

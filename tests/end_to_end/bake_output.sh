@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# pointrt-bake: usage, the output file, what is left behind, the statistics, the same bytes every time.
+# The outputs of pointrt-bake: usage, files and leftovers, statistics, reproducible bytes.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 
@@ -54,7 +54,7 @@ case_output_folder_missing() {
     expectError 4 "out/none/scene.pro: " pointrt-bake -q sphere.xyz -o out/none/scene.pro
 }
 
-# A tmpfs of 64 KiB in a mount namespace of its own: it goes away with the command.
+# Bakes to a tmpfs of 64 KiB in a mount namespace, which ends with the command.
 case_full_disk() {
     local namespace=(unshare --mount)
     [ "$(id -u)" = 0 ] || namespace=(unshare --mount --map-root-user)
@@ -71,7 +71,7 @@ SH
     [ ! -s left ] || fail "left on the full disk: $(cat left)"
 }
 
-# Interrupted at several moments; env undoes that a shell's background jobs ignore SIGINT.
+# Interrupts the bake at several moments. Background jobs of a shell ignore SIGINT: env restores the default.
 case_interrupt_leaves_nothing() {
     local moment interrupted=0 child
     sphere 300000 >sphere.xyz
@@ -92,7 +92,7 @@ case_interrupt_leaves_nothing() {
     [ "$interrupted" -gt 0 ] || fail "no run was interrupted"
 }
 
-# Kept waiting behind its output by statistics that nobody reads yet: the file is there, so the run is done and says so.
+# Interrupts the bake when its output is complete, but it still waits for a reader of the statistics: it finishes normally.
 case_an_interrupt_behind_the_output_comes_too_late() {
     local child
     sphere 1000 >sphere.xyz
@@ -113,7 +113,7 @@ case_an_interrupt_behind_the_output_comes_too_late() {
     [ "$(jsonValue stats.json input_points)" = 1000 ] || fail "the statistics are not whole"
 }
 
-# Every line "progress SHARE STAGE RATE", the share never less than before, and the stages in their order.
+# Every line must be "progress SHARE STAGE RATE". The share never decreases, and the stages are in order.
 case_progress_lines() {
     sphere 30000 >sphere.xyz
     expectDone pointrt-bake -q sphere.xyz -o out/scene.pro --progress lines
@@ -160,7 +160,7 @@ case_same_bytes_for_any_thread_count() {
     done
 }
 
-# The index may be left out, and nothing else changes: the octree's sections are the same bytes.
+# Without the index, the octree's sections are the same bytes.
 case_compact() {
     local end
     sphere 20000 >sphere.xyz

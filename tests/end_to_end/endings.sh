@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# How the tools end where the system says no: streams that cannot be written, limits, signals, files that others touch.
+# How the tools end if the system refuses: streams that cannot be written, limits, signals, files changed by others.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 
-# expectScene FILE: a whole .pro.
+# expectScene FILE: FILE must be a complete .pro.
 expectScene() { pointrt-info "$1" --verify >verified || fail "$1: $(cat verified)"; }
 
-# endsWith CODE COMMAND: by the shell, so that it may redirect.
+# endsWith CODE COMMAND: the shell runs COMMAND, which may redirect streams, and must exit with CODE.
 endsWith() {
     local code=$1 status=0
     printf '$ %s\n' "$2"
@@ -15,7 +15,7 @@ endsWith() {
     [ "$status" = "$code" ] || fail "exit status $status where $code was expected"
 }
 
-# untilReady PID: it handles SIGTERM, which it does from when its command line is read, and has had time to go on.
+# untilReady PID: waits until the tool handles SIGTERM, which it does once it has parsed its command line, and a bit longer.
 untilReady() {
     local caught
     for _ in $(seq 200); do
@@ -42,7 +42,7 @@ case_reports_that_nobody_can_read() {
     cmp out/a.png out/b.png
 }
 
-# The reader of a pipe goes away: the work does not.
+# The tools finish their work even if nobody reads their reports from a pipe.
 case_reports_into_a_broken_pipe() {
     sphere 3000 >sphere.xyz
     { sleep 0.2; pointrt-bake -v sphere.xyz -o out/a.pro; echo "$?" >code; } 2>&1 | true
@@ -71,8 +71,8 @@ case_file_size_limit() {
     expectError 4 "out/a.ply: .*too large" bash -c "ulimit -f 8; exec pointrt-info scene.pro --export out/a.ply"
 }
 
-# From too little for the tool itself to enough: done, or one line, or a crash of the driver: Mesa does not check all of
-# its allocations.
+# With address space from too little for the tool to enough, it succeeds or prints one line, or the driver crashes: Mesa
+# does not check all of its allocations.
 case_address_space_limit() {
     local limit
     sphere 3000 >sphere.xyz
@@ -80,7 +80,7 @@ case_address_space_limit() {
     bash -c "ulimit -v 700000; exec pointrt-view --version" >version || skip "the tool does not start in so little here"
     for limit in 60000 120000 250000 400000 500000 600000 700000; do
         run bash -c "ulimit -v $limit; exec pointrt-view -q scene.pro --size 32x32 -o out/a.png"
-        grep -q "cannot allocate memory for thread-local data" stderr && status=3 # the C library's own end, with 127
+        grep -q "cannot allocate memory for thread-local data" stderr && status=3 # the C library exits with 127
         case "$status" in
         0 | 3) [ "$(wc -l <stderr)" = $((status / 3)) ] || fail "stderr is not one line" ;;
         134 | 139) ! grep -q "pointrt-view: error: " stderr || fail "a crash is reported as an error" ;; # SIGABRT, SIGSEGV
@@ -91,7 +91,7 @@ case_address_space_limit() {
     done
 }
 
-# Others have made the output while the scan was read: theirs stays.
+# If another process creates the output while the scan is read, its file stays.
 case_a_file_that_appears_during_the_bake() {
     local child
     mkfifo scan.xyz
@@ -152,7 +152,7 @@ case_links_and_permissions_stay() {
     [ "$(stat -c %a out/a.png)" = 600 ] || fail "the picture's permissions are $(stat -c %a out/a.png)"
 }
 
-# Killed while its file has a temporary name, which only file systems without nameless files need.
+# On file systems without unnamed files (O_TMPFILE), the output has a temporary name. Kills the bake while it has.
 case_killed_without_nameless_files() {
     local preload=(env LD_PRELOAD="$POINTRT_NO_TMPFILE" ASAN_OPTIONS=verify_asan_link_order=0)
     sphere 1000 >sphere.xyz
@@ -185,7 +185,7 @@ case_signals_end_a_bake() {
     done
 }
 
-# What a file says is shown, not done: neither escape sequences nor lines of its own.
+# Text from files is shown without control characters: no escape sequences, no extra lines.
 case_text_of_files_does_nothing_to_a_terminal() {
     printf 'ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty \033[31mred y\nend_header\n1\n' >a.ply
     expectError 1 "a.ply" pointrt-bake -q a.ply -o out/a.pro

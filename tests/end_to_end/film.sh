@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Frames that end by time, noise or a signal, and films that are gone on with. That the sum of the parts is the whole
-# is tested in tests/runtime/render/test_film_resume.cpp.
+# Frames that end by a time limit, a noise target or a signal, and films that are resumed. That a resumed film equals an
+# uninterrupted one is tested in tests/runtime/render/test_film_resume.cpp.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 
@@ -17,11 +17,11 @@ samplesOf() { jsonValue "$1" samples; }
 
 case_time_limit() {
     bakeSphere
-    # the first time that a driver makes the programs may take the whole second; it keeps them
+    # On the first run the driver may take the whole second to compile the programs, which it caches.
     expectDone "${view[@]}" -q --spp 1 -o out/a.png
     expectDone "${view[@]}" -q --time-limit 1 -o out/a.png --stats stats.json
     [ "$(samplesOf stats.json)" -gt 1 ] || fail "one sample in a second"
-    # how late it may be is the machine's affair: without the limit it would be minutes
+    # The bound is wide, as the machine may be busy: without the time limit this frame would take minutes.
     awk -v ms="$(jsonValue stats.json frame_ms.max)" 'BEGIN { exit !(ms > 500 && ms < 20000) }' || fail "not a second"
     expectDone "${view[@]}" -q --time-limit 0.000001 -o out/a.png --stats stats.json
     [ "$(samplesOf stats.json)" = 1 ] || fail "one sample was expected"
@@ -74,7 +74,7 @@ case_resume_refuses_another_film() {
     expectError 1 "a.exr: " "${view[@]}" --spp 4 --resume -o out/a.exr
 }
 
-# interruptAtWork PICTURE: a render of many samples, ended by SIGTERM after some.
+# interruptAtWork PICTURE: starts a render of many samples, and ends it by SIGTERM after a few.
 interruptAtWork() {
     local pid status=0
     "${view[@]}" -v --spp 65536 -o "$1" --stats stats.json 2>stderr &
@@ -94,18 +94,18 @@ case_interrupt_saves_the_film() {
     samples=$(samplesOf stats.json)
     [ "$samples" -ge 1 ] || fail "no sample was saved"
     expectDone "${view[@]}" -q --spp $((samples + 2)) --resume -o out/a.exr --stats stats.json
-    [ "$(samplesOf stats.json)" = $((samples + 2)) ] || fail "the film that was saved is not gone on with"
+    [ "$(samplesOf stats.json)" = $((samples + 2)) ] || fail "the saved film was not resumed"
     [ "$(jsonValue stats.json rays.primary)" = $((32 * 32 * 2)) ] || fail "not two samples in this run"
 }
 
-# bakeCrowd: cells that list 1700 splats each, 100 times as many as those of scans. A sample of 2048x2048 pixels takes
-# two minutes of two cores.
+# bakeCrowd: bakes crowd.pro, whose cells list 1700 splats each, 100 times as many as in scans. A sample of 2048x2048
+# pixels takes two minutes on two cores.
 bakeCrowd() {
     sphere 3000 >crowd.xyz
     pointrt-bake -q --radius-scale 40 crowd.xyz -o crowd.pro
 }
 
-# millisecondsSince START: of nanoseconds.
+# millisecondsSince START: START in nanoseconds.
 millisecondsSince() { printf '%d\n' $((($(date +%s%N) - $1) / 1000000)); }
 
 case_time_limit_of_a_crowded_scene() {
@@ -113,7 +113,7 @@ case_time_limit_of_a_crowded_scene() {
     expectDone pointrt-view crowd.pro -q --size 2048x2048 --spp 1 --time-limit 2 -o out/a.png --stats stats.json
     grep -Eq "a.png: .*time limit.*; [0-9]+ of 2048 rows " stderr ||
         fail "it does not say that rows are missing"
-    # 3 s on a machine that has nothing else to do
+    # 3 s on an idle machine
     awk -v ms="$(jsonValue stats.json frame_ms.max)" 'BEGIN { exit !(ms < 20000) }' || fail "much too late"
 }
 
@@ -143,7 +143,7 @@ case_interrupt_saves_a_png() {
     [ "$(head -c 8 out/a.png | od -An -t x1 | tr -d ' \n')" = 89504e470d0a1a0a ] || fail "no PNG was written"
 }
 
-# A picture of more pixels than a device binds at once is filtered in tiles.
+# The denoiser splits a picture that has more pixels than the device can bind at once into tiles.
 case_filters_large_pictures() {
     bakeSphere
     expectDone pointrt-view scene.pro -q --size 4200x2100 --spp 1 --denoise on -o out/a.png --stats stats.json

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# --help fits 80 columns. Manual pages and completions have the options of --help and no others, and shells offer them.
+# --help fits in 80 columns. Manual pages and completions have exactly the options of --help, and shells offer them.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 
@@ -9,7 +9,7 @@ commands=(pointrt-bake pointrt-info pointrt-view
 
 needs() { command -v "$1" >/dev/null || skip "no $1 here"; }
 
-# helpOptions COMMAND WORD...: the long options of --help, one a line, sorted.
+# helpOptions COMMAND WORD...: the long options in --help, one per line, sorted.
 helpOptions() { "$@" --help | sed -n 's/^  \(-[a-zA-Z],\)\?\(--[a-z-]*\).*/\2/p' | sort; }
 
 # forEachCommand FUNCTION: FUNCTION COMMAND WORD... prints long options, which must be those of --help.
@@ -34,7 +34,7 @@ case_help_fits_80_columns() {
     done
 }
 
-# manual COMMAND WORD...: its page as a terminal shows it. Fails if groff warns of it.
+# manual COMMAND WORD...: the manual page as a terminal shows it. Fails if groff prints a warning.
 manual() {
     "$@" --generate man >page.1
     groff -man -Tutf8 -ww -P-cbou page.1 >page.txt 2>warnings || fail "groff: $(cat warnings)"
@@ -60,14 +60,14 @@ case_manual_pages() {
     manual pointrt-rays | grep -q "pointrt-rays-viewshed(1)" || fail "pointrt-rays(1) does not name its commands' pages"
 }
 
-# bashOffers WORD...: what bash offers for the last of them, one a line.
+# bashOffers WORD...: the completions that bash offers for the last word, one per line.
 bashOffers() {
     local tool=$1
     "$tool" --generate bash >"$folder/$tool.bash"
     bash --norc -c '
         . "$1"
         shift
-        words=("$@") # as the line editor hands them on: --option=VALUE is three words
+        words=("$@") # split as the line editor does: --option=VALUE is three words
         COMP_WORDS=("${words[@]}") COMP_CWORD=$(($# - 1))
         read -ra entry < <(complete -p "$1")
         "${entry[2]}"
@@ -77,7 +77,7 @@ bashOptions() { bashOffers "$@" --; }
 case_bash_completes_the_options() { forEachCommand bashOptions; }
 
 zshOptions() { zshOffers "$*" --; }
-# zshOffers LINE WORD: what zsh offers for WORD at the end of LINE.
+# zshOffers LINE WORD: the completions that zsh offers for WORD at the end of LINE.
 zshOffers() {
     mkdir -p "$folder/zsh"
     "${1%% *}" --generate zsh >"$folder/zsh/_${1%% *}"
@@ -88,7 +88,7 @@ case_zsh_completes_the_options() {
     forEachCommand zshOptions
 }
 
-# fishOffers LINE WORD: what fish offers for WORD at the end of LINE.
+# fishOffers LINE WORD: the completions that fish offers for WORD at the end of LINE.
 fishOffers() {
     "${1%% *}" --generate fish >"$folder/tool.fish"
     HOME=$folder fish --no-config -c 'source $argv[1]; complete -C $argv[2]' "$folder/tool.fish" "$1 $2" | cut -f 1 | sort -u
@@ -105,14 +105,15 @@ bashLine() {
     bashOffers "${words[@]}" "$2"
 }
 
-# expectOffers WANTED FUNCTION LINE WORD: in a folder of a few files, which are offered sorted, folders without a slash.
+# expectOffers WANTED FUNCTION LINE WORD: FUNCTION LINE WORD, in the folder files/, must print WANTED (sorted, folders
+# without their slash).
 expectOffers() {
     local wanted=$1 given
     shift
     given=$(cd files && "$@" | sed 's,/$,,' | tr '\n' ' ')
     [ "${given% }" = "$wanted" ] || fail "$*: '$given' is offered, not '$wanted'"
 }
-# theSameIn FUNCTION: what all shells offer alike. FUNCTION LINE WORD.
+# theSameIn FUNCTION: checks the completions that all shells must offer. FUNCTION LINE WORD prints those of a shell.
 theSameIn() {
     mkdir -p files/tiles files/more.proset
     touch files/{a.pro,b.ply,c.LAZ,d.json,e.toml,f.png,g.exr}

@@ -1,24 +1,24 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Files without a tracing index: what is built for them is kept, and never built again.
+# Files without a tracing index: it is built once and cached.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 
-# useCache: a cache of the case's own, but for the driver's programs.
+# useCache: uses an empty cache folder for this case, but the usual one for the driver's compiled programs.
 useCache() {
     export MESA_SHADER_CACHE_DIR=${XDG_CACHE_HOME:-$HOME/.cache} XDG_CACHE_HOME=$PWD/cache
     unset POINTRT_INDEX_CACHE
     kept=$XDG_CACHE_HOME/pointrt/index
 }
 
-# bakeTwice COUNT NAME: NAME.pro with an index, NAME_compact.pro without.
+# bakeTwice COUNT NAME: bakes NAME.pro with an index, and NAME_compact.pro without.
 bakeTwice() {
     sphere "$1" >"$2.xyz"
     pointrt-bake -q "$2.xyz" -o "$2.pro"
     pointrt-bake -q "$2.xyz" -o "$2_compact.pro" --compact
 }
 
-# expectPicture FILE PICTURE SOURCE COUNT: tells COUNT times that an index is from SOURCE.
+# expectPicture FILE PICTURE SOURCE COUNT: renders FILE; the log must say COUNT times "tracing index SOURCE".
 expectPicture() {
     expectDone pointrt-view -v "$1" -o "out/$2.png" --size 96x64 --spp 1 --detail 0
     [ "$(grep -c "tracing index $3" stderr)" = "$4" ] || fail "$1: not $4 times an index $3"
@@ -56,7 +56,7 @@ case_rays_meet_the_same() {
     [ "$(find "$kept" -type f | wc -l)" = 1 ] || fail "not one file is kept"
 }
 
-# bakeSets TILE_SPLATS: shipped.proset, with indices, and compact.proset, without.
+# bakeSets TILE_SPLATS: bakes shipped.proset with indices, and compact.proset without.
 bakeSets() {
     sphere 20000 >ball.xyz
     pointrt-bake -q ball.xyz -o shipped.proset --tile-splats "$1"
@@ -76,7 +76,7 @@ case_a_set_is_indexed_once() {
     samePictures shipped built kept
 }
 
-# Where the files fit, and what is built for them does not. Tiles have half of what is this little.
+# Half of such a small memory limit is for tiles. Their files fit in it, but not the indices built for them.
 case_memory_counts_what_is_built() {
     local each
     useCache
@@ -141,7 +141,7 @@ SH
     grep -q "index was not cached: " stderr || fail "it does not say that nothing is kept"
 }
 
-# What is kept there is of use all the same.
+# Cached indices are used even if the cache is read-only.
 case_a_cache_that_is_read_only() {
     local -a namespace=(unshare --user --map-root-user --mount)
     useCache
@@ -164,7 +164,7 @@ SH
     grep -q "index was not cached: .*Read-only" stderr || fail "it does not say that nothing is kept"
 }
 
-# Three files where there is room for two.
+# The cache has room for two of three files.
 case_the_longest_unused_goes() {
     local size
     useCache

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# pointrt-info on good files and on broken ones.
+# pointrt-info with valid and with damaged files.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 
@@ -24,7 +24,7 @@ case_summary_and_json() {
     [ -n "$(awk -f "$suite_dir/../../.ci/json.awk" stdout)" ] || fail "no JSON"
 }
 
-# Bytes are overwritten one at a time across the file; a changed checksum or a broken structure, each is a finding.
+# Overwrites two bytes in turn at several places of the file: each is a finding, of a checksum or of the structure.
 case_verify_finds_every_changed_byte() {
     local size place
     bakeSphere
@@ -65,7 +65,7 @@ bakeSet() {
     pointrt-bake -q sphere.xyz -o out/site.proset --tile-splats 1000
 }
 
-# breakSet COMMAND ...: the command in a copy of the set, which is broken.proset then.
+# breakSet COMMAND ...: copies the set to broken.proset and runs COMMAND in that folder.
 breakSet() {
     rm -rf broken.proset
     cp -r out/site.proset broken.proset
@@ -77,11 +77,11 @@ swapTiles() {
     mv "${tiles[0]}" x && mv "${tiles[1]}" "${tiles[0]}" && mv x "${tiles[1]}"
 }
 
-case_sets_are_told_of_and_exported() {
+case_sets_are_summarised_and_exported() {
     local splats
     bakeSet
     expectDone pointrt-info out/site.proset
-    grep -q "tile set version 1" stdout || fail "it is not told of as a set"
+    grep -q "tile set version 1" stdout || fail "the summary does not say that it is a set"
     expectDone pointrt-info out/site.proset --json
     cp stdout set.json
     splats=$(jsonValue set.json splats)
@@ -105,7 +105,7 @@ case_broken_tiles_of_sets_are_found() {
     breakSet sh -c 'rm tiles/0-*'
     expectError 1 "No such file" pointrt-info broken.proset --export lost.ply
     [ ! -e lost.ply ] || fail "a part was exported"
-    # the root, which stands in for what is lost
+    # without its root, the set has no tile to replace missing ones
     breakSet rm "$(grep -o 'tiles/[^"]*\.pro' out/site.proset/set.json | sed -n 1p)"
     expectError 1 "broken.proset/tiles/" pointrt-view broken.proset -o lost.png
 }

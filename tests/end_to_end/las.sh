@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Scans as LAS and LAZ: out of pointrt-info, through the bake, and out again.
+# Scans as LAS and LAZ: exported by pointrt-info, baked, and exported again.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 
-# A sphere in a national grid, with attributes that LAS knows and one that it does not.
+# scan COUNT: prints a sphere in a national grid as PLY, with attributes that LAS has and one that it does not have.
 scan() {
     printf 'ply\nformat ascii 1.0\nelement vertex %s\n' "$1"
     printf 'property double x\nproperty double y\nproperty double z\n'
@@ -13,7 +13,7 @@ scan() {
     sphere "$1" | awk '{ printf "%.6f %.6f %s %d 7 9 %d %d %g\n", $1 + 500000, $2 + 4000000, $3, NR % 256, ($3 > 0 ? 2 : 6), NR - 1, NR / 8 }'
 }
 
-# hasLaz: whether this build packs points.
+# hasLaz: whether this build writes LAZ.
 hasLaz() {
     scan 10 >ten.ply
     pointrt-bake -q ten.ply -o out/ten.pro --outliers keep
@@ -21,10 +21,10 @@ hasLaz() {
     [ "$status" != 3 ]
 }
 
-# attributesOf FILE.pro: their names, types, ranges and histograms.
+# attributesOf FILE.pro: names, types, ranges and histograms of its attributes.
 attributesOf() { pointrt-info "$1" --json | awk '/^  "attributes":/ { on = 1 } on; /^  \],/ { on = 0 }'; }
 
-# roundTrip SUFFIX: attributes are the same after a bake of what came out of another.
+# roundTrip SUFFIX: exports a scan, bakes the export, and repeats that: attributes must not change.
 roundTrip() {
     local name
     scan 2000 >scan.ply

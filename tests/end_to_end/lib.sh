@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
-# Checks of the command lines as a user meets them. A script sources this, defines functions case_NAME and ends with
-# runCase "$@". A case runs in an empty folder that goes away, with the tools in PATH and an empty folder out/.
+# Tests of the tools' command lines. A script sources this, defines functions case_NAME and ends with runCase "$@". A case
+# runs in a temporary folder that is empty except for an empty folder out/, with the tools in PATH.
 set -euo pipefail
 
 : "${POINTRT_BIN:?the folder of the built tools}"
@@ -19,7 +19,7 @@ skip() {
     exit 77
 }
 
-# run COMMAND...: leaves its exit status in $status and its output in the files stdout and stderr.
+# run COMMAND...: puts its exit status into $status and its output into the files stdout and stderr.
 run() {
     status=0
     timeout 240 "$@" >stdout 2>stderr </dev/null || status=$?
@@ -28,14 +28,14 @@ run() {
     printf '    exit status %s\n' "$status"
 }
 
-# expectDone COMMAND...: exit status 0.
+# expectDone COMMAND...: must exit with status 0.
 expectDone() {
     run "$@"
     [ "$status" = 0 ] || fail "exit status $status where 0 was expected"
 }
 
-# expectError CODE PATTERN COMMAND...: this exit status, one line on stderr "TOOL: error: ..." that matches the
-# extended regular expression PATTERN, nothing on stdout, and nothing left in out/.
+# expectError CODE PATTERN COMMAND...: must exit with CODE, print one line "TOOL: error: ..." to stderr that matches the
+# extended regular expression PATTERN, nothing to stdout, and leave nothing new in out/.
 expectError() {
     local code=$1 pattern=$2 before
     shift 2
@@ -58,12 +58,12 @@ sphere() {
     }'
 }
 
-# jsonValue FILE PATH: one number or string of a JSON file, such as seconds.total; empty when it is not there.
+# jsonValue FILE PATH: a number or string of a JSON file, at a path such as seconds.total; empty if it is missing.
 jsonValue() {
     awk -f "$suite_dir/../../.ci/json.awk" "$1" | awk -F '\t' -v path="$2" '$1 == path { print $2 }'
 }
 
-# expectKeys FILE PATH...: every path is there with a value.
+# expectKeys FILE PATH...: every path must have a value.
 expectKeys() {
     local file=$1 path
     shift

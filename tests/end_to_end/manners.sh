@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# What all three tools do alike: help, slips on the command line, standard output, and nothing written over an input.
+# What all three tools have in common: help, typing errors, standard output, and that inputs are never overwritten.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 
@@ -11,20 +11,20 @@ bakeSphere() {
     pointrt-bake -q scan.xyz -o scan.pro
 }
 
-# scanPly FILE: a sphere as PLY.
+# scanPly: prints a sphere as PLY.
 scanPly() {
     printf 'ply\nformat ascii 1.0\nelement vertex 3000\nproperty float x\nproperty float y\nproperty float z\nend_header\n'
     sphere 3000
 }
 
-# expectUsage PATTERN COMMAND...: wrong usage, told in the one way of all tools.
+# expectUsage PATTERN COMMAND...: must fail with a usage error, in the format of all tools.
 expectUsage() {
     local pattern=$1
     shift
     expectError 2 "$pattern \(see --help\)\$" "$@"
 }
 
-# onTerminal COMMAND...: what it shows on a terminal, in the file screen.
+# onTerminal COMMAND...: runs it on a terminal, whose output goes to the file screen.
 onTerminal() {
     command -v script >/dev/null || skip "no script(1), which gives a program a terminal"
     script -qec "$*" /dev/null >screen </dev/null
@@ -106,7 +106,7 @@ case_quiet() {
     [ -s stdout ] || fail "-q keeps back what was asked for"
 }
 
-# Each example of --help does what it says, but for the one that opens a window; cat stands for programs of others.
+# All examples of --help work (except the one that opens a window). cat replaces other programs.
 case_examples_of_help() {
     local tool example count
     bakeSphere
@@ -200,7 +200,7 @@ case_nothing_lands_on_an_input() {
     cmp scene.toml before.toml
 }
 
-# Found out before the work: what there is none of to bake would end with exit status 1.
+# Places that cannot be written are reported before any work: otherwise the missing input would be, with exit status 1.
 case_places_that_cannot_be_written() {
     bakeSphere
     expectError 4 "/proc/x.pro: .* /proc\$" pointrt-bake missing.ply -o /proc/x.pro
@@ -236,7 +236,7 @@ case_standard_output() {
     grep -q "standard output .*terminal; .*splats .*(see --help)" screen || fail "it does not say why"
 }
 
-# On a terminal one line is redrawn, with a share that runs over all stages once, and wiped at the end.
+# On a terminal one line is redrawn, with a percentage that increases once over all stages, and cleared at the end.
 case_progress_of_a_bake_on_a_terminal() {
     sphere 300000 >scan.xyz
     local began_ms took_ms
@@ -248,7 +248,7 @@ case_progress_of_a_bake_on_a_terminal() {
     sed 's/^baking *\([0-9]*\)%.*/\1/' drawn | sort -nc || fail "the share goes back"
     [ "$(sed 's/^baking *\([0-9]*\)%.*/\1/' drawn | tail -n 1)" -ge 80 ] || fail "the share does not run over all stages"
     [ "$(sed 's/.*: \([a-z]*\) .*/\1/' drawn | uniq | wc -l)" -ge 3 ] || fail "not the stages"
-    # the first two seconds tell little of it, and fast processors take no more
+    # no estimate during the first two seconds, in which a fast machine may finish
     [ "$took_ms" -lt 4000 ] || grep -q ' left' drawn || fail "no time left after $took_ms ms"
     ! head -n 1 drawn | grep -q ' left' || fail "a time that is left is told at the beginning"
     tail -n 2 screen | grep -q $'\r\033\\[Kout/a.pro: 300000 points' || fail "the line is not wiped for the summary"

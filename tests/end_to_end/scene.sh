@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Scene files on the command line of pointrt-view; what they may say and what comes of it is tested elsewhere.
+# Scene files on the command line of pointrt-view. Their keys and their pictures are tested elsewhere.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 
-# writeScene: sphere.pro and scene.toml, a glass sphere by a mirror over a floor.
+# writeScene: writes sphere.pro and scene.toml, a glass sphere next to a mirror sphere over a floor.
 writeScene() {
     sphere 3000 >sphere.xyz
     pointrt-bake -q sphere.xyz -o sphere.pro
@@ -45,7 +45,7 @@ power = 500
 EOF
 }
 
-# pixelsOf FILE: "width height" of a PNG.
+# pixelsOf FILE: "width height" of a PNG file.
 pixelsOf() { od -An -t u1 -j 16 -N 8 "$1" | awk '{ print $3 * 256 + $4, $7 * 256 + $8 }'; }
 
 case_settings_of_the_file() {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
-# A Slurm of this machine alone, for as long as a test runs: on 127.0.0.1, with keys, state and logs in a folder.
+# A Slurm cluster of this machine only, for the duration of a test: on 127.0.0.1, with keys, state and logs in a folder.
 export PATH=$PATH:/usr/sbin
 
 hasSlurm() {
@@ -10,12 +10,12 @@ hasSlurm() {
     done
 }
 
-# startSlurm FOLDER: its commands find it by SLURM_CONF; false where it does not come up.
+# startSlurm FOLDER: starts it and sets SLURM_CONF for its commands. Fails if it does not start.
 startSlurm() {
     local folder=$1 port=$((20000 + $$ % 10000 * 2)) user host
     user=$(id -un) host=$(hostname -s)
     mkdir -p "$folder/state" "$folder/spool"
-    chmod a+x "$folder" # munged asks that all may reach its socket
+    chmod a+x "$folder" # munged requires that all users can reach its socket
     (umask 077 && head -c 128 /dev/urandom >"$folder/munge.key")
     export SLURM_CONF=$folder/slurm.conf
     cat >"$SLURM_CONF" <<CONF
@@ -53,7 +53,7 @@ CONF
     return 1
 }
 
-# stopSlurm FOLDER: whatever of it runs.
+# stopSlurm FOLDER: stops its daemons.
 stopSlurm() {
     local daemon
     for daemon in slurmd slurmctld munged; do

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# pointrt-bake -o NAME.proset: all at once, in steps, killed and gone on with, refused.
+# pointrt-bake -o NAME.proset: all at once, in steps, killed and resumed, refused.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 # shellcheck source=slurm_here.sh
 . "$(dirname "$0")/slurm_here.sh"
 
-# hill COUNT [OFFSET]: COUNT points on a smooth hill of 64 x 64, moved along x.
+# hill COUNT [OFFSET]: prints COUNT points on a smooth hill of 64 x 64, moved by OFFSET along x.
 hill() {
     awk -v count="$1" -v offset="${2:-0}" 'BEGIN {
         for (i = 0; i < count; i++) {
@@ -16,7 +16,7 @@ hill() {
     }'
 }
 
-# bakeHills OUTPUT [OPTION ...]: two hills side by side, in tiles of a thousand points.
+# bakeHills OUTPUT [OPTION ...]: bakes two hills side by side, in tiles of a thousand points.
 bakeHills() {
     local output=$1
     shift
@@ -25,12 +25,12 @@ bakeHills() {
     pointrt-bake -q a.xyz b.xyz -o "$output" --tile-splats 1000 "$@"
 }
 
-# sameSet A B: the same files with the same bytes.
+# sameSet A B: both folders must have the same files with the same bytes.
 sameSet() {
     diff -r "$1" "$2" >/dev/null || fail "$1 and $2 differ: $(diff -rq "$1" "$2" | head -3)"
 }
 
-# number NAME FILE: a whole number of a JSON report.
+# number NAME FILE: an integer of a JSON report.
 number() {
     sed -n "s/^ *\"$1\": \([0-9]*\),\{0,1\}$/\1/p" "$2" | head -1
 }
@@ -38,17 +38,17 @@ number() {
 case_whole_sets_verify() {
     bakeHills out/site.proset --stats stats.json
     expectDone pointrt-info out/site.proset --verify
-    [ "$(number points stats.json)" = 16000 ] || fail "not all points are told of"
+    [ "$(number points stats.json)" = 16000 ] || fail "not all points are counted"
     [ "$(number original_tiles stats.json)" -gt 5 ] || fail "there are few tiles"
     [ ! -e out/site.proset.work ] || fail "the work was left"
     grep -q '"done": true' stats.json || fail "the report does not say that it is done"
-    # a dense corner: tiles of several levels side by side
+    # a dense corner gives adjacent tiles of several levels
     hill 12000 | awk '{ print $1 / 6, $2 / 6, $3 }' >corner.xyz
     expectDone pointrt-bake -q a.xyz corner.xyz -o out/corner.proset --tile-splats 1000
     expectDone pointrt-info out/corner.proset --verify
 }
 
-case_an_interrupted_bake_says_that_it_goes_on() {
+case_an_interrupted_bake_says_how_to_resume() {
     hill 60000 >a.xyz
     run timeout -s INT 1 pointrt-bake -q a.xyz -o out/a.proset --tile-splats 1000
     [ "$status" = 124 ] || fail "exit status $status: it was not interrupted"
@@ -73,7 +73,7 @@ case_threads_and_steps_do_not_matter() {
     sameSet out/whole.proset out/kept.proset
 }
 
-# Killed after more and more hundredths of a second until it gets through.
+# Kills the bake after more and more hundredths of a second, until a run completes.
 case_killed_at_any_moment() {
     local kills=0 hundredths=1
     bakeHills out/whole.proset
@@ -123,7 +123,7 @@ case_other_options_and_inputs_are_refused() {
     expectDone pointrt-info out/site.proset --verify
 }
 
-# view DETAIL [OPTION ...]: renders out/site.proset; $tiles is how many tiles that took.
+# view DETAIL [OPTION ...]: renders out/site.proset, and sets $tiles to the number of tiles loaded.
 view() {
     local detail=$1
     shift
@@ -142,7 +142,7 @@ case_detail_is_how_much_may_be_left_out() {
     [ "$tiles" -gt 1 ] && [ "$tiles" -lt "$all" ] || fail "$tiles tiles at two pixels, of $all"
     view 16384
     [ "$tiles" = 1 ] || fail "$tiles tiles where the root is enough"
-    view 0 --memory 2M # half of which is theirs
+    view 0 --memory 2M # half of it is for tiles
     [ "$tiles" -lt "$all" ] || fail "$tiles tiles in a mebibyte"
     [ "$(grep -c "coarser .*--detail 0: $tiles tiles .*1 MiB.* $all " stderr)" = 1 ] ||
         fail "it does not say once what memory left out"
@@ -182,7 +182,7 @@ case_usage() {
     expectError 1 "plan.json: .*--step plan" pointrt-bake -q a.xyz -o out/a.proset --step top
 }
 
-# A tmpfs of 1 MiB in a mount namespace of its own: it goes away with the command.
+# Bakes to a tmpfs of 1 MiB in a mount namespace, which ends with the command.
 case_a_disk_that_is_too_small() {
     local namespace=(unshare --mount)
     [ "$(id -u)" = 0 ] || namespace=(unshare --mount --map-root-user)
@@ -194,13 +194,13 @@ SH
     run "${namespace[@]}" bash on_small_disk.sh
     [ "$status" != 77 ] && [ "$status" != 1 ] || skip "no file system can be mounted here"
     [ "$status" = 4 ] || fail "exit status $status where 4 was expected"
-    grep -q "a.proset: .*disk" stderr || fail "the disk is not told of"
+    grep -q "a.proset: .*disk" stderr || fail "it does not report the disk"
 }
 
-# The same bytes by other roads, on which a worker dies.
+# Workflow engines: the set has the same bytes, although a worker is killed.
 engine=$suite_dir/../../preprocess/engine
 
-# What the engines run: pointrt-bake, but for the first worker of block 1, who is killed amid its tiles.
+# makeKilledOnce: makes a replacement for pointrt-bake that kills the first worker of block 1 amid its tiles.
 makeKilledOnce() {
     cat >killed_once <<'SH'
 #!/bin/bash
@@ -229,7 +229,7 @@ case_gnu_parallel() {
     parallel --version 2>/dev/null | grep -q '^GNU' || skip "GNU parallel is not installed"
     makeKilledOnce
     bakeHills out/whole.proset
-    expectDone "$engine/parallel.sh" 2 out/shared.proset a.xyz b.xyz --tile-splats 1000 # which tries again
+    expectDone "$engine/parallel.sh" 2 out/shared.proset a.xyz b.xyz --tile-splats 1000 # retries failed jobs
     wasKilled
     sameSet out/whole.proset out/shared.proset
 }
@@ -249,7 +249,7 @@ case_snakemake() {
     expectDone "${command[@]}"
 }
 
-# submitHills: through Slurm, until no job is left.
+# submitHills: bakes the hills by Slurm, and waits until no job is left.
 submitHills() {
     expectDone "$engine/slurm.sh" out/shared.proset a.xyz b.xyz -- --tile-splats 1000
     for _ in $(seq 600); do

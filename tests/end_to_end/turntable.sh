@@ -6,7 +6,7 @@
 
 small="-q --size 32x32 --spp 2 --denoise off"
 
-# writeScene: half of a sphere, which looks different from all sides, and a scene file with two views of it.
+# writeScene: writes half.pro, half of a sphere, which looks different from each side, and a scene file with two views.
 writeScene() {
     sphere 3000 | awk '$1 > 0' >half.xyz
     pointrt-bake -q half.xyz -o half.pro

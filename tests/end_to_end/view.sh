@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# pointrt-view as a user meets it; what the pictures show is tested elsewhere.
+# The command line of pointrt-view. What its pictures show is tested elsewhere.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 
@@ -9,7 +9,7 @@ bakeSphere() {
     pointrt-bake -q sphere.xyz -o scene.pro --stats stats.json
 }
 
-# bigEndian FILE OFFSET: the 4-byte number there, as PNG stores them.
+# bigEndian FILE OFFSET: prints the 4-byte big-endian number there, as in PNG files.
 bigEndian() {
     od -An -t u1 -j "$2" -N 4 "$1" | awk '{ print (($1 * 256 + $2) * 256 + $3) * 256 + $4 }'
 }
@@ -46,7 +46,8 @@ case_wrong_usage() {
     expectError 2 "--exposure" pointrt-view scene.pro -o out/a.exr --exposure 1
 }
 
-# bakeHill: a hill of class 2 with a roof of class 6 over it, z upwards; intensity is the distance from the middle.
+# bakeHill: bakes hill.pro, a hill of class 2 under a roof of class 6, with z up. Intensity grows with the distance from
+# the middle.
 bakeHill() {
     awk 'BEGIN {
         n = 80
@@ -90,7 +91,7 @@ case_films_differ_by_colours() {
         pointrt-view -q hill.pro -o film.exr --resume --size 32x24 --spp 4 --color-by height
 }
 
-# In a scene file: a roof that shines, seen by a camera that looks down.
+# A scene file makes the roof emit light, selected by its height and then by its class. The camera looks down.
 case_overrides_by_numbers() {
     bakeHill
     cat >scene.toml <<'EOF'
@@ -125,8 +126,9 @@ EOF
         pointrt-view scene.toml -o out/a.png
 }
 
-# A file that knows its up is seen as with that option; of others the bake finds it, and what tells it nothing is as ever.
-case_stands_upright() {
+# The up direction stored in a file, or found by the bake, has the effect of --up. A file without one (a ball has none)
+# is shown with y up.
+case_up_directions() {
     bakeHill
     sphere 2000 >ball.xyz
     pointrt-bake -q ball.xyz -o silent.pro --orient none --stats silent.json
@@ -161,7 +163,8 @@ case_stands_upright() {
     ! cmp -s out/known.png out/silent.png || fail "up makes no difference"
 }
 
-# expectSamePictures CLOUD: of the bake with a tracing index, which is used, and of the one without, which builds it.
+# expectSamePictures CLOUD: bakes it with a tracing index, which the viewer reads, and without, so that the viewer builds
+# the index. Both must give the same picture.
 expectSamePictures() {
     local bake
     expectDone pointrt-bake -q "$1" --outliers keep -o whole.pro -f
@@ -177,7 +180,7 @@ expectSamePictures() {
 case_the_index_shows_the_same_picture() {
     sphere 5000 >even.xyz
     expectSamePictures even.xyz
-    # crowded in the middle, where cells are cut into groups
+    # dense in the middle, where cells are divided into groups
     sphere 15000 | awk '{ k = NR % 5 < 3 ? 0.02 : 1; print k * $1, k * $2, k * $3 }' >uneven.xyz
     expectSamePictures uneven.xyz
     expectDone pointrt-info whole.pro --json
@@ -207,7 +210,7 @@ case_thumbnail() {
     [ "$(bigEndian out/no_suffix 16)x$(bigEndian out/no_suffix 20)" = 128x128 ] || fail "not of 128 pixels"
     expectDone pointrt-view scene.pro --size 128x128 -q -o out/picture.png
     cmp out/no_suffix out/picture.png || fail "a thumbnail that had time enough is another picture"
-    # who made the file and holds it open gets the picture
+    # the picture is written to the file that the file manager has created and holds open
     : >out/held
     exec 3<out/held
     expectDone pointrt-view scene.pro --thumbnail 128 -o out/held
@@ -297,7 +300,7 @@ case_same_seed_same_picture() {
     cmp out/a.png out/b.png
 }
 
-# What the denoiser and the exposure do is tested elsewhere: here, that the options reach them.
+# The options reach the denoiser and the tone mapping, whose effects are tested elsewhere.
 case_denoise_and_exposure() {
     local options="-q --size 48x48 --spp 2"
     bakeSphere
@@ -319,7 +322,7 @@ case_denoise_and_exposure() {
     [ "$(jsonValue data.json denoise_ms)" = 0 ] || fail "data are denoised unasked"
 }
 
-# The viewer goes to machines that have a driver and little else.
+# The viewer must run on machines that have a Vulkan driver and few libraries.
 case_light_dependencies() {
     ldd "$POINTRT_BIN/pointrt-view" >libraries
     ! grep -Ei 'pcl|flann|cgal|draco|boost' libraries || fail "the viewer is linked to the bake's libraries"

@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The window without a display: recordings stand for the user.
+# The window without a display: recordings replace the user.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 
-# bakeHalf: half of a sphere, which looks different from all sides.
+# bakeHalf: bakes half.pro, half of a sphere, which looks different from each side.
 bakeHalf() {
     sphere 3000 | awk '$1 > 0' >half.xyz
     pointrt-bake -q half.xyz -o half.pro
 }
 
-# replay LINES OPTION...: lets the lines be done to half.pro in a window of 160x120.
+# replay LINES OPTION...: replays these lines of a recording with half.pro, in a window of 160x120.
 replay() {
     { echo "pointrt-recording 1 window 160x120 scale 1" && printf '%s\n' "$1"; } >user.txt
     shift
@@ -42,7 +42,7 @@ case_picture_is_that_of_files() {
     done
 }
 
-# With the legend, which is on both where it was asked for.
+# The window's picture and that of its saved scene have the same colours and legend.
 case_colours_are_those_of_files() {
     bakeHalf
     replay "0 wait 4
@@ -76,7 +76,7 @@ case_studio_follows_the_scene_not_the_camera() {
     cmp half-1.png file.png || fail "the window's picture is not the file's"
 }
 
-# From above a camera's up is not the scene's, on which sky and rooms stand.
+# A view from above has another up direction than the scene, by which sky and rooms are oriented.
 case_keeps_the_scenes_up() {
     bakeHalf
     replay "0 wait 1
@@ -96,7 +96,7 @@ case_keeps_the_scenes_up() {
     cmp half-1.png file.png || fail "the window's picture is not the file's"
 }
 
-case_records_what_it_is_told() {
+case_records_its_input() {
     bakeHalf
     replay "$orbit
 4 screenshot first
@@ -123,7 +123,7 @@ case_survives_any_size_and_key() {
         print "151 resize 160x120 scale 1"
         print "152 quit"
     }' >user.txt
-    # without leaks, as tests/CMakeLists.txt has it
+    # without leak detection, for the reason in tests/CMakeLists.txt
     POINTRT_VALIDATION=1 ASAN_OPTIONS=detect_leaks=0 expectDone \
         pointrt-view half.pro --replay user.txt --offscreen --stats stats.json
     expectKeys stats.json device width moving_frame_ms.p95 refining_frame_ms.median first_picture_seconds

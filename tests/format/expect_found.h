@@ -10,8 +10,8 @@
 
 namespace pointrt::test {
 
-/// Changes one value of a file. Expects that pro_verify reports the finding, and pro_open refuses the file with it, or
-/// opens it.
+/// Changes one value of a file. Expects that pro_verify reports the finding, and that pro_open refuses the file with
+/// that finding or, if opens, opens it.
 template <typename T>
 void expectFound(const Bytes& sound, std::size_t offset, T value, std::uint32_t finding, bool opens = false) {
     Bytes bytes = sound;

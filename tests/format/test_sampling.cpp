@@ -92,25 +92,25 @@ TEST(Sampling, WriterRefusesContradictoryCounts) {
     }
 }
 
-const Bytes& goldenInSampling() {
+const Bytes& tinyScan() {
     static const Bytes bytes = readBytes(kTinyScan);
     return bytes;
 }
 
 TEST(HostileSampling, HeaderAndSection) {
-    expectFound(goldenInSampling(), PRO_OFF_FILLED_COUNT, 6u, 1018);
-    expectFound(goldenInSampling(), PRO_OFF_INPUT_COUNT, 0u, 1018);
-    expectFound(goldenInSampling(), PRO_OFF_INPUT_COUNT, 8u, 9401, true);
-    expectFound(goldenInSampling(), PRO_OFF_FILLED_COUNT, 2u, 9401, true);
-    expectFound(goldenInSampling(), PRO_OFF_NOISE, std::numeric_limits<float>::quiet_NaN(), 1019);
-    expectFound(goldenInSampling(), PRO_OFF_NOISE, -1.0f, 1019);
-    expectFound(goldenInSampling(), PRO_OFF_NOISE, 1.0f, 9402, true);
-    expectFound(goldenInSampling(), sectionOf(goldenInSampling(), PRO_KIND_NOIS), std::uint8_t{11}, 9402, true);
-    expectFound(goldenInSampling(), recordOf(goldenInSampling(), PRO_KIND_NOIS), 0x58585858u, 9402, true);
-    expectFound(goldenInSampling(), PRO_FIELDS_END, 1u, 1006);
-    const std::size_t record = recordOf(goldenInSampling(), PRO_KIND_NOIS);
-    expectFound(goldenInSampling(), record + PRO_SEC_OFF_LENGTH, std::uint64_t{6}, 2005);
-    Bytes longer = goldenInSampling();
+    expectFound(tinyScan(), PRO_OFF_FILLED_COUNT, 6u, 1018);
+    expectFound(tinyScan(), PRO_OFF_INPUT_COUNT, 0u, 1018);
+    expectFound(tinyScan(), PRO_OFF_INPUT_COUNT, 8u, 9401, true);
+    expectFound(tinyScan(), PRO_OFF_FILLED_COUNT, 2u, 9401, true);
+    expectFound(tinyScan(), PRO_OFF_NOISE, std::numeric_limits<float>::quiet_NaN(), 1019);
+    expectFound(tinyScan(), PRO_OFF_NOISE, -1.0f, 1019);
+    expectFound(tinyScan(), PRO_OFF_NOISE, 1.0f, 9402, true);
+    expectFound(tinyScan(), sectionOf(tinyScan(), PRO_KIND_NOIS), std::uint8_t{11}, 9402, true);
+    expectFound(tinyScan(), recordOf(tinyScan(), PRO_KIND_NOIS), 0x58585858u, 9402, true);
+    expectFound(tinyScan(), PRO_FIELDS_END, 1u, 1006);
+    const std::size_t record = recordOf(tinyScan(), PRO_KIND_NOIS);
+    expectFound(tinyScan(), record + PRO_SEC_OFF_LENGTH, std::uint64_t{6}, 2005);
+    Bytes longer = tinyScan();
     storeAt(longer, record + PRO_SEC_OFF_LENGTH, std::uint64_t{6});
     storeAt(longer, record + PRO_SEC_OFF_COUNT, std::uint64_t{6});
     fixChecksums(longer);
@@ -118,10 +118,10 @@ TEST(HostileSampling, HeaderAndSection) {
 }
 
 TEST(HostileSampling, EveryWordOfTheHeaderAndTable) {
-    const auto last = recordOf(goldenInSampling(), PRO_KIND_SENS) + PRO_SECTION_BYTES * 8;
+    const auto last = recordOf(tinyScan(), PRO_KIND_SENS) + PRO_SECTION_BYTES * 8;
     for (std::size_t offset = 0; offset < last; offset += 4)
         for (const std::uint32_t value : {0u, 1u, 2u, 3u, 0x7FFFFFFFu, 0xFFFFFFFFu}) {
-            Bytes bytes = goldenInSampling();
+            Bytes bytes = tinyScan();
             storeAt(bytes, offset, value);
             fixHeaderChecksum(bytes);
             openCopy(bytes, PRO_OPEN_SKIP_CHECKSUMS); // for AddressSanitizer

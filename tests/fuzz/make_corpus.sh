@@ -39,11 +39,11 @@ seedsOf() {
     done
 }
 
-# twoFiles FIRST SECOND: combines two files as in fuzz_target.h.
+# twoFiles FIRST SECOND: combines two files as in fuzz_target.h, the size of the first in front.
 twoFiles() {
     local size
     size=$(stat -c %s "$1")
-    # shellcheck disable=SC2059 # two bytes
+    # shellcheck disable=SC2059 # the format has the bytes as escapes
     printf "\\x$(printf %02x $((size % 256)))\\x$(printf %02x $((size / 256)))"
     cat "$1" "$2"
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The custom mutator of libFuzzer.
+// Lets libFuzzer mutate .pro files by mutatePro.
 #include <algorithm>
 
 #include "tests/fuzz/pro_mutator.h"

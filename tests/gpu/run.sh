@@ -1,19 +1,19 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Checks and times a built tree on this machine's GPU: no network, no compiler, no ctest. Writes OUT.json.
+# Tests and times a built tree on this machine's GPU. Needs no network, compiler or ctest. Writes OUT.json.
 #   tests/gpu/run.sh BUILD_DIR OUT.json SCENE.pro...
-# Tests that trace on the device; for each scene the rays a second of trace_speed, whose hits are to be Embree's, and
-# the frame times of pointrt-view. Programs whose libraries are not here are left out, loudly: libembree3 and libtbb12
-# may lie in a folder that LD_LIBRARY_PATH names.
-# POINTRT_DEVICE chooses the device (as pointrt-view --device), by default the best; the tests always take the best.
-# POINTRT_GPU_ALLOW_CPU=1 takes a device that is a CPU too. POINTRT_GPU_FRAMES frames are timed, 10 unless set;
-# SPEED_OPTIONS goes to trace_speed.
-# Exit status: 1 when a test failed, hits differ or a scene is bad, 3 when there is no GPU, 4 without OUT.json.
+# Runs the tests that trace on the device, and for each scene trace_speed, whose hits must equal Embree's, and pointrt-view,
+# for frame times. Reports and skips programs whose libraries are missing: libembree3 and libtbb12 may be in a folder named
+# by LD_LIBRARY_PATH.
+# POINTRT_DEVICE selects the device (as pointrt-view --device; default: the best); the tests always use the best.
+# POINTRT_GPU_ALLOW_CPU=1 accepts a CPU device. POINTRT_GPU_FRAMES: number of frames to time (default: 10).
+# SPEED_OPTIONS: options for trace_speed.
+# Exit status: 1 if a test failed, hits differ or a scene is bad; 3 if there is no GPU; 4 if OUT.json cannot be written.
 set -euo pipefail
 
-# What the seed's scenes are compared at, and four times the pixels.
+# Picture sizes: that of most tables in tests/bench/RESULTS.md, and four times its pixels.
 sizes=(512 1024)
-# Share of the rays that are to hit what Embree's hit. The rest may be rims of discs and ties, which rounding decides.
+# Least share of rays with the same hit as Embree's. The others may be at rims of discs or ties, where rounding decides.
 least_agreement=0.99
 
 die() {
@@ -34,7 +34,7 @@ done
 device_option=()
 [ -z "${POINTRT_DEVICE:-}" ] || device_option=(--device "$POINTRT_DEVICE")
 
-# probe SCENE [OPTION...]: the name of the device that pointrt-view chooses, by a frame of few pixels.
+# probe SCENE [OPTION...]: renders a small frame, and prints the name of the device that pointrt-view chose.
 probe() {
     local scene=$1 figures
     shift
@@ -44,7 +44,7 @@ probe() {
 
 devices=$("$view" --device list)
 printf '%s\n' "$devices"
-for scene in "$@"; do # all of them, so that a bad one shows before the long work
+for scene in "$@"; do # all scenes, to find a bad one before the long work
     device=$(probe "$scene" "${device_option[@]}")
 done
 tests_device=$(probe "$1")
@@ -55,7 +55,7 @@ if grep -qF "\"$device\", CPU, " <<<"$devices" && [ "${POINTRT_GPU_ALLOW_CPU:-0}
 fi
 { : >"$out"; } 2>/dev/null || die 4 "$out: cannot be written"
 
-# By the names that Vulkan gives too: NVIDIA's own tool comes with the driver, vulkaninfo is a package.
+# driverOf DEVICE: the driver of the device of this name, by nvidia-smi, which comes with the driver, or by vulkaninfo.
 driverOf() {
     local found=''
     if command -v nvidia-smi >/dev/null; then
@@ -78,7 +78,7 @@ leaveOut() {
     echo "LEFT OUT: $1" >&2
 }
 
-# starts PROGRAM: whether it is here with all its libraries; says so where not.
+# starts PROGRAM: whether it and all its libraries are here; reports what is missing.
 starts() {
     local name missing
     name=$(basename "$1")
@@ -113,7 +113,7 @@ jsonStrings() {
     printf '[%s]' "$(join "${strings[@]}")"
 }
 
-# onDevice FIGURES WHAT: trace_speed and the viewer choose by themselves; figures of another device are not these.
+# onDevice FIGURES WHAT: fails if WHAT, which selects a device itself, ran on another one.
 onDevice() {
     grep -qF "\"device\": \"$device\"" <<<"$1" || die 3 "$2 did not run on $device"
 }
@@ -133,7 +133,7 @@ for program in "$bin"/test_runtime_host "$bin"/test_trace "$bin"/test_embree "$b
 done
 [ "$started" -gt 0 ] || fail "no test program starts here"
 
-# checkAgreement < FIGURES: a line for each kind of ray; fails where hits are not Embree's.
+# checkAgreement < FIGURES: prints a line for each kind of ray; fails if too few hits equal Embree's.
 checkAgreement() {
     awk -F '": |,$' -v least="$least_agreement" '
         $1 ~ /"scene$/ { scene = $2 }
@@ -157,7 +157,7 @@ if starts "$bin/trace_speed"; then
         }
         onDevice "$figures" trace_speed
         checkAgreement <<<"$figures" || fail "$scene: fewer than $least_agreement of the rays hit what Embree's hit"
-        rays+=("$(sed '1d;$d' <<<"$figures")") # without its brackets, it goes into the array of all scenes
+        rays+=("$(sed '1d;$d' <<<"$figures")") # the entries of the JSON array, to be joined with those of other scenes
     done
 fi
 

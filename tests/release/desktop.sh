@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# What file managers need: a .pro is told by its first bytes, whatever its name, and Qt's projects are not taken for one.
+# File managers recognise a .pro by its first bytes, whatever its name, and do not take Qt's project files for one.
 # desktop.sh CASE REPOSITORY
 set -euo pipefail
 desktop=$2/packaging/desktop golden=$2/tests/format/golden/tiny_v1_4.pro
@@ -14,7 +14,7 @@ tidyFolder() {
     cd "$(mktemp -d)"
     trap 'rm -rf "$PWD"' EXIT
 }
-# typeOf FILE: with the types of this machine and ours.
+# typeOf FILE: its MIME type, by this machine's definitions and ours.
 typeOf() { XDG_DATA_HOME=$PWD/share gio info -a standard::content-type "$1" | sed -n 's/.*content-type: //p'; }
 
 case_mime_type() {
@@ -31,7 +31,7 @@ case_mime_type() {
         [ "$(typeOf $file)" = model/x-pointrt ] || fail "$file is taken for $(typeOf $file)"
     done
     [ "$(typeOf project.txt)" = text/plain ] || fail "a text is taken for $(typeOf project.txt)"
-    # as Qt Creator's own types say
+    # Qt Creator's definition
     cat >share/mime/packages/qt.xml <<'END'
 <mime-info xmlns="http://www.freedesktop.org/standards/shared-mime-info"><mime-type type="application/vnd.qt.qmakeprofile">
 <sub-class-of type="text/plain"/><glob pattern="*.pro"/></mime-type></mime-info>
@@ -41,7 +41,7 @@ END
     [ "$(typeOf scan.pro)" = model/x-pointrt ] || fail "scan.pro is taken for $(typeOf scan.pro) beside Qt's type"
     [ "$(typeOf project.pro)" = application/vnd.qt.qmakeprofile ] || fail "Qt's project is taken for $(typeOf project.pro)"
 }
-# The files name each other and options that there are.
+# The desktop files name each other's type and existing files.
 case_entries() {
     local type
     type=$(sed -n 's/.*mime-type type="\([^"]*\)".*/\1/p' "$desktop/pointrt.xml")

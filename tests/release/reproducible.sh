@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Builds the Debian packages of what is committed twice, in folders of different depth and in other time zones, and
-# fails where a byte differs.
-#   reproducible.sh [FOLDER]   FOLDER: where to build, and to go on with builds that were interrupted; else a new one
+# Builds the Debian packages of the last commit twice, in folders of different depths and in different time zones. Fails if
+# a byte differs.
+#   reproducible.sh [FOLDER]   FOLDER: where to build, or to resume interrupted builds (default: a new folder)
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 work=${1:-$(mktemp -d)}

@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Runs the tests that enter no Vulkan driver under ThreadSanitizer (GCC's), and prints every report that it has, once.
+# Runs the tests that need no Vulkan driver under ThreadSanitizer (GCC's), and prints each of its reports once.
 #   tsan.sh [CTEST OPTION...]      for example tsan.sh -R octree; builds into build/tsan
-# A oneTBB that is instrumented is built first, into build/tsan-tbb: of a usual one ThreadSanitizer does not see that a
-# task begins after what made it, so that every loop would be a report. Its source is the Debian package's, fetched
-# beside the system's lists, or in the folder that TBB_SOURCE names. TSAN_TARGETS are built instead of all.
-# No driver is found here. Lavapipe runs shaders that it compiles itself, on threads of its own, and hands on work in
-# ways that ThreadSanitizer does not see either. What asks for a device runs until there, fails, and is counted apart.
-# Left out are torture, which runs the same commands as end_to_end some thousand times, and the wheel, whose Python
-# cannot load what is instrumented. Two tests ask what ThreadSanitizer cannot do: it hands on signals where a call may
-# block, of which open, of a pipe that nobody writes to, is none to it, and wants more addresses than ulimit -v leaves.
-# Exit status: 1 where there is a report, or where a test failed for another reason.
+# First builds an instrumented oneTBB into build/tsan-tbb. With the system's oneTBB, ThreadSanitizer would not see that a
+# task starts after the code that spawned it, and report every parallel loop. The source is that of the Debian package
+# (fetched without changing the system's apt lists), or the folder TBB_SOURCE. TSAN_TARGETS: targets to build (default: all).
+# Vulkan drivers are hidden: Lavapipe runs shaders that it compiles itself on its own threads, and synchronises in ways that
+# ThreadSanitizer does not see either. Tests that need a device fail when they request one, and are counted separately.
+# Not run: torture, which runs the commands of end_to_end some thousand times, and the Python wheel, whose interpreter cannot
+# load instrumented libraries. Two more tests cannot pass: ThreadSanitizer delivers signals only at calls that it knows to
+# block, which opening a pipe without a writer is not, and it needs more address space than ulimit -v leaves.
+# Exit status: 1 if there is a report, or a test failed for another reason.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . .ci/common.sh
@@ -18,7 +18,7 @@ cd "$(dirname "$0")/../.."
 tbb=$PWD/build/tsan-tbb build=$PWD/build/tsan
 reports=$build/reports junit=$build/ctest.xml
 
-# Debian's sources, of the release that is here: the lists that apt has, but for source packages, in a folder of ours.
+# fetchTbb: gets the source package of this Debian release, with copies of apt's lists that have source packages.
 fetchTbb() {
     local parts=$tbb/apt/parts file options
     command -v apt-get >/dev/null || die "no apt-get here: TBB_SOURCE names the folder of oneTBB's source"
@@ -44,14 +44,14 @@ buildTbb() {
         source=$(dirname "$(find "$tbb/source" -maxdepth 2 -name CMakeLists.txt)")
     fi
     say "building $(basename "$source") with ThreadSanitizer"
-    # its allocator, its tests and what binds threads to cores are not wanted; GCC warns of fences that it does not see
+    # without its allocator, its tests and thread binding; GCC would warn of fences that ThreadSanitizer does not support
     cmake -G Ninja -S "$source" -B "$tbb/build" -D CMAKE_BUILD_TYPE=RelWithDebInfo -D CMAKE_INSTALL_PREFIX="$tbb" \
         -D CMAKE_INSTALL_LIBDIR=lib -D CMAKE_CXX_FLAGS=-Wno-tsan -D TBB_SANITIZE=thread -D TBB_TEST=OFF \
         -D TBB_STRICT=OFF -D TBBMALLOC_BUILD=OFF -D TBB_DISABLE_HWLOC_AUTOMATIC_SEARCH=ON
     cmake --build "$tbb/build" --parallel "$(buildJobs)" --target install
 }
 
-# What came of each test: "passed", "skipped", "device" (it asked for one) or "failed", and its name.
+# outcomes: for each test "passed", "skipped", "device" (it needs one) or "failed", and its name.
 outcomes() {
     awk '
         function end() { print status, name; name = "" }
@@ -61,7 +61,7 @@ outcomes() {
             status = /status="run"/ ? "passed" : "failed"
         }
         /<skipped/ { status = "skipped" }
-        # 3: what tools end with that this machine cannot do, as tests tell it that keep their words to themselves
+        # 3 is the exit code of tools for what this machine cannot do; some tests print only that code
         /no Vulkan driver: install one|^    Which is: 3$/ && status == "failed" { status = "device" }
         name != "" && /<\/testcase>/ { end() }' "$junit"
 }

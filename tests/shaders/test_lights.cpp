@@ -10,6 +10,7 @@
 #include <random>
 
 #include "runtime/device_scene/render_space.h"
+#include "runtime/util/pack.h"
 #include "shaders/lights_probe.spv.h"
 #include "tests/runtime/gpu/probe.h"
 
@@ -28,8 +29,8 @@ struct Answer {
 
 constexpr std::uint32_t kSamples = 1u << 14;
 
-std::vector<Answer> ask(const std::vector<gpu::Light>& lights, const std::vector<Receiver>& receivers,
-                        std::uint32_t samples = kSamples) {
+std::vector<Answer> sampleLights(const std::vector<gpu::Light>& lights, const std::vector<Receiver>& receivers,
+                                 std::uint32_t samples = kSamples) {
     const auto count = static_cast<std::uint32_t>(receivers.size() * samples);
     return runProbe<Answer>(lights_probe_spv, lights, receivers, {count, samples, 0, 0});
 }
@@ -38,13 +39,11 @@ Receiver receiverAt(Vec3 p, std::uint32_t light = 0) {
     return {{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z), 3}, {light, 11, 5, 0}};
 }
 
-Vec3 vecOf(const gpu::vec4& v) { return {v.x, v.y, v.z}; }
-
 /// Samples of one light from each point: the answers, point after point.
-std::vector<Answer> askFrom(const LightDescription& light, const std::vector<Vec3>& points) {
+std::vector<Answer> samplesFrom(const LightDescription& light, const std::vector<Vec3>& points) {
     std::vector<Receiver> receivers;
     for (const Vec3& p : points) receivers.push_back(receiverAt(p));
-    return ask({packLight({}, light)}, receivers);
+    return sampleLights({packLight({}, light)}, receivers);
 }
 
 using Span = std::span<const Answer>;
@@ -61,7 +60,7 @@ double mean(Span answers, const std::function<double(const Answer&)>& value) {
 
 double irradiance(Span answers, Vec3 normal) {
     return mean(answers, [&](const Answer& a) {
-        return a.radiance_over_pdf.x * std::max(0.0, dot(vecOf(a.direction), normal));
+        return a.radiance_over_pdf.x * std::max(0.0, dot(unpack(a.direction), normal));
     });
 }
 
@@ -75,7 +74,7 @@ void expectShare(double value, double expected, double share) { EXPECT_NEAR(valu
 /// Directions are unit vectors, and lightPdf equals the density of the sample.
 void expectConsistent(Span answers) {
     for (const Answer& a : answers) {
-        ASSERT_NEAR(length(vecOf(a.direction)), 1, 1e-6);
+        ASSERT_NEAR(length(unpack(a.direction)), 1, 1e-6);
         ASSERT_NEAR(a.pdf.x / a.radiance_over_pdf.w, 1, 1e-3);
         ASSERT_NEAR(a.radiance_over_pdf.x * a.radiance_over_pdf.w / a.free.w, 1, 1e-3);
     }
@@ -87,7 +86,7 @@ std::vector<std::array<double, 2>> pairsOf(std::uint32_t pixel, std::uint32_t pa
                                            std::uint32_t samples) {
     std::vector<std::array<double, 2>> points;
     const Receiver receiver{{0, 0, 0, static_cast<float>(pair)}, {0, pixel, seed, 0}};
-    for (const Answer& a : ask({gpu::Light{}}, {receiver}, samples)) {
+    for (const Answer& a : sampleLights({gpu::Light{}}, {receiver}, samples)) {
         EXPECT_EQ(a.sample2.x, a.pdf.w) << "sample1 is the first of the pair";
         points.push_back({a.sample2.x, a.sample2.y});
     }
@@ -150,7 +149,7 @@ TEST(Sampler, ConvergesFasterThanRandomNumbers) {
     constexpr std::uint32_t kPixels = 256, kCount = 256;
     std::vector<Receiver> receivers;
     for (std::uint32_t pixel = 0; pixel < kPixels; ++pixel) receivers.push_back({{0, 0, 0, 1}, {0, pixel, 9, 0}});
-    const auto answers = ask({gpu::Light{}}, receivers, kCount);
+    const auto answers = sampleLights({gpu::Light{}}, receivers, kCount);
     const auto ours = errors(
         kCount,
         [&](std::uint32_t pixel, std::uint32_t i) {
@@ -190,7 +189,7 @@ TEST(Sampler, HasNoCorrelationBetweenPairsAndPixels) {
         std::vector<Receiver> receivers;
         for (std::uint32_t k = 0; k <= kOthers; ++k)
             receivers.push_back({{0, 0, 0, pixels ? 2.0f : static_cast<float>(k)}, {0, pixels ? k : 77u, 9, 0}});
-        const auto answers = ask({gpu::Light{}}, receivers, kCount);
+        const auto answers = sampleLights({gpu::Light{}}, receivers, kCount);
         std::vector<double> rows[4]; // one and the next pair (or pixel): x, y, next x, next y
         for (std::uint32_t k = 0; k < kOthers; ++k)
             for (std::uint32_t i = 0; i < kCount; ++i) {
@@ -207,7 +206,7 @@ TEST(Sampler, HasNoCorrelationBetweenPairsAndPixels) {
 TEST(Sampler, HasFirstSamplesThatDoNotRepeatAcrossPixels) {
     std::vector<Receiver> receivers;
     for (std::uint32_t pixel = 0; pixel < 65'536; ++pixel) receivers.push_back({{0, 0, 0, 0}, {0, pixel, 0, 0}});
-    const auto answers = ask({gpu::Light{}}, receivers, 1);
+    const auto answers = sampleLights({gpu::Light{}}, receivers, 1);
     std::vector<int> cells(64 * 64);
     for (const Answer& a : answers)
         cells[static_cast<int>(a.sample2.x * 64) + 64 * static_cast<int>(a.sample2.y * 64)]++;
@@ -221,10 +220,10 @@ TEST(Sampler, HasFirstSamplesThatDoNotRepeatAcrossPixels) {
 
 TEST(Lights, PointAndSpotFallOffWithTheSquareOfDistance) {
     const Vec3 point{1, 2, 3}, at{3, 5, 9};
-    const auto answers = askFrom(PointLight{at, {49, 98, 7}}, {point});
+    const auto answers = samplesFrom(PointLight{at, {49, 98, 7}}, {point});
     const Answer& a = answers.front();
     EXPECT_NEAR(a.direction.w, 7, 1e-5);
-    EXPECT_NEAR(length(7 * vecOf(a.direction) - (at - point)), 0, 1e-5);
+    EXPECT_NEAR(length(7 * unpack(a.direction) - (at - point)), 0, 1e-5);
     EXPECT_NEAR(a.radiance_over_pdf.x, 1, 1e-6);
     EXPECT_NEAR(a.radiance_over_pdf.y, 2, 1e-6);
     EXPECT_EQ(a.radiance_over_pdf.w, 0);
@@ -237,14 +236,14 @@ TEST(Lights, SpotDimsBetweenItsAngles) {
         const double angle = degrees * pi / 180;
         points.push_back({2 * std::sin(angle), 0, 5 - 2 * std::cos(angle)});
     }
-    const auto answers = askFrom(SpotLight{{0, 0, 5}, {0, 0, -1}, 40, 20, {8, 8, 8}}, points);
+    const auto answers = samplesFrom(SpotLight{{0, 0, 5}, {0, 0, -1}, 40, 20, {8, 8, 8}}, points);
     const double outer = std::cos(40 * pi / 180), inner = std::cos(20 * pi / 180);
     for (std::size_t d = 0; d < points.size(); ++d) {
         const double cosine = std::cos(static_cast<double>(d) * pi / 180);
         const double s = std::clamp((cosine - outer) / (inner - outer), 0.0, 1.0);
         EXPECT_NEAR(samplesOf(answers, d)[0].radiance_over_pdf.x, 2 * s * s * (3 - 2 * s), 1e-4) << d;
     }
-    const auto hard = askFrom(SpotLight{{0, 0, 5}, {0, 0, -1}, 30, 30, {8, 8, 8}}, points);
+    const auto hard = samplesFrom(SpotLight{{0, 0, 5}, {0, 0, -1}, 30, 30, {8, 8, 8}}, points);
     for (std::size_t d = 0; d < points.size(); ++d)
         if (d != 30) {
             EXPECT_NEAR(samplesOf(hard, d)[0].radiance_over_pdf.x, d < 30 ? 2 : 0, 1e-5) << d;
@@ -254,7 +253,7 @@ TEST(Lights, SpotDimsBetweenItsAngles) {
 TEST(Lights, SunGivesItsIrradianceWhateverItsSize) {
     for (const double radius : {0.0, 0.05, 0.2665, 5.0, 44.0}) {
         const Vec3 towards = normalize({0.3, 0.5, 0.8});
-        const auto answers = askFrom(SunLight{towards, radius, {3, 2, 1}}, {{0, 0, 0}});
+        const auto answers = samplesFrom(SunLight{towards, radius, {3, 2, 1}}, {{0, 0, 0}});
         const Span samples = samplesOf(answers, 0);
         expectShare(irradiance(samples, towards), 3, 2e-3);
         // the whole disc is above the horizon of a surface tilted by 40 degrees
@@ -262,7 +261,7 @@ TEST(Lights, SunGivesItsIrradianceWhateverItsSize) {
         const Vec3 turned = std::cos(40 * pi / 180) * towards + std::sin(40 * pi / 180) * aside;
         expectShare(irradiance(samples, turned), 3 * std::cos(40 * pi / 180), 2e-3);
         for (const Answer& a : samples) {
-            ASSERT_LE(length(cross(vecOf(a.direction), towards)), std::sin(radius * pi / 180) * 1.003 + 1e-6);
+            ASSERT_LE(length(cross(unpack(a.direction), towards)), std::sin(radius * pi / 180) * 1.003 + 1e-6);
             ASSERT_GT(a.direction.w, 1e29);
         }
         if (radius == 0) {
@@ -279,10 +278,10 @@ TEST(Lights, SunGivesItsIrradianceWhateverItsSize) {
 TEST(Lights, SunIsHitByDirectionsWithinItsDisc) {
     const Vec3 towards = normalize({-0.2, 0.1, 0.7});
     for (const double radius : {5.0, 30.0}) {
-        const auto answers = askFrom(SunLight{towards, radius, {3, 3, 3}}, {{0, 0, 0}});
+        const auto answers = samplesFrom(SunLight{towards, radius, {3, 3, 3}}, {{0, 0, 0}});
         const Span samples = samplesOf(answers, 0);
         for (const Answer& a : samples) {
-            const double angle = std::acos(dot(vecOf(a.free), towards)) * 180 / pi;
+            const double angle = std::acos(dot(unpack(a.free), towards)) * 180 / pi;
             if (std::abs(angle - radius) > 0.01) {
                 ASSERT_EQ(a.pdf.z, angle < radius ? 1 : 0) << angle;
             }
@@ -290,7 +289,7 @@ TEST(Lights, SunIsHitByDirectionsWithinItsDisc) {
         // integrals over the disc of lightPdf and of the radiance
         expectShare(4 * pi * mean(samples, [](const Answer& a) { return a.pdf.y * a.pdf.z; }), 1, 0.01);
         const double facing = mean(
-            samples, [&](const Answer& a) { return a.pdf.z * a.free.w * std::max(0.0, dot(vecOf(a.free), towards)); });
+            samples, [&](const Answer& a) { return a.pdf.z * a.free.w * std::max(0.0, dot(unpack(a.free), towards)); });
         expectShare(4 * pi * facing, 3, 0.01);
     }
 }
@@ -301,9 +300,9 @@ TEST(Lights, SphereGivesPiLTimesTheSquareOfItsSine) {
         std::vector<Vec3> points;
         for (const double distance : {1.01, 1.5, 4.0, 50.0})
             points.push_back(center + (distance * radius) * normalize(Vec3{1, 2, -2}));
-        const auto answers = askFrom(SphereLight{center, radius, {5, 5, 5}}, points);
+        const auto answers = samplesFrom(SphereLight{center, radius, {5, 5, 5}}, points);
         for (std::size_t i = 0; i < points.size(); ++i) {
-            const Vec3 point = vecOf(receiverAt(points[i]).point), way = center - point;
+            const Vec3 point = unpack(receiverAt(points[i]).point), way = center - point;
             const Span samples = samplesOf(answers, i);
             // positions are floats: at 3 units they are off by a thousandth of a radius of 1e-4
             const double share = radius < 1e-3 ? 0.01 : 2e-3;
@@ -313,7 +312,7 @@ TEST(Lights, SphereGivesPiLTimesTheSquareOfItsSine) {
             expectConsistent(samples);
             if (radius < 1e-3) continue;
             for (const Answer& a : samples) { // the distance ends on the sphere
-                const Vec3 end = point + a.direction.w * vecOf(a.direction);
+                const Vec3 end = point + a.direction.w * unpack(a.direction);
                 ASSERT_NEAR(length(end - center), radius, 2e-3 * radius);
                 ASSERT_LT(a.direction.w, length(way));
             }
@@ -323,7 +322,7 @@ TEST(Lights, SphereGivesPiLTimesTheSquareOfItsSine) {
 
 TEST(Lights, SphereShinesInside) {
     const Vec3 center{1, 1, 1};
-    const auto answers = askFrom(SphereLight{center, 2, {5, 5, 5}}, {center, {1, 2.5, 0.5}});
+    const auto answers = samplesFrom(SphereLight{center, 2, {5, 5, 5}}, {center, {1, 2.5, 0.5}});
     for (std::size_t i = 0; i < 2; ++i) {
         const Span samples = samplesOf(answers, i);
         expectShare(irradiance(samples, normalize(Vec3{1, 2, 3})), 5 * pi, 2e-3);
@@ -331,7 +330,7 @@ TEST(Lights, SphereShinesInside) {
         expectConsistent(samples);
         const Vec3 point = i == 0 ? center : Vec3{1, 2.5, 0.5};
         for (const Answer& a : samples)
-            ASSERT_NEAR(length(point + a.direction.w * vecOf(a.direction) - center), 2, 1e-5);
+            ASSERT_NEAR(length(point + a.direction.w * unpack(a.direction) - center), 2, 1e-5);
     }
 }
 
@@ -377,9 +376,9 @@ TEST(Lights, QuadGivesLambertsFormula) {
     for (const double depth : {-30.0, -7.0, -2.0, -0.5, -0.05, -0.005, 0.05, 0.5, 2.0})
         for (const Vec3 aside : {Vec3{}, 0.4 * quad.u + 0.9 * quad.v, 2.0 * quad.u + 0.3 * quad.v})
             points.push_back(quad.center + aside + depth * normal);
-    const auto answers = askFrom(quad, points);
+    const auto answers = samplesFrom(quad, points);
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const Vec3 point = vecOf(receiverAt(points[i]).point);
+        const Vec3 point = unpack(receiverAt(points[i]).point);
         const Vec3 facing = dot(quad.center - point, normal) > 0 ? normal : -1 * normal;
         const Span samples = samplesOf(answers, i);
         SCOPED_TRACE(testing::Message() << "point " << i);
@@ -389,7 +388,7 @@ TEST(Lights, QuadGivesLambertsFormula) {
         expectShare(solidAngle(samples), solidAngleOf(cornersOf(quad), point), 2e-3);
         expectConsistent(samples);
         for (const Answer& a : samples) {
-            const Vec3 at = point + a.direction.w * vecOf(a.direction) - quad.center;
+            const Vec3 at = point + a.direction.w * unpack(a.direction) - quad.center;
             ASSERT_NEAR(dot(at, normal), 0, 2e-6 * (1 + a.direction.w));
             ASSERT_LE(std::abs(dot(at, quad.u)), dot(quad.u, quad.u) * (1 + 1e-4));
             ASSERT_LE(std::abs(dot(at, quad.v)), dot(quad.v, quad.v) * (1 + 1e-4));
@@ -401,15 +400,15 @@ TEST(Lights, QuadGivesLambertsFormula) {
 TEST(Lights, NearbyQuadIsSampledUniformlyOverSolidAngle) {
     const QuadLight quad = panel();
     const Vec3 normal = normalize(cross(quad.u, quad.v)), point = quad.center + 0.9 * quad.u - 0.3 * normal;
-    const auto answers = askFrom(quad, {point});
-    const double expected = 5 * lambert(cornersOf(quad), vecOf(receiverAt(point).point), normal);
+    const auto answers = samplesFrom(quad, {point});
+    const double expected = 5 * lambert(cornersOf(quad), unpack(receiverAt(point).point), normal);
     for (std::size_t first = 0; first < 4096; first += 64)
         expectShare(irradiance(Span(answers).subspan(first, 64), normal), expected, 0.03);
 }
 
 TEST(Lights, QuadSeenEdgeOnGivesNothing) {
     const QuadLight quad{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}, true};
-    const auto answers = askFrom(quad, {{3, 0, 1}, {30, 0, 1}});
+    const auto answers = samplesFrom(quad, {{3, 0, 1}, {30, 0, 1}});
     for (std::size_t i = 0; i < 2; ++i)
         for (const Answer& a : samplesOf(answers, i)) {
             ASSERT_NEAR(a.radiance_over_pdf.x, 0, 1e-5);
@@ -440,20 +439,20 @@ TEST(Lights, DiscGivesItsViewFactor) {
             points.push_back(kDisc.center + kDisc.radius * (aside * along + depth * kDisc.normal));
             expected.push_back(5 * pi * discFactor(1, aside, depth));
         }
-    const auto answers = askFrom(kDisc, points);
+    const auto answers = samplesFrom(kDisc, points);
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const Vec3 point = vecOf(receiverAt(points[i]).point);
+        const Vec3 point = unpack(receiverAt(points[i]).point);
         const Vec3 facing = dot(kDisc.center - point, kDisc.normal) > 0 ? kDisc.normal : -1 * kDisc.normal;
         const Span samples = samplesOf(answers, i);
         SCOPED_TRACE(testing::Message() << "point " << i);
         EXPECT_NEAR(irradiance(samples, facing), expected[i], 4e-3 * expected[i] + 1e-4);
         for (const Answer& a : samples) {
-            ASSERT_NEAR(length(vecOf(a.direction)), 1, 1e-6);
+            ASSERT_NEAR(length(unpack(a.direction)), 1, 1e-6);
             ASSERT_NEAR(a.pdf.x / a.radiance_over_pdf.w, 1, 2e-3);
             ASSERT_EQ(a.free.w, 5);
             if (a.radiance_over_pdf.x == 0) continue;
             ASSERT_NEAR(a.radiance_over_pdf.x * a.radiance_over_pdf.w, 5, 0.01);
-            const Vec3 at = point + a.direction.w * vecOf(a.direction) - kDisc.center;
+            const Vec3 at = point + a.direction.w * unpack(a.direction) - kDisc.center;
             ASSERT_NEAR(dot(at, kDisc.normal), 0, 2e-6 * (1 + a.direction.w));
             ASSERT_LE(length(at), kDisc.radius * (1 + 1e-4));
         }
@@ -465,7 +464,7 @@ TEST(Lights, DiscMatchesClosedFormsOnItsAxis) {
     const std::vector<double> distances{0.01, 0.2, 0.6, 0.8, 2, 30};
     std::vector<Vec3> points;
     for (const double d : distances) points.push_back(kDisc.center + d * kDisc.normal);
-    const auto answers = askFrom(kDisc, points);
+    const auto answers = samplesFrom(kDisc, points);
     const double squared = kDisc.radius * kDisc.radius;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const double d = distances[i];
@@ -483,9 +482,9 @@ TEST(Lights, DensityOfDiscIntegratesToShareOfLitSamples) {
         std::vector<Receiver> receivers;
         for (std::uint32_t seed = 0; seed < 16; ++seed)
             receivers.push_back(receiverAt(point)), receivers.back().light.z = seed;
-        const auto answers = ask({packLight({}, kDisc)}, receivers);
+        const auto answers = sampleLights({packLight({}, kDisc)}, receivers);
         const double sum = mean(answers, [&](const Answer& a) {
-            const Vec3 direction = vecOf(a.free);
+            const Vec3 direction = unpack(a.free);
             const double t = dot(kDisc.center - point, kDisc.normal) / dot(direction, kDisc.normal);
             return t > 0 && length(point + t * direction - kDisc.center) < kDisc.radius ? double{a.pdf.y} : 0.0;
         });
@@ -497,7 +496,7 @@ TEST(Lights, DensityOfDiscIntegratesToShareOfLitSamples) {
 
 TEST(Lights, DiscSeenEdgeOnGivesNothing) {
     const DiscLight disc{{0, 0, 1}, {0, 0, 1}, 1, {5, 5, 5}, true};
-    const auto answers = askFrom(disc, {{3, 0, 1}, {30, 0, 1}});
+    const auto answers = samplesFrom(disc, {{3, 0, 1}, {30, 0, 1}});
     for (const Answer& a : answers) {
         ASSERT_NEAR(a.radiance_over_pdf.x, 0, 1e-5);
         ASSERT_TRUE(std::isfinite(a.radiance_over_pdf.w * a.radiance_over_pdf.w));
@@ -531,9 +530,9 @@ TEST(Lights, DensitiesIntegrateToOne) {
         std::vector<Receiver> receivers;
         for (std::uint32_t seed = 0; seed < 8; ++seed)
             receivers.push_back(receiverAt(point)), receivers.back().light.z = seed;
-        const auto answers = ask({packLight({}, light)}, receivers);
+        const auto answers = sampleLights({packLight({}, light)}, receivers);
         const double sum = mean(answers, [&](const Answer& a) {
-            return meets(light, point, vecOf(a.free)) ? static_cast<double>(a.pdf.y) : 0.0;
+            return meets(light, point, unpack(a.free)) ? static_cast<double>(a.pdf.y) : 0.0;
         });
         expectShare(4 * pi * sum, 1, 0.01);
     }

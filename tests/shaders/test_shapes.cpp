@@ -11,6 +11,7 @@
 #include <string>
 
 #include "runtime/device_scene/render_space.h"
+#include "runtime/util/pack.h"
 #include "shaders/shapes_probe.spv.h"
 #include "tests/runtime/gpu/probe.h"
 
@@ -28,21 +29,15 @@ struct ShapesAnswer {
 constexpr double kNoHit = 1e30;
 constexpr double kMin = 1e-4; // t_min
 
-std::vector<ShapesAnswer> ask(const std::vector<gpu::Shape>& shapes, const std::vector<Query>& queries,
-                              std::uint32_t shape_count) {
+std::vector<ShapesAnswer> intersect(const std::vector<gpu::Shape>& shapes, const std::vector<Query>& queries,
+                                    std::uint32_t shape_count) {
     return runProbe<ShapesAnswer>(shapes_probe_spv, shapes, queries,
                                   {static_cast<std::uint32_t>(queries.size()), shape_count, 0, 0});
 }
 
-Vec3 vecOfInShapes(const gpu::vec4& v) { return {v.x, v.y, v.z}; }
-
 /// The query with its floats converted to doubles; direction need not be a unit vector.
 Query query(Vec3 origin, Vec3 direction, std::uint32_t shape = 0, double t_min = kMin) {
-    const auto packed = [](Vec3 v, double w) {
-        return gpu::vec4{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z),
-                         static_cast<float>(w)};
-    };
-    return {packed(origin, t_min), packed(direction, shape)};
+    return {pack(origin, t_min), pack(direction, shape)};
 }
 
 struct Random {
@@ -119,7 +114,7 @@ Expected hitSphere(const ShapeDescription& s, Vec3 origin, Vec3 direction) {
 }
 
 Expected expectedHit(const ShapeDescription& s, const Query& ray) {
-    const Vec3 origin = vecOfInShapes(ray.origin), direction = vecOfInShapes(ray.direction);
+    const Vec3 origin = unpack(ray.origin), direction = unpack(ray.direction);
     if (s.kind == ShapeKind::kBox) return hitBox(s, origin, direction);
     if (s.kind == ShapeKind::kSphere) return hitSphere(s, origin, direction);
     Expected flat = hitFlat(s.kind, s.center, s.u, s.v, origin, direction);
@@ -135,7 +130,7 @@ std::size_t compare(const ShapeDescription& shape, std::span<const Query> querie
     double worst_t = 0, worst_normal = 0;
     for (std::size_t i = 0; i < queries.size(); ++i) {
         const Expected expected = expectedHit(shape, queries[i]);
-        const Vec3 direction = vecOfInShapes(queries[i].direction);
+        const Vec3 direction = unpack(queries[i].direction);
         const double t = answers[i].normal.w;
         const bool doubtful = expected.margin < 20 * tolerance || std::abs(expected.t - kMin) < 1e-5;
         if (doubtful) continue;
@@ -148,7 +143,7 @@ std::size_t compare(const ShapeDescription& shape, std::span<const Query> querie
         worst_t = std::max(worst_t, std::abs(t - expected.t) * length(direction) * slope / std::max(way, 1.0));
         const bool back = dot(expected.normal, direction) > 0;
         const Vec3 normal = back ? -1 * expected.normal : expected.normal;
-        const double off = length(vecOfInShapes(answers[i].normal) - normal);
+        const double off = length(unpack(answers[i].normal) - normal);
         if (slope > 1e-3) {
             wrong += answers[i].hit.x == (back ? 1u : 0u) ? 0 : 1;
             worst_normal = std::max(worst_normal, off * slope);
@@ -180,7 +175,7 @@ TEST_P(Shapes, AreHitAsInDouble) {
             if (length(direction) > 0.01) queries.push_back(query(origin, direction, s));
         }
     }
-    const auto answers = ask(shapes, queries, 1);
+    const auto answers = intersect(shapes, queries, 1);
     for (std::size_t s = 0; s < kShapes; ++s) {
         const auto part = [&](const auto& all) { return std::span(all).subspan(s * kRays, kRays); };
         EXPECT_GT(compare(descriptions[s], part(queries), part(answers), 1.5e-6), kRays / 8);
@@ -197,7 +192,7 @@ TEST_P(Shapes, AreHitByRaysAlongAxes) {
     std::vector<Query> queries;
     for (int i = 0; i < 2000; ++i)
         for (const Vec3& axis : axes) queries.push_back(query(shape.center + 2.0 * random.inCube(), axis));
-    compare(shape, queries, ask({packShape({}, shape)}, queries, 1), 1.5e-6);
+    compare(shape, queries, intersect({packShape({}, shape)}, queries, 1), 1.5e-6);
 }
 
 std::string kindName(const testing::TestParamInfo<ShapeKind>& info) {
@@ -225,7 +220,7 @@ TEST(Spheres, ArePreciseAtADistance) {
         }
         // a few units in the last place of the distance; the quadratic formula has an error of its square
         const double tolerance = 3e-7 * distance;
-        const auto answers = ask({packShape({}, sphere)}, queries, 1);
+        const auto answers = intersect({packShape({}, sphere)}, queries, 1);
         EXPECT_GT(compare(sphere, queries, answers, tolerance), 10'000u) << distance;
     }
 }
@@ -242,22 +237,24 @@ TEST(Spheres, IgnoreTheOriginOfRaysThatLeaveThem) {
         inwards.push_back(query(start, direction));
         outwards.push_back(query(start, -1 * direction));
     }
-    const auto in = ask({packShape({}, sphere)}, inwards, 1);
+    const auto in = intersect({packShape({}, sphere)}, inwards, 1);
     for (std::size_t i = 0; i < inwards.size(); ++i) {
-        const Vec3 normal = (vecOfInShapes(inwards[i].origin) - sphere.center) * 4.0;
+        const Vec3 normal = (unpack(inwards[i].origin) - sphere.center) * 4.0;
         // a chord: twice the radius times the cosine
-        ASSERT_NEAR(in[i].normal.w, -0.5 * dot(normal, vecOfInShapes(inwards[i].direction)), 1e-5);
+        ASSERT_NEAR(in[i].normal.w, -0.5 * dot(normal, unpack(inwards[i].direction)), 1e-5);
         ASSERT_EQ(in[i].hit.x, 1u) << "hit from inside";
     }
-    for (const ShapesAnswer& answer : ask({packShape({}, sphere)}, outwards, 1)) ASSERT_GE(answer.normal.w, 1e30f);
+    for (const ShapesAnswer& answer : intersect({packShape({}, sphere)}, outwards, 1))
+        ASSERT_GE(answer.normal.w, 1e30f);
 }
 
 TEST(Boxes, AreHitFromInside) {
     const ShapeDescription room{ShapeKind::kBox, {0, 1, 0}, {2, 0, 0}, {0, 1, 0}, {0, 0, 3}, 0, true};
-    const auto answers = ask({packShape({}, room)},
-                             {query({0, 1, 0}, {1, 0, 0}), query({0, 0.5, 0}, {0, -1, 0}), query({0, 1, 0}, {0, 0, -2}),
-                              query({2, 1, 0}, {1, 0, 0}), query({2, 1, 0}, {-1, 0, 0})},
-                             1);
+    const auto answers =
+        intersect({packShape({}, room)},
+                  {query({0, 1, 0}, {1, 0, 0}), query({0, 0.5, 0}, {0, -1, 0}), query({0, 1, 0}, {0, 0, -2}),
+                   query({2, 1, 0}, {1, 0, 0}), query({2, 1, 0}, {-1, 0, 0})},
+                  1);
     EXPECT_NEAR(answers[0].normal.w, 2, 1e-6);
     EXPECT_EQ(answers[0].normal.x, -1);
     EXPECT_EQ(answers[0].hit.x, 1u);
@@ -273,7 +270,7 @@ TEST(Flats, HaveTheirBackBehindTheZAxis) {
     for (const ShapeKind kind : {ShapeKind::kPlane, ShapeKind::kDisc, ShapeKind::kQuad}) {
         const ShapeDescription flat{kind, {0, 0, 0}, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}, 0, true};
         const auto answers =
-            ask({packShape({}, flat)}, {query({0.1, 1, 0.2}, {0, -1, 0}), query({0.1, -1, 0.2}, {0, 1, 0})}, 1);
+            intersect({packShape({}, flat)}, {query({0.1, 1, 0.2}, {0, -1, 0}), query({0.1, -1, 0.2}, {0, 1, 0})}, 1);
         EXPECT_EQ(answers[0].hit.x, 0u);
         EXPECT_EQ(answers[0].normal.y, 1);
         EXPECT_EQ(answers[1].hit.x, 1u);
@@ -292,7 +289,8 @@ TEST(NearestShape, IsTheNearestOfAll) {
     }
     std::vector<Query> queries;
     for (int i = 0; i < 10'000; ++i) queries.push_back(query(2 * random.inCube(), random.direction()));
-    const auto answers = ask(shapes, queries, 24), few = ask(shapes, queries, 5), none = ask(shapes, queries, 0);
+    const auto answers = intersect(shapes, queries, 24), few = intersect(shapes, queries, 5),
+               none = intersect(shapes, queries, 0);
     std::size_t compared = 0;
     const auto firstOf = [&](const Query& ray, std::uint32_t count, bool all, bool& doubtful) {
         std::uint32_t first = count;

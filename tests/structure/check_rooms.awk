@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# awk -f check_rooms.awk rooms.txt FILE...: holds the includes of FILEs, paths from the repository's root, against what
-# the rooms may use (cmake/Rooms.cmake writes rooms.txt). A line for each finding; exit status 1 where there is one.
-#   - each file lies in a room; a room says its purpose in one line of at most most_purpose (120) characters, because a
-#     room that takes longer to describe holds more than one idea; there are at most most_rooms (45)
-#   - an include names its file from the root, and lies in the same room or in one that this room uses
+# awk -f check_rooms.awk rooms.txt FILE...: checks that the includes of FILEs, paths from the repository's root, are of rooms
+# that their room may use (cmake/Rooms.cmake writes rooms.txt). Prints a line for each finding; exit status 1 if there is one.
+#   - each file is in a room. The purpose of a room has at most most_purpose (120) characters, because a room that takes
+#     longer to describe holds more than one idea. There are at most most_rooms (45)
+#   - an include has the path of its file from the root, which is in the same room or in one that this room uses
 #   - a room includes something of each room that it uses
 #   - no room uses itself by way of others
 function finding(text) {
@@ -16,7 +16,7 @@ function folderOf(path) {
     return path
 }
 
-# Walks depth first; a room that is met while it is under way closes a circle.
+# Visits rooms depth first. A room that is reached again while it is open closes a circle.
 function visit(room, path,    names, count, i) {
     if (state[room] == "done") return
     if (state[room] == "open") {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Every source of C and C++ is as clang-format 14 writes it: other versions break lines elsewhere, so they skip.
+# All C and C++ sources are formatted as by clang-format 14. Skips without it, as other versions break lines differently.
 # format.sh REPOSITORY
 set -euo pipefail
 cd "$1"

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# format/pointio is part of pointrt-bake, and of neither the viewer nor the format's library.
+# format/pointio is linked to pointrt-bake, but neither to the viewer nor to the format library.
 # links.sh pointrt-bake pointrt-view LIBRARY
 set -euo pipefail
 
-# holds FILE: whether one of its symbols is of format/pointio: openLas in C++, scan_laz_open and others in Rust.
+# holds FILE: whether it has symbols of format/pointio: openLas in C++, scan_laz_open and others in Rust.
 holds() { nm -C "$1" 2>/dev/null | grep -E '^[0-9a-f]+ [TtWw] (pointrt::openLas\(|scan_(laz|e57)_)' >/dev/null; }
 
 holds "$1" || {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# rooms.txt as the map of CONTRIBUTING.md.
+# Prints rooms.txt as the table of CONTRIBUTING.md.
 BEGIN {
     FS = "|"
     print "| room | what it is for |"

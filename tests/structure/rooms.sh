@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The rooms of the tree: what they may include, and that the check sees what it is there for.
+# Checks which rooms each room includes; the other cases test that the check finds violations.
 # rooms.sh CASE REPOSITORY rooms.txt
 set -euo pipefail
 check=$2/tests/structure/check_rooms.awk
@@ -11,7 +11,7 @@ fail() {
     exit 1
 }
 
-# expectFinding TEXT: the check of the small tree here fails, and says so.
+# expectFinding TEXT: the check of the small tree must fail and print TEXT.
 expectFinding() {
     local said
     # shellcheck disable=SC2046 # a list of words
@@ -19,7 +19,7 @@ expectFinding() {
     [ "$said" = "$1" ] || fail "the check said: $said"
 }
 
-# A room below another one, as they should be.
+# smallTree: makes a tree with two rooms that passes the check.
 smallTree() {
     cd "$(mktemp -d)"
     trap 'rm -rf "$PWD"' EXIT
@@ -37,7 +37,7 @@ case_tree() {
     # shellcheck disable=SC2046
     awk -f "$check" "$2" $(sources)
 }
-# CONTRIBUTING.md has the rooms as they are.
+# The table of rooms in CONTRIBUTING.md is up to date.
 case_table() {
     diff <(awk -f "$1/tests/structure/room_table.awk" "$2") \
         <(sed -n '/^| room | what it is for/,/^$/p' "$1/CONTRIBUTING.md" | sed '$d') ||

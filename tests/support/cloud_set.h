@@ -24,13 +24,13 @@ struct CloudSet {
     SetFolders folders;
 };
 
-/// Writes FOLDER/set.json and its tiles, with the splat files in FOLDER.splats: every splat in the tile whose core
-/// holds its centre, merged ones up to one root. Throws Error.
+/// Writes a tile set to FOLDER, and its splat files to FOLDER.splats. Each splat goes to the original tile whose core
+/// contains its centre; coarser tiles are merged up to one root. Throws Error.
 /// @param attributes of the cloud's points
 CloudSet writeCloudSet(const std::string& folder, const Splats& splats, const std::vector<Attribute>& attributes,
                        const CloudSetOptions& options);
 
-/// The power of two, as edge, whose number of tiles with splats is nearest to the given one.
+/// The edge, a power of two, for which the number of tiles with splats is nearest to `tiles`.
 double edgeForTiles(const Splats& splats, std::size_t tiles);
 
 } // namespace pointrt::test

@@ -68,7 +68,7 @@ Verdict judge(std::span<const CubeSplat> splats, const NearRounding& rounding, c
 bool mayBeFirst(std::span<const CubeSplat> splats, const NearRounding& rounding, const Ray& ray,
                 std::optional<double> t);
 
-/// The splat of the two claims that is hit first in double, kNoSplat if neither is hit.
+/// Which of our splat and Embree's the ray hits first, computed in double; kNoSplat if it hits neither.
 std::uint32_t nearestInDouble(std::span<const CubeSplat> splats, const Ray& ray, const CastHit& ours,
                               const EmbreeHit& embrees);
 

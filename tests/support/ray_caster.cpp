@@ -16,6 +16,7 @@
 #include "runtime/render/frame_params.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/default_lighting.h"
+#include "runtime/util/pack.h"
 #include "shaders/any_hit.spv.h"
 #include "shaders/beam.spv.h"
 #include "shaders/camera_rays.spv.h"
@@ -30,8 +31,6 @@ namespace {
 
 /// The queues up to LIST_INSTANCE_RAYS (shaders/lib/bindings.glsl).
 constexpr std::uint64_t kQueues = 5;
-
-Vec3 vec(const gpu::vec4& v) { return {v.x, v.y, v.z}; }
 
 gpu::vec3 gpuVector(Vec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
 
@@ -235,7 +234,7 @@ struct RayCaster::State {
         downloadBuffer(device, buffers.film, origins.data(), pixels * sizeof origins[0]);
         view_rays.clear();
         for (std::uint32_t lane = 0; lane < pixels; ++lane)
-            view_rays.push_back({vec(origins[lane]), vec(lanes[lane]), {}, 0});
+            view_rays.push_back({unpack(origins[lane]), unpack(lanes[lane]), {}, 0});
         return view_rays;
     }
 
@@ -292,7 +291,7 @@ struct RayCaster::State {
         for (std::size_t i = 0; i < out.size(); ++i) {
             if (!out[i].hit()) continue;
             out[i].t_blended = blended[i].w;
-            out[i].normal = vec(blended[i]);
+            out[i].normal = unpack(blended[i]);
             out[i].radius = radii[i].x;
             out[i].back = radii[i].y != 0;
         }
@@ -341,7 +340,7 @@ std::vector<CastHit> RayCaster::cameraHits() {
     return loadedHits();
 }
 
-Vec3 RayCaster::lightPosition() const { return vec(state_->scene.light_rows.at(0).position); }
+Vec3 RayCaster::lightPosition() const { return unpack(state_->scene.light_rows.at(0).position); }
 
 void RayCaster::load(std::span<const Ray> rays) { state_->uploadRays(rays); }
 

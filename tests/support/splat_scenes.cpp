@@ -103,7 +103,7 @@ Built writeScene(const std::string& path, Splats splats, const BuildOptions& opt
 }
 
 std::string temporaryPath(const std::string& name) {
-    static const TemporaryFolder folder; // of this process, which takes it away as it ends
+    static const TemporaryFolder folder; // deleted when the process ends
     return folder.file(name);
 }
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What torture.py does to the tools: each function case_NAME is a command on inputs that are as small as they can be.
+"""The commands of torture.py: each function case_NAME is a command with inputs as small as possible.
 
-Commands run in a folder with in/, out/, home/, tmp/ and cache/ ($XDG_CACHE_HOME), all of which count."""
+Commands run in a folder with in/, out/, home/, tmp/ and cache/ ($XDG_CACHE_HOME), all of which are checked."""
 import dataclasses
 import json
 import math
@@ -16,14 +16,14 @@ def nothing(torture):
 @dataclasses.dataclass
 class Case:
     command: list
-    prepare: typing.Callable = nothing  # makes what is there before
-    told: tuple = ()      # JSON files with times in them: whether they are whole is what counts
-    whole: tuple = ()     # folders that are there as a whole, or not
-    stays: tuple = ()     # what a run that fails may leave, to go on with it
-    optional: tuple = ()  # of use only: no run fails for it
-    is_window: bool = False  # goes on after what fails and tells of it; never takes a name again
+    prepare: typing.Callable = nothing  # makes the files before the run
+    reports: tuple = ()   # JSON files with times, which differ: they must be complete
+    whole: tuple = ()     # folders that must be complete or missing
+    stays: tuple = ()     # what a failed run may leave, to be resumed
+    optional: tuple = ()  # files that no run fails for, such as caches
+    is_window: bool = False  # reports failures and continues; never uses a file name twice
     environment: dict = dataclasses.field(default_factory=dict)
-    most: int = 20        # runs of a group, where not all are asked for
+    most: int = 20        # runs of a group without --all
 
 
 def case_of(name):
@@ -38,7 +38,7 @@ def of(text, **more):
     return Case(shlex.split(text), **more)
 
 
-# No nameless files on the file system: temporaries have names.
+# As on a file system without unnamed files (O_TMPFILE): temporary files have names.
 NAMED = {"NTH_CALL_NAMED": "1"}
 
 
@@ -54,7 +54,7 @@ def write_ball(path, count, offset=0.0):
 def write_hill(path, count, offset=0.0):
     with open(path, "w") as file:
         for i in range(count):
-            x, y = 64 * (i * 0.7548776662466927 % 1), 64 * (i * 0.5698402909980532 % 1)  # a sequence that fills squares
+            x, y = 64 * (i * 0.7548776662466927 % 1), 64 * (i * 0.5698402909980532 % 1)  # Roberts' R2 sequence
             file.write(f"{offset + x:.4f} {y:.4f} {5 * math.sin(x / 9) * math.cos(y / 7):.4f}\n")
 
 
@@ -63,7 +63,7 @@ def ball(torture):
 
 
 def two_balls(torture):
-    """And what an earlier bake of the other one has left, with its report."""
+    """The inputs, and the output and report of an earlier bake of the other one."""
     ball(torture)
     write_ball(torture.folder / "in/other.xyz", 1200, 3.0)
     torture.tool("pointrt-bake", "-q", "in/other.xyz", "-o", "out/a.pro", "--stats", "out/stats.json")
@@ -79,21 +79,21 @@ def case_bake_file_named():
 
 def case_bake_force():
     return of("pointrt-bake -q -f in/ball.xyz -o out/a.pro --stats out/stats.json", prepare=two_balls,
-              told=("out/stats.json",))
+              reports=("out/stats.json",))
 
 
 def case_bake_force_named():
     return of("pointrt-bake -q -f in/ball.xyz -o out/a.pro --stats out/stats.json", prepare=two_balls,
-              told=("out/stats.json",), environment=NAMED)
+              reports=("out/stats.json",), environment=NAMED)
 
 
-# Tile sets: what is begun stays, and is gone on with.
+# Tile sets: an interrupted bake is resumed.
 SET = "pointrt-bake -q in/a.xyz in/b.xyz -o out/site.proset --tile-splats 1000"
 SET_PARTS = {"whole": ("out/site.proset",), "stays": ("out/site.proset.work",)}
 
 
 def hills(torture, points=1500):
-    """Each of them a tile, and another one above."""
+    """Two tiles and their parent."""
     write_hill(torture.folder / "in/a.xyz", points)
     write_hill(torture.folder / "in/b.xyz", points, 64.0)
 
@@ -104,7 +104,7 @@ def other_set(torture):
 
 
 def begun_set(torture):
-    """A bake of other options that did not come to its end."""
+    """An incomplete bake with other options."""
     hills(torture)
     for step in ("plan", "split", "block:0"):
         torture.tool(*shlex.split(SET), "--clean", "off", "--step", step)
@@ -143,7 +143,7 @@ def ball_pro(torture):
 
 
 def film(torture):
-    """Of fewer samples than the one to come."""
+    """A film with fewer samples than the command will render."""
     ball_pro(torture)
     torture.tool(*shlex.split(RESUME + "--spp 2"))
 
@@ -161,7 +161,7 @@ def bare_ball(torture):
 
 
 def case_view_png():
-    return of(VIEW + "-o out/a.png --stats out/stats.json", prepare=ball_pro, told=("out/stats.json",), most=8)
+    return of(VIEW + "-o out/a.png --stats out/stats.json", prepare=ball_pro, reports=("out/stats.json",), most=8)
 
 
 def case_view_exr():
@@ -209,7 +209,7 @@ def case_view_cache():
     return of(VIEW + "-o out/a.png", prepare=bare_ball, optional=("cache",), most=8)
 
 
-# Points out of files.
+# Exports of points.
 def case_info_ply():
     return of("pointrt-info in/ball.pro --export out/a.ply", prepare=ball_pro)
 
@@ -234,7 +234,7 @@ def ball_rays(torture):
 
 def case_rays_npz():
     return of("pointrt-rays cast -q in/ball.pro --rays in/rays.txt -o out/a.npz --stats out/stats.json", prepare=ball_rays,
-              told=("out/stats.json",), most=8)
+              reports=("out/stats.json",), most=8)
 
 
 def case_rays_npy():

@@ -1,22 +1,22 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The tools killed, or failed by the system, at any system call that writes: nothing damaged, nothing stale after the
-next run.
+"""Kills the tools, or lets system calls fail, at each system call that writes. Checks that no file is damaged, and that
+nothing stale remains after the next run.
 
     torture.py [CASE[.GROUP]...] [--all] [--table FILE.md]
 
-CASE is a command of commands.py, GROUP what befalls it: killed (before a call, or amid a write), failed (EIO, ENOSPC,
-EACCES, at one call or from one on) or short (a write takes less than it was given). Without a group all of them do,
-without names all are run. First the command runs undisturbed, which tells its calls and what it leaves. Then it runs
-once for each call, or without --all for as many as take seconds: those that are first of their kind, and others spread
-evenly over the run.
-POINTRT_BIN is the folder of the tools, POINTRT_NTH_CALL the program nth_call, POINTRT_DRIVER_CACHE where the driver keeps
-compiled programs from case to case, if it is set.
+CASE is a command of commands.py. GROUP is a kind of fault: killed (before a call, or amid a write), failed (EIO, ENOSPC or
+EACCES, at one call or from one call on) or short (a write accepts fewer bytes than it was given). Default: all groups of
+all cases. The command first runs undisturbed, which gives its calls and its results. Then it runs once for each call;
+without --all, only for the first call of each kind and some others spread evenly over the run, so that a case takes
+seconds.
+POINTRT_BIN: the folder of the tools. POINTRT_NTH_CALL: the program nth_call. POINTRT_DRIVER_CACHE (optional): where the
+driver caches compiled programs from case to case.
 
-What a killed or failed run leaves under a name is what was there before, or what an undisturbed run leaves there: all
-of it. A run that failed says so in one line, with exit status 4, and leaves nothing else, but for what a bake of tiles
-goes on with and caches. One that goes on all the same, which it may where the call was only of use, leaves what an
-undisturbed run does. The same command again leaves that in any case, and not a file more.
+After a killed or failed run, each file must be complete: either as before the run, or as after an undisturbed one. A
+failed run must print one line and exit with 4. It must leave no other files, except caches and the work folder from which
+a bake of tiles resumes. A run may succeed in spite of the fault if the call is optional: then its results must be those
+of an undisturbed run. In any case, the next run of the same command must have these results, and leave no file more.
 """
 import argparse
 import collections
@@ -39,14 +39,14 @@ EVERY = 1 << 30  # runs: more than any command has calls
 HANGS_S = 240  # as in tests/end_to_end/lib.sh
 SKIPPED = 77   # CTest's
 CANNOT = 125   # nth_call's
-MOST_TOLD = 3  # complaints of a run
+MOST_SHOWN = 3  # complaints of a run
 
 DATA = {"write", "pwrite", "writev", "pwritev", "pwritev2"}
 NAMED = {"open", "open-nameless", "creat", "link", "symlink", "rename", "mkdir", "truncate", "unlink", "rmdir", "chmod",
          "fchmodat", "chown", "fchownat", "utimensat"}
 TAKES_AWAY = {"unlink", "rmdir"}
 TAKES_NO_SPACE = TAKES_AWAY | {"chmod", "fchmod", "fchmodat", "chown", "fchown", "fchownat", "utimensat"}
-# Who goes on after these has not written what it says.
+# If one of these fails and the tool still reports success, its output is incomplete.
 MUST_FAIL = DATA | {"copy_file_range", "sendfile", "splice", "fallocate", "ftruncate", "truncate", "fsync", "fdatasync"}
 
 THERE = re.compile(r": .*exists; --force [^\n]*$")
@@ -64,13 +64,14 @@ GROUPS = {
     },
     "short": {"short": lambda name: name in DATA},
 }
-# Left: by runs, beside what was there and what is to be. Wrong: something damaged, or not told as it should be.
-TABLE_HEAD = """| command | what befalls it | calls | runs | done all the same | left | wrong | stale after the next run | what was left |
+# Left over: runs with files that are neither there before nor after an undisturbed run. Wrong: runs with a damaged file, or
+# with a wrong exit status or message.
+TABLE_HEAD = """| command | fault | calls | runs | succeeded | left over | wrong | stale after the next run | files left over |
 |---|---|---|---|---|---|---|---|---|
 """
 UNDISTURBED = ("kill", 0)
 SHORT = ("short", "halve")
-SHORT_SHARE = 4  # such runs come to their end and take the longest
+SHORT_SHARE = 4  # one short fault for so many of the other groups: these runs are the longest, as they complete
 
 
 @dataclasses.dataclass(frozen=True)
@@ -82,14 +83,14 @@ class Fault:
 
 
 class Ended(typing.NamedTuple):
-    code: typing.Optional[int]  # none: it had to be ended
+    code: typing.Optional[int]  # none: it hung and was killed
     stderr: str
 
 
 def content_of(path, case, name):
-    """What a file holds, as far as it is the same in each run."""
+    """A summary of the file's content that is the same for each run."""
     data = path.read_bytes()
-    if name not in case.told:
+    if name not in case.reports:
         return hashlib.sha256(data).hexdigest()
     try:
         return "a report" if json.loads(data) else "an empty report"
@@ -98,7 +99,7 @@ def content_of(path, case, name):
 
 
 def tree_of(folder, case):
-    """{path: what is there} of all below a folder."""
+    """{path: summary} of all files and folders in a folder."""
     tree = {}
     for path in folder.rglob("*"):
         name = str(path.relative_to(folder))
@@ -114,14 +115,14 @@ def below(folder, tree):
 
 
 def kind_of(path):
-    """A path without what is another in each run, or in each file of many."""
+    """A path without the parts that differ between runs, or between files of a series."""
     path = re.sub(r"#\d+ \(deleted\)$", "(nameless)", path)
     path = TEMPORARY.sub(".tmp-*", path)
     return re.sub(r"\d+", "N", path)
 
 
 def spread(items, count):
-    """So many of them, from the first to the last."""
+    """At most count items, evenly spread from the first to the last."""
     count = min(count, len(items))
     return [items[i * (len(items) - 1) // max(count - 1, 1)] for i in range(count)]
 
@@ -136,17 +137,17 @@ class Torture:
         self.environment = dict(
             os.environ, LC_ALL="C", HOME=str(self.folder / "home"), TMPDIR=str(self.folder / "tmp"),
             XDG_CACHE_HOME=str(self.folder / "cache"),
-            # files that are not ours
+            # the driver's files do not count
             MESA_SHADER_CACHE_DIR=os.environ.get("POINTRT_DRIVER_CACHE", str(folder / "driver")),
             PATH=os.environ["POINTRT_BIN"] + os.pathsep + os.environ["PATH"], **case.environment)
         self.environment.pop("POINTRT_INDEX_CACHE", None)
-        self.verdicts = {}  # of next runs, by the tree that they found
-        self.told = []
+        self.verdicts = {}  # complaints about next runs, by the tree they start with
+        self.messages = []
         self.rows = {}
-        self.names = collections.defaultdict(set)  # of what was left
+        self.names = collections.defaultdict(set)  # of files left over
 
     def prepare(self):
-        """The tree before the command, and what the command does where nothing befalls it."""
+        """Makes the tree before the command, and runs the command undisturbed to get its calls and results."""
         for name in ("in", "out", "home", "tmp"):
             (self.folder / name).mkdir(parents=True)
         self.case.prepare(self)
@@ -167,12 +168,12 @@ class Torture:
             sys.exit("\n".join(["a second undisturbed run:"] + wrong))
 
     def tool(self, *words):
-        """One of the tools, while the tree is prepared."""
+        """Runs a tool to prepare the tree."""
         subprocess.run([str(each) for each in words], cwd=self.folder, env=self.environment, check=True,
                        stdin=subprocess.DEVNULL)
 
     def run(self, how, at):
-        """The case's command, and what befalls its call at."""
+        """Runs the case's command with the fault how at call number at."""
         words = [self.nth_call, str(self.folder), str(self.log), how, str(at)]
         child = subprocess.Popen(words + self.case.command, cwd=self.folder, env=self.environment, text=True,
                                  stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
@@ -193,7 +194,7 @@ class Torture:
         shutil.copytree(self.kept, self.folder, symlinks=True)
 
     def choose(self, group, most):
-        """What befalls the command, at most so often: the first calls of each kind before the others."""
+        """At most `most` faults of a group: the first calls of each kind before the others."""
         first, others, met = [], [], set()
         for at, (name, path) in enumerate(self.calls, 1):
             for how in (how for how, can_be in GROUPS[group].items() if can_be(name)):
@@ -209,7 +210,7 @@ class Torture:
         return chosen
 
     def damage(self, tree):
-        """Names under which there is neither what was there nor what is to be."""
+        """Files whose content is neither that before the run nor that after an undisturbed run."""
         found = [name for name in sorted(self.before.keys() | self.after.keys())
                  if tree.get(name) not in (self.before.get(name), self.after.get(name)) and not self.is_optional(name)
                  and not name.startswith(self.case.stays)]
@@ -218,7 +219,7 @@ class Torture:
         return [f"damaged: {name}" for name in found]
 
     def differences(self, tree):
-        """From what an undisturbed run leaves."""
+        """Files that differ from those after an undisturbed run."""
         return sorted(name for name in tree.keys() | self.after.keys() if tree.get(name) != self.after.get(name))
 
     def is_optional(self, path):
@@ -244,31 +245,31 @@ class Torture:
     def complaints_if_failed(self, fault, ended, tree):
         complaints = self.damage(tree)
         if fault.how in SHORT or self.is_optional(fault.path[1:]) and not fault.how.endswith("+"):
-            complaints.append("it failed, where it was to go on")
+            complaints.append("it failed, although it could continue")
         if ended.code != 4:
             complaints.append(f"exit status {ended.code}")
         if not re.fullmatch(f"({ERROR})+" if self.case.is_window else ERROR, ended.stderr):
             complaints.append(f"stderr is {ended.stderr!r}")
-        if fault.name not in TAKES_AWAY and fault.how != "EACCES+":  # who may take nothing away leaves it
+        if fault.name not in TAKES_AWAY and fault.how != "EACCES+":  # otherwise it could not delete its files
             complaints += [f"left: {name}" for name in self.left(tree)
                            if not self.is_optional(name) and not name.startswith(self.case.stays)]
         return complaints
 
     def left(self, tree):
-        """What an undisturbed run neither finds nor leaves."""
+        """Files that are there neither before nor after an undisturbed run."""
         return sorted(tree.keys() - self.before.keys() - self.after.keys())
 
-    def befallen(self, fault):
-        """With the call that it was in this run, or none: threads do not do the same each time."""
+    def fault_in_log(self, fault):
+        """The fault with the call that it actually hit, or none: the order of calls varies with threads."""
         calls = self.read_log()
         name, path = calls[fault.at - 1] if fault.at <= len(calls) else ("", "")
         fails = GROUPS["failed"].get(fault.how)
         if fails and not fault.how.endswith("+") and not fails(name):
-            name, path = "", ""  # which nth_call let through
+            name, path = "", ""  # nth_call did not let this call fail
         return dataclasses.replace(fault, name=name, path=path)
 
     def next_run(self, tree):
-        """What is wrong after the same command again, undisturbed."""
+        """Complaints about the next undisturbed run of the command."""
         if tree == self.before:
             return []
         key = frozenset((TEMPORARY.sub(".tmp-*", name), what) for name, what in tree.items())
@@ -277,7 +278,7 @@ class Torture:
         return self.verdicts[key]
 
     def again(self):
-        """The same command again: as the first one, or it says that all is there."""
+        """Runs the command again, undisturbed: it must have the same results, or report that the output exists."""
         there = tree_of(self.folder, self.case)
         if self.case.is_window:
             self.take_away_whole(there)
@@ -289,7 +290,7 @@ class Torture:
                         f"stale after the next run: {name}" for name in self.differences(tree)]
 
     def take_away_whole(self, tree):
-        """What a run has written to its end, since the next one would take other names."""
+        """Deletes the files that a run of the window has completed: the next one would choose other names."""
         for name in tree.keys() & self.after.keys() - self.before.keys():
             if tree[name] == self.after[name] != "folder":
                 (self.folder / name).unlink()
@@ -297,7 +298,7 @@ class Torture:
     def inflict(self, fault):
         self.restore()
         ended = self.run(fault.how, fault.at)
-        fault = self.befallen(fault)
+        fault = self.fault_in_log(fault)
         tree = tree_of(self.folder, self.case)
         complaints = self.complaints_of(fault, ended, tree)
         next_complaints = self.next_run(tree)
@@ -310,10 +311,10 @@ class Torture:
         row["stale"] += bool(next_complaints)
         found = complaints + next_complaints
         if found:
-            more = f"; and {len(found) - MOST_TOLD} more" if len(found) > MOST_TOLD else ""
-            self.told.append(f"{fault.how} at call {fault.at}, {fault.name} {fault.path}: "
-                             f"{'; '.join(found[:MOST_TOLD])}{more}")
-            print(self.told[-1], flush=True)
+            more = f"; and {len(found) - MOST_SHOWN} more" if len(found) > MOST_SHOWN else ""
+            self.messages.append(f"{fault.how} at call {fault.at}, {fault.name} {fault.path}: "
+                                 f"{'; '.join(found[:MOST_SHOWN])}{more}")
+            print(self.messages[-1], flush=True)
 
 
 def row_of(case_name, how, run):
@@ -323,7 +324,7 @@ def row_of(case_name, how, run):
 
 
 def torture(name, options, folder):
-    """Runs a case, with one group or all; its complaints, and its rows for the table."""
+    """Runs a case with one group of faults, or all. Returns its complaints and its rows of the table."""
     case_name, _, only = name.partition(".")
     case = commands.case_of(case_name)
     run = Torture(case, folder)
@@ -333,7 +334,7 @@ def torture(name, options, folder):
         print(f"{case_name}.{group}: {len(run.calls)} calls, {len(faults)} runs", flush=True)
         for fault in faults:
             run.inflict(fault)
-    return run.told, [row_of(case_name, how, run) for how in run.rows]
+    return run.messages, [row_of(case_name, how, run) for how in run.rows]
 
 
 def main():
@@ -345,8 +346,8 @@ def main():
     complaints = []
     for name in options.names or commands.names():
         with tempfile.TemporaryDirectory() as folder:
-            told, rows = torture(name, options, pathlib.Path(folder).resolve())
-        complaints += told
+            messages, rows = torture(name, options, pathlib.Path(folder).resolve())
+        complaints += messages
         if options.table:
             head = "" if options.table.exists() else TABLE_HEAD
             with open(options.table, "a") as table:

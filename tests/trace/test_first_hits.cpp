@@ -94,8 +94,8 @@ FlatComparison compareFlat(const std::string& path, const Rendered& rendered, do
     return result;
 }
 
-/// The share of pixels whose flat hits may differ from brute force: the most that was observed at rims and ties of
-/// random discs of all sizes.
+/// Least share of pixels whose flat hits equal those of brute force. The others are at rims and ties of discs; for
+/// random discs of all sizes, at most 1.5% of the pixels were.
 constexpr double kMinSame = 0.985;
 
 class RandomClouds : public testing::TestWithParam<unsigned> {};
@@ -112,12 +112,12 @@ TEST_P(RandomClouds, FlatDiscsMatchBruteForce) {
     settings.camera.eye = eyes[seed % 5];
     settings.camera.target = seed % 5 == 2 ? Vec3{0.9, 0.8, 0.1} : Vec3{0.5, 0.5, 0.5};
     settings.camera.fov_deg = seed % 5 == 4 ? 0.8 : 40;
-    // floats, and of some 100 for the distant eye
+    // rounding errors of floats; the distant eye is 100 units away
     const FlatComparison result = compareFlat(path, renderFile(path, settings), seed % 5 == 4 ? 1e-4 : 3e-6);
     EXPECT_GT(result.hits, 500u);
     EXPECT_EQ(result.unexplained, 0u);
     EXPECT_GT(static_cast<double>(result.same), kMinSame * static_cast<double>(result.pixels));
-    EXPECT_LE(result.wrong_normal, 4u); // two discs that meet at the hit
+    EXPECT_LE(result.wrong_normal, 4u); // if two discs intersect at the hit, rounding selects either
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomClouds, testing::Range(1u, 11u));
@@ -127,8 +127,8 @@ TEST(FirstHits, BlendedSphereMatchesBruteForce) {
     writeScene(path, sphereSplats(6000, Vec3f(10, -20, 5), 2.0f), {});
     const Comparison result = compare(path, renderFile(path, square(96)), 2e-4);
     EXPECT_GT(result.hits, 2000u);
-    EXPECT_LE(result.wrong_hit, 8u); // at the silhouette, of some 170 pixels, where a rim ends the sphere
-    EXPECT_LE(result.wrong_depth, result.hits / 200); // leaf lists end where weights have nearly reached zero
+    EXPECT_LE(result.wrong_hit, 8u); // of about 170 pixels at the silhouette, which consists of rims of discs
+    EXPECT_LE(result.wrong_depth, result.hits / 200); // splats with almost no weight in a leaf are not in its list
     EXPECT_LE(result.wrong_normal, result.hits / 200);
 }
 
@@ -147,7 +147,7 @@ TEST(FirstHits, PrunedSphereStaysClosedAndRound) {
             RenderSettings settings = square(256);
             const Vec3 d = centerRayDirection(settings, rendered.camera, x, y), eye = rendered.camera.eye;
             const double b = dot(eye, d), c = dot(eye, eye) - 1.0, discriminant = b * b - c;
-            if (discriminant < 0.02) continue; // at the silhouette the outline is that of discs
+            if (discriminant < 0.02) continue; // the silhouette consists of rims of discs
             ++inside;
             if (!std::isfinite(rendered.film.depth[i])) {
                 ++holes;
@@ -196,7 +196,7 @@ TEST(FirstHits, PruningLongListsOpensNoHoles) {
     }
     std::printf("%zu lost, %zu at rims, %zu moved by more than a radius\n", lost, at_rims, moved);
     EXPECT_EQ(lost, 0u);
-    EXPECT_LE(at_rims, 8u); // of the silhouette's 1000 pixels
+    EXPECT_LE(at_rims, 8u); // of 1000 pixels at the silhouette
     EXPECT_EQ(moved, 0u);
 }
 
@@ -209,8 +209,8 @@ TEST(FirstHits, AxisParallelRaysEndAndHit) {
     settings.blend = false;
     settings.camera.eye = Vec3{0, 0, 4};
     settings.camera.target = Vec3{0, 0, 0};
-    // stored normals lean by half a step of 2/4095 on two axes, discs are 2/63 * 1.2 in radius: any two over a place
-    // are up to 2 * 3.5e-4 * 0.038 apart, and either may be hit
+    // Stored normals are tilted by half a step of 2/4095 on two axes, 3.5e-4 in all, so the rim of a disc with a radius
+    // of 2/63 * 1.2 = 0.038 is off the plane by 1.33e-5. Two overlapping discs may be twice that apart.
     const FlatComparison result = compareFlat(path, renderFile(path, settings), 2.7e-5);
     EXPECT_EQ(result.unexplained, 0u);
     EXPECT_EQ(result.same, result.pixels);

@@ -48,7 +48,8 @@ std::vector<Body> whiteBodies() {
             pane};
 }
 
-/// One of each kind: roughness needs no other program, and building programs takes most of the time here.
+/// One body of each kind of material: building programs takes most of the time here, and bodies that differ by
+/// roughness alone have the same program.
 std::vector<Body> oneOfEachKind() {
     std::vector<Body> bodies;
     for (Body& body : whiteBodies()) {

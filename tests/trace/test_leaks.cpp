@@ -34,7 +34,7 @@ struct LeaksBody {
     std::string name;
     Splats splats;
     Distance distance;
-    double edge = INFINITY; ///< along x and z from the origin: rays start within 0.7 of it and are followed up to it
+    double edge = INFINITY; ///< half width along x and z. Rays start in the inner 0.7 of it and end at it
 };
 
 LeaksBody sphereBody() {
@@ -82,7 +82,7 @@ public:
         const double z = 1 - 2 * unit(), ring = std::sqrt(1 - z * z), angle = 2 * std::numbers::pi * unit();
         return {ring * std::cos(angle), ring * std::sin(angle), z};
     }
-    /// Distributed by the cosine to unit n.
+    /// A random direction, with a density proportional to its cosine with the unit vector n.
     Vec3 diffuse(Vec3 n) { return normalize(n + 0.9999999 * onSphere()); }
 
 private:
@@ -92,7 +92,7 @@ private:
 enum Kind { kDiffuse, kMirrored, kRefracted, kKinds };
 constexpr const char* kNames[] = {"diffuse", "mirrored", "refracted"};
 
-/// At total internal reflection also kRefracted is reflected.
+/// The direction of a secondary ray. kRefracted is reflected, too, if there is total internal reflection.
 Vec3 scattered(Kind kind, Vec3 n, Vec3 direction, bool inside, Random& random) {
     if (kind == kDiffuse) return random.diffuse(n);
     const double cosine = -dot(n, direction), eta = inside ? kLeaksIndex : 1 / kLeaksIndex;
@@ -131,8 +131,8 @@ struct Errors {
 
 /// Where a ray crosses the exact surface, in cube units.
 struct Course {
-    double crosses = INFINITY; ///< first distance at which it is on the other side
-    double beyond = INFINITY;  ///< first distance at which it is half a radius inside that side
+    double crosses = INFINITY; ///< first distance at which it is on the other side of the surface
+    double beyond = INFINITY;  ///< first distance at which it is half a radius deep on that side
 };
 
 bool isWithin(Vec3 p, double edge) { return std::abs(p.x) < edge && std::abs(p.z) < edge; }
@@ -148,7 +148,7 @@ public:
         return leaving.inside ? -d : d;
     }
 
-    /// Follows the ray up to end.
+    /// Follows the ray up to this distance.
     Course follow(const Leaving& leaving, double end) const {
         Course course;
         for (double t = 0; t < end;) {
@@ -159,7 +159,7 @@ public:
                 course.beyond = t;
                 break;
             }
-            t += std::max(std::abs(d), 0.25 * leaving.radius); // no step skips a surface by half a radius
+            t += std::max(std::abs(d), 0.25 * leaving.radius); // too short to get half a radius deep and out again
         }
         return course;
     }
@@ -182,7 +182,7 @@ void judge(const Leaving& leaving, const CastHit& hit, const Course& course, dou
     errors.leaks += std::isfinite(course.beyond) && (!hit.hit() || hit.t_flat > course.beyond + slack);
 }
 
-/// A ray from each of these hits that is on the body, of each kind in turn.
+/// A secondary ray from each hit in the inner part of the body, of each kind in turn.
 std::vector<Leaving> leaveAll(const LeaksBody& body, const Geometry& geometry, std::span<const Ray> rays,
                               const std::vector<CastHit>& hits, Random& random) {
     std::vector<Leaving> all;
@@ -195,7 +195,7 @@ std::vector<Leaving> leaveAll(const LeaksBody& body, const Geometry& geometry, s
     return all;
 }
 
-/// From outside towards splats, from uniformly distributed directions: many are grazing.
+/// Rays from outside to random splats, in uniformly distributed directions: many graze the surface.
 std::vector<Ray> aimedRays(const std::vector<CubeSplat>& splats, std::size_t count, Random& random) {
     std::vector<Ray> rays;
     for (std::size_t i = 0; i < count; ++i) {

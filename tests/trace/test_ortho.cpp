@@ -17,13 +17,13 @@ namespace pointrt::test {
 namespace {
 
 constexpr double kHeight = 2.5; // of the window; the sphere's diameter is 2
-/// Splats are on the unit sphere; their rims, 2e-4 off, extend beyond its silhouette, where those of the far side are
-/// seen at grazing angles.
+/// Pixels closer than this to the silhouette are not compared: it consists of rims of discs, which are up to 2e-4 off
+/// the sphere.
 constexpr double kRim = 2e-3;
 constexpr std::size_t kOrthoSplats = 40000;
-constexpr double kSplatRadius = 0.025; // 1.2 times the mean spacing, and a little
+constexpr double kSplatRadius = 0.025; // a little more than 1.2 times the mean spacing
 
-/// Wider than high, from an oblique direction with a rotated picture: nothing is along an axis.
+/// A view with no symmetry: wider than high, from an oblique direction, and rotated about the line of sight.
 RenderSettings slantedView(double distance) {
     RenderSettings settings = square(128);
     settings.width = 200;
@@ -74,7 +74,7 @@ SphereErrors compareWithSphere(const Rendered& rendered) {
             if (std::abs(across - 1) < kRim || std::abs(from_middle - 1) < kSplatRadius) continue;
             const std::optional<double> t = meetSphere(start, forward);
             errors.wrong_hit += hit != t.has_value();
-            if (!hit || !t || across > 0.99) continue; // at the silhouette distances are those of discs
+            if (!hit || !t || across > 0.99) continue; // rays that graze a disc meet it far from the sphere
             const Vec3 at = start + *t * forward, normal = from_middle < 1 ? -1.0 * at : at;
             errors.depth = std::max(errors.depth, std::abs(film.depth[i] - *t));
             errors.position = std::max(errors.position, length(three(film.position, i) - at));
@@ -90,10 +90,10 @@ double discPixels(const Film& film) { return std::numbers::pi * film.height * fi
 
 void expectSplatSphere(const SphereErrors& errors) {
     EXPECT_EQ(errors.wrong_hit, 0u);
-    // rims of discs are 2e-4 off, and rays at 8 degrees to the surface multiply that by 7
+    // rims of discs are 2e-4 off the sphere, which is 7 times as much along rays at 8 degrees to the surface
     EXPECT_LT(errors.depth, 1.4e-3);
     EXPECT_LT(errors.position, 1.4e-3);
-    EXPECT_LT(errors.normal_deg, 0.5); // blending leaves little of the 1.2 between a disc's centre and its rim
+    EXPECT_LT(errors.normal_deg, 0.5); // flat discs would be off by up to 1.2 degrees, at their rims
 }
 
 TEST(Ortho, ShowsASphereAsADiscFromAnywhere) {

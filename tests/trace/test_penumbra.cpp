@@ -18,19 +18,20 @@ namespace {
 
 using std::numbers::pi;
 
-// The floor is y = 0, the blind the half plane y = kEdge, x < 0; the lamp's centre is straight above the edge.
+// The floor is the plane y = 0. A blind, the half plane y = kEdge with x < 0, has its edge along z. The lamp's centre
+// is at y = kLamp above the edge.
 constexpr double kEdge = 4, kLamp = 12;
 constexpr double kLampSize = 1; ///< radius, or half edge
 constexpr double kHalfFloor = 3;
 
-/// Irradiance from an unoccluded sphere of radiance 1 above the horizon.
+/// Irradiance of the floor by a spherical lamp of radiance 1 without the blind.
 double sphereIrradiance(double x, double z) {
     const double squared = x * x + z * z + kLamp * kLamp;
     return pi * kLampSize * kLampSize / squared * kLamp / std::sqrt(squared);
 }
 
-/// The same times the share of the sphere's disc, as seen from the floor, that is on the open side of the edge. The
-/// edge is along z: with the point of the floor it spans a plane that cuts the lamp's cone.
+/// Irradiance by the part of the spherical lamp that the blind leaves visible: from a point of the floor, the lamp is a
+/// disc, which the plane through that point and the edge cuts in two.
 double sphereBehindEdge(double x, double z) {
     const double distance = std::sqrt(x * x + z * z + kLamp * kLamp);
     // the plane through (x, 0, z) and the edge, with its normal towards the open side
@@ -39,8 +40,8 @@ double sphereBehindEdge(double x, double z) {
     return sphereIrradiance(x, z) * (std::acos(-s) + s * std::sqrt(1 - s * s)) / pi;
 }
 
-/// Irradiance from the parallel rectangle [x0, x1] x [z0, z1] at this height, of radiance 1, by its corners (Howell, A
-/// Catalog of Radiation Heat Transfer Configuration Factors, B-4).
+/// Irradiance at the origin by a rectangle [x0, x1] x [z0, z1] of radiance 1 at this height above it (Howell, A Catalog
+/// of Radiation Heat Transfer Configuration Factors, B-4, for each corner).
 double rectangleIrradiance(double x0, double x1, double z0, double z1, double height) {
     const auto corner = [&](double x, double z) {
         const double across = std::hypot(x, height), along = std::hypot(z, height);
@@ -56,7 +57,7 @@ double quadBehindEdge(double x, double z) {
     return rectangleIrradiance(left - x, kLampSize - x, -kLampSize - z, kLampSize - z, kLamp);
 }
 
-/// Summed over strips of the disc.
+/// Irradiance by the visible part of a disc lamp, which is summed over thin rectangles.
 double discBehindEdge(double x, double z) {
     const double left = std::clamp(x - x * kLamp / kEdge, -kLampSize, kLampSize);
     const int strips = 200;
@@ -93,11 +94,11 @@ SceneDescription penumbraScene(const std::string& floor, const LightDescription&
 }
 
 struct Profile {
-    double worst = 0; ///< difference in a stretch over the irradiance of the whole lamp
-    double total = 0; ///< relative difference of the sum
+    double worst = 0; ///< largest difference in a stretch, relative to the irradiance by the whole lamp
+    double total = 0; ///< relative difference of the sum of all stretches
 };
 
-/// Compares tenths of the floor's width across the edge with the closed form.
+/// Compares 20 stretches of the floor across the shadow's edge with the closed form.
 Profile profileOf(SceneDescription scene, Integrator integrator, double (*expected)(double, double)) {
     RenderSettings settings = square(64);
     settings.camera.eye = Vec3{0, 3.5, 6};

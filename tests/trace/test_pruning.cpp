@@ -42,8 +42,9 @@ TEST(Pruning, HitsAreUnchangedWithinItsBounds) {
                 change.blended.moved_along_ray);
     EXPECT_GT(change.hits_both, kPruningRays);
     EXPECT_EQ(change.lost + change.gained, 0u);
-    // three times the bound of 1 in 10,000, because of the variance of so few rays; along the normal, because cells
-    // with other discs are rounded differently, and grazing rays change between two discs in nearly one plane
+    // Pruning promises less than 1 in 10,000; three times that is allowed, as the variance of so few rays is high. Hits
+    // are compared along the normal: cells with other discs round them differently, so a grazing ray may hit another
+    // disc in nearly the same plane, far away along the ray.
     constexpr double kMax = 3e-4 * 2 * kPruningRays;
     EXPECT_LE(static_cast<double>(change.flat.moved_along_normal), kMax);
     EXPECT_LE(static_cast<double>(change.blended.moved_along_normal), kMax / 3);

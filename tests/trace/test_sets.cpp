@@ -17,10 +17,11 @@ namespace {
 
 constexpr std::uint32_t kSetsSide = 320; // ten pictures have a million rays
 constexpr int kPictures = 10;
-/// By how much a hit may differ between two tiles: cells round their discs, which moves blended surfaces.
-constexpr double kSameShare = 0.02; // of a radius
+/// Hits in one file and in its tiles may differ by this share of a radius: cells round their discs, and the tiles have
+/// other cells, which moves blended surfaces.
+constexpr double kSameShare = 0.02;
 
-/// Splats cut into eight tiles that meet in the origin, and a root of the same splats by default.
+/// A set of eight tiles that meet at the origin, and a root, by default of the same splats.
 struct CutInEight {
     explicit CutInEight(const Splats& splats) : CutInEight(splats, splats) {}
     CutInEight(const Splats& splats, const Splats& root) : radius(static_cast<double>(splats.radii[0])) {
@@ -39,8 +40,8 @@ struct SphereSet : CutInEight {
     SphereSet() : CutInEight(sphereSplats(20000, Vec3f(0, 0, 0), 1)) {}
 };
 
-/// Counts pixels where two films differ. holes: only whole has a hit; elsewhere: tiles have another hit, or an extra
-/// one.
+/// Counts the pixels in which the picture of the tiles differs from that of the whole file. holes: only whole has a
+/// hit; elsewhere: only the tiles have a hit, or at another distance.
 struct SetsDifference {
     std::size_t rays = 0, hits = 0, holes = 0, elsewhere = 0;
     void add(const Film& whole, const Film& tiles, double near) {
@@ -96,7 +97,8 @@ TEST(TileSets, NoRayPassesBetweenTiles) {
     EXPECT_LE(difference.elsewhere, difference.rays / 100'000);
 }
 
-/// A square grid of discs that just meet between four of them: few overlap, so that another disc rarely hides a gap.
+/// A square grid of discs just large enough to leave no gaps: they overlap little, so a missing part of a disc is
+/// rarely hidden by another disc.
 TEST(TileSets, DiscsAreNotCutAtBorders) {
     const CutInEight plane(
         squareSplats(200, Vec3f(0, 0, 0), Vec3f(0.9f, 0.1f, 0.2f), Vec3f(-0.05f, 0.9f, 0.3f), 0.75f));

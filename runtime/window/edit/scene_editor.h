@@ -27,8 +27,8 @@ struct OpenedScene {
     double scale = 1;          ///< input units per render unit
 };
 
-/// Makes the edits that are more than setting a value in the workspace, which panels do themselves, and tracks whether
-/// the device is up to date.
+/// Makes those edits that change more than one value of the workspace (panels set single values themselves), and tracks
+/// whether the device has all edits.
 class SceneEditor {
 public:
     /// work must outlive it.
@@ -65,7 +65,7 @@ private:
     bool hasFileLights() const { return !opened_->file_scene.lights.empty() || opened_->file_scene.sky; }
 
     Workspace& work_;
-    std::optional<OpenedScene> opened_; ///< resolved: when the surroundings were last rebuilt
+    std::optional<OpenedScene> opened_; ///< opened_->resolved: the scene as the last rebuild of surroundings left it
     std::optional<Room> current_room_;
     std::optional<std::uint32_t> current_light_count_;
     std::vector<RoomLights> room_lights_;

@@ -41,9 +41,9 @@ private:
     Job job_; ///< last, so that it ends before the others are destroyed
 };
 
-/// Chooses the cut of the next step: the finest that loads at most about 64 MiB of files, out of cuts for the full
-/// memory, a quarter of it, and so on; the next finer one if all its tiles are resident. Returns true for the finest
-/// cut.
+/// Chooses the cut of the next step. The candidates are the cuts for the full memory, a quarter of it, a sixteenth and
+/// so on. Takes the finest that needs at most about 64 MiB of files that are not resident; if it needs none, the next
+/// finer one. Returns true for the cut for the full memory.
 bool chooseNextCut(TileLoadRequest& request);
 
 } // namespace pointrt

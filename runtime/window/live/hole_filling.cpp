@@ -13,15 +13,15 @@ namespace {
 
 /// Neighbouring depths within this ratio belong to one surface.
 constexpr float kSameSurfaceRatio = 1.03f;
-/// The farthest points around an empty pixel.
+/// The points around an empty pixel. Sums and sides are of those on the farthest surface only.
 struct SurroundingPoints {
     std::uint32_t red = 0, green = 0, blue = 0, count = 0;
-    float depth = 0, nearest = kSkyDepth, farthest = 0; ///< depth: the sum; nearest and farthest: of all neighbours
+    float depth = 0, nearest = kSkyDepth, farthest = 0; ///< depth: a sum; nearest and farthest: of all neighbours
     std::uint32_t sides = 0; ///< where points were found: a bit for each of the 3 x 3 positions, by row
     std::uint32_t point = 0; ///< index of one of them
 };
 
-/// Samples the eight pixels at a given distance around a pixel.
+/// Collects points from the pixels around a pixel.
 class NeighborSampler {
 public:
     explicit NeighborSampler(const RenderCache& cache) : cache_(cache), size_(cache.size()) {}
@@ -52,7 +52,8 @@ public:
         return packColor(sum[0] / 4, sum[1] / 4, sum[2] / 4);
     }
 
-    /// Adds the eight pixels at distance radius.
+    /// Adds the points of the pixels to the left and right, above and below, and in the four diagonal directions, at
+    /// this distance along x and y.
     void addRing(SurroundingPoints& found, std::uint32_t x, std::uint32_t y, std::uint32_t radius) const {
         const std::uint32_t left = x >= radius ? x - radius : x, right = x + radius < size_.width ? x + radius : x;
         std::uint32_t direction = 0;
@@ -145,8 +146,9 @@ private:
     std::vector<std::uint32_t> colors_;
 };
 
-/// Further rings to search for background, pixels: a disocclusion is seldom wider than twice that in one frame. Tiles
-/// with points in fewer than an eighth of their pixels use the tile means, since neighbours are rare.
+/// Distances in pixels at which to look for background around a hole: a disocclusion is seldom wider than twice the
+/// larger in one frame. In tiles with points in fewer than an eighth of their pixels, holes get the mean colours of
+/// tiles, since neighbours are rare.
 constexpr std::array<std::uint32_t, 2> kFarRings{3, 7};
 constexpr std::uint32_t kMinPointsInTile = TILE_PIXELS / 8;
 

@@ -17,7 +17,7 @@ namespace {
 constexpr float kOccludedDepthRatio = 1.02f;
 /// Points traced before the light changed count as at least this many frames old.
 constexpr std::uint32_t kStaleLightAge = 64;
-/// Points per pixel, in quarters: enough for the visible ones and some that are hidden or outside the frame.
+/// Points in the cache per four pixels: the visible ones, and some that are hidden or outside the frame.
 constexpr std::size_t kPointsOf4 = 5;
 /// Points per task of a thread; points projected together, for SIMD.
 constexpr std::size_t kChunk = 1u << 14, kSideBySide = 64;

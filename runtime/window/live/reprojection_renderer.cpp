@@ -12,6 +12,7 @@
 #include "runtime/render/frame_params.h"
 #include "runtime/scene/integrator.h"
 #include "runtime/window/live/hole_filling.h"
+#include "runtime/window/live/trace_speed.h"
 
 namespace pointrt {
 namespace {
@@ -20,21 +21,15 @@ using Clock = std::chrono::steady_clock;
 
 double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// Weight of a new measurement in an estimate. Slowdowns count more than speedups: see trace_speed.cpp.
-double smoothed(double before, double measured) {
-    constexpr double kSlowdownWeight = 0.6, kSpeedupWeight = 0.3;
-    return before + (measured > before ? kSlowdownWeight : kSpeedupWeight) * (measured - before);
-}
-
-/// Traced per frame at least: fewer do not make a picture.
+/// Fewest pixels to trace per frame: with fewer, the picture would hardly change.
 constexpr double kMinPixels = 512;
 /// Share of a frame's time that always goes to tracing.
 constexpr double kMinTracedShare = 0.3;
-/// The random selection may exceed the requested count by this factor.
+/// The number of pixels selected at random may exceed the requested number by this factor.
 constexpr double kCountMargin = 1.125;
 
-/// Share of gaps that take too long to fill. With one randomly placed point per pixel on average a sixth of the pixels
-/// are empty, and a fifth after zooming in by a tenth.
+/// Points are resampled, one per pixel, if gaps take more than this share of the pixels, as filling them takes too
+/// long. Of pixels with one randomly placed point on average, a sixth are empty; after zooming in by a tenth, a fifth.
 constexpr double kMaxGapShare = 0.2;
 
 bool sameShapes(const std::vector<gpu::Shape>& a, const std::vector<gpu::Shape>& b) {
@@ -193,7 +188,7 @@ bool ReprojectionRenderer::fillCache(const ReprojectionView& view) {
     const std::uint32_t end = std::min(filled_rows_ + fitting, size.height);
     const std::vector<std::uint32_t> numbers = pixelsOfRows(size, filled_rows_, end);
     uploadPixelList(numbers);
-    const std::uint32_t beyond = size.width * size.height; // after the film's own first hits
+    const std::uint32_t beyond = size.width * size.height; // first_hits holds those of the film before
     const auto count = static_cast<std::uint32_t>(numbers.size());
     BandSample sample = openPixelList(device_, tracer_, view.settings, view.camera, count, {kMaxListedPixels, beyond});
     sample.only_first_hits = true;

@@ -9,7 +9,7 @@
 namespace pointrt {
 namespace {
 
-/// Weight of a new measurement. Slowdowns count more than speedups: a late frame is worse than a coarse one.
+/// Weight of a new measurement in an estimate.
 constexpr double kSlowdownWeight = 0.6, kSpeedupWeight = 0.3;
 /// Resolutions are divided by powers of the fourth root of 2: two steps halve the area.
 constexpr double kSizeStep = 1.189207115002721;
@@ -20,11 +20,14 @@ constexpr double kComfort = 0.75;
 
 } // namespace
 
+double smoothed(double estimate, double measured) {
+    return estimate + (measured > estimate ? kSlowdownWeight : kSpeedupWeight) * (measured - estimate);
+}
+
 void TraceSpeed::addMeasurement(std::uint64_t pixels, double seconds) {
     if (pixels == 0 || !(seconds > 0)) return;
     const double measured = seconds / static_cast<double>(pixels);
-    const double share = !known_ ? 1 : measured > seconds_per_pixel_ ? kSlowdownWeight : kSpeedupWeight;
-    seconds_per_pixel_ += share * (measured - seconds_per_pixel_);
+    seconds_per_pixel_ = known_ ? smoothed(seconds_per_pixel_, measured) : measured;
     known_ = true;
 }
 

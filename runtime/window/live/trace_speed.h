@@ -8,6 +8,10 @@
 
 namespace pointrt {
 
+/// The estimate of a duration after a measurement. A higher one gets more weight than a lower one: a late frame is
+/// worse than a coarse one.
+double smoothed(double estimate, double measured);
+
 /// The tracer's speed for the current view.
 class TraceSpeed {
 public:

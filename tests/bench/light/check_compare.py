@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Holds the comparison itself against pairs of pictures whose answer is known; run by run.sh before it is used."""
+"""Checks compare.py with pairs of pictures whose differences are known. run.sh runs it first."""
 
 import numpy as np
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Whether two renderers have the same camera and surfaces: compare_first_hits.py SCENE.json REFERENCE.exr TEST.exr
+"""Checks that two renderers have the same camera and surfaces: compare_first_hits.py SCENE.json REFERENCE.exr TEST.exr
 
-Both hold Z and N.X, N.Y, N.Z of the rays through the pixels' centres. --instance N (0 and up) says that TEST shows
-that instance alone. Prints JSON: pixels whose depth is more than 1% off (another surface is seen), how many of these
-are not within a pixel of a jump in the reference's depth, and over the others the error of depth in pixels' widths and
-of the normal in degrees: median, 99%, most. Exit code 1 where a pixel off the outlines is wrong.
+Both files have the channels Z, N.X, N.Y and N.Z for rays through pixel centres. --instance N (from 0): TEST shows only
+that instance. Prints JSON: the number of pixels whose depth is more than 1% off (they show another surface), how many of
+these are not within a pixel of a jump in the reference's depth, and for the others the errors of the depth, in pixel
+widths, and of the normal, in degrees: median, 99% and maximum. Exit code 1 if a pixel away from silhouettes is wrong.
 """
 
 import argparse

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# What each effect costs: the same scan and camera, 512x512 with 4 samples, one effect after the other, as a table of
-# milliseconds a frame (median of FRAMES) and rays counted.
+# The cost of each effect: renders one scan with the same camera, 512x512 and 4 samples per pixel, with one effect after
+# the other. Prints a table: milliseconds per frame (median of FRAMES), numbers of rays, and million rays per second.
 #   tests/bench/light/costs.sh BIN_DIR SCAN.pro       # FRAMES=3
 set -euo pipefail
 [ $# -eq 2 ] || {
@@ -12,7 +12,7 @@ view=$(cd "$1" && pwd)/pointrt-view scan=$(realpath "$2") frames=${FRAMES:-3}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# The scan's box, for a floor and lamps of its size.
+# The scan's bounding box, to place a floor and lamps.
 read -r low_y size center_x center_z < <("$(dirname "$view")/pointrt-info" "$scan" --json | python3 -c '
 import json, sys
 info = json.load(sys.stdin)
@@ -46,7 +46,7 @@ scene metal sphere $'kind = "metal"\nroughness = 0.3'
 scene mirror sphere 'kind = "mirror"'
 scene glass sphere 'kind = "glass"'
 
-# row TITLE SCENE OPTION...
+# row TITLE SCENE OPTION...: renders a scene and prints its row of the table.
 row() {
     local title=$1 file=$2
     shift 2

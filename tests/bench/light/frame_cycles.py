@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Times frames of Blender's Cycles as a module of Python: options and what is printed as of frame_mitsuba.py. The mesh and
-its tree stay in memory between frames."""
+"""Times frames of Blender's Cycles, used as a Python module, with the options and output of frame_mitsuba.py. The mesh and
+its BVH stay in memory between frames."""
 
 import argparse
 import contextlib
@@ -16,7 +16,7 @@ import render_reference
 
 @contextlib.contextmanager
 def silence():
-    """Blender tells of each frame on standard output, from C."""
+    """Hides what Blender's C code prints to standard output for each frame."""
     kept, nothing = os.dup(1), os.open(os.devnull, os.O_WRONLY)
     os.dup2(nothing, 1)
     yield

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Times frames of Mitsuba: frame_mitsuba.py SCENE.json --spp N [--frames N] [--pictures PREFIX --seeds N]
 
-Prints JSON: wall and processor milliseconds of each frame, after one that is not counted; its kernels are compiled
-then. --pictures writes PREFIX0.exr and on, one a seed.
+Prints JSON: wall and CPU milliseconds of each frame. A warm-up frame, in which Mitsuba compiles its kernels, is not
+counted. --pictures writes a picture for each seed: PREFIX0.exr, PREFIX1.exr ...
 """
 
 import argparse
@@ -17,7 +17,7 @@ import numpy as np
 
 import render_mitsuba
 
-FIRST_ROULETTE = 4  # edges: pointrt-view's paths may end from their fourth hit on, too
+FIRST_ROULETTE = 4  # path edges before Russian roulette, as in pointrt-view
 
 
 def main():

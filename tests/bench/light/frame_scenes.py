@@ -46,7 +46,7 @@ def ring(count=3):
 
 
 def ceilingLamp(center, half, radiance):
-    """Faces down; what its other side shines at is nothing."""
+    """A lamp that faces down. Nothing is above it, so its other side does not matter."""
     return {"type": "quad", "center": center, "u": [half, 0, 0], "v": [0, 0, half], "radiance": [radiance] * 3}
 
 

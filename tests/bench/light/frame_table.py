@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Compares frame times with Mitsuba and Cycles: frame_table.py BIN_DIR FOLDER, called by frames.sh in FOLDER's Python.
 
-Programs run in turn on the same cores. Prints Markdown: milliseconds for the same samples, their noise, the time for
-equal noise, and frame times relative to the sum of the times of their rays by trace_speed.
+The programs run alternately on the same cores. Prints Markdown: milliseconds for the same samples, their noise, the time
+for equal noise, and frame times relative to the times that trace_speed needs for the same rays.
 
-Noise is the mean over pixels of the variance between seeds, which is that to a picture of infinitely many samples;
-light is clipped at white. The time for equal noise is time times variance.
+Noise is the variance between seeds, averaged over the pixels, which equals the mean squared error relative to a converged
+picture; light is clipped at white. The time for equal noise is time times variance.
 """
 
 import argparse

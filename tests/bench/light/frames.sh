@@ -1,19 +1,20 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Frames of splats beside frames of the mesh they were sampled from, by Mitsuba 3 and Blender's Cycles: the same rooms, lamps,
-# bounces, samples and cores, in turn. A table to standard output and OUT_DIR/FRAMES.md; about 6 minutes on two cores.
+# Compares frame times of splats with those of Mitsuba 3 and Blender's Cycles for the mesh that they were sampled from, with
+# the same rooms, lamps, bounces, samples and cores, alternately. Prints a table, also to OUT_DIR/FRAMES.md. Takes about 6
+# minutes on two cores.
 #   tests/bench/light/frames.sh BIN_DIR MESH.ply OUT_DIR [OPTION...]     # --scenes room glass --turns 5 --spp 16
 # Settings, from the environment, with defaults:
 #   POINTS=1000000      splats sampled from the mesh
 #   SIZE=512            pixels of a side
 #   CORES=0-1           for all programs
-#   CYCLES=1            0 leaves Cycles out; so does a Python that PyPI's bpy has no build for (it wants 3.11)
+#   CYCLES=1            0 leaves Cycles out; so does a Python without a build of bpy on PyPI (bpy needs 3.11)
 # BIN_DIR holds trace_speed, too: a dev build's, or a release build's made with -D POINTRT_BUILD_TESTS=ON.
 # Installs Debian's libllvm19 and python3-venv where they are missing (root or sudo), and Mitsuba, OpenEXR and bpy from PyPI
 # into OUT_DIR/environment.
 set -euo pipefail
 [ $# -ge 3 ] || {
-    sed -n '3,13s/^# //p' "$0" >&2
+    sed -n '3,14s/^# //p' "$0" >&2
     exit 2
 }
 here=$(cd "$(dirname "$0")" && pwd)

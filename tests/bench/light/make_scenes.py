@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Writes what all renderers read: make_scenes.py FOLDER [--size PIXELS] [--spacing PIXELS]
+"""Writes the scenes for all renderers: make_scenes.py FOLDER [--size PIXELS] [--spacing PIXELS]
 
 FOLDER gets MESH.ply and MESH.samples (how many points to bake) for each mesh, and for each scene NAME.json for the
 reference renderers and NAME.toml for pointrt-view, which looks for MESH.pro beside it.
@@ -48,7 +48,7 @@ def sceneToml(scene, size):
 
 
 def samplesFor(name, mesh, size, spacing_px):
-    """Points for one every spacing_px pixels where the camera comes nearest, over all scenes."""
+    """The number of points for a spacing of spacing_px pixels where a body is nearest to the camera, in any scene."""
     positions, _, faces = mesh
     most = 0
     for scene in scenes.SCENES.values():
@@ -58,7 +58,7 @@ def samplesFor(name, mesh, size, spacing_px):
             if instance["mesh"] != name:
                 continue
             placed = positions * instance["scale"] + np.array(instance["translate"])
-            # Where only its light is looked at, a body may be coarser.
+            # A body may be coarser if only its light is compared.
             spacing = max(spacing_px, CAUSTIC_SPACING_PX) if "caustic" in scene else spacing_px
             nearest = np.linalg.norm(placed - np.array(camera["eye"]), axis=1).min()
             most = max(most, meshes.area(placed, faces) * (pixels_at_one / nearest / spacing) ** 2)

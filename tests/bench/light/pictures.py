@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reading EXR files and encoding their light for the eye."""
+"""Reads EXR files and tone maps them."""
 
 import numpy as np
 import OpenEXR
@@ -27,7 +27,7 @@ def readLight(path, layer=""):
 
 
 def encode(linear, exposure):
-    """The tone mapping of every comparison: times exposure, clipped to [0, 1], sRGB curve (IEC 61966-2-1)."""
+    """The tone mapping of all comparisons: multiplies by exposure, clips to [0, 1], encodes as sRGB (IEC 61966-2-1)."""
     clipped = np.clip(linear * exposure, 0, 1)
     return np.where(clipped <= 0.0031308, 12.92 * clipped, 1.055 * clipped ** (1 / 2.4) - 0.055)
 

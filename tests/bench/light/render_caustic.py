@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The caustic of a scene that asks for it alone, by tracing light: render_caustic.py SCENE.json OUT.exr
+"""Renders the caustic of a "caustic" scene by tracing light: render_caustic.py SCENE.json OUT.exr
 [--photons MILLIONS] [--seed N]
 
-Mitsuba's surfaces, met by light from the lamp that is aimed at the bodies: what reaches the floor by way of a body is
-counted in the pixel that sees it, without a kernel, so without blur. Paths from the eye (render_mitsuba.py) find the
-same light, hundreds of times more seldom. The floor is y = 0 and sends no light on. Pixels that show a body hold what
-the floor behind it would. The EXR is linear: R, G, B.
+Traces light from the lamp towards the bodies with Mitsuba's surfaces. Light that reaches the floor by way of a body is
+added to the pixel that sees that place, without a kernel and so without blur. Paths from the eye (render_mitsuba.py)
+find the same light hundreds of times less often. The floor is y = 0 and reflects no light to the bodies. Pixels that show
+a body hold the light of the floor behind it. The EXR is linear: R, G, B.
 """
 
 import argparse
@@ -36,7 +36,7 @@ def boundingSphere(scene, folder):
 
 
 def emit(lamp, target, numbers):
-    """Rays from the lamp's sphere into the cone around the target, and what flux each is worth, times their number."""
+    """Rays from the spherical lamp into the cone around the target, and the flux of each times the number of rays."""
     centre, radius = target
     out = mi.warp.square_to_uniform_sphere(numbers.next_2d())
     origin = mi.Point3f(lamp["center"]) + out * lamp["radius"] * 1.0001
@@ -52,7 +52,7 @@ def emit(lamp, target, numbers):
 
 @dr.syntax
 def followSharp(world, ray, flux, numbers, bounces):
-    """Where light stays that mirrors and glass send on: position, flux (0 where it met no body, or nothing else)."""
+    """Where rays end after mirrors and glass: positions and fluxes (0 if a ray hit no body, or nothing after it)."""
     context = mi.BSDFContext(mi.TransportMode.Importance)
     bounce, going, place, kept = mi.UInt32(0), mi.Bool(True), mi.Point3f(0), mi.Color3f(0)
     ray, flux = mi.Ray3f(ray), mi.Color3f(flux)

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Renders a scene by Mitsuba 3: render_mitsuba.py SCENE.json OUT.exr [--spp N] [--seed N] [--first-hits]
 
-Spheres are analytic, everything else is the mesh. The EXR is linear: R, G, B. With --first-hits, instead of light, what
-the rays through the pixels' centres hit: Z (distance, infinite where nothing is), N.X, N.Y, N.Z (towards the eye) and
-ID (1 and up: instances in their order; 0: anything else).
+Spheres are analytic, everything else is a mesh. The EXR is linear: R, G, B. With --first-hits it has the first hits of
+rays through pixel centres instead of light: Z (distance, infinite for a miss), N.X, N.Y, N.Z (towards the eye) and ID
+(instances in their order, from 1; 0: anything else).
 
-Of a scene that asks for its caustic alone, the picture is the light of all paths without that of the paths from the
-floor straight to the lamp. Both are traced by the same random numbers, so that what they share cancels.
+For a "caustic" scene, the picture is the light of all paths minus that of paths from the floor straight to the lamp. Both
+are traced with the same random numbers, so that the noise of their common light cancels.
 
 Needs LLVM 17 or newer (Debian's libllvm19), found as DRJIT_LIBLLVM_PATH.
 """

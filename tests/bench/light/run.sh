@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Our pictures of splats beside those that independent path tracers make of the meshes they were sampled from.
+# Compares pictures of splats with pictures that independent path tracers render of the original meshes.
 #   tests/bench/light/run.sh BIN_DIR OUT_DIR [SCENE...]
-# OUT_DIR gets the scenes, the linear pictures as EXR, comparisons as PNG and JSON, and RESULTS.md, also printed.
-# References that are there already are kept while their scene is the same; delete them to have them rendered again.
-# Scenes (default: all): diffuse mirror metal glass soft-shadow sky, and the caustic alone, beside light traced on
-# Mitsuba's surfaces, of caustic-glass, caustic-exact-glass (its ball analytic here too) and caustic-ring. Settings,
-# from the environment, with defaults:
-#   SPP=256             samples a pixel of ours
+# Writes to OUT_DIR the scenes, the linear pictures as EXR, comparisons as PNG and JSON, and RESULTS.md, also printed.
+# Keeps references from earlier runs if their scene has not changed; delete them to render them again.
+# Scenes (default: all): diffuse mirror metal glass soft-shadow sky, and caustic-glass, caustic-exact-glass (with an analytic
+# ball) and caustic-ring, of which only the caustic is compared, with light traced on Mitsuba's surfaces. Settings, from the
+# environment, with defaults:
+#   SPP=256             samples per pixel of pointrt-view
 #   MITSUBA_SPP=512     of Mitsuba, the reference (its metal scatters once only, 5 to 10% too dark at roughness 0.5)
-#   PHOTONS=250         millions of the light traced for the reference of a caustic
-#   CHECK_SPP=1024      of Mitsuba's paths, which that reference must agree with in all; 0 leaves it out
-#   CYCLES_SPP=256      of Blender's Cycles, the reference for metal and a second opinion elsewhere; 0 leaves it out
+#   PHOTONS=250         million light paths for the reference of a caustic
+#   CHECK_SPP=1024      of Mitsuba's paths from the eye, whose total light must equal that of the reference; 0: no check
+#   CYCLES_SPP=256      of Blender's Cycles, the reference for metal and a second reference for others; 0: without
 #   SIZE=512            pixels of a side; SPACING=0.5 pixels between splats where the camera is nearest
 #   VIEW_OPTIONS=       more options for pointrt-view
 # Installs Debian's blender, libllvm19 and python3-venv where they are missing (root or sudo), and Mitsuba, FLIP and
@@ -57,7 +57,7 @@ installPython() {
     touch "$out/environment/complete"
 }
 
-# timed NAME COMMAND...: runs it, its output to NAME.log, and notes the seconds it took.
+# timed NAME COMMAND...: runs it with its output in NAME.log, and records the seconds it took.
 timed() {
     local name=$1 started=$SECONDS
     shift
@@ -80,7 +80,7 @@ bakeAll() {
 python() { "$out/environment/bin/python" "$@"; }
 blenderRun() { blender -b --factory-startup --python-exit-code 1 -P "$here/render_reference.py" -- "$@"; }
 
-# reference SCENE NAME SPP COMMAND...: a picture of SCENE, unless it is there; of 0 samples none.
+# reference SCENE NAME SPP COMMAND...: renders a reference of SCENE, unless it exists or SPP is 0.
 reference() {
     local scene=$1 name=$2 samples=$3
     [ "$samples" != 0 ] && [ ! -e "$out/$scene.$name.exr" ] || return 0
@@ -89,7 +89,7 @@ reference() {
     mv "$out/partial.exr" "$out/$scene.$name.exr"
 }
 
-# References of what the scene was before are of no use.
+# References of an earlier version of the scene are deleted.
 dropStale() {
     local scene=$1
     cmp -s "$out/$scene.json" "$out/$scene.rendered.json" || rm -f "$out/$scene".{hits,mitsuba,cycles,light,paths}.exr

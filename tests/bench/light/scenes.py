@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The scenes, said once. World is y up; colours are linear. Quad lamps shine to the side of u x v; their other side may
-shine too, as nothing in these scenes sees it: walls end below the lamps.
+"""The scenes of all renderers. The world has y up; colours are linear. Quad lamps emit light to the side of u x v. Their
+other side may emit light, too: nothing sees it, as walls end below the lamps.
 
 A scene is a dict:
   camera     eye, target, up, fov (vertical, degrees)
@@ -10,8 +10,8 @@ A scene is a dict:
   lights     quad: center, u, v, radiance; sphere: center, radius, radiance
   sky        radiance from all around
   exposure   what the linear picture is multiplied by before it is encoded
-  caustic    the picture is what mirrors and glass bundle onto the floor, and nothing else
-  size       pixels of a side, where not as asked for
+  caustic    the picture has only the light that mirrors and glass focus onto the floor
+  size       pixels of a side, instead of the option's
 """
 
 BOUNCES = 16  # past which under 1 in 1000 of the light is left in each of these scenes
@@ -38,7 +38,7 @@ ROOM = [
 ]
 
 QUAD_LAMP = {"type": "quad", "center": [0.5, 5.2, 1], "u": [1.2, 0, 0], "v": [0, 0, 1.2], "radiance": [14, 13, 11.5]}
-# Large, and low: light that glass bundles comes by paths that happen to end on the lamp.
+# Large and low: only paths that hit the lamp by chance find the light that glass focuses.
 BROAD_LAMP = {"type": "quad", "center": [0.5, 5, 0.5], "u": [2, 0, 0], "v": [0, 0, 2], "radiance": [5, 4.8, 4.4]}
 BALL_LAMP = {"type": "sphere", "center": [-2.4, 4.6, 2.6], "radius": 0.6, "radiance": [42, 40, 36]}
 
@@ -64,7 +64,7 @@ def scene(materials, instances, shapes, lights, sky=(0, 0, 0), exposure=1, camer
     }
 
 
-# So dark that what it sends back to the bodies is nothing.
+# So dark that it reflects next to no light to the bodies.
 DARK = {"kind": "matte", "color": [0.02, 0.02, 0.02]}
 GLASS = {"kind": "glass", "color": [1, 1, 1], "index": 1.5}
 SMALL_LAMP = {"type": "sphere", "radius": 0.25, "radiance": [1000, 1000, 1000]}

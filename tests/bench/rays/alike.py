@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The same rays through pointrt-rays, the Python package and trace_speed's walk alone: hits and rates.
+"""Casts the same rays by pointrt-rays, by the Python package and by trace_speed, and compares hits and rates.
 
     alike.py SCENE.pro --command pointrt-rays --program trace_speed [--rays N] [--runs N]
 
-Wants the packages pointrt and numpy. Rays are those of beside.py. The command's and Python's hits are compared to the bit.
-The walk takes rays in floats of the scan's cube, from where they start, so at rims the last bit of a ray may decide
-otherwise: the table has the number of those, and how far apart distances are where both hit the same splat.
+Needs the packages pointrt and numpy. The rays are those of beside.py. The hits of the command and of Python must be equal
+bit for bit. trace_speed takes rays as floats in the scan's cube, so the last bit of a ray may decide differently at rims:
+the table has the number of such rays, and the differences of distances to the same splat.
 """
 import argparse
 import json
@@ -24,19 +24,19 @@ FIELDS = ("t_hit", "splat_ids", "instance_ids")
 
 
 def so_many(rays, count):
-    """As many as count, over and over where there are fewer."""
+    """count rays, repeated if there are fewer."""
     return rays[np.arange(count) % len(rays)]
 
 
 def by_command(command, scene, rays, folder):
-    """Hits, and seconds of the command by part."""
+    """The hits of the command, and its seconds by part."""
     hits, stats = folder / "hits.npz", folder / "stats.json"
     subprocess.run([command, "cast", scene, "--rays", rays, "-o", hits, "--stats", stats, "-q"], check=True)
     return np.load(hits), json.loads(stats.read_text())["seconds"]
 
 
 def by_python(scene, rays, runs):
-    """Hits, and the median seconds of a warm call."""
+    """The hits of the Python package, and the median seconds of a call after a warm-up."""
     seconds = []
     for _ in range(runs + 1):
         began = time.perf_counter()
@@ -46,7 +46,7 @@ def by_python(scene, rays, runs):
 
 
 def by_walk(program, scene, rays, folder, runs):
-    """Hits, and rays a second."""
+    """The hits of trace_speed, and its rays per second."""
     hits = folder / "walk.npy"
     text = subprocess.run([program, scene, "--rays", rays, "--hits", hits, "--runs", str(runs)], check=True,
                           stdout=subprocess.PIPE).stdout

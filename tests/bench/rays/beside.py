@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Rays through pointrt's Python package beside Open3D's RaycastingScene, which needs a mesh: each disc as a hexagon.
+"""Compares ray casts of pointrt's Python package with Open3D's RaycastingScene, which gets each disc as a hexagon.
 
     beside.py SCENE.pro [--rays N] [--runs N] [--program trace_speed]
 
-Wants the packages pointrt, open3d and numpy. Each engine is a process of its own, so that its memory is its own; both get
-the same rays from the same files and say t_hit and ids. A hexagon has its disc's area, so rims differ by a tenth of a
-radius: hits agree where both miss, or are nearer to each other than a radius. With --program, trace_speed's table of the
-same file (the walk alone, and Embree on the true discs) is made in the same run.
+Needs the packages pointrt, open3d and numpy. Each engine runs in its own process, so that its memory can be measured. Both
+read the same rays from files, and return t_hit and ids. A hexagon has the area of its disc, so rims differ by a tenth of a
+radius: results agree if both miss, or hit within a radius of each other. --program also prints trace_speed's table of the
+same file (only the traversal, and Embree with the true discs) in the same run.
 """
 import argparse
 import json

@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""pointrt-rays viewshed of a lidar tile beside GRASS r.viewshed on its raster, point for point.
+"""Compares pointrt-rays viewshed for a lidar tile with GRASS r.viewshed for a raster of it, point by point.
 
     viewshed.py SCENE.pro --rays pointrt-rays -o FOLDER [--cell SIZE] [--height H] [--observer X,Y ...]
 
-Wants numpy and GRASS GIS 8 (Debian: grass-core). The raster has the highest point of each cell, by default as wide as
-points lie apart; cells without points have the mean of their neighbours' heights, again and again. Both programs get
-the same eyes, H over the raster, without earth curvature. A raster is seen from above alone, so points count from the
-front (--sides front); with both, roofs are seen from below through walls that nobody scanned. A point is on top where
-it is the highest of its cell, or no lower by more than a cell's width: of others a raster knows nothing. The table says
-how many points each sees and where they differ; FOLDER/observer_N.png shows it from above: grey both see it, dark
-neither, orange pointrt alone, blue GRASS alone, red the eye.
+Needs numpy and GRASS GIS 8 (Debian: grass-core). The raster has the height of the highest point of each cell, by default
+as wide as the point spacing; cells without points repeatedly get the mean height of their neighbours. Both programs get
+the same observers, H above the raster, without earth curvature. A raster is seen from above only, so points are visible
+from the front only (--sides front): from both sides, roofs would be visible from below through unscanned walls. A point is
+on top if it is at most a cell's width below the highest point of its cell; a raster does not know the others. The table
+has the number of points that each program sees, and where they differ. FOLDER/observer_N.png shows the points from above:
+grey seen by both, dark by neither, orange by pointrt only, blue by GRASS only; red: the observer.
 """
 import argparse
 import pathlib

@@ -4,7 +4,8 @@
 
   rates.py BIN_DIR FILE... [--runs N] [--cores 1,2] [--json OUT.json]
 
-Each reader reads each file N times (5), the readers in turn, each time in a new process limited to that many cores.
+Each reader reads each file N times (5), alternating with the others, each time in a new process limited to that many
+cores.
 Prints medians, in millions of points per second, and per second of a core, which other work on the machine hardly
 affects. BIN_DIR's read_scan is timed from the file to the points and attributes that a bake starts with. The others are
 timed to arrays with coordinates that are integers (laspy) or without the pose (pye57), and "in place" to coordinates in

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes E57 files to measure readers with, and says what is in them.
+"""Writes E57 files of known contents for benchmarks of readers.
 
   write_e57.py FOLDER [MILLIONS]   (5)
 
@@ -10,8 +10,8 @@
   spherical.e57  two scans of float spherical coordinates with poses, some of their ranges marked invalid
   scaled.e57     coordinates as whole numbers of a tenth of a millimetre, nothing else
 
-The points are of a room's walls as seen from scanners in it, always the same ones. Beside each FILE.e57 stands
-FILE.json: points, how many of them are valid, and the range of each coordinate of these.
+The points are on the walls of a room, as scanners in it see them; every run writes the same points. For each FILE.e57,
+FILE.json has the number of points, the number of valid ones, and the range of each of their coordinates.
 Needs numpy and pye57 (PyPI).
 """
 import json
@@ -165,7 +165,7 @@ def scene(count, sensor, seed):
 
 
 def scans(writer, count):
-    """In each scan's own frame the scanner stands at 0 and looks along x; the pose turns and moves it."""
+    """In each scan's frame the scanner is at the origin and looks along x; the pose rotates and translates it."""
     for number in range(4):
         q = quaternion(number * np.pi / 2)
         sensor = np.array([2.0 * number - 3, 1.5 - number, 0.25])

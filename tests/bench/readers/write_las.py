@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes large LAS, LAZ, PTS and PTX files to measure readers with, of copies of a real scan beside each other.
+"""Writes large LAS, LAZ, PTS and PTX files for benchmarks of readers: copies of a real scan side by side.
 
   write_las.py SOURCE.laz FOLDER [MILLIONS]   (8; of text a quarter)
 
@@ -19,7 +19,7 @@ import numpy as np
 
 
 def copies(source, count):
-    """The source's records over and over, each time beside the last in x; whole numbers, so no bit is lost."""
+    """Repeats the source's records, each copy next to the last one along x. Coordinates are integers, so exact."""
     points = source.points.array
     times = -(-count // len(points))
     array = np.tile(points, times)[:count]

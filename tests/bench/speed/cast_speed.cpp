@@ -24,7 +24,7 @@ struct Options {
 /// Results of one call.
 struct Cost {
     double seconds = 0;
-    double processor = 0; ///< seconds of all cores: where others are at work, it tells more
+    double processor = 0; ///< CPU seconds of all cores: more reliable than wall time on a busy machine
 };
 
 template <typename Value>
@@ -35,7 +35,7 @@ double median(std::vector<Cost>& costs, Value Cost::*value) {
     return (*middle).*value;
 }
 
-/// work returns the measured seconds.
+/// The median over runs of work, which returns its seconds, after one run as a warm-up.
 Cost medianCost(int runs, const std::function<double()>& work) {
     work(); // warms up
     std::vector<Cost> costs;

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Bakes standard scenes and compares our tracer with Embree's oriented discs by trace_speed: the same rays and cores, in
-# turn. Writes figures to OUT.json, an object for each scene and kind of ray, and a table to standard output.
-#   tests/bench/run.sh --json OUT.json [--sizes "0.25 1 4 16"] [BIN_DIR [DATA_DIR]]
+# Bakes standard scenes and compares our tracer with Embree's oriented discs by trace_speed: the same rays and cores,
+# alternately. Writes figures to OUT.json, an object for each scene and kind of ray, and a table to standard output.
+#   tests/bench/speed/run.sh --json OUT.json [--sizes "0.25 1 4 16"] [BIN_DIR [DATA_DIR]]
 # The scenes are a mesh sampled at that many million points (the environment variable MESH, or the bunny of Debian's
 # glmark2-data, or a sphere), and three scans if DATA_DIR holds the folders named below.
 # --sizes "" leaves out the mesh. BIN_DIR is build/release/bin by default.
@@ -52,7 +52,7 @@ if [ ! -e "$mesh" ]; then
     "$bin/make_shape" sphere "$mesh" >&2
 fi
 
-# measure NAME INPUT [OPTION...]: bakes and times one scene, whose figures are added to $folder/all.json.
+# measure NAME INPUT [OPTION...]: bakes and times one scene, and adds its figures to $folder/all.json.
 separator='['
 measure() {
     local name=$1 scene=$folder/$1.pro
@@ -60,7 +60,7 @@ measure() {
     "$bin/pointrt-bake" -q "$@" --force "${bake_options[@]}" -o "$scene"
     "$bin/trace_speed" "$scene" --json "${speed_options[@]}" >"$folder/figures.json"
     rm "$scene"
-    # the figures are an array: without its brackets it goes on the one of all scenes
+    # the figures of a scene are a JSON array: drop its brackets to append its entries to the array of all scenes
     { echo "$separator" && sed '1d;$d' "$folder/figures.json"; } >>"$folder/all.json"
     separator=,
     echo "$name" >&2

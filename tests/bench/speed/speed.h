@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the speed of our tracer with Embree's oriented discs: the same rays, in turn.
+// Compares the speed of our tracer with Embree's oriented discs: the same rays, alternately.
 #pragma once
 
 #include <span>
@@ -26,8 +26,8 @@ struct Speed {
 bool sameFirstHit(std::span<const CubeSplat> splats, const CastHit& ours, const EmbreeHit& embrees);
 
 /// Times rays (not empty, at most the caster's batch) with our tracer, Embree's single rays, Embree's packets of 8, and
-/// our tracer with blended surfaces, which Embree does not have: all in turn, once as a warm-up and then runs times. Of
-/// Embree's two times in a run the better one counts.
+/// our tracer with blended surfaces, which Embree does not have: all in turn, once as a warm-up and then runs times. In
+/// each run, the faster of Embree's two modes counts.
 Speed measureSpeed(RayCaster& caster, const EmbreeDiscs& discs, std::span<const CubeSplat> splats,
                    std::span<const Ray> rays, RayKind kind, int runs);
 

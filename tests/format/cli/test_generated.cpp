@@ -4,11 +4,12 @@
 
 #include "format/base/error.h"
 #include "format/cli/command_line.h"
+#include "tests/support/contains.h"
 
 namespace pointrt {
 namespace {
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using test::contains;
 
 struct Tool {
     std::string file, word;

@@ -6,13 +6,12 @@
 #include <sstream>
 
 #include "format/cli/command_text.h"
+#include "tests/support/contains.h"
 
 namespace pointrt {
 namespace {
 
-bool containsInHelpText(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
+using test::contains;
 
 std::string sentence(int words) {
     std::string text = "First";
@@ -56,27 +55,26 @@ TEST(HelpText, FitsIn80Columns) {
 
 TEST(HelpText, AlignsDescriptions) {
     const std::string help = helpText(command()), column(26, ' ');
-    EXPECT_TRUE(containsInHelpText(help, "\n  -l,--long VALUE         First word1 ")) << help;
-    EXPECT_TRUE(containsInHelpText(help, "\n" + column + "word9 ")) << help;
-    EXPECT_TRUE(containsInHelpText(help, " word39 (required)\n")) << help;
-    EXPECT_TRUE(containsInHelpText(help, "\n  --a-very-long-name PLACEHOLDER\n" + column + "Its help\n")) << help;
-    EXPECT_TRUE(containsInHelpText(help, "\n\nMore:\n  --switch                Do it\n")) << help;
-    EXPECT_TRUE(containsInHelpText(help, "\n  pointrt-try abc   short\n")) << help;
-    EXPECT_TRUE(containsInHelpText(help, "\n  pointrt-try a     First ")) << help;
+    EXPECT_TRUE(contains(help, "\n  -l,--long VALUE         First word1 ")) << help;
+    EXPECT_TRUE(contains(help, "\n" + column + "word9 ")) << help;
+    EXPECT_TRUE(contains(help, " word39 (required)\n")) << help;
+    EXPECT_TRUE(contains(help, "\n  --a-very-long-name PLACEHOLDER\n" + column + "Its help\n")) << help;
+    EXPECT_TRUE(contains(help, "\n\nMore:\n  --switch                Do it\n")) << help;
+    EXPECT_TRUE(contains(help, "\n  pointrt-try abc   short\n")) << help;
+    EXPECT_TRUE(contains(help, "\n  pointrt-try a     First ")) << help;
 }
 
 TEST(HelpText, HasUsageNotesAndExitCodes) {
     const std::string help = helpText(command());
-    EXPECT_TRUE(containsInHelpText(help, "\nUsage: pointrt-try [OPTION]... INPUT... -l VALUE\n")) << help;
-    EXPECT_TRUE(containsInHelpText(help, "\nSecond line.\n")) << help;
-    EXPECT_TRUE(containsInHelpText(help, " same paragraph.\n\nNext paragraph.\n\nExit codes:\n  0  success\n")) << help;
+    EXPECT_TRUE(contains(help, "\nUsage: pointrt-try [OPTION]... INPUT... -l VALUE\n")) << help;
+    EXPECT_TRUE(contains(help, "\nSecond line.\n")) << help;
+    EXPECT_TRUE(contains(help, " same paragraph.\n\nNext paragraph.\n\nExit codes:\n  0  success\n")) << help;
 }
 
 TEST(HelpText, BreaksLongExamplesWhereShellsJoinThem) {
     CommandText text = command();
     text.examples = "  pointrt-try " + std::string(50, 'a') + " --one VALUE --two VALUE -o FILE | cat\n";
-    EXPECT_TRUE(containsInHelpText(helpText(text), " --one VALUE \\\n      --two VALUE -o FILE | cat\n"))
-        << helpText(text);
+    EXPECT_TRUE(contains(helpText(text), " --one VALUE \\\n      --two VALUE -o FILE | cat\n")) << helpText(text);
 }
 
 TEST(HelpText, ListsCommands) {
@@ -84,9 +82,8 @@ TEST(HelpText, ListsCommands) {
     part.name = "pointrt-try part";
     part.purpose = "does a part";
     text.commands = {part};
-    EXPECT_TRUE(containsInHelpText(helpText(text), "\nUsage: pointrt-try COMMAND ...\n")) << helpText(text);
-    EXPECT_TRUE(containsInHelpText(helpText(text), "\nCommands:\n  part                    does a part\n"))
-        << helpText(text);
+    EXPECT_TRUE(contains(helpText(text), "\nUsage: pointrt-try COMMAND ...\n")) << helpText(text);
+    EXPECT_TRUE(contains(helpText(text), "\nCommands:\n  part                    does a part\n")) << helpText(text);
 }
 
 } // namespace

@@ -15,6 +15,7 @@
 #include "runtime/util/vec.h"
 #include "tests/format/index/disc_polygon.h"
 #include "tests/format/scene_builder.h"
+#include "tests/support/index_values.h"
 
 namespace pointrt {
 namespace {
@@ -53,7 +54,6 @@ Loaded load(Scene scene, const BrickLimits& limits = {}) {
     return loaded;
 }
 
-bool isFilled(std::uint32_t word) { return (word & PRO_SKIP_MASK) == 0; }
 bool isGroup(std::uint32_t word) { return (word & (PRO_SKIP_MASK | PRO_CELL_INNER)) == PRO_CELL_INNER; }
 
 Cube gridCube(const Loaded& loaded, std::size_t word) {
@@ -111,18 +111,13 @@ std::vector<std::uint32_t> listOf(const Loaded& loaded, std::uint32_t cell) {
     return {first, first + countOf(loaded, cell)};
 }
 
-/// A signed code of count bits from bit first on.
-int field(std::uint32_t word, int first, int count) {
-    return static_cast<int>(word << (32 - first - count)) >> (32 - count);
-}
-
 /// Splats that only blend in a cell.
 std::vector<std::uint32_t> blendingOf(const Loaded& loaded, std::uint32_t cell) {
     const std::uint32_t* words = &loaded.bricks.cells[std::size_t{cell} * PRO_CELL_WORDS];
     std::vector<std::uint32_t> splats;
     for (std::uint32_t k = 0; k < (words[PRO_CELL_BLENDING_COUNT] & PRO_CELL_BLENDING_MASK); ++k) {
         const std::size_t at = words[PRO_CELL_BLENDING] + k;
-        const int number = field(loaded.bricks.blending[at / 2], at % 2 ? 16 : 0, 16);
+        const int number = signedField(loaded.bricks.blending[at / 2], at % 2 ? 16 : 0, 16);
         splats.push_back(loaded.bricks.listed.at(words[PRO_CELL_FIRST] + static_cast<std::size_t>(number)));
     }
     return splats;
@@ -182,18 +177,21 @@ void expectNear(const Loaded& loaded, std::uint32_t cell, const Cube& cube) {
     const std::uint32_t first = firstOf(loaded, cell), count = countOf(loaded, cell);
     const std::uint32_t offset = loaded.bricks.cells[cell * PRO_CELL_WORDS + PRO_CELL_BLENDING_COUNT];
     const auto part = [&](int axis) {
-        return 0.5 + 0.5 * field(offset, PRO_CELL_OFFSET_SHIFT + axis * PRO_CELL_OFFSET_BITS, PRO_CELL_OFFSET_BITS);
+        return 0.5 +
+               0.5 * signedField(offset, PRO_CELL_OFFSET_SHIFT + axis * PRO_CELL_OFFSET_BITS, PRO_CELL_OFFSET_BITS);
     };
     const Vec3 middle = cube.low + Vec3{part(0), part(1), part(2)} * cube.edge;
     for (std::uint32_t k = 0; k < count; ++k) {
         const PlainDisc& disc = loaded.discs.at(loaded.bricks.listed[first + k]);
         const std::uint32_t* words = &loaded.bricks.near[std::size_t{first + k} * PRO_NEAR_WORDS];
-        const Vec3 normal{static_cast<double>(field(words[1], 24, 8)), static_cast<double>(field(words[1], 16, 8)),
-                          static_cast<double>(field(words[1], 8, 8))};
+        const Vec3 normal{static_cast<double>(signedField(words[1], 24, 8)),
+                          static_cast<double>(signedField(words[1], 16, 8)),
+                          static_cast<double>(signedField(words[1], 8, 8))};
         EXPECT_LE(length(cross(normalize(normal), disc.normal)), 0.5 * 1.4143 / PRO_NEAR_NORMAL_MAX);
         EXPECT_GT(dot(normal, disc.normal), 0);
-        const Vec3 direction{static_cast<double>(field(words[0], 22, 10)), static_cast<double>(field(words[0], 12, 10)),
-                             static_cast<double>(field(words[0], 2, 10))};
+        const Vec3 direction{static_cast<double>(signedField(words[0], 22, 10)),
+                             static_cast<double>(signedField(words[0], 12, 10)),
+                             static_cast<double>(signedField(words[0], 2, 10))};
         if (disc.radius > 8 * cube.edge) continue; // its centre was moved
         const Vec3 center = disc.center - middle;
         EXPECT_LE(length(cross(direction, center)), 1.8 * length(center)); // one code per axis
@@ -206,15 +204,15 @@ struct Found {
 };
 
 double beyondPlanes(std::uint32_t slab, const Polygon& polygon, const PlainDisc& disc, const Cube& cube) {
-    const Vec3 normal = Vec3{static_cast<double>(field(slab, 0, 6)), static_cast<double>(field(slab, 6, 6)),
-                             static_cast<double>(field(slab, 12, 6))} *
+    const Vec3 normal = Vec3{static_cast<double>(signedField(slab, 0, 6)), static_cast<double>(signedField(slab, 6, 6)),
+                             static_cast<double>(signedField(slab, 12, 6))} *
                         (1.0 / PRO_SLAB_NORMAL_MAX);
     double beyond = 0;
     for (const Vec3& point : polygon) {
         if (length(point - disc.center) > disc.radius) continue;
         const double height = dot(normal, point - cube.low - Vec3{0.5, 0.5, 0.5} * cube.edge) / cube.edge *
                               static_cast<double>(PRO_SLAB_STEPS);
-        beyond = std::max({beyond, field(slab, 18, 7) - height, height - field(slab, 25, 7)});
+        beyond = std::max({beyond, signedField(slab, 18, 7) - height, height - signedField(slab, 25, 7)});
     }
     return beyond;
 }

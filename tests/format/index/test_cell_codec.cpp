@@ -11,9 +11,12 @@
 #include "pointrt/pro_index_layout.h"
 #include "runtime/util/vec.h"
 #include "tests/format/index/random_vectors.h"
+#include "tests/support/index_values.h"
 
 namespace pointrt {
 namespace {
+
+using namespace test;
 
 /// In cell edges, relative to the middle of the cell.
 struct NearDisc {
@@ -34,20 +37,14 @@ double halfToDouble(std::uint32_t half) {
     return half & 0x8000u ? -size : size;
 }
 
-/// A signed code of count bits from bit first on.
-int fieldInCellCodec(std::uint32_t word, int first, int count) {
-    return static_cast<int>(word << (32 - first - count)) >> (32 - count);
-}
-
 NearDisc readNear(std::uint32_t position, std::uint32_t normal, double codes) {
     NearDisc disc;
-    disc.center = Vec3{static_cast<double>(fieldInCellCodec(position, 22, 10)),
-                       static_cast<double>(fieldInCellCodec(position, 12, 10)),
-                       static_cast<double>(fieldInCellCodec(position, 2, 10))} *
-                  (1 / codes);
-    disc.normal = {static_cast<double>(fieldInCellCodec(normal, 24, 8)),
-                   static_cast<double>(fieldInCellCodec(normal, 16, 8)),
-                   static_cast<double>(fieldInCellCodec(normal, 8, 8))};
+    disc.center =
+        Vec3{static_cast<double>(signedField(position, 22, 10)), static_cast<double>(signedField(position, 12, 10)),
+             static_cast<double>(signedField(position, 2, 10))} *
+        (1 / codes);
+    disc.normal = {static_cast<double>(signedField(normal, 24, 8)), static_cast<double>(signedField(normal, 16, 8)),
+                   static_cast<double>(signedField(normal, 8, 8))};
     const std::uint32_t code = (position & 3u) << 8 | (normal & 255u);
     disc.radius = std::sqrt(std::bit_cast<float>((code << PRO_NEAR_RADIUS_SHIFT) + PRO_NEAR_RADIUS_BIAS)) / codes;
     return disc;
@@ -65,17 +62,13 @@ CellAsRead readCell(const CodecWords& words) {
     for (std::size_t k = 0; k < words.near.size(); k += PRO_NEAR_WORDS)
         cell.discs.push_back(readNear(words.near[k], words.near[k + 1], cell.codes));
     const std::uint32_t slab = words.slab;
-    cell.slab_normal =
-        Vec3{static_cast<double>(fieldInCellCodec(slab, 0, 6)), static_cast<double>(fieldInCellCodec(slab, 6, 6)),
-             static_cast<double>(fieldInCellCodec(slab, 12, 6))} *
-        (1.0 / PRO_SLAB_NORMAL_MAX);
-    cell.slab_low = fieldInCellCodec(slab, 18, 7) / static_cast<double>(PRO_SLAB_STEPS);
-    cell.slab_high = fieldInCellCodec(slab, 25, 7) / static_cast<double>(PRO_SLAB_STEPS);
+    cell.slab_normal = Vec3{static_cast<double>(signedField(slab, 0, 6)), static_cast<double>(signedField(slab, 6, 6)),
+                            static_cast<double>(signedField(slab, 12, 6))} *
+                       (1.0 / PRO_SLAB_NORMAL_MAX);
+    cell.slab_low = signedField(slab, 18, 7) / static_cast<double>(PRO_SLAB_STEPS);
+    cell.slab_high = signedField(slab, 25, 7) / static_cast<double>(PRO_SLAB_STEPS);
     return cell;
 }
-
-Vec3 toVec3(const Vector& v) { return {v[0], v[1], v[2]}; }
-Vector toVector(Vec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
 
 CellDisc makeDisc(Vec3 center, Vec3 normal, double radius) {
     CellDisc disc;

@@ -8,6 +8,7 @@
 
 #include "tests/format/index/disc_polygon.h"
 #include "tests/format/index/random_vectors.h"
+#include "tests/support/index_values.h"
 
 namespace pointrt {
 namespace {
@@ -21,19 +22,14 @@ const Cube kCube{{-kHalf, -kHalf, -kHalf}, 2 * kHalf};
 /// As in format/index/disc_section.cpp, whose tests are exact for components and radii within these limits.
 constexpr double kMinComponent = 1.0 / 64, kLargestRadius = 16;
 
-Vector toVectorInDiscSection(Vec3 v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-Vec3 toVec3InDiscSection(const Vector& v) { return {v[0], v[1], v[2]}; }
-
 PlacedDisc placed(const PlainDisc& disc) {
-    return {toVectorInDiscSection(disc.center), toVectorInDiscSection(disc.normal), static_cast<float>(disc.radius)};
+    return {toVector(disc.center), toVector(disc.normal), static_cast<float>(disc.radius)};
 }
 
 /// Rounded to float, so that both sides test the same disc.
 PlainDisc discOf(Vec3 center, Vec3 normal, double radius) {
-    const Vector c = toVectorInDiscSection(center), n = toVectorInDiscSection(normalize(normal));
-    PlainDisc disc{toVec3InDiscSection(c), normalize(toVec3InDiscSection(n)), {}, {}, static_cast<float>(radius)};
+    const Vector c = toVector(center), n = toVector(normalize(normal));
+    PlainDisc disc{toVec3(c), normalize(toVec3(n)), {}, {}, static_cast<float>(radius)};
     disc.u = normalize(cross(disc.normal, std::abs(disc.normal.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
     disc.v = cross(disc.normal, disc.u);
     return disc;
@@ -83,8 +79,7 @@ TEST(DiscSection, BoundsTheReachOfDiscAndPolygon) {
         double reach = -INFINITY;
         for (Vec3 corner : section(wide, kCube)) reach = std::max(reach, dot(along, corner - disc.center));
         if (reach == -INFINITY) continue; // the plane only touches the cube
-        const double expected = std::min(reach, disc.radius),
-                     found = reachInCube(placed(disc), toVectorInDiscSection(along), kHalf);
+        const double expected = std::min(reach, disc.radius), found = reachInCube(placed(disc), toVector(along), kHalf);
         ASSERT_GE(found, expected - 1e-4) << round;
         if (leastComponent(disc.normal) < kMinComponent) continue;
         ASSERT_LE(found, expected + 1e-4) << round;
@@ -101,15 +96,15 @@ TEST(DiscSection, IsExactAtACornerOfTheCube) {
     const Vec3 corner{kHalf, kHalf - cut, kHalf}, center = corner + along * 0.3;
     EXPECT_TRUE(overlapsCube(placed(discOf(center, normal, 0.303)), kHalf));
     EXPECT_FALSE(overlapsCube(placed(discOf(center, normal, 0.297)), kHalf));
-    EXPECT_NEAR(reachInCube(placed(discOf(middle, normal, 5)), toVectorInDiscSection(along), kHalf), side / 2, 1e-5);
-    EXPECT_NEAR(reachInCube(placed(discOf(middle, normal, 0.05)), toVectorInDiscSection(along), kHalf), 0.05, 1e-6);
+    EXPECT_NEAR(reachInCube(placed(discOf(middle, normal, 5)), toVector(along), kHalf), side / 2, 1e-5);
+    EXPECT_NEAR(reachInCube(placed(discOf(middle, normal, 0.05)), toVector(along), kHalf), 0.05, 1e-6);
 }
 
 /// Rounding must not exclude an overlap.
 TEST(DiscSection, TreatsHugeDiscsAsPlanes) {
     const PlainDisc huge = discOf({0, 0, 2 * kLargestRadius}, {1, 1, 0.01}, 2 * kLargestRadius - 1);
     EXPECT_TRUE(overlapsCube(placed(huge), kHalf));
-    EXPECT_EQ(reachInCube(placed(huge), toVectorInDiscSection(normalize({1, -1, 0})), kHalf), placed(huge).radius);
+    EXPECT_EQ(reachInCube(placed(huge), toVector(normalize({1, -1, 0})), kHalf), placed(huge).radius);
 }
 
 } // namespace

@@ -11,10 +11,12 @@
 #include "format/index/bricks.h"
 #include "format/index/cell_skips.h"
 #include "tests/format/scene_builder.h"
+#include "tests/support/index_values.h"
 
 namespace pointrt {
 namespace {
 
+using test::isFilled;
 using test::Scene;
 using test::sceneOf;
 
@@ -83,8 +85,6 @@ float cellsOf(std::uint32_t code) {
     return std::ldexp(static_cast<float>(4 + (code - 1) % 4), static_cast<int>((code - 1) / 4) - 2);
 }
 
-bool isFilledInEntryGrid(std::uint32_t word) { return (word & PRO_SKIP_MASK) == 0; }
-
 std::uint32_t& wordAt(EntryGrid& grid, const Corner& at) {
     return grid.words[(std::size_t{at[2]} * grid.size[1] + at[1]) * grid.size[0] + at[0]];
 }
@@ -107,7 +107,7 @@ std::uint32_t& wordOfCell(Field& field, const Corner& fine) {
 Occupancy filledGridCells(Field& field) {
     Occupancy filled(field.grid.size);
     forCells(field.grid.size, [&](const Corner& at) {
-        if (isFilledInEntryGrid(wordAt(field.grid, at))) filled.fill(at);
+        if (isFilled(wordAt(field.grid, at))) filled.fill(at);
     });
     filled.sum();
     return filled;
@@ -118,8 +118,7 @@ Occupancy filledBrickCells(Field& field) {
     Occupancy filled({size[0] * PRO_BRICK_SIDE, size[1] * PRO_BRICK_SIDE, size[2] * PRO_BRICK_SIDE});
     forCells(filled.size(), [&](const Corner& fine) {
         const Corner at{fine[0] / PRO_BRICK_SIDE, fine[1] / PRO_BRICK_SIDE, fine[2] / PRO_BRICK_SIDE};
-        if (isFilledInEntryGrid(wordAt(field.grid, at)) && isFilledInEntryGrid(wordOfCell(field, fine)))
-            filled.fill(fine);
+        if (isFilled(wordAt(field.grid, at)) && isFilled(wordOfCell(field, fine))) filled.fill(fine);
     });
     filled.sum();
     return filled;
@@ -137,7 +136,7 @@ SkipReport inspectBricks(Field& field) {
     SkipReport report;
     forCells(filled.size(), [&](const Corner& fine) {
         const Corner at{fine[0] / PRO_BRICK_SIDE, fine[1] / PRO_BRICK_SIDE, fine[2] / PRO_BRICK_SIDE};
-        if (!isFilledInEntryGrid(wordAt(field.grid, at)) || filled.filled(fine)) return;
+        if (!isFilled(wordAt(field.grid, at)) || filled.filled(fine)) return;
         for (std::uint32_t octant = 0; octant < 8; ++octant) {
             const std::uint32_t code = codeOf(wordOfCell(field, fine), octant);
             const std::uint32_t best = filled.emptyTowards(fine, octant);
@@ -160,7 +159,7 @@ SkipReport inspectGrid(Field& field) {
     SkipReport report;
     forCells(field.grid.size, [&](const Corner& at) {
         const std::uint32_t word = wordAt(field.grid, at);
-        for (std::uint32_t octant = 0; octant < 8 && !isFilledInEntryGrid(word); ++octant) {
+        for (std::uint32_t octant = 0; octant < 8 && !isFilled(word); ++octant) {
             Corner first;
             for (std::size_t axis = 0; axis < 3; ++axis)
                 first[axis] = at[axis] * PRO_BRICK_SIDE + (octant >> axis & 1 ? 0 : PRO_BRICK_SIDE - 1);
@@ -309,7 +308,7 @@ TEST(EntryGrid, NamesTheBricksAndSkipsEmptyCells) {
             EXPECT_EQ(wordAt(field.grid, at), k << PRO_GRID_BRICK_SHIFT);
         }
         std::size_t filled = 0;
-        for (const std::uint32_t word : field.grid.words) filled += isFilledInEntryGrid(word);
+        for (const std::uint32_t word : field.grid.words) filled += isFilled(word);
         EXPECT_EQ(filled, field.corners.size());
         expectExactGrid(field);
     }
@@ -402,8 +401,8 @@ TEST(CellSkips, KeepListedCellsAndGroups) {
     field.words.insert(field.words.end(), groups.begin(), groups.end());
     fillSkips(field);
     for (std::size_t w = 0; w < before.size(); ++w) {
-        EXPECT_EQ(isFilledInEntryGrid(field.words[w]), isFilledInEntryGrid(before[w]));
-        EXPECT_TRUE(!isFilledInEntryGrid(before[w]) || field.words[w] == before[w]);
+        EXPECT_EQ(isFilled(field.words[w]), isFilled(before[w]));
+        EXPECT_TRUE(!isFilled(before[w]) || field.words[w] == before[w]);
     }
     EXPECT_TRUE(std::equal(groups.begin(), groups.end(), field.words.end() - PRO_GROUP_WORDS));
 }

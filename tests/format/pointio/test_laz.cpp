@@ -135,7 +135,7 @@ TEST_F(LazTest, TablesElsewhereOrNowhere) {
     }
 }
 
-std::string reasonOfInLaz(const std::string& bytes) {
+std::string reasonOfUnpacking(const std::string& bytes) {
     try {
         unpacked(bytes);
     } catch (const Error& error) {
@@ -148,24 +148,24 @@ std::string reasonOfInLaz(const std::string& bytes) {
 TEST_F(LazTest, BillionsOfPointsInAFewBytesAreRefused) {
     std::string bytes = writeLas(0, wanderingPoints(20, 100), true);
     put(bytes, 107, ~std::uint32_t{0});
-    EXPECT_SAYS(reasonOfInLaz(bytes), "promises 4294967295 ");
+    EXPECT_SAYS(reasonOfUnpacking(bytes), "promises 4294967295 ");
 }
 
 TEST_F(LazTest, UnknownCompressorsAreNamed) {
     const std::string good = writeLas(0, wanderingPoints(20, 100), true);
     std::string bytes = good;
     bytes[bytes.find("laszip encoded")] = 'L';
-    EXPECT_SAYS(reasonOfInLaz(bytes), "*'laszip encoded'");
+    EXPECT_SAYS(reasonOfUnpacking(bytes), "*'laszip encoded'");
     const std::size_t record = good.find("laszip encoded") - 2 + 54;
     bytes = good;
     put(bytes, record, std::uint16_t{9});
-    EXPECT_SAYS(reasonOfInLaz(bytes), "*compressor (9)");
+    EXPECT_SAYS(reasonOfUnpacking(bytes), "*compressor (9)");
     bytes = good;
     put(bytes, record + 36, std::uint16_t{300}); // bytes of its item
-    EXPECT_EQ(reasonOfInLaz(bytes).find("compressed points: "), std::string::npos) << "the item knows its size";
+    EXPECT_EQ(reasonOfUnpacking(bytes).find("compressed points: "), std::string::npos) << "the item knows its size";
     bytes = good;
     put(bytes, record + 34, std::uint16_t{7}); // a time in place of a point
-    EXPECT_SAYS(reasonOfInLaz(bytes), "compressed points: *8*20");
+    EXPECT_SAYS(reasonOfUnpacking(bytes), "compressed points: *8*20");
 }
 
 /// Layers that promise gigabytes take none of the memory.
@@ -176,19 +176,19 @@ TEST_F(LazTest, LayersThatPromiseGigabytes) {
     for (std::size_t layer = 0; layer < 9; ++layer) {
         std::string broken = bytes;
         put(broken, sizes + 4 * layer, std::uint32_t{0xF0000000});
-        EXPECT_SAYS(reasonOfInLaz(broken), "compressed points: *cut");
+        EXPECT_SAYS(reasonOfUnpacking(broken), "compressed points: *cut");
     }
 }
 
 TEST_F(LazTest, EveryPrefixAndEveryByteIsReadOrRefused) {
     for (const std::uint8_t format : {3, 7}) {
         const std::string good = writeLas(format, wanderingPoints(lasRecordBytes(format), 12), true);
-        for (std::size_t size = 0; size < good.size(); ++size) reasonOfInLaz(good.substr(0, size));
+        for (std::size_t size = 0; size < good.size(); ++size) reasonOfUnpacking(good.substr(0, size));
         for (std::size_t at = 0; at < good.size(); ++at)
             for (const char byte : {'\0', '\1', '\xff'}) {
                 std::string bytes = good;
                 bytes[at] = byte;
-                reasonOfInLaz(bytes);
+                reasonOfUnpacking(bytes);
             }
     }
 }

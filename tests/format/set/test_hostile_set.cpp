@@ -81,20 +81,20 @@ TEST_F(HostileSet, OtherVersionsAndFormatsAreRefused) {
     EXPECT_SAYS(faultOfChange([](Json& json) { json["version"] = 2; }), "version 2, *1");
     EXPECT_SAYS(faultOfChange([](Json& json) { json["version"] = 1.5; }), "version *whole number");
     EXPECT_SAYS(faultOfChange([](Json& json) { json["format"] = "3tz"; }), "format *\"pointrt tile set\"");
-    // a later version may have tiles that this one cannot read
+    // The version is checked first: in files of a later version, tiles may be different.
     EXPECT_TRUE(faultOfChange([](Json& json) {
                     json["version"] = 3;
                     json["tiles"] = 7;
                 }).starts_with("version 3, "));
 }
 
-/// A defect of a set, and its error.
+/// A defect of a set, and the error that it gives.
 struct Fault {
     const char* said;
     std::function<void(TileSet&)> make;
 };
 
-/// Rules of check() in order. Sets are changed after their sums are computed.
+/// A defect for each rule of findTileSetFault, in its order. They are made after the sums of the set are computed.
 const std::vector<Fault> kFaults = {
     {"lattice: origin ", [](TileSet& set) { set.lattice_origin[1] = 2e30; }},
     {"lattice: edge *1e-30", [](TileSet& set) { set.edge = 0; }},

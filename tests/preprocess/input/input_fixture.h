@@ -12,6 +12,7 @@
 #include "format/base/error.h"
 #include "preprocess/ingest/scalar.h"
 #include "preprocess/input/read.h"
+#include "tests/support/find_attribute.h"
 #include "tests/support/says.h"
 #include "tests/support/temporary_folder.h"
 
@@ -62,8 +63,7 @@ protected:
 
 /// The attribute of this name; a test failure and an empty one if there is none.
 inline Attribute attributeOf(const Cloud& cloud, const std::string& name) {
-    for (const Attribute& attribute : cloud.attributes)
-        if (attribute.name == name) return attribute;
+    if (const Attribute* const attribute = test::findAttribute(cloud, name)) return *attribute;
     ADD_FAILURE() << "no attribute " << name;
     return {};
 }

@@ -9,6 +9,7 @@
 #include "preprocess/input/formats.h"
 #include "tests/preprocess/input/e57_file.h"
 #include "tests/preprocess/input/input_fixture.h"
+#include "tests/support/find_attribute.h"
 
 namespace pointrt {
 namespace {
@@ -53,24 +54,6 @@ std::string poseXml(std::array<double, 4> rotation, const Vec3d& translation) {
 
 /// A quarter rotation about z: x becomes y.
 const std::array<double, 4> kQuarter = {std::numbers::sqrt2 / 2, 0, 0, std::numbers::sqrt2 / 2};
-
-const Attribute* find(const Cloud& cloud, const std::string& name) {
-    for (const Attribute& attribute : cloud.attributes)
-        if (attribute.name == name) return &attribute;
-    return nullptr;
-}
-
-std::vector<double> valuesOf(const Cloud& cloud, const std::string& name) {
-    const Attribute* const attribute = find(cloud, name);
-    std::vector<double> values;
-    if (!attribute) {
-        ADD_FAILURE() << "no attribute " << name;
-        return values;
-    }
-    for (std::size_t i = 0; i < attribute->values.size(); i += scalarSize(attribute->type))
-        values.push_back(loadScalar(attribute->values.data() + i, attribute->type, false));
-    return values;
-}
 
 void expectWorld(const Cloud& cloud, const std::vector<Vec3d>& wanted) {
     ASSERT_EQ(cloud.positions.size(), wanted.size());
@@ -125,7 +108,7 @@ TEST_F(E57Test, WholeNumbersOfAnyWidthSurvivePackets) {
         scan.other_packets = packets == 7;
         const Cloud cloud = readScans({scan});
         for (const auto& [name, values] : wanted) {
-            const Attribute* const attribute = find(cloud, name);
+            const Attribute* const attribute = findAttribute(cloud, name);
             ASSERT_TRUE(attribute) << name;
             for (std::size_t i = 0; i < cloud.positions.size(); ++i)
                 ASSERT_EQ(static_cast<std::int64_t>(
@@ -146,7 +129,7 @@ TEST_F(E57Test, ScansAreTransformedByTheirPoses) {
     EXPECT_TRUE(cloud.scans[1].name.ends_with("a.e57: stairs"));
     EXPECT_EQ(cloud.scans[0].sensor, Vec3d(10, 0, 0));
     EXPECT_EQ(cloud.scans[1].sensor, Vec3d(0, 0, 5));
-    EXPECT_EQ(valuesOf(cloud, "scan"), (std::vector<double>{0, 0, 1}));
+    EXPECT_EQ(numbersOf(cloud, "scan"), (std::vector<double>{0, 0, 1}));
     EXPECT_EQ(cloud.world.up, Vec3d(0, 0, 1));
     EXPECT_EQ(cloud.world.metres_per_unit, 1);
 }
@@ -160,8 +143,8 @@ TEST_F(E57Test, AnIdentityPoseIsNotAScannerPosition) {
                                           e57Whole("columnIndex", 0, 900, {3, 300})};
     const Cloud gridded = readScans({{two(grid), nothing}});
     EXPECT_EQ(gridded.scans[0].sensor, Vec3d(0, 0, 0));
-    EXPECT_EQ(valuesOf(gridded, "row"), (std::vector<double>{1, 2}));
-    EXPECT_EQ(valuesOf(gridded, "column"), (std::vector<double>{3, 300}));
+    EXPECT_EQ(numbersOf(gridded, "row"), (std::vector<double>{1, 2}));
+    EXPECT_EQ(numbersOf(gridded, "column"), (std::vector<double>{3, 300}));
 }
 
 TEST_F(E57Test, SphericalCoordinatesAreConverted) {
@@ -198,11 +181,11 @@ TEST_F(E57Test, ColoursAreScaledByTheirLimits) {
     const Rgb8 black{0, 0, 0}, white{255, 255, 255};
     const Cloud bytes = readScans({{two(colors(255, {0, 255})), limitsXml(255)}});
     EXPECT_EQ(bytes.colors, (std::vector{black, white}));
-    EXPECT_FALSE(find(bytes, "rgb16"));
+    EXPECT_FALSE(findAttribute(bytes, "rgb16"));
     for (const std::int64_t most : {1023, 4095, 65535}) {
         const Cloud wide = readScans({{two(colors(most, {most / 2, most})), limitsXml(static_cast<double>(most))}});
         const double half = std::round(65535.0 * static_cast<double>(most / 2) / static_cast<double>(most));
-        EXPECT_EQ(valuesOf(wide, "rgb16"), (std::vector<double>{half, half, half, 65535, 65535, 65535})) << most;
+        EXPECT_EQ(numbersOf(wide, "rgb16"), (std::vector<double>{half, half, half, 65535, 65535, 65535})) << most;
         EXPECT_EQ(wide.colors, (std::vector{Rgb8{127, 127, 127}, white})) << most;
     }
     // a dark scan stays dark; the limits of the column's type are used as well
@@ -237,26 +220,26 @@ TEST_F(E57Test, AttributesKeepTheirValuesAndTypes) {
         e57Whole("las:pointSourceId", 0, 65535, {1, 2}),  e57Floats("las:weather", {0.1f, 7}),
         e57Scaled("las:range", 0, 1000, 0.1, 0, {3, 30}), e57Scaled("las:halves", 0, 9, 0.5, 0, {3, 4})};
     const Cloud cloud = readScans({{two(columns)}});
-    EXPECT_EQ(find(cloud, "intensity")->type, Scalar::kU16);
-    EXPECT_EQ(valuesOf(cloud, "intensity"), (std::vector<double>{7, 4000}));
-    EXPECT_EQ(find(cloud, "return_number")->type, Scalar::kU16);
-    EXPECT_EQ(valuesOf(cloud, "return_number"), (std::vector<double>{1, 256}));
-    EXPECT_EQ(find(cloud, "number_of_returns")->type, Scalar::kU16);
-    EXPECT_EQ(valuesOf(cloud, "number_of_returns"), (std::vector<double>{1, 300}));
-    EXPECT_EQ(valuesOf(cloud, "time_stamp")[0], 0.125);
-    EXPECT_TRUE(std::isnan(valuesOf(cloud, "time_stamp")[1]));
-    EXPECT_EQ(valuesOf(cloud, "point_source_id"), (std::vector<double>{1, 2}));
-    EXPECT_EQ(find(cloud, "weather")->type, Scalar::kF32);
-    EXPECT_EQ(valuesOf(cloud, "weather"), (std::vector<double>{0.1f, 7}));
-    EXPECT_EQ(valuesOf(cloud, "range"), (std::vector<double>{3 * 0.1, 30 * 0.1}));
-    EXPECT_EQ(find(cloud, "halves")->type, Scalar::kF32);
+    EXPECT_EQ(findAttribute(cloud, "intensity")->type, Scalar::kU16);
+    EXPECT_EQ(numbersOf(cloud, "intensity"), (std::vector<double>{7, 4000}));
+    EXPECT_EQ(findAttribute(cloud, "return_number")->type, Scalar::kU16);
+    EXPECT_EQ(numbersOf(cloud, "return_number"), (std::vector<double>{1, 256}));
+    EXPECT_EQ(findAttribute(cloud, "number_of_returns")->type, Scalar::kU16);
+    EXPECT_EQ(numbersOf(cloud, "number_of_returns"), (std::vector<double>{1, 300}));
+    EXPECT_EQ(numbersOf(cloud, "time_stamp")[0], 0.125);
+    EXPECT_TRUE(std::isnan(numbersOf(cloud, "time_stamp")[1]));
+    EXPECT_EQ(numbersOf(cloud, "point_source_id"), (std::vector<double>{1, 2}));
+    EXPECT_EQ(findAttribute(cloud, "weather")->type, Scalar::kF32);
+    EXPECT_EQ(numbersOf(cloud, "weather"), (std::vector<double>{0.1f, 7}));
+    EXPECT_EQ(numbersOf(cloud, "range"), (std::vector<double>{3 * 0.1, 30 * 0.1}));
+    EXPECT_EQ(findAttribute(cloud, "halves")->type, Scalar::kF32);
     EXPECT_EQ(cloud.attributes.size(), 8u);
     EXPECT_HAS(cloud.notes.at(0).text, "1 of its intensities ");
 }
 
 TEST_F(E57Test, ReturnsStartWithOneInEveryFile) {
     const auto read_returns = [&](std::int64_t first, std::int64_t second) {
-        return valuesOf(
+        return numbersOf(
             readScans({{two({e57Whole("returnIndex", 0, 9, {first, second}), e57Whole("returnCount", 0, 9, {1, 3})})}}),
             "return_number");
     };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // LAS, LAZ and COPC files as clouds.
 #include "tests/preprocess/input/input_fixture.h"
+#include "tests/support/find_attribute.h"
 #include "tests/support/las_file.h"
 #include "tests/support/packed_las.h"
 
@@ -10,20 +11,15 @@
 namespace pointrt {
 namespace {
 
+using test::findAttribute;
 using test::LasParts;
 using test::lasPoint;
 using test::lasRecord;
 using test::put;
 
-const Attribute* findInLas(const Cloud& cloud, const std::string& name) {
-    for (const Attribute& attribute : cloud.attributes)
-        if (attribute.name == name) return &attribute;
-    return nullptr;
-}
-
 template <typename Number>
-std::vector<Number> valuesOfInLas(const Cloud& cloud, const std::string& name) {
-    const Attribute* const attribute = findInLas(cloud, name);
+std::vector<Number> valuesOf(const Cloud& cloud, const std::string& name) {
+    const Attribute* const attribute = findAttribute(cloud, name);
     if (!attribute) {
         ADD_FAILURE() << "no " << name;
         return {};
@@ -80,19 +76,19 @@ TEST_F(LasTest, AttributesAreThoseOfTheRecords) {
     parts.format = 3;
     parts.points = linePoints(3, 5);
     const Cloud cloud = readParts(parts);
-    EXPECT_EQ(valuesOfInLas<std::uint16_t>(cloud, "intensity"), (std::vector<std::uint16_t>{100, 101, 102, 103, 104}));
-    EXPECT_EQ(valuesOfInLas<std::uint8_t>(cloud, "classification"), (std::vector<std::uint8_t>{0, 1, 2, 3, 0}));
-    EXPECT_EQ(valuesOfInLas<std::uint16_t>(cloud, "rgb16")[3 + 2], 513);
+    EXPECT_EQ(valuesOf<std::uint16_t>(cloud, "intensity"), (std::vector<std::uint16_t>{100, 101, 102, 103, 104}));
+    EXPECT_EQ(valuesOf<std::uint8_t>(cloud, "classification"), (std::vector<std::uint8_t>{0, 1, 2, 3, 0}));
+    EXPECT_EQ(valuesOf<std::uint16_t>(cloud, "rgb16")[3 + 2], 513);
     ASSERT_EQ(cloud.colors.size(), 5u);
     EXPECT_EQ(cloud.colors[0], (Rgb8{255, 255, 255}));
     EXPECT_EQ(cloud.colors[1], (Rgb8{0, 1, 2})); // the upper bytes, since one value exceeds 255
     for (const char* minor : {"synthetic", "key_point", "withheld", "edge_of_flight_line", "user_data"})
-        EXPECT_EQ(findInLas(cloud, minor), nullptr) << minor;
+        EXPECT_EQ(findAttribute(cloud, minor), nullptr) << minor;
     ReadOptions options;
     options.attributes = {false, {"withheld"}};
-    EXPECT_NE(findInLas(readParts(parts, options), "withheld"), nullptr) << "selected by name";
+    EXPECT_NE(findAttribute(readParts(parts, options), "withheld"), nullptr) << "selected by name";
     parts.points[4][15] = '\x80';
-    EXPECT_EQ(valuesOfInLas<std::uint8_t>(readParts(parts), "withheld"), (std::vector<std::uint8_t>{0, 0, 0, 0, 1}));
+    EXPECT_EQ(valuesOf<std::uint8_t>(readParts(parts), "withheld"), (std::vector<std::uint8_t>{0, 0, 0, 0, 1}));
 }
 
 TEST_F(LasTest, BlackColoursAreNone) {
@@ -114,8 +110,8 @@ TEST_F(LasTest, FiltersSeeClassesAndPlaces) {
     options.filter.keep_classes[2] = true;
     Cloud cloud = readParts(parts, options);
     EXPECT_EQ(cloud.positions.size(), 10u);
-    EXPECT_EQ(valuesOfInLas<std::uint8_t>(cloud, "classification"), std::vector<std::uint8_t>(10, 2));
-    EXPECT_EQ(valuesOfInLas<std::uint16_t>(cloud, "intensity")[9], 138);
+    EXPECT_EQ(valuesOf<std::uint8_t>(cloud, "classification"), std::vector<std::uint8_t>(10, 2));
+    EXPECT_EQ(valuesOf<std::uint16_t>(cloud, "intensity")[9], 138);
     options = {};
     options.filter.bounds = Eigen::AlignedBox3d(Vec3d(0.1, 0, -1), Vec3d(0.2, 1, 1));
     cloud = readParts(parts, options);

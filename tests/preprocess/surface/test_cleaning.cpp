@@ -4,6 +4,7 @@
 
 #include "preprocess/surface/noise.h"
 #include "tests/preprocess/surface/shapes.h"
+#include "tests/support/mean.h"
 
 namespace pointrt::test {
 namespace {
@@ -27,12 +28,6 @@ double rms(const Splats& splats, const Distance& distance) {
     double sum = 0;
     for (const Vec3f& p : splats.positions) sum += distance(p) * distance(p);
     return std::sqrt(sum / double(splats.positions.size()));
-}
-
-double meanOf(const std::vector<double>& values) {
-    double sum = 0;
-    for (const double value : values) sum += value;
-    return sum / double(values.size());
 }
 
 /// 40,000 points on the unit sphere have a spacing of sqrt(4 pi / 40,000).

@@ -2,16 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "tests/preprocess/surface/shapes.h"
+#include "tests/support/mean.h"
 
 namespace pointrt::test {
 namespace {
-
-double meanOfInNormals(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
-}
 
 double p99Of(const std::vector<double>& sorted) { return sorted[sorted.size() * 99 / 100]; }
 
@@ -20,21 +16,21 @@ double p99Of(const std::vector<double>& sorted) { return sorted[sorted.size() * 
 TEST(Normals, FibonacciSphere) {
     const Shape shape = fibonacciSphere(20'000);
     const auto errors = normalErrors(estimate(shape.cloud()), shape);
-    EXPECT_LT(meanOfInNormals(errors), 0.1);
+    EXPECT_LT(meanOf(errors), 0.1);
     EXPECT_LT(errors.back(), 0.5);
 }
 
 TEST(Normals, RandomSphere) {
     const Shape shape = randomSphere(20'000);
     const auto errors = normalErrors(estimate(shape.cloud()), shape);
-    EXPECT_LT(meanOfInNormals(errors), 0.8);
+    EXPECT_LT(meanOf(errors), 0.8);
     EXPECT_LT(p99Of(errors), 2.2);
 }
 
 TEST(Normals, RandomTorus) {
     const Shape shape = randomTorus(20'000);
     const auto errors = normalErrors(estimate(shape.cloud()), shape);
-    EXPECT_LT(meanOfInNormals(errors), 2);
+    EXPECT_LT(meanOf(errors), 2);
     EXPECT_LT(p99Of(errors), 6);
 }
 
@@ -44,7 +40,7 @@ TEST(Normals, NoiseIsAveragedOverWiderNeighborhoods) {
     Random random(5);
     for (Vec3f& p : shape.positions) p *= float(1 + 0.008 * (uniform(random) - 0.5));
     const auto errors = normalErrors(estimate(shape.cloud()), shape);
-    EXPECT_LT(meanOfInNormals(errors), 1);
+    EXPECT_LT(meanOf(errors), 1);
     EXPECT_LT(p99Of(errors), 3);
 }
 

@@ -178,15 +178,16 @@ TEST(Radii, DiscsReachTheEdgesOfACube) {
     for (int i = 0; i < 500; ++i) EXPECT_GT(weightAt(splats, Vec3f(float(i) / 500, 0, 0)), 0.1);
 }
 
-/// Checks the radii of a cube's splats, over those that just close its square cells, beside edges and elsewhere.
+/// Checks the overlap of a cube's discs beside its edges and elsewhere: their radii over those of discs that just close
+/// its square cells.
 void expectOverlaps(const Cloud& cloud, double beside_edge, double elsewhere) {
     constexpr int kSteps = 30;
     const Splats splats = estimate(cloud);
     for (std::size_t i = 0; i < splats.radii.size(); ++i) {
         const Vec3f p = splats.positions[i], inwards = p.cwiseMin(Vec3f::Ones() - p);
-        const auto near_edge = (inwards.array() < 0.75f / kSteps).count(); // 1: on a face, half a step from no edge
+        const auto near_faces = (inwards.array() < 0.75f / kSteps).count(); // above 1: half a step from an edge
         const double overlap = double(splats.radii[i]) * kSteps * std::numbers::sqrt2;
-        EXPECT_NEAR(overlap, near_edge > 1 ? beside_edge : elsewhere, 1e-3) << p.transpose();
+        EXPECT_NEAR(overlap, near_faces > 1 ? beside_edge : elsewhere, 1e-3) << p.transpose();
     }
 }
 
@@ -213,7 +214,7 @@ TEST(Radii, NoiseIsNotARidge) {
     }
 }
 
-/// A smoothed grid has the cells of the plane, and discs that overlap by 1.2.
+/// Cleaning moves the points of a noisy plane grid back onto the plane. Their discs overlap by 1.2.
 TEST(Radii, SmoothedPointsOverlapLess) {
     Shape shape = gridPlane(100);
     addNoise(shape, 0.1 / 100);

@@ -24,7 +24,7 @@ struct SightlinesScene {
     }
 };
 
-/// Radii afterwards; shrunk: the number that clearSightlines reports.
+/// The radii after clearSightlines. shrunk: the number that it returns.
 std::vector<float> cleared(const SightlinesScene& scene, std::size_t* shrunk = nullptr, std::size_t not_measured = 0) {
     const StageProgress silent;
     PointGraph graph;
@@ -38,8 +38,9 @@ std::vector<float> cleared(const SightlinesScene& scene, std::size_t* shrunk = n
 constexpr int kHigh = 21, kPosts = 2 * kHigh;
 constexpr double kSightlinesStep = 0.1;
 
-/// Two posts at y = 2, 1 m apart, with points a step apart and disc radii of 0.6 m; a wall at y = 6, of which sensor 0
-/// at the origin sees the part between them: sightlines a step apart in the posts' plane, from x = -0.3 to 0.3.
+/// Sensor 0, at the origin, sees two posts at y = 2, 1 m apart, and between them a wall at y = 6. Points on the posts
+/// are a step apart, and have discs of 0.6 m. Sightlines to the wall cross the plane of the posts a step apart, from x
+/// = -0.3 to 0.3.
 SightlinesScene gap(std::uint32_t wall_sensor = 0) {
     SightlinesScene scene;
     scene.points.sensors = {Vec3f(0, 0, 0), Vec3f(0, 0, 0)};

@@ -59,7 +59,7 @@ std::size_t countOtherThanWhole(const SetRequest& request, const SetPlan& plan) 
         std::uint32_t at = 0;
         float squared = 0;
         EXPECT_EQ(search.nearest(position.cast<float>(), {&at, 1}, {&squared, 1}), 1u);
-        EXPECT_LT(squared, 1e-6f);                                             // a thousandth, of 0.6 between points
+        EXPECT_LT(squared, 1e-6f);                                             // a thousandth; the point spacing is 0.6
         const bool same = tiles.normals[at].dot(whole.normals[i]) > 0.9998f && // 1 degree
                           std::abs(tiles.radii[at] / whole.radii[i] - 1) < 0.01f;
         differ += !same;

@@ -22,7 +22,7 @@ TEST(MergeDisc, CoversDiscsSideBySide) {
     EXPECT_TRUE(merged.position.isApprox(Vec3f(0.5f, 0.5f, 0)));
     EXPECT_TRUE(merged.normal.isApprox(up));
     EXPECT_FLOAT_EQ(merged.radius, std::sqrt(0.5f) + 1 / 1.2f);
-    EXPECT_NEAR(merged.error, 1 - 1 / 1.2f, 1e-6); // at the farthest points of their rims
+    EXPECT_NEAR(merged.error, 1 - 1 / 1.2f, 1e-6); // by how much the rims of the members extend beyond the merged disc
 }
 
 TEST(MergeDisc, MeansAreByArea) {
@@ -38,7 +38,7 @@ TEST(MergeDisc, KeepsTheAreaOfScatteredDiscs) {
     const MergeDiscs discs{{{0, 0, 0}, {300, 0, 200}, {0, 300, -200}}, {up, up, up}, {1, 2, 2}};
     const MergedDisc merged = mergeDiscs(discs, allOf(discs), true);
     EXPECT_NEAR(merged.radius, 3, 1e-3);
-    EXPECT_GT(merged.error, 200); // distance of the upper one from the plane
+    EXPECT_GT(merged.error, 200); // distance of the upper disc from the plane of the merged one
 }
 
 /// Discs at random in a cube of edge 1, facing within 60 degrees of a normal.
@@ -84,7 +84,7 @@ TEST(MergeDisc, RaysHitScatteredDiscsAsOftenAsBefore) {
             }
         }
         EXPECT_NEAR(now, before, 0.1 * before)
-            << count << " of radius " << radius; // with the sum of areas: 7 to 20% more
+            << count << " of radius " << radius; // discs with the sum of the areas are hit 7 to 20% more often
     }
 }
 
@@ -130,7 +130,8 @@ TEST(MergeDisc, AxesDoNotCancel) {
     EXPECT_NEAR(std::abs(mergeDiscs(discs, allOf(discs), false).normal.z()), 1, 1e-6);
 }
 
-/// Members' points are no farther from the merged disc than its error, nor its points from them.
+/// No point of a member is farther from the merged disc than its error, and no point of the merged disc is farther than
+/// that from the members.
 TEST(MergeDisc, ErrorBoundsTheDistanceOfRims) {
     std::mt19937 random(3);
     std::uniform_real_distribution<float> both(-1, 1);

@@ -110,8 +110,8 @@ TEST(TileSetMaking, ReadsBackWithCompleteTiles) {
     EXPECT_EQ(read.attributes[0].high, 80.0 * 80 + 4000 - 1);
 }
 
-/// Repeated splats are bit-identical, so that a surface does not change between tiles.
-TEST(TileSetMaking, EveryRepeatIsANeighborsOwnToTheBit) {
+/// Tiles repeat splats of their neighbours bit for bit, so that a surface does not change from tile to tile.
+TEST(TileSetMaking, RepeatedSplatsAreIdenticalToTheNeighbours) {
     const std::vector<StoredTile> tiles = loadAll(makeScene(0.5, "repeats.proset"));
     for (std::uint32_t level = 0; level < 3; ++level) {
         std::map<StoredSplat, int> own;
@@ -208,7 +208,7 @@ TEST(TileSetMaking, EverySplatNearACoreIsInItsTile) {
     EXPECT_GT(needed, 1000u);
 }
 
-/// Adjacent tiles of two levels: the finer one codes the coarser one's splats on its own lattice.
+/// Two adjacent tiles of different levels: the finer tile repeats splats of the coarser one, coded on its own lattice.
 TEST(TileSetMaking, SplatsOfOtherLevelsAreRecoded) {
     const TileKey coarse{1, {0, 0, 0}}, fine{0, {2, 0, 0}};
     TileSplats left, right;

@@ -16,8 +16,7 @@ namespace {
 
 using ErrorKind = TraceError::Kind;
 
-constexpr double kCastErrorsInfinity = std::numeric_limits<double>::infinity(),
-                 kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity(), kNaN = std::numeric_limits<double>::quiet_NaN();
 
 class CastErrors : public testing::Test {
 protected:
@@ -48,9 +47,9 @@ TEST_F(CastErrors, InvalidRays_AreNamedByNumber) {
         double wrong;
         const char* reason;
     } cases[] = {{0, kNaN, "*origin*finite"},
-                 {2, kCastErrorsInfinity, "*origin*finite"},
+                 {2, kInfinity, "*origin*finite"},
                  {3, kNaN, "*direction*finite"},
-                 {5, -kCastErrorsInfinity, "*direction*finite"},
+                 {5, -kInfinity, "*direction*finite"},
                  {5, 0, "*direction*0"}};
     for (const auto& each : cases) {
         std::vector<double> rays{0, 0, 9, 0, 0, -1, 0, 0, 9, 0, 0, -1, 0, 0, 9, 0, 0, -1};
@@ -90,8 +89,8 @@ TEST_F(CastErrors, ArraysAndLimits_AreChecked) {
     EXPECT_SAYS(refused({}, {.t_hit = one}), "t_hit: *2 *1");
     EXPECT_SAYS(refused({}, {.positions = one}), "positions: *6 *1");
     const std::string limits = "t_min *t_max";
-    for (const RayLimits& wrong : {RayLimits{-1, 1}, RayLimits{2, 1}, RayLimits{kNaN, 1}, RayLimits{0, kNaN},
-                                   RayLimits{kCastErrorsInfinity, kCastErrorsInfinity}})
+    for (const RayLimits& wrong :
+         {RayLimits{-1, 1}, RayLimits{2, 1}, RayLimits{kNaN, 1}, RayLimits{0, kNaN}, RayLimits{kInfinity, kInfinity}})
         EXPECT_SAYS(refused(wrong, {}), limits);
     std::vector<std::uint8_t> three(3);
     EXPECT_SAYS(reasonOf(ErrorKind::kBadUsage, [&] { scene.testOcclusions(two, {}, three); }), "occluded *ray");

@@ -128,8 +128,8 @@ TEST(RaysThroughSceneFiles, Shapes_AreHitAsCamerasSeeThem) {
     addRay(rays, {0.9, 10.9, 5}, {0, 0, -1}); // the quad's corner
     addRay(rays, {1.1, 10.9, 5}, {0, 0, -1}); // beside it
     const SceneHits found = castBoth(scene, rays);
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    const double expected[] = {2.1, 1, kInfinity, 5, kInfinity};
+    const double miss = std::numeric_limits<double>::infinity();
+    const double expected[] = {2.1, 1, miss, 5, miss};
     for (std::size_t i = 0; i < 5; ++i) {
         if (std::isfinite(expected[i])) {
             EXPECT_NEAR(found.t_hit[i], expected[i], 1e-12);

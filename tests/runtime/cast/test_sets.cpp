@@ -306,7 +306,10 @@ TEST_F(WrongSets, ChangedTile_IsRefusedWhenRead) {
 }
 
 TEST_F(WrongSets, TileAboveTheMemoryLimit_IsBadUsage) {
-    EXPECT_SAYS(refusal(TraceError::Kind::kBadUsage, ball->largestTile() / 2), "one tile *limit");
+    const std::uint64_t needed = ball->largestTile();
+    EXPECT_SAYS(refusal(TraceError::Kind::kBadUsage, needed / 2), "one tile *limit");
+    EXPECT_SAYS(refusal(TraceError::Kind::kBadUsage, needed - 1), // equal in MiB
+                "one tile *" + std::to_string(needed) + " bytes *limit *" + std::to_string(needed - 1) + " bytes");
 }
 
 } // namespace

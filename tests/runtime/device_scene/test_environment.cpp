@@ -21,7 +21,7 @@
 namespace pointrt {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr VkBufferUsageFlags kTexels = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
 constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 
@@ -74,7 +74,7 @@ std::vector<Vec4> evenPoints(std::uint32_t count) {
 
 /// The inverse of the map's convention, in double precision.
 Vec3 directionTo(double u, double v) {
-    const double phi = 2 * kPi * (u - 0.5), theta = kPi * v;
+    const double phi = 2 * pi * (u - 0.5), theta = pi * v;
     return {std::sin(theta) * std::sin(phi), std::cos(theta), -std::sin(theta) * std::cos(phi)};
 }
 
@@ -99,8 +99,8 @@ protected:
         return buffer;
     }
 
-    std::vector<Answer> ask(const Environment& environment, const gpu::EnvironmentFrame& frame, bool drawn,
-                            const std::vector<Vec4>& queries) {
+    std::vector<Answer> evaluate(const Environment& environment, const gpu::EnvironmentFrame& frame, bool drawn,
+                                 const std::vector<Vec4>& queries) {
         const auto count = static_cast<std::uint32_t>(queries.size());
         std::array buffers = {
             texelBuffer(environment.texels.data(), environment.texels.size() * 4, VK_FORMAT_R32G32B32A32_SFLOAT),
@@ -119,10 +119,10 @@ protected:
         return answers;
     }
     std::vector<Answer> draw(const Environment& environment, std::uint32_t count) {
-        return ask(environment, environmentFrame(environment, kUpright, 1), true, evenPoints(count));
+        return evaluate(environment, environmentFrame(environment, kUpright, 1), true, evenPoints(count));
     }
     std::vector<Answer> look(const Environment& environment, const std::vector<Vec4>& directions) {
-        return ask(environment, environmentFrame(environment, kUpright, 1), false, directions);
+        return evaluate(environment, environmentFrame(environment, kUpright, 1), false, directions);
     }
 
     Program program;
@@ -141,8 +141,8 @@ struct Sphere {
                 directions.push_back(packed(directionTo((x + 0.5) / width, (y + 0.5) / height)));
     }
     double solidAngle(std::size_t i) const {
-        const double row = static_cast<double>(i / width), step = kPi / height;
-        return 2 * kPi / width * (std::cos(row * step) - std::cos((row + 1) * step));
+        const double row = static_cast<double>(i / width), step = pi / height;
+        return 2 * pi / width * (std::cos(row * step) - std::cos((row + 1) * step));
     }
 };
 
@@ -171,7 +171,7 @@ TEST_F(EnvironmentTest, Samples_IntegrateToThePicture) {
             for (std::size_t c = 0; c < 3; ++c) sum[c] += answer.radiance[c] / answer.drawn_pdf / count;
         }
         for (std::size_t c = 0; c < 3; ++c) {
-            const double expected = 4 * kPi * environment.mean_radiance[c];
+            const double expected = 4 * pi * environment.mean_radiance[c];
             EXPECT_NEAR(sum[c], expected, 0.01 * expected) << image.width << " channel " << c;
         }
     }
@@ -181,9 +181,9 @@ TEST_F(EnvironmentTest, Samples_IntegrateToThePicture) {
 TEST_F(EnvironmentTest, OneTexel_HasItsShare) {
     FloatImage image = evenImage(64, 32, 0);
     setTexel(image, 40, 16, {10, 10, 10});
-    const double step = kPi / 32, solid_angle = step * std::sin(16.5 * step) * 2 * (1 - std::cos(step)) / step;
+    const double step = pi / 32, solid_angle = step * std::sin(16.5 * step) * 2 * (1 - std::cos(step)) / step;
     const Environment environment = makeEnvironment(image);
-    EXPECT_NEAR(4 * kPi * environment.mean_radiance[1], 10 * solid_angle, 1e-6);
+    EXPECT_NEAR(4 * pi * environment.mean_radiance[1], 10 * solid_angle, 1e-6);
     double sum = 0;
     for (const Answer& answer : draw(environment, 100'000)) sum += answer.radiance[1] / answer.drawn_pdf / 100'000;
     EXPECT_NEAR(sum, 10 * solid_angle, 0.1 * solid_angle);
@@ -197,8 +197,8 @@ double litSolidAngle(const Environment& environment) {
         for (std::size_t x = 0; x < columns; ++x) {
             const float* row = &environment.cdf[rows + 1 + y * (columns + 1)];
             const bool lit = row[x + 1] > row[x] && environment.cdf[y + 1] > environment.cdf[y];
-            const double step = kPi / static_cast<double>(rows), top = static_cast<double>(y) * step;
-            if (lit) sum += 2 * kPi / static_cast<double>(columns) * (std::cos(top) - std::cos(top + step));
+            const double step = pi / static_cast<double>(rows), top = static_cast<double>(y) * step;
+            if (lit) sum += 2 * pi / static_cast<double>(columns) * (std::cos(top) - std::cos(top + step));
         }
     return sum;
 }
@@ -219,8 +219,8 @@ TEST_F(EnvironmentTest, Samples_MatchTheirDensity) {
         // a direction on the edge of a cell may be attributed to its neighbour
         EXPECT_LE(different, answers.size() / 500) << image.width;
         // all but the interior of the black part, which is an eighth of the sphere
-        EXPECT_GT(lit, 4 * kPi * 0.87);
-        EXPECT_LT(lit, 4 * kPi * 0.93);
+        EXPECT_GT(lit, 4 * pi * 0.87);
+        EXPECT_LT(lit, 4 * pi * 0.93);
         EXPECT_NEAR(inverse_sum, lit, 0.01 * lit) << image.width;
     }
 }
@@ -276,11 +276,11 @@ TEST_F(EnvironmentTest, Rotation_IsAppliedToTheWorld) {
     for (const Case& turned : {Case{{0, 1, 0}, 0, {0, 0, -1}}, Case{{0, 1, 0}, 90, {-1, 0, 0}},
                                Case{{0, 0, 1}, 0, {0, 1, 0}}, Case{{0, 0, 1}, -90, {1, 0, 0}}}) {
         const auto frame = environmentFrame(environment, mapFromWorld(turned.up, turned.rotation_deg), 2);
-        const std::vector<Answer> there = ask(environment, frame, false, {packed(turned.lamp), packed(turned.up)});
+        const std::vector<Answer> there = evaluate(environment, frame, false, {packed(turned.lamp), packed(turned.up)});
         EXPECT_NEAR(there[0].radiance[0], 2 * 250.5, 5);
         EXPECT_NEAR(there[1].radiance[0], 2, 1e-3);
         double towards = 0;
-        const std::vector<Answer> draws = ask(environment, frame, true, evenPoints(10'000));
+        const std::vector<Answer> draws = evaluate(environment, frame, true, evenPoints(10'000));
         for (const Answer& answer : draws)
             towards += turned.lamp.x * answer.direction[0] + turned.lamp.y * answer.direction[1] +
                        turned.lamp.z * answer.direction[2];

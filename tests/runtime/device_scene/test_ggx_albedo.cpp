@@ -12,7 +12,7 @@
 namespace pointrt {
 namespace {
 
-constexpr double kGgxAlbedoPi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The albedo by definition: an integral over light directions, in the angle of the half vector.
 GgxAlbedo albedoByDefinition(double cosine, double roughness) {
@@ -22,16 +22,15 @@ GgxAlbedo albedoByDefinition(double cosine, double roughness) {
     double given = 0, grazing = 0;
     for (int i = 0; i < kPolar; i++)
         for (int j = 0; j < kAround; j++) {
-            const double x = (i + 0.5) / kPolar, theta = kGgxAlbedoPi / 2 * x * x,
-                         phi = kGgxAlbedoPi * (j + 0.5) / kAround;
+            const double x = (i + 0.5) / kPolar, theta = pi / 2 * x * x, phi = pi * (j + 0.5) / kAround;
             const double z = std::cos(theta), facing = sine * std::sin(theta) * std::cos(phi) + cosine * z;
             const double out = 2 * facing * z - cosine;
             if (facing <= 0 || out <= 0) continue;
             const double tangent2 = std::sin(theta) * std::sin(theta) / (z * z);
             const double slope = 1 + tangent2 / (alpha * alpha);
-            const double normals = 1 / (kGgxAlbedoPi * alpha * alpha * z * z * z * z * slope * slope);
+            const double normals = 1 / (pi * alpha * alpha * z * z * z * z * slope * slope);
             const double seen = 1 / (1 + lambda(cosine) + lambda(out));
-            const double area = std::sin(theta) * kGgxAlbedoPi * x / kPolar * 2 * kGgxAlbedoPi / kAround;
+            const double area = std::sin(theta) * pi * x / kPolar * 2 * pi / kAround;
             const double part = normals * seen * facing / cosine * area;
             given += part;
             grazing += part * std::pow(1 - facing, 5);

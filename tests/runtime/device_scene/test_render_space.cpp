@@ -12,7 +12,7 @@
 namespace pointrt {
 namespace {
 
-constexpr double kRenderSpacePi = std::numbers::pi;
+using std::numbers::pi;
 
 pro_info infoAt(Vec3 origin, double scale) {
     pro_info info{};
@@ -29,7 +29,7 @@ pro_info infoAt(Vec3 origin, double scale) {
 /// A rotation about an oblique axis by Rodrigues' formula, orthonormal to the last bits.
 std::array<Vec3, 3> rotation(double degrees) {
     const Vec3 axis = normalize({1, 2, -1});
-    const double angle = degrees * kRenderSpacePi / 180;
+    const double angle = degrees * pi / 180;
     std::array<Vec3, 3> columns;
     const Vec3 units[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     for (int i = 0; i < 3; ++i)

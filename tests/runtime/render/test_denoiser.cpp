@@ -387,7 +387,8 @@ TEST_F(DenoiserTest, RefusesArraysOfAnotherSize) {
     EXPECT_THROW(denoiseFilm(device, film), std::logic_error);
 }
 
-/// A device buffer with a texel per pixel: three of its count values, then its value of last.
+/// A device buffer with a texel per pixel: the first three of the count values that it has in values, then its number
+/// in last.
 Buffer texelsOf(Device& device, const std::vector<float>& values, std::size_t count, const std::vector<float>& last) {
     std::vector<float> texels;
     for (std::size_t i = 0; i < last.size(); ++i) {

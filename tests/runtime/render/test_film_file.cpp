@@ -340,7 +340,7 @@ TEST_F(FilmFile, TruncatedFilesAreRefused) {
     }
 }
 
-/// Writes a 4-byte number some bytes after a name.
+/// Overwrites the 4 bytes that are `after` bytes behind a name with value.
 Bytes patched(Bytes bytes, const std::string& name, std::size_t after, std::int32_t value) {
     const auto found = std::search(bytes.begin(), bytes.end(), name.begin(), name.end());
     EXPECT_NE(found, bytes.end()) << name;
@@ -355,9 +355,10 @@ TEST_F(FilmFile, ImpossibleHeadersAreRefused) {
     const auto expectReason = [&](const char* reason, const Bytes& bytes) {
         expectBadInput(write("a.exr", bytes), reason, [&] { readSavedFilm(path("a.exr")); });
     };
-    // after a name: its last letters, the name of the type and the size of the value
+    // What lies between an attribute's name and its value: the final zero, the name of the type and the size of the
+    // value.
     const std::size_t box = 1 + 6 + 4, list = 1 + 7 + 4, byte = 1 + 12 + 4;
-    const std::int32_t five_and_dat = 0x74616405; // the byte is followed by "dataWindow"
+    const std::int32_t five_and_dat = 0x74616405; // changes the byte to 5; the next bytes stay "dat", of "dataWindow"
     expectReason("16384 pixels", patched(whole, "dataWindow", box + 8, 16384));
     expectReason("data window", patched(whole, "dataWindow", box + 8, -1));
     expectReason("data window", patched(whole, "dataWindow", box + 8, 2147483647));

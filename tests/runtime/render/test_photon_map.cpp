@@ -13,6 +13,7 @@
 #include "runtime/gpu/program.h"
 #include "runtime/gpu/resources.h"
 #include "runtime/render/photon_map.h"
+#include "runtime/util/pack.h"
 #include "runtime/util/vec.h"
 #include "shaders/photon_probe.spv.h"
 #include "tests/runtime/gpu/probe.h"
@@ -25,11 +26,6 @@ using std::numbers::pi;
 struct Probe {
     gpu::vec4 position, normal;
 };
-
-gpu::vec4 packed(Vec3 v, float w = 0) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), w};
-}
-Vec3 vecOf(const gpu::vec4& v) { return {v.x, v.y, v.z}; }
 
 std::vector<gpu::vec4> gatherAt(const PhotonMap& map, const std::vector<Probe>& probes) {
     ValidatedDevice validated;
@@ -55,7 +51,9 @@ Vec3 normalOf(const gpu::Photon& photon) {
 }
 
 gpu::Photon photonAt(Vec3 position, Vec3 normal, Vec3 flux) {
-    return {packed(position, std::bit_cast<float>(packNormal(normal))), packed(flux, 1)};
+    gpu::Photon photon{pack(position), pack(flux, 1)};
+    photon.position.w = std::bit_cast<float>(packNormal(normal));
+    return photon;
 }
 
 double radiusOf(const PhotonMap& map, const gpu::Photon& photon) {
@@ -65,15 +63,15 @@ double radiusOf(const PhotonMap& map, const gpu::Photon& photon) {
 /// The light at probe by a loop over all photons, each with the radius of its level.
 Vec3 searchAll(const PhotonMap& map, const Probe& probe, double margin) {
     Vec3 sum;
-    const Vec3 position = vecOf(probe.position), normal = vecOf(probe.normal);
+    const Vec3 position = unpack(probe.position), normal = unpack(probe.normal);
     for (const gpu::Photon& photon : map.photons) {
         const double radius = radiusOf(map, photon) * (1 + margin);
-        const Vec3 offset = position - vecOf(photon.position);
+        const Vec3 offset = position - unpack(photon.position);
         const double height = dot(normalOf(photon), offset), squared = dot(offset, offset);
         if (squared >= radius * radius || std::abs(height) >= PHOTON_REACH * radius) continue;
         if (dot(normal, normalOf(photon)) <= 0.5) continue;
         const double inside = 1 - (squared - height * height) / (radius * radius);
-        sum = sum + 3 / (pi * radius * radius) * inside * inside * vecOf(photon.flux);
+        sum = sum + 3 / (pi * radius * radius) * inside * inside * unpack(photon.flux);
     }
     return sum;
 }
@@ -119,7 +117,7 @@ std::vector<Probe> probesAmong(const PhotonMap& map, std::size_t count, Vec3 nor
         const Vec3 step{near * (2 * unit(random) - 1), near * (2 * unit(random) - 1), near * (2 * unit(random) - 1)};
         const Vec3 anywhere{size * (2 * unit(random) - 1), size * (2 * unit(random) - 1),
                             size * (2 * unit(random) - 1)};
-        probes.push_back({packed(i % 3 == 2 ? anywhere : vecOf(photon.position) + step), packed(normal)});
+        probes.push_back({pack(i % 3 == 2 ? anywhere : unpack(photon.position) + step), pack(normal)});
     }
     return probes;
 }
@@ -203,7 +201,7 @@ double lightSpread(std::vector<gpu::Photon> photons, PhotonDiscs discs) {
     std::vector<Probe> probes;
     const double half = 10 + map.frame.levels[PHOTON_LEVELS - 1].high.w;
     for (double x = -half; x < half; x += step)
-        for (double z = -half; z < half; z += step) probes.push_back({packed({x, 0, z}), {0, 1, 0, 0}});
+        for (double z = -half; z < half; z += step) probes.push_back({pack({x, 0, z}), {0, 1, 0, 0}});
     double sum = 0;
     for (const gpu::vec4& answer : gatherAt(map, probes)) sum += answer.y * step * step;
     return sum / flux;
@@ -241,7 +239,7 @@ TEST(PhotonMap, LightsOnlyTheSideOfItsNormal) {
     const PhotonMap map = sortPhotons(std::move(photons), 100);
     const Vec3 at{0.5, 0, 0.5};
     const auto turned = [&](double degrees) {
-        return Probe{packed(at), packed({std::sin(degrees * pi / 180), std::cos(degrees * pi / 180), 0})};
+        return Probe{pack(at), pack({std::sin(degrees * pi / 180), std::cos(degrees * pi / 180), 0})};
     };
     const std::vector<gpu::vec4> answers = gatherAt(map, {turned(0), turned(55), turned(65), turned(180)});
     EXPECT_GT(answers[0].x, 0);
@@ -250,7 +248,7 @@ TEST(PhotonMap, LightsOnlyTheSideOfItsNormal) {
     EXPECT_EQ(answers[3].x, 0);
     // photons of the other sheet of a wall
     const std::vector<gpu::vec4> beside =
-        gatherAt(map, {{packed(at + Vec3{0, 1.1 * map.frame.levels[PHOTON_LEVELS - 1].high.w, 0}), {0, 1, 0, 0}}});
+        gatherAt(map, {{pack(at + Vec3{0, 1.1 * map.frame.levels[PHOTON_LEVELS - 1].high.w, 0}), {0, 1, 0, 0}}});
     EXPECT_EQ(beside[0].x, 0);
 }
 

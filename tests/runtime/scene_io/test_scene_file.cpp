@@ -16,7 +16,7 @@
 namespace pointrt {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 void expectReadVector(Vec3 v, double x, double y, double z) {
     EXPECT_NEAR(v.x, x, 1e-9);
@@ -263,7 +263,7 @@ TEST_F(SceneFile, ReadsPointsAndSpots) {
     const auto& point = std::get<PointLight>(scene.lights[0]);
     expectReadVector(point.position, 1, 2, 3);
     expectColor(point.intensity, 4, 2, 0);
-    expectColor(std::get<PointLight>(scene.lights[1]).intensity, 25 / kPi, 25 / kPi, 25 / kPi);
+    expectColor(std::get<PointLight>(scene.lights[1]).intensity, 25 / pi, 25 / pi, 25 / pi);
     const auto &spot = std::get<SpotLight>(scene.lights[2]), &wide = std::get<SpotLight>(scene.lights[3]);
     expectReadVector(spot.position, 1, 1, 1);
     expectReadVector(spot.direction, 0, -1, 0);
@@ -288,7 +288,7 @@ TEST_F(SceneFile, ReadsAreaLights) {
     expectColor(sphere.radiance, 3, 3, 3);
     EXPECT_FALSE(sphere.seen_by_camera);
     // power is pi * radiance * area: 16 pi here, and 2 * 24 for both sides of the quad
-    const double radiance = 100 / (kPi * 16 * kPi);
+    const double radiance = 100 / (pi * 16 * pi);
     expectColor(std::get<SphereLight>(scene.lights[1]).radiance, radiance, radiance / 2, 0);
     const auto& quad = std::get<QuadLight>(scene.lights[2]);
     expectReadVector(quad.center, 4, 5, 6);
@@ -296,7 +296,7 @@ TEST_F(SceneFile, ReadsAreaLights) {
     expectReadVector(quad.v, 0, 3, 0);
     expectColor(quad.radiance, 1, 2, 3);
     EXPECT_TRUE(quad.seen_by_camera);
-    expectColor(std::get<QuadLight>(scene.lights[3]).radiance, 10 / kPi, 10 / kPi, 10 / kPi);
+    expectColor(std::get<QuadLight>(scene.lights[3]).radiance, 10 / pi, 10 / pi, 10 / pi);
 }
 
 TEST_F(SceneFile, ReadsDiscLights) {
@@ -312,7 +312,7 @@ TEST_F(SceneFile, ReadsDiscLights) {
     EXPECT_TRUE(plain.seen_by_camera);
     expectReadVector(aimed.normal, 0, -0.8, -0.6);
     // pi * radiance * area, of both sides: 8 pi
-    expectColor(aimed.radiance, 10 / (kPi * kPi), 5 / (kPi * kPi), 0);
+    expectColor(aimed.radiance, 10 / (pi * pi), 5 / (pi * pi), 0);
     EXPECT_FALSE(aimed.seen_by_camera);
 }
 

@@ -466,7 +466,7 @@ TEST(ViewFlight, ProjectionChangeKeepsTheSize) {
     }
 }
 
-std::string errorOfInViewCamera(const std::string& text) {
+std::string errorOf(const std::string& text) {
     try {
         withCameraText(slantedView(kUnit, {0, 1, 0}), text);
         return "";
@@ -553,23 +553,22 @@ TEST(CameraText, AcceptsAnyOrderAndMissingOptions) {
 
 TEST(CameraText, RejectsOtherTextWithAReason) {
     const std::string good = "--eye 4,5,6 --target 1,2,3 ";
-    EXPECT_EQ(errorOfInViewCamera(good), "");
-    EXPECT_SAYS(errorOfInViewCamera(""), "camera text: --eye *missing");
-    EXPECT_SAYS(errorOfInViewCamera("--eye 1,2,3"), "camera text: --target *missing");
-    EXPECT_SAYS(errorOfInViewCamera("hello world"), "camera text: \"hello\" *--eye, --target, --up, --fov, --ortho");
-    EXPECT_SAYS(errorOfInViewCamera(good + "--eye 1,2,3"), "camera text: --eye *twice");
-    EXPECT_SAYS(errorOfInViewCamera(good + "--up"), "camera text: --up *no value");
-    EXPECT_SAYS(errorOfInViewCamera(good + "--up 1,2"), "camera text: --up: *\"1,2\"");
-    EXPECT_SAYS(errorOfInViewCamera(good + "--up 1,2,inf"), "camera text: --up: *\"1,2,inf\"");
-    EXPECT_SAYS(errorOfInViewCamera(good + "--fov 180"), "camera text: --fov: *\"180\"");
-    EXPECT_SAYS(errorOfInViewCamera(good + "--ortho -1"), "camera text: --ortho: *\"-1\"");
-    EXPECT_SAYS(errorOfInViewCamera(good + "--fov 20 --ortho 2"), "camera text: --fov *--ortho *exclude");
-    EXPECT_SAYS(errorOfInViewCamera(std::string(5000, ' ')), "camera text: *long");
-    for (const char* text : {"--up 0,0,0", "--ortho 1e11", "--fov 0.0001"})
-        EXPECT_NE(errorOfInViewCamera(good + text), "");
-    EXPECT_NE(errorOfInViewCamera("--eye 1,1,1 --target 1,1,1"), "");
-    EXPECT_NE(errorOfInViewCamera("--eye 1e300,1,1 --target 1,1,1"), "");
-    EXPECT_EQ(errorOfInViewCamera("\x1b[31m\xff --x").find('\x1b'), std::string::npos);
+    EXPECT_EQ(errorOf(good), "");
+    EXPECT_SAYS(errorOf(""), "camera text: --eye *missing");
+    EXPECT_SAYS(errorOf("--eye 1,2,3"), "camera text: --target *missing");
+    EXPECT_SAYS(errorOf("hello world"), "camera text: \"hello\" *--eye, --target, --up, --fov, --ortho");
+    EXPECT_SAYS(errorOf(good + "--eye 1,2,3"), "camera text: --eye *twice");
+    EXPECT_SAYS(errorOf(good + "--up"), "camera text: --up *no value");
+    EXPECT_SAYS(errorOf(good + "--up 1,2"), "camera text: --up: *\"1,2\"");
+    EXPECT_SAYS(errorOf(good + "--up 1,2,inf"), "camera text: --up: *\"1,2,inf\"");
+    EXPECT_SAYS(errorOf(good + "--fov 180"), "camera text: --fov: *\"180\"");
+    EXPECT_SAYS(errorOf(good + "--ortho -1"), "camera text: --ortho: *\"-1\"");
+    EXPECT_SAYS(errorOf(good + "--fov 20 --ortho 2"), "camera text: --fov *--ortho *exclude");
+    EXPECT_SAYS(errorOf(std::string(5000, ' ')), "camera text: *long");
+    for (const char* text : {"--up 0,0,0", "--ortho 1e11", "--fov 0.0001"}) EXPECT_NE(errorOf(good + text), "");
+    EXPECT_NE(errorOf("--eye 1,1,1 --target 1,1,1"), "");
+    EXPECT_NE(errorOf("--eye 1e300,1,1 --target 1,1,1"), "");
+    EXPECT_EQ(errorOf("\x1b[31m\xff --x").find('\x1b'), std::string::npos);
 }
 
 TEST(CameraText, AcceptsUpOfAnyLength) {

@@ -21,7 +21,7 @@ constexpr const char* kUsage =
 DeviceCase caseOf(const std::string& name) {
     for (DeviceCase& row : deviceCases())
         if (row.name() == name) return std::move(row);
-    throw Error(ExitCode::kBadUsage, name + ": is no case");
+    throw Error(ExitCode::kBadUsage, name + ": not a case");
 }
 
 /// device: only that device; "": all. tuning: "": also cases held out.

@@ -9,9 +9,10 @@
 
 namespace pointrt::quality {
 
-/// Sightlines through crowns, if nothing is in front of those.
+/// Numbers of sightlines into crowns of trees with nothing in front.
 struct GapCounts {
-    std::size_t sights = 0, truth = 0, picture = 0; ///< all; those that leave the crown in the truth and in the picture
+    std::size_t sights = 0;             ///< all
+    std::size_t truth = 0, picture = 0; ///< those that pass through the crown, in the truth and in the picture
 };
 GapCounts countGaps(const World& world, const Sights& truth, const Sights& picture, const UnitCamera& camera);
 

@@ -59,10 +59,10 @@ void takeBack(Cloud& cloud, const std::vector<Oriented>& points, bool with_norma
 unsigned neighborsWithin(const Cloud& cloud, float radius) {
     const surface::NearestSearch search(cloud.positions);
     std::vector<std::uint32_t> found(100000);
-    std::size_t sum = 0, asked = 0;
-    for (std::size_t i = 0; i < cloud.positions.size(); i += 1000, ++asked)
+    std::size_t sum = 0, counted = 0;
+    for (std::size_t i = 0; i < cloud.positions.size(); i += 1000, ++counted)
         sum += search.within(cloud.positions[i], radius * radius, found);
-    return static_cast<unsigned>(sum / asked);
+    return static_cast<unsigned>(sum / counted);
 }
 
 void smoothByMls(Cloud& cloud, float radius) {
@@ -130,7 +130,7 @@ int run(const std::vector<std::string>& words) {
     else if (words[0] == "wlop")
         projectByWlop(cloud, radius);
     else
-        throw Error(ExitCode::kBadUsage, words[0] + ": is no method");
+        throw Error(ExitCode::kBadUsage, words[0] + ": not a method");
     std::printf("%.1f\n", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     for (Vec3f& position : cloud.positions) position += cloud.origin.cast<float>();
     writeMesh(words[3], cloud);

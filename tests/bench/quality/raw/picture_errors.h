@@ -19,7 +19,7 @@ struct PictureErrors {
     std::vector<float> normal_degrees;  ///< of both, unsigned
 };
 
-/// So many spacings in front of the truth there is no surface.
+/// A surface this many spacings in front of the truth is an error.
 constexpr float kFalseSpacings = 3;
 /// Pixels this near to the truth's silhouette do not count as holes.
 constexpr int kEdgePixels = 3;
