@@ -180,24 +180,28 @@ private:
     }
 
     void add(std::uint32_t splat, const Corner& corner) {
+        const std::uint32_t* const words = view_.splats + std::size_t{splat} * PRO_SPLAT_WORDS;
         pro_splat plain;
-        pro_splat_decode(view_.splats + std::size_t{splat} * PRO_SPLAT_WORDS, info_.radius_max, info_.radius_step,
-                         &plain);
+        pro_splat_decode(words, info_.radius_max, info_.radius_step, &plain);
         CellDisc disc;
         disc.splat = splat;
         disc.radius = plain.radius * edges_;
-        disc.slab = info_.blend_slab * disc.radius;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const float n = plain.normal[axis];
-            disc.normal[axis] = n;
+        for (std::size_t axis = 0; axis < 3; ++axis)
             disc.center[axis] = (plain.position[axis] - static_cast<float>(corner[axis]) * PRO_POSITION_STEP) * edges_;
-        }
+        disc.reach = {disc.radius, disc.radius, disc.radius};
+        if (!pro_splat_is_ball(words)) orient(disc, plain.normal);
+        discs_.push_back(disc);
+    }
+
+    /// Makes a disc of a ball.
+    void orient(CellDisc& disc, const float normal[3]) const {
+        disc.slab = info_.blend_slab * disc.radius;
+        std::copy_n(normal, 3, disc.normal.begin());
         // not from 1 - n^2, which cancels if the normal is nearly along the axis
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const float a = disc.normal[(axis + 1) % 3], b = disc.normal[(axis + 2) % 3];
             disc.reach[axis] = disc.radius * std::sqrt(a * a + b * b);
         }
-        discs_.push_back(disc);
     }
 
     /// Adds a disc to the lists of the cells that it overlaps in the brick at offset.

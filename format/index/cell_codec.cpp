@@ -25,7 +25,8 @@ Vector sum(const Vector& a, float scale, const Vector& b) {
     return {a[0] + scale * b[0], a[1] + scale * b[1], a[2] + scale * b[2]};
 }
 
-/// A disc relative to the middle of the cell, in cell edges; its radius is at most kLargestCodedRadius.
+/// A disc relative to the middle of the cell, in cell edges; its radius is at most kLargestCodedRadius. Or a ball of
+/// any radius: with a smaller one its surface would bend more.
 struct Place {
     Vector center;
     float radius;
@@ -35,7 +36,7 @@ Place placeIn(const CellDisc& disc, const CellBox& box) {
     const float edges = 0.5f / box.half_edge;
     Place place{{}, disc.radius * edges};
     for (std::size_t axis = 0; axis < 3; ++axis) place.center[axis] = (disc.center[axis] - box.middle[axis]) * edges;
-    if (place.radius <= kLargestCodedRadius) return place;
+    if (place.radius <= kLargestCodedRadius || disc.isBall()) return place;
     // offset of the centre from the point of the plane closest to the middle of the cell
     const float height = dot(place.center, disc.normal);
     const Vector away = sum(place.center, -height, disc.normal);
@@ -45,11 +46,18 @@ Place placeIn(const CellDisc& disc, const CellBox& box) {
     return {sum(sum(Vector{}, shorter, away), height, disc.normal), kLargestCodedRadius};
 }
 
-/// Sum of the normals, flipped to one side.
+/// Sum of the normals, flipped to one side; 0 if all are balls.
 Vector meanNormal(std::span<const CellDisc* const> discs) {
     Vector mean = discs[0]->normal;
     for (const CellDisc* disc : discs.subspan(1))
         mean = sum(mean, dot(mean, disc->normal) < 0 ? -1.0f : 1.0f, disc->normal);
+    return mean;
+}
+
+/// Sum of the offsets of balls from the middle of the cell: most balls reach into it from one side.
+Vector meanOffset(std::span<const CellDisc* const> balls, const CellBox& box) {
+    Vector mean{};
+    for (const CellDisc* ball : balls) mean = sum(mean, 1.0f, sum(ball->center, -1.0f, box.middle));
     return mean;
 }
 
@@ -71,8 +79,18 @@ struct Heights {
     float least = std::numeric_limits<float>::infinity(), most = -least;
 };
 
+/// The same for a ball.
+void widenForBall(Heights& heights, const CellDisc& ball, const Vector& normal, const CellBox& box) {
+    const float middle = dot(normal, placedIn(ball, box).center), reach = ball.radius * std::sqrt(dot(normal, normal));
+    const float corner =
+        (box.half_edge + box.slack) * (std::fabs(normal[0]) + std::fabs(normal[1]) + std::fabs(normal[2]));
+    heights.least = std::min(heights.least, std::max(middle - reach, -corner));
+    heights.most = std::max(heights.most, std::min(middle + reach, corner));
+}
+
 /// Extends the range of heights to include the part of the disc that is in the cell.
 void widen(Heights& heights, const CellDisc& disc, const Vector& normal, const CellBox& box) {
+    if (disc.isBall()) return widenForBall(heights, disc, normal, box);
     const PlacedDisc placed = placedIn(disc, box);
     const float middle = dot(normal, placed.center), half = box.half_edge + box.slack;
     // not from 1 - cos^2, which cancels if the disc is nearly parallel to the planes
@@ -117,16 +135,20 @@ std::array<std::int32_t, 3> positionCodes(const Vector& position, const Vector& 
     return best;
 }
 
+/// @param n 0 for a ball
 /// @param codes position codes per cell edge
 void appendNear(const Place& place, const Vector& n, float codes, std::vector<std::uint32_t>& near) {
-    const float normal_codes = PRO_NEAR_NORMAL_MAX / std::max({std::fabs(n[0]), std::fabs(n[1]), std::fabs(n[2])});
+    const bool ball = n == Vector{};
+    const float largest = std::max({std::fabs(n[0]), std::fabs(n[1]), std::fabs(n[2])});
+    const float normal_codes = ball ? 0.0f : PRO_NEAR_NORMAL_MAX / largest;
     const std::array<std::int32_t, 3> center = positionCodes(sum(Vector{}, codes, place.center), n);
     std::uint32_t position = 0, normal = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         position = position << PRO_NEAR_POSITION_BITS | bits(center[axis], PRO_NEAR_POSITION_BITS);
         normal = normal << PRO_NEAR_NORMAL_BITS | bits(rounded(n[axis] * normal_codes), PRO_NEAR_NORMAL_BITS);
     }
-    const std::uint32_t radius = radiusCode(place.radius * codes * place.radius * codes);
+    const std::uint32_t coded = radiusCode(place.radius * codes * place.radius * codes);
+    const std::uint32_t radius = ball ? std::max(coded, 1u) : coded; // a ball of radius code 0 would be none
     near.push_back(position << PRO_NEAR_RADIUS_HIGH_BITS | radius >> PRO_NEAR_RADIUS_LOW_BITS);
     near.push_back(normal << PRO_NEAR_RADIUS_LOW_BITS | bits(radius, PRO_NEAR_RADIUS_LOW_BITS));
 }
@@ -151,7 +173,7 @@ std::uint32_t toHalf(float value) {
 }
 
 std::uint32_t slabWord(std::span<const CellDisc* const> discs, const CellBox& box) {
-    const Vector mean = meanNormal(discs);
+    const Vector normals = meanNormal(discs), mean = normals == Vector{} ? meanOffset(discs, box) : normals;
     const float length = std::sqrt(dot(mean, mean));
     std::array<std::int32_t, 3> codes{};
     Vector normal{};

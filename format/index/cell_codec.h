@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Encodes the discs of a cell for the tracer: near splats, and the two planes that enclose their parts in the cell
-// (layout: pointrt/pro_index_layout.h).
+// Encodes the discs and balls of a cell for the tracer: near splats, and the two planes that enclose their parts in the
+// cell (layout: pointrt/pro_index_layout.h).
 #pragma once
 
 #include <array>
@@ -14,12 +14,15 @@ using Vector = std::array<float, 3>;
 
 inline float dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// A splat in any unit. reach: half extents of the disc's bounding box; slab: half the height of its blending slab.
+/// A splat in any unit. reach: half extents of its bounding box; slab: half the height of its blending slab. A ball has
+/// the normal 0 and no slab: the tests of planes then never exclude it.
 struct CellDisc {
     std::uint32_t splat = 0;
     Vector center{}, normal{}, reach{};
     float radius = 0, slab = 0;
     mutable std::uint32_t place = 0; ///< index in the lists of the block being encoded (cell_runs.cpp)
+
+    bool isBall() const { return normal == Vector{}; }
 };
 
 /// A cube in the unit of the discs; slack enlarges it for tests.

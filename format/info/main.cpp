@@ -8,10 +8,12 @@
 #include "format/base/run_tool.h"
 #include "format/base/same_file.h"
 #include "format/cli/command_line.h"
+#include "format/info/export_gaussians.h"
 #include "format/info/export_points.h"
 #include "format/info/print.h"
 #include "format/info/set_report.h"
 #include "format/pointio/metadata.h"
+#include "format/pointio/point_sink.h"
 #include "format/set/tile_set.h"
 
 namespace {
@@ -40,8 +42,8 @@ void addOptions(CommandLine& app, Options& options) {
     app.add_flag("--verify", options.verify, "Verify all checksums and contents; exit with 1 on findings");
     app.add_option(
            "--export", options.export_path,
-           "Write the splats to a new .ply, .las or .laz file, in input order or tile by tile; - is PLY on standard "
-           "output")
+           "Write the splats to a new .ply, .las or .laz file, in input order or tile by tile (Gaussians: as a .ply of "
+           "3D Gaussian splatting); - is PLY on standard output")
         ->type_name("FILE");
     completes(app, "--export", ".ply .las .laz");
     app.add_flag("-f,--force", options.force, "Let --export overwrite an existing file");
@@ -105,6 +107,10 @@ int exportSplats(const Options& options, const ExportSource& source) {
 
 int exportFile(const Options& options) {
     const ProFile file(options.input);
+    if (file.gaussians() && pointFormat(options.export_path) == PointFormat::kPly) {
+        exportGaussians(file, options.export_path, options.force);
+        return 0;
+    }
     return exportSplats(options, exportSource(file));
 }
 

@@ -115,6 +115,39 @@ std::string filledText(const ProFile& file) {
     return fmt::format("{} splats fill gaps between {} points", sampling.filled_count, sampling.input_count);
 }
 
+double perSplat(std::uint64_t count, const Summary& summary) {
+    return static_cast<double>(count) / summary.info.splat_count;
+}
+
+/// "250000, 66.4 bytes each (GAUS 16.0, ...)".
+std::string gaussiansText(const Summary& summary) {
+    std::string text =
+        fmt::format("{}, {:.1f} bytes each (", summary.info.splat_count, perSplat(summary.gaussians.bytes, summary));
+    for (const SectionSummary& section : summary.gaussians.sections)
+        text +=
+            fmt::format("{}{} {:.1f}", text.back() == '(' ? "" : ", ", section.kind, perSplat(section.bytes, summary));
+    return text + ")";
+}
+
+std::string gaussianTreeText(const Summary& summary, const pro_gaussians& gaussians) {
+    return fmt::format("{} nodes, {:.2f} for each Gaussian; {} list entries, {:.2f} for each", gaussians.node_count,
+                       perSplat(gaussians.node_count, summary), gaussians.list_count,
+                       perSplat(gaussians.list_count, summary));
+}
+
+Json gaussiansJson(const Summary& summary, const pro_gaussians& gaussians) {
+    Json bytes = Json::object();
+    for (const SectionSummary& section : summary.gaussians.sections) bytes[section.kind] = section.bytes;
+    return {{"count", summary.info.splat_count},
+            {"degree", gaussians.degree},
+            {"bytes", bytes},
+            {"bytes_per_gaussian", perSplat(summary.gaussians.bytes, summary)},
+            {"nodes", gaussians.node_count},
+            {"nodes_per_gaussian", perSplat(gaussians.node_count, summary)},
+            {"list_entries", gaussians.list_count},
+            {"list_entries_per_gaussian", perSplat(gaussians.list_count, summary)}};
+}
+
 Json vectorJson(const double v[3]) { return {v[0], v[1], v[2]}; }
 
 Json sectionsJson(const Summary& summary) {
@@ -236,6 +269,12 @@ std::string summaryText(const std::string& path, const Summary& s, const ProFile
     line("colour", yesNo(info.flags, PRO_FLAG_COLOR));
     line("oriented", yesNo(info.flags, PRO_FLAG_ORIENTED));
     line("pruned", yesNo(info.flags, PRO_FLAG_PRUNED));
+    if (info.flags & PRO_FLAG_BALLS) line("balls", fmt::format("{} of the splats", s.balls));
+    if (const pro_gaussians* const gaussians = file.gaussians()) {
+        line("Gaussians", gaussiansText(s));
+        line("harmonics", fmt::format("degree {}", gaussians->degree));
+        line("Gaussian tree", gaussianTreeText(s, *gaussians));
+    }
     line("up", upText(file.world()));
     line("input unit", unitText(file.world()));
     line("noise", noiseText(s, file));
@@ -270,6 +309,8 @@ std::string summaryJson(const Summary& s, const ProFile& file) {
     json["sensors"] = sensorsJson(world);
     json["input_points"] = file.sampling().input_count > 0 ? Json(file.sampling().input_count) : Json();
     json["filled"] = file.sampling().filled_count;
+    if (info.flags & PRO_FLAG_BALLS) json["balls"] = s.balls;
+    if (file.gaussians()) json["gaussians"] = gaussiansJson(s, *file.gaussians());
     json["noise"] = noiseJson(s, file);
     json["attributes"] = attributesJson(file);
     json["blend_slab"] = info.blend_slab;

@@ -63,6 +63,17 @@ std::uint64_t indexBytes(const std::vector<SectionSummary>& sections) {
     return bytes;
 }
 
+GaussianSummary summarizeGaussians(const std::vector<SectionSummary>& sections) {
+    constexpr std::array<std::string_view, 4> kKinds = {"GAUS", "GHRM", "GNOD", "GLST"};
+    GaussianSummary summary;
+    for (const SectionSummary& section : sections) {
+        if (std::find(kKinds.begin(), kKinds.end(), section.kind) == kKinds.end()) continue;
+        summary.sections.push_back(section);
+        summary.bytes += section.bytes;
+    }
+    return summary;
+}
+
 std::uint64_t countBorderLeaves(std::span<const std::uint32_t> leaves) {
     std::uint64_t count = 0;
     for (std::size_t i = PRO_LEAF_COUNTS; i < leaves.size(); i += PRO_LEAF_WORDS)
@@ -101,6 +112,9 @@ Summary summarize(const ProFile& file) {
     summary.sections = listSections(file.bytes());
     if (file.index()) summary.index_bytes = indexBytes(summary.sections);
     summary.noise = summarizeNoise(file);
+    if (file.gaussians()) summary.gaussians = summarizeGaussians(summary.sections);
+    if (info.flags & PRO_FLAG_BALLS)
+        for (std::size_t i = 0; i < info.splat_count; ++i) summary.balls += file.isBall(i);
     summary.nodes = 1;
     for (const LevelSummary& level : summary.levels) {
         summary.nodes += PRO_GROUP_SIZE * level.inner;

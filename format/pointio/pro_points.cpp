@@ -17,6 +17,13 @@ PointColumn columnOf(const pro_attribute& attribute, std::uint64_t splats) {
             splats};
 }
 
+/// The splat with a normal of 0, which means unknown, if it is a ball.
+pro_splat splatAt(const ProFile& file, std::uint32_t number) {
+    pro_splat splat = file.splat(number);
+    if (file.isBall(number)) std::ranges::fill(splat.normal, 0.0f);
+    return splat;
+}
+
 /// The columns that every splat has.
 void putSplat(const ProFile& file, const pro_splat& splat, PointRole role, std::byte* to) {
     const auto radius = static_cast<float>(file.radius(splat));
@@ -63,7 +70,7 @@ void gatherPoints(const ProFile& file, std::span<const std::uint32_t> splats, st
         if (columns[k].role == PointRole::kAttribute) gatherAttribute(file, splats, columns[k], block.columns[k]);
     }
     for (std::size_t i = 0; i < splats.size(); ++i) {
-        const pro_splat splat = file.splat(splats[i]);
+        const pro_splat splat = splatAt(file, splats[i]);
         std::ranges::copy(file.position(splat), block.positions.begin() + static_cast<std::ptrdiff_t>(3 * i));
         for (std::size_t k = 0; k < columns.size(); ++k)
             putSplat(file, splat, columns[k].role, block.columns[k].data() + i * columns[k].rowBytes());

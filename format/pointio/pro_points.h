@@ -14,7 +14,7 @@ namespace pointrt {
 /// attributes, with ranges and values. count is the number of splats. file must outlive the columns' values.
 PointOutline outlineOf(const ProFile& file);
 
-/// Overwrites block with these splats of file.
+/// Overwrites block with these splats of file. Balls have the normal 0, which means unknown.
 /// @param columns from outlineOf, all or some; attributes that file lacks are 0
 void gatherPoints(const ProFile& file, std::span<const std::uint32_t> splats, std::span<const PointColumn> columns,
                   PointBlock& block);

@@ -48,6 +48,8 @@ void checkContent(const pro_info& info, const Content& content, Level level, Fin
     if (findings.stopped()) return;
     if (isComplete(content.index)) checkIndex(info, content.index, findings);
     if (findings.stopped()) return;
+    if (isComplete(content.gaussians)) checkGaussians(info, content.gaussians, level, findings);
+    if (findings.stopped()) return;
     if (content.world.sensors) checkSensors(content.world, findings);
     if (level != Level::kVerify) return;
     if (leaves && refs) checkRefsOfLeaves(info, view, findings);

@@ -6,15 +6,11 @@
 #include "format/pro/checks.h"
 #include "format/pro/leaf.h"
 #include "format/pro/leaf_walk.h"
+#include "format/pro/position_codes.h"
 
 namespace pointrt::format {
 
 namespace {
-
-std::array<std::uint32_t, 3> positionCodes(const std::uint32_t words[4]) {
-    const std::uint32_t y = words[0] >> PRO_POSITION_BITS | (words[1] & PRO_Y_HIGH_MASK) << PRO_Y_LOW_BITS;
-    return {words[0] & PRO_POSITION_MASK, y, words[1] >> PRO_Y_HIGH_BITS & PRO_POSITION_MASK};
-}
 
 /// Bounds with a tolerance: they may come from unrounded positions, half a step away, and from sums rounded at the
 /// input's magnitude.
@@ -48,6 +44,7 @@ bool inCell(const Cell& cell, const std::array<std::uint32_t, 3>& codes) {
 
 bool checkSplats(const pro_info& info, const pro_view& view, Findings& findings) {
     Tally reserved, material, radius;
+    const bool may_have_balls = (info.flags & PRO_FLAG_BALLS) != 0;
     // the first code of a radius below PRO_RADIUS_MIN
     std::uint32_t code_end = 0;
     while (code_end <= PRO_RADIUS_CODE_MAX &&
@@ -55,11 +52,11 @@ bool checkSplats(const pro_info& info, const pro_view& view, Findings& findings)
         ++code_end;
     for (std::size_t i = 0; i < info.splat_count; ++i) {
         const std::uint32_t* words = view.splats + i * PRO_SPLAT_WORDS;
-        if (words[1] >> 31) reserved.hit(i);
+        if (pro_splat_is_ball(words) && !may_have_balls) reserved.hit(i);
         if (words[2] >> PRO_MATERIAL_SHIFT >= info.material_count) material.hit(i);
         if (words[3] >> PRO_RADIUS_SHIFT >= code_end) radius.hit(i);
     }
-    reserved.addTo(findings, Finding::kSplatReserved, "splat", "its reserved bit is not 0");
+    reserved.addTo(findings, Finding::kSplatReserved, "splat", "it is a ball, but the flags say that there are none");
     material.addTo(findings, Finding::kSplatMaterial, "splat", "its material is out of range");
     radius.addTo(findings, Finding::kSplatRadius, "splat", "its radius is below 2^-60");
     return reserved.places + material.places + radius.places == 0;

@@ -1,47 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "format/pro/checks.h"
+#include "format/pro/group_scan.h"
 #include "format/pro/leaf_walk.h"
 
 namespace pointrt::format {
 
 namespace {
-
-struct TreeScan {
-    Tally group_number, leaf_index, orphan;
-    std::uint64_t inner = 0; // inner nodes so far
-    std::uint32_t depth = 0; // of the nodes in the last group
-};
-
-void scanNode(const pro_info& info, const pro_view& view, std::size_t index, TreeScan& scan) {
-    const std::uint32_t node = view.nodes[index];
-    if (node & PRO_NODE_INNER) {
-        ++scan.inner;
-        if ((node & PRO_NODE_GROUP_MASK) != scan.inner) scan.group_number.hit(index);
-    } else if (node > info.leaf_count) {
-        scan.leaf_index.hit(index);
-    }
-}
-
-/// One pass in array order. Group g has a parent if at least g inner nodes come before it. Groups of one depth are
-/// adjacent, so the depth grows where the groups named by the depth above end.
-TreeScan scanGroups(const pro_info& info, const pro_view& view) {
-    TreeScan scan;
-    const std::size_t groups = info.node_count / PRO_GROUP_SIZE;
-    std::uint64_t depth_end = 1;
-    for (std::size_t group = 0; group < groups; ++group) {
-        if (group > scan.inner) {
-            scan.orphan.hit(group);
-            break;
-        }
-        if (group == depth_end) {
-            ++scan.depth;
-            depth_end = scan.inner + 1;
-        }
-        for (std::size_t slot = 0; slot < PRO_GROUP_SIZE; ++slot)
-            scanNode(info, view, group * PRO_GROUP_SIZE + slot, scan);
-    }
-    return scan;
-}
 
 bool checkGroups(const pro_info& info, const pro_view& view, Findings& findings) {
     if (info.node_count < PRO_GROUP_SIZE) return false; // checkRanges has reported it
@@ -51,10 +15,17 @@ bool checkGroups(const pro_info& info, const pro_view& view, Findings& findings)
         if (view.nodes[slot] != PRO_NODE_EMPTY) root_group.hit(slot);
     root_group.addTo(findings, Finding::kRootGroup, "node", "group 0 holds more than the root");
 
-    const TreeScan scan = scanGroups(info, view);
+    Tally leaf_index;
+    const GroupScan scan =
+        scanGroups(info.node_count / PRO_GROUP_SIZE, [&](std::size_t index, std::uint32_t) -> ChildGroup {
+            const std::uint32_t node = view.nodes[index];
+            if (node & PRO_NODE_INNER) return node & PRO_NODE_GROUP_MASK;
+            if (node > info.leaf_count) leaf_index.hit(index);
+            return {};
+        });
     scan.group_number.addTo(findings, Finding::kGroupNumber, "node", "does not name the next group");
     scan.orphan.addTo(findings, Finding::kGroupWithoutParent, "group", "no earlier node names it");
-    scan.leaf_index.addTo(findings, Finding::kLeafIndex, "node", "names a leaf out of range");
+    leaf_index.addTo(findings, Finding::kLeafIndex, "node", "names a leaf out of range");
     if (scan.orphan.places == 0 && (scan.inner + 1) * PRO_GROUP_SIZE != info.node_count)
         findings.add(Finding::kGroupCount, "%llu inner nodes do not fit %u nodes",
                      static_cast<unsigned long long>(scan.inner), info.node_count);

@@ -51,6 +51,14 @@ bool checkIndexFrame(const pro_index& index, Findings& findings);
 /// sections, and checkIndexFrame to have passed.
 void checkIndex(const pro_info& info, const pro_index& index, Findings& findings);
 
+/// The coding and the counts of the Gaussians, and whether GHRM is there if the degree is not 0; does not read their
+/// sections.
+bool checkGaussianCoding(const pro_gaussians& gaussians, Findings& findings);
+
+/// GHRM, GNOD and GLST: the nodes are one octree, lists and their entries are in range; at kVerify also that no
+/// Gaussian is listed twice. Needs all sections, and checkGaussianCoding to have passed.
+void checkGaussians(const pro_info& info, const pro_gaussians& gaussians, Level level, Findings& findings);
+
 /// Header fields PRO_OFF_UP and PRO_OFF_METRES.
 void checkWorld(const pro_world& world, Findings& findings);
 
@@ -72,8 +80,8 @@ void checkAttributeNames(const Content& content, Findings& findings);
 /// Ranges in ATTD against the values. Needs checkAttributeRecord to have passed.
 void checkAttributeValues(const pro_info& info, const Content& content, Findings& findings);
 
-/// Runs the checks above on the sections that content has; skips an incomplete index. checkIndexFrame must have passed
-/// for a complete one.
+/// Runs the checks above on the sections that content has; skips an incomplete index and incomplete Gaussians. For
+/// complete ones checkIndexFrame and checkGaussianCoding must have passed.
 void checkContent(const pro_info& info, const Content& content, Level level, Findings& findings);
 
 } // namespace pointrt::format

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "format/pro/position_codes.h"
 #include "pointrt/pro.h"
 
 namespace {
@@ -100,10 +101,8 @@ void pro_splat_encode(const pro_splat* splat, float radius_max, float radius_ste
 }
 
 void pro_splat_decode(const uint32_t words[4], float radius_max, float radius_step, pro_splat* splat) {
-    const std::uint32_t y = words[0] >> PRO_POSITION_BITS | (words[1] & PRO_Y_HIGH_MASK) << PRO_Y_LOW_BITS;
-    splat->position[0] = decodePosition(words[0] & PRO_POSITION_MASK);
-    splat->position[1] = decodePosition(y);
-    splat->position[2] = decodePosition(words[1] >> PRO_Y_HIGH_BITS & PRO_POSITION_MASK);
+    const auto codes = pointrt::format::positionCodes(words);
+    for (std::size_t axis = 0; axis < 3; ++axis) splat->position[axis] = decodePosition(codes[axis]);
     const auto normal = decodeNormal(words[2] & PRO_NORMAL_MASK, words[2] >> PRO_NORMAL_BITS & PRO_NORMAL_MASK);
     std::copy(normal.begin(), normal.end(), splat->normal);
     splat->radius = decodeRadius(words[3] >> PRO_RADIUS_SHIFT, radius_max, radius_step);
@@ -111,3 +110,7 @@ void pro_splat_decode(const uint32_t words[4], float radius_max, float radius_st
         splat->color[channel] = static_cast<std::uint8_t>(words[3] >> (8 * channel) & 0xFF);
     splat->material = static_cast<std::uint8_t>(words[2] >> PRO_MATERIAL_SHIFT);
 }
+
+int pro_splat_is_ball(const uint32_t words[4]) { return (words[1] & PRO_SPLAT_BALL) != 0; }
+
+void pro_splat_set_ball(uint32_t words[4]) { words[1] |= PRO_SPLAT_BALL; }

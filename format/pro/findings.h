@@ -98,6 +98,18 @@ enum class Finding : std::uint32_t {
 
     kFilledOrder = 9401,
     kNoiseValues = 9402,
+
+    kGaussianCoding = 9501,
+    kGaussiansIncomplete = 9502,
+    kGaussianRootGroup = 9503,
+    kGaussianGroupNumber = 9504,
+    kGaussianGroupWithoutParent = 9505,
+    kGaussianGroupCount = 9506,
+    kGaussianDepth = 9507,
+    kGaussianLists = 9508,
+    kGaussianIndex = 9509,
+    kGaussianTwice = 9510,
+    kHarmonicCode = 9511,
 };
 
 /// Reports and counts findings; with stop_at_first only the first one.

@@ -82,6 +82,17 @@ void eachSamplingField(Sampling& sampling, const On& on) {
     on(sampling.noise_median, PRO_OFF_NOISE);
 }
 
+/// The same for the coding of the Gaussians.
+template <typename Gaussians, typename On>
+void eachCodingField(Gaussians& gaussians, const On& on) {
+    on(gaussians.degree, PRO_OFF_HARMONICS_DEGREE);
+    on(gaussians.deviation_low, PRO_OFF_DEVIATION_LOW);
+    on(gaussians.deviation_step, PRO_OFF_DEVIATION_STEP);
+    on(gaussians.color_low, PRO_OFF_COLOR_LOW);
+    on(gaussians.color_step, PRO_OFF_COLOR_STEP);
+    on(gaussians.harmonic_max, PRO_OFF_HARMONIC_MAX);
+}
+
 /// The same for a record of the section table, with offsets within the record.
 template <typename Record, typename On>
 void eachSectionField(Record& section, const On& on) {
@@ -141,6 +152,16 @@ pro_sampling loadSampling(const std::byte* header) {
 }
 
 void storeSampling(std::byte* header, const pro_sampling& sampling) { eachSamplingField(sampling, storeTo(header)); }
+
+pro_gaussians loadGaussianCoding(const std::byte* header) {
+    pro_gaussians gaussians{};
+    eachCodingField(gaussians, loadFrom(header));
+    return gaussians;
+}
+
+void storeGaussianCoding(std::byte* header, const pro_gaussians& gaussians) {
+    eachCodingField(gaussians, storeTo(header));
+}
 
 Section loadSection(const std::byte* header, std::uint32_t index) {
     Section section;

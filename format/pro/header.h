@@ -28,6 +28,9 @@ void storeWorld(std::byte* header, const pro_world& world);
 /// The header's part of the sampling; noise is null.
 pro_sampling loadSampling(const std::byte* header);
 void storeSampling(std::byte* header, const pro_sampling& sampling);
+/// The coding of the Gaussians: without pointers and without the counts that their sections have.
+pro_gaussians loadGaussianCoding(const std::byte* header);
+void storeGaussianCoding(std::byte* header, const pro_gaussians& gaussians);
 Section loadSection(const std::byte* header, std::uint32_t index);
 void storeSection(std::byte* header, std::uint32_t index, const Section& section);
 std::uint32_t loadU32(const std::byte* bytes, std::size_t offset);

@@ -103,6 +103,11 @@ int pro_get_index(const pro_file* file, pro_index* index) {
     return file->parsed.indexed ? 1 : 0;
 }
 
+int pro_get_gaussians(const pro_file* file, pro_gaussians* gaussians) {
+    *gaussians = file->parsed.content.gaussians;
+    return isComplete(*gaussians) ? 1 : 0;
+}
+
 void pro_get_world(const pro_file* file, pro_world* world) { *world = file->parsed.content.world; }
 
 void pro_get_sampling(const pro_file* file, pro_sampling* sampling) { *sampling = file->parsed.content.sampling; }

@@ -49,6 +49,13 @@ constexpr CountAccess kBrickWords{
 
 constexpr CountAccess kGridWords{[](const pro_info&, const Content& content) { return gridWords(content.index); }};
 
+/// A count of the Gaussians that this section decides.
+template <auto Field>
+constexpr CountAccess kGaussianCount{
+    [](const pro_info&, const Content& content) -> std::uint64_t { return content.gaussians.*Field; },
+    [](Content& content, std::uint64_t count) { content.gaussians.*Field = static_cast<std::uint32_t>(count); },
+    PRO_GAUSSIAN_LISTED_MAX};
+
 constexpr CountAccess kMetadataBytes{
     [](const pro_info&, const Content& content) -> std::uint64_t { return content.view.metadata_bytes; },
     [](Content& content, std::uint64_t count) { content.view.metadata_bytes = count; }, kUnlimited};
@@ -65,11 +72,13 @@ constexpr CountAccess kAttributeCount{
 constexpr auto kMandatory = Presence::kMandatory, kOptional = Presence::kOptional, kIndex = Presence::kIndex;
 constexpr auto kViewPart = &Content::view;
 constexpr auto kIndexPart = &Content::index;
+constexpr auto kGaussianPart = &Content::gaussians;
+constexpr auto kGaussians = Presence::kGaussians, kHarmonics = Presence::kHarmonics;
 constexpr CountAccess kSplatCount = kInfoCount<&pro_info::splat_count>;
 
 } // namespace
 
-constexpr std::array<SectionRule, 17> kSectionRules = {{
+constexpr std::array<SectionRule, 21> kSectionRules = {{
     {PRO_KIND_NODE, 4, kMandatory, false, kPointer<kViewPart, &pro_view::nodes>, kInfoCount<&pro_info::node_count>},
     {PRO_KIND_LEAF, 4 * PRO_LEAF_WORDS, kMandatory, false, kPointer<kViewPart, &pro_view::leaves>,
      kInfoCount<&pro_info::leaf_count>},
@@ -91,6 +100,13 @@ constexpr std::array<SectionRule, 17> kSectionRules = {{
      kIndexCountElsewhere<&pro_index::near_count, kPair>},
     {PRO_KIND_BLDS, kPair * 2, kIndex, true, kPointer<kIndexPart, &pro_index::blending>,
      kIndexCount<&pro_index::blending_count, kPair>},
+    {PRO_KIND_GAUS, 4 * PRO_GAUSSIAN_WORDS, kGaussians, true, kPointer<kGaussianPart, &pro_gaussians::words>,
+     kSplatCount},
+    {PRO_KIND_GHRM, 0, kHarmonics, true, kPointer<kGaussianPart, &pro_gaussians::harmonics>, kSplatCount},
+    {PRO_KIND_GNOD, 4 * PRO_GAUSSIAN_NODE_WORDS, kGaussians, true, kPointer<kGaussianPart, &pro_gaussians::nodes>,
+     kGaussianCount<&pro_gaussians::node_count>},
+    {PRO_KIND_GLST, 4, kGaussians, true, kPointer<kGaussianPart, &pro_gaussians::lists>,
+     kGaussianCount<&pro_gaussians::list_count>},
     {PRO_KIND_NOIS, 1, kOptional, true, kPointer<&Content::sampling, &pro_sampling::noise>, kSplatCount},
     {PRO_KIND_SENS, 8 * PRO_SENSOR_DOUBLES, kOptional, true, kPointer<&Content::world, &pro_world::sensors>,
      kSensorCount},
@@ -101,6 +117,10 @@ const SectionRule* findRule(std::uint32_t kind) {
     for (const SectionRule& rule : kSectionRules)
         if (rule.kind == kind) return &rule;
     return nullptr;
+}
+
+std::uint32_t strideOf(const SectionRule& rule, const Content& content) {
+    return rule.presence == kHarmonics ? 3 * pro_harmonic_count(content.gaussians.degree) : rule.stride;
 }
 
 void setSection(Content& content, const SectionRule& rule, const void* data, std::uint64_t count) {
@@ -121,6 +141,8 @@ bool isComplete(const pro_index& index) {
     return index.grid && index.bricks && index.cells && index.slabs && index.near_splats && index.listed &&
            index.blending;
 }
+
+bool isComplete(const pro_gaussians& gaussians) { return gaussians.words && gaussians.nodes && gaussians.lists; }
 
 std::uint64_t gridWords(const pro_index& index) {
     const std::uint64_t layer = std::uint64_t{index.size[0]} * index.size[1];

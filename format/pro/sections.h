@@ -15,7 +15,8 @@ namespace pointrt::format {
 /// The data of all sections. A null pointer is an absent section.
 struct Content {
     pro_view view{};
-    pro_index index{}; ///< its grid frame comes from the header
+    pro_index index{};         ///< its grid frame comes from the header
+    pro_gaussians gaussians{}; ///< their coding comes from the header
     pro_world world{};
     pro_sampling sampling{};
     const std::byte* attribute_records = nullptr;   ///< ATTD
@@ -25,8 +26,9 @@ struct Content {
 
 constexpr std::uint32_t kBrickGroups = PRO_BRICK_WORDS / PRO_GROUP_WORDS;
 
-/// kIndex: a file has all of these sections or none of them.
-enum class Presence { kMandatory, kOptional, kIndex };
+/// kIndex, kGaussians: a file has all of these sections or none of them. kHarmonics: a file has it if and only if it
+/// has Gaussians of a degree above 0.
+enum class Presence { kMandatory, kOptional, kIndex, kGaussians, kHarmonics };
 
 /// Reads and sets the pointer of a section in a Content.
 struct DataAccess {
@@ -44,18 +46,21 @@ struct CountAccess {
 /// What the format says of a kind. ATTR has no rule: a file may have many of them, of any stride.
 struct SectionRule {
     std::uint32_t kind;
-    std::uint32_t stride; ///< bytes per element
+    std::uint32_t stride; ///< bytes per element; 0: the header decides (strideOf)
     Presence presence;
     bool traced; ///< PRO_OPEN_TRACE reads it from files with an index
     DataAccess data;
     CountAccess count;
 };
-extern const std::array<SectionRule, 17> kSectionRules; ///< in file order
+extern const std::array<SectionRule, 21> kSectionRules; ///< in file order
 
 /// Null for unknown kinds.
 const SectionRule* findRule(std::uint32_t kind);
 
-/// Points content at the elements of a section, and sets their count if the header does not give it.
+/// Bytes per element.
+std::uint32_t strideOf(const SectionRule& rule, const Content& content);
+
+/// Points content at the elements of a section, and sets their count where the header does not have it.
 void setSection(Content& content, const SectionRule& rule, const void* data, std::uint64_t count);
 
 /// The four characters of a kind for messages, with '?' for unprintable ones.
@@ -64,7 +69,10 @@ std::array<char, 5> kindName(std::uint32_t kind);
 /// Whether all sections of the index are present.
 bool isComplete(const pro_index& index);
 
-/// The number of words that the entry grid has according to the header's grid frame, saturated at 2^64 - 1.
+/// Whether all sections of the Gaussians are present, those of their harmonics aside.
+bool isComplete(const pro_gaussians& gaussians);
+
+/// Words in the entry grid by its frame, saturated at 2^64 - 1.
 std::uint64_t gridWords(const pro_index& index);
 
 } // namespace pointrt::format

@@ -130,7 +130,7 @@ void checkPadding(Bytes bytes, const std::vector<Section>& sorted, Findings& fin
 bool checkShape(const Section& section, const SectionRule& rule, const Parsed& parsed, Findings& findings) {
     const bool count_fits = rule.count.limit > 0 ? section.count <= rule.count.limit
                                                  : section.count == rule.count.get(parsed.info, parsed.content);
-    if (section.stride == rule.stride && count_fits) return true;
+    if (section.stride == strideOf(rule, parsed.content) && count_fits) return true;
     findings.add(Finding::kSectionCount, "%s: %llu elements of %u bytes do not match the header",
                  kindName(section.kind).data(), static_cast<unsigned long long>(section.count), section.stride);
     return false;
@@ -197,7 +197,7 @@ void checkIndexSections(Bytes bytes, const std::vector<Section>& placed, Parsed&
     const bool listed = std::any_of(placed.begin(), placed.end(), indexRule);
     const std::size_t before = findings.count();
     if (!listed) {
-        if (!allZero(bytes.subspan(PRO_OFF_GRID_SHIFT, PRO_FIELDS_END - PRO_OFF_GRID_SHIFT)))
+        if (!allZero(bytes.subspan(PRO_OFF_GRID_SHIFT, PRO_GRID_FIELDS_END - PRO_OFF_GRID_SHIFT)))
             findings.add(Finding::kGridFrame, "an entry grid without its sections");
     } else if (!isComplete(index)) {
         findings.add(Finding::kIndexIncomplete, "the tracing index is incomplete");
@@ -211,6 +211,28 @@ void checkIndexSections(Bytes bytes, const std::vector<Section>& placed, Parsed&
     }
     parsed.indexed = listed && findings.count() == before;
     if (!parsed.indexed) index = {};
+}
+
+bool isOfGaussians(const Section& section) {
+    const SectionRule* rule = findRule(section.kind);
+    return rule && (rule->presence == Presence::kGaussians || rule->presence == Presence::kHarmonics);
+}
+
+/// Checks the sections of the Gaussians against one another and against the header; placed ones must have been set.
+/// Keeps complete Gaussians or none.
+void checkGaussianSections(Bytes bytes, const std::vector<Section>& placed, Parsed& parsed, Findings& findings) {
+    pro_gaussians& gaussians = parsed.content.gaussians;
+    const bool listed = std::any_of(placed.begin(), placed.end(), isOfGaussians);
+    const std::size_t before = findings.count();
+    if (!listed) {
+        if (!allZero(bytes.subspan(PRO_OFF_HARMONICS_DEGREE, PRO_FIELDS_END - PRO_OFF_HARMONICS_DEGREE)))
+            findings.add(Finding::kGaussianCoding, "a coding of Gaussians without their sections");
+    } else if (!isComplete(gaussians)) {
+        findings.add(Finding::kGaussiansIncomplete, "the sections of the Gaussians are incomplete");
+    } else {
+        checkGaussianCoding(gaussians, findings);
+    }
+    if (!listed || findings.count() != before) gaussians = {};
 }
 
 /// Drops the sections that PRO_OPEN_TRACE does not read.
@@ -248,6 +270,7 @@ Parsed validate(Bytes bytes, Level level, bool checksums, Findings& findings) {
     parsed.content.world = loadWorld(bytes.data());
     parsed.content.sampling = loadSampling(bytes.data());
     parsed.content.index = loadFrame(bytes.data());
+    parsed.content.gaussians = loadGaussianCoding(bytes.data());
     checkHeader(bytes, parsed.info, findings);
     checkWorld(parsed.content.world, findings);
     checkSampling(parsed.info, parsed.content.sampling, findings);
@@ -259,6 +282,8 @@ Parsed validate(Bytes bytes, Level level, bool checksums, Findings& findings) {
     std::vector<Section> placed = checkSections(bytes, table, parsed, findings);
     if (findings.stopped()) return parsed;
     checkIndexSections(bytes, placed, parsed, findings);
+    if (findings.stopped()) return parsed;
+    checkGaussianSections(bytes, placed, parsed, findings);
     if (findings.stopped()) return parsed;
     if (findings.count() == before) checkAttributes(bytes, table, parsed, findings);
     if (findings.stopped()) return parsed;

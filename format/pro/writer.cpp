@@ -44,8 +44,9 @@ FileLayout layOut(const pro_info& info, const Content& content) {
         const void* data = rule.data.get(content);
         const std::uint64_t count = rule.count.get(info, content);
         const bool mandatory = rule.presence == Presence::kMandatory;
-        if (!mandatory && (!data || count == 0)) continue;
-        addSection(layout, rule.kind, rule.stride, count, data);
+        const bool may_be_empty = mandatory || rule.presence == Presence::kGaussians;
+        if ((!mandatory && !data) || (!may_be_empty && count == 0)) continue;
+        addSection(layout, rule.kind, strideOf(rule, content), count, data);
         layout.sections.back().flags = mandatory ? PRO_SECTION_REQUIRED : 0;
     }
     for (std::size_t i = 0; i < content.attribute_count; ++i) {
@@ -63,6 +64,7 @@ Header makeHeader(pro_info info, const Content& content, const FileLayout& layou
     info.file_bytes = layout.file_bytes;
     storeInfo(header.data(), info);
     storeFrame(header.data(), content.index);
+    storeGaussianCoding(header.data(), content.gaussians);
     storeWorld(header.data(), content.world);
     storeSampling(header.data(), content.sampling);
     storeU32(header.data(), PRO_OFF_SECTION_COUNT, static_cast<std::uint32_t>(layout.sections.size()));
@@ -101,6 +103,7 @@ bool checkInput(const pro_info& info, const Content& content, pro_message* messa
     if (view.metadata_bytes > 0 && !isUtf8({view.metadata, view.metadata_bytes}))
         findings.add(Finding::kMetadataUtf8, "META is not UTF-8");
     if (isComplete(content.index)) checkIndexFrame(content.index, findings);
+    if (isComplete(content.gaussians)) checkGaussianCoding(content.gaussians, findings);
     checkWorld(content.world, findings);
     checkSampling(info, content.sampling, findings);
     for (std::size_t i = 0; i < content.attribute_count; ++i) checkAttributeRecord(content, i, findings);
@@ -133,6 +136,18 @@ bool hasNulls(const pro_content& content) {
                        [](const pro_attribute& attribute) { return !attribute.values; });
 }
 
+bool hasNulls(const pro_gaussians& gaussians) {
+    return !gaussians.words || !gaussians.nodes || (!gaussians.lists && gaussians.list_count > 0) ||
+           (!gaussians.harmonics && gaussians.degree > 0);
+}
+
+/// The Gaussians as a reader would set them: GLST is there even if it is empty, GHRM only with a degree.
+pro_gaussians normalized(pro_gaussians gaussians) {
+    if (gaussians.list_count == 0) gaussians.lists = gaussians.nodes;
+    if (gaussians.degree == 0) gaussians.harmonics = nullptr;
+    return gaussians;
+}
+
 bool hasWorld(const pro_world& world) {
     return world.up[0] != 0 || world.up[1] != 0 || world.up[2] != 0 || world.metres_per_unit != 0 ||
            world.sensor_count > 0;
@@ -157,17 +172,19 @@ bool hasSampling(const pro_sampling& sampling) { return sampling.noise || sampli
 
 /// The first minor version that had all of the content. Files without an index (pointrt-bake --compact) have been
 /// stamped so since release 0.1.0; readers do not use the number.
-std::uint32_t minorVersionOf(const pro_content& content) {
+std::uint32_t minorVersionOf(const pro_content& content, const pro_gaussians* gaussians) {
+    if (gaussians || (content.info->flags & PRO_FLAG_BALLS)) return 5;
     if (content.index) return 4;
     if (content.sampling && hasSampling(*content.sampling)) return 3;
     if (content.attribute_count > 0 || (content.world && hasWorld(*content.world))) return 2;
     return 0;
 }
 
-pro_result writeAs(Existing existing, const char* path, const pro_content& given, pro_message* message) {
+pro_result writeAs(Existing existing, const char* path, const pro_content& given, const pro_gaussians* gaussians,
+                   pro_message* message) {
     setMessage(message, 0, "%s", "");
     try {
-        if (!path || hasNulls(given)) {
+        if (!path || hasNulls(given) || (gaussians && hasNulls(*gaussians))) {
             setMessage(message, 0, "pro_write: null argument or section, or more than %u attributes",
                        PRO_ATTRIBUTE_MAX);
             return PRO_BAD_ARGUMENT;
@@ -176,12 +193,13 @@ pro_result writeAs(Existing existing, const char* path, const pro_content& given
         std::vector<std::byte> records;
         content.view = *given.view;
         if (given.index) content.index = *given.index;
+        if (gaussians) content.gaussians = normalized(*gaussians);
         if (given.world) content.world = *given.world;
         if (given.sampling && hasSampling(*given.sampling)) content.sampling = *given.sampling;
         setAttributes(content, given, records);
         pro_info versioned = *given.info;
         versioned.version_major = PRO_VERSION_MAJOR;
-        versioned.version_minor = minorVersionOf(given);
+        versioned.version_minor = minorVersionOf(given, gaussians);
         content.sampling.noise_median = 0; // computed below, from radii and a scale that have been checked
         if (!checkInput(versioned, content, message)) return PRO_BAD_ARGUMENT;
         content.sampling.noise_median = medianNoise(versioned, content);
@@ -200,14 +218,20 @@ pro_result pro_write(const char* path, const pro_info* info, const pro_view* vie
 
 pro_result pro_write_indexed(const char* path, const pro_info* info, const pro_view* view, const pro_index* index,
                              pro_message* message) {
-    return writeAs(Existing::kReplaced, path, {info, view, index, nullptr, nullptr, 0, nullptr}, message);
+    return writeAs(Existing::kReplaced, path, {info, view, index, nullptr, nullptr, 0, nullptr}, nullptr, message);
 }
 
 pro_result pro_write_new(const char* path, const pro_info* info, const pro_view* view, const pro_index* index,
                          pro_message* message) {
-    return writeAs(Existing::kKept, path, {info, view, index, nullptr, nullptr, 0, nullptr}, message);
+    return writeAs(Existing::kKept, path, {info, view, index, nullptr, nullptr, 0, nullptr}, nullptr, message);
 }
 
 pro_result pro_write_content(const char* path, const pro_content* content, int replace, pro_message* message) {
-    return writeAs(replace ? Existing::kReplaced : Existing::kKept, path, content ? *content : pro_content{}, message);
+    return pro_write_gaussians(path, content, nullptr, replace, message);
+}
+
+pro_result pro_write_gaussians(const char* path, const pro_content* content, const pro_gaussians* gaussians,
+                               int replace, pro_message* message) {
+    return writeAs(replace ? Existing::kReplaced : Existing::kKept, path, content ? *content : pro_content{}, gaussians,
+                   message);
 }

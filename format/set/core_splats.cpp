@@ -69,6 +69,7 @@ std::vector<pro_splat> coreSplats(const TileSet& set, const SetTile& tile, const
         pro_splat splat;
         pro_splat_decode(words.data(), static_cast<float>(level.radius_max), static_cast<float>(level.radius_step),
                          &splat);
+        if (pro_splat_is_ball(words.data())) std::fill(std::begin(splat.normal), std::end(splat.normal), 0.0f);
         if (isInCore(splat)) splats.push_back(splat);
     }
     return splats;

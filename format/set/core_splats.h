@@ -19,7 +19,8 @@ bool isInCore(const pro_splat& splat);
 
 /// Reads splats first, first + step, ... of a tile's file and returns those with centres in its core, in cube units of
 /// cubeOf(set, tile). Reads only them and the header, without verifying sections; a damaged section yields other,
-/// finite splats. Throws Error as requireTile, and kBadInput "FILE: reason" if splats cannot be read.
+/// finite splats. Balls have the normal 0. Throws Error as requireTile, and kBadInput "FILE: reason" if splats cannot
+/// be read.
 /// @param step at least 1
 std::vector<pro_splat> coreSplats(const TileSet& set, const SetTile& tile, const std::string& folder,
                                   std::uint64_t first, std::uint64_t step);

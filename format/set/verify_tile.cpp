@@ -40,7 +40,8 @@ Code codeOf(const SplatWords& words) {
 SplatWords withCode(SplatWords words, const Code& code) {
     const auto x = static_cast<std::uint32_t>(code[0]), y = static_cast<std::uint32_t>(code[1]);
     words[0] = x | y << PRO_POSITION_BITS;
-    words[1] = y >> PRO_Y_LOW_BITS | static_cast<std::uint32_t>(code[2]) << PRO_Y_HIGH_BITS;
+    words[1] =
+        (words[1] & PRO_SPLAT_BALL) | y >> PRO_Y_LOW_BITS | static_cast<std::uint32_t>(code[2]) << PRO_Y_HIGH_BITS;
     return words;
 }
 
@@ -80,7 +81,7 @@ bool isInOriginalTile(const TileSet& set, std::uint32_t level, TileCell cell) {
     return false;
 }
 
-/// Whether one of the extreme points of the disc along the axes lies in the core.
+/// Whether one of the extreme points of the disc along the axes lies in the core; also of a ball's disc.
 /// @param splat in the cube of the tile
 bool surelyCrossesCore(const pro_splat& splat) {
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -162,6 +163,37 @@ inline std::uint64_t touchSaid(const pro_info& info, const pro_file* file) {
     return static_cast<std::uint64_t>(sum);
 }
 
+/// Follows every index of the Gaussians and decodes them; throws if a number is not finite or a walk does not end.
+inline std::uint64_t touchGaussians(const pro_info& info, const pro_view& view, const pro_gaussians& gaussians) {
+    std::uint64_t sum = 0, walked = 0;
+    std::vector<std::uint32_t> pending{0};
+    while (!pending.empty()) {
+        const std::size_t node = pending.back();
+        pending.pop_back();
+        if (++walked > gaussians.node_count) throw std::logic_error("a walk without end");
+        const std::uint32_t* words = gaussians.nodes + node * PRO_GAUSSIAN_NODE_WORDS;
+        const bool last = node + 1 == gaussians.node_count;
+        const std::uint32_t end =
+            last ? gaussians.list_count : words[PRO_GAUSSIAN_NODE_WORDS + PRO_GAUSSIAN_NODE_FIRST];
+        for (std::uint32_t i = words[PRO_GAUSSIAN_NODE_FIRST]; i < end; ++i)
+            sum += gaussians.words[std::size_t{gaussians.lists[i]} * PRO_GAUSSIAN_WORDS];
+        const std::uint32_t children = words[PRO_GAUSSIAN_NODE_CHILDREN];
+        for (std::uint32_t slot = 0; slot < PRO_GROUP_SIZE && children != 0; ++slot)
+            pending.push_back(children * PRO_GROUP_SIZE + slot);
+    }
+    for (std::size_t i = 0; i < info.splat_count; ++i) {
+        pro_gaussian each;
+        pro_gaussian_decode(&gaussians, view.splats + i * PRO_SPLAT_WORDS, gaussians.words + i * PRO_GAUSSIAN_WORDS,
+                            &each);
+        for (int k = 0; k < 3; ++k)
+            if (!std::isfinite(each.color[k]) || !(each.deviation[k] > 0) || !std::isfinite(each.deviation[k]))
+                throw std::logic_error("a Gaussian that is not finite");
+    }
+    const std::size_t codes = std::size_t{info.splat_count} * 3 * pro_harmonic_count(gaussians.degree);
+    for (std::size_t i = 0; i < codes; ++i) sum += static_cast<std::uint8_t>(gaussians.harmonics[i]);
+    return sum;
+}
+
 /// Opens a copy in a heap block of the exact size, so that AddressSanitizer detects reads past the end; also verifies
 /// it.
 inline OpenResult openCopy(const Bytes& bytes, std::uint32_t open_flags = 0) {
@@ -180,6 +212,8 @@ inline OpenResult openCopy(const Bytes& bytes, std::uint32_t open_flags = 0) {
         sink = touchEverything(info, view);
         pro_index index;
         if (pro_get_index(file, &index)) sink = touchIndex(info, view, index);
+        pro_gaussians gaussians;
+        if (pro_get_gaussians(file, &gaussians)) sink = touchGaussians(info, view, gaussians);
         sink = touchSaid(info, file);
         pro_close(file);
     } else if (findings == 0) {

@@ -125,7 +125,7 @@ TEST(Hostile, HeaderFields) {
     expectRefused(PRO_OFF_OLD_GRID, 1u, 1006);
     expectRefused(PRO_FIELDS_END, 1u, 1006);
     expectRefused(PRO_TABLE_OFFSET - 4, 1u, 1006);
-    expectRefused(PRO_OFF_FLAGS, 8u, 1007);
+    expectRefused(PRO_OFF_FLAGS, 16u, 1007);
     expectRefused(PRO_OFF_SPLAT_COUNT, 0u, 1008);
     expectRefused(PRO_OFF_NODE_COUNT, 0u, 1008);
     expectRefused(PRO_OFF_NODE_COUNT, 23u, 1008);
@@ -372,7 +372,7 @@ TEST(Hostile, ManyBrokenPlacesAreOneFinding) {
     for (std::size_t i = 0; i < 5; ++i) storeAt(bytes, word(PRO_KIND_SPLT, 4 * i + 1), 0x80000000u);
     fixChecksums(bytes);
     EXPECT_TRUE(has(findingsOf(bytes), 5001));
-    EXPECT_SAYS(openCopy(bytes).message.text, "splat 0: *reserved*(and 4 more)");
+    EXPECT_SAYS(openCopy(bytes).message.text, "splat 0: *ball*(and 4 more)");
 }
 
 TEST(Hostile, RandomDamageNeverReadsOutOfBounds) {

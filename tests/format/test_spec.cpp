@@ -51,6 +51,7 @@ int wordsShown(const std::string& name) {
 TEST(Spec, ShowsTheGoldenFilesBytes) {
     EXPECT_GT(wordsShown("tiny_v1_4.pro"), 110);
     EXPECT_GT(wordsShown("tiny_v1_4_scan.pro"), 35);
+    EXPECT_GT(wordsShown("tiny_v1_5.pro"), 45);
 }
 
 TEST(Spec, ShowsTheGoldenSet) {

@@ -26,6 +26,12 @@ void store(Bytes& bytes, std::size_t at, T value) {
     std::memcpy(bytes.data() + at, &value, sizeof value);
 }
 
+/// Whether a section beside SPLT has an element for each splat.
+bool isPerSplat(std::uint32_t kind) {
+    constexpr std::uint32_t kKinds[] = {PRO_KIND_ORDR, PRO_KIND_NOIS, PRO_KIND_ATTR, PRO_KIND_GAUS, PRO_KIND_GHRM};
+    return std::find(std::begin(kKinds), std::end(kKinds), kind) != std::end(kKinds);
+}
+
 struct Part {
     Bytes record;  ///< in the table, PRO_SECTION_BYTES
     Bytes content; ///< of the section
@@ -118,8 +124,7 @@ public:
         const std::uint32_t kind = part.kind();
         if (kind == PRO_KIND_SPLT)
             for (Part& each : parts.sections)
-                if (each.kind() == PRO_KIND_ORDR || each.kind() == PRO_KIND_NOIS || each.kind() == PRO_KIND_ATTR)
-                    resizeTo(each, resized * each.stride());
+                if (isPerSplat(each.kind())) resizeTo(each, resized * each.stride());
         const std::pair<std::uint32_t, std::size_t> counts[] = {{PRO_KIND_SPLT, PRO_OFF_SPLAT_COUNT},
                                                                 {PRO_KIND_NODE, PRO_OFF_NODE_COUNT},
                                                                 {PRO_KIND_LEAF, PRO_OFF_LEAF_COUNT},

@@ -118,6 +118,29 @@ typedef struct pro_splat {
     uint8_t material;
 } pro_splat;
 
+/* A Gaussian, unpacked: a translucent volume. Cube units. */
+typedef struct pro_gaussian {
+    double mean[3];
+    float deviation[3]; /* standard deviation along each of its own axes */
+    float rotation[4];  /* unit quaternion w x y z: its own axes to those of the cube */
+    float opacity;      /* at the mean, 0 to 1 */
+    float color[3];     /* display-encoded (sRGB), not limited to 0 to 1; without the view-dependent part */
+} pro_gaussian;
+
+/* The Gaussians of a file: their coding, and the sections. All indices are in range, and the octree has no cycles and
+ * no node deeper than PRO_MAX_DEPTH; that each Gaussian is listed wherever it counts is not checked. */
+typedef struct pro_gaussians {
+    uint32_t degree;                     /* of the view-dependent colour, 0 to 3 */
+    float deviation_low, deviation_step; /* log2 of cube units, and octaves per code */
+    float color_low, color_step;         /* colour of code 0, and per code of red and green */
+    float harmonic_max[3];               /* largest coefficient of degree 1, 2, 3; 0 above degree */
+    const uint32_t* words;               /* [splat_count][4] */
+    const int8_t* harmonics;             /* [splat_count][3 * pro_harmonic_count(degree)]; NULL if degree is 0 */
+    uint32_t node_count, list_count;
+    const uint32_t* nodes; /* [node_count][2] */
+    const uint32_t* lists; /* [list_count] */
+} pro_gaussians;
+
 typedef struct pro_file pro_file;
 
 /* PRO_OPEN_SKIP_CHECKSUMS skips the XXH3 of sections, but not the structural checks.
@@ -138,6 +161,8 @@ PRO_API void pro_get_info(const pro_file* file, pro_info* info);
 PRO_API void pro_get_view(const pro_file* file, pro_view* view);
 /* Returns 1; 0, and zeros in *index, without an index. */
 PRO_API int pro_get_index(const pro_file* file, pro_index* index);
+/* Returns 1; 0, and zeros in *gaussians, if the file has none. */
+PRO_API int pro_get_gaussians(const pro_file* file, pro_gaussians* gaussians);
 /* Unknown values are 0. */
 PRO_API void pro_get_world(const pro_file* file, pro_world* world);
 /* Unknown values are 0. */
@@ -192,9 +217,30 @@ typedef struct pro_content {
  * and filled splats. */
 PRO_API pro_result pro_write_content(const char* path, const pro_content* content, int replace, pro_message* message);
 
+/* The same with the Gaussians of the splats, which may be NULL; harmonics are ignored if the degree is 0. */
+PRO_API pro_result pro_write_gaussians(const char* path, const pro_content* content, const pro_gaussians* gaussians,
+                                       int replace, pro_message* message);
+
 /* Packs a splat. Positions must be in [0, 1). The radius is rounded up, which keeps surfaces closed. */
 PRO_API void pro_splat_encode(const pro_splat* splat, float radius_max, float radius_step, uint32_t words[4]);
 PRO_API void pro_splat_decode(const uint32_t words[4], float radius_max, float radius_step, pro_splat* splat);
+
+/* Whether a packed splat is a ball: a sphere instead of a disc, with a normal that has no meaning. Only files with
+ * PRO_FLAG_BALLS have any. */
+PRO_API int pro_splat_is_ball(const uint32_t words[4]);
+/* Turns a packed splat into a ball. */
+PRO_API void pro_splat_set_ball(uint32_t words[4]);
+
+/* Packs a Gaussian: values outside the range of the coding become the nearest in it. splat: the words of SPLT, of which
+ * the position is used; the mean must be in the same position step. */
+PRO_API void pro_gaussian_encode(const pro_gaussian* gaussian, const pro_gaussians* coding, const uint32_t splat[4],
+                                 uint32_t words[4]);
+PRO_API void pro_gaussian_decode(const pro_gaussians* coding, const uint32_t splat[4], const uint32_t words[4],
+                                 pro_gaussian* gaussian);
+
+/* Coefficients per colour of view-dependent colour up to this degree, without the constant one: 0, 3, 8, 15; 0 for
+ * other degrees. */
+PRO_API uint32_t pro_harmonic_count(uint32_t degree);
 
 /* A short description of a result. */
 PRO_API const char* pro_result_name(pro_result result);

@@ -43,6 +43,7 @@ public:
         pro_get_info(file, &info_);
         pro_get_view(file, &view_);
         has_index_ = pro_get_index(file, &index_) == 1;
+        has_gaussians_ = pro_get_gaussians(file, &gaussians_) == 1;
         pro_get_world(file, &world_);
         pro_get_sampling(file, &sampling_);
         attributes_.resize(pro_attribute_count(file));
@@ -72,6 +73,8 @@ public:
     std::string_view metadata() const { return {view_.metadata, view_.metadata_bytes}; }
     /// The tracing index; nullptr if the file has none.
     const pro_index* index() const { return has_index_ ? &index_ : nullptr; }
+    /// The Gaussians of the splats; nullptr if the file has none.
+    const pro_gaussians* gaussians() const { return has_gaussians_ ? &gaussians_ : nullptr; }
     /// The frame of the scan in the world; unknown values are 0.
     const pro_world& world() const { return world_; }
     /// How the splats were made from the points of the input; unknown values are 0.
@@ -99,6 +102,20 @@ public:
         pro_splat_decode(view_.splats + index * PRO_SPLAT_WORDS, info_.radius_max, info_.radius_step, &result);
         return result;
     }
+    /// Whether a splat is a ball; its normal has no meaning then. @param index below info().splat_count
+    bool isBall(std::size_t index) const { return pro_splat_is_ball(view_.splats + index * PRO_SPLAT_WORDS) != 0; }
+    /// The Gaussian of a splat in cube units. The file must have Gaussians. @param index below info().splat_count
+    pro_gaussian gaussian(std::size_t index) const {
+        pro_gaussian result;
+        pro_gaussian_decode(&gaussians_, view_.splats + index * PRO_SPLAT_WORDS,
+                            gaussians_.words + index * PRO_GAUSSIAN_WORDS, &result);
+        return result;
+    }
+    /// The codes of a Gaussian's view-dependent colour; empty if the degree is 0.
+    std::span<const std::int8_t> harmonics(std::size_t index) const {
+        const std::size_t count = std::size_t{3} * pro_harmonic_count(gaussians_.degree);
+        return {gaussians_.harmonics + (count > 0 ? index * count : 0), count};
+    }
     /// The centre of a splat of this file in input coordinates.
     std::array<double, 3> position(const pro_splat& splat) const {
         std::array<double, 3> at{};
@@ -118,6 +135,8 @@ private:
     pro_view view_{};
     pro_index index_{};
     bool has_index_ = false;
+    pro_gaussians gaussians_{};
+    bool has_gaussians_ = false;
     pro_world world_{};
     pro_sampling sampling_{};
     std::vector<pro_attribute> attributes_;

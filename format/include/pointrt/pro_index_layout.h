@@ -57,7 +57,8 @@
 // A near splat: a disc for ray tests, two per texel, next to those of neighbouring cells. From the high bits down, word
 // 0: position x, y, z as signed codes from a middle that these cells share, then the high bits of the radius code; word
 // 1: normal x, y, z as signed codes, the largest of them 127 or -127, then the low bits of the radius code. The radius
-// code is the upper bits of a float, from an exponent of -13 on: the squared radius in position codes.
+// code is the upper bits of a float, from an exponent of -13 on: the squared radius in position codes. With the normal
+// 0 it is a ball, or with the radius code 0, too, nothing.
 #define PRO_NEAR_WORDS 2u
 #define PRO_NEAR_POSITION_BITS 10
 #define PRO_NEAR_POSITION_MAX 511

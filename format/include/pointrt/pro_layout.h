@@ -20,6 +20,11 @@
  *                   DSCS  uint32[][4]             near splats, two to an element
  *                   DSPL  uint32[][2]             the splat of each near splat, two to an element
  *                   BLDS  int16[][2]              splats that only blend in each listed cell
+ *                 and, all or none of them (GHRM if the degree is not 0), the Gaussians:
+ *                   GAUS  uint32[splat_count][4]  the Gaussian of each splat
+ *                   GHRM  int8[splat_count][]     view-dependent colour of each Gaussian
+ *                   GNOD  uint32[][2]             octree of Gaussians, groups of 8, breadth first
+ *                   GLST  uint32[]                Gaussians listed in its nodes
  *                 and, all optional:
  *                   NOIS  uint8[splat_count]      noise of the surface around each splat
  *                   SENS  double[][4]             scanner position of each scan
@@ -33,7 +38,7 @@
 #define POINTRT_PRO_LAYOUT_H
 
 #define PRO_VERSION_MAJOR 1
-#define PRO_VERSION_MINOR 4
+#define PRO_VERSION_MINOR 5
 
 /* 0x89 "PRO" CR LF 0x1A LF: not text, and damaged by transfers that treat it as text. */
 #define PRO_MAGIC_WORD0 0x4F525089u
@@ -76,12 +81,20 @@
 #define PRO_OFF_GRID_SIZE 244    /* uint32[3], cells */
 #define PRO_OFF_GRID_UNEVEN 256  /* uint32, 0 or 1 */
 #define PRO_OFF_BRICK_COUNT 260  /* uint32 */
-#define PRO_FIELDS_END 264
+#define PRO_GRID_FIELDS_END 264
+#define PRO_OFF_HARMONICS_DEGREE 264 /* uint32, 0 to 3; this and the following fields are 0 without Gaussians */
+#define PRO_OFF_DEVIATION_LOW 268    /* float, log2 of the smallest deviation, cube units */
+#define PRO_OFF_DEVIATION_STEP 272   /* float, octaves per deviation code */
+#define PRO_OFF_COLOR_LOW 276        /* float, colour of code 0 */
+#define PRO_OFF_COLOR_STEP 280       /* float, per code of red and green; half of that of blue */
+#define PRO_OFF_HARMONIC_MAX 284     /* float[3], largest coefficient of degree 1, 2 and 3; 0 above the degree */
+#define PRO_FIELDS_END 296
 
 #define PRO_FLAG_COLOR 1u    /* splat colours come from the input */
 #define PRO_FLAG_ORIENTED 2u /* normals point outwards, as far as the bake can determine */
 #define PRO_FLAG_PRUNED 4u   /* unnecessary references were dropped */
-#define PRO_FLAGS_KNOWN 7u
+#define PRO_FLAG_BALLS 8u    /* splats may be balls (PRO_SPLAT_BALL) */
+#define PRO_FLAGS_KNOWN 15u
 
 /* Section table: PRO_OFF_SECTION_COUNT records of PRO_SECTION_BYTES. */
 #define PRO_TABLE_OFFSET 512
@@ -112,6 +125,10 @@
 #define PRO_KIND_DSCS 0x53435344u
 #define PRO_KIND_DSPL 0x4C505344u
 #define PRO_KIND_BLDS 0x53444C42u
+#define PRO_KIND_GAUS 0x53554147u
+#define PRO_KIND_GHRM 0x4D524847u
+#define PRO_KIND_GNOD 0x444F4E47u
+#define PRO_KIND_GLST 0x54534C47u
 #define PRO_KIND_NOIS 0x53494F4Eu
 #define PRO_KIND_SENS 0x534E4553u
 #define PRO_KIND_ATTD 0x44545441u
@@ -146,12 +163,14 @@
 /*
  * SPLT: four words.
  *   word 0  x[0..20] | y[0..10] << 21
- *   word 1  y[11..20] | z[0..20] << 10 | reserved bit 31
+ *   word 1  y[11..20] | z[0..20] << 10 | ball << 31
  *   word 2  octahedral normal u[0..11] | v[0..11] << 12 | material << 24
  *   word 3  red | green << 8 | blue << 16 | radius code << 24
- * position = (code + 0.5) / 2^21; radius = radius_max * 2^(-code * radius_step); colours are sRGB.
+ * position = (code + 0.5) / 2^21; radius = radius_max * 2^(-code * radius_step); colours are sRGB. A ball is a sphere
+ * of that radius instead of a disc; its normal has no meaning.
  */
 #define PRO_SPLAT_WORDS 4u
+#define PRO_SPLAT_BALL 0x80000000u /* of word 1; 0 in files without PRO_FLAG_BALLS */
 #define PRO_POSITION_BITS 21u
 #define PRO_POSITION_MASK 0x1FFFFFu
 #define PRO_POSITION_STEPS 2097152.0f          /* 2^21 */
@@ -183,6 +202,67 @@
 #define PRO_MAT_REFLECTIVITY 3u /* 0 matte to 1 perfect mirror */
 #define PRO_MAT_SPECULAR 4u     /* weight of the Phong highlight, 0 to 1 */
 #define PRO_MAT_SHININESS 5u    /* Phong exponent, 1 to 1000 */
+
+/*
+ * GAUS: four words per splat, the Gaussian in its place. Its opacity at a point is its own times exp(-d^2 / 2), where d
+ * is the distance from its mean in standard deviations.
+ *   word 0  rotation a | rotation b << 12 | largest component << 24 | residual x << 26
+ *   word 1  rotation c | deviation of axis 0 << 12 | residual y << 24 | low 2 bits of opacity << 30
+ *   word 2  deviation of axis 1 | deviation of axis 2 << 12 | high 8 bits of opacity << 24
+ *   word 3  residual z | red << 6 | green << 15 | blue << 24
+ * rotation: a unit quaternion w x y z whose largest component is positive and not stored; the others, in order, are
+ *   (2 code / 4095 - 1) / sqrt(2)
+ * deviation = 2^(deviation_low + code * deviation_step)
+ * opacity = code / 1023
+ * mean = (position code of SPLT + (residual + 0.5) / 64) / 2^21
+ * colour = color_low + code * color_step, blue = color_low + 2 * code * color_step: sRGB, not limited to 0 to 1
+ */
+#define PRO_GAUSSIAN_WORDS 4u
+#define PRO_ROTATION_BITS 12u
+#define PRO_ROTATION_MASK 0xFFFu
+#define PRO_ROTATION_STEPS 4095.0f
+#define PRO_ROTATION_MAX 0.70710678118654752f /* sqrt(1/2): no component but the largest is above it */
+#define PRO_ROTATION_LARGEST_SHIFT 24u        /* of word 0 */
+#define PRO_ROTATION_LARGEST_MASK 3u
+#define PRO_RESIDUAL_MASK 63u
+#define PRO_RESIDUAL_STEPS 64.0f
+#define PRO_RESIDUAL_X_SHIFT 26u  /* of word 0 */
+#define PRO_RESIDUAL_Y_SHIFT 24u  /* of word 1; z is at 0 of word 3 */
+#define PRO_DEVIATION_MASK 0xFFFu /* axis 1 is at 0 of word 2 */
+#define PRO_DEVIATION_SHIFT 12u   /* axis 0 in word 1, axis 2 in word 2 */
+#define PRO_DEVIATION_CODE_MAX 4095u
+#define PRO_DEVIATION_LOG2_MIN (-60.0f) /* of deviation_low, so that squares are normal floats */
+#define PRO_DEVIATION_LOG2_MAX 60.0f    /* of the largest code's deviation, so that squares are finite */
+#define PRO_DEVIATION_LOW_MAX 10.0f     /* of deviation_low */
+#define PRO_OPACITY_LOW_SHIFT 30u       /* of word 1 */
+#define PRO_OPACITY_LOW_BITS 2u
+#define PRO_OPACITY_LOW_MASK 3u
+#define PRO_OPACITY_HIGH_SHIFT 24u /* of word 2 */
+#define PRO_OPACITY_STEPS 1023.0f
+#define PRO_GAUSSIAN_RED_SHIFT 6u /* of word 3, as are green and blue */
+#define PRO_GAUSSIAN_GREEN_SHIFT 15u
+#define PRO_GAUSSIAN_BLUE_SHIFT 24u
+#define PRO_GAUSSIAN_COLOR_MASK 0x1FFu
+#define PRO_GAUSSIAN_BLUE_MASK 0xFFu
+#define PRO_GAUSSIAN_OPACITY_MIN (1.0f / 255.0f) /* a Gaussian counts where its opacity along a ray is not below */
+
+/*
+ * GHRM: signed bytes, red, green and blue of coefficient 1, then of coefficient 2 and so on, of degree 1 to the file's.
+ * value = code / 127 * harmonic_max[degree of the coefficient - 1].
+ */
+#define PRO_HARMONICS_DEGREE_MAX 3u
+#define PRO_HARMONIC_STEPS 127.0f
+#define PRO_HARMONIC_INVALID (-128)
+
+/*
+ * GNOD: two words per node. Groups, their order and slots are those of NODE. Word 0 is the number of the group of the
+ * node's children, or 0: the k-th node that has children (k from 0) names group k+1. Word 1 is the node's first entry
+ * in GLST; its list ends where that of the next node starts, that of the last node at the end of GLST.
+ */
+#define PRO_GAUSSIAN_NODE_WORDS 2u
+#define PRO_GAUSSIAN_NODE_CHILDREN 0u
+#define PRO_GAUSSIAN_NODE_FIRST 1u
+#define PRO_GAUSSIAN_LISTED_MAX 0x7FFFFFFFu /* maximum number of nodes, and of entries of GLST */
 
 /* NOIS: one byte per splat, the standard deviation of the surface around it, in 1/32 of its radius. */
 #define PRO_NOISE_STEPS 32.0f

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// The octree that rays walk to composite Gaussians (sections GNOD and GLST): each Gaussian is listed in the nodes of
+// the depth that fits its size.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "pointrt/pro.h"
+
+namespace pointrt {
+
+/// The region in which a Gaussian counts: there its opacity along a ray may reach PRO_GAUSSIAN_OPACITY_MIN. Cube units.
+struct GaussianEllipsoid {
+    std::array<double, 3> center{};
+    std::array<std::array<float, 3>, 3> half_axes{}; ///< orthogonal; all zero: the Gaussian counts nowhere
+};
+
+/// The largest number of standard deviations from the centre at which a Gaussian of this opacity counts: the opacity of
+/// its peak along a ray is opacity * exp(-d^2 / 2) there. 0 if it counts nowhere.
+float countedDeviations(float opacity);
+
+/// The ellipsoid of a Gaussian of a file.
+GaussianEllipsoid ellipsoidOf(const pro_gaussian& gaussian);
+
+struct GaussianTree {
+    std::vector<std::uint32_t> nodes; ///< GNOD: PRO_GAUSSIAN_NODE_WORDS per node
+    std::vector<std::uint32_t> lists; ///< GLST
+
+    std::uint32_t nodeCount() const { return static_cast<std::uint32_t>(nodes.size() / 2); }
+};
+
+/// How much shorter the cells of a Gaussian are than its ellipsoid, in halvings. Finer trees take more memory and fewer
+/// tests: of 90,854 Gaussians of a guitar, a ray that hits it tests 3,600 at 0 (4.6 list entries per Gaussian), 1,430
+/// at 1 (9.8) and 700 at 2 (25.6), of which 47 count.
+constexpr int kStoredFineness = 0, kTracedFineness = 2;
+
+/// Lists each Gaussian in every node of one depth whose cube its ellipsoid meets: the largest depth at which the edge
+/// of a cube is not shorter than the diameter of the disc that covers as much as the two longest axes, and `fineness`
+/// depths below. Those that reach out of the cube [0, 1)^3 are listed at the root, whose list all rays test.
+/// @param fineness 0 to 3
+/// @param threads 0: one per core
+GaussianTree buildGaussianTree(std::span<const GaussianEllipsoid> gaussians, int fineness, std::size_t threads = 0);
+
+} // namespace pointrt

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "format/info/export_gaussians.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "format/pointio/input_order.h"
+#include "format/pointio/point_file.h"
+
+namespace pointrt {
+namespace {
+
+constexpr std::size_t kGaussiansAtOnce = 16384;           // some MiB of properties
+constexpr double kConstantHarmonic = 0.28209479177387814; // 1 / (2 sqrt(pi))
+
+/// Logits of 0 and 1 are not finite: opacities end a quarter of a step before them and are coded again as 0 and 1.
+constexpr double kLeastOpacity = 0.25 / double{PRO_OPACITY_STEPS};
+
+std::string gaussianHeader(std::size_t count, std::uint32_t rest) {
+    std::string text = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(count) + "\n";
+    const auto property = [&](const std::string& name) { text += "property float " + name + "\n"; };
+    for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "f_dc_0", "f_dc_1", "f_dc_2"}) property(name);
+    for (std::uint32_t k = 0; k < rest; ++k) property("f_rest_" + std::to_string(k));
+    for (const char* name : {"opacity", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3"})
+        property(name);
+    return text + "end_header\n";
+}
+
+float logitOf(float opacity) {
+    const double clamped = std::clamp(double{opacity}, kLeastOpacity, 1 - kLeastOpacity);
+    return static_cast<float>(std::log(clamped / (1 - clamped)));
+}
+
+/// Degree of a coefficient, from 0 for the first of degree 1: degree d ends with coefficient (d + 1)^2 - 2.
+std::uint32_t harmonicGroup(std::uint32_t coefficient) { return coefficient < 3 ? 0 : coefficient < 8 ? 1 : 2; }
+
+/// All coefficients of red, then of green, then of blue.
+void appendHarmonics(const ProFile& file, std::size_t index, std::vector<float>& row) {
+    const auto codes = file.harmonics(index);
+    const auto count = static_cast<std::uint32_t>(codes.size() / 3);
+    for (std::uint32_t color = 0; color < 3; ++color)
+        for (std::uint32_t k = 0; k < count; ++k)
+            row.push_back(static_cast<float>(codes[3 * k + color]) / PRO_HARMONIC_STEPS *
+                          file.gaussians()->harmonic_max[harmonicGroup(k)]);
+}
+
+void appendGaussian(const ProFile& file, std::size_t index, std::vector<float>& row) {
+    const pro_gaussian gaussian = file.gaussian(index);
+    const pro_info& info = file.info();
+    for (int axis = 0; axis < 3; ++axis)
+        row.push_back(static_cast<float>(info.origin[axis] + info.scale * gaussian.mean[axis]));
+    row.insert(row.end(), 3, 0.0f);
+    for (const float color : gaussian.color)
+        row.push_back(static_cast<float>((double{color} - 0.5) / kConstantHarmonic));
+    appendHarmonics(file, index, row);
+    row.push_back(logitOf(gaussian.opacity));
+    for (const float deviation : gaussian.deviation)
+        row.push_back(static_cast<float>(std::log(double{deviation} * info.scale)));
+    row.insert(row.end(), std::begin(gaussian.rotation), std::end(gaussian.rotation));
+}
+
+} // namespace
+
+void exportGaussians(const ProFile& file, const std::string& path, bool overwrite) {
+    const std::vector<std::uint32_t> order = inputOrder(file);
+    PointFile out(path, overwrite ? format::Existing::kReplaced : format::Existing::kKept);
+    const std::string text = gaussianHeader(order.size(), 3 * pro_harmonic_count(file.gaussians()->degree));
+    out.append(text.data(), text.size());
+    std::vector<float> rows;
+    for (std::size_t first = 0; first < order.size(); first += kGaussiansAtOnce) {
+        rows.clear();
+        for (std::size_t i = first; i < std::min(order.size(), first + kGaussiansAtOnce); ++i)
+            appendGaussian(file, order[i], rows);
+        out.append(rows.data(), rows.size() * sizeof(float));
+    }
+    out.commit();
+}
+
+} // namespace pointrt
