@@ -12,6 +12,7 @@
 #include "preprocess/app/bake_progress.h"
 #include "preprocess/app/checks.h"
 #include "preprocess/app/interrupt.h"
+#include "preprocess/octree/gaussians.h"
 #include "preprocess/octree/splat_attributes.h"
 #include "preprocess/octree/write.h"
 #include "preprocess/surface/find_up.h"
@@ -109,8 +110,35 @@ void store(const BakeOptions& options, ProContent content, const PackedSplats& s
     report.octree = writePro(options.output, options.force, sections, options.index ? &index_view : nullptr);
 }
 
+/// Gaussians are kept as they are: no stage of surfaces changes them.
+void bakeGaussians(const BakeOptions& options, Cloud& cloud, BakeReport& report, BakeProgress& progress) {
+    const GaussianCloud gaussians = [&] {
+        try {
+            return takeGaussians(cloud);
+        } catch (const Error& error) {
+            throw Error(error.code, sourceName(options) + ": " + error.what());
+        }
+    }();
+    ProContent content = takeMetadata(options, cloud, report);
+    for (const Note& note : report.notes) progress.note(noteLine(note));
+    progress.begin("quantize", gaussians.points.positions.size());
+    PackedSplats packed = packGaussianSplats(gaussians);
+    report.splats = report.gaussians = packed.words.size();
+    progress.begin("octree", report.splats);
+    const Octree octree = buildCenterOctree(packed);
+    const GaussianSections sections = packGaussians(gaussians, packed);
+    content.attributes = gatherAttributes(content.attributes, sourcePoints(packed));
+    content.materials = {scanMaterial(true, options.reflectivity)};
+    content.metadata = metadataJson(options, report);
+    progress.begin("write", report.splats);
+    ignoreInterrupts();
+    ProSections scan = makeSections(packed, octree, content);
+    report.octree = writePro(options.output, options.force, scan, nullptr, &sections.view);
+}
+
 std::vector<std::string_view> skippedStages(const BakeOptions& options) {
     std::vector<std::string_view> stages;
+    if (options.surface.splat == SplatShape::kBall) stages = {"normals", "orientation", "cleaning"};
     if (!options.prune) stages.emplace_back("prune");
     if (!options.index) stages.emplace_back("index");
     return stages;
@@ -140,9 +168,16 @@ BakeReport bake(const BakeOptions& options) {
     report.points_non_finite = cloud.points_non_finite;
     report.points_unused = cloud.points_unused;
     report.points_filtered = cloud.points_filtered;
-    ProContent content = takeMetadata(options, cloud, report);
     if (report.files.size() > 1)
         for (const FileReport& file : report.files) progress.note(fileLine(file));
+    if (gaussianColumns(cloud)) {
+        bakeGaussians(options, cloud, report, progress);
+        progress.finish();
+        report.seconds = progress.seconds();
+        report.seconds_total = progress.totalSeconds();
+        return report;
+    }
+    ProContent content = takeMetadata(options, cloud, report);
     for (const Note& note : report.notes) progress.note(noteLine(note));
 
     Splats splats = estimateNamed(std::move(cloud), options, report, progress);
@@ -151,6 +186,8 @@ BakeReport bake(const BakeOptions& options) {
     PackedSplats packed = quantizeSplats(std::move(splats));
     report.merged = packed.merged;
     report.splats = packed.words.size();
+    report.balls = static_cast<std::uint64_t>(std::count_if(
+        packed.words.begin(), packed.words.end(), [](const auto& words) { return pro_splat_is_ball(words.data()); }));
 
     progress.begin("octree", report.splats);
     Octree octree = buildOctree(packed, options.octree, show);

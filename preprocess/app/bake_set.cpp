@@ -218,6 +218,7 @@ private:
         const TileCounts counts = bakeBlocks(report_.plan, selected, threadCount(options_),
                                              [&](const char*, double share) { progress_.update(share); });
         report_.points_lacking_neighbors = counts.lacking;
+        report_.balls = counts.balls;
         add("block", points, 0);
         dropBuckets();
         if (report_.points_lacking_neighbors > 0)

@@ -23,6 +23,7 @@ struct SetReport {
     std::uint64_t splats = 0, tiles = 0; ///< of the finished set, all levels
     std::uint64_t bytes = 0;
     std::uint64_t points_lacking_neighbors = 0; ///< TileCounts::lacking, for the blocks of this process
+    std::uint64_t balls = 0;                    ///< likewise
     bool done = false;                          ///< the set has its final name
     double seconds_total = 0;
 };

@@ -25,6 +25,8 @@ const std::map<std::string, OrientMode> kOrientModes{{"auto", OrientMode::kAuto}
                                                      {"mst", OrientMode::kMst},
                                                      {"up", OrientMode::kUp},
                                                      {"none", OrientMode::kNone}};
+const std::map<std::string, SplatShape> kSplatShapes{
+    {"auto", SplatShape::kAuto}, {"disc", SplatShape::kDisc}, {"ball", SplatShape::kBall}};
 const std::map<std::string, bool> kSwitch{{"on", true}, {"off", false}};
 const std::map<std::string, ProgressStyle> kProgressStyles{{"auto", ProgressStyle::kAuto},
                                                            {"lines", ProgressStyle::kLines}};
@@ -195,6 +197,9 @@ void addSurfaceOptions(CommandLine& app, BakeOptions& options) {
         app, "--orient", surface.orient, kOrientModes,
         "Orient normals; auto: towards known sensors, upwards for airborne lidar, else by a minimum spanning tree; "
         "none: leave them unoriented, which also turns off smoothing (default auto)");
+    addChoice(app, "--splat", surface.splat, kSplatShapes,
+              "Shape of splats; ball: balls that touch their neighbours, of the points as they are, without smoothing; "
+              "auto: discs, and balls where points without normals are on no surface (default auto)");
     app.add_option("--radius-scale", surface.radius_scale, "Scale splat radii by this factor, 0.01 to 100 (default 1)")
         ->check(range(0.01, 100.0))
         ->type_name("S");
@@ -310,6 +315,7 @@ std::size_t threadCount(const BakeOptions& options) {
 
 std::string choiceName(NormalSource source) { return nameIn(kNormalSources, source); }
 std::string choiceName(OrientMode mode) { return nameIn(kOrientModes, mode); }
+std::string choiceName(SplatShape splat) { return nameIn(kSplatShapes, splat); }
 
 bool parseOptions(int argc, char** argv, BakeOptions& options) {
     CommandLine app{"Bakes point scans into a .pro file that pointrt-view ray traces.\nReads " + readableFormats() +

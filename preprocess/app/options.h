@@ -35,7 +35,7 @@ struct BakeOptions {
     Verbosity verbosity = Verbosity::kNormal;
     ProgressStyle progress = ProgressStyle::kAuto;
     ReadOptions read{.format = "", .sample_count = std::nullopt, .scales_degrees = true};
-    SurfaceOptions surface;
+    SurfaceOptions surface{.splat = SplatShape::kAuto};
     OctreeOptions octree;
     bool prune = true;
     PruneOptions pruning;
@@ -60,5 +60,6 @@ bool parseOptions(int argc, char** argv, BakeOptions& options);
 /// The value on the command line for a choice.
 std::string choiceName(NormalSource source);
 std::string choiceName(OrientMode mode);
+std::string choiceName(SplatShape splat);
 
 } // namespace pointrt

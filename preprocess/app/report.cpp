@@ -78,6 +78,7 @@ Json toJson(const BakeReport& report) {
     json["normals_estimated"] = report.surface.normals_estimated;
     json["normals_flipped"] = report.surface.normals_flipped;
     json["splats"] = report.splats;
+    if (report.gaussians > 0) json["gaussians"] = report.gaussians;
     json["nodes"] = report.octree.nodes;
     json["filled_leaves"] = report.octree.filled_leaves;
     json["border_leaves"] = report.octree.border_leaves;
@@ -96,6 +97,7 @@ Json toJson(const BakeReport& report) {
     json["attributes"] = attributeNames(report);
     json["noise"] = noiseJson(report);
     json["cleaned"] = cleanedJson(report);
+    json["balls"] = report.balls;
     json["radii"] = {{"seen_through", report.surface.seen_through}};
     json["files"] = filesJson(report);
     json["notes"] = Json::array();
@@ -122,13 +124,14 @@ std::string droppedText(const BakeReport& report) {
     return text.empty() ? text : " (dropped: " + text + ")";
 }
 
-/// ", 463007 smoothed, 120 added in gaps, 9 discs cut by lines of sight", or nothing.
+/// ", 463007 smoothed, 120 added in gaps, 9 discs cut by lines of sight, 40 balls", or nothing.
 std::string changedText(const BakeReport& report) {
     std::string text;
     if (report.surface.clean_moved > 0) text += fmt::format(", {} smoothed", report.surface.clean_moved);
     if (report.filled > 0) text += fmt::format(", {} added in gaps", report.filled);
     if (report.surface.seen_through > 0)
         text += fmt::format(", {} discs cut by lines of sight", report.surface.seen_through);
+    if (report.balls > 0) text += fmt::format(", {} balls", report.balls);
     return text;
 }
 
@@ -213,6 +216,7 @@ std::string metadataJson(const BakeOptions& options, const BakeReport& report) {
     settings["neighbors"] = options.surface.neighbors;
     settings["normals"] = choiceName(options.surface.normals);
     settings["orient"] = choiceName(options.surface.orient);
+    if (report.balls > 0) settings["splat"] = choiceName(options.surface.splat); // discs give the same file either way
     settings["radius_scale"] = options.surface.radius_scale;
     settings["outliers"] = options.surface.remove_outliers ? "remove" : "keep";
     settings["max_leaf_splats"] = options.octree.max_leaf_splats;

@@ -15,6 +15,7 @@ namespace pointrt {
 
 struct BakeReport {
     std::uint64_t input_points = 0, points_non_finite = 0, points_unused = 0, points_filtered = 0;
+    std::uint64_t gaussians = 0;      ///< splats that are Gaussians: all or none
     std::uint64_t points_sampled = 0; ///< on mesh faces; input_points then counts these, not the vertices
     std::vector<Note> notes;          ///< from reading
     std::vector<FileReport> files;
@@ -28,6 +29,7 @@ struct BakeReport {
     std::uint64_t merged = 0; ///< splats at one quantised position
     std::uint64_t splats = 0;
     std::uint64_t filled = 0;              ///< splats that fill gaps between points
+    std::uint64_t balls = 0;               ///< splats that are balls
     std::uint64_t references_unpruned = 0; ///< members included
     PruneReport pruning;                   ///< zeros without pruning
     double harm_allowed = 0;               ///< --prune-harm

@@ -97,6 +97,7 @@ std::string tileSetSettings(const BakeOptions& options) {
     json["normals"] = choiceName(options.surface.normals);
     json["neighbors"] = options.surface.neighbors;
     json["orient"] = choiceName(options.surface.orient);
+    if (options.surface.splat != SplatShape::kAuto) json["splat"] = choiceName(options.surface.splat);
     json["radius-scale"] = options.surface.radius_scale;
     json["outliers"] = options.surface.remove_outliers ? "remove" : "keep";
     json["clean"] = options.surface.clean;

@@ -45,6 +45,7 @@ Json toJson(const SetReport& report) {
     json["points_stray"] = plan.points_stray;
     json["blocks"] = plan.blocks();
     json["points_lacking_neighbors"] = report.points_lacking_neighbors;
+    json["balls"] = report.balls;
     json["levels"] = plan.levels;
     json["original_tiles"] = plan.tiles.size();
     json["tiles"] = report.tiles;

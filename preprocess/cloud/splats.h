@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Oriented discs: output of the surface estimation, input of the octree.
+// Oriented discs and balls: output of the surface estimation, input of the octree.
 #pragma once
 
 #include "preprocess/cloud/cloud.h"
 
 namespace pointrt {
 
-/// Discs in the frame of the cloud. All arrays have the same length, except where noted. They follow a Morton curve, so
-/// that neighbours in space are mostly neighbours in memory.
+/// Splats in the frame of the cloud. All arrays have the same length, except where noted. They follow a Morton curve,
+/// so that neighbours in space are mostly neighbours in memory.
 struct Splats {
     Vec3d origin = Vec3d::Zero(); ///< input coordinate = origin + position
     std::vector<Vec3f> positions;
-    std::vector<Vec3f> normals; ///< unit length
+    std::vector<Vec3f> normals; ///< unit length; 0: the splat is a ball
     std::vector<float> radii;   ///< input units, > 0, finite
     std::vector<Rgb8> colors;   ///< sRGB, or empty
     /// Index of each splat's point in the cloud; from input_count on for splats that fill gaps between points.

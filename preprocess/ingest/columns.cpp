@@ -12,6 +12,7 @@
 #include "format/base/near_name.h"
 #include "format/base/printable.h"
 #include "preprocess/cloud/gather.h"
+#include "preprocess/cloud/gaussians.h"
 #include "preprocess/ingest/scalar.h"
 
 namespace pointrt {
@@ -47,7 +48,7 @@ void convert(const char* from, Scalar from_type, char* to, Scalar to_type) {
 void fillTo(Attribute& attribute, std::size_t count) {
     const std::size_t bytes = count * attribute.bytesEach(), from = attribute.values.size();
     attribute.values.resize(bytes);
-    if (!isReal(attribute.type)) return;
+    if (!isReal(attribute.type) || isGaussianHarmonic(attribute.name)) return;
     for (std::size_t at = from; at < bytes; at += scalarSize(attribute.type))
         storeScalar(attribute.values.data() + at, attribute.type, std::numeric_limits<double>::quiet_NaN());
 }
@@ -165,7 +166,7 @@ void beginColumns(Columns& columns, Cloud& cloud, const std::vector<ColumnTraits
         const ColumnTraits& column = traits[trait];
         if (std::find(columns.available.begin(), columns.available.end(), column.name) == columns.available.end())
             columns.available.push_back(column.name);
-        if (choice.selects(column.name)) {
+        if (column.required || choice.selects(column.name)) {
             const std::size_t before = cloud.attributes.size();
             columns.selected.push_back({offset, trait, column.type, attributeFor(cloud, columns, column)});
             updateMinor(columns, column, cloud.attributes.size() > before, choice.all);

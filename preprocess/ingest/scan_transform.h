@@ -20,6 +20,8 @@ public:
 
     Vec3d position(const Vec3d& in_scan) const { return world_from_scan_ * in_scan; }
     Vec3d position(const Row& row) const { return position(Vec3d(row[kX], row[kY], row[kZ])); }
+    /// Of the transform, without its translation.
+    Eigen::Matrix3d linear() const { return world_from_scan_.linear(); }
     Eigen::Affine3d scanFromWorld() const { return world_from_scan_.inverse(); }
     /// Zero if the normal is not finite.
     Vec3f normal(const Row& row) const;

@@ -51,7 +51,8 @@ void intersect(WorldFrame& world, const WorldFrame& other) {
 
 Sink::Sink(Cloud& all_files, const SinkOptions& options)
     : cloud(all_files), attributes(options.attributes), level(options.level), scales_degrees(options.scales_degrees),
-      filter(options.filter), storage_(std::make_unique<CloudStorage>(cloud, columns)) {
+      gaussians_as_discs(options.gaussians_as_discs), filter(options.filter),
+      storage_(std::make_unique<CloudStorage>(cloud, columns)) {
     transform.world_from_input = options.world_from_input;
 }
 

@@ -27,7 +27,8 @@ struct SinkOptions {
     FilterOptions filter = {};
     std::optional<Eigen::Affine3d> world_from_input = {}; ///< of all files; applied after their poses
     std::optional<int> level = {};                        ///< finest level of files with levels of detail
-    bool scales_degrees = false; ///< degrees will be scaled to metres if all files are in degrees
+    bool scales_degrees = false;     ///< degrees will be scaled to metres if all files are in degrees
+    bool gaussians_as_discs = false; ///< opaque discs in place of Gaussians
 };
 
 /// Whether a scan may have no points: one of several scans in a file may, as long as another has some.
@@ -105,6 +106,7 @@ public:
     AttributeChoice attributes;
     std::optional<int> level; ///< see SinkOptions
     bool scales_degrees;      ///< see SinkOptions
+    bool gaussians_as_discs;  ///< see SinkOptions
     ScanTransform transform;
     PointFilter filter;
     Columns columns;

@@ -10,6 +10,7 @@
 
 #include "preprocess/ingest/text.h"
 #include "preprocess/input/detect.h"
+#include "preprocess/input/named_file.h"
 
 namespace pointrt {
 namespace {
@@ -53,15 +54,10 @@ namespace fs = std::filesystem;
     throw Error(ExitCode::kBadInput, fmt::format("{}: {}", inQuotes(name), reason));
 }
 
-/// A .conf from an untrusted input must not expose other files of this machine, through any path, in the scene or in
-/// a message.
-void requireInFolder(const Placement& placement, const fs::path& folder) {
-    std::error_code failure;
-    const fs::path root = fs::canonical(folder.empty() ? "." : folder, failure);
-    const fs::path real = failure ? fs::path() : fs::weakly_canonical(root / placement.file, failure);
-    const bool inside =
-        !failure && std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first == root.end();
-    if (!inside) refuseScan(placement.file, "lies outside the folder of the .conf file, which must hold its scans");
+fs::path pathOf(const Placement& placement, const fs::path& folder) {
+    const std::optional<fs::path> path = pathInFolder(folder, placement.file);
+    if (!path) refuseScan(placement.file, "lies outside the folder of the .conf file, which must hold its scans");
+    return *path;
 }
 
 /// Counts how often each file is named, under any path. A scan has one place in a set; the limit leaves room for
@@ -79,8 +75,7 @@ struct NamedFiles {
 };
 
 void readScan(const Placement& placement, const fs::path& folder, NamedFiles& named, Sink& sink) {
-    const fs::path path = folder / placement.file;
-    requireInFolder(placement, folder);
+    const fs::path path = pathOf(placement, folder);
     named.add(placement, path);
     const InputFile scan = openInputFile(path.string(), NamedBy::kFile);
     const InputFormat& format = formatOf(scan, "");

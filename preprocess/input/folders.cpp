@@ -7,6 +7,7 @@
 
 #include "format/base/error.h"
 #include "preprocess/input/detect.h"
+#include "preprocess/input/sog_files.h"
 
 namespace pointrt {
 namespace {
@@ -29,6 +30,18 @@ std::vector<std::string> scansIn(const std::string& folder) {
     return scans;
 }
 
+/// The file of a folder that names all of its other files; "" if there is none.
+std::string sogIn(const fs::path& folder) {
+    std::error_code failure;
+    for (const std::string_view name : {kSogLevels, kSogMeta}) {
+        const fs::path path = folder / name;
+        if (!fs::is_regular_file(path, failure)) continue;
+        const InputFile input = openInputFile(path.string(), NamedBy::kFile);
+        if (isSogLevels(input.bytes) || isSogMeta(input.bytes)) return path.string();
+    }
+    return "";
+}
+
 void keepPosed(std::vector<std::string>& scans) {
     const auto is_conf = [](const std::string& name) { return name.ends_with(".conf"); };
     if (std::any_of(scans.begin(), scans.end(), is_conf)) std::erase_if(scans, std::not_fn(is_conf));
@@ -42,6 +55,10 @@ std::vector<std::string> filesOf(const std::vector<std::string>& paths) {
         std::error_code failure;
         if (path == "-" || !fs::is_directory(path, failure)) {
             files.push_back(path);
+            continue;
+        }
+        if (const std::string sog = sogIn(path); !sog.empty()) {
+            files.push_back(sog);
             continue;
         }
         std::vector<std::string> scans = scansIn(path);

@@ -13,7 +13,7 @@ constexpr std::string_view kUnpack = "unpack it first";
 constexpr std::string_view kConvertScan = "convert it first, with CloudCompare or 'pdal translate'";
 constexpr std::string_view kConvertMesh =
     "convert it to PLY or OBJ first, with MeshLab or Blender; --sample N samples points";
-constexpr std::string_view kConvertSplats = "export it as PLY or SPZ, for example from SuperSplat";
+constexpr std::string_view kConvertSplats = "export it as PLY, SPZ or SOG, for example from SuperSplat";
 constexpr std::string_view kEncode = "convert it to UTF-8, for example with 'iconv -f UTF-16 -t UTF-8'";
 constexpr std::string_view kNoScan = "it has no scan";
 constexpr std::string_view kWebPage = "the download did not deliver the scan";
@@ -26,14 +26,14 @@ struct Foreign {
 /// Scans and models in unsupported formats.
 constexpr Foreign kUnreadStarts[] = {
     {"[Expe/PointSet", "is an Expe point set", kConvertScan}, {"\x89HDF", "is an HDF5 file", kConvertScan},
-    {"# vtk DataFile", "is a VTK file", kConvertMesh},        {"glTF", "is a glTF model", kConvertMesh},
-    {"Kaydara FBX", "is an FBX model", kConvertMesh},         {"BLENDER", "is a Blender file", kConvertMesh},
+    {"# vtk DataFile", "is a VTK file", kConvertMesh},        {"Kaydara FBX", "is an FBX model", kConvertMesh},
+    {"BLENDER", "is a Blender file", kConvertMesh},
 };
 /// The same, recognised by suffix: text, or bytes without a signature.
 constexpr Foreign kUnreadSuffixes[] = {
-    {"ksplat sog lcc", "is a file of Gaussian splats", kConvertSplats},
+    {"ksplat lcc", "is a file of Gaussian splats", kConvertSplats},
     {"fls rcp rcs zfs", "is in a scanner vendor's format", "export it as E57, PLY or text from the vendor's software"},
-    {"gltf dae wrl x3d 3ds stp step igs iges dxf ifc", "is a 3D model", kConvertMesh},
+    {"dae wrl x3d 3ds stp step igs iges dxf ifc", "is a 3D model", kConvertMesh},
 };
 
 /// Other files.

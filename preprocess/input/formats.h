@@ -49,8 +49,10 @@ inline bool alwaysInBatches(const InputFile&) { return true; }
     FORMAT(kObj, "obj", "OBJ", "obj", kText)                                                                           \
     FORMAT(kOff, "off", "OFF", "off", kText)                                                                           \
     FORMAT(kDraco, "drc", "Draco", "drc", kAny)                                                                        \
+    FORMAT(kGltf, "gltf", "glTF/GLB", "gltf glb", kAny)                                                                \
     FORMAT(kSplat, "splat", "SPLAT", "splat", kAny)                                                                    \
     FORMAT(kSpz, "spz", "SPZ", "spz", kAny)                                                                            \
+    FORMAT(kSog, "sog", "SOG", "sog", kAny)                                                                            \
     FORMAT(kConf, "conf", "Stanford .conf", "conf", kText)
 // clang-format on
 

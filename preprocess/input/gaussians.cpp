@@ -2,123 +2,128 @@
 #include "preprocess/input/gaussians.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
+
+#include "preprocess/input/gaussian_discs.h"
+#include "preprocess/input/gaussian_transform.h"
 
 namespace pointrt {
 namespace {
 
-/// Fainter Gaussians are more air than surface. In a trained model of a person they are 55 % of all Gaussians, but 9 %
-/// of the covered area; at 0.5 (78 % and 24 %) holes appear, and at 0.1 a fur of faint ones hides the face.
-constexpr float kLeastOpacity = 0.2f;
+/// A Gaussian's axes are at least this long relative to its longest. Rays are traced in units of the deviations, where
+/// rounding of the long axes grows by the inverse of the ratio: by 2^10 of the 2^24 steps of a float, which leaves
+/// 2^14 to a deviation. 2D Gaussians, whose third axis has no length, become as thin as that.
+constexpr float kThinnest = 1.0f / 1024;
 
-/// Radius of a disc in standard deviations: the viewer blends discs with the weight (1 - d^2 / r^2)^2, which falls to a
-/// half where exp(-d^2 / 2) does when r is sqrt(2 ln 2) / sqrt(1 - sqrt(1/2)) = 2.18. At its rim the Gaussian covers 9
-/// %.
-constexpr float kRadiusDeviations = 2.2f;
-
-/// The shortest axis is the normal only if it is much shorter than the next one; otherwise neighbours estimate better.
-constexpr float kFlattest = 0.3f;
-
-/// Skies and far backgrounds are shells of a few huge Gaussians, which as discs would hide what lies before them. Drops
-/// those whose radius exceeds this share of the longest edge of the box of all centres but the outermost hundredths.
-constexpr double kLargestShare = 0.25, kOutermost = 0.01;
-
-/// The box is measured from at most this many centres.
-constexpr std::uint64_t kMeasured = 1 << 16;
-
-struct Disc {
-    Vec3f normal = Vec3f::Zero(); ///< unit length, either sign; zero if the Gaussian is round
-    float radius = 0;
-};
-
-Disc discOf(const Gaussian& gaussian) {
-    Disc disc;
-    const Vec3f& deviations = gaussian.deviations;
-    if (!deviations.allFinite()) return disc;
-    std::array<int, 3> order = {0, 1, 2};
-    std::sort(order.begin(), order.end(), [&](int a, int b) { return deviations[a] < deviations[b]; });
-    const float flat = deviations[order[0]], middle = deviations[order[1]], longest = deviations[order[2]];
-    // Between the ellipse's width and the radius of its area: median ellipses are 4 times as long as wide, discs as
-    // large as they would stick out of all edges, and as wide as they would leave gaps.
-    disc.radius = kRadiusDeviations * std::cbrt(middle * middle * longest);
-    const float length = gaussian.rotation.norm();
-    if (flat < kFlattest * middle && length > 0 && std::isfinite(length))
-        disc.normal = gaussian.rotation.normalized() * Vec3f::Unit(order[0]);
-    return disc;
+/// Whether a Gaussian can be kept; makes its rotation of unit length, its opacity a share and its axes no thinner than
+/// kThinnest.
+bool repair(Gaussian& gaussian, int harmonic_count) {
+    const Eigen::Vector4d parts = gaussian.rotation.coeffs().cast<double>();
+    const double length = parts.norm();
+    const float longest = gaussian.deviations.maxCoeff();
+    bool is_finite = gaussian.position.allFinite() && gaussian.deviations.allFinite() && std::isfinite(length) &&
+                     gaussian.color.allFinite() && !std::isnan(gaussian.opacity);
+    for (int i = 0; i < harmonic_count; ++i)
+        is_finite = is_finite && gaussian.harmonics[static_cast<std::size_t>(i)].allFinite();
+    if (!is_finite || length == 0 || !(longest > 0)) return false;
+    gaussian.rotation.coeffs() = (parts / length).cast<float>();
+    gaussian.deviations = gaussian.deviations.cwiseMax(kThinnest * longest);
+    gaussian.opacity = std::clamp(gaussian.opacity, 0.0f, 1.0f);
+    return gaussian.deviations.minCoeff() > 0;
 }
 
-/// The longest edge of the box that holds all but the outermost centres.
-double sizeOf(const GaussianFile& file, const EachGaussian& each) {
-    const std::uint64_t step = file.count / kMeasured + 1;
-    std::array<std::vector<double>, 3> centres;
-    std::uint64_t index = 0;
-    each([&](const Gaussian& gaussian) {
-        if (index++ % step != 0 || gaussian.opacity < kLeastOpacity || !gaussian.position.allFinite()) return;
-        for (int axis = 0; axis < 3; ++axis) centres[axis].push_back(gaussian.position[axis]);
-    });
-    double longest = 0;
-    for (std::vector<double>& values : centres) {
-        if (values.empty()) return 0;
-        std::sort(values.begin(), values.end());
-        const auto outermost = static_cast<std::size_t>(kOutermost * static_cast<double>(values.size()));
-        longest = std::max(longest, values[values.size() - 1 - outermost] - values[outermost]);
-    }
-    return longest;
-}
-
-struct LeftOut {
-    std::uint64_t faint = 0, huge = 0;
-};
-
-void noteLosses(const InputFile& input, const GaussianFile& file, const LeftOut& left_out, Sink& sink) {
-    const std::string lost =
-        file.lost.empty() ? "transparency and elongation" : "transparency, elongation and " + file.lost;
-    std::string text =
-        fmt::format("Gaussian splats are read as opaque round discs of radius {} standard deviations, without {}",
-                    kRadiusDeviations, lost);
-    std::string left;
-    if (left_out.faint > 0)
-        left = fmt::format("{} of {} with an opacity below {}", left_out.faint, file.count, kLeastOpacity);
-    if (left_out.huge > 0) left += fmt::format("{}{} as large as the sky", left.empty() ? "" : " and ", left_out.huge);
-    if (!left.empty()) text += "; left out: " + left;
-    sink.note(input, text);
-}
-
-} // namespace
-
-void readGaussians(const InputFile& input, const GaussianFile& file, const EachGaussian& each, Sink& sink) {
-    const double largest = kLargestShare * sizeOf(file, each);
+ScanTraits keptTraits(const GaussianFile& file) {
     ScanTraits traits;
     traits.vertices = file.count;
     traits.normals = traits.colors = traits.radii = true;
     traits.normal_sides = traits.faces = false;
-    traits.columns.push_back({"opacity", Scalar::kF32});
-    sink.beginScan(input, traits);
-    LeftOut left_out;
+    const auto add = [&](const std::string& name, std::uint32_t components) {
+        traits.columns.push_back({.name = name, .components = components, .required = true});
+    };
+    add(kGaussianOpacity, 1);
+    add(kGaussianDeviation, 3);
+    add(kGaussianRotation, 4);
+    add(kGaussianColor, 3);
+    for (int i = 1; i <= gaussianHarmonicCount(file.degree); ++i) add(gaussianHarmonicName(i), 3);
+    return traits;
+}
+
+/// The values of keptTraits.
+void pack(const Gaussian& gaussian, int harmonic_count, std::vector<float>& values) {
+    const Eigen::Quaternionf& turn = gaussian.rotation;
+    values = {gaussian.opacity};
+    const auto add = [&](const Vec3f& three) { values.insert(values.end(), three.begin(), three.end()); };
+    add(gaussian.deviations);
+    values.insert(values.end(), {turn.w(), turn.x(), turn.y(), turn.z()});
+    add(gaussian.color);
+    for (int i = 0; i < harmonic_count; ++i) add(gaussian.harmonics[static_cast<std::size_t>(i)]);
+}
+
+/// The disc that programs without Gaussians show, in the frame of the scan: the sink transforms it.
+Row discRow(const Gaussian& gaussian) {
+    const GaussianDisc disc = discOf(gaussian);
     Row row{};
+    for (int axis = 0; axis < 3; ++axis) {
+        row[kX + axis] = gaussian.position[axis];
+        row[kNormalX + axis] = disc.normal[axis];
+        row[kRed + axis] = 255.0 * std::clamp(gaussian.color[axis], 0.0f, 1.0f);
+    }
+    row[kRadius] = disc.radius;
+    return row;
+}
+
+void noteKept(const InputFile& input, const GaussianFile& file, std::uint64_t dropped, Sink& sink) {
+    std::string text = fmt::format("holds {} Gaussians with spherical harmonics of degree {}, kept as they are",
+                                   file.count, file.degree);
+    if (dropped > 0)
+        text += fmt::format("; left out: {} that are not finite or have no rotation or no extent", dropped);
+    sink.note(input, text);
+}
+
+void keepGaussians(const InputFile& input, const GaussianFile& file, const EachGaussian& each, Sink& sink,
+                   const std::string& title) {
+    sink.beginScan(input, keptTraits(file));
+    const GaussianTransform transform(input, sink.transform.linear(), file.degree);
+    const int harmonic_count = gaussianHarmonicCount(file.degree);
+    std::vector<float> values;
+    std::uint64_t dropped = 0;
     each([&](const Gaussian& gaussian) {
-        const Disc disc = discOf(gaussian);
-        const bool faint = !(gaussian.opacity >= kLeastOpacity), huge = largest > 0 && disc.radius > largest;
-        left_out.faint += faint;
-        left_out.huge += !faint && huge;
-        if (faint || huge) return sink.skipVertex();
-        for (int axis = 0; axis < 3; ++axis) {
-            row[kX + axis] = gaussian.position[axis];
-            row[kNormalX + axis] = disc.normal[axis];
-            row[kRed + axis] = 255.0 * std::clamp(gaussian.color[axis], 0.0f, 1.0f);
+        Row row = discRow(gaussian);
+        Gaussian kept = gaussian;
+        transform.apply(kept);
+        if (!repair(kept, harmonic_count)) {
+            ++dropped;
+            row[kX] = std::numeric_limits<double>::quiet_NaN(); // the sink drops it and counts it as not finite
         }
-        row[kRadius] = disc.radius;
-        sink.addVertex(row, reinterpret_cast<const char*>(&gaussian.opacity));
+        pack(kept, harmonic_count, values);
+        sink.addVertex(row, reinterpret_cast<const char*>(values.data()));
     });
-    if (file.count > 0 && left_out.faint + left_out.huge == file.count)
-        refuse(input,
-               fmt::format("none of its {} Gaussian splats has an opacity of {} or more", file.count, kLeastOpacity));
-    noteLosses(input, file, left_out, sink);
+    if (file.count > 0 && dropped == file.count)
+        refuse(input, fmt::format("none of its {} Gaussians is finite and has a rotation and an extent", file.count));
+    noteKept(input, file, dropped, sink);
+    sink.finishScan(input, title);
+}
+
+} // namespace
+
+void noteHigherHarmonics(const InputFile& input, Sink& sink) {
+    sink.note(input, "has spherical harmonics of degree 4: those up to degree 3 are read");
+}
+
+void readGaussianScan(const InputFile& input, const GaussianFile& file, const EachGaussian& each, Sink& sink,
+                      const std::string& title) {
+    if (sink.gaussians_as_discs)
+        readAsDiscs(input, file, each, sink, title);
+    else
+        keepGaussians(input, file, each, sink, title);
+}
+
+void readGaussians(const InputFile& input, const GaussianFile& file, const EachGaussian& each, Sink& sink) {
+    readGaussianScan(input, file, each, sink);
     WorldFrame frame;
     frame.up = file.up;
     sink.setWorldFrame(input, frame);
-    sink.finishScan(input);
 }
 
 } // namespace pointrt

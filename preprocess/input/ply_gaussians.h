@@ -7,8 +7,8 @@
 
 namespace pointrt {
 
-/// Reads a file whose header says that it holds Gaussians as discs. Throws Error as readGaussians does, and where the
-/// packed ones are not as they should be.
+/// Reads a file whose header says that it holds Gaussians. Throws Error as readGaussians does, and if packed ones are
+/// invalid.
 void readPlyGaussians(const InputFile& input, const PlyHeader& header, Sink& sink);
 
 } // namespace pointrt

@@ -147,23 +147,20 @@ bool takeHarmonicColors(const PlyElement& vertex, std::vector<Dimension>& dimens
     return true;
 }
 
-bool hasProperty(const PlyElement& element, std::string_view name) {
-    return std::any_of(element.properties.begin(), element.properties.end(),
-                       [&](const PlyProperty& property) { return property.name == name; });
-}
-
 bool hasAll(const PlyElement& element, std::initializer_list<std::string_view> names) {
     return std::all_of(names.begin(), names.end(), [&](std::string_view name) { return hasProperty(element, name); });
 }
 
 /// As written by the training code of "3D Gaussian Splatting for Real-Time Radiance Field Rendering" (Kerbl et al.,
-/// 2023) and its successors, including 2D Gaussians, which have no scale_2; or packed.
+/// 2023) and its successors, including 2D Gaussians, which have no scale_2, and nerfstudio's with red, green and blue
+/// in place of f_dc; or packed.
 PlyGaussians gaussiansOf(const PlyElement& vertex) {
     if (hasAll(vertex, {"packed_position", "packed_rotation", "packed_scale", "packed_color"}))
         return PlyGaussians::kPacked;
-    const bool plain = hasAll(vertex, {"x", "y", "z", "f_dc_0", "f_dc_1", "f_dc_2", "opacity", "scale_0", "scale_1",
-                                       "rot_0", "rot_1", "rot_2", "rot_3"});
-    return plain ? PlyGaussians::kPlain : PlyGaussians::kNone;
+    const bool colored = hasAll(vertex, {"f_dc_0", "f_dc_1", "f_dc_2"}) || hasAll(vertex, {"red", "green", "blue"});
+    const bool plain =
+        hasAll(vertex, {"x", "y", "z", "opacity", "scale_0", "scale_1", "rot_0", "rot_1", "rot_2", "rot_3"});
+    return plain && colored ? PlyGaussians::kPlain : PlyGaussians::kNone;
 }
 
 void resolveVertexDimensions(const InputFile& input, PlyHeader& header) {
@@ -216,6 +213,11 @@ PlyHeader readPlyHeader(const InputFile& input) {
     std::erase_if(header.elements, [](const PlyElement& element) { return element.properties.empty(); });
     checkPromises(input, header);
     return header;
+}
+
+bool hasProperty(const PlyElement& element, std::string_view name) {
+    return std::any_of(element.properties.begin(), element.properties.end(),
+                       [&](const PlyProperty& property) { return property.name == name; });
 }
 
 const PlyElement& vertexElement(const PlyHeader& header) {

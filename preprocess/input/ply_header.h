@@ -50,6 +50,9 @@ struct PlyHeader {
 /// the promised elements cannot fit in the bytes that follow.
 PlyHeader readPlyHeader(const InputFile& input);
 
+/// Whether an element has a property of this name.
+bool hasProperty(const PlyElement& element, std::string_view name);
+
 /// The vertex element.
 const PlyElement& vertexElement(const PlyHeader& header);
 

@@ -107,6 +107,7 @@ SinkOptions sinkOptions(const ReadOptions& options) {
     result.filter = options.filter;
     result.world_from_input = options.transform;
     result.level = options.level;
+    result.gaussians_as_discs = options.gaussians_as_discs;
     result.scales_degrees = options.scales_degrees && !options.transform;
     return result;
 }

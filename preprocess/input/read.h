@@ -28,6 +28,8 @@ struct ReadOptions {
     std::optional<Eigen::Affine3d> transform = {}; ///< of all files; applied after their poses
     /// Convert degrees of longitude and latitude to metres (scaleDegrees), unless there is a transform.
     bool scales_degrees = false;
+    /// Make opaque discs of the Gaussians of a radiance field, which are kept as they are otherwise.
+    bool gaussians_as_discs = false;
     std::optional<int> level = {}; ///< finest level to read of files with levels of detail
 };
 

@@ -75,7 +75,7 @@ void readSplat(const InputFile& input, Sink& sink) {
     const auto each = [&](const std::function<void(const Gaussian&)>& use) {
         for (std::size_t i = 0; i < count; ++i) use(gaussianOf(recordAt(input.bytes, i)));
     };
-    readGaussians(input, {count, -Vec3d::UnitY(), ""}, each, sink);
+    readGaussians(input, {count, -Vec3d::UnitY(), 0}, each, sink);
 }
 
 } // namespace

@@ -6,8 +6,7 @@
 #include <cstring>
 
 #include "preprocess/input/formats.h"
-#include "preprocess/input/gaussians.h"
-#include "preprocess/input/spz_streams.h"
+#include "preprocess/input/spz_gaussian.h"
 
 namespace pointrt {
 namespace {
@@ -63,9 +62,34 @@ Eigen::Quaternionf rotationOfSmallest(const Bytes& bytes) {
     return {parts[3], parts[0], parts[1], parts[2]};
 }
 
+/// Bytes in units of 1 / 128 around 128; red, green and blue of each harmonic in turn.
+void readHarmonics(const SpzFile& file, std::size_t index, Gaussian& gaussian) {
+    const Bytes bytes = bytesOf(file, kSpzHarmonics, index);
+    const auto count = static_cast<std::size_t>(gaussianHarmonicCount(spzDegree(file)));
+    for (std::size_t k = 0; k < count; ++k)
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            gaussian.harmonics[k][static_cast<Eigen::Index>(channel)] =
+                (static_cast<float>(bytes[3 * k + channel]) - 128) / 128;
+}
+
+bool isSpzStart(std::string_view bytes) { return bytes.starts_with("NGSP"); }
+
+void readSpz(const InputFile& input, Sink& sink) {
+    const SpzFile file = openSpz(input);
+    const auto each = [&](const std::function<void(const Gaussian&)>& use) {
+        for (std::size_t i = 0; i < file.count; ++i) use(spzGaussian(file, i));
+    };
+    if (file.harmonics_degree > spzDegree(file)) noteHigherHarmonics(input, sink);
+    readGaussians(input, {file.count, Vec3d::UnitY(), spzDegree(file)}, each, sink); // axes: right, up, back
+}
+
+} // namespace
+
+int spzDegree(const SpzFile& file) { return std::min(file.harmonics_degree, 3); }
+
 /// Bytes hold logarithms of standard deviations in steps of 1/16 from -10, and harmonic colours around grey, scaled by
 /// 0.15.
-Gaussian gaussianOf(const SpzFile& file, std::size_t index) {
+Gaussian spzGaussian(const SpzFile& file, std::size_t index) {
     const Bytes position = bytesOf(file, kSpzPositions, index), color = bytesOf(file, kSpzColors, index),
                 scale = bytesOf(file, kSpzScales, index), rotation = bytesOf(file, kSpzRotations, index);
     constexpr float kColorScale = 0.15f;
@@ -75,25 +99,13 @@ Gaussian gaussianOf(const SpzFile& file, std::size_t index) {
         gaussian.position[at] = coordinateOf(file, position, axis);
         gaussian.deviations[at] = std::exp(static_cast<float>(scale[axis]) / 16 - 10);
         const float harmonic = (static_cast<float>(color[axis]) / 255 - 0.5f) / kColorScale;
-        gaussian.color[at] = static_cast<float>(0.5 + kConstantHarmonic * static_cast<double>(harmonic));
+        gaussian.color[at] = colorOfHarmonic(static_cast<double>(harmonic));
     }
     gaussian.opacity = static_cast<float>(bytesOf(file, kSpzAlphas, index)[0]) / 255;
     gaussian.rotation = file.version < 3 ? rotationOfThree(rotation) : rotationOfSmallest(rotation);
+    readHarmonics(file, index, gaussian);
     return gaussian;
 }
-
-bool isSpzStart(std::string_view bytes) { return bytes.starts_with("NGSP"); }
-
-void readSpz(const InputFile& input, Sink& sink) {
-    const SpzFile file = openSpz(input);
-    const auto each = [&](const std::function<void(const Gaussian&)>& use) {
-        for (std::size_t i = 0; i < file.count; ++i) use(gaussianOf(file, i));
-    };
-    const char* const lost = file.harmonics_degree > 0 ? "view-dependent colour" : "";
-    readGaussians(input, {file.count, Vec3d::UnitY(), lost}, each, sink); // axes: right, up, back
-}
-
-} // namespace
 
 const FormatReader readers::kSpz{.isStart = isSpzStart, .read = readSpz};
 

@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::uint32_t kPacked = 4; // from this version on arrays are compressed one by one with zstd
 
+constexpr int kMostDegree = 4; // of the harmonics
+
 /// The header of a file of any version.
 struct Start {
     std::uint32_t magic, version, count;
@@ -70,12 +72,13 @@ void unpackArrays(const InputFile& input, std::size_t streams, SpzFile& file) {
     if (file.count > (kUnpackedAtLeast + kUnpackedPerByte * input.bytes.size()) / bytesOfSplat(file))
         refuse(input,
                fmt::format("the header promises {} Gaussian splats in {} bytes", file.count, input.bytes.size()));
-    if (streams < kSpzArrayCount)
-        refuse(input, fmt::format("has {} streams, but {} are needed", streams, +kSpzArrayCount));
+    const int needed = file.harmonics_degree > 0 ? kSpzArrayCount : kSpzHarmonics;
+    if (streams < static_cast<std::size_t>(needed))
+        refuse(input, fmt::format("has {} streams, but {} are needed", streams, needed));
     const std::size_t table = loadValue<std::uint32_t>(input, sizeof(Start));
     std::size_t at = table + streams * sizeof(Entry);
     if (table < kPackedHeader || at > input.bytes.size()) refuse(input, "the table of streams lies outside the file");
-    for (int i = 0; i < kSpzArrayCount; ++i) {
+    for (int i = 0; i < needed; ++i) {
         const Entry entry = loadValue<Entry>(input, table + static_cast<std::size_t>(i) * sizeof(Entry));
         const std::size_t size = file.count * file.bytesEach(static_cast<SpzArray>(i));
         if (entry.packed_size > input.bytes.size() - at) refuseCut(input, file);
@@ -98,6 +101,9 @@ std::size_t SpzFile::bytesEach(SpzArray array) const {
         return 1;
     case kSpzRotations:
         return version < 3 ? 3 : 4;
+    case kSpzHarmonics:
+        return 3 *
+               (static_cast<std::size_t>(harmonics_degree + 1) * static_cast<std::size_t>(harmonics_degree + 1) - 1);
     default:
         return 3;
     }
@@ -112,6 +118,9 @@ SpzFile openSpz(const InputFile& input) {
     if (start.count == 0) refuse(input, "holds no points");
     if (start.fractional_bits > 23) // of the 24 of a coordinate, one is the sign
         refuse(input, fmt::format("coordinates of 24 bits cannot have {} fractional bits", start.fractional_bits));
+    if (start.harmonics_degree > kMostDegree)
+        refuse(input, fmt::format("has spherical harmonics of degree {}; SPZ files have up to {}",
+                                  start.harmonics_degree, kMostDegree));
     SpzFile file;
     file.version = start.version;
     file.count = start.count;

@@ -11,14 +11,22 @@
 
 namespace pointrt {
 
-/// In the order of the file. Higher-order harmonics follow them.
-enum SpzArray { kSpzPositions, kSpzAlphas, kSpzColors, kSpzScales, kSpzRotations, kSpzArrayCount };
+/// In the order of the file.
+enum SpzArray {
+    kSpzPositions,
+    kSpzAlphas,
+    kSpzColors,
+    kSpzScales,
+    kSpzRotations,
+    kSpzHarmonics, ///< of degree 1 and above; without a stream if the degree is 0
+    kSpzArrayCount
+};
 
 struct SpzFile {
     std::uint32_t version = 0;
     std::uint64_t count = 0;
-    int harmonics_degree = 0;
-    int fractional_bits = 0; ///< of a fixed-point coordinate
+    int harmonics_degree = 0; ///< 0 to 4
+    int fractional_bits = 0;  ///< of a fixed-point coordinate
     std::array<std::string_view, kSpzArrayCount> arrays;
     std::array<std::string, kSpzArrayCount> unpacked; ///< storage of the arrays, if the file has them compressed
 

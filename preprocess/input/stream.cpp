@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "preprocess/cloud/gaussians.h"
 #include "preprocess/ingest/notes.h"
 #include "preprocess/ingest/sink.h"
 #include "preprocess/input/detect.h"
@@ -72,8 +73,12 @@ private:
         traits.colors = !points_.colors.empty();
         traits.radii = !points_.radii.empty();
         traits.faces = false;
+        const bool has_gaussians = gaussianColumns(points_).has_value();
         for (const Attribute& each : points_.attributes)
-            traits.columns.push_back({each.name, each.type, each.components});
+            traits.columns.push_back({.name = each.name,
+                                      .type = each.type,
+                                      .components = each.components,
+                                      .required = has_gaussians && isGaussianAttribute(each.name)});
         return traits;
     }
 

@@ -47,6 +47,27 @@ float leastOf(const Lanes& lanes) {
     return least;
 }
 
+/// Distance to where the ray enters ball i, or leaves it from inside; +infinity for a miss.
+float ballDistance(const DiscList& list, std::size_t i, const Vec3f& origin, const Vec3f& direction, float t_max) {
+    const Vec3f to_center = Vec3f(list.center[0][i], list.center[1][i], list.center[2][i]) - origin;
+    const float middle = to_center.dot(direction), squared = list.radius_squared[i];
+    const float half_squared = squared - (middle * direction - to_center).squaredNorm();
+    if (!(half_squared > 0.0f)) return std::numeric_limits<float>::infinity();
+    const float half_chord = std::sqrt(half_squared);
+    const float t = middle - half_chord < 0.0f ? middle + half_chord : middle - half_chord;
+    return t >= 0.0f && t <= t_max ? t : std::numeric_limits<float>::infinity();
+}
+
+/// Sets the distances of balls, which castRay misses as discs: the planes of normal 0 have no distance.
+void addBallHits(DiscList& list, const Vec3f& origin, const Vec3f& direction, float t_max, FirstHits& hits) {
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        if (!list.normalOf(i).isZero(0)) continue;
+        const float t = list.distance[i] = ballDistance(list, i, origin, direction, t_max);
+        hits.any = std::min(hits.any, t);
+        if (list.kept[i] > 0.0f) hits.kept = std::min(hits.kept, t);
+    }
+}
+
 } // namespace
 
 void DiscList::clear() {
@@ -57,6 +78,7 @@ void DiscList::clear() {
     }
     radius_squared.clear();
     kept.clear();
+    has_balls = false;
     count_ = 0;
 }
 
@@ -72,6 +94,7 @@ void DiscList::append(const Disc& disc, const Vec3f& rgb, bool keep) {
 
 void DiscList::add(const Disc& disc, const Vec3f& rgb, bool keep) {
     append(disc, rgb, keep);
+    has_balls |= disc.isBall();
     ++count_;
 }
 
@@ -99,7 +122,9 @@ POINTRT_WIDE FirstHits castRay(DiscList& list, const Vec3f& origin, const Vec3f&
         const Lanes hit_kept = LOAD(list.kept, i) > 0.0f ? hit : missed;
         kept = hit_kept < kept ? hit_kept : kept;
     }
-    return {leastOf(any), leastOf(kept)};
+    FirstHits hits{leastOf(any), leastOf(kept)};
+    if (list.has_balls) addBallHits(list, origin, direction, t_max, hits);
+    return hits;
 }
 
 POINTRT_WIDE float weighAt(DiscList& list, const Vec3f& point, const Vec3f& side, float front) {

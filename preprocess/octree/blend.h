@@ -10,14 +10,15 @@
 
 namespace pointrt {
 
-/// The discs of a leaf as a structure of arrays, padded to full vectors with discs that no ray hits.
+/// The discs and balls of a leaf as a structure of arrays, padded to full vectors with discs that no ray hits.
 struct DiscList {
     std::array<std::vector<float>, 3> center, normal;
     std::vector<float> radius_squared;
     std::array<std::vector<float>, 3> color; ///< 0 to 255
     std::vector<float> kept;                 ///< 1 or 0
     bool oriented = true;
-    bool colored = false; ///< colours are set and compared
+    bool colored = false;   ///< colours are set and compared
+    bool has_balls = false; ///< some have the normal 0; they never blend
 
     std::vector<float> distance; ///< by the last castRay: along the ray, +infinity for a miss
     std::vector<float> weight;   ///< by the last weighAt: 0 for discs that do not blend

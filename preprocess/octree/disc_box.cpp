@@ -40,6 +40,7 @@ float faceDistanceSquared(const Disc& disc, const Box& box, int axis, float plan
 
 float sectionDistanceSquared(const Disc& disc, const Box& box) {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    if (disc.isBall()) return (disc.center.cwiseMax(box.lo).cwiseMin(box.hi) - disc.center).squaredNorm();
     const Vec3f half = 0.5f * (box.hi - box.lo);
     const float plane_distance = std::abs(disc.normal.dot(disc.center - 0.5f * (box.lo + box.hi)));
     if (plane_distance > half.dot(disc.normal.cwiseAbs())) return kInfinity;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact overlap test of a disc and a box.
+// Exact overlap test of a disc, or a ball, and a box.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@ struct Box {
 };
 
 /// box enlarged so that a test of the flat disc against it covers the disc's blending slab, which reaches slab * radius
-/// along the normal to both sides.
+/// along the normal to both sides. Balls have no slab.
 inline Box growBySlab(const Box& box, const Disc& disc, float slab) {
     const Vec3f reach = slab * disc.radius * disc.normal.cwiseAbs();
     return {box.lo - reach, box.hi + reach};
@@ -33,7 +33,8 @@ float faceDistanceSquared(const Disc& disc, const Box& box, int axis, float plan
 
 /// Squared distance from the disc's centre to the part of its plane inside the box: 0 if the centre is in the box,
 /// +infinity if the plane misses it. Otherwise the closest point lies on a face that has the centre on its outer side
-/// (else the centre would be closer still), so at most three faces are tested.
+/// (else the centre would be closer still), so at most three faces are tested. Of a ball, squared distance from its
+/// centre to the box.
 float sectionDistanceSquared(const Disc& disc, const Box& box);
 
 /// Whether the disc and the box have a common point.

@@ -37,7 +37,7 @@ bool similarNormals(const Vec3f& a, const Vec3f& b) {
     return cosine > 0.0f && cosine * cosine >= kSquared * a.squaredNorm() * b.squaredNorm();
 }
 
-/// Whether more than a sliver of the disc lies in the box.
+/// Whether more than a sliver of the disc or ball lies in the box.
 bool visiblyCrosses(const Disc& disc, const Box& box) {
     const float reach = (1.0f - kSliver) * disc.radius;
     return sectionDistanceSquared(disc, box) < reach * reach;
@@ -77,12 +77,13 @@ Audit LeafPruner::run(const Octree& octree, const Leaf& leaf, float cutoff, Prob
     return result;
 }
 
-/// Keeps discs that cross the leaf visibly or have a weight above cutoff somewhere in it.
+/// Keeps discs that cross the leaf visibly or have a weight above cutoff somewhere in it. Balls have no weight.
 void LeafPruner::keepNeeded(float cutoff) {
     for (std::size_t i = members_; i < list_.size(); ++i) {
         const Disc& disc = splats_.discs[splat_of_[i]];
         const bool needed =
-            visiblyCrosses(disc, box_) || weightAt(disc, heaviestPoint(disc, box_, kBlendSlab), kBlendSlab) > cutoff;
+            visiblyCrosses(disc, box_) ||
+            (!disc.isBall() && weightAt(disc, heaviestPoint(disc, box_, kBlendSlab), kBlendSlab) > cutoff);
         if (needed) list_.kept[i] = 1.0f;
     }
 }
@@ -114,6 +115,7 @@ bool LeafPruner::probe(const Chord& chord) {
     hit.normal *= hit.front;
     bool same = hits.kept - hits.any <= kHitTolerance * hit.radius;
     if (!same) list_.kept[first] = 1.0f;
+    if (hit.normal.isZero(0)) return same; // a ball, which does not blend
     while (!blendsAlike(hit)) {
         same = false;
         list_.kept[heaviest_dropped_] = 1.0f;

@@ -50,6 +50,7 @@ std::array<float, 5> ProbeSequence::next() {
 }
 
 Vec3f pointOnDisc(const Disc& disc, float u, float v) {
+    if (disc.isBall()) return disc.center + disc.radius * sphereDirection(u, v);
     const Vec3f helper = std::abs(disc.normal.x()) < 0.5f ? Vec3f::UnitX() : Vec3f::UnitY();
     const Vec3f a = disc.normal.cross(helper).normalized(), b = disc.normal.cross(a);
     const float radius = disc.radius * std::sqrt(u), angle = kFullTurn * v; // the root makes it uniform over the area

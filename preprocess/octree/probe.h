@@ -19,7 +19,7 @@ private:
     std::array<double, 5> offsets_{};
 };
 
-/// Uniform on the disc for u, v uniform in [0, 1).
+/// Uniform on the disc, or on the surface of the ball, for u, v uniform in [0, 1).
 Vec3f pointOnDisc(const Disc& disc, float u, float v);
 
 /// Uniform over the sphere, with grazing directions, in which pruning by first hits opens cracks.

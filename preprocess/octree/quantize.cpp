@@ -30,7 +30,7 @@ struct Bounds {
     }
 };
 
-/// Half extents of the disc's bounding box.
+/// Half extents of the disc's or ball's bounding box.
 Vec3d discExtent(const Vec3f& normal, float radius) {
     return radius * (1.0 - normal.cast<double>().array().square()).max(0.0).sqrt().matrix();
 }
@@ -68,7 +68,9 @@ void fillFrame(const Splats& splats, pro_info& frame) {
     frame.radius_max = static_cast<float>(coding.max / frame.scale);
     frame.radius_step = coding.step;
     frame.blend_slab = kBlendSlab;
-    frame.flags = (splats.colors.empty() ? 0u : PRO_FLAG_COLOR) | (splats.oriented ? PRO_FLAG_ORIENTED : 0u);
+    const bool balls = std::any_of(splats.normals.begin(), splats.normals.end(), [](auto& n) { return n.isZero(0); });
+    frame.flags = (splats.colors.empty() ? 0u : PRO_FLAG_COLOR) | (splats.oriented ? PRO_FLAG_ORIENTED : 0u) |
+                  (balls ? PRO_FLAG_BALLS : 0u);
 }
 
 /// Position in the cube at the middle of its step, which is exact in float: rounds once, in double.
@@ -113,6 +115,9 @@ void packSplat(const pro_splat& splat, std::size_t k, PackedSplats& packed) {
     pro_splat decoded;
     pro_splat_decode(packed.words[k].data(), frame.radius_max, frame.radius_step, &decoded);
     packed.discs[k] = {Vec3f(decoded.position), Vec3f(decoded.normal), decoded.radius};
+    if (!Vec3f(splat.normal).isZero(0)) return;
+    pro_splat_set_ball(packed.words[k].data());
+    packed.discs[k].normal.setZero();
 }
 
 std::uint8_t noiseCode(float sigma, float radius, double scale) {

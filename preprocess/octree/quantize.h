@@ -14,8 +14,10 @@ namespace pointrt {
 /// A splat as readers decode it, in cube units; the octree is built from these.
 struct Disc {
     Vec3f center;
-    Vec3f normal; ///< unit length
+    Vec3f normal; ///< unit length; 0: it is a ball
     float radius;
+
+    bool isBall() const { return normal.isZero(0); }
 };
 
 /// Splats in Morton order of their quantised positions; all arrays have the same length.
@@ -53,8 +55,8 @@ struct RadiusCoding {
 /// of a smaller one.
 RadiusCoding radiusCoding(float radius_min, float radius_max);
 
-/// Sets element k of packed: the words of the splat, and its disc as readers decode it. @param splat in cube units of
-/// packed.frame
+/// Sets element k of packed: the words of the splat, and its disc as readers decode it. A normal of 0 makes it a ball.
+/// @param splat in cube units of packed.frame
 void packSplat(const pro_splat& splat, std::size_t k, PackedSplats& packed);
 
 /// The byte of NOIS. @param sigma standard deviation in input units

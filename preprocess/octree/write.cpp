@@ -92,7 +92,8 @@ ProSections makeSections(const PackedSplats& splats, const Octree& octree, const
     return sections;
 }
 
-OctreeCounts writePro(const std::string& path, bool overwrite, const ProSections& sections, const pro_index* index) {
+OctreeCounts writePro(const std::string& path, bool overwrite, const ProSections& sections, const pro_index* index,
+                      const pro_gaussians* gaussians) {
     pro_message message{};
     const pro_content content{&sections.info,
                               &sections.view,
@@ -101,7 +102,9 @@ OctreeCounts writePro(const std::string& path, bool overwrite, const ProSections
                               sections.attributes.data(),
                               static_cast<std::uint32_t>(sections.attributes.size()),
                               &sections.sampling};
-    const pro_result result = pro_write_content(path.c_str(), &content, overwrite ? 1 : 0, &message);
+    const int replace = overwrite ? 1 : 0;
+    const pro_result result = gaussians ? pro_write_gaussians(path.c_str(), &content, gaussians, replace, &message)
+                                        : pro_write_content(path.c_str(), &content, replace, &message);
     if (result == PRO_OUT_OF_MEMORY) throw std::bad_alloc();
     // the writer refuses scans that exceed the limits of the format
     const ExitCode code = result == PRO_CANNOT_WRITE ? ExitCode::kCannotWrite : ExitCode::kBadInput;

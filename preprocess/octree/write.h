@@ -48,6 +48,8 @@ ProSections makeSections(const PackedSplats& splats, const Octree& octree, const
 /// Writes path atomically. Throws Error (kCannotWrite, or kBadInput if the scale of the cloud does not fit the format).
 /// @param overwrite replace an existing file
 /// @param index may be null
-OctreeCounts writePro(const std::string& path, bool overwrite, const ProSections& sections, const pro_index* index);
+/// @param gaussians may be null; such a file has no index
+OctreeCounts writePro(const std::string& path, bool overwrite, const ProSections& sections, const pro_index* index,
+                      const pro_gaussians* gaussians = nullptr);
 
 } // namespace pointrt

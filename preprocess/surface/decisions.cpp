@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/surface/decisions.h"
 
+#include "preprocess/surface/balls.h"
 #include "preprocess/surface/estimate.h"
 #include "preprocess/surface/planarity.h"
 #include "preprocess/surface/radii.h"
@@ -20,7 +21,8 @@ CloudStatistics StatisticsSampler::statistics() {
             surface::isScattered(scattered_, points_),
             surface::rowsToFill(filling_, points_),
             surface::radiusLimit(radii_),
-            {}};
+            {},
+            surface::isVolume(scattered_, points_)};
 }
 
 } // namespace pointrt

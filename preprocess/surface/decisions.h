@@ -20,6 +20,7 @@ struct CloudStatistics {
     std::optional<std::uint32_t> fill_rows; ///< limit of rows between scan lines (rowsToFill); 0: none
     std::optional<float> radius_limit;      ///< input units, before radius_scale; infinity: none
     std::optional<float> common_reach;      ///< input units: commonReach (outliers.h)
+    bool volume = false;                    ///< hardly any point is on a surface (balls.h)
 };
 
 /// Decisions made for the larger cloud that this one is a part of; empty: this cloud decides.

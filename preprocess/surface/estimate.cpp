@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "format/base/error.h"
+#include "preprocess/surface/balls.h"
 #include "preprocess/surface/check.h"
 #include "preprocess/surface/clean.h"
 #include "preprocess/surface/fill.h"
@@ -98,7 +99,7 @@ struct ScanPriors {
 ScanPriors takePriors(Cloud& cloud, const Estimation& job) {
     ScanPriors priors;
     for (const Scan& scan : cloud.scans) priors.first_points.push_back(scan.first_point);
-    if (job.options.clean == 0 || cloud.grids.empty()) return priors;
+    if (job.options.clean == 0 || job.options.splat == SplatShape::kBall || cloud.grids.empty()) return priors;
     const Stopwatch watch(job.report.seconds_clean);
     job.report.dequantized = dequantizeDepths(cloud);
     priors.silhouettes = flagSilhouettes(cloud);
@@ -190,6 +191,75 @@ void setRadii(PointGraph& graph, std::size_t filled, bool oriented, const Estima
         if (points.given_radii[i] > 0) points.radii[i] = points.given_radii[i];
 }
 
+/// Turns flagged points into balls. @param balls [points], or empty
+void turnIntoBalls(PointSet& points, const std::vector<std::uint8_t>& balls, const Estimation& job) {
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        if (!balls[i]) continue;
+        points.normals[i] = Vec3f::Zero();
+        if (!points.noise.empty()) points.noise[i] = 0; // it is that of a surface
+        ++job.report.balls;
+    }
+}
+
+/// Turns all points into balls: they show the points as they are, so nothing is smoothed or filled.
+void makeBalls(PointGraph& graph, const Estimation& job) {
+    const Stopwatch watch(job.report.seconds_radii);
+    setBallRadii(graph, {job.progress, kRadiusStage});
+    graph.points.normals.resize(graph.points.size());
+    turnIntoBalls(graph.points, std::vector<std::uint8_t>(graph.points.size(), 1), job);
+}
+
+/// What is known of a cloud before its surface is estimated.
+struct KnownCloud {
+    const ScanPriors& priors;
+    std::size_t cloud_count;
+    bool given_sides, has_normals;
+};
+
+/// Whether points may become balls where they are on no surface. Points with normals are on one.
+bool choosesBalls(const KnownCloud& known, const Estimation& job) {
+    return job.options.splat == SplatShape::kAuto && !known.has_normals;
+}
+
+/// Whether all points may do so: the cloud is not a part of a larger one.
+bool choosesAll(const KnownCloud& known, const Estimation& job) {
+    return choosesBalls(known, job) && !job.decided.statistics.scattered;
+}
+
+/// Results of the estimation beside the points' own.
+struct MadeSplats {
+    bool oriented = true;                   ///< the sides of balls are always known
+    std::vector<std::uint32_t> filled_from; ///< Splats::filled_from
+};
+
+/// Makes discs, and balls of points on no surface.
+MadeSplats makeSurface(PointGraph& graph, const KnownCloud& known, const Estimation& job) {
+    MadeSplats made;
+    const bool oriented = setNormals(graph, known.given_sides, job);
+    setPlanarity(graph, job);
+    if (choosesAll(known, job) && isVolume(job.report.scattered, job.report.inner)) {
+        makeBalls(graph, job);
+        return made;
+    }
+    made.oriented = oriented;
+    if (oriented) clean(graph, known.priors, job);
+    const Stopwatch watch(job.report.seconds_radii);
+    made.filled_from = fill(graph, known.cloud_count, job);
+    setRadii(graph, made.filled_from.size(), oriented, job);
+    if (!choosesBalls(known, job)) return made;
+    const std::vector<std::uint8_t> balls = flagBalls(graph.points, job.decided.statistics.scattered);
+    shrinkBalls(graph.points, balls);
+    turnIntoBalls(graph.points, balls, job);
+    return made;
+}
+
+MadeSplats makeSplats(PointGraph& graph, const KnownCloud& known, const Estimation& job) {
+    if (job.options.splat != SplatShape::kBall && !(choosesAll(known, job) && isTooSparse(graph)))
+        return makeSurface(graph, known, job);
+    makeBalls(graph, job);
+    return {};
+}
+
 /// Converts back to input units.
 Splats toSplats(PointSet&& points, double radius_scale) {
     Splats splats;
@@ -228,28 +298,21 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
     const std::vector<std::uint32_t> far_outliers = requireSurface(cloud.positions);
     const ScanPriors priors = takePriors(cloud, job);
     const Vec3d origin = cloud.origin;
-    const bool given_sides = cloud.normal_sides;
     const std::size_t cloud_count = cloud.positions.size();
+    const bool has_normals = !cloud.normals.empty() && options.normals != NormalSource::kEstimate;
+    const KnownCloud known{priors, cloud_count, cloud.normal_sides, has_normals};
 
     PointGraph graph;
     graph.points = takePoints(std::move(cloud), far_outliers);
     report.duplicates_removed = cloud_count - far_outliers.size() - graph.points.size();
     connect(graph, job);
     report.outliers_removed += far_outliers.size();
-    const bool oriented = setNormals(graph, given_sides, job);
-    setPlanarity(graph, job);
-    if (oriented) clean(graph, priors, job);
-    std::vector<std::uint32_t> filled_from;
-    {
-        const Stopwatch watch(report.seconds_radii);
-        filled_from = fill(graph, cloud_count, job);
-        setRadii(graph, filled_from.size(), oriented, job);
-    }
+    MadeSplats made = makeSplats(graph, known, job);
     Splats splats = toSplats(std::move(graph.points), options.radius_scale);
     splats.origin = origin;
     splats.input_count = std::uint32_t(cloud_count);
-    splats.filled_from = std::move(filled_from);
-    splats.oriented = oriented;
+    splats.filled_from = std::move(made.filled_from);
+    splats.oriented = made.oriented;
     report.filled = splats.filled_from.size();
     return splats;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Converts a cloud to splats: cleaning, normals, orientation, radii.
+// Converts a cloud to splats: cleaning, normals, orientation, radii; or to balls, where points are on no surface.
 #pragma once
 
 #include "preprocess/cloud/splats.h"
@@ -26,6 +26,7 @@ struct SurfaceReport {
     std::size_t inner = 0;         ///< points with SurfaceDecisions::inner set
     std::size_t scattered = 0;     ///< of those, points on no surface
     std::size_t seen_through = 0;  ///< discs shrunk because a sensor saw through them
+    std::size_t balls = 0;         ///< splats that are balls
 };
 
 /// Converts the points of cloud (finite, fewer than 2^31) to splats.

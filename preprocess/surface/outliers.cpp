@@ -14,7 +14,7 @@ namespace {
 
 /// Distance to the k-th neighbour of an outlier, over that of its neighbours. A point nine spacings off a surface has
 /// it.
-constexpr float kFar = 4;
+constexpr float kFarTimes = 4;
 
 /// Islands of a surface seen through a gap are as large as the gap, to within a factor of 5 in raw range scans; clumps
 /// of outliers there are 45 times their size away from other points.
@@ -32,8 +32,8 @@ constexpr float kNoPlane = 0.15f;
 /// there. Of caps of 17 random points and 0.4 radians, one in ten thousand is above.
 constexpr float kFarOut = 2, kNoPlaneFarOut = 0.1f;
 
-/// For points near a surface, below kFar: height over the plane of the neighbours, over theirs, and distance to the
-/// k-th neighbour, over theirs. 1 in 80,000 points of a photogrammetric surface exceeds both, and three in four
+/// For points near a surface, below kFarTimes: height over the plane of the neighbours, over theirs, and distance to
+/// the k-th neighbour, over theirs. 1 in 80,000 points of a photogrammetric surface exceeds both, and three in four
 /// outliers within nine spacings of it.
 constexpr float kBesideHeight = 4, kBesideReach = 1.7f;
 
@@ -55,7 +55,7 @@ bool isFloater(const OutlierJob& job, std::size_t point) {
 
 /// Whether a distance is `times` the distance to the k-th neighbour for three in four neighbours. Not the median: at a
 /// jump of density, most neighbours of a point on the sparse side may be on the dense one.
-bool isFar(const OutlierJob& job, float distance, std::span<const std::uint32_t> neighbors, float times = kFar) {
+bool isFar(const OutlierJob& job, float distance, std::span<const std::uint32_t> neighbors, float times = kFarTimes) {
     const auto closer = std::count_if(neighbors.begin(), neighbors.end(), [&](std::uint32_t neighbor) {
         return distance > times * job.distances[neighbor];
     });
@@ -108,7 +108,7 @@ std::vector<std::uint8_t> flagInliers(const PointSet& points, const NeighborList
     OutlierJob job{points, lists, std::vector<float>(points.size())};
     tbb::parallel_for(std::size_t(0), points.size(),
                       [&](std::size_t i) { job.distances[i] = lists.radius(points, i); });
-    job.floater_distance = kFar * (common_reach ? *common_reach : commonReach(job.distances));
+    job.floater_distance = kFarTimes * (common_reach ? *common_reach : commonReach(job.distances));
     tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) { keep[i] = !isOutlier(job, i); });
     // If most points seem to be outliers, the sampling is sparse; floaters of a larger cloud go all the same.
     if (std::size_t(std::count(keep.begin(), keep.end(), 1)) < points.size() / 2)

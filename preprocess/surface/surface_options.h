@@ -18,6 +18,12 @@ enum class OrientMode {
     kNone    ///< leaves normals as given or fitted, on either side
 };
 
+enum class SplatShape {
+    kAuto, ///< discs, and balls where points are on no surface (preprocess/surface/balls.h)
+    kDisc, ///< all splats are discs
+    kBall  ///< all splats are balls
+};
+
 struct SurfaceOptions {
     NormalSource normals = NormalSource::kAuto;
     OrientMode orient = OrientMode::kAuto;
@@ -25,6 +31,7 @@ struct SurfaceOptions {
     double radius_scale = 1.0; ///< multiplies every radius, above 0
     bool remove_outliers = true;
     double clean = 1.0; ///< strength of cleaning; 0: none
+    SplatShape splat = SplatShape::kDisc;
 };
 
 } // namespace pointrt

@@ -65,6 +65,7 @@ struct Bin {
 std::vector<Bin> directionMap(const SurfaceSample& sample) {
     std::vector<Bin> bins(std::size_t{kBins} * kBins);
     for (std::size_t i = 0; i < sample.normals.size(); ++i) {
+        if (sample.normals[i].isZero(0)) continue;
         Bin& bin = bins[binOf(sample.normals[i])];
         bin.area += sample.areas[i];
         bin.sum += (sample.normals[i].dot(bin.sum) < 0 ? -sample.areas[i] : sample.areas[i]) * sample.normals[i];
@@ -123,7 +124,8 @@ double shareAlong(const SurfaceSample& sample, const Vec3d& direction) {
 double shareAcross(const SurfaceSample& sample, const Vec3d& direction) {
     double share = 0;
     for (std::size_t i = 0; i < sample.normals.size(); ++i)
-        if (std::abs(sample.normals[i].dot(direction)) < kAcross) share += sample.areas[i];
+        if (std::abs(sample.normals[i].dot(direction)) < kAcross && !sample.normals[i].isZero(0))
+            share += sample.areas[i];
     return share;
 }
 

@@ -10,7 +10,7 @@ namespace pointrt::upright {
 
 struct SurfaceSample {
     std::vector<Vec3d> positions; ///< relative to the splats' origin
-    std::vector<Vec3d> normals;   ///< unit length, on either side
+    std::vector<Vec3d> normals;   ///< unit length, on either side; 0 for balls
     std::vector<double> areas;    ///< sum: 1
     Vec3d extent = Vec3d::Zero(); ///< of the box without 0.5% of the splats at each side
     Vec3d centroid = Vec3d::Zero();

@@ -76,6 +76,15 @@ std::vector<Vec3f> sidesOf(const BoxPoints& points) {
     return sides;
 }
 
+/// The same for all tiles: none decides for itself.
+SplatShape splatShapeOf(const SetPlan& plan) {
+    const SurfaceOptions& surface = plan.bake.surface;
+    if (surface.splat != SplatShape::kAuto) return surface.splat;
+    const bool has_normals = plan.schema.normals && surface.normals != NormalSource::kEstimate;
+    if (has_normals || !plan.statistics.scattered) return SplatShape::kDisc;
+    return plan.statistics.volume ? SplatShape::kBall : SplatShape::kAuto;
+}
+
 SurfaceDecisions decisionsOf(const SetPlan& plan, BoxPoints& points, SurfaceOptions& options) {
     options.orient = plan.orient;
     SurfaceDecisions decided{sidesOf(points), plan.statistics, {}};
@@ -160,6 +169,7 @@ TileSplats bakeTile(const SetPlan& plan, const TileTree& tree, std::uint32_t num
     if (!isSurface(points.cloud.positions)) return noSplats(points.cloud);
     const std::vector<Attribute> attributes = std::exchange(points.cloud.attributes, {});
     SurfaceOptions options = plan.bake.surface;
+    options.splat = splatShapeOf(plan);
     const SurfaceDecisions decided = decisionsOf(plan, points, options);
     SurfaceReport report;
     const Splats splats = estimateSplats(std::move(points.cloud), options, report, {}, decided);
@@ -170,6 +180,7 @@ TileSplats bakeTile(const SetPlan& plan, const TileTree& tree, std::uint32_t num
     TileSplats taken = selectSplats(splats, attributes, codes, own, edgeOf(plan, tile.level));
     counts.outliers += report.outliers_removed;
     counts.splats += taken.positions.size();
+    for (const std::uint32_t word : taken.normals) counts.balls += (word & kBallNormal) != 0;
     return taken;
 }
 

@@ -23,11 +23,12 @@ struct TileCounts {
     std::uint64_t points = 0, splats = 0;
     std::uint64_t outliers = 0; ///< including those in halos
     std::uint64_t filled = 0;   ///< splats added to fill gaps between points
+    std::uint64_t balls = 0;    ///< splats that are balls
     std::uint64_t lacking = 0;  ///< points whose neighbours may lie outside the halo that was read
 
     TileCounts operator+(const TileCounts& other) const {
-        return {points + other.points, splats + other.splats, outliers + other.outliers, filled + other.filled,
-                lacking + other.lacking};
+        return {points + other.points, splats + other.splats, outliers + other.outliers,
+                filled + other.filled, balls + other.balls,   lacking + other.lacking};
     }
 };
 

@@ -139,7 +139,8 @@ void orient(const SetRequest& request, const Survey& survey, SetPlan& plan) {
     const bool sides_known = sidesAreKnown(plan, survey, plan.orient);
     if (up_is_given && sides_known) return;
     SurfaceOptions options = request.bake.surface;
-    options.clean = 0; // noise is small compared with the spacing of the sample
+    options.clean = 0;                 // noise is small compared with the spacing of the sample
+    options.splat = SplatShape::kDisc; // balls have no sides
     SurfaceReport report;
     const Splats splats = estimateSplats(cloudOf(survey.sample.points(), plan), options, report, {});
     if (!up_is_given) {

@@ -134,7 +134,8 @@ std::vector<Place> placesOf(const SetPlan& plan, const Sampling& sampling) {
 /// Measures all places. common_reach: see CloudStatistics.
 void measurePlaces(const SetPlan& plan, const Sampling& sampling, SurfaceOptions options,
                    std::optional<float> common_reach, const PlaceResult& result) {
-    options.orient = OrientMode::kUp; // sides do not affect these statistics
+    options.orient = OrientMode::kUp;  // sides do not affect these statistics
+    options.splat = SplatShape::kDisc; // nor do balls
     options.radius_scale = 1;
     Cloud bucket;
     for (const Place& place : placesOf(plan, sampling)) {

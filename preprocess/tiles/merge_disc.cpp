@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 namespace pointrt {
 
@@ -71,12 +72,12 @@ Extent extentOf(const MergeDiscs& discs, std::span<const std::uint32_t> members,
 
 /// Radius of a disc that rays hit as often as members scattered within `along` of its middle. Members occlude each
 /// other, so with the sum of their areas a tree's shadow would grow level by level. The occluded part of each is what
-/// the others cover, at random over kSpread discs of that radius. For two to eight discs in a cube, of radius 0.1 to
+/// the others cover, at random over `spread` discs of that radius. For two to eight discs in a cube, of radius 0.1 to
 /// 0.45 of its edge, facing any direction, within 60 degrees of one, or nearly parallel in a flat cube, rays of all
 /// directions hit 0.98 times as often as before (0.88 to 1.21); with the sum of the areas 1.09 times (0.93 to 1.42).
-float scatteredRadius(const Means& means, float along) {
-    constexpr float kSpread = 1.2f;
-    const float part = means.others / (kSpread * along * along);
+/// Balls cover twice the area of discs that face any direction.
+float scatteredRadius(const Means& means, float along, bool balls) {
+    const float spread = balls ? 0.6f : 1.2f, part = means.others / (spread * along * along);
     const float shown = part > 0 ? -std::expm1(-part) / part : 1;
     return std::min(std::sqrt(means.squares * shown), along);
 }
@@ -102,6 +103,32 @@ float rimDistance(const MergeDiscs& discs, std::span<const std::uint32_t> member
         farthest = std::max(farthest, nearest);
     }
     return farthest;
+}
+
+/// The largest distance of fourteen points of the merged ball's surface from the members' balls.
+float bulgeOf(const MergeDiscs& balls, std::span<const std::uint32_t> members, const MergedDisc& merged) {
+    float farthest = 0;
+    for (int code = 0; code < 27; ++code) {
+        const Vec3f direction(float(code % 3 - 1), float(code / 3 % 3 - 1), float(code / 9 - 1));
+        const float length = direction.norm();
+        if (length < 0.5f || std::abs(length * length - 2) < 0.5f) continue; // faces and corners of a cube, not edges
+        const Vec3f point = merged.position + merged.radius / length * direction;
+        float nearest = std::numeric_limits<float>::max();
+        for (const std::uint32_t i : members)
+            nearest = std::min(nearest, (point - balls.positions[i]).norm() - balls.radii[i]);
+        farthest = std::max(farthest, nearest);
+    }
+    return farthest;
+}
+
+MergedDisc mergeBalls(const MergeDiscs& balls, std::span<const std::uint32_t> members) {
+    const Means means = meansOf(balls, members, true);
+    float extent = 0;
+    for (const std::uint32_t i : members)
+        extent = std::max(extent, (balls.positions[i] - means.position).norm() + balls.radii[i]);
+    MergedDisc merged{means.position, Vec3f::Zero(), scatteredRadius(means, extent, true), 0};
+    merged.error = std::max(extent - merged.radius, bulgeOf(balls, members, merged));
+    return merged;
 }
 
 /// The axes of largest and second largest variance of the positions.
@@ -155,8 +182,14 @@ void splitLong(const MergeDiscs& discs, std::span<std::uint32_t> members, std::v
 std::vector<std::uint32_t> groupBySide(const MergeDiscs& discs, std::span<const std::uint32_t> members, bool oriented) {
     std::vector<Vec3f> sums;
     std::vector<std::uint32_t> group_of;
+    std::optional<std::uint32_t> balls; // their group
     for (const std::uint32_t i : members) {
         const Vec3f& normal = discs.normals[i];
+        if (normal.isZero(0)) {
+            if (!balls) balls = static_cast<std::uint32_t>(sums.size()), sums.push_back(Vec3f::Zero());
+            group_of.push_back(*balls);
+            continue;
+        }
         float best = kSameSide;
         std::size_t group = sums.size();
         for (std::size_t g = 0; g < sums.size(); ++g) {
@@ -178,11 +211,12 @@ MergedDisc mergeDiscs(const MergeDiscs& discs, std::span<const std::uint32_t> me
         const std::uint32_t i = members.front();
         return {discs.positions[i], discs.normals[i], discs.radii[i], 0};
     }
+    if (discs.normals[members.front()].isZero(0)) return mergeBalls(discs, members);
     const Means means = meansOf(discs, members, oriented);
     const Extent extent = extentOf(discs, members, means);
     const bool flat = extent.off <= kFlat * extent.along;
     const bool side_by_side = means.squares >= kSideBySide * extent.along * extent.along;
-    const float area_radius = scatteredRadius(means, extent.along);
+    const float area_radius = scatteredRadius(means, extent.along, false);
     MergedDisc merged{means.position, means.normal, flat && side_by_side ? extent.along : area_radius, 0};
     merged.error = std::max(extent.off, rimDistance(discs, members, merged));
     for (const std::uint32_t i : members) {

@@ -47,7 +47,10 @@ pro_info frameOf(const TileSet& set, const TileKey& tile, const LevelCoding& cod
     frame.radius_max = coding.radius_max;
     frame.radius_step = coding.radius_step;
     frame.blend_slab = kBlendSlab;
-    frame.flags = (splats.colors.empty() ? 0u : PRO_FLAG_COLOR) | (set.oriented ? PRO_FLAG_ORIENTED : 0u);
+    const bool balls = std::any_of(splats.normals.begin(), splats.normals.end(),
+                                   [](std::uint32_t word) { return (word & kBallNormal) != 0; });
+    frame.flags = (splats.colors.empty() ? 0u : PRO_FLAG_COLOR) | (set.oriented ? PRO_FLAG_ORIENTED : 0u) |
+                  (balls ? PRO_FLAG_BALLS : 0u);
     return frame;
 }
 

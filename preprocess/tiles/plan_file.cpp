@@ -272,9 +272,9 @@ CloudStatistics readStatistics(const std::string& work) {
     std::ifstream stream(statisticsFile(work));
     if (!stream) return {};
     const OrderedJson json = OrderedJson::parse(stream);
-    return {json.at("noise").get<std::vector<float>>(), takeMaybe<bool>(json, "scattered"),
+    return {json.at("noise").get<std::vector<float>>(),  takeMaybe<bool>(json, "scattered"),
             takeMaybe<std::uint32_t>(json, "fill_rows"), takeMaybe<float>(json, "radius_limit"),
-            takeMaybe<float>(json, "common_reach")};
+            takeMaybe<float>(json, "common_reach"),      json.value("volume", false)};
 }
 
 void requireSame(bool same, const std::string& path) {
@@ -311,7 +311,8 @@ void writeStatistics(const SetPlan& plan, const CloudStatistics& statistics) {
                               {"scattered", jsonOf(statistics.scattered)},
                               {"fill_rows", jsonOf(statistics.fill_rows)},
                               {"radius_limit", jsonOf(statistics.radius_limit)},
-                              {"common_reach", jsonOf(statistics.common_reach)}};
+                              {"common_reach", jsonOf(statistics.common_reach)},
+                              {"volume", statistics.volume}};
     writeWhole(statisticsFile(plan.work), json.dump() + "\n");
 }
 

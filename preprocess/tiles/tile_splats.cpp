@@ -46,10 +46,11 @@ std::uint32_t normalWord(const Vec3f& normal) {
     const pro_splat plain{{0, 0, 0}, {normal.x(), normal.y(), normal.z()}, 1, {0, 0, 0}, 0};
     std::uint32_t words[PRO_SPLAT_WORDS];
     pro_splat_encode(&plain, 1, 0, words);
-    return words[2];
+    return words[2] | (normal.isZero(0) ? kBallNormal : 0u);
 }
 
 Vec3f normalOf(std::uint32_t word) {
+    if (word & kBallNormal) return Vec3f::Zero();
     const std::uint32_t words[PRO_SPLAT_WORDS] = {0, 0, word, 0};
     pro_splat plain;
     pro_splat_decode(words, 1, 0, &plain);

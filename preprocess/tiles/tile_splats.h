@@ -17,7 +17,7 @@ namespace pointrt {
 /// them.
 struct TileSplats {
     std::vector<PositionCode> positions; ///< codes of the tile
-    std::vector<std::uint32_t> normals;  ///< as word 2 of SPLT
+    std::vector<std::uint32_t> normals;  ///< as normalWord returns them
     std::vector<float> radii;            ///< input units, above 0
     std::vector<Rgb8> colors;            ///< sRGB
     std::vector<float> noise;            ///< standard deviation across the surface, input units
@@ -44,9 +44,12 @@ struct SplatsView {
 };
 SplatsView viewOf(const TileSplats& splats);
 
-/// Word 2 of SPLT with material row 0. normal: any length.
+/// Marks the normal of a ball, where word 2 of SPLT has the highest bit of the material row.
+constexpr std::uint32_t kBallNormal = 1u << 31;
+
+/// Word 2 of SPLT with material row 0, and kBallNormal for balls. normal: any length; 0 for a ball
 std::uint32_t normalWord(const Vec3f& normal);
-/// Unit length.
+/// Unit length; 0 for a ball.
 Vec3f normalOf(std::uint32_t word);
 
 /// No splats, with the same schema.

@@ -147,24 +147,30 @@ struct Held {
 TEST(DataTest, TextAndSplats) {
     if (dataFolder().empty()) GTEST_SKIP() << "POINTRT_DATA is not set: no real scans to read";
     const Names grid = {"intensity", "row", "column"};
+    const Names gaussians = {"opacity", "gaussian_deviation", "gaussian_rotation", "gaussian_color"};
+    Names degree_two = gaussians;
+    for (int i = 1; i <= 8; ++i) degree_two.push_back(fmt::format("gaussian_harmonic_{}", i));
     for (const Held& held :
          {Held{"text_formats/pdal_1.2-with-color.ptx", 1065, 0, true, grid},
           Held{"text_formats/pdal_complex-transform.ptx", 4, 0, true, grid},
           Held{"text_formats/pdal_no-color.ptx", 15, 0, false, grid},
           Held{"text_formats/pdal_autzen.pts", 10, 0, true, {"intensity"}},
           Held{"text_formats/pdal_test.pts", 19, 0, true, {"intensity"}},
-          Held{"text_formats/pdal_bunny_8.pts", 9, 0, false, {}}, Held{"text_formats/pdal_data.xyz", 400, 0, false, {}},
+          Held{"text_formats/pdal_bunny_8.pts", 9, 0, false, {}},
+          Held{"text_formats/pdal_data.xyz", 400, 0, false, {}},
           Held{"text_formats/pdal_missingheader.txt", 5, 0, false, {}},
           Held{"text_formats/pdal_quoted.txt", 9, 0, false, {}},
           Held{"text_formats/pdal_utm17_1.txt", 10, 0, false, {}},
           Held{"text_formats/pdal_utm17_3.txt", 11, 0, false, {}},
           Held{"text_formats/pdal_with_edgeofflightline.txt", 10000, 0, false, {"OffsetTime", "edge_of_flight_line"}},
           Held{"text_formats/trimesh_points_cloudcompare.xyz", 101, 0, true, {}},
-          Held{"splats/minimal.splat", 4, 0, true, {"opacity"}},
-          Held{"splats/minimal-raw.spz", 4, 0, true, {"opacity"}},
-          Held{"splats/minimal-v2.spz", 4, 0, true, {"opacity"}},
-          Held{"splats/minimal-v4.spz", 4, 0, true, {"opacity"}},
-          Held{"splats/biker_3dgs_quarter.ply", 38187, 20872, true, {"opacity"}}}) {
+          Held{"splats/minimal.splat", 4, 0, true, gaussians},
+          Held{"splats/minimal-raw.spz", 4, 0, true, gaussians},
+          Held{"splats/minimal-v2.spz", 4, 0, true, gaussians},
+          Held{"splats/minimal-v4.spz", 4, 0, true, gaussians},
+          Held{"splats/biker_3dgs_quarter.ply", 38187, 0, true, gaussians},
+          Held{"splats/guitar.compressed.ply", 90854, 0, true, gaussians},
+          Held{"splats/playbot_sog/meta.json", 250000, 0, true, degree_two}}) {
         SCOPED_TRACE(held.name);
         const Cloud cloud = readInputs({(dataFolder() / held.name).string()}, {});
         EXPECT_EQ(cloud.points_read, held.points);

@@ -71,8 +71,10 @@ TEST(Formats, NamesDifferAndEachIsComplete) {
 }
 
 TEST(Formats, MessagesNameAll) {
-    EXPECT_EQ(readableFormats(),
-              "PLY, PCD, LAS/LAZ, E57, PTX, XYZ/PTS/ASC/TXT/CSV, OBJ, OFF, Draco, SPLAT, SPZ and Stanford .conf");
+    EXPECT_EQ(
+        readableFormats(),
+        "PLY, PCD, LAS/LAZ, E57, PTX, XYZ/PTS/ASC/TXT/CSV, OBJ, OFF, Draco, glTF/GLB, SPLAT, SPZ, SOG and Stanford "
+        ".conf");
 }
 
 } // namespace

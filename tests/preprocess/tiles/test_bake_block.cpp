@@ -125,6 +125,36 @@ TEST_F(SetTest, WhatAWholeCloudDecidesItsTilesDoNot) {
     EXPECT_EQ(countOtherThanWhole(request, bakeAll(plan)), 0u);
 }
 
+/// Points in a cube, on no surface: all become balls, which have the radii of the whole cloud's.
+TEST_F(SetTest, TilesHaveTheBallsOfTheWhole) {
+    std::string text = "x,y,z\n";
+    for (std::uint64_t i = 0; i < 24000; ++i)
+        text += fmt::format("{:.4f},{:.4f},{:.4f}\n", 50 * unitShare(mixBits(3 * i + 1)),
+                            50 * unitShare(mixBits(3 * i + 2)), 50 * unitShare(mixBits(3 * i + 3)));
+    SetRequest request = requestOf({folder.write("cube.csv", text)}, 6000);
+    request.bake.surface.splat = SplatShape::kAuto;
+    SetPlan plan = readPlan(splitInto("A.proset", request).work);
+    EXPECT_TRUE(plan.statistics.volume);
+    plan.bake = request.bake;
+    const TileCounts counts = bakeBlocks(plan, {0, plan.blocks()}, 2);
+    EXPECT_EQ(counts.balls, counts.splats);
+    const PlainSplats tiles = splatsOf(plan);
+    ASSERT_EQ(tiles.positions.size(), counts.splats);
+    SurfaceReport report;
+    const Splats whole = estimateSplats(readInputs(request.inputs, {}), request.bake.surface, report);
+    const surface::NearestSearch search(tiles.positions);
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < whole.positions.size(); ++i) {
+        const Vec3d position = whole.origin + whole.positions[i].cast<double>() - plan.lattice_origin;
+        std::uint32_t at = 0;
+        float squared = 0;
+        ASSERT_EQ(search.nearest(position.cast<float>(), {&at, 1}, {&squared, 1}), 1u);
+        EXPECT_EQ(tiles.normals[at], Vec3f(Vec3f::Zero()));
+        found += squared < 1e-6f && std::abs(tiles.radii[at] / whole.radii[i] - 1) < 0.01f;
+    }
+    EXPECT_GT(found, whole.positions.size() * 99 / 100); // outliers may differ
+}
+
 TEST_F(SetTest, BlocksInAnyOrderAndTwiceGiveTheSameBytes) {
     const SetRequest request = requestOf({writeHill("a.csv", 8000)});
     SetPlan one = splitInto("A.proset", request), other = splitInto("B.proset", request, 1);

@@ -88,6 +88,70 @@ TEST(MergeDisc, RaysHitScatteredDiscsAsOftenAsBefore) {
     }
 }
 
+/// Balls at random in a cube of edge 1.
+MergeDiscs scatteredBalls(int count, float radius, std::mt19937& random) {
+    MergeDiscs balls = scatteredDiscs(count, radius, random);
+    for (Vec3f& normal : balls.normals) normal.setZero();
+    return balls;
+}
+
+TEST(MergeDisc, RaysHitBallsAsOftenAsBefore) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> uniform(-2, 2);
+    std::normal_distribution<float> normal;
+    const auto meets_ball = [](const Vec3f& origin, const Vec3f& direction, const Vec3f& center, float radius) {
+        return (center - origin).cross(direction).squaredNorm() < radius * radius;
+    };
+    for (const auto& [count, radius] : {std::pair(2, 0.1f), {4, 0.1f}, {4, 0.2f}, {8, 0.1f}, {8, 0.2f}, {8, 0.3f}}) {
+        int before = 0, now = 0;
+        for (int group = 0; group < 200; ++group) {
+            const MergeDiscs balls = scatteredBalls(count, radius, random);
+            const MergedDisc merged = mergeDiscs(balls, allOf(balls), true);
+            EXPECT_EQ(merged.normal, Vec3f(Vec3f::Zero()));
+            for (int ray = 0; ray < 1000; ++ray) {
+                const Vec3f direction = Vec3f(normal(random), normal(random), normal(random)).normalized();
+                const Vec3f u = direction.unitOrthogonal(), v = direction.cross(u);
+                const Vec3f origin = Vec3f(0.5f, 0.5f, 0.5f) + uniform(random) * u + uniform(random) * v;
+                bool meets_one = false;
+                for (const std::uint32_t i : allOf(balls))
+                    meets_one |= meets_ball(origin, direction, balls.positions[i], balls.radii[i]);
+                before += meets_one;
+                now += meets_ball(origin, direction, merged.position, merged.radius);
+            }
+        }
+        EXPECT_NEAR(now, before, 0.1 * before) << count << " of radius " << radius;
+    }
+}
+
+/// Points of the members' surfaces outside of the merged ball are no farther from it than its error, and its points no
+/// farther from them.
+TEST(MergeDisc, ErrorBoundsTheDistanceOfBalls) {
+    std::mt19937 random(6);
+    std::normal_distribution<float> normal;
+    for (int round = 0; round < 200; ++round) {
+        const MergeDiscs balls = scatteredBalls(5, 0.2f, random);
+        const MergedDisc merged = mergeDiscs(balls, allOf(balls), true);
+        for (int k = 0; k < 200; ++k) {
+            const Vec3f direction = Vec3f(normal(random), normal(random), normal(random)).normalized();
+            float nearest = 1e9f;
+            for (std::size_t i = 0; i < balls.radii.size(); ++i) {
+                const Vec3f point = balls.positions[i] + balls.radii[i] * direction;
+                EXPECT_LE((point - merged.position).norm() - merged.radius, merged.error + 1e-5f);
+                const Vec3f own = merged.position + merged.radius * direction;
+                nearest = std::min(nearest, (own - balls.positions[i]).norm() - balls.radii[i]);
+            }
+            EXPECT_LE(nearest, 1.2f * merged.error); // sampled in fourteen directions
+        }
+    }
+}
+
+TEST(MergeDisc, BallsAndDiscsStayApart) {
+    const Vec3f up(0, 0, 1), none = Vec3f::Zero();
+    const MergeDiscs both{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {none, up, none, up}, {1, 1, 1, 1}};
+    for (const bool oriented : {true, false})
+        EXPECT_EQ(groupBySide(both, allOf(both), oriented), (std::vector<std::uint32_t>{0, 1, 0, 1}));
+}
+
 TEST(MergeDisc, OneStaysItself) {
     const MergeDiscs discs{{{1, 2, 3}}, {Vec3f(0, 1, 0)}, {0.5f}};
     const MergedDisc merged = mergeDiscs(discs, allOf(discs), true);

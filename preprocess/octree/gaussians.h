@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Gaussians to the sections of a .pro: packed as they are, and listed in an octree of their own.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "preprocess/cloud/cloud.h"
+#include "preprocess/cloud/gaussians.h"
+#include "preprocess/octree/octree.h"
+
+namespace pointrt {
+
+/// The columns of a cloud of Gaussians, moved out of it.
+struct GaussianCloud {
+    Cloud points; ///< positions, normals, radii, colours, and the attributes of Gaussians
+    GaussianColumns columns;
+};
+
+/// Moves the Gaussians out of a cloud, which keeps its other attributes. Throws Error kBadInput if it mixes Gaussians
+/// and points.
+GaussianCloud takeGaussians(Cloud& cloud);
+
+/// The Gaussians as splats in Morton order: discs across their flattest axes for readers that know no Gaussians. None
+/// is merged. The cube holds all centres, and the ellipsoids of all but the largest Gaussians.
+PackedSplats packGaussianSplats(const GaussianCloud& gaussians);
+
+/// The leaves of the octree of centres, without references.
+Octree buildCenterOctree(PackedSplats& splats);
+
+/// The sections GAUS, GHRM, GNOD and GLST.
+struct GaussianSections {
+    pro_gaussians view{}; ///< points to the vectors below
+    std::vector<std::uint32_t> words;
+    std::vector<std::int8_t> harmonics;
+    std::vector<std::uint32_t> nodes, lists;
+    std::uint64_t faint = 0; ///< Gaussians too faint to count anywhere
+};
+
+/// Packs the Gaussians in the order of the splats.
+/// @param splats of packGaussianSplats of the same Gaussians
+GaussianSections packGaussians(const GaussianCloud& gaussians, const PackedSplats& splats);
+
+} // namespace pointrt

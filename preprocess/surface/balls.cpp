@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/surface/balls.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "preprocess/cloud/median.h"
+#include "preprocess/surface/planarity.h"
+#include "preprocess/surface/plane_fit.h"
+
+namespace pointrt::surface {
+namespace {
+
+/// In clouds of fewer points, neighbourhoods may be as wide as parts of an object, and planarity weights may tell thin
+/// parts from others. So all of their points become balls, or none.
+constexpr std::size_t kMostSparsePoints = 5000;
+
+/// A neighbourhood is no surface if the smallest eigenvalue of its covariance over the middle one is above this: nine
+/// in ten of a solid ball are (planarity.cpp). Of 2,048 random samples, 93 % of a slab a tenth of an edge thick, 52 %
+/// of Lucy, 37 % of the Dragon, 17 % of the Bunny, 10 % of a cube and none of a sphere or a torus; of 400 samples of
+/// the Bunny 20 %, and of 300 of a torus three times as wide as its tube 30 %.
+constexpr float kNoSurface = 0.25f;
+constexpr double kMostlySparse = 0.5;
+
+/// A point is on no surface if its planarity weight is below this, as in weighPlanarity.
+constexpr float kOnSurface = 0.5f;
+
+/// With more scattered points than this share, a cloud is a volume. In random points it is 0.98; at the borders of a
+/// volume points look flatter, so that in parts of 2,000 points (StatisticsSampler) it is 0.89. Of scans of trees it is
+/// 0.1 to 0.3, as stems and the ground are surfaces.
+constexpr double kVolumeShare = 0.75;
+
+/// A touching ball's radius over the distance to a typical neighbour.
+constexpr float kTouching = 0.5f;
+/// Neighbours whose median distance is typical: a single one may be a second return of the same spot.
+constexpr std::size_t kTypicalNeighbors = 3;
+/// Largest radius over the cloud's median.
+constexpr float kLargestBall = 3;
+/// Where distances underflow (radii.cpp).
+constexpr float kMinBallRadius = 0x1p-24f;
+
+/// A ball's radius over that of a disc that rays of all directions hit as often: seen from everywhere, a disc shows
+/// half its area on average. The radii of discs of scattered points were measured to let through as many rays as crowns
+/// do (kScattered in radii.cpp); touching balls would let through far fewer.
+constexpr float kSameArea = 0.70710678f;
+
+float touchingRadius(const PointGraph& graph, std::size_t point) {
+    std::array<float, kTypicalNeighbors> distances;
+    const std::size_t count = std::min(kTypicalNeighbors, graph.lists.k);
+    for (std::size_t i = 0; i < count; ++i) distances[i] = graph.lists.distance(graph.points, point, i);
+    const auto end = distances.begin() + std::ptrdiff_t(count);
+    std::sort(distances.begin(), end);
+    return std::max(kTouching * distances[count / 2], kMinBallRadius);
+}
+
+} // namespace
+
+bool isTooSparse(const PointGraph& graph) {
+    const std::size_t count = graph.points.size();
+    if (count >= kMostSparsePoints) return false;
+    std::size_t volumetric = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        volumetric += fitPlane(momentsOf(graph.points, graph.lists.of(i), i)).misfit > kNoSurface;
+    return double(volumetric) > kMostlySparse * double(count);
+}
+
+bool isVolume(std::size_t scattered, std::size_t points) {
+    return scattered > 0 && double(scattered) >= kVolumeShare * double(points);
+}
+
+void setBallRadii(PointGraph& graph, const StageShare& share) {
+    PointSet& points = graph.points;
+    points.radii.resize(points.size());
+    forEach(points.size(), share, [&](std::size_t i) { points.radii[i] = touchingRadius(graph, i); });
+    const float limit = kLargestBall * medianOf(points.radii);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        points.radii[i] = points.hasGivenRadius(i) ? points.given_radii[i] : std::min(points.radii[i], limit);
+}
+
+std::vector<std::uint8_t> flagBalls(const PointSet& points, std::optional<bool> decided) {
+    if (points.planarity.empty() || (!decided && points.size() < kMostSparsePoints)) return {};
+    std::vector<std::uint8_t> balls(points.size());
+    for (std::size_t i = 0; i < balls.size(); ++i)
+        balls[i] = points.planarity[i] < kOnSurface && !points.hasGivenRadius(i);
+    const auto count = std::size_t(std::count(balls.begin(), balls.end(), 1));
+    if (decided ? count == 0 : !isScattered(count, balls.size())) balls.clear();
+    return balls;
+}
+
+void shrinkBalls(PointSet& points, const std::vector<std::uint8_t>& balls) {
+    for (std::size_t i = 0; i < balls.size(); ++i)
+        if (balls[i]) points.radii[i] *= kSameArea;
+}
+
+} // namespace pointrt::surface

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Balls instead of discs: for clouds that sample no surface, and for single points that are on none.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "preprocess/surface/point_graph.h"
+
+namespace pointrt::surface {
+
+/// Whether a cloud is so sparse that most of its neighbourhoods are no surfaces, as they reach around thin parts. False
+/// for clouds of more points than that happens to by sparsity alone.
+bool isTooSparse(const PointGraph& graph);
+
+/// Whether a cloud with so many scattered points (weighPlanarity) hardly has any on a surface.
+bool isVolume(std::size_t scattered, std::size_t points);
+
+/// Sets the radii of balls, of all points: half the median distance to the three nearest neighbours, so that typical
+/// neighbours touch, and at most three times the cloud's median of that, so that strays stay small. Given radii stay.
+void setBallRadii(PointGraph& graph, const StageShare& share);
+
+/// [points] 1: the point is on no surface, and becomes a ball; empty if so few are that the cloud consists of surfaces,
+/// or if the cloud is so small that sparsity alone could tell. Points with given radii are pieces of one.
+/// @param decided for a part of a larger cloud: whether that has scattered points
+std::vector<std::uint8_t> flagBalls(const PointSet& points, std::optional<bool> decided);
+
+/// Gives balls the radius that shows as much as their discs did.
+void shrinkBalls(PointSet& points, const std::vector<std::uint8_t>& balls);
+
+} // namespace pointrt::surface
