@@ -107,7 +107,7 @@ public:
           series_(session.device, *session.loaded, options.memory.value_or(kTileMemory)),
           progress_(options.quiet, options.verbose, options.progress_lines),
           files_{options.output, options.camera_output, depthUnit(plan, options, session.loaded->scene.bounds),
-                 session.settings.exposure} {
+                 toneMapping(session.loaded->scene.description, session.settings.exposure)} {
         list_.offset = offsetFor(session.loaded->scene.bounds.lo, session.loaded->scene.bounds.hi);
         list_.depth_unit = files_.depth_unit;
     }
@@ -151,7 +151,7 @@ private:
         report_.rays = series_.takeRays();
         report_.samples = series_.state().samples;
         report_.noise = relativeNoise(film);
-        if (filtered) denoisePicture(session_.device, film);
+        if (filtered) (files_.tone.has_alpha ? denoiseFilm : denoisePicture)(session_.device, film);
         farther_ += writeCameraFiles(files_, plan_.names[i], shot.lens, film);
         list_.shots.push_back({shot, fileNames(options_.camera_output, plan_.names[i])});
         return true;

@@ -10,7 +10,6 @@
 #include "format/base/error.h"
 #include "runtime/image/image_exr.h"
 #include "runtime/image/image_png.h"
-#include "runtime/image/tonemap.h"
 
 namespace pointrt {
 namespace {
@@ -19,7 +18,9 @@ namespace fs = std::filesystem;
 
 constexpr std::uint32_t kMaxNumber = std::numeric_limits<std::uint16_t>::max();
 
-void writeColors(const std::string& path, const Film& film, float stops) { writePng(path, tonemapFilm(film, stops)); }
+void writeColors(const std::string& path, const Film& film, const ToneMapping& tone) {
+    writePng(path, tonemapFilm(film, tone));
+}
 
 void writeAlbedo(const std::string& path, const Film& film, float stops) {
     Film colors;
@@ -27,7 +28,7 @@ void writeAlbedo(const std::string& path, const Film& film, float stops) {
     colors.height = film.height;
     for (std::size_t i = 0; i < film.albedo.size(); i += 3)
         colors.rgba.insert(colors.rgba.end(), {film.albedo[i], film.albedo[i + 1], film.albedo[i + 2], 1});
-    writeColors(path, colors, stops);
+    writeColors(path, colors, {stops});
 }
 
 /// Maps -1 to 1 to 0 to 255; 128 128 128 is the zero vector, no hit.
@@ -113,8 +114,8 @@ std::uint64_t writeCameraFiles(const CameraFiles& files, const std::string& name
                                const Film& film) {
     const CameraOutput& output = files.output;
     std::uint64_t farther = 0;
-    if (output.rgb) writeColors(readyPath(files, kRgb, name), film, files.exposure);
-    if (output.albedo) writeAlbedo(readyPath(files, kAlbedo, name), film, files.exposure);
+    if (output.rgb) writeColors(readyPath(files, kRgb, name), film, files.tone);
+    if (output.albedo) writeAlbedo(readyPath(files, kAlbedo, name), film, files.tone.stops);
     if (output.depth) farther = writeDepths(readyPath(files, kDepth, name), film, lens, files.depth_unit);
     if (output.normal) writeNormals(readyPath(files, kNormal, name), film);
     if (output.instance) writeInstances(readyPath(files, kInstance, name), film);

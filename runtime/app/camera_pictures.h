@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/image/film.h"
+#include "runtime/image/tonemap.h"
 #include "runtime/scene/pinhole.h"
 #include "runtime/session/options.h"
 
@@ -17,7 +18,7 @@ struct CameraFiles {
     std::string folder;
     CameraOutput output;
     double depth_unit = 0; ///< scene units per step of depth pictures
-    float exposure = 0;    ///< stops, for rgb and albedo
+    ToneMapping tone;      ///< of rgb; albedo has only its exposure
 };
 
 /// The keys of transforms.json and files, relative to the folder, of a picture of this name.

@@ -16,8 +16,7 @@ namespace {
 
 bool mayBeFiltered(const RenderSession& session, const Options& options) {
     const bool may_end_early = options.limits.seconds || options.limits.noise;
-    return wantsDenoising(options, session.settings, session.loaded->scene.description,
-                          may_end_early ? 1 : session.settings.spp);
+    return wantsDenoising(session, options, may_end_early ? 1 : session.settings.spp);
 }
 
 std::uint64_t bytesOfFilter(const RenderSession& session, const Options& options) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "runtime/image/tonemap.h"
 #include "runtime/util/clock.h"
 
 namespace pointrt {
@@ -12,7 +11,7 @@ namespace {
 
 constexpr std::size_t kPixelsAtOnce = 1 << 20; ///< tone-mapped at once: enough work for all cores
 
-/// Black rows, without guides for the denoiser.
+/// Black rows without coverage, and without guides for the denoiser.
 Film blankRows(std::uint32_t width, std::uint32_t rows) {
     Film film;
     film.width = width;
@@ -47,14 +46,15 @@ void PngPicture::filterRows(const Film& film, std::uint32_t first, std::uint32_t
 
 void PngPicture::write(std::span<const float> rgba) {
     const Clock::time_point start = Clock::now();
-    if (!png_) png_.emplace(plan_.path, PngSize{plan_.size.width, plan_.size.height, 3}, plan_.writing);
+    const std::uint32_t channels = channelsOf(plan_.tone);
+    if (!png_) png_.emplace(plan_.path, PngSize{plan_.size.width, plan_.size.height, channels}, plan_.writing);
     const std::size_t row_floats = std::size_t{4} * plan_.size.width;
     const std::size_t step = std::max<std::size_t>(kPixelsAtOnce / plan_.size.width, 1) * row_floats;
     for (; !rgba.empty(); rgba = rgba.subspan(std::min(step, rgba.size()))) {
         const std::span<const float> part = rgba.first(std::min(step, rgba.size()));
-        bytes_.resize(part.size() / 4 * 3);
-        tonemapPixels(part, plan_.stops, bytes_.data());
-        if (legend_) compositeLegend(*legend_, {bytes_, plan_.size.width, written_});
+        bytes_.resize(part.size() / 4 * channels);
+        tonemapPixels(part, plan_.tone, bytes_.data());
+        if (legend_) compositeLegend(*legend_, {bytes_, plan_.size.width, written_, channels});
         written_ += part.size() / row_floats;
         png_->addRows(bytes_);
     }

@@ -11,6 +11,7 @@
 #include "runtime/gpu/device.h"
 #include "runtime/image/film.h"
 #include "runtime/image/image_png.h"
+#include "runtime/image/tonemap.h"
 #include "runtime/render/picture_filter.h"
 #include "runtime/scene/legend_picture.h"
 #include "runtime/util/pixel_size.h"
@@ -20,7 +21,7 @@ namespace pointrt {
 struct PngPlan {
     std::string path;
     PixelSize size;
-    float stops = 0; ///< exposure
+    ToneMapping tone;
     std::optional<FilterPlan> filter;
     std::optional<Legend> legend; ///< composited over the picture
     Writing writing = Writing::kWhole;
@@ -33,7 +34,7 @@ public:
 
     /// Adds the next rows from the top: those of film from first on. Throws Error kCannotWrite "PATH: reason".
     void addRows(const Film& film, std::uint32_t first, std::uint32_t rows);
-    /// Completes the file; missing rows are black. Throws as addRows.
+    /// Completes the file; missing rows are black, or transparent. Throws as addRows.
     void finish();
 
     double filterMilliseconds() const { return filter_ms_; }

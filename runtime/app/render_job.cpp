@@ -86,13 +86,17 @@ FrameState renderFrames(RenderSession& session, const Options& options, std::opt
     return state;
 }
 
+ToneMapping toneMappingOf(const RenderSession& session) {
+    return toneMapping(session.loaded->scene.description, session.settings.exposure);
+}
+
 /// The finished film of a frame that ended in state, denoised if requested.
 Film finishFilm(RenderSession& session, Film film, const Options& options, const FrameState& state, Report& report) {
     report.samples = state.samples;
     report.noise = relativeNoise(film);
-    if (!wantsDenoising(options, session.settings, session.loaded->scene.description, report.samples)) return film;
+    if (!wantsDenoising(session, options, report.samples)) return film;
     const Clock::time_point start = Clock::now();
-    denoisePicture(session.device, film);
+    (toneMappingOf(session).has_alpha ? denoiseFilm : denoisePicture)(session.device, film);
     report.denoise_ms = millisecondsSince(start);
     return film;
 }
@@ -100,7 +104,7 @@ Film finishFilm(RenderSession& session, Film film, const Options& options, const
 /// Thumbnails are written in place: the file manager may have created the file and hold it open.
 PngPlan pngPlan(const RenderSession& session, const Options& options, const std::string& path) {
     const RenderSettings& settings = session.settings;
-    PngPlan plan{path, {settings.width, settings.height}, settings.exposure, {}, {}, Writing::kWhole};
+    PngPlan plan{path, {settings.width, settings.height}, toneMappingOf(session), {}, {}, Writing::kWhole};
     if (options.thumbnail != 0) plan.writing = Writing::kInPlace;
     if (settings.legend.value_or(false)) plan.legend = session.loaded->scene.paint.legend;
     return plan;
@@ -160,8 +164,8 @@ void reportEnd(const Options& options, const RenderSession& session, const Frame
 PngPlan pngPlanFiltered(const RenderSession& session, const Options& options) {
     const RenderSettings& settings = session.settings;
     PngPlan plan = pngPlan(session, options, options.output);
-    if (wantsDenoising(options, settings, session.loaded->scene.description, settings.spp))
-        plan.filter = {plan.size, settings.spp > 1, true, filterTileFor(plan.size)};
+    if (wantsDenoising(session, options, settings.spp))
+        plan.filter = {plan.size, settings.spp > 1, !plan.tone.has_alpha, filterTileFor(plan.size)};
     return plan;
 }
 

@@ -19,7 +19,7 @@ struct RayHit {
     double t = 0; ///< in lengths of the ray's direction
     std::uint32_t instance = kNothing;
     std::uint32_t splat = 0;
-    std::uint32_t normal = 0; ///< the word of the splat that encodes it
+    std::uint32_t normal = 0; ///< encoded as in the words of a splat
 };
 
 /// The hit that the device found in an instance, clamped to limits; `otherwise` for a miss.

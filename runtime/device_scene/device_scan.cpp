@@ -12,6 +12,7 @@
 #include "format/base/printable.h"
 #include "format/base/require_pro.h"
 #include "pointrt/pro_index_layout.h"
+#include "runtime/device_scene/gaussian_upload.h"
 #include "runtime/device_scene/index_cache.h"
 #include "runtime/util/on_error.h"
 
@@ -112,9 +113,45 @@ void freeBuilt(DeviceScan& scan) {
     if (!scan.grid_words.imported) Words().swap(scan.built.grid.words);
 }
 
+/// A buffer of texels, blank if there are none.
+template <typename Element>
+void uploadTexels(Device& device, DeviceScan& scan, PagedBuffer DeviceScan::*buffer,
+                  const std::vector<Element>& elements) {
+    const auto* const section = std::find_if(std::begin(kScanBuffers), std::end(kScanBuffers),
+                                             [&](const ScanBuffer& each) { return each.buffer == buffer; });
+    const bool blank = elements.empty();
+    const std::uint64_t bytes = blank ? kTexelBytes : elements.size() * sizeof(Element);
+    scan.*buffer = createEmptyPagedBuffer(device, section->what, bytes, section->format);
+    uploadPages(device, scan.*buffer, blank ? static_cast<const void*>(kBlank) : elements.data(), bytes, 0);
+    scan.device_bytes += bytes;
+}
+
+/// Gaussians in the buffers of a scan.
+void uploadGaussians(Device& device, DeviceScan& scan, const pro_gaussians& gaussians) {
+    const GaussianBuffers buffers = decodeGaussians(gaussians, scan.view.splats, scan.info.splat_count);
+    uploadTexels(device, scan, &DeviceScan::splats, buffers.rows);
+    uploadTexels(device, scan, &DeviceScan::near, buffers.nodes);
+    uploadTexels(device, scan, &DeviceScan::cells, buffers.harmonics);
+    uploadTexels(device, scan, &DeviceScan::brick_words, buffers.lists);
+    for (PagedBuffer DeviceScan::*unused : {&DeviceScan::slabs, &DeviceScan::listed, &DeviceScan::blending})
+        uploadTexels(device, scan, unused, std::vector<std::uint32_t>());
+    scan.grid_words = createTexelBuffer(device, "blank buffer", kBlank, kTexelBytes, VK_FORMAT_R32_UINT);
+    scan.noise = createTexelBuffer(device, "blank buffer", kBlank, kTexelBytes, VK_FORMAT_R32G32B32A32_UINT);
+    scan.is_gaussian = true;
+    scan.reaches_out = buffers.nodes.front().count > 0;
+    scan.harmonics_degree = gaussians.degree;
+    std::copy_n(gaussians.harmonic_max, 3, scan.harmonics_max.begin());
+}
+
 /// Uploads everything that the device reads. Errors name the file.
 void upload(Device& device, DeviceScan& scan, const ScanUpload& how) {
+    pro_gaussians gaussians;
     try {
+        if (pro_get_gaussians(scan.file, &gaussians) == 1) {
+            uploadGaussians(device, scan, gaussians);
+            scan.pages = pageCounts(device, pagedBuffers(scan));
+            return;
+        }
         uploadSplats(device, scan);
         uploadNoise(device, scan);
         if (pro_get_index(scan.cached ? scan.cached : scan.file, &scan.index) == 0) buildIndex(scan, how);
@@ -147,7 +184,8 @@ DeviceScan mapScan(const std::string& path) {
 DeviceScan mapTracedScan(const std::string& path) {
     DeviceScan scan = mapScan(path);
     pro_index index;
-    if (pro_get_index(scan.file, &index) == 1) return scan;
+    pro_gaussians gaussians;
+    if (pro_get_index(scan.file, &index) == 1 || pro_get_gaussians(scan.file, &gaussians) == 1) return scan;
     try {
         scan.cached = openCachedIndex(userIndexCache(), scan.file);
     } catch (...) {
@@ -161,7 +199,10 @@ DeviceScan mapTracedScan(const std::string& path) {
 void uploadScan(Device& device, DeviceScan& scan, const ScanUpload& how) {
     const OnError undo([&] { destroyScan(device, scan); });
     upload(device, scan, how);
-    if (how.verbose)
+    if (how.verbose && scan.is_gaussian)
+        std::fprintf(stderr, "%s: %u Gaussians, harmonics of degree %u\n", printable(scan.path).c_str(),
+                     scan.info.splat_count, scan.harmonics_degree);
+    else if (how.verbose)
         std::fprintf(stderr, "%s: %u splats, %s%s, tracing index %s, entry grid of %u x %u x %u cells\n",
                      printable(scan.path).c_str(), scan.info.splat_count,
                      isImported(scan.splats) ? "mapped pages imported" : "sections uploaded",

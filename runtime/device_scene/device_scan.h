@@ -2,6 +2,7 @@
 // A mapped .pro file and its device buffers.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -34,6 +35,10 @@ struct DeviceScan {
     PageCounts pages; ///< of those buffers
     Buffer noise;     ///< a byte per splat; a blank texel if the scan has no noise
     bool noisy = false;
+    bool is_gaussian = false; ///< holds Gaussians: the buffers have the contents of gaussian_layout.h, and no index
+    bool reaches_out = false; ///< some Gaussians reach out of the cube
+    std::uint32_t harmonics_degree = 0;   ///< of the Gaussians' colours
+    std::array<float, 3> harmonics_max{}; ///< their largest coefficients by degree
     std::uint64_t device_bytes = 0;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "format/base/error.h"
@@ -36,7 +37,7 @@ std::array<float, 3> colorOf(const DeviceScan& file, const pro_splat& splat) {
     return color;
 }
 
-/// Decodes and places a splat.
+/// Places a splat. A ball has the normal 0.
 /// @param cube frame of the splat
 /// @param file has its material
 SampledSplat sampledSplat(const pro_splat& splat, const TileCube& cube, const Placement& placement,
@@ -53,7 +54,9 @@ void addSplats(const DeviceScan& file, const Placement& placement, std::uint64_t
     const TileCube cube{{info.origin[0], info.origin[1], info.origin[2]}, info.scale};
     for (std::uint64_t i = 0; i < info.splat_count; i += step) {
         pro_splat splat;
-        pro_splat_decode(file.view.splats + PRO_SPLAT_WORDS * i, info.radius_max, info.radius_step, &splat);
+        const std::uint32_t* const words = file.view.splats + PRO_SPLAT_WORDS * i;
+        pro_splat_decode(words, info.radius_max, info.radius_step, &splat);
+        if (pro_splat_is_ball(words)) std::fill(std::begin(splat.normal), std::end(splat.normal), 0.0f);
         sample.splats.push_back(sampledSplat(splat, cube, placement, file));
     }
 }

@@ -253,8 +253,13 @@ gpu::InstanceParams makeInstanceParams(const RenderSpace& space, const DeviceSca
     params.grid_size = {grid.size[0], grid.size[1], grid.size[2], 0};
     params.grid_words = {layer, layer * grid.size[2] - 1, grid.brick_count * PRO_BRICK_WORDS - 1, 0};
     params.materials = {number, 0, 0, 0};
+    if (file.is_gaussian) { // a grid of one cell
+        params.grid_scale = {1, PRO_POSITION_STEP, 0, 0};
+        params.grid_size = {1, 1, 1, 0};
+    }
     params.core_high = {static_cast<float>(grid.size[0]), static_cast<float>(grid.size[1]),
                         static_cast<float>(grid.size[2]), 1};
+    params.harmonics = {file.harmonics_max[0], file.harmonics_max[1], file.harmonics_max[2], 0};
     return params;
 }
 

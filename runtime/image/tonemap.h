@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -11,6 +12,16 @@
 
 namespace pointrt {
 
+/// How a picture's light becomes 8-bit values.
+struct ToneMapping {
+    float stops = 0;                   ///< exposure
+    bool compresses_highlights = true; ///< false: clips them at 1, for captures that are display-encoded already
+    bool has_alpha = false;            ///< RGBA, with the film's coverage as straight alpha; false: RGB
+};
+
+/// Bytes per pixel.
+constexpr std::uint32_t channelsOf(const ToneMapping& tone) { return tone.has_alpha ? 4 : 3; }
+
 /// Compresses highlights to [0, 1] (shaders/shared/tone_curve.h). Colours whose largest channel is below 0.8 are
 /// unchanged. Negative and NaN values count as 0.
 std::array<float, 3> toneMap(std::array<float, 3> linear);
@@ -18,12 +29,12 @@ std::array<float, 3> toneMap(std::array<float, 3> linear);
 /// The sRGB transfer function (IEC 61966-2-1), rounded to 8 bits; linear is clamped to [0, 1].
 std::uint8_t encodeSrgb(float linear);
 
-/// Tone maps linear RGBA pixels, scaled by 2^stops, to RGB bytes. Ignores alpha, which is for EXR only: the background
-/// is part of the picture.
-/// @param rgb room for 3 bytes per pixel
-void tonemapPixels(std::span<const float> rgba, float stops, std::uint8_t* rgb);
+/// Tone maps linear RGBA pixels. Without has_alpha their alpha is ignored: the background is part of the picture. With
+/// it the colour is that of the covered part of the pixel, light / coverage.
+/// @param bytes room for channelsOf(tone) bytes per pixel
+void tonemapPixels(std::span<const float> rgba, const ToneMapping& tone, std::uint8_t* bytes);
 
 /// Tone maps a film likewise.
-Image8 tonemapFilm(const Film& film, float stops = 0);
+Image8 tonemapFilm(const Film& film, const ToneMapping& tone = {});
 
 } // namespace pointrt

@@ -23,7 +23,8 @@ std::uint32_t lanesOf(std::uint32_t width, std::uint32_t rows) { return tilesOf(
 
 std::uint32_t filmLayers(std::uint32_t samples) { return samples > FILM_BATCH ? 2 * FILM_LAYERS : FILM_LAYERS; }
 
-FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, FilmRoom film, bool culls) {
+FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, FilmRoom film, bool culls,
+                                bool has_gaussians) {
     const std::uint64_t lanes = lane_count;
     FrameBuffers buffers;
     const auto storage = [&](const char* what, std::uint64_t bytes, VkBufferUsageFlags more = 0) {
@@ -55,6 +56,7 @@ FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, FilmRo
     buffers.no_cull_boxes = storage("blank cull boxes", sizeof(gpu::CullBoxes), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     buffers.light_masks = storage("light mask buffer", lanes * sizeof(std::uint32_t));
     buffers.deferred = storage("deferred ray buffer", lanes * MAX_DEFERRED * sizeof(gpu::PathState));
+    buffers.gaussian_light = storage("Gaussian light buffer", (has_gaussians ? lanes : 1) * sizeof(gpu::vec4));
     createFilm(device, buffers, film);
     return buffers;
 }
@@ -89,7 +91,7 @@ void destroyFrameBuffers(Device& device, FrameBuffers& buffers) {
     for (Buffer* buffer :
          {&buffers.params, &buffers.control, &buffers.queues, &buffers.paths, &buffers.hits, &buffers.surfaces,
           &buffers.light_queries, &buffers.light_masks, &buffers.deferred, &buffers.film, &buffers.first_hits,
-          &buffers.beams, &buffers.pixel_list, &buffers.no_cull_boxes})
+          &buffers.beams, &buffers.pixel_list, &buffers.gaussian_light, &buffers.no_cull_boxes})
         destroyBuffer(device, *buffer);
     buffers = {};
 }
@@ -113,6 +115,7 @@ std::vector<BufferBinding> frameBindings(const FrameBuffers& buffers) {
             {BINDING_LIGHT_MASKS, &buffers.light_masks},
             {BINDING_DEFERRED, &buffers.deferred},
             {BINDING_PIXEL_LIST, &buffers.pixel_list},
+            {BINDING_GAUSSIAN_LIGHT, &buffers.gaussian_light},
             {BINDING_SHADOW_RAYS, &buffers.light_queries},
             {BINDING_SHADOW_RAYS_TEXELS, &buffers.light_queries}};
 }

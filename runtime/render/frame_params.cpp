@@ -20,7 +20,9 @@ gpu::vec3 scaled(Color color, float strength) {
 gpu::vec3 packed(Vec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
 
 std::uint32_t optionBits(const RenderSettings& settings) {
-    return (settings.blend ? OPTION_BLEND : 0u) | (settings.shadows ? OPTION_SHADOWS : 0u);
+    const bool is_transparent = settings.background && settings.background->transparent;
+    return (settings.blend ? OPTION_BLEND : 0u) | (settings.shadows ? OPTION_SHADOWS : 0u) |
+           (is_transparent ? OPTION_TRANSPARENT : 0u);
 }
 
 /// A sky image is sampled as a light, with shadows, so it adds no ambient light.
@@ -54,6 +56,9 @@ Vec3 pixelOffset(const RenderSettings& settings, const Camera& camera, std::uint
 /// Margin of the box around all instances, as a share of its size: more than the rounding error of the ray test.
 constexpr float kBoundsMargin = 1e-4f;
 
+/// Half the edge of a box around everything; its square is a float.
+constexpr float kEverywhere = 1e15f;
+
 /// A point of an instance's cube in render space, by the transposed rows: they are those of a scaled rotation.
 std::array<float, 3> renderFromCube(const gpu::InstanceParams& p, std::array<float, 3> cube) {
     const float x = cube[0] - p.row_x.w, y = cube[1] - p.row_y.w, z = cube[2] - p.row_z.w;
@@ -77,7 +82,11 @@ std::array<float, 3> gridCorner(const gpu::InstanceParams& p, unsigned corner) {
 void setInstanceBounds(const DeviceScene& scene, gpu::FrameParams& params) {
     constexpr float kFar = std::numeric_limits<float>::max();
     std::array<float, 3> low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
-    for (const Instance& instance : scene.instances)
+    for (const Instance& instance : scene.instances) {
+        // those of Gaussians that reach out of their cube are as good as everywhere
+        const bool everywhere = scene.files[instance.file].reaches_out;
+        if (everywhere) low.fill(-kEverywhere);
+        if (everywhere) high.fill(kEverywhere);
         for (unsigned corner = 0; corner < 8; ++corner) {
             const std::array<float, 3> at = renderFromCube(instance.params, gridCorner(instance.params, corner));
             for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -85,6 +94,7 @@ void setInstanceBounds(const DeviceScene& scene, gpu::FrameParams& params) {
                 high[axis] = std::max(high[axis], at[axis]);
             }
         }
+    }
     const float margin =
         scene.instances.empty() ? 0 : kBoundsMargin * std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
     params.instances_low = {low[0] - margin, low[1] - margin, low[2] - margin};

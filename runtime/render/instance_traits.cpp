@@ -4,7 +4,15 @@
 namespace pointrt {
 
 InstanceTraits traitsOf(const DeviceScan& file, bool oriented, bool is_tile) {
-    return {file.index.uneven != 0, oriented, file.noisy, is_tile, isPaged(file.pages) ? file.pages : PageCounts{}};
+    const bool has_balls = (file.info.flags & PRO_FLAG_BALLS) != 0;
+    return {file.index.uneven != 0,
+            oriented,
+            file.noisy,
+            is_tile,
+            has_balls,
+            file.is_gaussian,
+            file.harmonics_degree,
+            isPaged(file.pages) ? file.pages : PageCounts{}};
 }
 
 InstanceTraits traitsOf(const DeviceScene& scene, const Instance& instance) {
@@ -12,10 +20,9 @@ InstanceTraits traitsOf(const DeviceScene& scene, const Instance& instance) {
 }
 
 std::vector<SpecConstant> traitConstants(const InstanceTraits& traits) {
-    std::vector<SpecConstant> values{{SPEC_UNEVEN, traits.uneven},
-                                     {SPEC_ORIENTED, traits.oriented},
-                                     {SPEC_NOISY, traits.noisy},
-                                     {SPEC_CLIPS_TO_CORE, traits.clips_to_core}};
+    std::vector<SpecConstant> values{{SPEC_UNEVEN, traits.uneven},       {SPEC_ORIENTED, traits.oriented},
+                                     {SPEC_NOISY, traits.noisy},         {SPEC_CLIPS_TO_CORE, traits.clips_to_core},
+                                     {SPEC_HAS_BALLS, traits.has_balls}, {SPEC_HARMONICS, traits.harmonics}};
     if (!isPaged(traits.pages)) return values;
     for (const SpecConstant& each : pageConstants(traits.pages)) values.push_back(each);
     return values;

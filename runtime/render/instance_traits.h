@@ -3,6 +3,7 @@
 #pragma once
 
 #include <compare>
+#include <cstdint>
 #include <vector>
 
 #include "runtime/device_scene/device_scene.h"
@@ -11,11 +12,13 @@
 
 namespace pointrt {
 
-/// Whether an instance is uneven, oriented, noisy, and a tile clipped to its core (shaders/trace/instance.glsl), and
-/// the pages of its buffers (shaders/lib/pages.glsl).
+/// Whether an instance is uneven, oriented, noisy, a tile clipped to its core, and may have balls
+/// (shaders/trace/instance.glsl), whether it holds Gaussians, and the pages of its buffers (shaders/lib/pages.glsl).
 struct InstanceTraits {
-    bool uneven = false, oriented = false, noisy = false, clips_to_core = false;
-    PageCounts pages; ///< all 0 if every buffer has a single page
+    bool uneven = false, oriented = false, noisy = false, clips_to_core = false, has_balls = false;
+    bool is_gaussian = false;
+    std::uint32_t harmonics = 0; ///< degree of the Gaussians' harmonics
+    PageCounts pages;            ///< all 0 if every buffer has a single page
     auto operator<=>(const InstanceTraits&) const = default;
 };
 

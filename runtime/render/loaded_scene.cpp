@@ -46,6 +46,12 @@ Bounds shownBounds(const DeviceScene& scene, const SceneSample& sample) {
             {std::min(all.hi.x, high.x), std::min(all.hi.y, high.y), std::min(all.hi.z, high.z)}};
 }
 
+bool holdsOnlyGaussians(const DeviceScene& scene) {
+    const std::vector<const DeviceScan*> scans = representativeScans(scene);
+    return !scans.empty() &&
+           std::all_of(scans.begin(), scans.end(), [](const DeviceScan* scan) { return scan->is_gaussian; });
+}
+
 /// Adds surroundings to the scene, selects its tiles and uploads all tables.
 void prepareScene(Device& device, LoadedScene& loaded, const LoadRequest& request) {
     DeviceScene& scene = loaded.scene;
@@ -63,7 +69,7 @@ void prepareScene(Device& device, LoadedScene& loaded, const LoadRequest& reques
     loaded.pivot = view.pivot;
     loaded.aside = view.aside;
     const FramedRequest stage_view = framed(loaded, staging, request);
-    loaded.subject = {brightReflectance(loaded.sample), stage_view.within};
+    loaded.subject = {brightReflectance(loaded.sample), stage_view.within, holdsOnlyGaussians(scene)};
     loaded.camera = framedCamera(loaded, view.camera);
     const Camera stage = framedCamera(loaded, stage_view.camera);
     loaded.staged_for = scene.description.staged_for.value_or(stage.eye);

@@ -32,6 +32,11 @@ constexpr PassBytes kPassBytes[] = {
     {"intersect_closest", kWord + kPath + kHit},
     {"surface (camera)", kWord + kHit + 2 * kSurface}, // stored, and loaded by shade_surface
     {"surface", kWord + kPath + kHit + 2 * kSurface},
+    {"composite_gaussians (camera)", kHit + kVector},
+    {"composite_gaussians", kWord + kPath + kHit + kVector},
+    {"gaussian_first_hits", 2 * FIRST_HIT_VECTORS* kVector},
+    {"attenuate_shadow", kWord + kQuery + kWord},
+    {"attenuate_shadow_ray", kWord + 2 * kShadowRay},
     {"first_hits", kHit + FIRST_HIT_VECTORS* kVector},
     {"fold_film", 4 * FILM_LAYERS* kVector}, // both halves of the film, loaded and stored
     {"shade_surface (camera)", kHit + 2 * FILM_LAYERS* kVector},

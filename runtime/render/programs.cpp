@@ -12,14 +12,22 @@
 #include "runtime/render/instance_culling.h"
 #include "runtime/util/on_error.h"
 #include "shaders/accumulate_shadow.spv.h"
+#include "shaders/attenuate_shadow.spv.h"
+#include "shaders/attenuate_shadow_paged.spv.h"
+#include "shaders/attenuate_shadow_ray.spv.h"
+#include "shaders/attenuate_shadow_ray_paged.spv.h"
 #include "shaders/beam.spv.h"
 #include "shaders/caustic.spv.h"
 #include "shaders/compact.spv.h"
+#include "shaders/composite_gaussians.spv.h"
+#include "shaders/composite_gaussians_paged.spv.h"
 #include "shaders/cull_closest.spv.h"
 #include "shaders/cull_shadow.spv.h"
 #include "shaders/cull_shadow_ray.spv.h"
 #include "shaders/first_hits.spv.h"
 #include "shaders/fold_film.spv.h"
+#include "shaders/gaussian_first_hits.spv.h"
+#include "shaders/gaussian_first_hits_paged.spv.h"
 #include "shaders/intersect_camera.spv.h"
 #include "shaders/intersect_camera_paged.spv.h"
 #include "shaders/intersect_closest.spv.h"
@@ -98,6 +106,20 @@ void orderFor(const InstanceTraits& instance, Constants constants, const Program
         constants.camera_pass = of_camera;
         orders.push_back({&program, name, paged ? with_pages : plain, constants});
     };
+    if (instance.is_gaussian) {
+        order(programs.composite_camera, "composite_gaussians (camera)", composite_gaussians_spv,
+              composite_gaussians_paged_spv, true);
+        order(programs.gaussian_first_hits, "gaussian_first_hits", gaussian_first_hits_spv,
+              gaussian_first_hits_paged_spv, true);
+        if (storesShadowRays(all))
+            order(programs.attenuate_shadow_ray, "attenuate_shadow_ray", attenuate_shadow_ray_spv,
+                  attenuate_shadow_ray_paged_spv);
+        else if (all.has_direct_lighting)
+            order(programs.attenuate_shadow, "attenuate_shadow", attenuate_shadow_spv, attenuate_shadow_paged_spv);
+        if (all.has_secondary_rays)
+            order(programs.composite, "composite_gaussians", composite_gaussians_spv, composite_gaussians_paged_spv);
+        return;
+    }
     order(programs.intersect_camera, "intersect_camera", intersect_camera_spv, intersect_camera_paged_spv);
     order(programs.camera_surface, "surface (camera)", surface_spv, surface_paged_spv, true);
     if (storesShadowRays(all))
@@ -148,10 +170,11 @@ void orderCull(std::uint32_t boxes, Constants constants, const Programs& all, Cu
 /// Culling programs for the numbers of instances that the scene has or may have.
 void orderCulling(const DeviceScene& scene, const Constants& constants, Programs& programs,
                   std::vector<Order>& orders) {
+    const bool accumulates = mayCull(scene) || (constants.features & FEATURE_GAUSSIANS) != 0;
+    if (accumulates && !programs.accumulate_shadow.pipeline && storesShadowRays(programs))
+        orders.push_back({&programs.accumulate_shadow, "accumulate_shadow", accumulate_shadow_spv, constants});
     if (!mayCull(scene)) return;
     if (!programs.compact.pipeline) orders.push_back({&programs.compact, "compact", compact_spv, constants});
-    if (!programs.accumulate_shadow.pipeline && storesShadowRays(programs))
-        orders.push_back({&programs.accumulate_shadow, "accumulate_shadow", accumulate_shadow_spv, constants});
     for (const std::uint32_t boxes : cullProgramSizes(scene)) {
         const auto [cull, is_new] = programs.cull.try_emplace(boxes);
         if (is_new) orderCull(boxes, constants, programs, cull->second, orders);
@@ -168,9 +191,15 @@ void orderInstances(const DeviceScene& scene, const Constants& constants, Progra
     for (const Instance& instance : scene.instances) {
         InstanceTraits traits = traitsOf(scene, instance);
         add(traits);
-        // tiles that are loaded later may need the other variant
-        traits.uneven = !traits.uneven;
-        if (instance.tile && scene.tile_cache_bytes > 0) add(traits);
+        if (!instance.tile || scene.tile_cache_bytes == 0) continue;
+        // tiles loaded later may be uneven or not, and without balls
+        for (const bool has_balls : {traits.has_balls, false}) {
+            traits.has_balls = has_balls;
+            for (const bool uneven : {false, true}) {
+                traits.uneven = uneven;
+                add(traits);
+            }
+        }
     }
 }
 
@@ -233,8 +262,10 @@ void destroyPrograms(Device& device, Programs& programs) {
           &programs.compact, &programs.accumulate_shadow})
         destroyProgram(device, *program);
     for (auto& [traits, variant] : programs.variants)
-        for (Program* program : {&variant.intersect_closest, &variant.intersect_camera, &variant.camera_surface,
-                                 &variant.surface, &variant.intersect_shadow, &variant.intersect_shadow_ray})
+        for (Program* program :
+             {&variant.intersect_closest, &variant.intersect_camera, &variant.camera_surface, &variant.surface,
+              &variant.intersect_shadow, &variant.intersect_shadow_ray, &variant.composite_camera, &variant.composite,
+              &variant.gaussian_first_hits, &variant.attenuate_shadow, &variant.attenuate_shadow_ray})
             destroyProgram(device, *program);
     programs.variants.clear();
     for (auto& [boxes, cull] : programs.cull)
@@ -256,7 +287,8 @@ DescriptorSets bindInstance(Device& device, VkDescriptorPool pool, const Program
     const DeviceScan& file = scene.files[instance.file];
     const VkDescriptorSet common = createDescriptorSet(device, pool, programs.prepare, bindings);
     if (!isPaged(file.pages)) return common;
-    const Program& tracing = programsFor(programs, scene, instance).intersect_camera;
+    const Program& tracing = file.is_gaussian ? programsFor(programs, scene, instance).composite_camera
+                                              : programsFor(programs, scene, instance).intersect_camera;
     return {common,
             createDescriptorSet(device, pool, tracing, pageBindings(instancePages(scene, instance)), SET_PAGES)};
 }

@@ -20,6 +20,8 @@ struct InstancePrograms {
     Program intersect_closest, surface; ///< for secondary rays
     Program intersect_shadow,
         intersect_shadow_ray; ///< one of them: queued shadow rays, or the megakernel's stored ones
+    Program composite_camera, composite, gaussian_first_hits; ///< of Gaussians, which have these in place of the above
+    Program attenuate_shadow, attenuate_shadow_ray;           ///< one of them, as above
 };
 
 /// Programs with one variant for camera rays and one for queued rays (shaders/lib/features.glsl).
@@ -43,7 +45,8 @@ struct Programs {
     PassPrograms camera, queued;
     std::map<InstanceTraits, InstancePrograms> variants;
     std::map<std::uint32_t, CullPrograms> cull; ///< by the number of boxes (cullProgramSize)
-    Program compact, accumulate_shadow;         ///< after culling
+    Program compact;                            ///< after culling
+    Program accumulate_shadow;                  ///< after culling, or where Gaussians attenuate shadow rays
 };
 
 /// Builds the programs that the scene needs for the settings' integrator, in the requested form if possible.

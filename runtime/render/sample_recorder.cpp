@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/render/sample_recorder.h"
 
+#include <utility>
+
 namespace pointrt {
 
 SampleRecorder::SampleRecorder(PassCommands& commands, const BandTracer& tracer, const BandSample& sample)
     : commands_(commands), tracer_(tracer), tiles_(tilesOf(sample.width, sample.rows)), sample_(sample.number),
       center_(sample.at_centers ? STEP_CENTER : 0u), preview_(sample.preview ? STEP_PREVIEW : 0u),
       pixel_list_(sample.at_listed_pixels ? STEP_PIXEL_LIST : 0u),
+      has_gaussians_((tracer.scene->features & FEATURE_GAUSSIANS) != 0),
       stores_first_hits_(sample.at_listed_pixels && sample.first_hits) {}
 
 void SampleRecorder::firstHits() {
@@ -14,13 +17,18 @@ void SampleRecorder::firstHits() {
     prepare(bits | STEP_RESET);
     intersectCamera(bits);
     run(tracer_.programs.first_hits, tracer_.instances.sets, bits, rays_);
+    compositeGaussians(&InstancePrograms::gaussian_first_hits, bits);
 }
 
 void SampleRecorder::begin() {
     prepare(STEP_RESET);
     if (sample_ > 0 && sample_ % FILM_BATCH == 0) run(tracer_.programs.fold_film, tracer_.instances.sets, 0, rays_);
     intersectCamera(center_);
-    if (stores_first_hits_) run(tracer_.programs.first_hits, tracer_.instances.sets, center_, rays_);
+    if (stores_first_hits_) {
+        run(tracer_.programs.first_hits, tracer_.instances.sets, center_, rays_);
+        compositeGaussians(&InstancePrograms::gaussian_first_hits, center_);
+    }
+    compositeGaussians(&InstancePrograms::composite_camera, center_);
     if (tracer_.programs.form == KernelForm::kMegakernel)
         megakernel(tracer_.programs.camera.megakernel, center_);
     else
@@ -33,20 +41,23 @@ void SampleRecorder::pass(std::uint32_t index) {
     const PassPrograms& programs = tracer_.programs.queued;
     if (tracer_.programs.form == KernelForm::kMegakernel) {
         intersectClosest(queue);
+        compositeGaussians(&InstancePrograms::composite, queue);
         return megakernel(programs.megakernel, queue);
     }
     run(programs.intersect_shapes, tracer_.instances.sets, queue, rays_);
     closeList(LIST_INSTANCE_RAYS, queue);
     intersectClosest(queue);
+    compositeGaussians(&InstancePrograms::composite, queue);
     shadeSurface(programs.shade_surface, queue);
 }
 
 /// Closest hits of the camera rays, on shapes and then on each instance.
 void SampleRecorder::intersectCamera(std::uint32_t bits) {
     run(tracer_.programs.camera.intersect_shapes, tracer_.instances.sets, bits, rays_);
-    for (std::size_t i = 0; i < tracer_.instances.each.size(); ++i) {
-        const TracedInstance& instance = tracer_.instances.each[i];
-        if (i > 0) prepare(bits | STEP_RESET);
+    bool is_first = true;
+    for (const TracedInstance& instance : tracer_.instances.each) {
+        if (instance.is_gaussian) continue;
+        if (!std::exchange(is_first, false)) prepare(bits | STEP_RESET);
         run(tracer_.programs.beam, instance.sets, bits, PassLanes::kTiles,
             (tiles_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE);
         run(instance.programs->intersect_camera, instance.sets, bits, PassLanes::kTilesLeft);
@@ -64,6 +75,29 @@ void SampleRecorder::intersectClosest(std::uint32_t bits) {
                      if (tracer_.hit_counts)
                          commands_.copyHitCount(*tracer_.hit_counts, static_cast<std::size_t>(&instance - first));
                  });
+}
+
+/// Runs a program over the current rays for each instance of Gaussians: their light in front of the closest hits, or
+/// their first hits.
+void SampleRecorder::compositeGaussians(Program InstancePrograms::*program, std::uint32_t bits) {
+    if (!has_gaussians_) return;
+    const TracedInstance *first = nullptr, *last = nullptr;
+    for (const TracedInstance& instance : tracer_.instances.each) {
+        if (!instance.is_gaussian) continue;
+        first = first ? first : &instance;
+        last = &instance;
+    }
+    for (const TracedInstance& instance : tracer_.instances.each)
+        if (instance.is_gaussian)
+            run(instance.programs->*program, instance.sets,
+                bits | (&instance == first ? STEP_FIRST : 0u) | (&instance == last ? STEP_LAST : 0u), rays_);
+}
+
+/// What Gaussians let pass of the shadow rays of a closed list.
+void SampleRecorder::attenuateShadows(std::uint32_t list, Program InstancePrograms::*program, std::uint32_t bits) {
+    if (!has_gaussians_) return;
+    for (const TracedInstance& instance : tracer_.instances.each)
+        if (instance.is_gaussian) runOver(list, instance.programs->*program, instance.sets, bits);
 }
 
 /// Surface interactions of the hits on one instance. A nearer hit on a later instance overwrites them.
@@ -113,6 +147,7 @@ void SampleRecorder::shadows(std::uint32_t first, std::uint32_t bits) {
 /// Occlusion by instances of the queued shadow rays.
 void SampleRecorder::intersectShadow(std::uint32_t bits) {
     closeList(LIST_SHADOW_RAYS, bits);
+    attenuateShadows(LIST_SHADOW_RAYS, &InstancePrograms::attenuate_shadow, bits);
     intersectAll(LIST_SHADOW_RAYS, &CullPrograms::shadow, bits,
                  [&](const TracedInstance& instance, std::uint32_t list) {
                      runOver(list, instance.programs->intersect_shadow, instance.sets, bits);
@@ -122,13 +157,15 @@ void SampleRecorder::intersectShadow(std::uint32_t bits) {
 /// Occlusion by instances of the megakernel's stored shadow rays; accumulates the unoccluded ones.
 void SampleRecorder::intersectShadowRay(std::uint32_t bits) {
     const TracedInstances& instances = tracer_.instances;
-    const bool culled = !instances.cull_groups.empty(); // then the last instance of a ray is unknown
+    // the last instance of a ray is unknown after culling, and may be of Gaussians
+    const bool separately = !instances.cull_groups.empty() || has_gaussians_;
+    attenuateShadows(LIST_DIRECT_LIGHT, &InstancePrograms::attenuate_shadow_ray, bits);
     intersectAll(LIST_DIRECT_LIGHT, &CullPrograms::shadow_ray, bits,
                  [&](const TracedInstance& instance, std::uint32_t list) {
-                     const std::uint32_t last = !culled && &instance == &instances.each.back() ? STEP_LAST : 0u;
+                     const std::uint32_t last = !separately && &instance == &instances.each.back() ? STEP_LAST : 0u;
                      runOver(list, instance.programs->intersect_shadow_ray, instance.sets, bits | last);
                  });
-    if (culled) runOver(LIST_DIRECT_LIGHT, tracer_.programs.accumulate_shadow, instances.sets, bits);
+    if (separately) runOver(LIST_DIRECT_LIGHT, tracer_.programs.accumulate_shadow, instances.sets, bits);
 }
 
 void SampleRecorder::prepare(std::uint32_t bits) {

@@ -24,6 +24,8 @@ public:
 private:
     void intersectCamera(std::uint32_t bits);
     void intersectClosest(std::uint32_t bits);
+    void compositeGaussians(Program InstancePrograms::*program, std::uint32_t bits);
+    void attenuateShadows(std::uint32_t list, Program InstancePrograms::*program, std::uint32_t bits);
     void surface(const Program& program, const DescriptorSets& sets, std::uint32_t bits);
     void shadeSurface(const Program& program, std::uint32_t bits);
     void megakernel(const Program& program, std::uint32_t bits);
@@ -43,6 +45,7 @@ private:
     PassCommands& commands_;
     const BandTracer& tracer_;
     std::uint32_t tiles_, sample_, center_, preview_, pixel_list_;
+    bool has_gaussians_;
     bool stores_first_hits_;               ///< of the camera rays that are shaded
     std::uint32_t first_light_sample_ = 0; ///< of the shadow pass
     PassLanes rays_ = PassLanes::kPixels;  ///< the rays of the current pass

@@ -36,7 +36,8 @@ TracedInstances bindTracedInstances(Device& device, const Programs& programs, co
         return bindInstance(device, instances.pool, programs, scene, instance, buffers, caustics, boxes);
     };
     for (const Instance& instance : scene.instances)
-        instances.each.push_back({&programsFor(programs, scene, instance), bind(instance, buffers.no_cull_boxes)});
+        instances.each.push_back({&programsFor(programs, scene, instance), bind(instance, buffers.no_cull_boxes),
+                                  scene.files[instance.file].is_gaussian});
     instances.sets = instances.each.empty() ? bind(scene.blank, buffers.no_cull_boxes) : instances.each.front().sets;
     for (const CullGroupBoxes& each : groups) {
         CullGroup& group = instances.cull_groups.emplace_back();
@@ -59,13 +60,15 @@ void destroyTracedInstances(Device& device, TracedInstances& instances) {
 void intersectInstances(PassCommands& commands, const Programs& programs, const TracedInstances& instances,
                         const InstanceRayList& rays, const IntersectInstance& intersect) {
     if (instances.cull_groups.empty())
-        for (const TracedInstance& instance : instances.each) intersect(instance, rays.list);
+        for (const TracedInstance& instance : instances.each)
+            if (!instance.is_gaussian) intersect(instance, rays.list);
     for (const CullGroup& group : instances.cull_groups) {
         runOver(commands, group.programs->*rays.cull, group.sets, rays);
         runOver(commands, programs.prepare, group.sets, rays, STEP_CULLED);
         runOver(commands, programs.compact, group.sets, rays);
         for (std::size_t k = 0; k < group.count; ++k)
-            intersect(instances.each[group.first + k], static_cast<std::uint32_t>(LIST_CULLED + k));
+            if (!instances.each[group.first + k].is_gaussian)
+                intersect(instances.each[group.first + k], static_cast<std::uint32_t>(LIST_CULLED + k));
     }
 }
 

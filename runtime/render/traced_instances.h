@@ -17,6 +17,7 @@ namespace pointrt {
 struct TracedInstance {
     const InstancePrograms* programs = nullptr;
     DescriptorSets sets;
+    bool is_gaussian = false;
 };
 
 /// Consecutive instances that rays are culled for together.
@@ -49,8 +50,8 @@ struct InstanceRayList {
 /// Records the passes that intersect an instance with a list: the given one, or what culling left of it.
 using IntersectInstance = std::function<void(const TracedInstance& instance, std::uint32_t list)>;
 
-/// Records the intersection of a list with all instances, and for each cull group the culling before that. The list
-/// must be complete: prepare has closed it.
+/// Records the intersection of a list with all instances but Gaussians, and for each cull group the culling before
+/// that. The list must be complete: prepare has closed it.
 void intersectInstances(PassCommands& commands, const Programs& programs, const TracedInstances& instances,
                         const InstanceRayList& rays, const IntersectInstance& intersect);
 

@@ -175,13 +175,13 @@ void addFloor(SceneDescription& scene, const Staging& staging, double level, flo
     scene.shapes.push_back(plane);
 }
 
-void addStudio(SceneDescription& scene, const Staging& staging, const StudioSubject& subject) {
+void addStudio(SceneDescription& scene, const Staging& staging, const StudioSubject& subject, bool has_floor) {
     const float gain = lampGain(subject.reflectance), grey = kStudioFloor / gain;
     if (subject.around_eye) return addEyeLamp(scene, staging, gain);
     const double level = staging.floor - kStudioGap * staging.radius;
     // from below, a floor would hide the scene; the lamps then shine from below too
     const bool below = dot(staging.eye - staging.center, staging.up) <= level;
-    if (!below) addFloor(scene, staging, level, grey);
+    if (has_floor && !below) addFloor(scene, staging, level, grey);
     const Vec3 lamps_up = (below ? -1.0 : 1.0) * staging.up;
     SkyDescription sky;
     sky.horizon = {0, 0, 0};
@@ -203,6 +203,45 @@ void addStudio(SceneDescription& scene, const Staging& staging, const StudioSubj
     scene.sky = sky;
 }
 
+/// Whether neither scene nor settings choose surroundings.
+bool isLeftToDefaults(const SceneDescription& scene, const RenderSettings& settings, const std::optional<Room>& room) {
+    const bool is_bare = scene.lights.empty() && scene.shapes.empty() && !scene.sky;
+    return is_bare && !room && !settings.lights && usesLights(settings.integrator);
+}
+
+/// Lights for an unlit scene in front of a plain background. Gaussian captures bring their own, also for shapes among
+/// them.
+void addLampsBeforeBackground(SceneDescription& scene, const RenderSettings& settings, const Staging& staging,
+                              const StudioSubject& subject, bool in_room) {
+    if (!settings.lights && !in_room && subject.only_gaussians) return;
+    if (settings.lights || in_room || !scene.shapes.empty())
+        return addRing(scene, staging, settings.lights.value_or(kRingLights));
+    addStudio(scene, staging, subject, false);
+}
+
+/// A sky of one colour. strength and image are the defaults, so that it is that colour exactly.
+SkyDescription plainSky(const Background& background, float ambient) {
+    SkyDescription sky;
+    sky.zenith = sky.horizon = sky.ground = backgroundRadiance(background);
+    sky.ambient = ambient;
+    return sky;
+}
+
+bool isPlain(const SkyDescription& sky, const Background& background) {
+    return sky == plainSky(background, sky.ambient);
+}
+
+/// Replaces the sky by scene.background. It lights what has no lights of its own as the studio's sky would, and nothing
+/// else: ambient light would brighten what its lights leave dark.
+void addBackground(SceneDescription& scene, const RenderSettings& settings, const Staging& staging,
+                   const StudioSubject& subject, bool in_room) {
+    const bool is_unlit = scene.lights.empty() && !scene.sky;
+    const float default_ambient = is_unlit && !subject.only_gaussians ? SkyDescription{}.ambient : 0;
+    const float ambient = scene.sky ? scene.sky->ambient : default_ambient;
+    if (is_unlit) addLampsBeforeBackground(scene, settings, staging, subject, in_room);
+    scene.sky = plainSky(*scene.background, ambient);
+}
+
 } // namespace
 
 Vec3 sceneUp(const SceneDescription& scene, const RenderSettings& settings) {
@@ -215,16 +254,26 @@ void addSurroundings(SceneDescription& scene, const RenderSettings& settings, co
     const std::optional<Room> room = settings.room ? settings.room : scene.render.room;
     const Vec3 eye = scene.staged_for.value_or(camera.eye);
     const Staging staging = stageBounds(sceneUp(scene, settings), eye, low, high);
-    const bool bare = scene.lights.empty() && scene.shapes.empty() && !scene.sky;
-    if (bare && !room && !settings.lights && usesLights(settings.integrator)) return addStudio(scene, staging, subject);
-    if (room && *room != Room::kNone) addRoom(scene, staging, *room);
+    const bool by_default = isLeftToDefaults(scene, settings, room);
+    scene.background = settings.background;
+    if (!scene.background && by_default && subject.only_gaussians) scene.background = Background{};
+    if (!scene.background && by_default) return addStudio(scene, staging, subject, true);
+    const bool in_room = room && *room != Room::kNone;
+    if (scene.background) addBackground(scene, settings, staging, subject, in_room);
+    if (in_room) addRoom(scene, staging, *room);
     if (scene.lights.empty() && !scene.sky) addRing(scene, staging, settings.lights.value_or(kRingLights));
 }
 
 void ownSurroundings(SceneDescription& scene, RenderSettings& settings) {
     scene.render.room = settings.room = Room::kNone;
     scene.render.lights = settings.lights = 0;
+    scene.render.background = settings.background = pictureBackground(scene);
     scene.staged_for.reset();
+}
+
+std::optional<Background> pictureBackground(const SceneDescription& scene) {
+    const bool is_seen = scene.background && scene.sky && isPlain(*scene.sky, *scene.background);
+    return is_seen ? scene.background : std::nullopt;
 }
 
 } // namespace pointrt

@@ -2,6 +2,9 @@
 // Default surroundings of a scan: a room, lights, or a small studio.
 #pragma once
 
+#include <optional>
+
+#include "runtime/scene/background.h"
 #include "runtime/scene/render_settings.h"
 #include "runtime/scene/scene_description.h"
 
@@ -18,6 +21,8 @@ struct StudioSubject {
     /// The eye is inside the scene, where outside lamps would be occluded: one lamp is near the eye, and ambient light
     /// comes from all sides.
     bool around_eye = false;
+    /// Every instance is a Gaussian capture: its light is part of it, and nothing in it is lit.
+    bool only_gaussians = false;
 };
 
 /// Adds default surroundings to scene:
@@ -25,11 +30,18 @@ struct StudioSubject {
 ///  - if the scene has no lights and no sky, settings.lights point lights on a ring above the bounds (default
 ///    kRingLights);
 ///  - if neither room nor lights are set and the scene has no lights, shapes or sky: instead a studio of three soft
-///    lamps over a matte floor, which is a backdrop without first hits and coverage.
+///    lamps over a matte floor, which is a backdrop without first hits and coverage. Gaussian captures alone get a
+///    black background instead.
+///  - settings.background: a sky of that colour in place of the scene's. Unlit scenes then get the studio's lamps
+///    without its floor, and only_gaussians none unless settings.lights or a room asks for them.
 /// They are placed for the eye scene.staged_for, else for camera's eye, and do not move with it.
 /// low and high: corners of the scene's bounds, world frame.
 void addSurroundings(SceneDescription& scene, const RenderSettings& settings, const Camera& camera, Vec3 low, Vec3 high,
                      const StudioSubject& subject = {});
+
+/// The background of pictures of a scene with surroundings, which have no highlight compression then. None if there is
+/// no background, or if its sky has been edited since.
+std::optional<Background> pictureBackground(const SceneDescription& scene);
 
 /// Makes the surroundings from addSurroundings part of the scene, before it is edited or saved: nothing more is added
 /// later.

@@ -100,6 +100,17 @@ void drawEntries(const Pen& pen, const Legend& legend, std::size_t top) {
     }
 }
 
+/// Composites a pixel over one of a picture. Both have straight alpha; without it, the picture is opaque.
+void compositePixel(const std::uint8_t* over, std::uint8_t* under, std::size_t channels) {
+    const std::uint32_t alpha = channels == 4 ? under[3] : 255u;
+    const std::uint32_t over_weight = 255u * over[3], under_weight = alpha * (255u - over[3]);
+    const std::uint32_t sum = over_weight + under_weight; // of 255 * 255
+    if (sum == 0) return;
+    for (int c = 0; c < 3; ++c)
+        under[c] = static_cast<std::uint8_t>((over[c] * over_weight + under[c] * under_weight + sum / 2) / sum);
+    if (channels == 4) under[3] = static_cast<std::uint8_t>((sum + 127) / 255);
+}
+
 } // namespace
 
 LegendPicture drawLegend(const Legend& legend, PixelSize picture) {
@@ -124,15 +135,14 @@ LegendPicture drawLegend(const Legend& legend, PixelSize picture) {
 }
 
 void compositeLegend(const LegendPicture& legend, const PictureRows& picture) {
-    const std::size_t rows = picture.rgb.size() / (3 * picture.width);
+    const std::size_t rows = picture.pixels.size() / (picture.channels * picture.width);
     const std::size_t bottom = std::min(legend.top + legend.size.height, picture.first_row + rows);
     const std::size_t right = std::min(legend.left + legend.size.width, picture.width);
     for (std::size_t y = std::max(legend.top, picture.first_row); y < bottom; ++y)
         for (std::size_t x = legend.left; x < right; ++x) {
             const std::uint8_t* over = &legend.rgba[4 * ((y - legend.top) * legend.size.width + x - legend.left)];
-            std::uint8_t* under = &picture.rgb[3 * ((y - picture.first_row) * picture.width + x)];
-            for (int c = 0; c < 3; ++c)
-                under[c] = static_cast<std::uint8_t>((over[c] * over[3] + under[c] * (255 - over[3]) + 127) / 255);
+            const std::size_t pixel = (y - picture.first_row) * picture.width + x;
+            compositePixel(over, &picture.pixels[picture.channels * pixel], picture.channels);
         }
 }
 

@@ -22,11 +22,12 @@ struct LegendPicture {
 /// Draws a legend for the lower left corner of a picture of this size, scaled with it.
 LegendPicture drawLegend(const Legend& legend, PixelSize picture);
 
-/// Complete rows of a picture, 3 bytes per pixel.
+/// Complete rows of a picture.
 struct PictureRows {
-    std::span<std::uint8_t> rgb;
+    std::span<std::uint8_t> pixels;
     std::size_t width = 1; ///< pixels
     std::size_t first_row = 0;
+    std::size_t channels = 3; ///< 3: RGB, 4: RGBA with straight alpha
 };
 
 void compositeLegend(const LegendPicture& legend, const PictureRows& picture);

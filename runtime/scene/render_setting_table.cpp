@@ -31,13 +31,13 @@ constexpr bool holds(const RenderSettings& settings, SizeMembers member, const v
 /// Fails to compile when a member is added or removed: update the list.
 [[maybe_unused]] constexpr bool everyMemberHasARow() {
     const RenderSettings settings;
-    const auto& [width, height, spp, seed, camera, integrator, bounces, room, lights, shadows, caustics, blend,
-                 reflectivity, color_by, color_map, color_range, legend, first_hits, light_parts, denoise, exposure,
-                 detail] = settings;
-    const std::array<const void*, 22> members = {
-        &width,  &height,     &spp,         &seed,    &camera,       &integrator, &bounces,   &room,
-        &lights, &shadows,    &caustics,    &blend,   &reflectivity, &color_by,   &color_map, &color_range,
-        &legend, &first_hits, &light_parts, &denoise, &exposure,     &detail};
+    const auto& [width, height, spp, seed, camera, integrator, bounces, room, lights, background, shadows, caustics,
+                 blend, reflectivity, color_by, color_map, color_range, legend, first_hits, light_parts, denoise,
+                 exposure, detail] = settings;
+    const std::array<const void*, 23> members = {
+        &width,       &height,     &spp,        &seed,        &camera,  &integrator,   &bounces,  &room,
+        &lights,      &background, &shadows,    &caustics,    &blend,   &reflectivity, &color_by, &color_map,
+        &color_range, &legend,     &first_hits, &light_parts, &denoise, &exposure,     &detail};
     const auto has_row = [&](const void* member) {
         bool found = false;
         forEachRenderSetting([&](const auto& row) { found |= holds(settings, row.member, member); });

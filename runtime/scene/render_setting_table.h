@@ -129,6 +129,13 @@ inline constexpr std::tuple kRenderSettings{
             "Point lights on a ring above a scene that has no lights of its own (default 3 with --room; {limits})"},
         InSceneFile{FileTable::kRender, 8, "lights"},
         InFilm{8, "lights"}},
+    RenderSetting{&RenderSettings::background, &RenderChoices::background,
+        BackgroundWord{},
+        OnCommandLine{HelpGroup::kLightAndSurfaces, "--background", "COLOR",
+            "Plain background in place of sky, studio floor and highlight compression: {limits}; transparent writes "
+            "RGBA PNGs (default: none, and black for Gaussian captures alone, which then get no lamps either)"},
+        InSceneFile{FileTable::kScene, 2, "background"},
+        InFilm{16, "background", nullptr, true}},
     RenderSetting{&RenderSettings::shadows, &RenderChoices::shadows,
         OneOf{kSwitchNames},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--shadows", "on|off", "Trace shadow rays (default {default})"},

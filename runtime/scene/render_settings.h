@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "runtime/scene/background.h"
 #include "runtime/scene/color_map.h"
 #include "runtime/scene/integrator.h"
 #include "runtime/scene/standard_view.h"
@@ -59,9 +60,10 @@ struct RenderSettings {
     std::uint32_t seed = 0;
     CameraRequest camera;
     Integrator integrator = Integrator::kPhong;
-    std::uint32_t bounces = 4;           ///< secondary rays in a path
-    std::optional<Room> room;            ///< a box around the scene
-    std::optional<std::uint32_t> lights; ///< point lights on the ring
+    std::uint32_t bounces = 4;            ///< secondary rays in a path
+    std::optional<Room> room;             ///< a box around the scene
+    std::optional<std::uint32_t> lights;  ///< point lights on the ring
+    std::optional<Background> background; ///< in place of sky, studio floor and tone curve (default_lighting.h)
     bool shadows = true;
     bool caustics = true;              ///< light focused by glass and mirrors
     bool blend = true;                 ///< off: each hit is one splat's flat disc
@@ -85,6 +87,7 @@ struct RenderChoices {
     std::optional<std::uint32_t> bounces;
     std::optional<Room> room;
     std::optional<std::uint32_t> lights;
+    std::optional<Background> background;
     std::optional<bool> shadows, caustics, blend;
     std::optional<float> reflectivity;
     std::optional<std::string> color_by;

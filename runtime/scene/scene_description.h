@@ -126,6 +126,8 @@ struct SceneDescription {
     CameraRequest camera;
     std::vector<NamedView> views;
     RenderChoices render;
+    /// The plain background that addSurroundings has given the sky; see pictureBackground of default_lighting.h.
+    std::optional<Background> background;
     /// The eye for which the default room, lights or studio are placed; none: the camera's.
     std::optional<Vec3> staged_for;
     bool operator==(const SceneDescription&) const = default;

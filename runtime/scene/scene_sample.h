@@ -11,7 +11,7 @@
 namespace pointrt {
 
 struct SampledSplat {
-    Vec3 position, normal; ///< world units; unit length, outward if the sample is oriented
+    Vec3 position, normal; ///< world units; unit length, outward if the sample is oriented; 0 for a ball
     double radius = 0;
     std::array<float, 3> color{}; ///< reflectance, linear
 };
@@ -37,7 +37,7 @@ struct Extent {
 /// The range without a thousandth of the values at each end. values: not empty; reordered.
 Extent extentOfMost(std::vector<double>& values);
 
-/// Half the extent of a disc along an axis of unit length.
+/// Half the extent of a disc or ball along an axis of unit length.
 double halfExtentAlong(const SampledSplat& splat, Vec3 axis);
 
 /// The 95th percentile of the luminance of reflectance; 0.5 for an empty sample.

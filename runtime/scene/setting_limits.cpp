@@ -23,6 +23,7 @@ std::string limitsText(RealRange range) { return plainText(range.low) + " to " +
 std::string limitsText(SizeRange range) { return "1 to " + std::to_string(range.longest); }
 std::string limitsText(AttributeWord) { return "rgb, height, normal, scan, intensity, class or any attribute's name"; }
 std::string limitsText(RangeOfValues) { return "the lower first"; }
+std::string limitsText(BackgroundWord) { return "black, white, transparent or #RRGGBB"; }
 
 std::string valueText(CountRange, std::uint32_t value) { return std::to_string(value); }
 std::string valueText(RealRange, float value) { return plainText(value); }
@@ -31,6 +32,7 @@ std::string valueText(SizeRange, PixelSize value) {
 }
 std::string valueText(AttributeWord, const std::string& value) { return value; }
 std::string valueText(RangeOfValues, ValueRange value) { return exactText(value.low) + "," + exactText(value.high); }
+std::string valueText(BackgroundWord, const Background& value) { return backgroundName(value); }
 
 std::uint32_t parseValue(CountRange range, const std::string& text) { return parseCount(text, range.low, range.high); }
 float parseValue(RealRange range, const std::string& text) {
@@ -53,6 +55,12 @@ ValueRange parseValue(RangeOfValues, const std::string& text) {
         range.low < range.high)
         return range;
     throw std::invalid_argument("\"" + text + "\" is not LO,HI with two finite numbers, the lower first");
+}
+
+Background parseValue(BackgroundWord, const std::string& text) {
+    if (const auto background = backgroundNamed(text)) return *background;
+    throw std::invalid_argument("\"" + printable(text) +
+                                "\" is not black, white, transparent or a colour such as #ff8000");
 }
 
 } // namespace pointrt

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "runtime/scene/background.h"
 #include "runtime/scene/value_range.h"
 #include "runtime/util/names.h"
 #include "runtime/util/parse.h"
@@ -40,6 +41,11 @@ struct RangeOfValues {
     using Value = ValueRange;
 };
 
+/// A plain colour behind the scene.
+struct BackgroundWord {
+    using Value = Background;
+};
+
 /// A choice of names. kSwitchNames makes a switch, which is a boolean in scene files.
 template <typename Named>
 struct OneOf {
@@ -55,6 +61,7 @@ std::string limitsText(RealRange range);
 std::string limitsText(SizeRange range);
 std::string limitsText(AttributeWord);
 std::string limitsText(RangeOfValues);
+std::string limitsText(BackgroundWord);
 template <typename Named>
 std::string limitsText(OneOf<Named> choices) {
     return joinedNames(choices.names, ", ");
@@ -66,6 +73,7 @@ std::string valueText(RealRange, float value);
 std::string valueText(SizeRange, PixelSize value);
 std::string valueText(AttributeWord, const std::string& value);
 std::string valueText(RangeOfValues, ValueRange value);
+std::string valueText(BackgroundWord, const Background& value);
 template <typename Named>
 std::string valueText(OneOf<Named> choices, Named value) {
     return nameOf(choices.names, value);
@@ -77,6 +85,7 @@ float parseValue(RealRange range, const std::string& text);
 PixelSize parseValue(SizeRange range, const std::string& text);
 std::string parseValue(AttributeWord, const std::string& text);
 ValueRange parseValue(RangeOfValues, const std::string& text);
+Background parseValue(BackgroundWord, const std::string& text);
 template <typename Named>
 Named parseValue(OneOf<Named> choices, const std::string& text) {
     return parseName(choices.names, text);

@@ -57,6 +57,11 @@ void rasterize(std::vector<double>& depths, const Outline& disc, double depth) {
         }
 }
 
+/// Cosine of the angle between a splat's front and the direction to the viewer. Balls have fronts on all sides.
+double facing(const SampledSplat& splat, Vec3 forward) {
+    return splat.normal == Vec3{} ? 1 : -dot(splat.normal, forward);
+}
+
 } // namespace
 
 Visibility visibleAlong(const SceneSample& sample, const SampleBox& box, const ViewBasis& basis) {
@@ -76,7 +81,7 @@ Visibility visibleAlong(const SceneSample& sample, const SampleBox& box, const V
         const auto [cell, depth] = placed[i];
         if (cell == kOutside || depth > depths[cell] + kSurfaceDepth) continue;
         visible.seen.push_back(static_cast<std::uint32_t>(i));
-        fronts[cell] -= dot(sample.splats[i].normal, basis.forward);
+        fronts[cell] += facing(sample.splats[i], basis.forward);
     }
     for (std::size_t cell = 0; cell < kOutside; ++cell) {
         if (depths[cell] == kFar) continue;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <stdexcept>
+
 #include "runtime/scene/render_setting_table.h"
 #include "runtime/scene_io/read_parts.h"
 
@@ -22,6 +24,14 @@ PixelSize readValue(const SceneValue& value, SizeRange range) {
 std::string readValue(const SceneValue& value, AttributeWord) { return textOf(value); }
 
 ValueRange readValue(const SceneValue& value, RangeOfValues) { return rangeOf(value); }
+
+Background readValue(const SceneValue& value, BackgroundWord word) {
+    try {
+        return parseValue(word, textOf(value));
+    } catch (const std::invalid_argument& error) {
+        refuse(value, error.what());
+    }
+}
 
 bool readValue(const SceneValue& value, OneOf<bool>) { return flagOf(value); }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <cstdio>
 
 #include "format/base/printable.h"
 #include "runtime/scene_io/values.h"
+#include "runtime/util/color.h"
+#include "runtime/util/parse.h"
 
 namespace pointrt {
 namespace {
@@ -24,12 +24,6 @@ std::vector<double> numbersOf(const SceneValue& list, std::size_t count, Range r
     std::vector<double> numbers;
     for (const SceneValue& each : elementsOf(list)) numbers.push_back(numberOf(each, range));
     return numbers;
-}
-
-/// The sRGB transfer function (IEC 61966-2-1).
-float linearFromSrgb(std::uint8_t byte) {
-    const float encoded = static_cast<float>(byte) / 255.0f;
-    return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
 }
 
 } // namespace
@@ -84,13 +78,7 @@ Vec3 directionOf(const SceneValue& value) {
 std::array<std::uint8_t, 3> bytesOf(const SceneValue& value) {
     const std::string text = textOf(value);
     std::array<std::uint8_t, 3> bytes{};
-    bool good = text.size() == 7 && text[0] == '#';
-    for (std::size_t i = 0; good && i < bytes.size(); ++i) {
-        const char* digits = text.data() + 1 + 2 * i;
-        const auto [end, error] = std::from_chars(digits, digits + 2, bytes[i], 16);
-        good = error == std::errc() && end == digits + 2;
-    }
-    if (!good) refuse(value, "\"" + printable(text) + "\" is not a colour such as \"#ff8000\"");
+    if (!parseHexColor(text, bytes)) refuse(value, "\"" + printable(text) + "\" is not a colour such as \"#ff8000\"");
     return bytes;
 }
 

@@ -12,6 +12,7 @@ std::string settingText(RealRange, float value) { return tomlOf(value); }
 std::string settingText(SizeRange, PixelSize value) { return listOf({tomlOf(value.width), tomlOf(value.height)}); }
 std::string settingText(AttributeWord, const std::string& value) { return tomlOf(value); }
 std::string settingText(RangeOfValues, ValueRange value) { return listOf({tomlOf(value.low), tomlOf(value.high)}); }
+std::string settingText(BackgroundWord word, const Background& value) { return tomlOf(valueText(word, value)); }
 std::string settingText(OneOf<bool>, bool value) { return tomlOf(value); }
 template <typename Named>
 std::string settingText(OneOf<Named> choices, Named value) {

@@ -70,6 +70,7 @@ std::string candidatesOf(const OneOf<Named>& limits) {
     return joinedNames(limits.names, " ");
 }
 std::string candidatesOf(const AttributeWord&) { return "rgb height normal scan intensity class"; }
+std::string candidatesOf(const BackgroundWord&) { return "black white transparent"; }
 
 void addSettings(CommandLine& app, HelpGroup group, RenderChoices& choices) {
     forEachRenderSetting([&](const auto& row) {

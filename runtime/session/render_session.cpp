@@ -43,10 +43,11 @@ void describe(const RenderSession& session, Report& report) {
 }
 
 /// Selects the film's layers.
-void chooseLayers(const Options& options, const SceneDescription& scene, RenderSettings& settings) {
+void chooseLayers(RenderSession& session, const Options& options) {
+    RenderSettings& settings = session.settings;
     // the denoiser needs first hits; if sampling may end early, it may turn out to be needed
     const std::uint32_t fewest = options.limits.seconds || options.limits.noise ? 1 : settings.spp;
-    settings.first_hits |= wantsDenoising(options, settings, scene, fewest);
+    settings.first_hits |= wantsDenoising(session, options, fewest);
     // resumable and unfinished films keep the light components
     settings.light_parts =
         options.output.ends_with(".exr") || options.turntable != 0 || options.limits.seconds || options.limits.noise;
@@ -80,7 +81,7 @@ void loadSession(RenderSession& session, SceneDescription description, const Opt
     session.settings = session.loaded->settings;
     session.camera = session.loaded->camera;
     reportWithoutEffect(options, session.loaded->scene, session.settings.integrator);
-    chooseLayers(options, session.loaded->scene.description, session.settings);
+    chooseLayers(session, options);
     if (options.profile) {
         session.profile.emplace();
         session.profile->clock = createGpuTimer(session.device);
@@ -89,6 +90,11 @@ void loadSession(RenderSession& session, SceneDescription description, const Opt
     session.renderer.emplace(session.device, session.loaded->tracer);
     report.load_seconds = std::chrono::duration<double>(Clock::now() - start).count();
     describe(session, report);
+}
+
+bool wantsDenoising(const RenderSession& session, const Options& options, std::uint32_t samples) {
+    return wantsDenoising(options, session.settings, session.loaded->scene.description, samples,
+                          session.loaded->subject);
 }
 
 void dropRenderer(RenderSession& session) {

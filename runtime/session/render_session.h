@@ -33,6 +33,9 @@ struct RenderSession {
 /// loadScene do.
 void loadSession(RenderSession& session, SceneDescription description, const Options& options, Report& report);
 
+/// wantsDenoising (settings.h) for a loaded scene.
+bool wantsDenoising(const RenderSession& session, const Options& options, std::uint32_t samples);
+
 /// Frees the memory of tracing after the last sample; the denoiser needs as much again.
 void dropRenderer(RenderSession& session);
 

@@ -5,7 +5,6 @@
 
 #include "format/base/error.h"
 #include "runtime/device_scene/color_choice.h"
-#include "runtime/scene/default_lighting.h"
 #include "runtime/scene/render_setting_table.h"
 #include "runtime/scene_io/scene_file.h"
 
@@ -77,7 +76,8 @@ std::optional<StandardView> standardView(const Options& options, const SceneDesc
     return std::nullopt;
 }
 
-bool isNoisy(const RenderSettings& settings, const SceneDescription& scene) {
+bool isNoisy(const RenderSettings& settings, const SceneDescription& scene, const StudioSubject& subject) {
+    if (subject.only_gaussians && scene.shapes.empty()) return false;
     if (hasTrait(settings.integrator, INTEGRATOR_IS_STOCHASTIC)) return true;
     if (!usesLights(settings.integrator)) return false;
     return std::any_of(scene.lights.begin(), scene.lights.end(), isSoft) || (scene.sky && !scene.sky->image.empty());
@@ -119,9 +119,14 @@ SceneDescription describeRun(SceneDescription scene, const RenderSettings& setti
 }
 
 bool wantsDenoising(const Options& options, const RenderSettings& settings, const SceneDescription& scene,
-                    std::uint32_t samples) {
+                    std::uint32_t samples, const StudioSubject& subject) {
     if (settings.denoise != DenoiseChoice::kAuto) return settings.denoise == DenoiseChoice::kOn;
-    return writesPng(options) && samples < kCleanSamplesOfLight && isNoisy(settings, scene);
+    return writesPng(options) && samples < kCleanSamplesOfLight && isNoisy(settings, scene, subject);
+}
+
+ToneMapping toneMapping(const SceneDescription& scene, float stops) {
+    const std::optional<Background> background = pictureBackground(scene);
+    return {stops, !background, background && background->transparent};
 }
 
 } // namespace pointrt

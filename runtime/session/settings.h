@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "runtime/image/tonemap.h"
+#include "runtime/scene/default_lighting.h"
 #include "runtime/scene/render_settings.h"
 #include "runtime/scene/scene_description.h"
 #include "runtime/session/options.h"
@@ -29,11 +31,16 @@ std::optional<StandardView> standardView(const Options& options, const SceneDesc
 /// From this number of samples on noise is hardly visible, and the denoiser would remove detail.
 constexpr std::uint32_t kCleanSamplesOfLight = 256;
 
-/// True if samples of a pixel differ by more than antialiasing: random light paths, soft shadows.
-bool isNoisy(const RenderSettings& settings, const SceneDescription& scene);
+/// True if samples of a pixel differ by more than antialiasing: random light paths, soft shadows. Those of Gaussian
+/// captures do not: their radiance is stored, and nothing else scatters light.
+bool isNoisy(const RenderSettings& settings, const SceneDescription& scene, const StudioSubject& subject = {});
 
 /// True if a picture with this many samples per pixel is to be denoised. scene: with its surroundings
 bool wantsDenoising(const Options& options, const RenderSettings& settings, const SceneDescription& scene,
-                    std::uint32_t samples);
+                    std::uint32_t samples, const StudioSubject& subject = {});
+
+/// How PNGs and the window show the scene's light. scene: with its surroundings. Pictures with a background have no
+/// second tone curve: a capture's colours are those of photographs, which have had theirs.
+ToneMapping toneMapping(const SceneDescription& scene, float stops);
 
 } // namespace pointrt

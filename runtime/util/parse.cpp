@@ -82,4 +82,14 @@ Vec3 parseVector(const std::string& text) {
     return {values[0], values[1], values[2]};
 }
 
+bool parseHexColor(std::string_view text, std::array<std::uint8_t, 3>& color) {
+    if (text.size() != 7 || text[0] != '#') return false;
+    for (std::size_t i = 0; i < color.size(); ++i) {
+        const char* digits = text.data() + 1 + 2 * i;
+        const auto [end, error] = std::from_chars(digits, digits + 2, color[i], 16);
+        if (error != std::errc() || end != digits + 2) return false;
+    }
+    return true;
+}
+
 } // namespace pointrt

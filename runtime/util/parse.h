@@ -3,10 +3,12 @@
 // with the reason if it is invalid.
 #pragma once
 
+#include <array>
 #include <charconv>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "runtime/util/pixel_size.h"
 #include "runtime/util/vec.h"
@@ -41,6 +43,9 @@ double parseAngle(const std::string& text);
 
 /// "X,Y,Z" as three finite numbers.
 Vec3 parseVector(const std::string& text);
+
+/// "#RRGGBB", with hexadecimal digits of either case. Returns false, without an exception, for other text.
+bool parseHexColor(std::string_view text, std::array<std::uint8_t, 3>& color);
 
 /// A number with up to six significant digits, for messages.
 std::string plainText(double value);

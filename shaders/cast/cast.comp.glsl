@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Closest hits of a batch of rays with one instance: the flat disc, not blended with its neighbours.
+// Closest hits of a batch of rays with one instance: the flat disc, not blended with its neighbours, or the ball.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/cast/cast_rays.glsl"
+
+// A normal of any length as splats encode theirs: the octahedral map (format/SPEC.md).
+uint normalWord(vec3 normal) {
+    vec3 n = normal / (abs(normal.x) + abs(normal.y) + abs(normal.z));
+    vec2 folded = mix(vec2(-1.0), vec2(1.0), greaterThanEqual(n.xy, vec2(0.0))) * (1.0 - abs(n.yx));
+    uvec2 codes = uvec2((0.5 * (n.z < 0.0 ? folded : n.xy) + 0.5) * PRO_NORMAL_STEPS + 0.5);
+    return min(codes.x, PRO_NORMAL_MASK) | min(codes.y, PRO_NORMAL_MASK) << PRO_NORMAL_BITS;
+}
 
 void main() {
     uint row = castRow();
@@ -15,8 +23,10 @@ void main() {
     if (hit.disc != NO_INDEX) {
         splat = loadListed(hit.disc);
         uvec4 words = loadSplat(splat), found = uvec4(floatBitsToUint(hit.t), hit.cell, hit.disc, 0u);
-        t = exactDistance(found, words, in_cube.origin, in_cube.direction) / unitsInCube();
+        float t_cube = exactDistance(found, words, in_cube.origin, in_cube.direction);
+        t = t_cube / unitsInCube();
         normal = words.z;
+        if (isBall(words)) normal = normalWord(in_cube.origin + t_cube * in_cube.direction - splatPosition(words));
     }
     storeHit(row, loaded, t, splat, normal);
 }

@@ -30,7 +30,8 @@ void main() {
     uint pixel = push.first + gl_GlobalInvocationID.x;
     vec3 color = texelFetch(colors, int(pixel)).rgb * push.gain;
     color = vec3(cleanChannel(color.r), cleanChannel(color.g), cleanChannel(color.b));
-    vec3 encoded = push.is_light != 0u ? encodeSrgb(toneMap(color)) : clamp(color, 0.0, 1.0);
+    if (push.display == DISPLAY_COMPRESSED) color = toneMap(color);
+    vec3 encoded = push.display == DISPLAY_AS_STORED ? clamp(color, 0.0, 1.0) : encodeSrgb(color);
     uvec3 bytes = uvec3(encoded * 255.0 + 0.5);
     pixels[pixel] = bytes.b | bytes.g << 8 | bytes.r << 16 | 0xFF000000u;
 }

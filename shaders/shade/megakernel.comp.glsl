@@ -14,6 +14,7 @@
 #include "shaders/shade/path_loop.glsl"
 #include "shaders/lib/append.glsl"
 #include "shaders/shade/caustic_light.glsl"
+#include "shaders/shade/gaussian_light.glsl"
 
 // Advances to the next hit, unless an instance may be nearer.
 void advance(inout PathLoop loop, bool continues, PathState next_path, ShapeHit hit) {
@@ -99,11 +100,14 @@ void main() {
     uvec4 hit = live ? loadHit(index) : kNoHit;
     SurfaceInteraction splats = splatInteraction(index);
     PathLoop loop = PathLoop(path, hit, loadSums(index, 0u), live, false, false, 0u, kNoShadow, kNoQuery, 0u, 0u);
+    vec4 gaussians = loadGaussianLight(index);
     if (kCameraPass) {
         SurfaceInteraction point = interactionOf(loop, splats);
         float covered = covers(point) ? 1.0 : 0.0;
-        loop.sums = beginSample(loop.sums, covered, covered * point.albedo, push.sample_index);
+        loop.sums = beginSample(loop.sums, coverageBehind(covered, gaussians), albedoBehind(covered * point.albedo, gaussians),
+                                push.sample_index);
     }
+    if (kHasGaussians && live) accumulateLight(loop.sums, passGaussians(loop.path, gaussians), bounceOf(path.bits));
     uint bounces = 0u;
     do {
         shadeBounce(loop, interactionOf(loop, splats), index);

@@ -5,6 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/shade/continue_path.glsl"
 #include "shaders/shade/film.glsl"
+#include "shaders/shade/gaussian_light.glsl"
 #include "shaders/lib/append.glsl"
 
 void main() {
@@ -15,16 +16,18 @@ void main() {
     uvec4 hit = live ? loadHit(index) : kNoHit;
     SurfaceInteraction point = findInteraction(index, path, hit);
     uint bounce = bounceOf(path.bits);
+    vec4 gaussians = loadGaussianLight(index);
+    vec3 before = passGaussians(path, gaussians);
     bool covered = covers(point);
-    vec3 albedo = covered ? point.albedo : vec3(0.0);
+    vec3 albedo = albedoBehind(covered ? point.albedo : vec3(0.0), gaussians);
     ShadedHit shaded = shadeAt(path, point, index);
     Shading shading = shaded.shading;
     if (live && kCameraPass) {
-        PixelSums sums = beginSample(loadSums(index, 0u), covered ? 1.0 : 0.0, albedo, push.sample_index);
-        accumulateLight(sums, shading.radiance, bounce);
+        PixelSums sums = beginSample(loadSums(index, 0u), coverageBehind(covered ? 1.0 : 0.0, gaussians), albedo, push.sample_index);
+        accumulateLight(sums, shading.radiance + before, bounce);
         storeSums(index, 0u, sums);
     }
-    if (live && !kCameraPass) accumulateLight(index, shading.radiance, bounce);
+    if (live && !kCameraPass) accumulateLight(index, shading.radiance + before, bounce);
     bool lit = live && needsDirectLight(shading);
     appendEntry(LIST_DIRECT_LIGHT, lit, index);
     if (lit) light_queries[index] = lightQuery(shaded.point, -path.direction, shading.direct_weight, bounce);

@@ -21,9 +21,9 @@ struct CastRay {
 #define CAST_RAY_VECTORS 2
 
 struct CastHit {
-    float t;     // to the disc
+    float t;     // to the disc or ball
     uint splat;  // NO_INDEX: a miss
-    uint normal; // the word of the splat that holds its normal (PRO_NORMAL_BITS)
+    uint normal; // encoded as in the word of a splat that holds its normal (PRO_NORMAL_BITS)
     uint unused;
 };
 

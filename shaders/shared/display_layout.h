@@ -21,11 +21,16 @@ struct ResolveParams {
     float depth_black; // depth shown as black, render units
 };
 
+// How the window shows values.
+#define DISPLAY_AS_STORED 0u  // already in display range
+#define DISPLAY_CLIPPED 1u    // linear light, clipped at 1
+#define DISPLAY_COMPRESSED 2u // linear light with compressed highlights
+
 struct TonemapParams {
     uint first; // pixel
     uint count;
     float gain;
-    uint is_light; // 1: linear light, to be tone mapped; 0: already in display range
+    uint display; // DISPLAY_*
 };
 
 #ifdef __cplusplus

@@ -24,6 +24,7 @@ namespace pointrt::gpu {
 #define FEATURE_LIGHT(kind) (1u << uint(kind))
 #define FEATURE_MATERIAL(kind) (1u << (8u + uint(kind)))
 #define FEATURE_SHAPE(kind) (1u << (16u + uint(kind)))
+#define FEATURE_GAUSSIANS (1u << 27)  // some instance holds Gaussians
 #define FEATURE_HIGHLIGHTS (1u << 28) // some material has a Phong highlight
 #define FEATURE_INLINE_NEE (1u << 29) // the megakernel samples lights itself; else it queues direct-lighting queries
 #define FEATURE_NOISE (1u << 30)      // some scan stores noise
@@ -31,6 +32,7 @@ namespace pointrt::gpu {
 
 #define OPTION_BLEND 1u
 #define OPTION_SHADOWS 2u
+#define OPTION_TRANSPARENT 4u // nothing is behind the scene: Gaussians are not composited over the sky
 
 // Marks a lane without a pixel, an empty queue entry, and a ray without a hit.
 #define NO_INDEX 0xFFFFFFFFu
@@ -242,9 +244,10 @@ struct PushParams {
 #define STEP_PREVIEW 16u     // sample lights at their centres, and trace shadow rays to the first only: no noise
 #define STEP_LIST 32u        // prepare: the list is complete
 #define STEP_HITS 64u        // prepare: the hit list of an instance is complete
-#define STEP_LAST 128u       // intersect_shadow_ray: this is the last instance
+#define STEP_LAST 128u       // intersect_shadow_ray, composite_gaussians: this is the last instance
 #define STEP_PIXEL_LIST 256u // rays go through the pixels of the pixel list, one per lane
 #define STEP_CULLED 512u     // prepare: the entries of the culled lists have been counted
+#define STEP_FIRST 1024u     // composite_gaussians: this is the first instance
 
 // An entry of LIST_SHADOW_RAYS: the path, and above it the index of its light sample.
 #define SHADOW_RAY_LIGHT_SHIFT 27u

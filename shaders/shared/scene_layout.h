@@ -54,6 +54,7 @@ struct InstanceParams {
     uvec4 materials; // x: number of this instance, y: first material, z: number of colour ranges, w: 1: casts caustics
     vec4 core_low;   // tiles: corners of the core, grid units; w: margin for rounding of a ray's position
     vec4 core_high;  // w: factor of splat radii for self-intersection distances (shaders/trace/offset.glsl)
+    vec4 harmonics;  // Gaussians: largest harmonics of degree 1, 2, 3, which those of each Gaussian are shares of
     uvec4 color_range[MAX_COLOR_RANGES]; // x, y: lowest and highest sRGB, 8 bits each, red lowest; z: material
 };
 
@@ -61,7 +62,7 @@ struct InstanceParams {
 POINTRT_ROWS(Material, MATERIAL_VECTORS);
 POINTRT_ROWS(Shape, SHAPE_VECTORS);
 POINTRT_ROWS(Light, LIGHT_VECTORS);
-POINTRT_ROWS(InstanceParams, 11 + MAX_COLOR_RANGES);
+POINTRT_ROWS(InstanceParams, 12 + MAX_COLOR_RANGES);
 } // namespace pointrt::gpu
 #endif
 

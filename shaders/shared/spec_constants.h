@@ -42,6 +42,10 @@ enum class SpecId : std::uint32_t {};
 #define SPEC_CULL_BOXES POINTRT_SPEC(21)
 // Whether the caller's rays are in doubles (shaders/cast/given_rays.glsl).
 #define SPEC_CAST_DOUBLES POINTRT_SPEC(22)
+// Whether splats of the instance may be balls.
+#define SPEC_HAS_BALLS POINTRT_SPEC(23)
+// Degree of the harmonics of an instance's Gaussians (shaders/shade/harmonics.glsl).
+#define SPEC_HARMONICS POINTRT_SPEC(24)
 // Display pipeline and denoiser.
 #define SPEC_HAS_FIRST_HITS POINTRT_SPEC(14)
 #define SPEC_KNOWS_VARIANCE POINTRT_SPEC(15)

@@ -21,7 +21,8 @@ struct BlendedSurface {
     float radius; // weighted mean of the splats' radii
     uint material;
     uint splat; // the splat hit
-    bool back;  // seen from behind; false if normals are not oriented
+    bool back;  // seen from behind; false if the sides are not known
+    bool sided; // its sides are known: normals are oriented, or it is a ball
     float noise; // standard deviation of the surface around that splat; 0 in clean scans
 };
 
@@ -52,6 +53,11 @@ vec4 codingInCodes() {
     return vec4(coding.x * PRO_POSITION_STEPS, coding.y, 1.0 / (coding.z * coding.z), coding.w);
 }
 
+// Those of two valid splats that are discs: balls do not blend.
+bvec2 discsOf(uvec4 first, uvec4 second, bvec2 valid) {
+    return bvec2(valid.x && !isBall(first), valid.y && !isBall(second));
+}
+
 // Weights of two splats. flip: the signs that flip their normals to side.
 vec2 blendWeights(vec2 cosine, vec2 flip, vec2 in_plane, vec2 in_slab, bvec2 valid) {
     vec2 facing = flip * cosine;
@@ -73,6 +79,7 @@ void addToField(inout Field field, uvec4 first, uvec4 second, bvec2 valid, vec4 
     vec2 radius = vec2(splatRadius(first, coding), splatRadius(second, coding)), inverse = 1.0 / (radius * radius);
     vec2 height = dots(normal, offset) * inverse_length, squared = height * height;
     vec2 in_plane = 1.0 - (dots(offset, offset) - squared) * inverse, in_slab = 1.0 - squared * inverse * coding.z;
+    if (kHasBalls) valid = discsOf(first, second, valid);
     vec2 weight = blendWeights(cosine, flip, in_plane, in_slab, valid), flipped = weight * flip;
     vec2 along = flipped * inverse_length;
     field.weight += weight.x + weight.y;
@@ -149,6 +156,7 @@ vec3 frontsOfPair(uvec4 first, uvec4 second, bvec2 valid, vec4 coding, vec3 poin
     vec2 height = dots(normal, offset) * inverse_length, squared = height * height;
     vec2 in_plane = 1.0 - (dots(offset, offset) - squared) * inverse, in_slab = 1.0 - squared * inverse * coding.z;
     bvec2 front = lessThan(dots(normal, direction), vec2(0.0));
+    if (kHasBalls) valid = discsOf(first, second, valid);
     bool first_counts = valid.x && front.x && BLEND_IS_IN_REACH(in_plane.x, in_slab.x);
     bool second_counts = valid.y && front.y && BLEND_IS_IN_REACH(in_plane.y, in_slab.y);
     vec2 weight = mix(vec2(0.0), BLEND_WEIGHT(in_plane, in_slab), bvec2(first_counts, second_counts)) * inverse_length;
@@ -184,7 +192,7 @@ BlendedSurface flatSurface(uint splat, uvec4 words, float t, vec3 direction) {
     float radius = splatRadius(words, instance.splat);
     float noise = kNoisy ? radius * float(loadNoise(splat)) / PRO_NOISE_STEPS : 0.0;
     return BlendedSurface(t, back ? -normal : normal, splatColor(words), radius,
-                          splatMaterial(words), splat, back && kOriented, noise);
+                          splatMaterial(words), splat, back && kOriented, kOriented, noise);
 }
 
 // At rims the blended normal may face away from the viewer although the surface is visible: it is bent back to this
@@ -196,12 +204,26 @@ vec3 bentToViewer(vec3 normal, vec3 direction) {
     return away > 0.0 ? normalize(normal - away * direction) : normal;
 }
 
+// Radius to offset rays by (shaders/trace/offset.glsl) over that of a ball. Its surface is exact, and a higher lift
+// would often start rays inside a ball next to it: the lift of 1/32 radius is as high as the quantized ball
+// (pointrt/pro_index_layout.h) usually is. Rays are clear of that within half a radius.
+const float kBallOffset = 1.0 / 8.0;
+
+BlendedSurface ballSurface(uint splat, uvec4 words, float t, vec3 origin, vec3 direction) {
+    float radius = splatRadius(words, instance.splat);
+    vec3 center = splatPosition(words), start = origin - center, normal = normalize(origin + t * direction - center);
+    bool back = dot(start, start) < radius * radius;
+    normal = bentToViewer(back ? -normal : normal, direction); // rays that graze the quantized ball may pass this one
+    return BlendedSurface(t, normal, splatColor(words), kBallOffset * radius, splatMaterial(words), splat, back, true,
+                          0.0);
+}
+
 // Whether the hits of a path with these bits are visible in the picture, directly or by mirrors and glass. After
 // diffuse scattering, blended and flat surfaces look alike (tests/bench/NOTES.md, Hits after diffuse scattering).
 bool isSeen(uint bits) { return (bits & PATH_DIFFUSED) == 0u; }
 
 // The surface at a traced hit (the words as stored) of the ray. blends: false gives the flat disc, with the side chosen
-// as below.
+// as below. Balls are spheres in any case.
 //
 // A back that a front covers is not a surface. Where a body curves away from the viewer, the discs beyond its
 // silhouette protrude, and rays that pass the rims of the front discs hit those from behind, in the dark. Such a hit is
@@ -212,6 +234,7 @@ BlendedSurface surfaceAt(vec3 origin, vec3 direction, float self_t, uvec4 hit, b
     uint splat = loadListed(hit.z);
     uvec4 words = loadSplat(splat);
     float t = exactDistance(hit, words, origin, direction);
+    if (isBall(words)) return ballSurface(splat, words, t, origin, direction);
     BlendedSurface surface = flatSurface(splat, words, t, direction);
     if ((ofLane(params.options) & OPTION_BLEND) == 0u) return surface;
     vec3 side = surface.normal;

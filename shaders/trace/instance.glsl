@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Traits of an instance as specialization constants, and transforms between render space and its cube. The transform is
-// a similarity, so discs stay discs.
+// a similarity, so discs stay discs and balls stay balls.
 #ifndef POINTRT_SHADERS_INSTANCE_GLSL
 #define POINTRT_SHADERS_INSTANCE_GLSL
 #include "shaders/shared/spec_constants.h"
@@ -13,6 +13,8 @@ layout(constant_id = SPEC_ORIENTED) const bool kOriented = false;
 layout(constant_id = SPEC_NOISY) const bool kNoisy = false;
 // Whether it is a tile of a set: hits are clipped to the tile's core.
 layout(constant_id = SPEC_CLIPS_TO_CORE) const bool kClipsToCore = false;
+// Whether splats may be balls. If not, programs test discs only.
+layout(constant_id = SPEC_HAS_BALLS) const bool kHasBalls = false;
 
 vec3 cubePoint(vec3 render_point) {
     vec4 p = vec4(render_point, 1.0);

@@ -2,6 +2,7 @@
 // Decoding of splats (pro_layout.h).
 #ifndef POINTRT_SHADERS_SPLAT_GLSL
 #define POINTRT_SHADERS_SPLAT_GLSL
+#include "shaders/trace/instance.glsl"
 
 // Two vectors: .x of each component is the first, .y the second.
 struct VectorPair {
@@ -48,11 +49,28 @@ vec3 splatColor(uvec4 words) { return unpackUnorm4x8(words.w & PRO_COLOR_MASK).r
 
 uint splatMaterial(uvec4 words) { return words.z >> PRO_MATERIAL_SHIFT; }
 
-// Distance to the disc of a traced hit, given as the stored words of the TraceHit and the words of its splat. The
+bool isBall(uvec4 words) { return kHasBalls && (words.y & PRO_SPLAT_BALL) != 0u; }
+
+// Distance to a ball near t along the ray: to where the ray enters it, or leaves it if its origin is inside; where it
+// just passes, to the point next to the ball. Not clamped to a radius around t like a disc's: a grazing ray may enter
+// half a radius off.
+float ballDistance(float t, uvec4 words, vec3 origin, vec3 direction) {
+    float radius = splatRadius(words, instance.splat), inverse = 1.0 / dot(direction, direction);
+    vec3 center = splatPosition(words), start = origin - center, offset = origin + t * direction - center;
+    float along = dot(offset, direction) * inverse;
+    vec3 across = offset - along * direction;
+    float half_chord = sqrt(max(radius * radius - dot(across, across), 0.0) * inverse);
+    float t_in = t - along - half_chord, t_out = t - along + half_chord;
+    bool inside = t_in < 0.0 || dot(start, start) < radius * radius;
+    return max(inside ? t_out : t_in, 0.0);
+}
+
+// Distance to the disc or ball of a traced hit, given as the stored words of the TraceHit and the words of its splat. The
 // stored t is that of the quantized cell disc (pointrt/pro_index_layout.h), off by less than a hundredth of a radius
 // unless the ray grazes the disc. The exact distance is computed from that point: from a distant origin too few bits
 // would be left.
 float exactDistance(uvec4 hit, uvec4 words, vec3 origin, vec3 direction) {
+    if (isBall(words)) return ballDistance(uintBitsToFloat(hit.x), words, origin, direction);
     float t = uintBitsToFloat(hit.x), radius = splatRadius(words, instance.splat);
     vec3 normal = splatDirection(words);
     float correction = dot(normal, splatPosition(words) - (origin + t * direction)) / dot(normal, direction);

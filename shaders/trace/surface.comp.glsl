@@ -39,7 +39,7 @@ void main() {
     uint material = materialOf(surface);
     Material row = loadMaterial(material);
     vec3 albedo = row.base.rgb * (usesSplatColor(row) ? linearFromSrgb(surface.color) : vec3(1.0));
-    uint sides = (kOriented ? SURFACE_SIDED : 0u) | (surface.back ? SURFACE_BACK : 0u);
+    uint sides = (surface.sided ? SURFACE_SIDED : 0u) | (surface.back ? SURFACE_BACK : 0u);
     uint casts = instance.materials.w != 0u ? SURFACE_CASTS : 0u;
     uint reach = 0u;
     float radius = surface.radius * instance.core_high.w;

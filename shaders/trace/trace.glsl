@@ -14,8 +14,8 @@
 // by the lane's own condition (values merely computed in a do-while are wrong for such lanes).
 
 struct TraceHit {
-    float t;   // along the ray to the quantized cell disc (exactDistance refines it); t_max for a miss
-    uint cell; // the cell whose list holds the disc
+    float t;   // along the ray to the quantized cell disc or ball (exactDistance refines it); t_max for a miss
+    uint cell; // the cell whose list holds it
     uint disc; // the near splat, NO_INDEX for a miss
 };
 
@@ -141,8 +141,34 @@ bool isInCore(float t, float slope, float normal_squared, float radius_squared, 
     return height * height <= kCoreSlack * kCoreSlack * normal_squared * radius_squared;
 }
 
-// Distance to a cell disc along the ray; t_limit if it is missed, not nearer, or a self-intersection.
-float hitDisc(uvec2 words, CellRay cell_ray, TraceRay ray, float t_start, float t_limit) {
+// isInCore for a hit at t on a ball.
+bool isBallInCore(float t, vec3 to_center, vec3 direction, float radius_squared, vec2 t_core) {
+    vec3 offset = direction * clamp(t, t_core.x, t_core.y) - to_center;
+    return abs(dot(offset, offset) - radius_squared) <= 2.0 * kCoreSlack * radius_squared;
+}
+
+// Distance to where the ray enters a cell ball, or leaves it if its origin is inside; t_limit if that is missed, not
+// nearer, or a self-intersection. Rays that leave a ball's surface do not come back to it, so entering a ball is never
+// a self-intersection. But the quantized ball that a ray left may hold the ray's origin, and so may one that overlaps
+// it there: leaving such a ball, on the side that self_normal faces, is one.
+float hitBall(vec3 to_center, float radius_squared, CellRay cell_ray, TraceRay ray, float t_start, float t_limit) {
+    float inverse = 1.0 / dot(cell_ray.direction, cell_ray.direction);
+    float t_middle = dot(to_center, cell_ray.direction) * inverse;
+    vec3 across = cell_ray.direction * t_middle - to_center;
+    float half_squared = (radius_squared - dot(across, across)) * inverse, half_chord = sqrt(max(half_squared, 0.0));
+    bool inside = t_middle - half_chord < -t_start;
+    float t = inside ? t_middle + half_chord : t_middle - half_chord;
+    float facing = dot(cell_ray.direction * t - to_center, ray.self_normal);
+    bool is_self = inside && t < ray.self_t - t_start && facing > 0.0 && cell_ray.self_slope > 0.0;
+    bool hits = half_squared > 0.0 && t >= -t_start && t < t_limit && !is_self;
+    if (kClipsToCore)
+        hits = hits && isBallInCore(t, to_center, cell_ray.direction, radius_squared, cell_ray.t_core);
+    return hits ? t : t_limit;
+}
+
+// Distance to a near splat along the ray: a cell disc, or a ball; t_limit if it is missed, not nearer, or a
+// self-intersection.
+float hitNear(uvec2 words, CellRay cell_ray, TraceRay ray, float t_start, float t_limit) {
     const ivec3 axes = ivec3(0, 1, 2);
     vec3 center = vec3(ivec3(int(words.x)) << (PRO_NEAR_POSITION_BITS * axes) >> (32 - PRO_NEAR_POSITION_BITS));
     vec3 normal = vec3(ivec3(int(words.y)) << (PRO_NEAR_NORMAL_BITS * axes) >> (32 - PRO_NEAR_NORMAL_BITS));
@@ -150,6 +176,8 @@ float hitDisc(uvec2 words, CellRay cell_ray, TraceRay ray, float t_start, float 
     uint radius_code = radius_high << PRO_NEAR_RADIUS_LOW_BITS | radius_low;
     float radius_squared = uintBitsToFloat((radius_code << PRO_NEAR_RADIUS_SHIFT) + PRO_NEAR_RADIUS_BIAS);
     vec3 to_center = center - cell_ray.origin;
+    if (kHasBalls && words.y >> PRO_NEAR_RADIUS_LOW_BITS == 0u)
+        return radius_code == 0u ? t_limit : hitBall(to_center, radius_squared, cell_ray, ray, t_start, t_limit);
     float slope = dot(normal, cell_ray.direction);
     float t = dot(normal, to_center) / slope;
     vec3 offset = cell_ray.direction * t - to_center;
@@ -181,8 +209,8 @@ Visit nextVisit(inout Walk walk, Grid grid, float t_end) {
 // Tests the near splats k and k + 1, k even. going: false for idle lanes.
 void testPair(uint k, bool going, CellRay cell_ray, TraceRay ray, float t_start, inout TraceHit hit) {
     uvec4 pair = loadNearPair((going ? k : 0u) >> 1);
-    float first = hitDisc(pair.xy, cell_ray, ray, t_start, hit.t);
-    float second = hitDisc(pair.zw, cell_ray, ray, t_start, first);
+    float first = hitNear(pair.xy, cell_ray, ray, t_start, hit.t);
+    float second = hitNear(pair.zw, cell_ray, ray, t_start, first);
     bool nearer = going && second < hit.t;
     hit.disc = nearer ? (second < first ? k + 1u : k) : hit.disc;
     hit.t = nearer ? second : hit.t;

@@ -116,6 +116,23 @@ TEST(TileSets, DiscsAreNotCutAtBorders) {
     EXPECT_LE(difference.holes + difference.elsewhere, difference.rays / 100'000);
 }
 
+Splats sphereOfBalls() {
+    Splats splats = sphereSplats(20000, Vec3f(0, 0, 0), 1, 0.8f);
+    makeBalls(splats);
+    return splats;
+}
+
+/// Where balls overlap, rounding decides which one of them a ray hits, and whether it passes between two of them.
+TEST(TileSets, BallsAreNotCutAtBorders) {
+    const CutInEight sphere(sphereOfBalls());
+    for (const double distance : {3.0, 0.3}) {
+        const SetsDifference difference = differenceFrom(sphere, distance);
+        EXPECT_GT(difference.hits, difference.rays / 2);
+        EXPECT_LE(difference.holes, difference.rays / 100'000);
+        EXPECT_LE(difference.elsewhere, difference.rays / 10'000);
+    }
+}
+
 /// Hits are in their tile's core or within two radii of it, as discs extend out of the core.
 TEST(TileSets, FirstHitsNameTheirTiles) {
     const SphereSet sphere;

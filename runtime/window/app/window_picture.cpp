@@ -47,6 +47,7 @@ double freeShare(Host& host) {
 
 ImageRequest imageRequest(const Workspace& work, PixelSize pixels) {
     ImageRequest request{{work.settings, cameraOf(work.camera), work.look, work.denoise}};
+    request.view.look.compresses_highlights = toneMapping(work.scene, work.look.exposure).compresses_highlights;
     request.view.settings.width = pixels.width;
     request.view.settings.height = pixels.height;
     request.view.settings.spp = work.target_samples;
@@ -227,7 +228,8 @@ void Window::saveFilm() {
     SavedFilm saved{image_.takeFilm(), samples, work_.settings.seed,
                     filmSignature(loaded_->scene, view.settings, view.camera, loaded_->tracer.programs.form)};
     const std::string name = freeName(work_.scene.path, {".png", ".exr"});
-    SaveOptions look{work_.look.exposure, work_.denoise && samples < kCleanSamplesOfLight, {}};
+    SaveOptions look{
+        toneMapping(work_.scene, work_.look.exposure), work_.denoise && samples < kCleanSamplesOfLight, {}};
     if (view.settings.legend.value_or(false)) look.legend = work_.legend;
     jobs_.start(JobKind::kSave, [&] {
         return startedJob<SaveJob>(

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "runtime/image/image_png.h"
-#include "runtime/image/tonemap.h"
 #include "runtime/render/picture_filter.h"
 #include "runtime/scene/legend_picture.h"
 
@@ -16,7 +15,8 @@ constexpr double kExrShare = 0.7;
 
 Image8 withLegend(Image8 picture, const std::optional<Legend>& legend) {
     if (legend)
-        compositeLegend(drawLegend(*legend, {picture.width, picture.height}), {picture.pixels, picture.width, 0});
+        compositeLegend(drawLegend(*legend, {picture.width, picture.height}),
+                        {picture.pixels, picture.width, 0, picture.channels});
     return picture;
 }
 
@@ -25,8 +25,8 @@ void save(Device& device, const std::string& name, SavedFilm& saved, const SaveO
     writeSavedFilm(name + ".exr", saved);
     control.setProgress(kExrShare);
     control.setDetail(name + ".png");
-    if (look.denoise) denoisePicture(device, saved.film);
-    writePng(name + ".png", withLegend(tonemapFilm(saved.film, look.exposure), look.legend));
+    if (look.denoise) (look.tone.has_alpha ? denoiseFilm : denoisePicture)(device, saved.film);
+    writePng(name + ".png", withLegend(tonemapFilm(saved.film, look.tone), look.legend));
 }
 
 } // namespace

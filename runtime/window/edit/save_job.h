@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "runtime/image/tonemap.h"
 #include "runtime/render/film_file.h"
 #include "runtime/scene/legend.h"
 #include "runtime/window/edit/job.h"
@@ -16,7 +17,7 @@ namespace pointrt {
 
 /// How to make the PNG from the film. The EXR stores the film itself.
 struct SaveOptions {
-    float exposure = 0; ///< stops
+    ToneMapping tone;
     bool denoise = false;
     std::optional<Legend> legend; ///< drawn on the PNG
 };

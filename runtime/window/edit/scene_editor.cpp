@@ -31,9 +31,10 @@ void dropUnused(SceneDescription& scene, std::size_t fewest) {
         scene.materials.pop_back();
 }
 
-bool wantsFilter(const RenderSettings& settings, const SceneDescription& scene) {
-    return settings.denoise == DenoiseChoice::kOn ||
-           (settings.denoise == DenoiseChoice::kAuto && isNoisy(settings, scene));
+bool wantsFilter(const OpenedScene& scene) {
+    const DenoiseChoice choice = scene.settings.denoise;
+    return choice == DenoiseChoice::kOn ||
+           (choice == DenoiseChoice::kAuto && isNoisy(scene.settings, scene.resolved, scene.subject));
 }
 
 } // namespace
@@ -54,7 +55,7 @@ void SceneEditor::open(OpenedScene opened, std::uint32_t samples) {
     if (scene.pivot && scene.pivot_offset != 0) work_.camera = withPivotOffset(work_.camera, scene.pivot_offset);
     work_.look = {SHOWN_BEAUTY, scene.settings.exposure, 4 * length(size), scene.scale};
     work_.target_samples = samples;
-    work_.denoise = wantsFilter(scene.settings, scene.resolved);
+    work_.denoise = wantsFilter(scene);
     room_lights_.clear();
     current_room_ = scene.settings.room;
     current_light_count_ = scene.settings.lights;
@@ -73,8 +74,8 @@ void SceneEditor::updateSurroundings() {
 
 void SceneEditor::rebuildSurroundings() {
     // the automatic choice does not denoise hard lights, because that would blur mirror images
-    const bool by_rule =
-        work_.settings.denoise == DenoiseChoice::kAuto && work_.denoise == isNoisy(work_.settings, opened_->resolved);
+    const bool by_rule = work_.settings.denoise == DenoiseChoice::kAuto &&
+                         work_.denoise == isNoisy(work_.settings, opened_->resolved, opened_->subject);
     storeRoomLights();
     if (work_.settings.lights != current_light_count_) // the stored lights have the old number
         std::erase_if(room_lights_, [&](const RoomLights& each) { return each.room == work_.settings.room; });
@@ -99,7 +100,7 @@ void SceneEditor::rebuildSurroundings() {
             work_.scene.lights = each.lights;
             work_.scene.sky = each.sky;
         }
-    if (by_rule) work_.denoise = isNoisy(work_.settings, work_.scene);
+    if (by_rule) work_.denoise = isNoisy(work_.settings, work_.scene, opened_->subject);
 }
 
 void SceneEditor::setUp(Vec3 up, ViewCamera& home, double aspect) {

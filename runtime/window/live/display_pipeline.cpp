@@ -46,6 +46,11 @@ void dropDenoiser(Device& device, DisplayPipeline& pipeline) {
     destroyDescriptorPool(device, pipeline.denoised_pool);
 }
 
+std::uint32_t displayOf(ShownAs as, const Look& look) {
+    if (as == ShownAs::kNumber) return DISPLAY_AS_STORED;
+    return look.compresses_highlights ? DISPLAY_COMPRESSED : DISPLAY_CLIPPED;
+}
+
 GroupCount groupsOf(const FilmRange& range) { return {(range.count + DISPLAY_GROUP - 1) / DISPLAY_GROUP, 1, 1}; }
 
 } // namespace
@@ -117,7 +122,7 @@ void recordTonemap(VkCommandBuffer commands, const DisplayPipeline& d, const Fil
                    bool denoised) {
     const ShownAs as = kFilmViews.at(look.shown).as;
     const gpu::TonemapParams params{range.first, range.count, as == ShownAs::kLight ? std::exp2(look.exposure) : 1.0f,
-                                    as == ShownAs::kNumber ? 0u : 1u};
+                                    displayOf(as, look)};
     recordDispatch(commands, d.tonemap, denoised ? d.tonemap_denoised_set : d.tonemap_set, pushBytes(params),
                    groupsOf(range));
     recordBarrier(commands);

@@ -16,9 +16,10 @@ namespace pointrt {
 /// Which layer of the film to show (SHOWN_* of runtime/image/film_views.h), and how.
 struct Look {
     std::uint32_t shown = SHOWN_BEAUTY;
-    float exposure = 0;     ///< stops
-    double depth_black = 1; ///< depth shown as black, input units
-    double scale = 1;       ///< input units per render unit
+    float exposure = 0;                ///< stops
+    double depth_black = 1;            ///< depth shown as black, input units
+    double scale = 1;                  ///< input units per render unit
+    bool compresses_highlights = true; ///< ToneMapping::compresses_highlights
 
     bool operator==(const Look&) const = default;
 };

@@ -153,11 +153,11 @@ void ReprojectionRenderer::readLight(const ReprojectionView& view, std::span<Tra
             sums[i] = {sums[i].x + layer[i].x, sums[i].y + layer[i].y, sums[i].z + layer[i].z, 1};
     }
     constexpr std::size_t kChunk = 1024;
-    const auto stops = static_cast<float>(view.exposure);
+    const ToneMapping tone{static_cast<float>(view.exposure), view.compresses_highlights};
     forAll((traced.size() + kChunk - 1) / kChunk, [&](std::size_t chunk) {
         const std::size_t first = chunk * kChunk, count = std::min(kChunk, traced.size() - first);
         std::vector<std::uint8_t> rgb(3 * count);
-        tonemapPixels({&sums[first].x, 4 * count}, stops, rgb.data());
+        tonemapPixels({&sums[first].x, 4 * count}, tone, rgb.data());
         for (std::size_t i = 0; i < count; ++i)
             traced[first + i].color = packColor(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]);
     });

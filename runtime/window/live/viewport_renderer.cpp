@@ -128,7 +128,8 @@ bool ViewportRenderer::canReproject() const {
 }
 
 ReprojectionView ViewportRenderer::reprojectionView() const {
-    return {view_.settings, view_.camera, view_.look.exposure, view_.focus_x, view_.focus_y};
+    return {view_.settings, view_.camera,  view_.look.exposure,
+            view_.focus_x,  view_.focus_y, view_.look.compresses_highlights};
 }
 
 /// Renders the reprojected frame, and improves it until the view has rested for kRest_s.

@@ -63,11 +63,34 @@ TEST(Develop, KeepsTheBackground) {
     EXPECT_EQ(image.pixels, (std::vector<std::uint8_t>{encodeSrgb(0.25f), 0, 0}));
 }
 
+TEST(Develop, ClipsHighlightsWithoutTheCurve) {
+    const ToneMapping clipped{0, false};
+    const Image8 image = tonemapFilm({2, 1, {0.9f, 0.5f, 0.1f, 1, 1, 3, -1, 1}, {}, {}, {}}, clipped);
+    EXPECT_EQ(image.pixels, (std::vector<std::uint8_t>{encodeSrgb(0.9f), 188, encodeSrgb(0.1f), 255, 255, 0}));
+    EXPECT_EQ(image.pixels[0], 243) << "255 (1.055 0.9^(1 / 2.4) - 0.055)";
+    EXPECT_EQ(tonemapFilm({1, 1, {0.45f, 0, 0, 1}, {}, {}, {}}, {1, false}).pixels[0], 243) << "exposed first";
+}
+
+TEST(Develop, WritesStraightAlpha) {
+    const ToneMapping transparent{0, false, true};
+    // half covered by 0.5, uncovered, covered, and more light than coverage
+    const Film film{4, 1, {0.25f, 0.125f, 0, 0.5f, 0.7f, 0, 0, 0, 0.5f, 1, 0, 1, 0.5f, 0, 0, 0.25f}, {}, {}, {}};
+    const Image8 image = tonemapFilm(film, transparent);
+    EXPECT_EQ(image.channels, 4u);
+    EXPECT_EQ(image.pixels, (std::vector<std::uint8_t>{188, encodeSrgb(0.25f), 0, 128, //
+                                                       0, 0, 0, 0,                     //
+                                                       188, 255, 0, 255,               //
+                                                       255, 0, 0, 64}));
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_EQ(tonemapFilm({1, 1, {nan, 1, 1, nan}, {}, {}, {}}, transparent).pixels,
+              (std::vector<std::uint8_t>{0, 0, 0, 0}));
+}
+
 TEST(Develop, ExposesInStops) {
     Film film{1, 1, {0.25f, 0.125f, 0, 1}, {}, {}, {}};
-    EXPECT_EQ(tonemapFilm(film, 1).pixels, (std::vector<std::uint8_t>{encodeSrgb(0.5f), encodeSrgb(0.25f), 0}));
-    EXPECT_EQ(tonemapFilm(film, -1).pixels, (std::vector<std::uint8_t>{encodeSrgb(0.125f), encodeSrgb(0.0625f), 0}));
-    EXPECT_EQ(tonemapFilm(film, 0).pixels, tonemapFilm(film).pixels);
+    EXPECT_EQ(tonemapFilm(film, {1}).pixels, (std::vector<std::uint8_t>{encodeSrgb(0.5f), encodeSrgb(0.25f), 0}));
+    EXPECT_EQ(tonemapFilm(film, {-1}).pixels, (std::vector<std::uint8_t>{encodeSrgb(0.125f), encodeSrgb(0.0625f), 0}));
+    EXPECT_EQ(tonemapFilm(film, {0}).pixels, tonemapFilm(film).pixels);
 }
 
 } // namespace

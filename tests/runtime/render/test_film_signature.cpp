@@ -63,6 +63,15 @@ TEST(FilmSignature, ListsColourSettingsAfterOlderOnes) {
               before + "; color_by=gps_time; color_map=turbo; color_range=0.1,3e+09");
 }
 
+TEST(FilmSignature, ListsAGivenBackground) {
+    RenderSettings settings;
+    settings.background = Background{{255, 128, 0}, false};
+    const std::string before = settingsPart({}, testCamera());
+    EXPECT_EQ(settingsPart(settings, testCamera()), before + "; background=#ff8000");
+    settings.background = Background{{}, true};
+    EXPECT_EQ(settingsPart(settings, testCamera()), before + "; background=transparent");
+}
+
 TEST(FilmSignature, ListsTheKernelFormLast) {
     const std::string queued = filmSignature({}, {}, testCamera(), KernelForm::kWavefront);
     const std::string fused = filmSignature({}, {}, testCamera(), KernelForm::kMegakernel);
@@ -82,6 +91,7 @@ float anotherValue(RealRange range, const std::optional<float>& value) {
 PixelSize anotherValue(SizeRange range, const std::optional<PixelSize>&) { return {1, range.longest}; }
 std::string anotherValue(AttributeWord, const std::optional<std::string>&) { return "height"; }
 ValueRange anotherValue(RangeOfValues, const std::optional<ValueRange>&) { return {2, 3}; }
+Background anotherValue(BackgroundWord, const std::optional<Background>&) { return {}; }
 template <typename Named>
 Named anotherValue(OneOf<Named> choices, const std::optional<Named>& value) {
     return value == choices.names[0].value ? choices.names[1].value : choices.names[0].value;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The studio that surrounds scans by default.
+// The studio that surrounds scans by default, and plain backgrounds in its place.
 #include "runtime/scene/default_lighting.h"
 
 #include <gtest/gtest.h>
@@ -54,6 +54,113 @@ TEST(Studio, InRoomsTheLampIsBetweenEyeAndCeiling) {
     EXPECT_GT(lamp.position.z, eye.z + 0.4);
     const double beside = lampOn(lamp, eye + Vec3{0.4, 0, 0}), far = lampOn(lamp, {-3, 0, 0});
     EXPECT_LT(beside, 32 * far) << "five stops";
+}
+
+constexpr Background kOrange{{255, 128, 0}, false};
+constexpr bool kGaussians = true;
+
+/// scene with surroundings, seen from outside.
+SceneDescription surrounded(SceneDescription scene, const RenderSettings& settings, bool only_gaussians) {
+    scene.up = Vec3{0, 0, 1};
+    Camera camera;
+    camera.eye = {0, -10, 0};
+    addSurroundings(scene, settings, camera, kLow, kHigh, {0.5, false, only_gaussians});
+    return scene;
+}
+
+RenderSettings before(const Background& background) {
+    RenderSettings settings;
+    settings.background = background;
+    return settings;
+}
+
+TEST(PlainBackground, IsTheSameColourInEveryDirection) {
+    for (const bool gaussians : {false, true}) {
+        const SkyDescription sky = surrounded({}, before(kOrange), gaussians).sky.value();
+        EXPECT_EQ(sky.zenith, backgroundRadiance(kOrange));
+        EXPECT_EQ(sky.horizon, sky.zenith);
+        EXPECT_EQ(sky.ground, sky.zenith);
+        EXPECT_EQ(sky.strength, 1);
+    }
+}
+
+TEST(PlainBackground, ReplacesTheStudiosFloorButNotItsLamps) {
+    const SceneDescription plain = surrounded({}, before(kOrange), !kGaussians);
+    const SceneDescription studio = surrounded({}, {}, !kGaussians);
+    EXPECT_TRUE(plain.shapes.empty());
+    EXPECT_EQ(studio.shapes.size(), 1u);
+    EXPECT_EQ(plain.lights, studio.lights);
+    EXPECT_EQ(plain.sky->ambient, studio.sky->ambient);
+    EXPECT_EQ(pictureBackground(plain), kOrange);
+    EXPECT_FALSE(pictureBackground(studio));
+}
+
+TEST(PlainBackground, LightsNoGaussianCaptures) {
+    RenderSettings settings = before(kOrange);
+    for (const std::optional<Room> room : {std::optional<Room>(), std::optional(Room::kNone)}) {
+        settings.room = room;
+        const SceneDescription scene = surrounded({}, settings, kGaussians);
+        EXPECT_TRUE(scene.lights.empty());
+        EXPECT_TRUE(scene.shapes.empty());
+        EXPECT_EQ(scene.sky->ambient, 0);
+    }
+    settings.lights = 2;
+    EXPECT_EQ(surrounded({}, settings, kGaussians).lights.size(), 2u) << "asked for";
+    settings.lights.reset();
+    settings.room = Room::kMatte;
+    EXPECT_EQ(surrounded({}, settings, kGaussians).lights.size(), kRingLights) << "walls need some";
+}
+
+TEST(PlainBackground, KeepsTheLightsOfTheScene) {
+    SceneDescription scene;
+    scene.lights = {PointLight{}};
+    const SceneDescription lit = surrounded(scene, before(kOrange), !kGaussians);
+    EXPECT_EQ(lit.lights, scene.lights);
+    EXPECT_EQ(lit.sky->ambient, 0);
+    scene.lights.clear();
+    scene.sky = SkyDescription{};
+    scene.sky->image = "sky.hdr";
+    scene.sky->strength = 7;
+    scene.sky->ambient = 0.5f;
+    const SceneDescription replaced = surrounded(scene, before(kOrange), !kGaussians);
+    EXPECT_TRUE(replaced.lights.empty()) << "a sky says that there are none";
+    EXPECT_EQ(replaced.sky->image, "");
+    EXPECT_EQ(replaced.sky->strength, 1);
+    EXPECT_EQ(replaced.sky->ambient, 0.5f);
+}
+
+TEST(PlainBackground, IsBlackForGaussianCapturesAloneByDefault) {
+    const SceneDescription scene = surrounded({}, {}, kGaussians);
+    EXPECT_EQ(pictureBackground(scene), Background{});
+    EXPECT_EQ(scene.sky->zenith, (Color{0, 0, 0}));
+    EXPECT_TRUE(scene.lights.empty());
+    EXPECT_TRUE(scene.shapes.empty());
+}
+
+TEST(PlainBackground, IsNoDefaultOnceAnythingElseIsChosen) {
+    RenderSettings room, lights, unlit;
+    room.room = Room::kNone;
+    lights.lights = 0;
+    unlit.integrator = Integrator::kNormal;
+    for (const RenderSettings& settings : {room, lights, unlit})
+        EXPECT_FALSE(pictureBackground(surrounded({}, settings, kGaussians)));
+    SceneDescription lit, shaped, under_sky;
+    lit.lights = {PointLight{}};
+    shaped.shapes.resize(1);
+    under_sky.sky = SkyDescription{};
+    for (const SceneDescription& scene : {lit, shaped, under_sky})
+        EXPECT_FALSE(pictureBackground(surrounded(scene, {}, kGaussians)));
+}
+
+TEST(PlainBackground, EndsWhenItsSkyIsEdited) {
+    SceneDescription scene = surrounded({}, before(kOrange), kGaussians);
+    RenderSettings settings;
+    ownSurroundings(scene, settings);
+    EXPECT_EQ(settings.background, kOrange);
+    scene.sky->ground = {0, 1, 0};
+    EXPECT_FALSE(pictureBackground(scene));
+    ownSurroundings(scene, settings);
+    EXPECT_FALSE(settings.background) << "the edited sky would be replaced";
 }
 
 } // namespace

@@ -70,6 +70,15 @@ TEST(LegendPicture, DoesNotDependOnHowRowsAreAdded) {
     EXPECT_EQ(parts, whole);
 }
 
+TEST(LegendPicture, IsCompositedWithStraightAlpha) {
+    LegendPicture legend;
+    legend.size = {4, 1};
+    legend.rgba = {200, 0, 0, 255, 200, 0, 0, 51, 200, 0, 0, 51, 200, 0, 0, 0}; // 51: a fifth
+    Pixels picture = {1, 2, 3, 0, 1, 2, 3, 0, 100, 50, 0, 255, 7, 8, 9, 0};
+    compositeLegend(legend, {picture, 4, 0, 4});
+    EXPECT_EQ(picture, (Pixels{200, 0, 0, 255, 200, 0, 0, 51, 120, 40, 0, 255, 7, 8, 9, 0}));
+}
+
 TEST(LegendPicture, DrawsTheGlyphsOfTheFont) {
     Legend legend;
     legend.title = "I"; // a bar between two serifs in 6x13: rows 2 to 10, the bar in the third column

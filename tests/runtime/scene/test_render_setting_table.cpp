@@ -124,6 +124,7 @@ std::vector<std::string> extremes(SizeRange range) {
 }
 std::vector<std::string> extremes(AttributeWord) { return {"height", "größe \"a\"", "rgb16.2"}; }
 std::vector<std::string> extremes(RangeOfValues) { return {"-1,2.5", "1e-300,1e+300", "0.1,0.30000000000000004"}; }
+std::vector<std::string> extremes(BackgroundWord) { return {"black", "white", "transparent", "#0a80ff"}; }
 template <typename Named>
 std::vector<std::string> extremes(OneOf<Named> choices) {
     return limitWords(choices);
@@ -136,6 +137,7 @@ std::vector<std::string> beyond(RealRange range) { return {plainText(range.low -
 std::vector<std::string> beyond(SizeRange range) { return {"0x1", "1x" + std::to_string(range.longest + 1)}; }
 std::vector<std::string> beyond(AttributeWord) { return {""}; }
 std::vector<std::string> beyond(RangeOfValues) { return {"1,1", "2,1", "nan,1"}; }
+std::vector<std::string> beyond(BackgroundWord) { return {"", "grey", "#12345", "#12345g"}; }
 template <typename Named>
 std::vector<std::string> beyond(OneOf<Named>) {
     return {"nonsense", ""};
@@ -167,6 +169,7 @@ std::string inFile(SizeRange, const std::string& text) {
 }
 std::string inFile(AttributeWord, const std::string& text) { return "\"" + text + "\""; }
 std::string inFile(RangeOfValues, const std::string& text) { return "[" + text + "]"; }
+std::string inFile(BackgroundWord, const std::string& text) { return "\"" + text + "\""; }
 template <typename Named>
 std::string inFile(OneOf<Named>, const std::string& text) {
     return "\"" + text + "\"";

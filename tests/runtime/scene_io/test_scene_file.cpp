@@ -152,6 +152,12 @@ TEST_F(SceneFile, ColoursByAttributes) {
     EXPECT_EQ(said.legend, true);
 }
 
+TEST_F(SceneFile, ReadsABackground) {
+    EXPECT_EQ(parseMore("background = 'transparent'").render.background, (Background{{0, 0, 0}, true}));
+    EXPECT_EQ(parseMore("background = '#FF8000'").render.background, (Background{{255, 128, 0}, false}));
+    EXPECT_FALSE(parseMore("").render.background);
+}
+
 TEST_F(SceneFile, ReadsMaterials) {
     const SceneDescription scene =
         parseMore("[material.m]\ncolor = [0.1, 0.2, 0.3]\nmirror_share = 0.4\nspecular = 0.5\nshininess = 60\nemission "

@@ -52,6 +52,9 @@ TEST_F(SceneFile, RefusesWrongTypes) {
     EXPECT_SAYS(refusal("room = 1"), "scene.toml:1: key \"room\": *string");
     EXPECT_SAYS(refusal("room = ''"), "scene.toml:1: key \"room\": *empty");
     EXPECT_SAYS(refusal("room = 'cellar'"), "scene.toml:1: key \"room\": \"cellar\" *none, mirror, matte");
+    EXPECT_SAYS(refusal("background = 1"), "scene.toml:1: key \"background\": *string");
+    EXPECT_SAYS(refusal("background = 'grey'"),
+                "scene.toml:1: key \"background\": \"grey\" *black, white, transparent *#ff8000");
     EXPECT_SAYS(refusal("[material.\"a\\nb\"]"), "scene.toml:1: key \"material.a\\nb\": *name");
 }
 

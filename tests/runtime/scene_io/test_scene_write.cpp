@@ -74,6 +74,8 @@ private:
 
     void addRender(RenderChoices& said) {
         maybe(said.room, Room{static_cast<int>(below(3))});
+        const auto byte = [&] { return static_cast<std::uint8_t>(below(256)); };
+        maybe(said.background, chance() ? Background{{}, chance()} : Background{{byte(), byte(), byte()}, false});
         maybe(said.integrator, Integrator{static_cast<int>(below(5))});
         maybe(said.bounces, below(65));
         maybe(said.spp, 1 + below(65536));
@@ -360,6 +362,7 @@ void expectSame(const Picture& a, const Picture& b) {
     EXPECT_TRUE(a.scene.shapes == b.scene.shapes);
     EXPECT_TRUE(a.scene.lights == b.scene.lights);
     EXPECT_TRUE(a.scene.sky == b.scene.sky);
+    EXPECT_EQ(pictureBackground(a.scene), pictureBackground(b.scene));
     EXPECT_TRUE(a.settings.camera == b.settings.camera);
     EXPECT_EQ(a.camera.eye, b.camera.eye);
     EXPECT_EQ(a.camera.right, b.camera.right);
@@ -374,11 +377,12 @@ void expectSame(const Picture& a, const Picture& b) {
 
 /// Surroundings belong to a run's first camera, which has moved since.
 TEST_F(SceneWrite, ASavedRunShowsTheSamePicture) {
-    std::vector<Options> runs(4);
+    std::vector<Options> runs(5);
     runs[1].choices.room = Room::kMirror;
     runs[2].choices.lights = 5;
     runs[3].camera.up = Vec3{0, 0.1, 1};
     runs[3].camera.eye = Vec3{1, -9, 2};
+    runs[4].choices.background = Background{{255, 128, 0}, false};
     for (Options& options : runs) {
         options.choices.seed = 7;
         options.choices.exposure = 0.1f;
@@ -413,6 +417,17 @@ TEST_F(SceneWrite, OwnedSurroundingsAreNotAddedTwice) {
         EXPECT_TRUE(picture.scene.lights.empty());
         EXPECT_EQ(picture.scene.sky.has_value(), !room);
     }
+}
+
+TEST_F(SceneWrite, AnOwnedBackgroundIsTheSameAgain) {
+    Options options;
+    options.choices.background = Background{{255, 128, 0}, false};
+    Picture run = pictureOf(options, oneScan());
+    ownSurroundings(run.scene, run.settings);
+    const Picture picture = pictureOf({}, again(describeRun(run.scene, run.settings, run.camera.eye)));
+    EXPECT_TRUE(picture.scene.lights == run.scene.lights);
+    EXPECT_TRUE(picture.scene.sky == run.scene.sky);
+    EXPECT_EQ(pictureBackground(picture.scene), options.choices.background);
 }
 
 } // namespace

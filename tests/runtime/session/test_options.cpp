@@ -172,6 +172,13 @@ TEST(Options, TakesColours) {
     EXPECT_SAYS(refusal({"-o", "a.exr", "--legend", "on"}), "--legend: *FILE.png");
 }
 
+TEST(Options, TakesABackground) {
+    EXPECT_EQ(parse({"a.pro", "-o", "a.png", "--background", "white"}).choices.background,
+              (Background{{255, 255, 255}, false}));
+    EXPECT_FALSE(parse({"a.pro", "-o", "a.png"}).choices.background);
+    EXPECT_SAYS(refusal({"--background", "gr\ney"}), "--background: \"gr\\ney\" *black, white, transparent *#ff8000");
+}
+
 TEST(Options, TakesTheLastOfARepeatedOption) {
     EXPECT_EQ(parse({"a.pro", "-o", "a.png", "--spp", "2", "--spp", "8"}).choices.spp, 8u);
 }

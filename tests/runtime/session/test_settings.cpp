@@ -25,6 +25,7 @@ SceneDescription talkativeScene() {
     said.exposure = 1.5f;
     said.room = Room::kMatte;
     said.lights = 2;
+    said.background = Background{{9, 8, 7}, false};
     said.reflectivity = 0.5f;
     return scene;
 }
@@ -49,6 +50,7 @@ TEST(Settings, ColourSettingsComeFromTheSceneFileToo) {
     EXPECT_EQ(settings.exposure, 1.5f);
     EXPECT_EQ(settings.room, Room::kMatte);
     EXPECT_EQ(settings.lights, 2u);
+    EXPECT_EQ(settings.background, (Background{{9, 8, 7}, false}));
     EXPECT_EQ(settings.reflectivity, 0.5f);
     Options options;
     options.choices.seed = 0;
@@ -57,6 +59,7 @@ TEST(Settings, ColourSettingsComeFromTheSceneFileToo) {
     options.choices.exposure = 0.0f;
     options.choices.room = Room::kNone;
     options.choices.lights = 0;
+    options.choices.background = Background{};
     options.choices.reflectivity = 0.0f;
     settings = resolveSettings(options, talkativeScene());
     EXPECT_EQ(settings.seed, 0u);
@@ -65,6 +68,7 @@ TEST(Settings, ColourSettingsComeFromTheSceneFileToo) {
     EXPECT_EQ(settings.exposure, 0);
     EXPECT_EQ(settings.room, Room::kNone);
     EXPECT_EQ(settings.lights, 0u);
+    EXPECT_EQ(settings.background, Background{});
     EXPECT_EQ(settings.reflectivity, 0);
 }
 
@@ -205,6 +209,37 @@ TEST(Settings, DenoiseNoisyPngs) {
     EXPECT_TRUE(wantsDenoising(options, settings, scene, 4));
     settings.integrator = Integrator::kNormal;
     EXPECT_FALSE(wantsDenoising(options, settings, scene, 4));
+}
+
+TEST(Settings, DoNotDenoiseGaussianCapturesAlone) {
+    const StudioSubject gaussians{0.5, false, true};
+    Options options;
+    options.output = "a.png";
+    RenderSettings settings;
+    settings.integrator = Integrator::kPath;
+    SceneDescription scene;
+    EXPECT_FALSE(wantsDenoising(options, settings, scene, 4, gaussians));
+    EXPECT_TRUE(wantsDenoising(options, settings, scene, 4)) << "scans scatter light";
+    scene.shapes.resize(1);
+    EXPECT_TRUE(wantsDenoising(options, settings, scene, 4, gaussians)) << "so do shapes";
+    scene.shapes.clear();
+    settings.denoise = DenoiseChoice::kOn;
+    EXPECT_TRUE(wantsDenoising(options, settings, scene, 4, gaussians));
+}
+
+TEST(Settings, PicturesWithABackgroundHaveNoToneCurve) {
+    SceneDescription scene;
+    EXPECT_TRUE(toneMapping(scene, 2).compresses_highlights);
+    EXPECT_EQ(toneMapping(scene, 2).stops, 2);
+    RenderSettings settings;
+    settings.background = Background{{255, 255, 255}, false};
+    addSurroundings(scene, settings, {}, {-1, -1, -1}, {1, 1, 1});
+    EXPECT_FALSE(toneMapping(scene, 0).compresses_highlights);
+    EXPECT_FALSE(toneMapping(scene, 0).has_alpha);
+    settings.background = Background{{}, true};
+    addSurroundings(scene, settings, {}, {-1, -1, -1}, {1, 1, 1});
+    EXPECT_FALSE(toneMapping(scene, 0).compresses_highlights);
+    EXPECT_TRUE(toneMapping(scene, 0).has_alpha);
 }
 
 TEST(Settings, DoNotDenoiseExrsByDefault) {

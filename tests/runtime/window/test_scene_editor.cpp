@@ -145,6 +145,21 @@ TEST_F(SceneEditorTest, DenoisesAutomaticallyUnlessTheUserChooses) {
     EXPECT_TRUE(work.denoise);
 }
 
+TEST_F(SceneEditorTest, SavesTheDefaultBackgroundOfGaussianCaptures) {
+    OpenedScene scene = opened({});
+    scene.subject.only_gaussians = true;
+    scene.resolved = scene.file_scene;
+    addSurroundings(scene.resolved, scene.settings, scene.camera, scene.bounds_min, scene.bounds_max, scene.subject);
+    editor.open(scene, 16);
+    EXPECT_EQ(sceneAsShown(work, {64, 48}).render.background, Background{});
+    goTo(Room::kMatte);
+    EXPECT_FALSE(sceneAsShown(work, {64, 48}).render.background);
+    goTo(std::nullopt);
+    EXPECT_EQ(pictureBackground(work.scene), Background{}) << "as it was";
+    work.scene.sky->zenith = {0, 0, 1};
+    EXPECT_FALSE(sceneAsShown(work, {64, 48}).render.background) << "the sky was edited";
+}
+
 TEST_F(SceneEditorTest, ChangesTheUpAxis) {
     editor.open(opened({}), 4);
     goTo(Room::kMatte);

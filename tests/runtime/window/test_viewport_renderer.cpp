@@ -313,13 +313,16 @@ TEST_P(ViewportRendererTest, LookChangesKeepTheLight) {
     }
     look.exposure = 1;
     look.shown = SHOWN_BEAUTY;
-    live->setLook(look, false);
-    finish();
-    EXPECT_EQ(live->readFilm().rgba, headless().rgba);
-    const Image8 developed = tonemapFilm(headless(), 1);
-    const std::vector<std::uint32_t> words = shownPixels();
-    for (std::size_t i = 0; i < words.size(); i += 7)
-        ASSERT_NEAR(static_cast<int>(words[i] >> 16 & 255), developed.pixels[3 * i], 1) << i;
+    for (const bool compresses : {true, false}) {
+        look.compresses_highlights = compresses;
+        live->setLook(look, false);
+        finish();
+        EXPECT_EQ(live->readFilm().rgba, headless().rgba);
+        const Image8 developed = tonemapFilm(headless(), {1, compresses});
+        const std::vector<std::uint32_t> words = shownPixels();
+        for (std::size_t i = 0; i < words.size(); i += 7)
+            ASSERT_NEAR(static_cast<int>(words[i] >> 16 & 255), developed.pixels[3 * i], 1) << i << compresses;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Integrators, ViewportRendererTest,

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/device_scene/gaussian_upload.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "format/base/parallel.h"
+#include "format/index/gaussian_tree.h"
+#include "shaders/shared/params.h"
+
+namespace pointrt {
+namespace {
+
+constexpr std::uint32_t kTexelWords = 4;
+
+/// Row k of M: the axis over its half length in the ellipsoid. Gaussians that count nowhere are in no list.
+gpu::vec4 rowOf(const std::array<float, 3>& half_axis, double mean) {
+    const float squared = half_axis[0] * half_axis[0] + half_axis[1] * half_axis[1] + half_axis[2] * half_axis[2];
+    const float inverse = squared > 0 ? 1 / squared : 0.0f;
+    return {half_axis[0] * inverse, half_axis[1] * inverse, half_axis[2] * inverse, static_cast<float>(mean)};
+}
+
+gpu::GaussianRows rowsOf(const pro_gaussian& gaussian, const GaussianEllipsoid& ellipsoid) {
+    return {rowOf(ellipsoid.half_axes[0], ellipsoid.center[0]),
+            rowOf(ellipsoid.half_axes[1], ellipsoid.center[1]),
+            rowOf(ellipsoid.half_axes[2], ellipsoid.center[2]),
+            {gaussian.opacity, gaussian.color[0], gaussian.color[1], gaussian.color[2]}};
+}
+
+/// The bytes of three coefficients of a Gaussian to a word each.
+void packHarmonics(const std::int8_t* codes, std::uint32_t count, std::uint32_t* words) {
+    const auto byte = [](std::int8_t code) { return std::uint32_t{static_cast<std::uint8_t>(code)}; };
+    for (std::uint32_t k = 0; k < count; ++k)
+        words[k] = byte(codes[3 * k]) | byte(codes[3 * k + 1]) << 8 | byte(codes[3 * k + 2]) << 16;
+}
+
+std::vector<gpu::GaussianNode> nodesOf(const GaussianTree& tree) {
+    std::vector<gpu::GaussianNode> nodes(tree.nodeCount());
+    const auto firstOf = [&](std::uint32_t k) {
+        return k < tree.nodeCount() ? tree.nodes[2 * k + 1] : static_cast<std::uint32_t>(tree.lists.size());
+    };
+    for (std::uint32_t k = 0; k < tree.nodeCount(); ++k) {
+        const std::uint32_t children = PRO_GROUP_SIZE * tree.nodes[2 * k];
+        nodes[k].children = children;
+        nodes[k].first = firstOf(k);
+        nodes[k].count = firstOf(k + 1) - firstOf(k);
+        if (children == 0) continue;
+        for (std::uint32_t slot = 0; slot < PRO_GROUP_SIZE; ++slot) nodes[children + slot].parent = k;
+    }
+    nodes[0].parent = NO_INDEX;
+    return nodes;
+}
+
+} // namespace
+
+GaussianBuffers decodeGaussians(const pro_gaussians& gaussians, const std::uint32_t* splats, std::uint32_t count) {
+    constexpr std::size_t kEach = 1 << 14; // Gaussians of a task: some milliseconds
+    const std::uint32_t coefficients = pro_harmonic_count(gaussians.degree);
+    const std::size_t words = kTexelWords * HARMONIC_TEXELS(gaussians.degree);
+    GaussianBuffers buffers;
+    buffers.rows.resize(count);
+    buffers.harmonics.resize(words * count);
+    std::vector<GaussianEllipsoid> ellipsoids(count);
+    forAll((count + kEach - 1) / kEach, [&](std::size_t task) {
+        for (std::size_t k = task * kEach; k < std::min<std::size_t>(count, (task + 1) * kEach); ++k) {
+            pro_gaussian gaussian;
+            pro_gaussian_decode(&gaussians, splats + k * PRO_SPLAT_WORDS, gaussians.words + k * PRO_GAUSSIAN_WORDS,
+                                &gaussian);
+            ellipsoids[k] = ellipsoidOf(gaussian);
+            buffers.rows[k] = rowsOf(gaussian, ellipsoids[k]);
+            if (coefficients > 0)
+                packHarmonics(gaussians.harmonics + 3 * coefficients * k, coefficients, &buffers.harmonics[words * k]);
+        }
+    });
+    GaussianTree tree = buildGaussianTree(ellipsoids, kTracedFineness);
+    buffers.nodes = nodesOf(tree);
+    buffers.lists = std::move(tree.lists);
+    return buffers;
+}
+
+} // namespace pointrt

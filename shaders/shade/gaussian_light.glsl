@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// What composite_gaussians has found in front of the hit of a path.
+#ifndef POINTRT_SHADERS_GAUSSIAN_LIGHT_GLSL
+#define POINTRT_SHADERS_GAUSSIAN_LIGHT_GLSL
+#include "shaders/lib/path.glsl"
+
+// Light, by the throughput of the path, and the share that passes.
+vec4 loadGaussianLight(uint path) { return kHasGaussians ? gaussian_light[path] : vec4(0.0, 0.0, 0.0, 1.0); }
+
+// Returns the light that Gaussians add to a path, which keeps the share that passes.
+vec3 passGaussians(inout PathState path, vec4 gaussians) {
+    if (!kHasGaussians) return vec3(0.0);
+    vec3 light = path.throughput * gaussians.rgb;
+    path.throughput *= gaussians.a;
+    return light;
+}
+
+// Coverage and albedo of a pixel whose ray passes Gaussians before a hit of these. As they emit what they show, their
+// light counts as albedo.
+float coverageBehind(float covered, vec4 gaussians) { return kHasGaussians ? 1.0 - gaussians.a * (1.0 - covered) : covered; }
+vec3 albedoBehind(vec3 albedo, vec4 gaussians) {
+    return kHasGaussians ? min(gaussians.rgb, vec3(1.0)) + gaussians.a * albedo : albedo;
+}
+
+#endif

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// The Gaussians along a ray in the order of their peaks, one call after the other.
+//
+// A node's list is tested when the walk enters the node, so the peaks of large Gaussians are known long before the ray
+// gets there: they wait in a short sorted list. If it overflows, the farthest are dropped, and the walk starts again
+// where the first of them lies.
+#ifndef POINTRT_SHADERS_GAUSSIAN_HITS_GLSL
+#define POINTRT_SHADERS_GAUSSIAN_HITS_GLSL
+#include "shaders/trace/gaussian_walk.glsl"
+
+#define FOR_WAITING(X) X(0) X(1) X(2) X(3) X(4) X(5) X(6) X(7) X(8) X(9) X(10) X(11) X(12) X(13) X(14) X(15)
+#define WAITING 16
+
+struct GaussianHit {
+    float t;       // from the start of the GaussianRay
+    uint gaussian; // NO_INDEX: none
+    float distance_squared;
+};
+
+const GaussianHit kNoGaussianHit = GaussianHit(kWalkEnded, NO_INDEX, 0.0);
+
+struct GaussianHits {
+    GaussianRay ray;
+    GaussianWalk walk;
+    uint listed, listed_end; // what is left of the list of the node
+    float t_in, t_out;       // the part of the ray inside the node
+    GaussianHit last;        // the last one returned
+    GaussianHit lost;        // the first one dropped
+    GaussianHit waiting[WAITING];
+};
+
+bool isBefore(GaussianHit a, GaussianHit b) { return a.t < b.t || (a.t == b.t && a.gaussian < b.gaussian); }
+
+void openList(inout GaussianHits hits, bool opens) {
+    bool at_root = hits.walk.number == 0u;
+    vec3 exits = exitDistances(hits.walk, hits.ray.origin);
+    hits.listed = opens ? hits.walk.node.y : hits.listed;
+    hits.listed_end = opens ? hits.walk.node.y + hits.walk.node.z : hits.listed_end;
+    // the list of the root also holds those that reach out of the cube
+    hits.t_in = opens ? (at_root ? -kWalkEnded : hits.walk.t) : hits.t_in;
+    hits.t_out = opens ? (at_root ? kWalkEnded : leastOf(exits)) : hits.t_out;
+}
+
+void restart(inout GaussianHits hits, bool enters) {
+    hits.walk = startGaussianWalk(hits.ray);
+    openList(hits, true);
+    hits.walk.t = enters ? 0.0 : kWalkEnded;
+    hits.lost = kNoGaussianHit;
+#define CLEAR(k) hits.waiting[k] = kNoGaussianHit;
+    FOR_WAITING(CLEAR)
+}
+
+GaussianHits startGaussianHits(GaussianRay ray, bool enters) {
+    GaussianHits hits;
+    hits.ray = ray;
+    hits.last = GaussianHit(-ray.t_start, NO_INDEX, 0.0);
+    restart(hits, enters);
+    return hits;
+}
+
+// No hit at or after this counts any more.
+float endOf(GaussianHits hits) { return hits.lost.t < hits.ray.t_max ? hits.lost.t : hits.ray.t_max; }
+
+// Walks to the next node with a list.
+void nextList(inout GaussianHits hits, bool going) {
+    float t_end = endOf(hits);
+    bool walks, found = false;
+    do {
+        walks = going && !found && hits.listed == hits.listed_end && hits.walk.t <= t_end;
+        bool enters = moveWalk(hits.walk, hits.ray.origin, walks);
+        found = found || (enters && hits.walk.node.z > 0u);
+    } while (walks && !found);
+    openList(hits, found);
+}
+
+// The next peak in what is left of the list that is nearer than the first one lost.
+GaussianHit nextPeak(inout GaussianHits hits, bool going) {
+    GaussianHit found = kNoGaussianHit;
+    bool tests;
+    do {
+        tests = going && hits.listed < hits.listed_end && found.gaussian == NO_INDEX;
+        uint gaussian = loadGaussianListed(tests ? hits.listed : 0u);
+        GaussianPeak peak = gaussianPeak(gaussian, hits.ray);
+        GaussianHit hit = GaussianHit(peak.t, gaussian, peak.distance_squared);
+        bool counts = tests && peak.distance_squared <= 1.0 && peak.t >= hits.t_in && peak.t < hits.t_out &&
+                      peak.t < hits.ray.t_max && isBefore(hits.last, hit) && isBefore(hit, hits.lost);
+        if (counts) found = hit;
+        hits.listed += tests ? 1u : 0u;
+    } while (tests);
+    return found;
+}
+
+void insertHit(inout GaussianHits hits, GaussianHit hit) {
+#define PLACE(k)                                                                                                       \
+    {                                                                                                                  \
+        GaussianHit other = hits.waiting[k];                                                                           \
+        bool nearer = isBefore(hit, other);                                                                            \
+        if (nearer) hits.waiting[k] = hit;                                                                             \
+        if (nearer) hit = other;                                                                                       \
+    }
+    FOR_WAITING(PLACE)
+    if (isBefore(hit, hits.lost)) hits.lost = hit;
+}
+
+// The first waiting hit, once nothing nearer can come; else none.
+GaussianHit takeHit(inout GaussianHits hits, bool going) {
+    GaussianHit first = hits.waiting[0];
+    bool complete = hits.listed == hits.listed_end;
+    float known = complete ? hits.walk.t : hits.t_in; // hits before this are all known
+    bool takes = going && first.gaussian != NO_INDEX && first.t < known && isBefore(first, hits.lost);
+#define SHIFT(k)                                                                                                       \
+    if (takes) hits.waiting[k] = (k) + 1 < WAITING ? hits.waiting[min((k) + 1, WAITING - 1)] : kNoGaussianHit;
+    FOR_WAITING(SHIFT)
+    if (!takes) first = kNoGaussianHit;
+    if (takes) hits.last = first;
+    return first;
+}
+
+// Whether more hits may come.
+bool mayGoOn(GaussianHits hits) {
+    bool walked = hits.listed == hits.listed_end && !(hits.walk.t <= endOf(hits));
+    return !walked || hits.waiting[0].gaussian != NO_INDEX || hits.lost.gaussian != NO_INDEX;
+}
+
+// The next hit in order, or none: then call again while mayGoOn. enters: of gaussianRay.
+GaussianHit nextHit(inout GaussianHits hits, bool enters, bool going) {
+    nextList(hits, going);
+    insertHit(hits, nextPeak(hits, going));
+    bool walked = hits.listed == hits.listed_end && !(hits.walk.t <= endOf(hits));
+    if (walked) hits.walk.t = kWalkEnded; // all hits up to the end are known
+    GaussianHit hit = takeHit(hits, going);
+    bool again = going && walked && hit.gaussian == NO_INDEX && hits.lost.gaussian != NO_INDEX;
+    if (again) restart(hits, enters);
+    return hit;
+}
+
+#endif

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// The share of light that Gaussians let pass along a ray. Their order does not matter.
+#ifndef POINTRT_SHADERS_GAUSSIAN_TRANSMITTANCE_GLSL
+#define POINTRT_SHADERS_GAUSSIAN_TRANSMITTANCE_GLSL
+#include "shaders/trace/gaussian_hits.glsl"
+
+float gaussianTransmittance(GaussianRay ray, bool enters, bool live) {
+    GaussianHits hits = startGaussianHits(ray, enters);
+    float transmittance = 1.0;
+    bool going;
+    do {
+        going = live && transmittance >= GAUSSIAN_TRANSMITTANCE_MIN &&
+                (hits.listed < hits.listed_end || hits.walk.t <= endOf(hits));
+        nextList(hits, going);
+        GaussianHit hit = nextPeak(hits, going);
+        bool is_hit = hit.gaussian != NO_INDEX;
+        float opacity = loadGaussianRow(is_hit ? hit.gaussian : 0u, 3u).x;
+        transmittance *= is_hit ? 1.0 - alphaAt(opacity, hit.distance_squared) : 1.0;
+    } while (going);
+    return transmittance < GAUSSIAN_TRANSMITTANCE_MIN ? 0.0 : transmittance;
+}
+
+#endif
