@@ -17,7 +17,7 @@ bigEndian() {
 case_help_names_every_option() {
     local option
     expectDone pointrt-view --help
-    for option in -o --output --size --spp --seed --turntable --thumbnail --view --eye --target --up --fov --ortho --integrator --bounces --room --lights \
+    for option in -o --output --size --spp --seed --turntable --thumbnail --view --eye --target --up --fov --ortho --integrator --bounces --room --lights --background \
         --color-by --color-map --color-range --legend --shadows --caustics --denoise --exposure --time-limit --noise --resume --device --bench --stats --profile -q -v; do
         grep -Eq -e "(^|[ ,])$option([ ,=]|\$)" stdout || fail "--help does not name $option"
     done
@@ -39,6 +39,7 @@ case_wrong_usage() {
     expectError 2 "" pointrt-view scene.pro -o out/a.png --eye 1,2
     expectError 2 "--up: .*upwards.*auto, x, y, z" pointrt-view scene.pro -o out/a.png --up upwards
     expectError 2 "" pointrt-view scene.pro -o out/a.png --room cellar
+    expectError 2 "--background: .*grey" pointrt-view scene.pro -o out/a.png --background grey
     expectError 2 "--time-limit" pointrt-view scene.pro -o out/a.png --time-limit 0
     expectError 2 "--noise" pointrt-view scene.pro -o out/a.png --noise -0.1
     expectError 2 "--denoise" pointrt-view scene.pro -o out/a.png --denoise perhaps
@@ -322,7 +323,33 @@ case_denoise_and_exposure() {
     [ "$(jsonValue data.json denoise_ms)" = 0 ] || fail "data are denoised unasked"
 }
 
-# The viewer must run on machines that have a Vulkan driver and few libraries.
+# pngChannels FILE: by the colour type of its header.
+pngChannels() {
+    case $(od -An -t u1 -j 25 -N 1 "$1" | tr -d ' ') in
+    2) echo 3 ;;
+    6) echo 4 ;;
+    *) fail "$1: neither RGB nor RGBA" ;;
+    esac
+}
+
+# Transparent pictures have an alpha channel, however they are written.
+case_background() {
+    local denoise
+    bakeSphere
+    for denoise in off on; do
+        expectDone pointrt-view -q scene.pro -o "out/$denoise.png" --size 48x32 --background transparent --denoise $denoise
+        [ "$(pngChannels "out/$denoise.png")" = 4 ] || fail "denoise $denoise: no alpha"
+    done
+    expectDone pointrt-view -q scene.pro -o out/late.png --size 48x32 --background transparent --time-limit 60 --spp 4
+    [ "$(pngChannels out/late.png)" = 4 ] || fail "written at the end: no alpha"
+    expectDone pointrt-view -q scene.pro -o out/white.png --size 48x32 --background white
+    [ "$(pngChannels out/white.png)" = 3 ] || fail "white: it is not RGB"
+    printf 'background = "transparent"\n[[instance]]\nfile = "scene.pro"\n' >scene.toml
+    expectDone pointrt-view -q scene.toml -o out/scene.png --size 48x32 --denoise off
+    cmp out/off.png out/scene.png || fail "the scene file's differs"
+}
+
+# The viewer goes to machines that have a driver and little else.
 case_light_dependencies() {
     ldd "$POINTRT_BIN/pointrt-view" >libraries
     ! grep -Ei 'pcl|flann|cgal|draco|boost' libraries || fail "the viewer is linked to the bake's libraries"

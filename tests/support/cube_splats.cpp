@@ -12,9 +12,9 @@ std::vector<CubeSplat> loadCubeSplats(const std::string& path) {
     std::vector<CubeSplat> splats(file.info().splat_count);
     for (std::size_t s = 0; s < splats.size(); ++s) {
         const pro_splat plain = file.splat(s);
-        splats[s] = {{plain.position[0], plain.position[1], plain.position[2]},
-                     normalize({plain.normal[0], plain.normal[1], plain.normal[2]}),
-                     plain.radius};
+        const Vec3 normal = normalize({plain.normal[0], plain.normal[1], plain.normal[2]});
+        splats[s] = {
+            {plain.position[0], plain.position[1], plain.position[2]}, file.isBall(s) ? Vec3{} : normal, plain.radius};
     }
     return splats;
 }

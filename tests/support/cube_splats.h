@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The discs of a .pro as the shaders decode them, in cube units and double.
+// The discs and balls of a .pro as the shaders decode them, in cube units and double.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 namespace pointrt::test {
 
 struct CubeSplat {
-    Vec3 center, normal; ///< cube units; unit normal as stored
+    Vec3 center, normal; ///< cube units; unit normal as stored, 0 for a ball
     double radius = 0;   ///< cube units
 };
 

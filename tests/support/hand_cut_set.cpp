@@ -29,7 +29,9 @@ pro_info frameOf(const TileCube& cube, float radius_max, const Splats& splats) {
     std::copy(cube.origin.begin(), cube.origin.end(), frame.origin);
     frame.radius_max = static_cast<float>(static_cast<double>(radius_max) / cube.scale);
     frame.blend_slab = kBlendSlab;
-    frame.flags = (splats.colors.empty() ? 0u : PRO_FLAG_COLOR) | (splats.oriented ? PRO_FLAG_ORIENTED : 0u);
+    const bool balls = std::any_of(splats.normals.begin(), splats.normals.end(), [](auto& n) { return n.isZero(0); });
+    frame.flags = (splats.colors.empty() ? 0u : PRO_FLAG_COLOR) | (splats.oriented ? PRO_FLAG_ORIENTED : 0u) |
+                  (balls ? PRO_FLAG_BALLS : 0u);
     std::fill_n(frame.bounds_min, 3, 1e300);
     std::fill_n(frame.bounds_max, 3, -1e300);
     return frame;
@@ -71,8 +73,9 @@ PackedSplats packInto(pro_info frame, const Splats& splats, const std::vector<st
         pro_splat_encode(&plain, frame.radius_max, 0, words.data());
         pro_splat read;
         pro_splat_decode(words.data(), frame.radius_max, 0, &read);
+        if (normal.isZero(0)) pro_splat_set_ball(words.data());
         packed.words.push_back(words);
-        packed.discs.push_back({each.center, Vec3f(read.normal[0], read.normal[1], read.normal[2]), read.radius});
+        packed.discs.push_back({each.center, normal.isZero(0) ? normal : Vec3f(read.normal), read.radius});
         packed.morton.push_back(each.morton);
         packed.input_index.push_back(each.splat);
         if (!splats.colors.empty()) packed.colors.push_back(color);

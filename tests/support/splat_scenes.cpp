@@ -69,6 +69,8 @@ Splats joinSplats(Splats a, const Splats& b) {
 
 void paint(Splats& splats, Rgb8 color) { splats.colors.assign(splats.positions.size(), color); }
 
+void makeBalls(Splats& splats) { splats.normals.assign(splats.normals.size(), Vec3f::Zero()); }
+
 Built buildSplats(Splats splats, const BuildOptions& options) {
     Built built;
     built.packed = quantizeSplats(std::move(splats));

@@ -22,6 +22,8 @@ Splats randomSplats(std::size_t count, unsigned seed, float radius_min, float ra
 /// The splats of a, then those of b; both must have colours, or neither.
 Splats joinSplats(Splats a, const Splats& b);
 void paint(Splats& splats, Rgb8 color);
+/// Turns all splats into balls, of their radii.
+void makeBalls(Splats& splats);
 
 struct BuildOptions {
     OctreeOptions octree;
