@@ -24,7 +24,7 @@ Scalar typeOf(const JsonValue& component_type) {
     case 5126:
         return Scalar::kF32;
     default:
-        component_type.refuse(fmt::format("is {}, which is no component type", component_type.integer()));
+        component_type.refuse(fmt::format("is {}, which is not a component type", component_type.integer()));
     }
 }
 

@@ -57,12 +57,13 @@ keepFiles test_tiles --gtest_filter='*InOneLine*'
 keepFiles test_rays_command
 keepFiles test_runtime_host --gtest_filter='*Image*:*Film*:*Record*:*Env*'
 
-for suffix in ply pcd e57 ptx obj off splat spz conf; do seedsOf "scan_$suffix" "*.$suffix"; done
+for suffix in ply pcd e57 ptx obj off splat spz sog conf; do seedsOf "scan_$suffix" "*.$suffix"; done
 seedsOf scan_las '*.las' '*.laz'
 seedsOf points '*.ply' '*.las' '*.laz'
 seedsOf scan_xyz '*.xyz' '*.pts' '*.asc' '*.csv'
 seedsOf scan_draco '*.drc'
-seedsOf scan '*.gz' '*.stl' '*.zip' '*.gltf'
+seedsOf scan_gltf '*.gltf' '*.glb'
+seedsOf scan '*.gz' '*.stl' '*.zip'
 for target in "$work"/seeds/scan_*; do # two of each format
     for file in $(find "$target" -type f -size "-$((largest))c" | sort | head -2); do seed scan "$(basename "$file")" <"$file"; done
 done

@@ -249,13 +249,14 @@ Files levels(const std::string& tree, const std::string& environment = "") {
     return files;
 }
 
-constexpr const char* kTree = R"({"bound":{},"children":[)"
-                              R"({"lods":{"0":{"file":0,"offset":1,"count":1},"1":{"file":2,"offset":0,"count":1}}},)"
-                              R"({"lods":{"0":{"file":1,"offset":0,"count":2},"1":{"file":2,"offset":1,"count":1}}}]})";
+constexpr const char* kSogTree =
+    R"({"bound":{},"children":[)"
+    R"({"lods":{"0":{"file":0,"offset":1,"count":1},"1":{"file":2,"offset":0,"count":1}}},)"
+    R"({"lods":{"0":{"file":1,"offset":0,"count":2},"1":{"file":2,"offset":1,"count":1}}}]})";
 
 TEST_F(SogTest, FinestLevelIsRead) {
     for (const char* name : {"0_0", "0_1", "1_0", "env"}) std::filesystem::create_directories(folder / name);
-    const Files files = levels(kTree);
+    const Files files = levels(kSogTree);
     writeAll(files);
     const Cloud cloud = read((folder / "lod-meta.json").string());
     ASSERT_EQ(cloud.positions.size(), 3u);
@@ -268,7 +269,7 @@ TEST_F(SogTest, FinestLevelIsRead) {
     ReadOptions coarse;
     coarse.level = 0;
     EXPECT_EQ(read((folder / "lod-meta.json").string(), coarse).positions.size(), 2u);
-    writeAll(levels(kTree, "env/meta.json"));
+    writeAll(levels(kSogTree, "env/meta.json"));
     EXPECT_EQ(read((folder / "lod-meta.json").string()).positions.size(), 5u);
 }
 
