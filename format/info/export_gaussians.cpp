@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "format/info/export_gaussians.h"
+#include "format/base/harmonic_degree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,9 +34,6 @@ float logitOf(float opacity) {
     return static_cast<float>(std::log(clamped / (1 - clamped)));
 }
 
-/// Degree of a coefficient, from 0 for the first of degree 1: degree d ends with coefficient (d + 1)^2 - 2.
-std::uint32_t harmonicGroup(std::uint32_t coefficient) { return coefficient < 3 ? 0 : coefficient < 8 ? 1 : 2; }
-
 /// All coefficients of red, then of green, then of blue.
 void appendHarmonics(const ProFile& file, std::size_t index, std::vector<float>& row) {
     const auto codes = file.harmonics(index);
@@ -43,7 +41,7 @@ void appendHarmonics(const ProFile& file, std::size_t index, std::vector<float>&
     for (std::uint32_t color = 0; color < 3; ++color)
         for (std::uint32_t k = 0; k < count; ++k)
             row.push_back(static_cast<float>(codes[3 * k + color]) / PRO_HARMONIC_STEPS *
-                          file.gaussians()->harmonic_max[harmonicGroup(k)]);
+                          file.gaussians()->harmonic_max[degreeOfHarmonic(k) - 1]);
 }
 
 void appendGaussian(const ProFile& file, std::size_t index, std::vector<float>& row) {

@@ -56,7 +56,7 @@ bool checkSplats(const pro_info& info, const pro_view& view, Findings& findings)
         if (words[2] >> PRO_MATERIAL_SHIFT >= info.material_count) material.hit(i);
         if (words[3] >> PRO_RADIUS_SHIFT >= code_end) radius.hit(i);
     }
-    reserved.addTo(findings, Finding::kSplatReserved, "splat", "it is a ball, but the flags say that there are none");
+    reserved.addTo(findings, Finding::kSplatReserved, "splat", "it is a ball, but the header has no flag for balls");
     material.addTo(findings, Finding::kSplatMaterial, "splat", "its material is out of range");
     radius.addTo(findings, Finding::kSplatRadius, "splat", "its radius is below 2^-60");
     return reserved.places + material.places + radius.places == 0;

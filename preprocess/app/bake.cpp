@@ -136,47 +136,9 @@ void bakeGaussians(const BakeOptions& options, Cloud& cloud, BakeReport& report,
     report.octree = writePro(options.output, options.force, scan, nullptr, &sections.view);
 }
 
-std::vector<std::string_view> skippedStages(const BakeOptions& options) {
-    std::vector<std::string_view> stages;
-    if (options.surface.splat == SplatShape::kBall) stages = {"normals", "orientation", "cleaning"};
-    if (!options.prune) stages.emplace_back("prune");
-    if (!options.index) stages.emplace_back("index");
-    return stages;
-}
-
-} // namespace
-
-BakeReport bake(const BakeOptions& options) {
-    requireNoInput(options, options.output, "--output");
-    checkOutput(options);
-    checkStats(options);
-    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, threadCount(options));
-    BakeProgress progress(options.verbosity, options.progress, skippedStages(options));
+/// Points to a surface of splats.
+void bakeSurface(const BakeOptions& options, Cloud&& cloud, BakeReport& report, BakeProgress& progress) {
     const auto show = [&](double share) { progress.update(share); };
-    const auto show_read = [&](const ReadStatus& status) {
-        if (status.share > 0)
-            progress.setPoints(static_cast<std::uint64_t>(static_cast<double>(status.points) / status.share));
-        progress.update(status.share);
-    };
-    BakeReport report;
-
-    progress.begin("read", 0);
-    Cloud cloud = readInputs(options.inputs, options.read, show_read, &report.files);
-    progress.setPoints(cloud.positions.size());
-    for (const FileReport& file : report.files) report.points_sampled += file.sampled;
-    report.input_points = report.points_sampled > 0 ? cloud.positions.size() : cloud.points_read;
-    report.points_non_finite = cloud.points_non_finite;
-    report.points_unused = cloud.points_unused;
-    report.points_filtered = cloud.points_filtered;
-    if (report.files.size() > 1)
-        for (const FileReport& file : report.files) progress.note(fileLine(file));
-    if (gaussianColumns(cloud)) {
-        bakeGaussians(options, cloud, report, progress);
-        progress.finish();
-        report.seconds = progress.seconds();
-        report.seconds_total = progress.totalSeconds();
-        return report;
-    }
     ProContent content = takeMetadata(options, cloud, report);
     for (const Note& note : report.notes) progress.note(noteLine(note));
 
@@ -199,6 +161,45 @@ BakeReport bake(const BakeOptions& options) {
     }
     freeBuildData(packed);
     store(options, std::move(content), packed, octree, report, progress);
+}
+
+std::vector<std::string_view> skippedStages(const BakeOptions& options) {
+    std::vector<std::string_view> stages;
+    if (options.surface.splat == SplatShape::kBall) stages = {"normals", "orientation", "cleaning"};
+    if (!options.prune) stages.emplace_back("prune");
+    if (!options.index) stages.emplace_back("index");
+    return stages;
+}
+
+} // namespace
+
+BakeReport bake(const BakeOptions& options) {
+    requireNoInput(options, options.output, "--output");
+    checkOutput(options);
+    checkStats(options);
+    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, threadCount(options));
+    BakeProgress progress(options.verbosity, options.progress, skippedStages(options));
+    const auto show_read = [&](const ReadStatus& status) {
+        if (status.share > 0)
+            progress.setPoints(static_cast<std::uint64_t>(static_cast<double>(status.points) / status.share));
+        progress.update(status.share);
+    };
+    BakeReport report;
+
+    progress.begin("read", 0);
+    Cloud cloud = readInputs(options.inputs, options.read, show_read, &report.files);
+    progress.setPoints(cloud.positions.size());
+    for (const FileReport& file : report.files) report.points_sampled += file.sampled;
+    report.input_points = report.points_sampled > 0 ? cloud.positions.size() : cloud.points_read;
+    report.points_non_finite = cloud.points_non_finite;
+    report.points_unused = cloud.points_unused;
+    report.points_filtered = cloud.points_filtered;
+    if (report.files.size() > 1)
+        for (const FileReport& file : report.files) progress.note(fileLine(file));
+    if (gaussianColumns(cloud))
+        bakeGaussians(options, cloud, report, progress);
+    else
+        bakeSurface(options, std::move(cloud), report, progress);
     progress.finish();
     report.seconds = progress.seconds();
     report.seconds_total = progress.totalSeconds();

@@ -15,15 +15,16 @@ struct Bounds {
     Vec3d low = Vec3d::Constant(std::numeric_limits<double>::infinity());
     Vec3d high = Vec3d::Constant(-std::numeric_limits<double>::infinity());
 
+    void add(const Vec3d& point) {
+        low = low.cwiseMin(point);
+        high = high.cwiseMax(point);
+    }
     double longestEdge() const { return (high - low).maxCoeff(); }
 };
 
 inline Bounds boundsOf(const std::vector<Vec3f>& positions) {
     const auto addRange = [&](const auto& range, Bounds bounds) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) {
-            bounds.low = bounds.low.cwiseMin(positions[i].cast<double>());
-            bounds.high = bounds.high.cwiseMax(positions[i].cast<double>());
-        }
+        for (std::size_t i = range.begin(); i < range.end(); ++i) bounds.add(positions[i].cast<double>());
         return bounds;
     };
     const auto both = [](const Bounds& a, const Bounds& b) {

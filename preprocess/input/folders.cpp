@@ -30,7 +30,7 @@ std::vector<std::string> scansIn(const std::string& folder) {
     return scans;
 }
 
-/// The file of a folder that names all of its other files; "" if there is none.
+/// The file of a folder that names all of its other files; "" if no file does.
 std::string sogIn(const fs::path& folder) {
     std::error_code failure;
     for (const std::string_view name : {kSogLevels, kSogMeta}) {

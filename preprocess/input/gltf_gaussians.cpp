@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "preprocess/cloud/srgb.h"
 #include "preprocess/ingest/gzip.h"
 #include "preprocess/input/gaussian_transform.h"
 #include "preprocess/input/gltf_accessor.h"
@@ -64,10 +65,9 @@ struct SplatAccessors {
 void encodeForDisplay(Gaussian& gaussian) {
     for (int channel = 0; channel < 3; ++channel) {
         const auto linear = static_cast<double>(std::max(gaussian.color[channel], 0.0f));
-        const bool dark = linear <= 0.0031308;
-        const double slope = dark ? 12.92 : 1.055 / 2.4 * std::pow(linear, 1 / 2.4 - 1);
-        gaussian.color[channel] = static_cast<float>(dark ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055);
-        for (Vec3f& harmonic : gaussian.harmonics) harmonic[channel] *= static_cast<float>(slope);
+        gaussian.color[channel] = static_cast<float>(srgbFromLinear(linear));
+        const auto slope = static_cast<float>(srgbSlope(linear));
+        for (Vec3f& harmonic : gaussian.harmonics) harmonic[channel] *= slope;
     }
 }
 

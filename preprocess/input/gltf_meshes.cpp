@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "preprocess/cloud/srgb.h"
 #include "preprocess/ingest/scan_colors.h"
 #include "preprocess/input/gltf_accessor.h"
 
@@ -19,11 +20,6 @@ std::uint64_t modeOf(const GltfPart& part) {
 
 /// A file may show the vertices of one mesh many times: as many as this, and this many for each of its bytes.
 constexpr std::uint64_t kVerticesAtLeast = 1 << 24, kVerticesPerByte = 16;
-
-double encodedForDisplay(double linear) {
-    const double share = std::clamp(linear, 0.0, 1.0);
-    return share <= 0.0031308 ? 12.92 * share : 1.055 * std::pow(share, 1 / 2.4) - 0.055;
-}
 
 /// The colour of a primitive's material: linear red, green, blue.
 struct PartMaterial {
@@ -116,7 +112,7 @@ private:
     double colorOf(std::uint64_t vertex, int channel) const {
         if (!hasColors()) return kGreyColor[static_cast<std::size_t>(channel)];
         const double linear = material_.factor[channel] * (colors_ ? colors_->value(vertex, channel) : 1);
-        return 255 * encodedForDisplay(linear);
+        return 255 * srgbFromLinear(std::clamp(linear, 0.0, 1.0));
     }
 
     const GltfFile& file_;

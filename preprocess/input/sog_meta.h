@@ -14,7 +14,7 @@ namespace pointrt {
 /// A value for each byte.
 using ByteTable = std::array<float, 256>;
 
-/// Names of the images; those of harmonics are "" if there are none.
+/// Names of the images; those of harmonics are "" in captures without harmonics.
 struct SogImageNames {
     std::string means_low, means_high, quats, scales, colors, centroids, labels;
 };

@@ -33,8 +33,8 @@ float faceDistanceSquared(const Disc& disc, const Box& box, int axis, float plan
 
 /// Squared distance from the disc's centre to the part of its plane inside the box: 0 if the centre is in the box,
 /// +infinity if the plane misses it. Otherwise the closest point lies on a face that has the centre on its outer side
-/// (else the centre would be closer still), so at most three faces are tested. Of a ball, squared distance from its
-/// centre to the box.
+/// (if not, the centre would be closer still), so at most three faces are tested. For a ball, the squared distance from
+/// its centre to the box.
 float sectionDistanceSquared(const Disc& disc, const Box& box);
 
 /// Whether the disc and the box have a common point.

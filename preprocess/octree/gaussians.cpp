@@ -9,7 +9,9 @@
 #include <utility>
 
 #include "format/base/error.h"
+#include "format/base/harmonic_degree.h"
 #include "format/index/gaussian_tree.h"
+#include "preprocess/cloud/bounds.h"
 #include "preprocess/cloud/curve_key.h"
 #include "preprocess/cloud/morton.h"
 
@@ -33,8 +35,6 @@ constexpr double kDeviationCodes = 4095, kColorCodes = 510, kHarmonicCodes = 127
 /// The largest disc, in cube units: readers without Gaussians show the rest of a sky smaller than it is.
 constexpr float kLargestDisc = 0.25f;
 
-Vec3f at3(const float* values, std::size_t i) { return {values[3 * i], values[3 * i + 1], values[3 * i + 2]}; }
-
 /// A Gaussian in the frame of the cloud, input units.
 pro_gaussian gaussianAt(const GaussianCloud& cloud, std::size_t i) {
     const GaussianColumns& columns = cloud.columns;
@@ -55,20 +55,10 @@ Vec3d reachOf(const GaussianEllipsoid& ellipsoid) {
     return squares.cwiseSqrt();
 }
 
-struct Box3 {
-    Vec3d low = Vec3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    void add(const Vec3d& point) {
-        low = low.cwiseMin(point);
-        high = high.cwiseMax(point);
-    }
-    double longestEdge() const { return (high - low).maxCoeff(); }
-};
-
 /// Origin, scale and bounds.
 void placeCube(const GaussianCloud& cloud, pro_info& frame) {
-    Box3 centers;
-    for (const Vec3f& position : cloud.points.positions) centers.add(position.cast<double>());
-    Box3 all = centers;
+    const surface::Bounds centers = surface::boundsOf(cloud.points.positions);
+    surface::Bounds all = centers;
     for (std::size_t i = 0; i < cloud.points.positions.size(); ++i) {
         const Vec3d center = cloud.points.positions[i].cast<double>(),
                     reach = reachOf(ellipsoidOf(gaussianAt(cloud, i)));
@@ -158,16 +148,16 @@ void chooseCodes(const GaussianCloud& cloud, double scale, pro_gaussians& coding
     coding.color_low = static_cast<float>(colors.low);
     coding.color_step = static_cast<float>((colors.high - colors.low) / kColorCodes);
     for (std::uint32_t h = 0; h < pro_harmonic_count(coding.degree); ++h) {
-        float& most = coding.harmonic_max[h < 3 ? 0 : h < 8 ? 1 : 2];
+        float& most = coding.harmonic_max[degreeOfHarmonic(h) - 1];
         for (std::size_t k = 0; k < 3 * count; ++k) most = std::max(most, std::abs(cloud.columns.harmonics[h][k]));
     }
 }
 
 void packHarmonics(const GaussianCloud& cloud, std::size_t i, const pro_gaussians& coding, std::int8_t* codes) {
     for (std::uint32_t h = 0; h < pro_harmonic_count(coding.degree); ++h) {
-        const float most = coding.harmonic_max[h < 3 ? 0 : h < 8 ? 1 : 2];
-        const Vec3f values = at3(cloud.columns.harmonics[h], i);
-        for (int c = 0; c < 3; ++c)
+        const float most = coding.harmonic_max[degreeOfHarmonic(h) - 1];
+        const float* const values = cloud.columns.harmonics[h] + 3 * i;
+        for (std::uint32_t c = 0; c < 3; ++c)
             codes[3 * h + c] = static_cast<std::int8_t>(most > 0 ? std::lround(kHarmonicCodes * values[c] / most) : 0);
     }
 }
@@ -256,7 +246,6 @@ GaussianSections packGaussians(const GaussianCloud& gaussians, const PackedSplat
         ellipsoids[k] = ellipsoidOf(decoded);
     });
     GaussianTree tree = buildGaussianTree(ellipsoids, kStoredFineness);
-    for (std::size_t k = 0; k < count; ++k) sections.faint += countedDeviations(gaussians.columns.opacity[k]) == 0;
     sections.nodes = std::move(tree.nodes);
     sections.lists = std::move(tree.lists);
     view.words = sections.words.data();

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "preprocess/cloud/cloud.h"
@@ -35,7 +34,6 @@ struct GaussianSections {
     std::vector<std::uint32_t> words;
     std::vector<std::int8_t> harmonics;
     std::vector<std::uint32_t> nodes, lists;
-    std::uint64_t faint = 0; ///< Gaussians too faint to count anywhere
 };
 
 /// Packs the Gaussians in the order of the splats.

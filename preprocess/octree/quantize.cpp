@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "preprocess/cloud/bounds.h"
 #include "preprocess/cloud/curve_key.h"
 #include "preprocess/cloud/morton.h"
 
@@ -20,15 +21,6 @@ constexpr double kCubeMargin = 1.0 / 1024;
 /// log2 of the number of radius codes per octave. At the coarsest, 255 codes span 15.9 octaves (62,000 : 1), and
 /// smaller radii are raised to the smallest code; at the finest, one code is 1/6000 of the radius.
 constexpr int kCoarsestRadiusBits = 4, kFinestRadiusBits = 12;
-
-struct Bounds {
-    Vec3d lo = Vec3d::Constant(std::numeric_limits<double>::infinity());
-    Vec3d hi = Vec3d::Constant(-std::numeric_limits<double>::infinity());
-    void add(const Vec3d& p) {
-        lo = lo.cwiseMin(p);
-        hi = hi.cwiseMax(p);
-    }
-};
 
 /// Half extents of the disc's or ball's bounding box.
 Vec3d discExtent(const Vec3f& normal, float radius) {
@@ -46,7 +38,7 @@ double cubeEdge(double extent, const std::vector<float>& radii) {
 }
 
 void fillFrame(const Splats& splats, pro_info& frame) {
-    Bounds centers, discs;
+    surface::Bounds centers, discs;
     float radius_min = splats.radii.front(), radius_max = radius_min;
     for (std::size_t i = 0; i < splats.positions.size(); ++i) {
         const Vec3d p = splats.positions[i].cast<double>();
@@ -57,12 +49,12 @@ void fillFrame(const Splats& splats, pro_info& frame) {
         radius_min = std::min(radius_min, splats.radii[i]);
         radius_max = std::max(radius_max, splats.radii[i]);
     }
-    frame.scale = cubeEdge((discs.hi - discs.lo).maxCoeff() * (1.0 + 2.0 * kCubeMargin), splats.radii);
-    const Vec3d corner = splats.origin + 0.5 * (discs.lo + discs.hi) - Vec3d::Constant(0.5 * frame.scale);
+    frame.scale = cubeEdge(discs.longestEdge() * (1.0 + 2.0 * kCubeMargin), splats.radii);
+    const Vec3d corner = splats.origin + 0.5 * (discs.low + discs.high) - Vec3d::Constant(0.5 * frame.scale);
     for (int axis = 0; axis < 3; ++axis) {
         frame.origin[axis] = corner[axis];
-        frame.bounds_min[axis] = splats.origin[axis] + centers.lo[axis];
-        frame.bounds_max[axis] = splats.origin[axis] + centers.hi[axis];
+        frame.bounds_min[axis] = splats.origin[axis] + centers.low[axis];
+        frame.bounds_max[axis] = splats.origin[axis] + centers.high[axis];
     }
     const RadiusCoding coding = radiusCoding(radius_min, radius_max);
     frame.radius_max = static_cast<float>(coding.max / frame.scale);

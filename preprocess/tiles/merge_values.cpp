@@ -8,20 +8,16 @@
 #include <limits>
 #include <string_view>
 
+#include "preprocess/cloud/srgb.h"
+
 namespace pointrt {
 
 namespace {
 
-/// IEC 61966-2-1.
-double linearOf(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4); }
-double srgbOf(double linear) {
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-
 const std::array<double, 256>& linearOfBytes() {
     static const std::array<double, 256> table = [] {
         std::array<double, 256> values;
-        for (std::size_t i = 0; i < values.size(); ++i) values[i] = linearOf(static_cast<double>(i) / 255);
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] = linearFromSrgb(static_cast<double>(i) / 255);
         return values;
     }();
     return table;
@@ -65,11 +61,11 @@ void mergeNumber(const std::vector<SplatsView>& tiles, std::size_t attribute, st
         std::memcpy(&number, valueOf(tiles, attribute, group.members[i]) + component * sizeof number, sizeof number);
         const auto value = static_cast<double>(number);
         if (!std::isfinite(value)) continue;
-        sum += group.areas[i] * (is_color ? linearOf(value / 65535) : value);
+        sum += group.areas[i] * (is_color ? linearFromSrgb(value / 65535) : value);
         areas += group.areas[i];
     }
     const double mean = areas > 0 ? sum / areas : std::numeric_limits<double>::quiet_NaN();
-    const Number merged = rounded<Number>(is_color ? 65535 * srgbOf(mean) : mean);
+    const Number merged = rounded<Number>(is_color ? 65535 * srgbFromLinear(mean) : mean);
     std::memcpy(to + component * sizeof merged, &merged, sizeof merged);
 }
 
@@ -111,7 +107,8 @@ Rgb8 meanColor(const std::vector<SplatsView>& tiles, const MergeGroup& group) {
         areas += group.areas[i];
     }
     Rgb8 mean;
-    for (std::size_t c = 0; c < 3; ++c) mean[c] = static_cast<std::uint8_t>(std::lround(255 * srgbOf(sums[c] / areas)));
+    for (std::size_t c = 0; c < 3; ++c)
+        mean[c] = static_cast<std::uint8_t>(std::lround(255 * srgbFromLinear(sums[c] / areas)));
     return mean;
 }
 

@@ -23,6 +23,14 @@ constexpr std::size_t kTileAllocations = 16;
 /// Margin around a file's box as a share of its size, larger than the rounding errors of the box tests.
 constexpr double kFileMargin = 1e-4;
 
+/// Casts walk the tracing index, which Gaussians do not have.
+void refuseGaussians(const DeviceScan& scan) {
+    pro_gaussians gaussians;
+    if (pro_get_gaussians(scan.file, &gaussians) == 1)
+        throw Error(ExitCode::kBadInput, scan.path + ": holds Gaussians, which only pictures show so far; for rays, "
+                                                     "bake the capture with --splat disc");
+}
+
 /// A box in world units that contains all discs of a file: its entry grid, with a margin.
 Bounds boxOf(const DeviceScan& scan, const Placement& placement) {
     pro_info grid = scan.info;
@@ -146,6 +154,7 @@ void InstanceResidency::loadFiles(const std::vector<std::uint32_t>& files) {
             requireTile(set.set, set.set.tiles[file.tile], set.folder);
         }
         scans[k] = mapTracedScan(file.path);
+        refuseGaussians(scans[k]);
     });
     for (std::size_t k = 0; k < files.size(); ++k) {
         uploadScan(device_, scans[k], {});

@@ -113,7 +113,7 @@ void freeBuilt(DeviceScan& scan) {
     if (!scan.grid_words.imported) Words().swap(scan.built.grid.words);
 }
 
-/// A buffer of texels, blank if there are none.
+/// A buffer of the elements; a blank texel if `elements` is empty.
 template <typename Element>
 void uploadTexels(Device& device, DeviceScan& scan, PagedBuffer DeviceScan::*buffer,
                   const std::vector<Element>& elements) {

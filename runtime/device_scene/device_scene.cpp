@@ -192,6 +192,11 @@ void uploadSceneRows(Device& device, DeviceScene& scene, const SceneDescription&
     uploadRows(device, scene, std::move(rows));
 }
 
+bool hasGaussians(const DeviceScene& scene) {
+    return std::any_of(scene.instances.begin(), scene.instances.end(),
+                       [&](const Instance& each) { return scene.files[each.file].is_gaussian; });
+}
+
 bool castsCaustics(const DeviceScene& scene) {
     const auto casts = [](const Instance& instance) { return instance.params.materials.w != 0; };
     const std::vector<bool>& shapes = scene.casting_shapes;

@@ -88,6 +88,9 @@ std::optional<Vec3> knownUp(const DeviceScene& scene);
 /// Whether both have the same files with the same placements.
 bool haveSamePlacements(const SceneDescription& a, const SceneDescription& b);
 
+/// Whether some instance holds Gaussians.
+bool hasGaussians(const DeviceScene& scene);
+
 /// Whether there are lights and anything that casts caustics.
 bool castsCaustics(const DeviceScene& scene);
 

@@ -196,9 +196,7 @@ SceneRows makeSceneRows(const DeviceScene& scene, const SceneDescription& descri
                                    [&](const Instance& each) { return scene.files[each.file].noisy; });
     const bool noisy_set = std::any_of(scene.sets.begin(), scene.sets.end(),
                                        [](const SceneSet& each) { return each.opened.set.noise > 0; });
-    const bool gaussian = std::any_of(scene.instances.begin(), scene.instances.end(),
-                                      [&](const Instance& each) { return scene.files[each.file].is_gaussian; });
-    if (gaussian) rows.features |= FEATURE_GAUSSIANS;
+    if (hasGaussians(scene)) rows.features |= FEATURE_GAUSSIANS;
     if (noisy || noisy_set) rows.features |= FEATURE_NOISE;
     return rows;
 }

@@ -46,8 +46,8 @@ void createBandTracer(Device& device, BandTracer& tracer, const DeviceScene& sce
     tracer.scene = &scene;
     tracer.shadows = settings.shadows;
     const OnError undo([&] { destroyBandTracer(device, tracer); });
-    tracer.buffers = createFrameBuffers(device, lanes, {film_pixels, settings.spp}, mayCull(scene),
-                                        (scene.features & FEATURE_GAUSSIANS) != 0);
+    tracer.buffers =
+        createFrameBuffers(device, lanes, {film_pixels, settings.spp}, mayCull(scene), hasGaussians(scene));
     tracer.programs = createPrograms(device, scene, settings, form);
     tracer.caustics.first = emptyCaustics(device);
     bind(device, tracer);

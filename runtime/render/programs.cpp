@@ -170,7 +170,7 @@ void orderCull(std::uint32_t boxes, Constants constants, const Programs& all, Cu
 /// Culling programs for the numbers of instances that the scene has or may have.
 void orderCulling(const DeviceScene& scene, const Constants& constants, Programs& programs,
                   std::vector<Order>& orders) {
-    const bool accumulates = mayCull(scene) || (constants.features & FEATURE_GAUSSIANS) != 0;
+    const bool accumulates = mayCull(scene) || hasGaussians(scene);
     if (accumulates && !programs.accumulate_shadow.pipeline && storesShadowRays(programs))
         orders.push_back({&programs.accumulate_shadow, "accumulate_shadow", accumulate_shadow_spv, constants});
     if (!mayCull(scene)) return;

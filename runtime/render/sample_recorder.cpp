@@ -8,8 +8,7 @@ namespace pointrt {
 SampleRecorder::SampleRecorder(PassCommands& commands, const BandTracer& tracer, const BandSample& sample)
     : commands_(commands), tracer_(tracer), tiles_(tilesOf(sample.width, sample.rows)), sample_(sample.number),
       center_(sample.at_centers ? STEP_CENTER : 0u), preview_(sample.preview ? STEP_PREVIEW : 0u),
-      pixel_list_(sample.at_listed_pixels ? STEP_PIXEL_LIST : 0u),
-      has_gaussians_((tracer.scene->features & FEATURE_GAUSSIANS) != 0),
+      pixel_list_(sample.at_listed_pixels ? STEP_PIXEL_LIST : 0u), has_gaussians_(hasGaussians(*tracer.scene)),
       stores_first_hits_(sample.at_listed_pixels && sample.first_hits) {}
 
 void SampleRecorder::firstHits() {

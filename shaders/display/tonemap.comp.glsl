@@ -20,10 +20,7 @@ vec3 toneMap(vec3 linear) {
     return peak < TONE_COMPRESSION_START ? linear : compressed;
 }
 
-vec3 encodeSrgb(vec3 linear) {
-    vec3 x = clamp(linear, 0.0, 1.0);
-    return mix(srgbCurve(x), srgbLine(x), lessThanEqual(x, vec3(SRGB_LINEAR_END)));
-}
+vec3 encodeSrgb(vec3 linear) { return srgbFromLinear(clamp(linear, 0.0, 1.0)); }
 
 void main() {
     if (gl_GlobalInvocationID.x >= push.count) return;

@@ -12,8 +12,4 @@ vec3 exactLinearFromSrgb(vec3 c) {
     return mix(pow((max(c, vec3(0.04)) + 0.055) / 1.055, vec3(2.4)), c / 12.92, lessThanEqual(c, vec3(0.04045)));
 }
 
-vec3 exactSrgbFromLinear(vec3 c) {
-    return mix(1.055 * pow(max(c, vec3(0.003)), vec3(1.0 / 2.4)) - 0.055, c * 12.92, lessThanEqual(c, vec3(0.0031308)));
-}
-
 #endif

@@ -3,14 +3,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/shade/shadow_ray.glsl"
-#include "shaders/trace/splat.glsl"
-#include "shaders/trace/gaussian_transmittance.glsl"
+#include "shaders/shade/gaussian_shadow.glsl"
 
 void main() {
     uint path = listEntry(balancedLane());
-    bool live = path != NO_INDEX, enters;
+    bool live = path != NO_INDEX;
     ShadowRay shadow = loadShadowRay(live ? path : 0u);
-    GaussianRay ray = gaussianRay(shadow.origin, shadow.direction, shadow.t_max * cubeScale(), enters);
-    float passes = gaussianTransmittance(ray, enters, live && shadow.t_max > 0.0);
+    float passes = passedByGaussians(shadow, live);
     if (live) shadow_rays[path].light = shadow.light * passes;
 }

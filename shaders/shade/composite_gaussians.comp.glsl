@@ -9,6 +9,7 @@
 #include "shaders/lib/path.glsl"
 #include "shaders/shade/sky.glsl"
 #include "shaders/lib/color.glsl"
+#include "shaders/shared/tone_curve.h"
 #include "shaders/trace/gaussian_hits.glsl"
 #include "shaders/shade/harmonics.glsl"
 
@@ -43,7 +44,8 @@ Composite compositeAlong(GaussianRay ray, bool enters, bool live, Composite sum)
 vec3 decoded(Composite sum, bool misses) {
     bool plain = !kSkyImage && params.sky_zenith == params.sky_horizon && params.sky_ground == params.sky_horizon;
     float behind = sum.transmittance;
-    vec3 over = exactLinearFromSrgb(sum.light + behind * exactSrgbFromLinear(params.sky_horizon)) - behind * params.sky_horizon;
+    vec3 background = params.sky_horizon;
+    vec3 over = exactLinearFromSrgb(sum.light + behind * srgbFromLinear(background)) - behind * background;
     float covered = 1.0 - behind;
     vec3 alone = covered > 0.0 ? covered * exactLinearFromSrgb(sum.light / covered) : vec3(0.0);
     return plain && misses && !hasOption(OPTION_TRANSPARENT) ? over : alone;
@@ -59,5 +61,6 @@ void main() {
     if (live && !hasStep(STEP_FIRST)) sum = Composite(gaussian_light[index].rgb, gaussian_light[index].a);
     sum = compositeAlong(ray, enters, live, sum);
     if (sum.transmittance < GAUSSIAN_TRANSMITTANCE_MIN) sum.transmittance = 0.0;
-    if (live) gaussian_light[index] = vec4(hasStep(STEP_LAST) ? decoded(sum, hit.z == NO_INDEX) : sum.light, sum.transmittance);
+    vec3 light = hasStep(STEP_LAST) ? decoded(sum, hit.z == NO_INDEX) : sum.light;
+    if (live) gaussian_light[index] = vec4(light, sum.transmittance);
 }

@@ -17,7 +17,9 @@ vec3 passGaussians(inout PathState path, vec4 gaussians) {
 
 // Coverage and albedo of a pixel whose ray passes Gaussians before a hit of these. As they emit what they show, their
 // light counts as albedo.
-float coverageBehind(float covered, vec4 gaussians) { return kHasGaussians ? 1.0 - gaussians.a * (1.0 - covered) : covered; }
+float coverageBehind(float covered, vec4 gaussians) {
+    return kHasGaussians ? 1.0 - gaussians.a * (1.0 - covered) : covered;
+}
 vec3 albedoBehind(vec3 albedo, vec4 gaussians) {
     return kHasGaussians ? min(gaussians.rgb, vec3(1.0)) + gaussians.a * albedo : albedo;
 }

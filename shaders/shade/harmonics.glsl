@@ -27,16 +27,17 @@ vec3 harmonicsAlong(uint gaussian, vec3 d) {
     float quadratic = kHarmonics > 1u ? most.y : 0.0;
     vec3 color = weighHarmonics(loadCell(first), vec4(linear, quadratic * kProduct * x * y));
     if (kHarmonics == 1u) return color;
-    color += weighHarmonics(loadCell(first + 1u), quadratic * vec4(-kProduct * y * z, 0.31539156525252005 * (2.0 * zz - xx - yy),
-                                                                   -kProduct * x * z, 0.5462742152960396 * (xx - yy)));
+    const float kAxial = 0.31539156525252005, kSquares = 0.5462742152960396;
+    vec4 second = vec4(-kProduct * y * z, kAxial * (2.0 * zz - xx - yy), -kProduct * x * z, kSquares * (xx - yy));
+    color += weighHarmonics(loadCell(first + 1u), quadratic * second);
     if (kHarmonics == 2u) return color;
     const float kCubic = 0.5900435899266435, kMixed = 0.4570457994644658;
-    color += weighHarmonics(loadCell(first + 2u), most.z * vec4(-kCubic * y * (3.0 * xx - yy), 2.890611442640554 * x * y * z,
-                                                                -kMixed * y * (4.0 * zz - xx - yy),
-                                                                0.3731763325901154 * z * (2.0 * zz - 3.0 * xx - 3.0 * yy)));
-    color += weighHarmonics(loadCell(first + 3u), most.z * vec4(-kMixed * x * (4.0 * zz - xx - yy),
-                                                                1.445305721320277 * z * (xx - yy),
-                                                                -kCubic * x * (xx - 3.0 * yy), 0.0));
+    vec4 third = vec4(-kCubic * y * (3.0 * xx - yy), 2.890611442640554 * x * y * z, -kMixed * y * (4.0 * zz - xx - yy),
+                      0.3731763325901154 * z * (2.0 * zz - 3.0 * xx - 3.0 * yy));
+    vec4 fourth = vec4(-kMixed * x * (4.0 * zz - xx - yy), 1.445305721320277 * z * (xx - yy),
+                       -kCubic * x * (xx - 3.0 * yy), 0.0);
+    color += weighHarmonics(loadCell(first + 2u), most.z * third);
+    color += weighHarmonics(loadCell(first + 3u), most.z * fourth);
     return color;
 }
 

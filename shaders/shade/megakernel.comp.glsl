@@ -104,8 +104,8 @@ void main() {
     if (kCameraPass) {
         SurfaceInteraction point = interactionOf(loop, splats);
         float covered = covers(point) ? 1.0 : 0.0;
-        loop.sums = beginSample(loop.sums, coverageBehind(covered, gaussians), albedoBehind(covered * point.albedo, gaussians),
-                                push.sample_index);
+        loop.sums = beginSample(loop.sums, coverageBehind(covered, gaussians),
+                                albedoBehind(covered * point.albedo, gaussians), push.sample_index);
     }
     if (kHasGaussians && live) accumulateLight(loop.sums, passGaussians(loop.path, gaussians), bounceOf(path.bits));
     uint bounces = 0u;

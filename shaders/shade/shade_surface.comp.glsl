@@ -23,7 +23,8 @@ void main() {
     ShadedHit shaded = shadeAt(path, point, index);
     Shading shading = shaded.shading;
     if (live && kCameraPass) {
-        PixelSums sums = beginSample(loadSums(index, 0u), coverageBehind(covered ? 1.0 : 0.0, gaussians), albedo, push.sample_index);
+        float coverage = coverageBehind(covered ? 1.0 : 0.0, gaussians);
+        PixelSums sums = beginSample(loadSums(index, 0u), coverage, albedo, push.sample_index);
         accumulateLight(sums, shading.radiance + before, bounce);
         storeSums(index, 0u, sums);
     }

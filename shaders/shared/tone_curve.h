@@ -51,6 +51,10 @@ TONE_FUNCTION TONE_COLOR srgbCurve(TONE_COLOR linear) { return 1.055f * pow(line
 
 #ifdef __cplusplus
 } // namespace pointrt::gpu
+#else
+vec3 srgbFromLinear(vec3 linear) {
+    return mix(srgbCurve(linear), srgbLine(linear), lessThanEqual(linear, vec3(SRGB_LINEAR_END)));
+}
 #endif
 
 #endif

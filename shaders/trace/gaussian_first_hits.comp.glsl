@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// First hits of an instance of Gaussians: depth, normal and ids (AOVs) of the rays through pixel centres. A ray hits the
-// Gaussian behind which less than half of the light passes, if no surface is nearer. Its id is that of the Gaussian that
-// adds most to the pixel up to there.
+// First hits of an instance of Gaussians: depth, normal and ids (AOVs) of the rays through pixel centres. A ray hits
+// the Gaussian behind which less than half of the light passes, if no surface is nearer. Its id is that of the Gaussian
+// that adds most to the pixel up to there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/path.glsl"
@@ -13,7 +13,8 @@ const float kHalf = 0.5;
 
 // The flattest axis, towards the eye; in render space.
 vec3 gaussianNormal(uint gaussian, vec3 direction) {
-    vec3 x = loadGaussianRow(gaussian, 0u).xyz, y = loadGaussianRow(gaussian, 1u).xyz, z = loadGaussianRow(gaussian, 2u).xyz;
+    vec3 x = loadGaussianRow(gaussian, 0u).xyz, y = loadGaussianRow(gaussian, 1u).xyz;
+    vec3 z = loadGaussianRow(gaussian, 2u).xyz;
     // rows are axes over their half lengths: the longest belongs to the shortest axis
     vec3 flattest = dot(x, x) > dot(y, y) ? x : y;
     flattest = dot(flattest, flattest) > dot(z, z) ? flattest : z;
@@ -45,5 +46,6 @@ void main() {
     } while (going);
     if (middle.gaussian == NO_INDEX) return;
     first_hits[at] = vec4(gaussianNormal(middle.gaussian, ray.direction), (ray.t_start + middle.t) / cubeScale());
-    first_hits[at + 1u] = vec4(uintBitsToFloat(uvec3(strongest.gaussian, instance.materials.x, instance.materials.y)), 1.0);
+    uvec3 ids = uvec3(strongest.gaussian, instance.materials.xy);
+    first_hits[at + 1u] = vec4(uintBitsToFloat(ids), 1.0);
 }

@@ -41,10 +41,13 @@ void openList(inout GaussianHits hits, bool opens) {
     hits.t_out = opens ? (at_root ? kWalkEnded : leastOf(exits)) : hits.t_out;
 }
 
+// From the last hit on: nodes that the ray leaves before it are not entered.
 void restart(inout GaussianHits hits, bool enters) {
     hits.walk = startGaussianWalk(hits.ray);
     openList(hits, true);
-    hits.walk.t = enters ? 0.0 : kWalkEnded;
+    float from = max(hits.last.t, 0.0);
+    bool inside = enters && from <= leastOf(exitDistances(hits.walk, hits.ray.origin));
+    hits.walk.t = inside ? from : kWalkEnded;
     hits.lost = kNoGaussianHit;
 #define CLEAR(k) hits.waiting[k] = kNoGaussianHit;
     FOR_WAITING(CLEAR)
@@ -60,6 +63,9 @@ GaussianHits startGaussianHits(GaussianRay ray, bool enters) {
 
 // No hit at or after this counts any more.
 float endOf(GaussianHits hits) { return hits.lost.t < hits.ray.t_max ? hits.lost.t : hits.ray.t_max; }
+
+// Whether the walk is over and no list is left to test: all hits up to the end are known.
+bool hasWalked(GaussianHits hits) { return hits.listed == hits.listed_end && !(hits.walk.t <= endOf(hits)); }
 
 // Walks to the next node with a list.
 void nextList(inout GaussianHits hits, bool going) {
@@ -118,16 +124,15 @@ GaussianHit takeHit(inout GaussianHits hits, bool going) {
 
 // Whether more hits may come.
 bool mayGoOn(GaussianHits hits) {
-    bool walked = hits.listed == hits.listed_end && !(hits.walk.t <= endOf(hits));
-    return !walked || hits.waiting[0].gaussian != NO_INDEX || hits.lost.gaussian != NO_INDEX;
+    return !hasWalked(hits) || hits.waiting[0].gaussian != NO_INDEX || hits.lost.gaussian != NO_INDEX;
 }
 
 // The next hit in order, or none: then call again while mayGoOn. enters: of gaussianRay.
 GaussianHit nextHit(inout GaussianHits hits, bool enters, bool going) {
     nextList(hits, going);
     insertHit(hits, nextPeak(hits, going));
-    bool walked = hits.listed == hits.listed_end && !(hits.walk.t <= endOf(hits));
-    if (walked) hits.walk.t = kWalkEnded; // all hits up to the end are known
+    bool walked = hasWalked(hits);
+    if (walked) hits.walk.t = kWalkEnded;
     GaussianHit hit = takeHit(hits, going);
     bool again = going && walked && hit.gaussian == NO_INDEX && hits.lost.gaussian != NO_INDEX;
     if (again) restart(hits, enters);

@@ -9,8 +9,7 @@ float gaussianTransmittance(GaussianRay ray, bool enters, bool live) {
     float transmittance = 1.0;
     bool going;
     do {
-        going = live && transmittance >= GAUSSIAN_TRANSMITTANCE_MIN &&
-                (hits.listed < hits.listed_end || hits.walk.t <= endOf(hits));
+        going = live && transmittance >= GAUSSIAN_TRANSMITTANCE_MIN && !hasWalked(hits);
         nextList(hits, going);
         GaussianHit hit = nextPeak(hits, going);
         bool is_hit = hit.gaussian != NO_INDEX;

@@ -50,7 +50,8 @@ GaussianRay gaussianRay(vec3 origin, vec3 direction, float t_max, out bool enter
 
 GaussianWalk startGaussianWalk(GaussianRay ray) {
     vec3 way = mix(ray.direction, vec3(1e-20), lessThan(abs(ray.direction), vec3(1e-20)));
-    return GaussianWalk(1.0 / way, vec3(greaterThan(way, vec3(0.0))), ivec3(0), 1.0, 0.0, 0u, loadGaussianNode(0u), false);
+    vec3 positive = vec3(greaterThan(way, vec3(0.0)));
+    return GaussianWalk(1.0 / way, positive, ivec3(0), 1.0, 0.0, 0u, loadGaussianNode(0u), false);
 }
 
 // Distances to the planes through which the ray leaves the cell.
@@ -97,8 +98,6 @@ bool moveWalk(inout GaussianWalk walk, vec3 origin, bool going) {
     return going && (descends || moves_on);
 }
 
-bool isWalking(GaussianWalk walk, float t_end) { return walk.t < t_end; }
-
 // Where a Gaussian is opaquest along a ray.
 struct GaussianPeak {
     float t;
@@ -106,7 +105,8 @@ struct GaussianPeak {
 };
 
 GaussianPeak gaussianPeak(uint gaussian, GaussianRay ray) {
-    vec4 row_x = loadGaussianRow(gaussian, 0u), row_y = loadGaussianRow(gaussian, 1u), row_z = loadGaussianRow(gaussian, 2u);
+    vec4 row_x = loadGaussianRow(gaussian, 0u), row_y = loadGaussianRow(gaussian, 1u);
+    vec4 row_z = loadGaussianRow(gaussian, 2u);
     vec3 from = ray.origin - vec3(row_x.w, row_y.w, row_z.w);
     vec3 origin = vec3(dot(row_x.xyz, from), dot(row_y.xyz, from), dot(row_z.xyz, from));
     vec3 way = vec3(dot(row_x.xyz, ray.direction), dot(row_y.xyz, ray.direction), dot(row_z.xyz, ray.direction));

@@ -123,7 +123,7 @@ TEST(PlainBackground, KeepsTheLightsOfTheScene) {
     scene.sky->strength = 7;
     scene.sky->ambient = 0.5f;
     const SceneDescription replaced = surrounded(scene, before(kOrange), !kGaussians);
-    EXPECT_TRUE(replaced.lights.empty()) << "a sky says that there are none";
+    EXPECT_TRUE(replaced.lights.empty()) << "a scene with a sky gets no lamps";
     EXPECT_EQ(replaced.sky->image, "");
     EXPECT_EQ(replaced.sky->strength, 1);
     EXPECT_EQ(replaced.sky->ambient, 0.5f);
