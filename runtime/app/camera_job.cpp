@@ -149,6 +149,7 @@ private:
         report_.frame_cpu_ms.push_back(1e3 * static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC);
         if (interrupted()) return false;
         report_.rays = series_.takeRays();
+        reportCutRays(plan_.names[i], report_.rays);
         report_.samples = series_.state().samples;
         report_.noise = relativeNoise(film);
         if (filtered) (files_.tone.has_alpha ? denoiseFilm : denoisePicture)(session_.device, film);

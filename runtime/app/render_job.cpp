@@ -68,6 +68,7 @@ FrameState renderShown(RenderSession& session, const Options& options, FrameJob 
     job.progress = [&](const FrameState& state, double share) { progress.update(share, detailOf(state)); };
     const FrameState state = renderTimed(session, job, std::move(start), report);
     progress.finish();
+    reportCutRays(options.output, report.rays);
     return state;
 }
 

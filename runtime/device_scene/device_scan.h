@@ -35,6 +35,7 @@ struct DeviceScan {
     PageCounts pages; ///< of those buffers
     Buffer noise;     ///< a byte per splat; a blank texel if the scan has no noise
     bool noisy = false;
+    std::uint32_t most_listed = 0; ///< of GaussianBuffers
     bool is_gaussian = false; ///< holds Gaussians: the buffers have the contents of gaussian_layout.h, and no index
     bool reaches_out = false; ///< some Gaussians reach out of the cube
     std::uint32_t harmonics_degree = 0;   ///< of the Gaussians' colours

@@ -51,6 +51,17 @@ std::vector<gpu::GaussianNode> nodesOf(const GaussianTree& tree) {
     return nodes;
 }
 
+/// Parents come before their children.
+std::uint32_t mostListed(const std::vector<gpu::GaussianNode>& nodes) {
+    std::vector<std::uint32_t> listed(nodes.size());
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        listed[k] += nodes[k].count;
+        for (std::uint32_t slot = 0; nodes[k].children != 0 && slot < PRO_GROUP_SIZE; ++slot)
+            listed[nodes[k].children + slot] = listed[k];
+    }
+    return *std::max_element(listed.begin(), listed.end());
+}
+
 } // namespace
 
 GaussianBuffers decodeGaussians(const pro_gaussians& gaussians, const std::uint32_t* splats, std::uint32_t count) {
@@ -74,6 +85,7 @@ GaussianBuffers decodeGaussians(const pro_gaussians& gaussians, const std::uint3
     });
     GaussianTree tree = buildGaussianTree(ellipsoids, kTracedFineness);
     buffers.nodes = nodesOf(tree);
+    buffers.most_listed = mostListed(buffers.nodes);
     buffers.lists = std::move(tree.lists);
     return buffers;
 }

@@ -17,6 +17,7 @@ struct GaussianBuffers {
     std::vector<gpu::GaussianNode> nodes;
     std::vector<std::uint32_t> lists;
     std::vector<std::uint32_t> harmonics; ///< HARMONIC_TEXELS words of 4 per Gaussian
+    std::uint32_t most_listed = 0;        ///< in the nodes from the root to any leaf, together
 };
 
 /// Decodes the sections of a file.

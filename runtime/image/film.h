@@ -12,6 +12,7 @@ namespace pointrt {
 /// Rays counted on the device while tracing.
 struct RayCounts {
     std::uint64_t primary = 0, shadow = 0, secondary = 0;
+    std::uint64_t cut = 0; ///< of these, ended before all Gaussians along them were tested
 };
 
 #define POINTRT_FILM_ARRAY(array, Value, channels, group, nothing, source, view) std::vector<Value> array;

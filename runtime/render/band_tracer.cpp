@@ -165,6 +165,7 @@ void tracePasses(Device& device, const BandTracer& tracer, BandSample& sample, s
     counts.primary += control.primary_rays;
     counts.shadow += control.shadow_rays;
     counts.secondary += control.secondary_rays;
+    counts.cut += control.cut_rays;
 }
 
 } // namespace pointrt

@@ -56,7 +56,7 @@ FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, FilmRo
     buffers.no_cull_boxes = storage("blank cull boxes", sizeof(gpu::CullBoxes), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     buffers.light_masks = storage("light mask buffer", lanes * sizeof(std::uint32_t));
     buffers.deferred = storage("deferred ray buffer", lanes * MAX_DEFERRED * sizeof(gpu::PathState));
-    buffers.gaussian_light = storage("Gaussian light buffer", (has_gaussians ? lanes : 1) * sizeof(gpu::vec4));
+    buffers.gaussian_light = storage("Gaussian light buffer", (has_gaussians ? lanes : 1) * sizeof(gpu::GaussianLight));
     createFilm(device, buffers, film);
     return buffers;
 }

@@ -87,9 +87,11 @@ void SampleRecorder::compositeGaussians(Program InstancePrograms::*program, std:
         last = &instance;
     }
     for (const TracedInstance& instance : tracer_.instances.each)
-        if (instance.is_gaussian)
+        for (std::uint32_t k = 0; instance.is_gaussian && k < instance.gaussian_runs; ++k)
             run(instance.programs->*program, instance.sets,
-                bits | (&instance == first ? STEP_FIRST : 0u) | (&instance == last ? STEP_LAST : 0u), rays_);
+                bits | (&instance == first ? STEP_FIRST : 0u) | (&instance == last ? STEP_LAST : 0u) |
+                    (k > 0 ? STEP_RESUME : 0u) | (k + 1 == instance.gaussian_runs ? STEP_FINAL : 0u),
+                rays_);
 }
 
 /// What Gaussians let pass of the shadow rays of a closed list.

@@ -18,6 +18,7 @@ struct TracedInstance {
     const InstancePrograms* programs = nullptr;
     DescriptorSets sets;
     bool is_gaussian = false;
+    std::uint32_t gaussian_runs = 1; ///< of composite_gaussians
 };
 
 /// Consecutive instances that rays are culled for together.

@@ -84,6 +84,14 @@ std::string jsonObject(const std::vector<std::pair<const char*, std::string>>& m
     return json + "\n}\n";
 }
 
+void reportCutRays(const std::string& path, const RayCounts& rays) {
+    if (rays.cut == 0) return;
+    std::fprintf(stderr,
+                 "pointrt-view: %s: %llu rays meet more Gaussians than this device can test in one go, and show only "
+                 "the nearest\n",
+                 path.c_str(), static_cast<unsigned long long>(rays.cut));
+}
+
 std::string reportJson(const Report& report) {
     std::vector<double> sorted = report.frame_ms;
     std::sort(sorted.begin(), sorted.end());

@@ -40,6 +40,10 @@ struct Report {
 /// median frame.
 std::string reportJson(const Report& report);
 
+/// Warns of rays that ended early, if there are any.
+/// @param path the picture's
+void reportCutRays(const std::string& path, const RayCounts& rays);
+
 /// text as a JSON string, with its quotes.
 std::string jsonText(const std::string& text);
 

@@ -50,7 +50,7 @@ layout(binding = BINDING_LIGHT_QUERIES_TEXELS) uniform usamplerBuffer light_quer
 layout(binding = BINDING_PIXEL_LIST) uniform usamplerBuffer pixel_list_words;
 layout(std140, binding = BINDING_CULL_BOXES) uniform CullBuffer { CullBoxes cull; };
 // per path: what Gaussians add in front of its hit, linear; w: the share that passes. In scenes without them one vector
-layout(std430, binding = BINDING_GAUSSIAN_LIGHT) buffer GaussianLightBuffer { vec4 gaussian_light[]; };
+layout(std430, binding = BINDING_GAUSSIAN_LIGHT) buffer GaussianLightBuffer { GaussianLight gaussian_light[]; };
 layout(push_constant) uniform Push { PushParams push; };
 
 #define loadPhoton(photon, member) uintBitsToFloat(texelFetch(photon_texels, int(photon) * PHOTON_VECTORS + (member)))

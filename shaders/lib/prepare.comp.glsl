@@ -29,6 +29,7 @@ void reset() {
     control.primary_rays = params.width * params.rows;
     control.shadow_rays = 0u;
     control.secondary_rays = 0u;
+    control.cut_rays = 0u;
 }
 
 void closeList(uint list) { setList(list, listStart(list), control.lists[list].appended); }

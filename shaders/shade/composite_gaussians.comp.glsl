@@ -29,14 +29,20 @@ void addGaussian(inout Composite sum, GaussianHit hit, vec3 direction) {
     sum.transmittance *= 1.0 - alpha;
 }
 
-Composite compositeAlong(GaussianRay ray, bool enters, bool live, Composite sum) {
-    GaussianHits hits = startGaussianHits(ray, enters);
-    bool going;
+bool isTransparent(Composite sum) { return sum.transmittance >= GAUSSIAN_TRANSMITTANCE_MIN; }
+
+// Returns whether lavapipe has cut the loops: they may run 65,535 times together. Then the hits up to hits.last have
+// been added.
+bool compositeAlong(inout GaussianHits hits, bool enters, bool live, inout Composite sum) {
+    bool going, lives = live;
     do {
-        going = live && mayGoOn(hits) && sum.transmittance >= GAUSSIAN_TRANSMITTANCE_MIN;
-        addGaussian(sum, nextHit(hits, enters, going), ray.direction);
-    } while (going);
-    return sum;
+        do {
+            going = lives && mayGoOn(hits) && isTransparent(sum);
+            addGaussian(sum, nextHit(hits, going), hits.ray.direction);
+        } while (going);
+        lives = restartIfLost(hits, enters, lives && isTransparent(sum));
+    } while (lives);
+    return live && (mayGoOn(hits) || hits.lost.gaussian != NO_INDEX) && isTransparent(sum);
 }
 
 // Linear light, for what lies behind to be added with the share that passes. background: what the ray sees there if it
@@ -57,10 +63,19 @@ void main() {
     bool live = index != NO_INDEX, enters;
     uvec4 hit = live ? loadHit(index) : kNoHit;
     GaussianRay ray = gaussianRay(path.origin, path.direction, uintBitsToFloat(hit.x) * cubeScale(), enters);
-    Composite sum = Composite(vec3(0.0), 1.0);
-    if (live && !hasStep(STEP_FIRST)) sum = Composite(gaussian_light[index].rgb, gaussian_light[index].a);
-    sum = compositeAlong(ray, enters, live, sum);
-    if (sum.transmittance < GAUSSIAN_TRANSMITTANCE_MIN) sum.transmittance = 0.0;
-    vec3 light = hasStep(STEP_LAST) ? decoded(sum, hit.z == NO_INDEX) : sum.light;
-    if (live) gaussian_light[index] = vec4(light, sum.transmittance);
+    GaussianLight stored = GaussianLight(vec4(0.0, 0.0, 0.0, 1.0), vec4(kWalkEnded));
+    if (live && (!hasStep(STEP_FIRST) || hasStep(STEP_RESUME))) stored = gaussian_light[index];
+    GaussianHit last = GaussianHit(-ray.t_start, NO_INDEX, 0.0);
+    if (hasStep(STEP_RESUME)) last = GaussianHit(stored.last.x, floatBitsToUint(stored.last.y), 0.0);
+    live = live && last.t < kWalkEnded;
+
+    GaussianHits hits = resumeGaussianHits(ray, enters, last);
+    Composite sum = Composite(stored.light.rgb, stored.light.a);
+    bool cut = compositeAlong(hits, enters, live, sum);
+    bool ends = !cut || hasStep(STEP_FINAL);
+    if (!isTransparent(sum)) sum.transmittance = 0.0;
+    vec3 light = hasStep(STEP_LAST) && ends ? decoded(sum, hit.z == NO_INDEX) : sum.light;
+    vec4 next = ends ? vec4(kWalkEnded) : vec4(hits.last.t, uintBitsToFloat(hits.last.gaussian), 0.0, 0.0);
+    if (live) gaussian_light[index] = GaussianLight(vec4(light, sum.transmittance), next);
+    if (cut && ends) atomicAdd(control.cut_rays, 1u);
 }

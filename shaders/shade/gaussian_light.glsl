@@ -5,7 +5,7 @@
 #include "shaders/lib/path.glsl"
 
 // Light, by the throughput of the path, and the share that passes.
-vec4 loadGaussianLight(uint path) { return kHasGaussians ? gaussian_light[path] : vec4(0.0, 0.0, 0.0, 1.0); }
+vec4 loadGaussianLight(uint path) { return kHasGaussians ? gaussian_light[path].light : vec4(0.0, 0.0, 0.0, 1.0); }
 
 // Returns the light that Gaussians add to a path, which keeps the share that passes.
 vec3 passGaussians(inout PathState path, vec4 gaussians) {

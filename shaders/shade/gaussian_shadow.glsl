@@ -7,9 +7,11 @@
 
 // A ray with negative t_max meets none.
 float passedByGaussians(ShadowRay shadow, bool live) {
-    bool enters;
+    bool enters, cut;
     GaussianRay ray = gaussianRay(shadow.origin, shadow.direction, shadow.t_max * cubeScale(), enters);
-    return gaussianTransmittance(ray, enters, live && shadow.t_max > 0.0);
+    float passes = gaussianTransmittance(ray, enters, live && shadow.t_max > 0.0, cut);
+    if (cut) atomicAdd(control.cut_rays, 1u);
+    return passes;
 }
 
 #endif

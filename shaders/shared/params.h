@@ -114,9 +114,15 @@ struct Control {
     uint primary_rays;  // rays of this sample, by kind
     uint shadow_rays;
     uint secondary_rays;
+    uint cut_rays; // ended before all Gaussians along them were tested
     uint unused_1;
-    uint unused_2;
     RayList lists[LISTS];
+};
+
+// Per path: what Gaussians add in front of its hit.
+struct GaussianLight {
+    vec4 light; // a: the share that passes from behind
+    vec4 last;  // x: t of the last Gaussian added, kWalkEnded if no more come; y: its number
 };
 
 // The boxes of a cull group, which rays are tested against before they are intersected with the instances inside.
@@ -248,6 +254,8 @@ struct PushParams {
 #define STEP_PIXEL_LIST 256u // rays go through the pixels of the pixel list, one per lane
 #define STEP_CULLED 512u     // prepare: the entries of the culled lists have been counted
 #define STEP_FIRST 1024u     // composite_gaussians: this is the first instance
+#define STEP_RESUME 2048u    // composite_gaussians: rays that the run before has cut go on
+#define STEP_FINAL 4096u     // composite_gaussians: no run of this instance follows
 
 // An entry of LIST_SHADOW_RAYS: the path, and above it the index of its light sample.
 #define SHADOW_RAY_LIGHT_SHIFT 27u

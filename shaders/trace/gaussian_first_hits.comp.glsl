@@ -21,6 +21,39 @@ vec3 gaussianNormal(uint gaussian, vec3 direction) {
     return renderDirection(normalize(dot(flattest, direction) > 0.0 ? -flattest : flattest));
 }
 
+// What a ray has met so far.
+struct FirstHit {
+    GaussianHit middle;    // behind which less than half of the light passes
+    GaussianHit strongest; // adds most
+    float most;
+    float transmittance;
+};
+
+void meetGaussian(inout FirstHit first, GaussianHit hit) {
+    bool is_hit = hit.gaussian != NO_INDEX;
+    float alpha = is_hit ? alphaAt(loadGaussianRow(is_hit ? hit.gaussian : 0u, 3u).x, hit.distance_squared) : 0.0;
+    float added = first.transmittance * alpha;
+    bool stronger = added > first.most;
+    if (stronger) first.strongest = hit;
+    if (stronger) first.most = added;
+    first.transmittance *= 1.0 - alpha;
+    if (is_hit && first.transmittance <= kHalf) first.middle = hit;
+}
+
+FirstHit firstHitAlong(GaussianRay ray, bool enters, bool live) {
+    GaussianHits hits = startGaussianHits(ray, enters);
+    FirstHit first = FirstHit(kNoGaussianHit, kNoGaussianHit, 0.0, 1.0);
+    bool going, lives = live;
+    do {
+        do {
+            going = lives && mayGoOn(hits) && first.transmittance > kHalf;
+            meetGaussian(first, nextHit(hits, going));
+        } while (going);
+        lives = restartIfLost(hits, enters, lives && first.transmittance > kHalf);
+    } while (lives);
+    return first;
+}
+
 void main() {
     uint index;
     PathState path = currentPath(index);
@@ -29,23 +62,10 @@ void main() {
     float surface = live ? first_hits[at].w : 0.0;
     float t_max = (surface >= 0.0 ? surface : 1e30) * cubeScale();
     GaussianRay ray = gaussianRay(path.origin, path.direction, t_max, enters);
-    GaussianHits hits = startGaussianHits(ray, enters);
-    GaussianHit strongest = kNoGaussianHit, middle = kNoGaussianHit;
-    float transmittance = 1.0, most = 0.0;
-    bool going;
-    do {
-        going = live && mayGoOn(hits) && transmittance > kHalf;
-        GaussianHit hit = nextHit(hits, enters, going);
-        bool is_hit = hit.gaussian != NO_INDEX;
-        float alpha = is_hit ? alphaAt(loadGaussianRow(hit.gaussian, 3u).x, hit.distance_squared) : 0.0;
-        bool stronger = transmittance * alpha > most;
-        if (stronger) strongest = hit;
-        if (stronger) most = transmittance * alpha;
-        transmittance *= 1.0 - alpha;
-        if (is_hit && transmittance <= kHalf) middle = hit;
-    } while (going);
-    if (middle.gaussian == NO_INDEX) return;
-    first_hits[at] = vec4(gaussianNormal(middle.gaussian, ray.direction), (ray.t_start + middle.t) / cubeScale());
-    uvec3 ids = uvec3(strongest.gaussian, instance.materials.xy);
+    FirstHit first = firstHitAlong(ray, enters, live);
+    if (first.middle.gaussian == NO_INDEX) return;
+    float t = (ray.t_start + first.middle.t) / cubeScale();
+    first_hits[at] = vec4(gaussianNormal(first.middle.gaussian, ray.direction), t);
+    uvec3 ids = uvec3(first.strongest.gaussian, instance.materials.xy);
     first_hits[at + 1u] = vec4(uintBitsToFloat(ids), 1.0);
 }

@@ -53,12 +53,17 @@ void restart(inout GaussianHits hits, bool enters) {
     FOR_WAITING(CLEAR)
 }
 
-GaussianHits startGaussianHits(GaussianRay ray, bool enters) {
+// From the hit after `last` on.
+GaussianHits resumeGaussianHits(GaussianRay ray, bool enters, GaussianHit last) {
     GaussianHits hits;
     hits.ray = ray;
-    hits.last = GaussianHit(-ray.t_start, NO_INDEX, 0.0);
+    hits.last = last;
     restart(hits, enters);
     return hits;
+}
+
+GaussianHits startGaussianHits(GaussianRay ray, bool enters) {
+    return resumeGaussianHits(ray, enters, GaussianHit(-ray.t_start, NO_INDEX, 0.0));
 }
 
 // No hit at or after this counts any more.
@@ -82,9 +87,8 @@ void nextList(inout GaussianHits hits, bool going) {
 // The next peak in what is left of the list that is nearer than the first one lost.
 GaussianHit nextPeak(inout GaussianHits hits, bool going) {
     GaussianHit found = kNoGaussianHit;
-    bool tests;
+    bool tests = going && hits.listed < hits.listed_end;
     do {
-        tests = going && hits.listed < hits.listed_end && found.gaussian == NO_INDEX;
         uint gaussian = loadGaussianListed(tests ? hits.listed : 0u);
         GaussianPeak peak = gaussianPeak(gaussian, hits.ray);
         GaussianHit hit = GaussianHit(peak.t, gaussian, peak.distance_squared);
@@ -92,6 +96,7 @@ GaussianHit nextPeak(inout GaussianHits hits, bool going) {
                       peak.t < hits.ray.t_max && isBefore(hits.last, hit) && isBefore(hit, hits.lost);
         if (counts) found = hit;
         hits.listed += tests ? 1u : 0u;
+        tests = tests && !counts && hits.listed < hits.listed_end;
     } while (tests);
     return found;
 }
@@ -122,21 +127,22 @@ GaussianHit takeHit(inout GaussianHits hits, bool going) {
     return first;
 }
 
-// Whether more hits may come.
-bool mayGoOn(GaussianHits hits) {
-    return !hasWalked(hits) || hits.waiting[0].gaussian != NO_INDEX || hits.lost.gaussian != NO_INDEX;
-}
+// Whether this pass may bring more hits.
+bool mayGoOn(GaussianHits hits) { return !hasWalked(hits) || hits.waiting[0].t < endOf(hits); }
 
 // The next hit in order, or none: then call again while mayGoOn. enters: of gaussianRay.
-GaussianHit nextHit(inout GaussianHits hits, bool enters, bool going) {
+GaussianHit nextHit(inout GaussianHits hits, bool going) {
     nextList(hits, going);
     insertHit(hits, nextPeak(hits, going));
-    bool walked = hasWalked(hits);
-    if (walked) hits.walk.t = kWalkEnded;
-    GaussianHit hit = takeHit(hits, going);
-    bool again = going && walked && hit.gaussian == NO_INDEX && hits.lost.gaussian != NO_INDEX;
+    if (hasWalked(hits)) hits.walk.t = kWalkEnded;
+    return takeHit(hits, going);
+}
+
+// Whether hits were dropped: then another pass begins after the last one returned.
+bool restartIfLost(inout GaussianHits hits, bool enters, bool going) {
+    bool again = going && hits.lost.gaussian != NO_INDEX;
     if (again) restart(hits, enters);
-    return hit;
+    return again;
 }
 
 #endif

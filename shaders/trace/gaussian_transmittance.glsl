@@ -4,7 +4,8 @@
 #define POINTRT_SHADERS_GAUSSIAN_TRANSMITTANCE_GLSL
 #include "shaders/trace/gaussian_hits.glsl"
 
-float gaussianTransmittance(GaussianRay ray, bool enters, bool live) {
+// cut: not all were tested, as of compositeAlong (composite_gaussians.comp.glsl).
+float gaussianTransmittance(GaussianRay ray, bool enters, bool live, out bool cut) {
     GaussianHits hits = startGaussianHits(ray, enters);
     float transmittance = 1.0;
     bool going;
@@ -16,6 +17,7 @@ float gaussianTransmittance(GaussianRay ray, bool enters, bool live) {
         float opacity = loadGaussianRow(is_hit ? hit.gaussian : 0u, 3u).x;
         transmittance *= is_hit ? 1.0 - alphaAt(opacity, hit.distance_squared) : 1.0;
     } while (going);
+    cut = live && transmittance >= GAUSSIAN_TRANSMITTANCE_MIN && !hasWalked(hits);
     return transmittance < GAUSSIAN_TRANSMITTANCE_MIN ? 0.0 : transmittance;
 }
 

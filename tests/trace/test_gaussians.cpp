@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures of Gaussians equal brute force in double precision: seen directly and in a mirror, before and behind
+// surfaces, with what they let pass of a lamp's light.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+#include "tests/gaussians/nasty_gaussians.h"
+#include "tests/gaussians/srgb.h"
+#include "tests/trace/gaussian_file.h"
+#include "tests/trace/render_helper.h"
+
+namespace pointrt::test {
+namespace {
+
+constexpr std::uint32_t kGaussianPixels = 48;
+
+RenderSettings lookingFrom(Vec3 eye, Vec3 target, std::uint32_t size = kGaussianPixels) {
+    RenderSettings settings = square(size);
+    settings.camera.eye = eye;
+    settings.camera.target = target;
+    settings.camera.fov_deg = 40;
+    settings.lights = 0;
+    settings.background = Background{};
+    return settings;
+}
+
+SceneDescription sceneOf(const std::string& path) {
+    SceneDescription scene;
+    scene.instances.push_back({path, {}, {}, {}});
+    return scene;
+}
+
+/// A square facing z, 10 units long.
+ShapeDescription screenAt(double z) {
+    return {ShapeKind::kQuad, {0, 0, z}, {5, 0, 0}, {0, 5, 0}, {0, 0, 1}, 0};
+}
+
+/// Peak signal to noise, dB, of display-encoded colours.
+/// @param expected the linear light of the pixel through which a ray of this direction goes
+template <typename Expected>
+double psnrAgainst(const Rendered& rendered, const RenderSettings& settings, const Expected& expected) {
+    double squares = 0;
+    for (std::uint32_t y = 0; y < settings.height; ++y)
+        for (std::uint32_t x = 0; x < settings.width; ++x) {
+            const Color truth = expected(centerRayDirection(settings, rendered.camera, x, y));
+            for (int c = 0; c < 3; ++c) {
+                const double off = srgbFromLinear(pixel(rendered.film, x, y, c)) -
+                                   srgbFromLinear(truth[static_cast<std::size_t>(c)]);
+                squares += off * off;
+            }
+        }
+    return -10 * std::log10(squares / (3.0 * settings.width * settings.height) + 1e-20);
+}
+
+class GaussianKinds : public testing::TestWithParam<std::string> {};
+
+TEST_P(GaussianKinds, EqualBruteForce) {
+    const GaussianFile file(makeGaussians(GetParam(), 400));
+    for (const Vec3 eye : {Vec3{0.3, 0.2, 4}, Vec3{-2, 1.5, -1}, Vec3{0, 0, 0.1}}) {
+        const RenderSettings settings = lookingFrom(eye, {0, 0, 0});
+        for (const KernelForm form : {KernelForm::kWavefront, KernelForm::kMegakernel}) {
+            const Rendered rendered = renderScene(sceneOf(file.path), settings, {form});
+            EXPECT_EQ(rendered.rays.cut, 0u);
+            const double psnr_db = psnrAgainst(rendered, settings, [&](Vec3 direction) {
+                return lightOf(compositeAlong(file.scene, rendered.camera.eye, direction));
+            });
+            EXPECT_GT(psnr_db, 60) << "from " << eye.x << ", " << eye.y << ", " << eye.z;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, GaussianKinds, testing::ValuesIn(gaussianKinds()),
+                         [](const auto& kind) { return kind.param; });
+
+// More than one run of lavapipe's loops can test: the next one goes on after the last Gaussian added.
+TEST(Gaussians, RaysThroughThousandsGoOnInFurtherRuns) {
+    const GaussianFile file(makeGaussians("inside", 8000));
+    const RenderSettings settings = lookingFrom({0, 0, 0}, {0, 1, 0.2}, 8);
+    const Rendered rendered = renderScene(sceneOf(file.path), settings);
+    EXPECT_EQ(rendered.rays.cut, 0u);
+    EXPECT_GT(psnrAgainst(rendered, settings,
+                          [&](Vec3 direction) {
+                              return lightOf(compositeAlong(file.scene, rendered.camera.eye, direction));
+                          }),
+              55); // where thousands are faint, floats end rays one Gaussian sooner or later
+}
+
+TEST(Gaussians, AreSeenInMirrors) {
+    const GaussianFile file(makeGaussians("random", 300));
+    SceneDescription scene = sceneOf(file.path);
+    scene.materials.resize(1);
+    scene.materials[0].kind = MaterialKind::kMirror;
+    scene.materials[0].color = {1, 1, 1};
+    scene.shapes = {screenAt(5)};
+    RenderSettings settings = lookingFrom({0, 0, 3}, {0, 0, 5});
+    settings.integrator = Integrator::kWhitted;
+    for (const KernelForm form : {KernelForm::kWavefront, KernelForm::kMegakernel}) {
+        const Rendered rendered = renderScene(scene, settings, {form});
+        EXPECT_GT(psnrAgainst(rendered, settings,
+                              [&](Vec3 direction) {
+                                  const Vec3 eye = rendered.camera.eye;
+                                  return lightOf(compositeAlong(file.scene, {eye.x, eye.y, 10 - eye.z},
+                                                                {direction.x, direction.y, -direction.z}));
+                              }),
+                  60);
+    }
+}
+
+TEST(Gaussians, HideSurfacesAsFarAsTheyAreOpaque) {
+    const GaussianFile file(makeGaussians("random", 300));
+    SceneDescription scene = sceneOf(file.path);
+    scene.materials.resize(1);
+    scene.materials[0].color = {0, 0, 0};
+    scene.materials[0].emission = {0.2f, 0.5f, 0.7f};
+    const double plane = 0.1; // among them
+    scene.shapes = {screenAt(plane)};
+    const RenderSettings settings = lookingFrom({0, 0, 4}, {0, 0, 0});
+    const Rendered rendered = renderScene(scene, settings);
+    EXPECT_GT(psnrAgainst(rendered, settings,
+                          [&](Vec3 direction) {
+                              const Vec3 eye = rendered.camera.eye;
+                              const OracleComposite before =
+                                  compositeAlong(file.scene, eye, direction, (plane - eye.z) / direction.z);
+                              Color light = lightBefore(before);
+                              for (std::size_t c = 0; c < 3; ++c)
+                                  light[c] += static_cast<float>(before.transmittance) * scene.materials[0].emission[c];
+                              return light;
+                          }),
+              60);
+}
+
+/// Light of the floor under a Gaussian below a lamp; opacity 0: nothing is there.
+double floorLight(double opacity, KernelForm form) {
+    const GaussianFile file({roundGaussian({0, 1, 0}, 0.2, std::max(opacity, 0.5), {1, 1, 1})});
+    SceneDescription scene;
+    if (opacity > 0) scene = sceneOf(file.path);
+    scene.materials.resize(1);
+    scene.shapes = {{ShapeKind::kPlane, {0, 0, 0}, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}, 0}};
+    scene.lights = {PointLight{{0, 3, 0}, {10, 10, 10}}};
+    RenderSettings settings = lookingFrom({3, 0.5, 0}, {0, 0, 0}, 1);
+    settings.spp = 4096;
+    settings.camera.fov_deg = 0.1;
+    return pixel(renderScene(scene, settings, {form}).film, 0, 0, 0);
+}
+
+TEST(Gaussians, ShadowsAreAsDarkAsTheyAreOpaque) {
+    for (const KernelForm form : {KernelForm::kWavefront, KernelForm::kMegakernel}) {
+        const double lit = floorLight(0, form);
+        EXPECT_GT(lit, 0.01);
+        // shadow rays pass or not at random: 1 / 64 of a deviation of 0.5 is 0.008
+        EXPECT_NEAR(floorLight(0.6, form) / lit, 0.4, 0.03);
+    }
+}
+
+TEST(Gaussians, FirstHitsAreWhereHalfOfTheLightIsHidden) {
+    const GaussianFile file(makeGaussians("random", 300));
+    const RenderSettings settings = lookingFrom({0.3, 0.2, 4}, {0, 0, 0});
+    const Rendered rendered = renderScene(sceneOf(file.path), settings);
+    std::size_t others = 0, hits = 0;
+    for (std::uint32_t y = 0; y < settings.height; ++y)
+        for (std::uint32_t x = 0; x < settings.width; ++x) {
+            const OracleComposite truth = compositeAlong(file.scene, rendered.camera.eye,
+                                                         centerRayDirection(settings, rendered.camera, x, y));
+            const std::size_t i = std::size_t{y} * settings.width + x;
+            const bool is_hit = std::isfinite(truth.depth);
+            hits += is_hit;
+            if (is_hit != std::isfinite(rendered.film.depth[i]))
+                ++others;
+            else if (is_hit)
+                others += std::abs(rendered.film.depth[i] - truth.depth) > 1e-4;
+        }
+    EXPECT_GT(hits, 100u);
+    EXPECT_LE(others, hits / 100); // where rounding moves a ray across the half
+}
+
+} // namespace
+} // namespace pointrt::test
