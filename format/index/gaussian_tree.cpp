@@ -53,6 +53,8 @@ public:
 
     /// False only if a plane separates the box from the ellipsoid.
     bool meets(const CellBox& box) const {
+        for (std::size_t i = 0; i < 3; ++i)
+            if (center_[i] - reach_[i] > box.high[i] || center_[i] + reach_[i] < box.low[i]) return false;
         const Vec nearest = descend(box), gradient = times(nearest);
         if (dot(nearest, gradient) <= 1) return true;
         double reach = 0, least = 0;
@@ -124,7 +126,26 @@ CellBox grownBox(const std::array<std::uint32_t, 3>& cell, double edge) {
     return box;
 }
 
-/// Lists one Gaussian.
+struct TreeCell {
+    std::array<std::uint32_t, 3> at{};
+    std::uint32_t depth = 0;
+};
+
+double edgeAt(std::uint32_t depth) { return std::ldexp(1.0, -static_cast<int>(depth)); }
+
+/// Lists a Gaussian in the cells of a depth that it meets in or below a cell: a needle meets few of those in its box.
+void enterBelow(const EllipsoidTest& test, std::uint32_t gaussian, const TreeCell& cell, std::uint32_t depth,
+                std::vector<Entry>& level) {
+    if (!test.meets(grownBox(cell.at, edgeAt(cell.depth)))) return;
+    if (cell.depth == depth) return level.push_back({mortonCode(cell.at), gaussian});
+    for (std::uint32_t slot = 0; slot < PRO_GROUP_SIZE; ++slot) {
+        TreeCell child{{}, cell.depth + 1};
+        for (std::uint32_t i = 0; i < 3; ++i) child.at[i] = 2 * cell.at[i] + (slot >> i & 1);
+        enterBelow(test, gaussian, child, depth, level);
+    }
+}
+
+/// Lists one Gaussian: from the cells on that are as long as its box, of which it meets at most 8.
 void enter(const GaussianEllipsoid& ellipsoid, std::uint32_t gaussian, int fineness, Levels& levels) {
     const EllipsoidTest test(ellipsoid);
     const Vec& reach = test.reach();
@@ -132,7 +153,8 @@ void enter(const GaussianEllipsoid& ellipsoid, std::uint32_t gaussian, int finen
     if (!(diameter > 0)) return;
     if (!isInCube(test.center(), reach)) return levels[0].push_back({0, gaussian});
     const std::uint32_t depth = depthFor(diameter, fineness);
-    const double edge = std::ldexp(1.0, -static_cast<int>(depth)), growth = std::max(kCellGrowth * edge, kLeastGrowth);
+    const std::uint32_t from = std::min(depth, depthFor(2 * *std::max_element(reach.begin(), reach.end()), 0));
+    const double edge = edgeAt(from), growth = std::max(kCellGrowth * edge, kLeastGrowth);
     std::array<std::uint32_t, 3> first{}, last{};
     for (std::size_t i = 0; i < 3; ++i) {
         const double low = (test.center()[i] - reach[i] - growth) / edge, most = 1 / edge - 1;
@@ -140,11 +162,11 @@ void enter(const GaussianEllipsoid& ellipsoid, std::uint32_t gaussian, int finen
         first[i] = static_cast<std::uint32_t>(std::clamp(std::floor(low), 0.0, most));
         last[i] = static_cast<std::uint32_t>(std::clamp(std::floor(high), 0.0, most));
     }
-    std::array<std::uint32_t, 3> cell{};
-    for (cell[2] = first[2]; cell[2] <= last[2]; ++cell[2])
-        for (cell[1] = first[1]; cell[1] <= last[1]; ++cell[1])
-            for (cell[0] = first[0]; cell[0] <= last[0]; ++cell[0])
-                if (test.meets(grownBox(cell, edge))) levels[depth].push_back({mortonCode(cell), gaussian});
+    TreeCell cell{{}, from};
+    for (cell.at[2] = first[2]; cell.at[2] <= last[2]; ++cell.at[2])
+        for (cell.at[1] = first[1]; cell.at[1] <= last[1]; ++cell.at[1])
+            for (cell.at[0] = first[0]; cell.at[0] <= last[0]; ++cell.at[0])
+                enterBelow(test, gaussian, cell, depth, levels[depth]);
 }
 
 /// The entries of all Gaussians by depth, each sorted.

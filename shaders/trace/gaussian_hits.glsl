@@ -118,7 +118,7 @@ GaussianHit takeHit(inout GaussianHits hits, bool going) {
     GaussianHit first = hits.waiting[0];
     bool complete = hits.listed == hits.listed_end;
     float known = complete ? hits.walk.t : hits.t_in; // hits before this are all known
-    bool takes = going && first.gaussian != NO_INDEX && first.t < known && isBefore(first, hits.lost);
+    bool takes = going && first.gaussian != NO_INDEX && first.t < known;
 #define SHIFT(k)                                                                                                       \
     if (takes) hits.waiting[k] = (k) + 1 < WAITING ? hits.waiting[min((k) + 1, WAITING - 1)] : kNoGaussianHit;
     FOR_WAITING(SHIFT)
