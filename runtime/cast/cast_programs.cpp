@@ -5,9 +5,15 @@
 #include <vector>
 
 #include "shaders/cast.spv.h"
+#include "shaders/cast_gaussians.spv.h"
+#include "shaders/cast_gaussians_given.spv.h"
+#include "shaders/cast_gaussians_paged.spv.h"
 #include "shaders/cast_given.spv.h"
 #include "shaders/cast_paged.spv.h"
 #include "shaders/occlude.spv.h"
+#include "shaders/occlude_gaussians.spv.h"
+#include "shaders/occlude_gaussians_given.spv.h"
+#include "shaders/occlude_gaussians_paged.spv.h"
 #include "shaders/occlude_given.spv.h"
 #include "shaders/occlude_paged.spv.h"
 
@@ -20,7 +26,14 @@ struct PairWords {
     Words first_hit, any_hit;
 };
 
+PairWords gaussianWordsOf(const CastKind& kind) {
+    if (kind.form != RayForm::kPacked) return {cast_gaussians_given_spv, occlude_gaussians_given_spv};
+    if (isPaged(kind.traits.pages)) return {cast_gaussians_paged_spv, occlude_gaussians_paged_spv};
+    return {cast_gaussians_spv, occlude_gaussians_spv};
+}
+
 PairWords wordsOf(const CastKind& kind) {
+    if (kind.traits.is_gaussian) return gaussianWordsOf(kind);
     if (kind.form != RayForm::kPacked) return {cast_given_spv, occlude_given_spv};
     if (isPaged(kind.traits.pages)) return {cast_paged_spv, occlude_paged_spv};
     return {cast_spv, occlude_spv};

@@ -42,7 +42,9 @@ void putMisses(CastSlot& slot, std::size_t count, bool any_hit) {
 } // namespace
 
 bool takesGiven(const Device& device, const ResidentInstance& instance) {
-    return device.doubles && instance.in_cube && !isPaged(instance.traits.pages);
+    // they start at the sphere around the cube, and Gaussians may lie before it
+    const bool is_in_sphere = !instance.scan->reaches_out;
+    return device.doubles && instance.in_cube && is_in_sphere && !isPaged(instance.traits.pages);
 }
 
 GivenRays::GivenRays(Device& device, const RayRows& rays) : device_(device), rays_(rays) {

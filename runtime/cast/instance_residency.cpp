@@ -23,27 +23,29 @@ constexpr std::size_t kTileAllocations = 16;
 /// Margin around a file's box as a share of its size, larger than the rounding errors of the box tests.
 constexpr double kFileMargin = 1e-4;
 
-/// Casts walk the tracing index, which Gaussians do not have.
-void refuseGaussians(const DeviceScan& scan) {
-    pro_gaussians gaussians;
-    if (pro_get_gaussians(scan.file, &gaussians) == 1)
-        throw Error(ExitCode::kBadInput, scan.path + ": holds Gaussians, which only pictures show so far; for rays, "
-                                                     "bake the capture with --splat disc");
+/// What the rays of a file may meet, cube units: the discs in its entry grid, or its Gaussians.
+CubeBox reachOf(const DeviceScan& scan) {
+    if (scan.is_gaussian) return scan.gaussian_box;
+    const double cell = std::ldexp(1.0, static_cast<int>(scan.index.shift) - PRO_POSITION_BITS);
+    CubeBox box;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        box.low[axis] = cell * scan.index.origin[axis];
+        box.high[axis] = box.low[axis] + cell * scan.index.size[axis];
+    }
+    return box;
 }
 
-/// A box in world units that contains all discs of a file: its entry grid, with a margin.
+/// A box in world units around all that rays may meet, with a margin.
 Bounds boxOf(const DeviceScan& scan, const Placement& placement) {
-    pro_info grid = scan.info;
-    const double cell = scan.info.scale * std::ldexp(1.0, static_cast<int>(scan.index.shift) - PRO_POSITION_BITS);
+    const CubeBox reach = reachOf(scan);
     double longest = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) longest = std::max(longest, reach.high[axis] - reach.low[axis]);
+    pro_info box = scan.info;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        grid.bounds_min[axis] = scan.info.origin[axis] + cell * scan.index.origin[axis];
-        grid.bounds_max[axis] = grid.bounds_min[axis] + cell * scan.index.size[axis];
-        longest = std::max(longest, cell * scan.index.size[axis]);
+        box.bounds_min[axis] = scan.info.origin[axis] + scan.info.scale * (reach.low[axis] - kFileMargin * longest);
+        box.bounds_max[axis] = scan.info.origin[axis] + scan.info.scale * (reach.high[axis] + kFileMargin * longest);
     }
-    for (double& low : grid.bounds_min) low -= kFileMargin * longest;
-    for (double& high : grid.bounds_max) high += kFileMargin * longest;
-    return placedBounds(placement, grid);
+    return placedBounds(placement, box);
 }
 
 /// Whether the rows are the unit matrix.
@@ -154,7 +156,6 @@ void InstanceResidency::loadFiles(const std::vector<std::uint32_t>& files) {
             requireTile(set.set, set.set.tiles[file.tile], set.folder);
         }
         scans[k] = mapTracedScan(file.path);
-        refuseGaussians(scans[k]);
     });
     for (std::size_t k = 0; k < files.size(); ++k) {
         uploadScan(device_, scans[k], {});

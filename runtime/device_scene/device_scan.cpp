@@ -139,6 +139,7 @@ void uploadGaussians(Device& device, DeviceScan& scan, const pro_gaussians& gaus
     scan.noise = createTexelBuffer(device, "blank buffer", kBlank, kTexelBytes, VK_FORMAT_R32G32B32A32_UINT);
     scan.is_gaussian = true;
     scan.most_listed = buffers.most_listed;
+    scan.gaussian_box = buffers.box;
     scan.reaches_out = buffers.nodes.front().count > 0;
     scan.harmonics_degree = gaussians.degree;
     std::copy_n(gaussians.harmonic_max, 3, scan.harmonics_max.begin());

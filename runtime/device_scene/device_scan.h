@@ -10,6 +10,7 @@
 
 #include "format/index/build_index.h"
 #include "pointrt/pro.h"
+#include "runtime/device_scene/gaussian_upload.h"
 #include "runtime/gpu/device.h"
 #include "runtime/gpu/paged_buffer.h"
 #include "runtime/gpu/program.h"
@@ -38,6 +39,7 @@ struct DeviceScan {
     std::uint32_t most_listed = 0; ///< of GaussianBuffers
     bool is_gaussian = false; ///< holds Gaussians: the buffers have the contents of gaussian_layout.h, and no index
     bool reaches_out = false; ///< some Gaussians reach out of the cube
+    CubeBox gaussian_box;     ///< around them
     std::uint32_t harmonics_degree = 0;   ///< of the Gaussians' colours
     std::array<float, 3> harmonics_max{}; ///< their largest coefficients by degree
     std::uint64_t device_bytes = 0;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "format/base/parallel.h"
 #include "format/index/gaussian_tree.h"
@@ -62,6 +63,21 @@ std::uint32_t mostListed(const std::vector<gpu::GaussianNode>& nodes) {
     return *std::max_element(listed.begin(), listed.end());
 }
 
+/// Around all ellipsoids that are not empty; the cube if there are none.
+CubeBox boxAround(const std::vector<GaussianEllipsoid>& ellipsoids) {
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    CubeBox box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
+    for (const GaussianEllipsoid& each : ellipsoids)
+        for (std::size_t i = 0; i < 3; ++i) {
+            double squared = 0;
+            for (const auto& axis : each.half_axes) squared += double{axis[i]} * axis[i];
+            if (squared == 0) continue;
+            box.low[i] = std::min(box.low[i], each.center[i] - std::sqrt(squared));
+            box.high[i] = std::max(box.high[i], each.center[i] + std::sqrt(squared));
+        }
+    return box.low[0] <= box.high[0] ? box : CubeBox{{0, 0, 0}, {1, 1, 1}};
+}
+
 } // namespace
 
 GaussianBuffers decodeGaussians(const pro_gaussians& gaussians, const std::uint32_t* splats, std::uint32_t count) {
@@ -83,6 +99,7 @@ GaussianBuffers decodeGaussians(const pro_gaussians& gaussians, const std::uint3
                 packHarmonics(gaussians.harmonics + 3 * coefficients * k, coefficients, &buffers.harmonics[words * k]);
         }
     });
+    buffers.box = boxAround(ellipsoids);
     GaussianTree tree = buildGaussianTree(ellipsoids, kTracedFineness);
     buffers.nodes = nodesOf(tree);
     buffers.most_listed = mostListed(buffers.nodes);

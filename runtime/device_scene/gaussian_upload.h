@@ -11,6 +11,11 @@
 
 namespace pointrt {
 
+/// A box in cube units.
+struct CubeBox {
+    std::array<double, 3> low{}, high{};
+};
+
 /// The contents of the buffers.
 struct GaussianBuffers {
     std::vector<gpu::GaussianRows> rows; ///< in the order of the file
@@ -18,6 +23,7 @@ struct GaussianBuffers {
     std::vector<std::uint32_t> lists;
     std::vector<std::uint32_t> harmonics; ///< HARMONIC_TEXELS words of 4 per Gaussian
     std::uint32_t most_listed = 0;        ///< in the nodes from the root to any leaf, together
+    CubeBox box;                          ///< around all that count, which may reach out of the cube
 };
 
 /// Decodes the sections of a file.

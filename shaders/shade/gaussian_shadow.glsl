@@ -9,7 +9,7 @@
 float passedByGaussians(ShadowRay shadow, bool live) {
     bool enters, cut;
     GaussianRay ray = gaussianRay(shadow.origin, shadow.direction, shadow.t_max * cubeScale(), enters);
-    float passes = gaussianTransmittance(ray, enters, live && shadow.t_max > 0.0, cut);
+    float passes = gaussianTransmittance(ray, enters, live && shadow.t_max > 0.0, GAUSSIAN_TRANSMITTANCE_MIN, cut);
     if (cut) atomicAdd(control.cut_rays, 1u);
     return passes;
 }

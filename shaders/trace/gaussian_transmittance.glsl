@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// The share of light that Gaussians let pass along a ray. Their order does not matter.
+// The share of light that Gaussians let pass along a ray.
 #ifndef POINTRT_SHADERS_GAUSSIAN_TRANSMITTANCE_GLSL
 #define POINTRT_SHADERS_GAUSSIAN_TRANSMITTANCE_GLSL
 #include "shaders/trace/gaussian_hits.glsl"
 
-// cut: not all were tested, as of compositeAlong (composite_gaussians.comp.glsl).
-float gaussianTransmittance(GaussianRay ray, bool enters, bool live, out bool cut) {
+// 0 if less than `least` passes; the order of Gaussians does not matter. cut: not all were tested, as of compositeAlong
+// (composite_gaussians.comp.glsl).
+float gaussianTransmittance(GaussianRay ray, bool enters, bool live, float least, out bool cut) {
     GaussianHits hits = startGaussianHits(ray, enters);
     float transmittance = 1.0;
     bool going;
     do {
-        going = live && transmittance >= GAUSSIAN_TRANSMITTANCE_MIN && !hasWalked(hits);
+        going = live && transmittance >= least && !hasWalked(hits);
         nextList(hits, going);
         GaussianHit hit = nextPeak(hits, going);
         bool is_hit = hit.gaussian != NO_INDEX;
         float opacity = loadGaussianRow(is_hit ? hit.gaussian : 0u, 3u).x;
         transmittance *= is_hit ? 1.0 - alphaAt(opacity, hit.distance_squared) : 1.0;
     } while (going);
-    cut = live && transmittance >= GAUSSIAN_TRANSMITTANCE_MIN && !hasWalked(hits);
-    return transmittance < GAUSSIAN_TRANSMITTANCE_MIN ? 0.0 : transmittance;
+    cut = live && transmittance >= least && !hasWalked(hits);
+    return transmittance < least ? 0.0 : transmittance;
 }
 
 #endif

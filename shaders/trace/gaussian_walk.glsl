@@ -35,9 +35,8 @@ struct GaussianWalk {
 
 const float kWalkEnded = 3e38;
 
-// The ray of render space, with t_max in cube units.
-GaussianRay gaussianRay(vec3 origin, vec3 direction, float t_max, out bool enters) {
-    vec3 from = cubePoint(origin), way = cubeDirection(direction);
+// The ray of the cube.
+GaussianRay gaussianRayInCube(vec3 from, vec3 way, float t_max, out bool enters) {
     vec3 inverse = 1.0 / mix(way, vec3(1e-20), lessThan(abs(way), vec3(1e-20)));
     vec3 to_low = -from * inverse, to_high = (1.0 - from) * inverse;
     vec3 near = min(to_low, to_high), far = max(to_low, to_high);
@@ -46,6 +45,11 @@ GaussianRay gaussianRay(vec3 origin, vec3 direction, float t_max, out bool enter
     // rays beside the cube start where they pass its centre
     float t_start = max(enters ? first : dot(vec3(0.5) - from, way), 0.0);
     return GaussianRay(from + t_start * way, way, t_start, t_max - t_start);
+}
+
+// The ray of render space, with t_max in cube units.
+GaussianRay gaussianRay(vec3 origin, vec3 direction, float t_max, out bool enters) {
+    return gaussianRayInCube(cubePoint(origin), cubeDirection(direction), t_max, enters);
 }
 
 GaussianWalk startGaussianWalk(GaussianRay ray) {

@@ -51,7 +51,9 @@ Cloud cloudOf(const std::vector<OracleGaussian>& gaussians) {
 
 } // namespace
 
-GaussianFile::GaussianFile(const std::vector<OracleGaussian>& gaussians) : path(temporaryPath("gaussians.pro")) {
+GaussianFile::GaussianFile(const std::vector<OracleGaussian>& gaussians) {
+    static int count = 0;
+    path = temporaryPath("gaussians_" + std::to_string(count++) + ".pro");
     Cloud cloud = cloudOf(gaussians);
     const GaussianCloud taken = takeGaussians(cloud);
     PackedSplats packed = packGaussianSplats(taken);

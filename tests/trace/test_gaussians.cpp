@@ -36,9 +36,7 @@ SceneDescription sceneOf(const std::string& path) {
 }
 
 /// A square facing z, 10 units long.
-ShapeDescription screenAt(double z) {
-    return {ShapeKind::kQuad, {0, 0, z}, {5, 0, 0}, {0, 5, 0}, {0, 0, 1}, 0};
-}
+ShapeDescription screenAt(double z) { return {ShapeKind::kQuad, {0, 0, z}, {5, 0, 0}, {0, 5, 0}, {0, 0, 1}, 0}; }
 
 /// Peak signal to noise, dB, of display-encoded colours.
 /// @param expected the linear light of the pixel through which a ray of this direction goes
@@ -49,8 +47,8 @@ double psnrAgainst(const Rendered& rendered, const RenderSettings& settings, con
         for (std::uint32_t x = 0; x < settings.width; ++x) {
             const Color truth = expected(centerRayDirection(settings, rendered.camera, x, y));
             for (int c = 0; c < 3; ++c) {
-                const double off = srgbFromLinear(pixel(rendered.film, x, y, c)) -
-                                   srgbFromLinear(truth[static_cast<std::size_t>(c)]);
+                const double off =
+                    srgbFromLinear(pixel(rendered.film, x, y, c)) - srgbFromLinear(truth[static_cast<std::size_t>(c)]);
                 squares += off * off;
             }
         }
@@ -83,10 +81,9 @@ TEST(Gaussians, RaysThroughThousandsGoOnInFurtherRuns) {
     const RenderSettings settings = lookingFrom({0, 0, 0}, {0, 1, 0.2}, 8);
     const Rendered rendered = renderScene(sceneOf(file.path), settings);
     EXPECT_EQ(rendered.rays.cut, 0u);
-    EXPECT_GT(psnrAgainst(rendered, settings,
-                          [&](Vec3 direction) {
-                              return lightOf(compositeAlong(file.scene, rendered.camera.eye, direction));
-                          }),
+    EXPECT_GT(psnrAgainst(
+                  rendered, settings,
+                  [&](Vec3 direction) { return lightOf(compositeAlong(file.scene, rendered.camera.eye, direction)); }),
               55); // where thousands are faint, floats end rays one Gaussian sooner or later
 }
 
@@ -164,8 +161,8 @@ TEST(Gaussians, FirstHitsAreWhereHalfOfTheLightIsHidden) {
     std::size_t others = 0, hits = 0;
     for (std::uint32_t y = 0; y < settings.height; ++y)
         for (std::uint32_t x = 0; x < settings.width; ++x) {
-            const OracleComposite truth = compositeAlong(file.scene, rendered.camera.eye,
-                                                         centerRayDirection(settings, rendered.camera, x, y));
+            const OracleComposite truth =
+                compositeAlong(file.scene, rendered.camera.eye, centerRayDirection(settings, rendered.camera, x, y));
             const std::size_t i = std::size_t{y} * settings.width + x;
             const bool is_hit = std::isfinite(truth.depth);
             hits += is_hit;

@@ -8,7 +8,8 @@
 //   std::vector<double> t(1);
 //   scene.castRays(std::span<const double>(rays), {}, {.t_hit = t});
 //
-// Rays hit the scan's unblended discs; the nearest hit is the one that pictures shade. All classes are thread-safe,
+// Rays hit the scan's unblended discs; the nearest hit is the one that pictures shade. Gaussians are hit where half of
+// the light is hidden; the splat is then the one that adds most to it. All classes are thread-safe,
 // except that an object in use must not be moved or destroyed. Everything throws TraceError or std::bad_alloc.
 #pragma once
 
