@@ -10,6 +10,7 @@
 #include "format/cli/command_line.h"
 #include "format/info/export_gaussians.h"
 #include "format/info/export_points.h"
+#include "format/info/export_spz.h"
 #include "format/info/print.h"
 #include "format/info/set_report.h"
 #include "format/pointio/metadata.h"
@@ -43,9 +44,9 @@ void addOptions(CommandLine& app, Options& options) {
     app.add_option(
            "--export", options.export_path,
            "Write the splats to a new .ply, .las or .laz file, in input order or tile by tile (Gaussians: as a .ply of "
-           "3D Gaussian splatting); - is PLY on standard output")
+           "3D Gaussian splatting, or as .spz); - is PLY on standard output")
         ->type_name("FILE");
-    completes(app, "--export", ".ply .las .laz");
+    completes(app, "--export", ".ply .las .laz .spz");
     app.add_flag("-f,--force", options.force, "Let --export overwrite an existing file");
     app.add_flag("-q,--quiet", options.quiet, "Print only errors and findings");
     addCommonOptions(app, POINTRT_VERSION, "FILE cannot be read or is malformed", kExamples);
@@ -62,8 +63,9 @@ void checkOptions(const Options& options) {
     if (path == "-" && isatty(STDOUT_FILENO) == 1)
         usage("--export -: standard output is a terminal; redirect the splats to a file or a pipe");
     if (path != "-" && isSameFile(options.input, path)) usage(path + ": is the input");
-    if (path != "-" && !path.ends_with(".ply") && !path.ends_with(".las") && !path.ends_with(".laz"))
-        usage(path + ": --export writes .ply, .las or .laz");
+    const auto has = [&](const char* suffix) { return path.ends_with(suffix); };
+    if (path != "-" && !has(".ply") && !has(".las") && !has(".laz") && !has(".spz"))
+        usage(path + ": --export writes .ply, .las, .laz or .spz");
 }
 
 struct FindingList {
@@ -107,6 +109,12 @@ int exportSplats(const Options& options, const ExportSource& source) {
 
 int exportFile(const Options& options) {
     const ProFile file(options.input);
+    if (options.export_path.ends_with(".spz")) {
+        if (!file.gaussians())
+            throw Error(ExitCode::kBadUsage, options.input + ": holds no Gaussians, and SPZ holds nothing else");
+        exportSpz(file, options.export_path, options.force);
+        return 0;
+    }
     if (file.gaussians() && pointFormat(options.export_path) == PointFormat::kPly) {
         exportGaussians(file, options.export_path, options.force);
         return 0;

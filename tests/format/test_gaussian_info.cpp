@@ -2,7 +2,10 @@
 // pointrt-info prints Gaussians, and exports them as files of 3D Gaussian splatting.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <zlib.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -114,6 +117,69 @@ TEST_F(GaussianInfo, LogitsOfTheEndsAreFiniteAndCodedAgainAsTheEnds) {
     EXPECT_EQ(codeOf(values[3 * kRow + 9]), 0);
     EXPECT_TRUE(std::isfinite(values[2 * kRow + 9]));
     EXPECT_EQ(codeOf(values[2 * kRow + 9]), 1023);
+}
+
+/// The bytes of a gzip file.
+std::vector<std::uint8_t> unzipped(const std::string& path) {
+    std::vector<std::uint8_t> bytes(1 << 16);
+    const gzFile file = gzopen(path.c_str(), "rb");
+    bytes.resize(static_cast<std::size_t>(gzread(file, bytes.data(), static_cast<unsigned>(bytes.size()))));
+    gzclose(file);
+    return bytes;
+}
+
+std::uint32_t wordAt(const std::vector<std::uint8_t>& bytes, std::size_t at) {
+    std::uint32_t word = 0;
+    std::memcpy(&word, bytes.data() + at, sizeof word);
+    return word;
+}
+
+/// Quaternion w x y z of four bytes: the largest of x y z w is left out.
+std::array<double, 4> unpackedRotation(std::uint32_t word) {
+    std::array<double, 4> xyzw{};
+    const std::size_t largest = word >> 30;
+    double squares = 0;
+    for (std::size_t i = 4; i-- > 0;) {
+        if (i == largest) continue;
+        xyzw[i] = (word & 512 ? -1 : 1) * std::sqrt(0.5) * (word & 511) / 511;
+        squares += xyzw[i] * xyzw[i];
+        word >>= 10;
+    }
+    xyzw[largest] = std::sqrt(1 - squares);
+    return {xyzw[3], xyzw[0], xyzw[1], xyzw[2]};
+}
+
+TEST_F(GaussianInfo, ExportsSpz) {
+    const std::string spz = folder.file("a.spz");
+    run(pro + " --export " + spz);
+    const std::vector<std::uint8_t> bytes = unzipped(spz);
+    ASSERT_EQ(bytes.size(), 16u + 5 * (9 + 1 + 3 + 3 + 4 + 9));
+    EXPECT_EQ(wordAt(bytes, 4), 3u) << "version";
+    EXPECT_EQ(wordAt(bytes, 8), 5u);
+    EXPECT_EQ(bytes[12], 1) << "degree";
+    const int bits = bytes[13];
+    const ProFile file(pro);
+    const std::size_t splat_of_row[] = {1, 3, 4, 0, 2}; // order is 3 0 4 1 2
+    for (std::size_t row = 0; row < 5; ++row) {
+        const pro_gaussian gaussian = file.gaussian(splat_of_row[row]);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t at = 16 + 9 * row + 3 * k;
+            const auto word = static_cast<std::int32_t>(wordAt(bytes, at) << 8);
+            const double position = std::ldexp(word >> 8, -bits);
+            EXPECT_NEAR(position, 10.0 * static_cast<double>(k + 1) + 2 * gaussian.mean[k], std::ldexp(1.0, -bits));
+            const double color = (bytes[66 + 3 * row + k] / 255.0 - 0.5) / 0.15 * 0.28209479177387814 + 0.5;
+            EXPECT_NEAR(color, std::clamp(double{gaussian.color[k]}, -0.44, 1.44), 0.004);
+            EXPECT_NEAR(bytes[81 + 3 * row + k] / 16.0 - 10, std::log(2 * gaussian.deviation[k]), 1 / 32.0 + 1e-6);
+            for (std::size_t h = 0; h < 3; ++h)
+                EXPECT_NEAR((bytes[116 + 9 * row + 3 * h + k] - 128) / 128.0,
+                            static_cast<double>(file.harmonics(splat_of_row[row])[3 * h + k]) / 127 * 0.5, 0.0041);
+        }
+        EXPECT_NEAR(bytes[61 + row] / 255.0, gaussian.opacity, 0.5 / 255 + 1e-6);
+        const auto rotation = unpackedRotation(wordAt(bytes, 96 + 4 * row));
+        double alike = 0;
+        for (std::size_t k = 0; k < 4; ++k) alike += rotation[k] * gaussian.rotation[k];
+        EXPECT_GT(std::abs(alike), 0.99999) << "a quaternion and its negative turn alike";
+    }
 }
 
 TEST_F(GaussianInfo, ExportsDiscsAsLas) {
