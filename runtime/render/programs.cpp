@@ -41,7 +41,9 @@
 #include "shaders/megakernel.spv.h"
 #include "shaders/photon.spv.h"
 #include "shaders/prepare.spv.h"
+#include "shaders/query_shadow_catcher.spv.h"
 #include "shaders/shade_shadow.spv.h"
+#include "shaders/shade_shadow_catcher.spv.h"
 #include "shaders/shade_surface.spv.h"
 #include "shaders/surface.spv.h"
 #include "shaders/surface_paged.spv.h"
@@ -97,6 +99,11 @@ Constants constantsFor(const DeviceScene& scene, const RenderSettings& settings)
 /// Megakernels that sample one light store shadow rays with their contributions.
 bool storesShadowRays(const Programs& all) { return all.form == KernelForm::kMegakernel && all.samples_one_light; }
 
+/// All others queue them, and so do shadow catchers.
+bool queuesShadowRays(const Programs& all) {
+    return all.catches_shadows || (all.has_direct_lighting && !storesShadowRays(all));
+}
+
 void orderFor(const InstanceTraits& instance, Constants constants, const Programs& all, InstancePrograms& programs,
               std::vector<Order>& orders) {
     constants.instance = instance;
@@ -125,19 +132,34 @@ void orderFor(const InstanceTraits& instance, Constants constants, const Program
     if (storesShadowRays(all))
         order(programs.intersect_shadow_ray, "intersect_shadow_ray", intersect_shadow_ray_spv,
               intersect_shadow_ray_paged_spv);
-    else if (all.has_direct_lighting)
+    if (queuesShadowRays(all))
         order(programs.intersect_shadow, "intersect_shadow", intersect_shadow_spv, intersect_shadow_paged_spv);
     if (!all.has_secondary_rays) return;
     order(programs.intersect_closest, "intersect_closest", intersect_closest_spv, intersect_closest_paged_spv);
     order(programs.surface, "surface", surface_spv, surface_paged_spv);
 }
 
+Order intersectShadowShapes(const Constants& constants, Programs& programs) {
+    return {&programs.intersect_shadow_shapes, "intersect_shadow_shapes", intersect_shadow_shapes_spv, constants};
+}
+
+/// Programs with which Gaussians catch shadows.
+void orderShadowCatcher(const Constants& constants, const Constants& of_camera, Programs& programs,
+                        std::vector<Order>& orders) {
+    orders.push_back(
+        {&programs.camera.query_shadow_catcher, "query_shadow_catcher (camera)", query_shadow_catcher_spv, of_camera});
+    if (programs.has_secondary_rays)
+        orders.push_back(
+            {&programs.queued.query_shadow_catcher, "query_shadow_catcher", query_shadow_catcher_spv, constants});
+    orders.push_back(intersectShadowShapes(constants, programs));
+    orders.push_back({&programs.shade_shadow_catcher, "shade_shadow_catcher", shade_shadow_catcher_spv, constants});
+}
+
 /// Programs for the queries of LIST_DIRECT_LIGHT.
 void orderDirectLight(const Constants& constants, Programs& programs, std::vector<Order>& orders) {
     orders.push_back({&programs.shade_shadow, "shade_shadow", shade_shadow_spv, constants});
     if (programs.form == KernelForm::kMegakernel && programs.inline_nee) return;
-    orders.push_back(
-        {&programs.intersect_shadow_shapes, "intersect_shadow_shapes", intersect_shadow_shapes_spv, constants});
+    if (!programs.catches_shadows) orders.push_back(intersectShadowShapes(constants, programs));
     if (constants.gathers_photons) orders.push_back({&programs.caustic, "caustic", caustic_spv, constants});
 }
 
@@ -163,8 +185,7 @@ void orderCull(std::uint32_t boxes, Constants constants, const Programs& all, Cu
     if (all.has_secondary_rays) orders.push_back({&programs.closest, "cull_closest", cull_closest_spv, constants});
     if (storesShadowRays(all))
         orders.push_back({&programs.shadow_ray, "cull_shadow_ray", cull_shadow_ray_spv, constants});
-    else if (all.has_direct_lighting)
-        orders.push_back({&programs.shadow, "cull_shadow", cull_shadow_spv, constants});
+    if (queuesShadowRays(all)) orders.push_back({&programs.shadow, "cull_shadow", cull_shadow_spv, constants});
 }
 
 /// Culling programs for the numbers of instances that the scene has or may have.
@@ -220,6 +241,7 @@ std::vector<Order> orderAll(const DeviceScene& scene, const Constants& constants
     if (programs.has_secondary_rays && (programs.form == KernelForm::kWavefront || constants.gathers_photons))
         orders.push_back({&programs.queued.intersect_shapes, "intersect_shapes", intersect_shapes_spv, constants});
     if (constants.gathers_photons) orders.push_back({&programs.photon, "photon", photon_spv, constants});
+    if (programs.catches_shadows) orderShadowCatcher(constants, of_camera, programs, orders);
     orderInstances(scene, constants, programs, orders);
     orderCulling(scene, constants, programs, orders);
     return orders;
@@ -241,6 +263,7 @@ Programs createPrograms(Device& device, const DeviceScene& scene, const RenderSe
     programs.has_direct_lighting = usesLights(settings.integrator);
     programs.samples_one_light = samplesOneLight(settings.integrator);
     programs.inline_nee = (scene.features & FEATURE_INLINE_NEE) != 0;
+    programs.catches_shadows = hasGaussians(scene) && programs.has_direct_lighting;
     const OnError undo([&] { destroyPrograms(device, programs); });
     buildAll(device, orderAll(scene, constantsFor(scene, settings), programs));
     return programs;
@@ -257,9 +280,10 @@ void destroyPrograms(Device& device, Programs& programs) {
     for (Program* program :
          {&programs.prepare, &programs.first_hits, &programs.beam, &programs.intersect_shadow_shapes,
           &programs.shade_shadow, &programs.photon, &programs.caustic, &programs.fold_film,
-          &programs.camera.intersect_shapes, &programs.camera.shade_surface, &programs.camera.megakernel,
-          &programs.queued.intersect_shapes, &programs.queued.shade_surface, &programs.queued.megakernel,
-          &programs.compact, &programs.accumulate_shadow})
+          &programs.camera.intersect_shapes, &programs.camera.query_shadow_catcher,
+          &programs.queued.query_shadow_catcher, &programs.shade_shadow_catcher, &programs.camera.shade_surface,
+          &programs.camera.megakernel, &programs.queued.intersect_shapes, &programs.queued.shade_surface,
+          &programs.queued.megakernel, &programs.compact, &programs.accumulate_shadow})
         destroyProgram(device, *program);
     for (auto& [traits, variant] : programs.variants)
         for (Program* program :

@@ -19,7 +19,7 @@ struct InstancePrograms {
     Program intersect_camera, camera_surface;
     Program intersect_closest, surface; ///< for secondary rays
     Program intersect_shadow,
-        intersect_shadow_ray; ///< one of them: queued shadow rays, or the megakernel's stored ones
+        intersect_shadow_ray; ///< queued shadow rays, the megakernel's stored ones, or both
     Program composite_camera, composite, gaussian_first_hits; ///< of Gaussians, which have these in place of the above
     Program attenuate_shadow, attenuate_shadow_ray;           ///< one of them, as above
 };
@@ -27,7 +27,8 @@ struct InstancePrograms {
 /// Programs with one variant for camera rays and one for queued rays (shaders/lib/features.glsl).
 struct PassPrograms {
     Program intersect_shapes, shade_surface;
-    Program megakernel; ///< in place of shade_surface
+    Program megakernel;           ///< in place of shade_surface
+    Program query_shadow_catcher; ///< if Gaussians catch shadows
 };
 
 /// Culling programs (shaders/trace/cull.glsl), named after the programs whose input lists they cull.
@@ -41,7 +42,9 @@ struct Programs {
     bool has_secondary_rays = true, has_direct_lighting = true; ///< if false, the programs for it are not built
     bool samples_one_light = false;                             ///< at each hit, instead of every light
     bool inline_nee = false;                                    ///< see FEATURE_INLINE_NEE
+    bool catches_shadows = false;                               ///< Gaussians do, of the objects among them
     Program prepare, first_hits, beam, intersect_shadow_shapes, shade_shadow, photon, caustic, fold_film;
+    Program shade_shadow_catcher;
     PassPrograms camera, queued;
     std::map<InstanceTraits, InstancePrograms> variants;
     std::map<std::uint32_t, CullPrograms> cull; ///< by the number of boxes (cullProgramSize)

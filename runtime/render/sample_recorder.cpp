@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/render/sample_recorder.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace pointrt {
@@ -28,6 +29,7 @@ void SampleRecorder::begin() {
         compositeGaussians(&InstancePrograms::gaussian_first_hits, center_);
     }
     compositeGaussians(&InstancePrograms::composite_camera, center_);
+    catchShadows(tracer_.programs.camera.query_shadow_catcher, center_);
     if (tracer_.programs.form == KernelForm::kMegakernel)
         megakernel(tracer_.programs.camera.megakernel, center_);
     else
@@ -41,12 +43,14 @@ void SampleRecorder::pass(std::uint32_t index) {
     if (tracer_.programs.form == KernelForm::kMegakernel) {
         intersectClosest(queue);
         compositeGaussians(&InstancePrograms::composite, queue);
+        catchShadows(programs.query_shadow_catcher, queue);
         return megakernel(programs.megakernel, queue);
     }
     run(programs.intersect_shapes, tracer_.instances.sets, queue, rays_);
     closeList(LIST_INSTANCE_RAYS, queue);
     intersectClosest(queue);
     compositeGaussians(&InstancePrograms::composite, queue);
+    catchShadows(programs.query_shadow_catcher, queue);
     shadeSurface(programs.shade_surface, queue);
 }
 
@@ -94,6 +98,22 @@ void SampleRecorder::compositeGaussians(Program InstancePrograms::*program, std:
                 rays_);
 }
 
+/// Shadows of surfaces on what Gaussians have captured. The shadows among Gaussians are part of that.
+void SampleRecorder::catchShadows(const Program& query, std::uint32_t bits) {
+    const DeviceScene& scene = *tracer_.scene;
+    const auto lights = static_cast<std::uint32_t>(scene.light_rows.size());
+    const std::vector<TracedInstance>& instances = tracer_.instances.each;
+    const bool has_surfaces =
+        !scene.shape_rows.empty() ||
+        std::any_of(instances.begin(), instances.end(), [](const TracedInstance& each) { return !each.is_gaussian; });
+    if (!tracer_.programs.catches_shadows || !tracer_.shadows || lights == 0 || !has_surfaces) return;
+    run(query, tracer_.instances.sets, bits, rays_);
+    closeList(LIST_DIRECT_LIGHT, bits);
+    const Attenuation none = Attenuation::kNone;
+    for (std::uint32_t first = 0; first < lights; first += SHADOW_RAYS_PER_PATH) shadows(first, bits, none);
+    runOver(LIST_DIRECT_LIGHT, tracer_.programs.shade_shadow_catcher, tracer_.instances.sets, bits);
+}
+
 /// What Gaussians let pass of the shadow rays of a closed list.
 void SampleRecorder::attenuateShadows(std::uint32_t list, Program InstancePrograms::*program, std::uint32_t bits) {
     if (!has_gaussians_) return;
@@ -122,7 +142,7 @@ void SampleRecorder::megakernel(const Program& program, std::uint32_t bits) {
     if (!programs.inline_nee) return directLight(bits);
     if (!tracer_.shadows || tracer_.instances.each.empty()) return;
     if (programs.samples_one_light) return intersectShadowRay(bits);
-    intersectShadow(bits);
+    intersectShadow(bits, Attenuation::kByGaussians);
     runOver(LIST_DIRECT_LIGHT, programs.shade_shadow, tracer_.instances.sets, bits);
 }
 
@@ -132,23 +152,25 @@ void SampleRecorder::directLight(std::uint32_t bits) {
     const auto lights = static_cast<std::uint32_t>(tracer_.scene->light_rows.size());
     if (lights == 0) return;
     // path has one light sample, and none in further iterations
-    for (std::uint32_t first = 0; first < lights; first += SHADOW_RAYS_PER_PATH) shadows(first, bits);
+    for (std::uint32_t first = 0; first < lights; first += SHADOW_RAYS_PER_PATH)
+        shadows(first, bits, Attenuation::kByGaussians);
     runOver(LIST_DIRECT_LIGHT, programs.shade_shadow, tracer_.instances.sets, bits);
     if (shownMap(tracer_.caustics).frame.count.x > 0)
         runOver(LIST_DIRECT_LIGHT, programs.caustic, tracer_.instances.sets, bits);
 }
 
 /// Occlusion of SHADOW_RAYS_PER_PATH light samples from first on.
-void SampleRecorder::shadows(std::uint32_t first, std::uint32_t bits) {
+void SampleRecorder::shadows(std::uint32_t first, std::uint32_t bits, Attenuation attenuation) {
     first_light_sample_ = first;
     runOver(LIST_DIRECT_LIGHT, tracer_.programs.intersect_shadow_shapes, tracer_.instances.sets, bits);
-    if (tracer_.shadows) intersectShadow(bits);
+    if (tracer_.shadows) intersectShadow(bits, attenuation);
 }
 
 /// Occlusion by instances of the queued shadow rays.
-void SampleRecorder::intersectShadow(std::uint32_t bits) {
+void SampleRecorder::intersectShadow(std::uint32_t bits, Attenuation attenuation) {
     closeList(LIST_SHADOW_RAYS, bits);
-    attenuateShadows(LIST_SHADOW_RAYS, &InstancePrograms::attenuate_shadow, bits);
+    if (attenuation == Attenuation::kByGaussians)
+        attenuateShadows(LIST_SHADOW_RAYS, &InstancePrograms::attenuate_shadow, bits);
     intersectAll(LIST_SHADOW_RAYS, &CullPrograms::shadow, bits,
                  [&](const TracedInstance& instance, std::uint32_t list) {
                      runOver(list, instance.programs->intersect_shadow, instance.sets, bits);

@@ -25,13 +25,15 @@ private:
     void intersectCamera(std::uint32_t bits);
     void intersectClosest(std::uint32_t bits);
     void compositeGaussians(Program InstancePrograms::*program, std::uint32_t bits);
+    void catchShadows(const Program& query, std::uint32_t bits);
     void attenuateShadows(std::uint32_t list, Program InstancePrograms::*program, std::uint32_t bits);
     void surface(const Program& program, const DescriptorSets& sets, std::uint32_t bits);
     void shadeSurface(const Program& program, std::uint32_t bits);
     void megakernel(const Program& program, std::uint32_t bits);
     void directLight(std::uint32_t bits);
-    void shadows(std::uint32_t first, std::uint32_t bits);
-    void intersectShadow(std::uint32_t bits);
+    enum class Attenuation { kNone, kByGaussians }; ///< of shadow rays
+    void shadows(std::uint32_t first, std::uint32_t bits, Attenuation attenuation);
+    void intersectShadow(std::uint32_t bits, Attenuation attenuation);
     void intersectShadowRay(std::uint32_t bits);
     void prepare(std::uint32_t bits);
     void closeList(std::uint32_t list, std::uint32_t bits);

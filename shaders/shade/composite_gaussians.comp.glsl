@@ -10,13 +10,14 @@
 #include "shaders/shade/sky.glsl"
 #include "shaders/lib/color.glsl"
 #include "shaders/shared/tone_curve.h"
-#include "shaders/trace/gaussian_hits.glsl"
+#include "shaders/trace/gaussian_first_hit.glsl"
 #include "shaders/shade/harmonics.glsl"
 
 // Light in front of a ray's hit, display-encoded, and the share that passes.
 struct Composite {
     vec3 light;
     float transmittance;
+    GaussianHit middle; // behind which less than half passes, if that is one of this instance
 };
 
 void addGaussian(inout Composite sum, GaussianHit hit, vec3 direction) {
@@ -26,7 +27,9 @@ void addGaussian(inout Composite sum, GaussianHit hit, vec3 direction) {
     vec3 color = max(look.yzw + harmonicsAlong(gaussian, direction), vec3(0.0));
     float alpha = is_hit ? alphaAt(look.x, hit.distance_squared) : 0.0;
     sum.light += sum.transmittance * alpha * color;
-    sum.transmittance *= 1.0 - alpha;
+    float passes = sum.transmittance * (1.0 - alpha);
+    if (sum.transmittance > kHalf && passes <= kHalf) sum.middle = hit;
+    sum.transmittance = passes;
 }
 
 bool isTransparent(Composite sum) { return sum.transmittance >= GAUSSIAN_TRANSMITTANCE_MIN; }
@@ -57,25 +60,32 @@ vec3 decoded(Composite sum, bool misses) {
     return plain && misses && !hasOption(OPTION_TRANSPARENT) ? over : alone;
 }
 
+// As GaussianLight stores it.
+vec4 middleOf(GaussianRay ray, GaussianHit hit) {
+    vec3 normal = renderDirection(normalize(gaussianNormal(hit.gaussian, ray.direction)));
+    return vec4(normal, (ray.t_start + hit.t) / cubeScale());
+}
+
 void main() {
     uint index;
     PathState path = currentPath(index);
     bool live = index != NO_INDEX, enters;
     uvec4 hit = live ? loadHit(index) : kNoHit;
     GaussianRay ray = gaussianRay(path.origin, path.direction, uintBitsToFloat(hit.x) * cubeScale(), enters);
-    GaussianLight stored = GaussianLight(vec4(0.0, 0.0, 0.0, 1.0), vec4(kWalkEnded));
+    GaussianLight stored = GaussianLight(vec4(0.0, 0.0, 0.0, 1.0), vec4(kWalkEnded), vec4(kWalkEnded));
     if (live && (!hasStep(STEP_FIRST) || hasStep(STEP_RESUME))) stored = gaussian_light[index];
     GaussianHit last = GaussianHit(-ray.t_start, NO_INDEX, 0.0);
     if (hasStep(STEP_RESUME)) last = GaussianHit(stored.last.x, floatBitsToUint(stored.last.y), 0.0);
     live = live && last.t < kWalkEnded;
 
     GaussianHits hits = resumeGaussianHits(ray, enters, last);
-    Composite sum = Composite(stored.light.rgb, stored.light.a);
+    Composite sum = Composite(stored.light.rgb, stored.light.a, kNoGaussianHit);
     bool cut = compositeAlong(hits, enters, live, sum);
     bool ends = !cut || hasStep(STEP_FINAL);
     if (!isTransparent(sum)) sum.transmittance = 0.0;
     vec3 light = hasStep(STEP_LAST) && ends ? decoded(sum, hit.z == NO_INDEX) : sum.light;
     vec4 next = ends ? vec4(kWalkEnded) : vec4(hits.last.t, uintBitsToFloat(hits.last.gaussian), 0.0, 0.0);
-    if (live) gaussian_light[index] = GaussianLight(vec4(light, sum.transmittance), next);
+    vec4 middle = sum.middle.gaussian != NO_INDEX ? middleOf(ray, sum.middle) : stored.middle;
+    if (live) gaussian_light[index] = GaussianLight(vec4(light, sum.transmittance), next, middle);
     if (cut && ends) atomicAdd(control.cut_rays, 1u);
 }

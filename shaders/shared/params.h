@@ -121,8 +121,9 @@ struct Control {
 
 // Per path: what Gaussians add in front of its hit.
 struct GaussianLight {
-    vec4 light; // a: the share that passes from behind
-    vec4 last;  // x: t of the last Gaussian added, kWalkEnded if no more come; y: its number
+    vec4 light;  // a: the share that passes from behind
+    vec4 last;   // x: t of the last Gaussian added, kWalkEnded if no more come; y: its number
+    vec4 middle; // behind which less than half passes: its normal, and t in render space, kWalkEnded if there is none
 };
 
 // The boxes of a cull group, which rays are tested against before they are intersected with the instances inside.

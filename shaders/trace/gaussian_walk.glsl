@@ -8,6 +8,7 @@
 #ifndef POINTRT_SHADERS_GAUSSIAN_WALK_GLSL
 #define POINTRT_SHADERS_GAUSSIAN_WALK_GLSL
 #include "shaders/shared/gaussian_layout.h"
+#include "shaders/trace/gaussian_end.glsl"
 #include "shaders/trace/instance.glsl"
 
 #define loadGaussianNode(i) loadNearPair(i)
@@ -32,8 +33,6 @@ struct GaussianWalk {
     uvec4 node;    // GaussianNode
     bool leaves;   // the node's children have been visited
 };
-
-const float kWalkEnded = 3e38;
 
 // The ray of the cube.
 GaussianRay gaussianRayInCube(vec3 from, vec3 way, float t_max, out bool enters) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -139,10 +140,13 @@ double floorLight(double opacity, KernelForm form) {
     scene.materials.resize(1);
     scene.shapes = {{ShapeKind::kPlane, {0, 0, 0}, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}, 0}};
     scene.lights = {PointLight{{0, 3, 0}, {10, 10, 10}}};
-    RenderSettings settings = lookingFrom({3, 0.5, 0}, {0, 0, 0}, 1);
-    settings.spp = 1024;
+    RenderSettings settings = lookingFrom({3, 0.5, 0}, {0, 0, 0}, 8); // all pixels see the same
+    settings.spp = 16;
     settings.camera.fov_deg = 0.1;
-    return pixel(renderScene(scene, settings, {form}).film, 0, 0, 0);
+    const Rendered rendered = renderScene(scene, settings, {form});
+    double sum = 0;
+    for (std::uint32_t i = 0; i < 64; ++i) sum += pixel(rendered.film, i % 8, i / 8, 0);
+    return sum / 64;
 }
 
 TEST(Gaussians, ShadowsAreAsDarkAsTheyAreOpaque) {
@@ -152,6 +156,34 @@ TEST(Gaussians, ShadowsAreAsDarkAsTheyAreOpaque) {
         // shadow rays pass or not at random: 1 / 32 of a deviation of 0.5 is 0.016
         EXPECT_NEAR(floorLight(0.6, form) / lit, 0.4, 0.06);
     }
+}
+
+/// The light of a flat Gaussian under a lamp and an even sky.
+double caughtLight(bool has_ball, Integrator integrator, KernelForm form) {
+    OracleGaussian flat = roundGaussian({0, 0, 0}, 2, 0.99, {0.8, 0.8, 0.8});
+    flat.deviation[1] = 0.01;
+    const GaussianFile file({flat});
+    SceneDescription scene = sceneOf(file.path);
+    scene.materials.resize(1);
+    const double above = has_ball ? 1 : 9; // the lamp is between
+    scene.shapes = {{ShapeKind::kSphere, {0, above, 0}, {0.3, 0, 0}, {0, 0.3, 0}, {0, 0, 0.3}, 0}};
+    scene.lights = {PointLight{{0, 3, 0}, {10, 10, 10}}};
+    scene.sky = evenSky(0.2f);
+    RenderSettings settings = lookingFrom({3, 1, 0}, {0, 0, 0}, 1);
+    settings.background.reset();
+    settings.camera.fov_deg = 0.1;
+    settings.integrator = integrator;
+    return pixel(renderScene(scene, settings, {form}).film, 0, 0, 0);
+}
+
+TEST(Gaussians, CatchShadows) {
+    const double from_lamp = 10.0 / 9, from_sky = 0.2 * std::numbers::pi; // irradiance, W/m^2
+    for (const KernelForm form : {KernelForm::kWavefront, KernelForm::kMegakernel})
+        for (const Integrator integrator : {Integrator::kPhong, Integrator::kPath}) {
+            const double lit = caughtLight(false, integrator, form);
+            EXPECT_NEAR(lit, linearFromSrgb(0.8), 0.02);
+            EXPECT_NEAR(caughtLight(true, integrator, form) / lit, from_sky / (from_sky + from_lamp), 0.02);
+        }
 }
 
 TEST(Gaussians, FirstHitsAreWhereHalfOfTheLightIsHidden) {

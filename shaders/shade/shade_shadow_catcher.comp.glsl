@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Multiplies the light of Gaussians by the ratio of the irradiance with and without the objects that shadow them, at the
+// points of LIST_DIRECT_LIGHT (Debevec, Rendering Synthetic Objects into Real Scenes, 1998: differential rendering).
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/shade/direct_light.glsl"
+
+vec3 irradianceOf(DirectLightQuery query, LightSample to) {
+    return max(dot(query.normal, to.direction), 0.0) * to.radiance_over_pdf;
+}
+
+// A sample of each light, where only one of them is tested for occlusion.
+vec3 irradianceUnshadowed(DirectLightQuery query, uint path, uint tested) {
+    vec3 sum = vec3(0.0);
+    for (uint number = 0u; number < params.light_count; number++) {
+        Light light = loadLight(number);
+        uint pair = FIRST_LIGHT_PAIR + query.bounce * MAX_LIGHTS + number;
+        vec2 u = sample2(imagePixel(path), push.sample_index, pair, params.seed);
+        LightSample to = sampleLight(light, query.position, u);
+        if (kSkyImage && lightKind(light) == LIGHT_SKY) to = sampleSky(u);
+        sum += number != tested ? irradianceOf(query, to) : vec3(0.0);
+    }
+    return sum;
+}
+
+void main() {
+    uint path;
+    DirectLightQuery query = currentLightQuery(path);
+    if (path == NO_INDEX) return;
+    uint samples = lightSampleCount(), mask = light_masks[path];
+    vec3 lit = kPi * skyColor(query.normal), hidden = vec3(0.0); // the sky as seen along the normal
+    for (uint number = 0u; number < samples; number++) {
+        Light light;
+        LightSample to = drawLightSample(query, path, number, light);
+        vec3 irradiance = irradianceOf(query, to);
+        lit += irradiance;
+        hidden += (mask >> number & 1u) != 0u ? irradiance / lightChance() : vec3(0.0);
+    }
+    if (kSamplesOneLight) lit += irradianceUnshadowed(query, path, lightOfSample(0u, path, query.bounce));
+    // in one-light samples of many lights more may be hidden than is lit: their mean is right
+    vec3 ratio = 1.0 - hidden / max(lit, vec3(1e-20));
+    gaussian_light[path].light.rgb *= ratio;
+}
