@@ -18,7 +18,7 @@
 namespace pointrt {
 namespace {
 
-constexpr std::uint32_t kBatchesSide = 8, kBatchesSamples = 600; ///< three batches, the last of which is not complete
+constexpr std::uint32_t kBatchesSide = 8, kBatchesSamples = 550; ///< three batches, the last of which is not complete
 constexpr double kBatchesTolerance = 2e-5; ///< relative: a batch keeps 16 bits of each of its samples
 
 class FilmBatches : public DeviceFixture, public testing::WithParamInterface<KernelForm> {
@@ -90,7 +90,7 @@ TEST_P(FilmBatches, AddUpTheirSamples) {
 
 TEST_P(FilmBatches, GoOnFromAnyNumberOfSamples) {
     const Film whole = render(kBatchesSamples);
-    for (const std::uint32_t first : {1u, 255u, FILM_BATCH, FILM_BATCH + 1, 2 * FILM_BATCH - 1, 2 * FILM_BATCH}) {
+    for (const std::uint32_t first : {FILM_BATCH - 1, FILM_BATCH, 2 * FILM_BATCH}) {
         const Film film = render(kBatchesSamples, render(first));
         EXPECT_LT(relativeDifference(film.rgba, whole.rgba), kBatchesTolerance) << first;
         EXPECT_LT(relativeDifference(film.direct, whole.direct), kBatchesTolerance) << first;
@@ -108,7 +108,7 @@ TEST_P(FilmBatches, GoOnAfterTheyAreRead) {
     FrameJob job;
     renderer.begin({loaded->settings, loaded->camera, {kBatchesSide, kBatchesSide}}, job);
     std::vector<Film> films;
-    const std::vector<std::uint32_t> counts = {1, FILM_BATCH, FILM_BATCH + 1, 2 * FILM_BATCH, kBatchesSamples};
+    const std::vector<std::uint32_t> counts = {FILM_BATCH + 1, kBatchesSamples};
     for (const std::uint32_t samples : counts) {
         renderer.setSamples(samples);
         renderer.run();
