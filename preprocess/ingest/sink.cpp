@@ -222,6 +222,11 @@ void Sink::finishScan(const InputFile& input, const std::string& title, Emptines
 
 void Sink::note(const InputFile& input, const std::string& text) { addNote(cloud, input.name, text); }
 
+void Sink::addDegrees(const InputFile& input) {
+    if (!scales_degrees) note(input, "is in degrees: x and y have a different unit from z");
+    ++files_in_degrees;
+}
+
 void Sink::setWorldFrame(const InputFile& input, const WorldFrame& frame) {
     const WorldFrame moved = transform.world_from_input ? transformed(frame, *transform.world_from_input) : frame;
     WorldFrame& world = cloud.world;

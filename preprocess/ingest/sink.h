@@ -74,6 +74,9 @@ public:
     /// Merges the frame of a file with that of the files before, as far as they agree. To be called once for each file.
     void setWorldFrame(const InputFile& input, const WorldFrame& frame);
 
+    /// Counts a file whose x and y are degrees of longitude and latitude, and notes it unless they will be scaled.
+    void addDegrees(const InputFile& input);
+
     /// Sets the scanner position of the current scan, in its own frame; finishScan() transforms it.
     void setScanSensor(const std::optional<Vec3d>& in_scan) { scan_.sensor = in_scan; }
     /// Sets the scanner position of the scan finished last, in world coordinates; ignored if not finite.

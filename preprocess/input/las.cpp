@@ -73,9 +73,7 @@ void setFrame(const LasCrs& crs, const InputFile& input, Sink& sink) {
     frame.crs = crs.name;
     frame.from_above = !frame.up.isZero() && isAirborne(sink, crs);
     sink.setWorldFrame(input, frame);
-    if (crs.kind != LasCrs::Kind::kGeographic) return;
-    if (!sink.scales_degrees) sink.note(input, "is in degrees: x and y have a different unit from z");
-    ++sink.files_in_degrees;
+    if (crs.kind == LasCrs::Kind::kGeographic) sink.addDegrees(input);
 }
 
 void addBlock(const InputFile& input, const LasBlock& block, Sink& sink) {
