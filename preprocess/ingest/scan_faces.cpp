@@ -16,9 +16,9 @@ void ScanFaces::drop(std::uint64_t index) {
     if (has_faces_) dropped_.push_back(static_cast<std::uint32_t>(index));
 }
 
-void ScanFaces::addPolygon(Cloud& cloud, std::span<const std::uint32_t> corners) {
+void ScanFaces::addPolygon(Cloud& cloud, std::span<const std::uint32_t> corners, bool mirrored) {
     for (std::size_t i = 2; i < corners.size(); ++i)
-        cloud.triangles.push_back({corners[0], corners[i - 1], corners[i]});
+        cloud.triangles.push_back({corners[0], corners[mirrored ? i : i - 1], corners[mirrored ? i - 1 : i]});
 }
 
 void ScanFaces::finish(Cloud& cloud, const InputFile& input, std::uint64_t vertices) {

@@ -19,8 +19,8 @@ public:
     /// Records that the file's vertex `index` is not in the cloud. Indices ascend.
     void drop(std::uint64_t index);
 
-    /// Adds a polygon of file indices as a fan of triangles.
-    static void addPolygon(Cloud& cloud, std::span<const std::uint32_t> corners);
+    /// Adds a polygon of file indices as a fan of triangles. mirrored: in a transform, which would show its back
+    static void addPolygon(Cloud& cloud, std::span<const std::uint32_t> corners, bool mirrored = false);
 
     /// Converts the scan's triangles to cloud indices and removes those with a dropped vertex.
     /// Throws Error if an index is not below `vertices`, the number of the file's vertices.

@@ -31,6 +31,7 @@ ScanTraits traitsOf(const LasFile& file, const std::vector<LasField>& fields, st
     for (const LasField& field : fields) {
         ColumnTraits column{field.name, scalarOf(field.type), field.components};
         column.minor = field.minor;
+        traits.withholds = traits.withholds || (field.name == kWithheld && !field.extra);
         traits.columns.push_back(column);
         if (field.name != kRgb16 || field.extra) continue;
         traits.colors = true;
