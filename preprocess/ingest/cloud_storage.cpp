@@ -10,7 +10,7 @@ void CloudStorage::finishScan(CurrentScan& scan, const InputFile& input) {
     if (scan.colors.waits())
         scan.colors.scale(cloud_, scan.first_position, scan.colors.largest(cloud_, scan.first_position));
     if (scan.traits.colors) dropBlack(scan, input);
-    scan.faces.finish(cloud_, input, scan.vertices);
+    scan.faces.finish(cloud_, input, scan.vertices, paint_);
 }
 
 /// A scan whose colours are all black has none: its points become grey if another scan has some.

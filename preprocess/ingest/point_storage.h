@@ -31,7 +31,8 @@ struct CurrentScan {
 
 class PointStorage {
 public:
-    PointStorage(Cloud& cloud, const Columns& columns) : cloud_(cloud), columns_(columns) {}
+    PointStorage(Cloud& cloud, const Columns& columns, MeshPaint& paint)
+        : cloud_(cloud), columns_(columns), paint_(paint) {}
     PointStorage(const PointStorage&) = delete;
     PointStorage& operator=(const PointStorage&) = delete;
     virtual ~PointStorage() = default;
@@ -55,6 +56,7 @@ public:
 protected:
     Cloud& cloud_;
     const Columns& columns_;
+    MeshPaint& paint_;
 };
 
 /// Fills arrays and attributes up to the number of positions, for points of scans without them.

@@ -55,12 +55,12 @@ void intersect(WorldFrame& world, const WorldFrame& other) {
 Sink::Sink(Cloud& all_files, const SinkOptions& options)
     : cloud(all_files), attributes(options.attributes), level(options.level), scales_degrees(options.scales_degrees),
       gaussians_as_discs(options.gaussians_as_discs), drops_withheld(options.drops_withheld), filter(options.filter),
-      storage_(std::make_unique<CloudStorage>(cloud, columns)) {
+      storage_(std::make_unique<CloudStorage>(cloud, columns, paint)) {
     transform.world_from_input = options.world_from_input;
 }
 
 Sink::Sink(Cloud& all_files, const SinkOptions& options, BatchOptions batches) : Sink(all_files, options) {
-    auto storage = std::make_unique<BatchStorage>(cloud, columns, std::move(batches));
+    auto storage = std::make_unique<BatchStorage>(cloud, columns, paint, std::move(batches));
     batch_storage_ = storage.get();
     storage_ = std::move(storage);
 }

@@ -76,8 +76,9 @@ public:
     void skipVertex() { scan_.faces.drop(scan_.vertices++); }
 
     /// Adds a polygon of 3 or more file indices, each below the file's number of vertices, as a fan of triangles.
-    void addPolygon(std::span<const std::uint32_t> corners) {
-        ScanFaces::addPolygon(cloud, corners, transform.mirrors());
+    /// @param color may be absent; its places are one per corner
+    void addPolygon(std::span<const std::uint32_t> corners, const PolygonPaint& color = {}) {
+        ScanFaces::addPolygon(cloud, corners, transform.mirrors(), color, paint);
     }
 
     /// Ends a scan: scales its colours, removes faces with dropped vertices, fills arrays that only other files have.
@@ -128,6 +129,7 @@ public:
     ScanTransform transform;
     PointFilter filter;
     Columns columns;
+    MeshPaint paint;                      ///< of the cloud's triangles
     GridBuilder grid;                     ///< of the current scan
     std::vector<ScanRange> scans;         ///< finished ones
     std::function<void(double)> progress; ///< receives the share of the current file that is read; may be empty

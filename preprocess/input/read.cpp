@@ -152,9 +152,10 @@ Cloud readInputs(const std::vector<std::string>& paths, const ReadOptions& optio
     checkSampling(options, sink);
     scaleDegreesOfFiles(paths.size(), sink);
     addMeshNormals(cloud);
-    const MeshSampling sampling = chooseSampling(cloud, sink.scans, options.sample_count);
+    const MeshSampling sampling = chooseSampling(cloud, sink.scans, options.sample_count, sink.paint);
     dropUnused(cloud, sink.scans, sink.cornersOfRemovedFaces(), sampling.scans);
-    const std::vector<std::uint64_t> sampled = sampleMeshes(cloud, sink.scans, sampling, options.seed);
+    paintVertices(sink.paint, cloud);
+    const std::vector<std::uint64_t> sampled = sampleMeshes(cloud, sink.scans, sampling, options.seed, sink.paint);
     addSampleCounts(sampled, reports);
     if (files) *files = std::move(reports);
     dropEmptyNormals(cloud);
