@@ -121,7 +121,7 @@ void findDegrees(const std::vector<FileReport>& files, Sink& sink) {
 } // namespace
 
 bool mayHideDegrees(std::string_view format) {
-    return format == "las" || format == "xyz" || format == "ply" || format == "pcd";
+    return format == "las" || format == "xyz" || format == "ply" || format == "pcd" || format == "grid";
 }
 
 SinkOptions sinkOptions(const ReadOptions& options) {
