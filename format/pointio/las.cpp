@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "format/pointio/las.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -26,9 +27,9 @@ std::uint64_t countOf(std::string_view bytes, bool is_long) {
 }
 
 void checkNumbers(const LasHeader& header, std::uint8_t format_bits) {
-    if (header.version_major != 1 || header.version_minor > 4)
+    if (header.version_major != 1 || header.version_minor > 5)
         refuseFile(
-            fmt::format("is LAS {}.{}; versions 1.0 to 1.4 are supported", header.version_major, header.version_minor));
+            fmt::format("is LAS {}.{}; versions 1.0 to 1.5 are supported", header.version_major, header.version_minor));
     if ((format_bits & ~kPackedBit) >= std::size(kRecordBytesOf))
         refuseFile(fmt::format("has point format {}; 0 to {} are supported", format_bits & ~kPackedBit,
                                std::size(kRecordBytesOf) - 1));
@@ -57,11 +58,25 @@ bool readVlrs(LasFile& file, std::uint64_t at, std::uint64_t count, bool extende
     return true;
 }
 
-void checkPoints(const LasFile& file) {
-    const LasHeader& header = file.header;
+/// Some writers never fill in the count. The points end where extended records begin.
+void takeUncounted(LasFile& file) {
+    LasHeader& header = file.header;
+    if (header.point_count > 0 || header.packed || header.point_offset >= file.bytes.size()) return;
+    const bool extended = header.evlr_count > 0 && header.evlr_offset > header.point_offset;
+    const std::uint64_t end =
+        extended ? std::min<std::uint64_t>(header.evlr_offset, file.bytes.size()) : file.bytes.size();
+    header.point_count = (end - header.point_offset) / header.record_bytes;
+    if (header.point_count > 0)
+        file.notes.push_back(
+            fmt::format("counts 0 points in its header; the {} that follow it are read", header.point_count));
+}
+
+void checkPoints(LasFile& file) {
+    LasHeader& header = file.header;
     if (header.point_offset < kShortHeader || header.point_offset > file.bytes.size())
         refuseFile(
             fmt::format("points start at byte {}, but the file has {} bytes", header.point_offset, file.bytes.size()));
+    takeUncounted(file);
     const std::uint64_t room = (file.bytes.size() - header.point_offset) / header.record_bytes;
     if (!header.packed && header.point_count > room)
         refuseFile(fmt::format("promises {} points, but has the bytes of {}", header.point_count, room));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// LAS files, 1.0 to 1.4: header and variable length records. LAZ files are LAS files with compressed points.
+// LAS files, 1.0 to 1.5: header and variable length records. LAZ files are LAS files with compressed points.
 // After "LAS Specification 1.4 - R15", ASPRS 2019.
 #pragma once
 

@@ -273,7 +273,8 @@ void describe(const PointOutline& points, const Json& metadata, const std::optio
     std::string software = points.program;
     software.resize(kSoftwareBytes, '\0');
     description.header_bytes.replace(kSoftware, kSoftwareBytes, software);
-    header.version_minor = source ? std::max<std::uint8_t>(2, source->header.version_minor) : 2;
+    header.version_minor =
+        source ? std::clamp<std::uint8_t>(source->header.version_minor, 2, 4) : 2; // 1.5 is read, not written
     header.global_encoding = source ? source->header.global_encoding & static_cast<std::uint16_t>(~kWaveformBits) : 0;
     if (source) {
         header.scale = source->header.scale;

@@ -194,6 +194,8 @@ BakeReport bake(const BakeOptions& options) {
     report.points_non_finite = cloud.points_non_finite;
     report.points_unused = cloud.points_unused;
     report.points_filtered = cloud.points_filtered;
+    report.points_no_data = cloud.points_no_data;
+    report.points_withheld = cloud.points_withheld;
     if (report.files.size() > 1)
         for (const FileReport& file : report.files) progress.note(fileLine(file));
     if (gaussianColumns(cloud))

@@ -170,6 +170,9 @@ void addFilterOptions(CommandLine& app, BakeOptions& options) {
            "Read COPC files down to level of detail N, where 0 is the coarsest (default: all levels)")
         ->check(range(0, 64))
         ->type_name("N");
+    app.add_flag_callback(
+        "--keep-withheld", [&] { read.drops_withheld = false; },
+        "Keep points that LAS files flag as withheld (default: leave them out)");
     addParsed(app, "--transform", "Apply the 4x4 matrix in this text file to all inputs", [&](const std::string& text) {
         read.transform = readTransform(text);
     })->type_name("FILE");

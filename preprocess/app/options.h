@@ -34,7 +34,7 @@ struct BakeOptions {
     std::string stats_path;          ///< JSON report; "-": standard output, "": none
     Verbosity verbosity = Verbosity::kNormal;
     ProgressStyle progress = ProgressStyle::kAuto;
-    ReadOptions read{.format = "", .sample_count = std::nullopt, .scales_degrees = true};
+    ReadOptions read{.format = "", .sample_count = std::nullopt, .scales_degrees = true, .drops_withheld = true};
     SurfaceOptions surface{.splat = SplatShape::kAuto};
     OctreeOptions octree;
     bool prune = true;

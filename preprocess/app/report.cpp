@@ -73,6 +73,8 @@ Json toJson(const BakeReport& report) {
     json["points_non_finite"] = report.points_non_finite;
     json["points_unused"] = report.points_unused;
     json["points_filtered"] = report.points_filtered;
+    json["points_no_data"] = report.points_no_data;
+    json["points_withheld"] = report.points_withheld;
     json["duplicates_removed"] = report.surface.duplicates_removed + report.merged;
     json["outliers_removed"] = report.surface.outliers_removed;
     json["normals_estimated"] = report.surface.normals_estimated;
@@ -115,6 +117,8 @@ std::string droppedText(const BakeReport& report) {
         {report.points_non_finite, "not finite"},
         {report.points_unused, "not used by a face"},
         {report.points_filtered, "filtered out"},
+        {report.points_no_data, "without data"},
+        {report.points_withheld, "withheld"},
         {report.surface.duplicates_removed + report.merged, "duplicates"},
         {report.surface.outliers_removed, "outliers"},
         {report.surface.clean_dropped, "off the surface"}};

@@ -15,6 +15,7 @@ namespace pointrt {
 
 struct BakeReport {
     std::uint64_t input_points = 0, points_non_finite = 0, points_unused = 0, points_filtered = 0;
+    std::uint64_t points_no_data = 0, points_withheld = 0;
     std::uint64_t gaussians = 0;      ///< splats that are Gaussians: all or none
     std::uint64_t points_sampled = 0; ///< on mesh faces; input_points then counts these, not the vertices
     std::vector<Note> notes;          ///< from reading

@@ -82,6 +82,8 @@ struct Cloud {
     std::size_t points_non_finite = 0; ///< dropped while reading
     std::size_t points_unused = 0;     ///< dropped: mesh vertices that no face uses
     std::size_t points_filtered = 0;   ///< dropped by filters
+    std::size_t points_no_data = 0;    ///< dropped: a coordinate marks missing data
+    std::size_t points_withheld = 0;   ///< dropped: flagged as withheld
     std::vector<Note> notes;
 };
 

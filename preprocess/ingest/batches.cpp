@@ -6,8 +6,8 @@
 
 namespace pointrt {
 
-BatchStorage::BatchStorage(Cloud& cloud, const Columns& columns, BatchOptions options)
-    : PointStorage(cloud, columns), options_(std::move(options)), handed_on_(options_.points_before) {
+BatchStorage::BatchStorage(Cloud& cloud, const Columns& columns, MeshPaint& paint, BatchOptions options)
+    : PointStorage(cloud, columns, paint), options_(std::move(options)), handed_on_(options_.points_before) {
     if (options_.largest_color) findings_.largest_color = *options_.largest_color;
 }
 

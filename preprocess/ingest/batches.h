@@ -46,7 +46,7 @@ void removePoints(Cloud& cloud);
 /// Storage of a Sink that hands its points on.
 class BatchStorage : public PointStorage {
 public:
-    BatchStorage(Cloud& cloud, const Columns& columns, BatchOptions options);
+    BatchStorage(Cloud& cloud, const Columns& columns, MeshPaint& paint, BatchOptions options);
 
     std::uint64_t count() const override { return handed_on_ + cloud_.positions.size(); }
     bool keepsPoints() const override { return false; }

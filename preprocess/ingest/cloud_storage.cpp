@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/ingest/cloud_storage.h"
 
+#include <algorithm>
+
 namespace pointrt {
 
 void CloudStorage::finishScan(CurrentScan& scan, const InputFile& input) {
     if (count() > scan.points_before) origin_.finish(cloud_);
-    scaleColors(scan, input);
-    scan.faces.finish(cloud_, input, scan.vertices);
+    if (scan.colors.waits())
+        scan.colors.scale(cloud_, scan.first_position, scan.colors.largest(cloud_, scan.first_position));
+    if (scan.traits.colors) dropBlack(scan, input);
+    scan.faces.finish(cloud_, input, scan.vertices, paint_);
 }
 
-void CloudStorage::scaleColors(CurrentScan& scan, const InputFile& input) {
-    if (!scan.colors.waits()) return;
-    const float largest = scan.colors.largest(cloud_, scan.first_position);
-    // Points without colours become grey if another scan has some.
-    const bool is_black = scan.colors.is16Bit() && largest == 0;
-    if (is_black && cloud_.positions.size() > scan.first_position) noteBlack(cloud_, input);
-    scan.colors.scale(cloud_, scan.first_position, largest);
+/// A scan whose colours are all black has none: its points become grey if another scan has some.
+void CloudStorage::dropBlack(CurrentScan& scan, const InputFile& input) {
+    const auto first = cloud_.colors.begin() + static_cast<std::ptrdiff_t>(scan.first_position);
+    const bool black = std::all_of(first, cloud_.colors.end(), [](const Rgb8& color) { return color == Rgb8{}; });
+    has_colors_ = has_colors_ || !black;
+    if (!black) return;
+    if (cloud_.positions.size() > scan.first_position) noteBlack(cloud_, input);
+    cloud_.colors.resize(has_colors_ ? scan.first_position : 0);
 }
 
 ScanBox CloudStorage::boxOf(const ScanRange& last_scan) const {

@@ -21,7 +21,9 @@ public:
 private:
     OriginChooser origin_;
 
-    void scaleColors(CurrentScan& scan, const InputFile& input);
+    bool has_colors_ = false; ///< some scan so far has colours that are not all black
+
+    void dropBlack(CurrentScan& scan, const InputFile& input);
 };
 
 } // namespace pointrt

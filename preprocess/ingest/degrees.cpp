@@ -53,6 +53,7 @@ bool scaleDegrees(Cloud& cloud, const std::string& file) {
         if (scan.sensor) scan.sensor = scaled(*scan.sensor);
     cloud.origin = origin;
     cloud.world.metres_per_unit = 1;
+    cloud.world.up = Vec3d::UnitZ();
     cloud.world.crs.clear();
     addNote(cloud, file,
             fmt::format(

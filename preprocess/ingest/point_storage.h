@@ -21,6 +21,7 @@ struct CurrentScan {
     ScanTraits traits;
     std::uint64_t vertices = 0;      ///< read so far, including dropped ones
     std::uint64_t non_finite = 0;    ///< of them, dropped as not finite
+    std::uint64_t withheld = 0;      ///< of them, dropped as withheld
     std::size_t first_position = 0;  ///< index of the scan's first point in the cloud
     std::uint64_t points_before = 0; ///< points stored before this scan
     std::optional<Vec3d> sensor;     ///< scanner position in the scan's frame
@@ -30,7 +31,8 @@ struct CurrentScan {
 
 class PointStorage {
 public:
-    PointStorage(Cloud& cloud, const Columns& columns) : cloud_(cloud), columns_(columns) {}
+    PointStorage(Cloud& cloud, const Columns& columns, MeshPaint& paint)
+        : cloud_(cloud), columns_(columns), paint_(paint) {}
     PointStorage(const PointStorage&) = delete;
     PointStorage& operator=(const PointStorage&) = delete;
     virtual ~PointStorage() = default;
@@ -54,6 +56,7 @@ public:
 protected:
     Cloud& cloud_;
     const Columns& columns_;
+    MeshPaint& paint_;
 };
 
 /// Fills arrays and attributes up to the number of positions, for points of scans without them.

@@ -16,18 +16,28 @@ void ScanFaces::drop(std::uint64_t index) {
     if (has_faces_) dropped_.push_back(static_cast<std::uint32_t>(index));
 }
 
-void ScanFaces::addPolygon(Cloud& cloud, std::span<const std::uint32_t> corners) {
-    for (std::size_t i = 2; i < corners.size(); ++i)
-        cloud.triangles.push_back({corners[0], corners[i - 1], corners[i]});
+void ScanFaces::addPolygon(Cloud& cloud, std::span<const std::uint32_t> corners, bool mirrored,
+                           const PolygonPaint& color, MeshPaint& paint) {
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+        const std::size_t second = mirrored ? i : i - 1, third = mirrored ? i - 1 : i;
+        if (color.picture != FacePaint::kNone) {
+            paint.faces.resize(cloud.triangles.size());
+            paint.faces.push_back(color.ofTriangle(0, second, third));
+        }
+        cloud.triangles.push_back({corners[0], corners[second], corners[third]});
+    }
 }
 
-void ScanFaces::finish(Cloud& cloud, const InputFile& input, std::uint64_t vertices) {
+void ScanFaces::finish(Cloud& cloud, const InputFile& input, std::uint64_t vertices, MeshPaint& paint) {
     auto& triangles = cloud.triangles;
     std::size_t kept = first_triangle_;
     for (std::size_t i = first_triangle_; i < triangles.size(); ++i) {
         auto triangle = triangles[i];
-        if (convert(input, vertices, triangle)) triangles[kept++] = triangle;
+        if (!convert(input, vertices, triangle)) continue;
+        if (i < paint.faces.size()) paint.faces[kept] = paint.faces[i];
+        triangles[kept++] = triangle;
     }
+    if (paint.faces.size() > kept) paint.faces.resize(kept);
     triangles.resize(kept);
 }
 

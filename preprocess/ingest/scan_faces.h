@@ -8,6 +8,7 @@
 
 #include "preprocess/cloud/cloud.h"
 #include "preprocess/ingest/input_file.h"
+#include "preprocess/ingest/mesh_paint.h"
 
 namespace pointrt {
 
@@ -19,12 +20,13 @@ public:
     /// Records that the file's vertex `index` is not in the cloud. Indices ascend.
     void drop(std::uint64_t index);
 
-    /// Adds a polygon of file indices as a fan of triangles.
-    static void addPolygon(Cloud& cloud, std::span<const std::uint32_t> corners);
+    /// Adds a polygon of file indices as a fan of triangles. mirrored: in a transform, which would show its back
+    static void addPolygon(Cloud& cloud, std::span<const std::uint32_t> corners, bool mirrored,
+                           const PolygonPaint& color, MeshPaint& paint);
 
     /// Converts the scan's triangles to cloud indices and removes those with a dropped vertex.
     /// Throws Error if an index is not below `vertices`, the number of the file's vertices.
-    void finish(Cloud& cloud, const InputFile& input, std::uint64_t vertices);
+    void finish(Cloud& cloud, const InputFile& input, std::uint64_t vertices, MeshPaint& paint);
 
     /// Whether the scan has a triangle in the cloud.
     bool any(const Cloud& cloud) const { return cloud.triangles.size() > first_triangle_; }

@@ -32,6 +32,7 @@ struct ScanTraits {
     bool radii = false;
     bool faces = true; ///< false: no polygon will follow, so indices of dropped vertices need not be kept
     ColorScale color_scale = ColorScale::kByte;
+    bool withholds = false;            ///< a column kWithheld of bytes flags points to be left out
     std::vector<ColumnTraits> columns; ///< attributes, in the order of the values given to Sink::addVertex
     /// Expected number of vertices, 0 if unknown: reserves memory and measures progress.
     std::uint64_t vertices = 0;

@@ -14,6 +14,7 @@ void ScanTransform::update() {
     }
     // Normals transform by the inverse transpose. That of a rotation is the rotation itself, which keeps every bit.
     const Eigen::Matrix3d linear = world_from_scan_.linear();
+    mirrors_ = linear.determinant() < 0;
     const bool rigid = (linear * linear.transpose()).isIdentity(1e-9);
     normal_from_scan_ = rigid ? linear : Eigen::Matrix3d(linear.inverse().transpose());
 }

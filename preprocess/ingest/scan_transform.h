@@ -22,6 +22,8 @@ public:
     Vec3d position(const Row& row) const { return position(Vec3d(row[kX], row[kY], row[kZ])); }
     /// Of the transform, without its translation.
     Eigen::Matrix3d linear() const { return world_from_scan_.linear(); }
+    /// Whether it turns left hands into right ones.
+    bool mirrors() const { return mirrors_; }
     Eigen::Affine3d scanFromWorld() const { return world_from_scan_.inverse(); }
     /// Zero if the normal is not finite.
     Vec3f normal(const Row& row) const;
@@ -30,6 +32,7 @@ public:
 
 private:
     Eigen::Affine3d world_from_scan_ = Eigen::Affine3d::Identity();
+    bool mirrors_ = false;
     Eigen::Matrix3d normal_from_scan_ = Eigen::Matrix3d::Identity();
 };
 

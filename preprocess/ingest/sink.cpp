@@ -17,6 +17,9 @@ namespace {
 /// including the cubes around its discs.
 constexpr double kFarthest = 1e25;
 
+/// Feet of the US survey are 2e-6 longer than international ones.
+constexpr double kSameUnit = 1e-5;
+
 /// Grows by at least half, so that many small files do not copy the cloud over and over.
 template <typename Item>
 void reserveAtLeast(std::vector<Item>& items, std::size_t length) {
@@ -51,13 +54,13 @@ void intersect(WorldFrame& world, const WorldFrame& other) {
 
 Sink::Sink(Cloud& all_files, const SinkOptions& options)
     : cloud(all_files), attributes(options.attributes), level(options.level), scales_degrees(options.scales_degrees),
-      gaussians_as_discs(options.gaussians_as_discs), filter(options.filter),
-      storage_(std::make_unique<CloudStorage>(cloud, columns)) {
+      gaussians_as_discs(options.gaussians_as_discs), drops_withheld(options.drops_withheld), filter(options.filter),
+      storage_(std::make_unique<CloudStorage>(cloud, columns, paint)) {
     transform.world_from_input = options.world_from_input;
 }
 
 Sink::Sink(Cloud& all_files, const SinkOptions& options, BatchOptions batches) : Sink(all_files, options) {
-    auto storage = std::make_unique<BatchStorage>(cloud, columns, std::move(batches));
+    auto storage = std::make_unique<BatchStorage>(cloud, columns, paint, std::move(batches));
     batch_storage_ = storage.get();
     storage_ = std::move(storage);
 }
@@ -67,7 +70,8 @@ void Sink::beginScan(const InputFile& input, const ScanTraits& traits) {
         refuse(input, fmt::format("more than {} points in all", kMaxPoints));
     scan_.number = scans.size();
     scan_.traits = traits;
-    scan_.vertices = scan_.non_finite = 0;
+    scan_.vertices = scan_.non_finite = scan_.withheld = 0;
+    survey_ = {};
     scan_.first_position = cloud.positions.size();
     scan_.points_before = pointCount();
     scan_.sensor.reset();
@@ -104,6 +108,8 @@ void Sink::reserveArrays(std::size_t length) {
 
 void Sink::beginColumns(const InputFile& input, std::size_t length) {
     class_column_ = findColumn(scan_.traits, kClassification);
+    withheld_column_.reset();
+    if (scan_.traits.withholds && drops_withheld) withheld_column_ = findColumn(scan_.traits, kWithheld);
     if (filter.selectsClasses() && !class_column_) refuse(input, "has no classes to select from");
     try {
         pointrt::beginColumns(columns, cloud, scan_.traits.columns, attributes, length);
@@ -164,6 +170,7 @@ std::uint32_t Sink::addVertex(const Row& row, const char* values) {
         scan_.faces.drop(index);
         return RangeGrid::kNoPoint;
     }
+    survey_.add({row[kX], row[kY], row[kZ]});
     if (scan_.traits.normals) cloud.normals.push_back(transform.normal(row));
     if (scan_.traits.radii) cloud.radii.push_back(transform.radius(row));
     if (scan_.traits.colors) scan_.colors.add(cloud, row, values);
@@ -175,18 +182,25 @@ std::uint32_t Sink::addVertex(const Row& row, const char* values) {
 void Sink::addVertices(std::span<const Vec3d> positions, std::span<const char* const> arrays) {
     const bool filters = filter.drops();
     const char* const classes = filters && class_column_ ? arrays[class_column_->column] : nullptr;
+    const char* const withheld = withheld_column_ ? arrays[withheld_column_->column] : nullptr;
     const std::size_t class_size = classes ? scalarSize(class_column_->type) : 0;
     std::vector<std::uint32_t> kept;
     kept.reserve(positions.size());
     for (std::size_t i = 0; i < positions.size(); ++i) {
+        if (withheld && withheld[i] != 0) {
+            ++scan_.withheld;
+            continue;
+        }
         const Vec3d position = transform.position(positions[i]);
         const std::uint8_t point_class =
             classes ? loadClass(classes + i * class_size, class_column_->type) : std::uint8_t{0};
         if (filters && !passesFilter(position, point_class)) continue;
-        if (addPosition(position))
+        if (addPosition(position)) {
             kept.push_back(static_cast<std::uint32_t>(i));
-        else
+            survey_.add(positions[i]);
+        } else {
             ++scan_.non_finite;
+        }
     }
     scan_.colors.addColumn(arrays, kept);
     addColumns(columns, cloud, arrays, kept, positions.size());
@@ -202,6 +216,9 @@ void Sink::requirePoints(const InputFile& input, std::size_t kept) const {
     if (kept > 0) return;
     if (scan_.non_finite == scan_.vertices)
         refuse(input, fmt::format("none of its {} points is finite and within {:g}", scan_.vertices, kFarthest));
+    if (scan_.withheld == scan_.vertices)
+        refuse(input,
+               fmt::format("all of its {} points are flagged withheld; --keep-withheld keeps them", scan_.vertices));
     refuse(input, fmt::format("none of its {} points passes the filters", scan_.vertices));
 }
 
@@ -213,17 +230,45 @@ void Sink::finishScan(const InputFile& input, const std::string& title, Emptines
     fillMissing(cloud, columns);
     cloud.points_read += scan_.vertices;
     cloud.points_non_finite += scan_.non_finite;
-    cloud.points_filtered += scan_.vertices - scan_.non_finite - kept;
+    cloud.points_withheld += scan_.withheld;
+    cloud.points_filtered += scan_.vertices - scan_.non_finite - scan_.withheld - kept;
     scans.push_back({input.name, scan_.points_before, kept, scan_.faces.any(cloud)});
     cloud.scans.push_back({title.empty() ? input.name : input.name + ": " + title, {}, scan_.points_before});
     if (scan_.sensor) setSensor(transform.position(*scan_.sensor));
     finishGrid(*this, input);
+    findNoData(input);
+    noteWithheld(input);
+}
+
+/// Customary values are left out once all files are read, unless points are handed on before they are known.
+void Sink::findNoData(const InputFile& input) {
+    if (scan_.traits.radii || scan_.faces.any(cloud)) return; // splats and meshes have no missing points
+    for (const NoData& each : survey_.find()) {
+        if (each.is_customary && keepsPoints()) {
+            no_data.push_back({scans.size() - 1, each, transform.scanFromWorld()});
+            note(input, fmt::format("has points with {}, which marks missing data: they are left out", nameOf(each)));
+        } else {
+            note(input, fmt::format("has {} points with {}, far from all others: if this marks missing data, leave "
+                                    "them out with --bounds",
+                                    each.points, nameOf(each)));
+        }
+    }
+}
+
+void Sink::noteWithheld(const InputFile& input) {
+    if (scan_.withheld > 0) note(input, "has points flagged withheld, which are left out; --keep-withheld keeps them");
 }
 
 void Sink::note(const InputFile& input, const std::string& text) { addNote(cloud, input.name, text); }
 
+void Sink::addDegrees(const InputFile& input) {
+    if (!scales_degrees) note(input, "is in degrees: x and y have a different unit from z");
+    ++files_in_degrees;
+}
+
 void Sink::setWorldFrame(const InputFile& input, const WorldFrame& frame) {
     const WorldFrame moved = transform.world_from_input ? transformed(frame, *transform.world_from_input) : frame;
+    files_with_crs += !frame.crs.empty();
     WorldFrame& world = cloud.world;
     if (!std::exchange(has_world_frame_, true)) {
         world = moved;
@@ -231,6 +276,9 @@ void Sink::setWorldFrame(const InputFile& input, const WorldFrame& frame) {
     }
     if (world.crs != moved.crs && !world.crs.empty() && !moved.crs.empty())
         note(input, "is in a different coordinate system from an earlier file");
+    const bool other_unit = world.metres_per_unit > 0 && moved.metres_per_unit > 0 &&
+                            std::abs(world.metres_per_unit / moved.metres_per_unit - 1) > kSameUnit;
+    if (other_unit) note(input, "is in a different unit of length from an earlier file");
     intersect(world, moved);
 }
 

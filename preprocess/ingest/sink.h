@@ -16,6 +16,7 @@
 #include "preprocess/ingest/dimensions.h"
 #include "preprocess/ingest/grid.h"
 #include "preprocess/ingest/input_file.h"
+#include "preprocess/ingest/no_data.h"
 #include "preprocess/ingest/point_filter.h"
 #include "preprocess/ingest/scan_transform.h"
 
@@ -29,6 +30,17 @@ struct SinkOptions {
     std::optional<int> level = {};                        ///< finest level of files with levels of detail
     bool scales_degrees = false;     ///< degrees will be scaled to metres if all files are in degrees
     bool gaussians_as_discs = false; ///< opaque discs in place of Gaussians
+    bool drops_withheld = false;     ///< leave out points that their file flags as withheld
+};
+
+/// The attribute that flags points as withheld, in LAS files.
+inline constexpr const char* kWithheld = "withheld";
+
+/// Points without data of a finished scan: they are still in the cloud.
+struct ScanNoData {
+    std::size_t scan = 0; ///< index in Sink::scans
+    NoData points;
+    Eigen::Affine3d scan_from_world;
 };
 
 /// Whether a scan may have no points: one of several scans in a file may, as long as another has some.
@@ -64,7 +76,10 @@ public:
     void skipVertex() { scan_.faces.drop(scan_.vertices++); }
 
     /// Adds a polygon of 3 or more file indices, each below the file's number of vertices, as a fan of triangles.
-    void addPolygon(std::span<const std::uint32_t> corners) { ScanFaces::addPolygon(cloud, corners); }
+    /// @param color may be absent; its places are one per corner
+    void addPolygon(std::span<const std::uint32_t> corners, const PolygonPaint& color = {}) {
+        ScanFaces::addPolygon(cloud, corners, transform.mirrors(), color, paint);
+    }
 
     /// Ends a scan: scales its colours, removes faces with dropped vertices, fills arrays that only other files have.
     /// Throws Error if no point is left and that is refused.
@@ -73,6 +88,9 @@ public:
 
     /// Merges the frame of a file with that of the files before, as far as they agree. To be called once for each file.
     void setWorldFrame(const InputFile& input, const WorldFrame& frame);
+
+    /// Counts a file whose x and y are degrees of longitude and latitude, and notes it unless they will be scaled.
+    void addDegrees(const InputFile& input);
 
     /// Sets the scanner position of the current scan, in its own frame; finishScan() transforms it.
     void setScanSensor(const std::optional<Vec3d>& in_scan) { scan_.sensor = in_scan; }
@@ -107,13 +125,17 @@ public:
     std::optional<int> level; ///< see SinkOptions
     bool scales_degrees;      ///< see SinkOptions
     bool gaussians_as_discs;  ///< see SinkOptions
+    bool drops_withheld;      ///< see SinkOptions
     ScanTransform transform;
     PointFilter filter;
     Columns columns;
+    MeshPaint paint;                      ///< of the cloud's triangles
     GridBuilder grid;                     ///< of the current scan
     std::vector<ScanRange> scans;         ///< finished ones
     std::function<void(double)> progress; ///< receives the share of the current file that is read; may be empty
     std::size_t files_in_degrees = 0;     ///< files whose x and y are degrees
+    std::size_t files_with_crs = 0;       ///< files that name their coordinate system
+    std::vector<ScanNoData> no_data;      ///< customary values of all scans, if the cloud keeps points
 
 private:
     void beginColumns(const InputFile& input, std::size_t length);
@@ -123,12 +145,16 @@ private:
     void reportProgress(std::uint64_t vertex) const;
     void requirePoints(const InputFile& input, std::size_t kept) const;
     std::uint8_t classOf(const char* values) const;
+    void findNoData(const InputFile& input);
+    void noteWithheld(const InputFile& input);
 
     std::unique_ptr<PointStorage> storage_;
     BatchStorage* batch_storage_ = nullptr; ///< storage_, if it is a BatchStorage
     CurrentScan scan_;
     std::optional<ColumnPlace> class_column_; ///< of the current scan
-    bool has_world_frame_ = false;            ///< a file has set Cloud::world
+    std::optional<ColumnPlace> withheld_column_;
+    NoDataSurvey survey_;          ///< of the current scan
+    bool has_world_frame_ = false; ///< a file has set Cloud::world
 };
 
 } // namespace pointrt

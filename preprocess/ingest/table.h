@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines of a table: fields, comments and delimiters.
+// Lines of a table: records, fields, delimiters, comments and numbers.
 #pragma once
 
 #include <optional>
@@ -10,22 +10,14 @@
 
 namespace pointrt {
 
-/// The fields of one line. The delimiter is a comma, a semicolon or, as ' ', any run of blanks.
+/// The fields of one record. The delimiter is a comma, a semicolon, a tab or, as ' ', any run of blanks. A field in
+/// double quotes may contain delimiters (RFC 4180); doubled quotes in it stay doubled.
 struct Fields {
     std::string_view rest;
     char delimiter;
+    bool more = true; ///< a delimiter was last: a field follows, if only an empty one
 
-    bool next(std::string_view& field) {
-        if (delimiter == ' ') {
-            field = nextWord(rest);
-            return !field.empty();
-        }
-        if (rest.empty()) return false;
-        const std::size_t length = rest.find(delimiter);
-        field = trim(rest.substr(0, length));
-        rest.remove_prefix(length == std::string_view::npos ? rest.size() : length + 1);
-        return true;
-    }
+    bool next(std::string_view& field);
 
     static std::string_view trim(std::string_view field) {
         const auto skipped = [](char letter) { return isBlank(letter) || letter == '"'; };
@@ -35,10 +27,18 @@ struct Fields {
     }
 };
 
-inline char delimiterOf(std::string_view line) {
-    if (line.find(';') != std::string_view::npos) return ';';
-    return line.find(',') != std::string_view::npos ? ',' : ' ';
-}
+/// Takes the next line from rest; a quoted field that its end leaves open continues on the next lines, at most 16.
+bool nextRecord(std::string_view& rest, std::string_view& record, char delimiter);
+
+/// Semicolons outside quotes delimit fields, else commas, else tabs, else blanks. Commas between digits in words that
+/// are all numbers are decimal commas, and tabs in a line that starts with one, or repeats them, are blanks.
+char delimiterOf(std::string_view line);
+
+/// Whether a field is a number with a decimal comma, such as 1,5.
+bool commaNumber(std::string_view field, double& value);
+
+/// Whether a field marks a missing number: empty, NA, null and the like.
+bool isMissingNumber(std::string_view field);
 
 inline std::string_view withoutBlanks(std::string_view line) {
     while (!line.empty() && isSpace(line.front())) line.remove_prefix(1);
@@ -46,27 +46,18 @@ inline std::string_view withoutBlanks(std::string_view line) {
     return line;
 }
 
-/// The text of a comment line; nullopt for other lines.
+/// A record without blanks around it, except for tabs that delimit empty fields.
+inline std::string_view trimmedRecord(std::string_view record, char delimiter) {
+    if (delimiter != '\t') return withoutBlanks(record);
+    return withoutBlanks(record).empty() ? std::string_view() : record;
+}
+
+/// The text of a comment line; nullopt for other lines, such as those that start with a spreadsheet's #N/A.
 inline std::optional<std::string_view> commentText(std::string_view line) {
+    if (line.starts_with("#N/A")) return std::nullopt;
     if (line.starts_with("//")) return line.substr(2);
     if (line.starts_with("#")) return line.substr(1);
     return std::nullopt;
-}
-
-/// A hint for a line with decimal commas such as 1,5; "" for others.
-inline std::string_view commaHint(std::string_view line) {
-    int commas = 0;
-    while (!line.empty()) {
-        const std::size_t length = std::min(line.find_first_of(" \t;"), line.size());
-        std::string word(Fields::trim(line.substr(0, length)));
-        line.remove_prefix(std::min(length + 1, line.size()));
-        const std::size_t comma = word.find(',');
-        if (comma == std::string::npos || word.find('.') != std::string::npos) continue;
-        word[comma] = '.';
-        double value = 0;
-        commas += wholeNumber(word, value) && word.back() != '.';
-    }
-    return commas > 1 ? " (decimal commas? write 1.5 for 1,5)" : "";
 }
 
 } // namespace pointrt

@@ -7,12 +7,34 @@
 
 #include "format/base/error.h"
 #include "preprocess/input/detect.h"
+#include "preprocess/input/octree_folder.h"
 #include "preprocess/input/sog_files.h"
 
 namespace pointrt {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Folders within folders, at most.
+constexpr int kDeepest = 16;
+
+std::vector<std::string> filesIn(const std::string& folder, int depth);
+
+/// The files of the subfolders, where links are not followed.
+std::vector<std::string> filesBelow(const std::string& folder, int depth) {
+    std::vector<std::string> folders, files;
+    std::error_code failure;
+    for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end; entry.increment(failure)) {
+        const bool is_folder = entry->is_directory(failure) && !entry->is_symlink(failure);
+        if (is_folder && !entry->path().filename().string().starts_with('.')) folders.push_back(entry->path().string());
+    }
+    std::sort(folders.begin(), folders.end());
+    for (const std::string& each : folders) {
+        const std::vector<std::string> more = depth < kDeepest ? filesIn(each, depth + 1) : std::vector<std::string>();
+        files.insert(files.end(), more.begin(), more.end());
+    }
+    return files;
+}
 
 std::vector<std::string> scansIn(const std::string& folder) {
     std::vector<std::string> scans, texts;
@@ -25,19 +47,19 @@ std::vector<std::string> scansIn(const std::string& folder) {
     }
     if (scans.empty()) scans = texts;
     if (failure) throw Error(ExitCode::kBadInput, folder + ": " + failure.message());
-    if (scans.empty()) throw Error(ExitCode::kBadInput, folder + ": the folder has no scan that this build reads");
     std::sort(scans.begin(), scans.end());
     return scans;
 }
 
 /// The file of a folder that names all of its other files; "" if no file does.
-std::string sogIn(const fs::path& folder) {
+std::string descriptionIn(const fs::path& folder) {
     std::error_code failure;
-    for (const std::string_view name : {kSogLevels, kSogMeta}) {
+    for (const std::string_view name : {kSogLevels, kSogMeta, kEptMeta, kPotreeMeta}) {
         const fs::path path = folder / name;
         if (!fs::is_regular_file(path, failure)) continue;
         const InputFile input = openInputFile(path.string(), NamedBy::kFile);
-        if (isSogLevels(input.bytes) || isSogMeta(input.bytes)) return path.string();
+        for (const auto is : {isSogLevels, isSogMeta, isEptMeta, isPotreeMeta})
+            if (is(input.bytes)) return path.string();
     }
     return "";
 }
@@ -45,6 +67,13 @@ std::string sogIn(const fs::path& folder) {
 void keepPosed(std::vector<std::string>& scans) {
     const auto is_conf = [](const std::string& name) { return name.ends_with(".conf"); };
     if (std::any_of(scans.begin(), scans.end(), is_conf)) std::erase_if(scans, std::not_fn(is_conf));
+}
+
+std::vector<std::string> filesIn(const std::string& folder, int depth) {
+    if (const std::string description = descriptionIn(folder); !description.empty()) return {description};
+    std::vector<std::string> scans = scansIn(folder);
+    keepPosed(scans);
+    return scans.empty() ? filesBelow(folder, depth) : scans;
 }
 
 } // namespace
@@ -57,12 +86,10 @@ std::vector<std::string> filesOf(const std::vector<std::string>& paths) {
             files.push_back(path);
             continue;
         }
-        if (const std::string sog = sogIn(path); !sog.empty()) {
-            files.push_back(sog);
-            continue;
-        }
-        std::vector<std::string> scans = scansIn(path);
-        keepPosed(scans);
+        const std::vector<std::string> scans = filesIn(path, 0);
+        if (scans.empty())
+            throw Error(ExitCode::kBadInput, path + ": neither the folder nor those in it have a scan that this build "
+                                                    "reads");
         files.insert(files.end(), scans.begin(), scans.end());
     }
     return files;

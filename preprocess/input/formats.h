@@ -53,6 +53,9 @@ inline bool alwaysInBatches(const InputFile&) { return true; }
     FORMAT(kSplat, "splat", "SPLAT", "splat", kAny)                                                                    \
     FORMAT(kSpz, "spz", "SPZ", "spz", kAny)                                                                            \
     FORMAT(kSog, "sog", "SOG", "sog", kAny)                                                                            \
+    FORMAT(kEpt, "ept", "EPT", "ept", kAny)                                                                            \
+    FORMAT(kPotree, "potree", "Potree 2", "potree", kAny)                                                              \
+    FORMAT(kEsriGrid, "grid", "ESRI grid", "agr", kText)                                                               \
     FORMAT(kConf, "conf", "Stanford .conf", "conf", kText)
 // clang-format on
 

@@ -9,6 +9,7 @@
 #include "preprocess/input/formats.h"
 #include "preprocess/input/las_blocks.h"
 #include "preprocess/input/las_nodes.h"
+#include "preprocess/input/las_scan.h"
 
 namespace pointrt {
 namespace {
@@ -25,12 +26,15 @@ auto naming(const InputFile& input, const Work& work) {
 
 Scalar scalarOf(std::uint32_t pro_type) { return static_cast<Scalar>(pro_type - 1); }
 
-ScanTraits traitsOf(const LasFile& file, const std::vector<LasField>& fields, std::uint64_t points) {
+} // namespace
+
+ScanTraits lasTraits(const LasFile& file, const std::vector<LasField>& fields, std::uint64_t points) {
     ScanTraits traits;
     traits.faces = false;
     for (const LasField& field : fields) {
         ColumnTraits column{field.name, scalarOf(field.type), field.components};
         column.minor = field.minor;
+        traits.withholds = traits.withholds || (field.name == kWithheld && !field.extra);
         traits.columns.push_back(column);
         if (field.name != kRgb16 || field.extra) continue;
         traits.colors = true;
@@ -42,15 +46,13 @@ ScanTraits traitsOf(const LasFile& file, const std::vector<LasField>& fields, st
     return traits;
 }
 
+namespace {
+
 /// The chunks to read: all of them, unless the file is COPC.
 std::vector<LazChunk> chunksOf(const InputFile& input, const LasFile& file, const LazLayout& layout, Sink& sink) {
     const bool selects = sink.level || sink.filter.options().bounds;
     if (sink.level && !isCopc(file)) noteWithoutLevels(input, sink);
-    if (!file.header.packed) {
-        const std::uint64_t bytes = file.header.point_count * file.header.record_bytes;
-        return {{file.header.point_offset, bytes, file.header.point_count}};
-    }
-    return selects && isCopc(file) ? selectedNodes(file, sink) : layout.chunks;
+    return selects && isCopc(file) ? selectedNodes(file, sink) : allLasChunks(file, layout);
 }
 
 /// Airborne scans see every surface from above. A box this much wider than high, and this wide in metres, was hardly
@@ -65,18 +67,19 @@ bool isAirborne(const Sink& sink, const LasCrs& crs) {
     return width > kFlat * size.z() && width * (crs.metres_per_unit > 0 ? crs.metres_per_unit : 1) > kWide;
 }
 
-/// Up is z in all coordinate systems of LAS files but geocentric ones.
-void setFrame(const LasCrs& crs, const InputFile& input, Sink& sink) {
+} // namespace
+
+void setLasFrame(const LasCrs& crs, const InputFile& input, Sink& sink) {
     WorldFrame frame;
     if (crs.kind != LasCrs::Kind::kGeocentric) frame.up = Vec3d::UnitZ();
     frame.metres_per_unit = crs.metres_per_unit;
     frame.crs = crs.name;
     frame.from_above = !frame.up.isZero() && isAirborne(sink, crs);
     sink.setWorldFrame(input, frame);
-    if (crs.kind != LasCrs::Kind::kGeographic) return;
-    if (!sink.scales_degrees) sink.note(input, "is in degrees: x and y have a different unit from z");
-    ++sink.files_in_degrees;
+    if (crs.kind == LasCrs::Kind::kGeographic) sink.addDegrees(input);
 }
+
+namespace {
 
 void addBlock(const InputFile& input, const LasBlock& block, Sink& sink) {
     std::vector<const char*> columns;
@@ -85,27 +88,45 @@ void addBlock(const InputFile& input, const LasBlock& block, Sink& sink) {
     releasePages(input, block.done_bytes);
 }
 
+} // namespace
+
+void addLasPoints(const InputFile& input, LasPlan plan, Sink& sink) {
+    // errors of addVertices do not name the file either
+    naming(input, [&] { forLasBlocks(std::move(plan), [&](const LasBlock& block) { addBlock(input, block, sink); }); });
+}
+
+LasFile openLasInput(const InputFile& input) {
+    return naming(input, [&] { return openLas(input.bytes); });
+}
+
+LazLayout layoutOfLas(const InputFile& input, const LasFile& file) {
+    return file.header.packed ? naming(input, [&] { return lazLayout(file); }) : LazLayout{};
+}
+
+std::vector<LazChunk> allLasChunks(const LasFile& file, const LazLayout& layout) {
+    if (file.header.packed) return layout.chunks;
+    return {{file.header.point_offset, file.header.point_count * file.header.record_bytes, file.header.point_count}};
+}
+
+namespace {
+
 /// Reads points with all attributes, and the frame from the header and records. From a COPC file only nodes that
 /// overlap the filter's bounds and are no finer than the sink's level.
 void readLas(const InputFile& input, Sink& sink) {
-    LasFile file = naming(input, [&] { return openLas(input.bytes); });
+    LasFile file = openLasInput(input);
     const std::vector<LasField> fields = lasFields(file);
-    LazLayout layout = file.header.packed ? naming(input, [&] { return lazLayout(file); }) : LazLayout{};
+    LazLayout layout = layoutOfLas(input, file);
     const std::vector<LazChunk> chunks = naming(input, [&] { return chunksOf(input, file, layout, sink); });
     std::uint64_t points = 0;
     for (const LazChunk& chunk : chunks) points += chunk.points;
 
     const bool is_first = sink.pointCount() == 0;
-    sink.beginScan(input, traitsOf(file, fields, points));
-    // errors of addVertices do not name the file either
-    naming(input, [&] {
-        forLasBlocks({file, fields, std::move(layout), chunks},
-                     [&](const LasBlock& block) { addBlock(input, block, sink); });
-    });
+    sink.beginScan(input, lasTraits(file, fields, points));
+    addLasPoints(input, {file, fields, std::move(layout), chunks}, sink);
     sink.finishScan(input);
 
     const LasCrs crs = lasCrs(file);
-    setFrame(crs, input, sink);
+    setLasFrame(crs, input, sink);
     const bool will_be_scaled =
         sink.scales_degrees && crs.kind == LasCrs::Kind::kGeographic; // after all files are read
     if (is_first) sink.cloud.source_header = lasSourceHeader(file, sink.transform.world_from_input || will_be_scaled);

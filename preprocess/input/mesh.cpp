@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "preprocess/ingest/scan_colors.h"
+
 namespace pointrt {
 
 namespace {
@@ -31,6 +33,15 @@ void addMeshNormals(Cloud& cloud) {
         const double length = sums[i].stableNorm();
         // Below this, faces cancel and only rounding errors are left.
         if (cloud.normals[i].isZero(0) && length > 1e-9) cloud.normals[i] = (sums[i] / length).cast<float>();
+    }
+}
+
+void paintVertices(const MeshPaint& paint, Cloud& cloud) {
+    for (std::size_t face = 0; face < paint.faces.size(); ++face) {
+        if (!paint.has(face)) continue;
+        cloud.colors.resize(cloud.positions.size(), kGreyColor);
+        for (int corner = 0; corner < 3; ++corner)
+            cloud.colors[cloud.triangles[face][static_cast<std::size_t>(corner)]] = paint.at(face, Vec3d::Unit(corner));
     }
 }
 

@@ -9,6 +9,7 @@
 
 #include "format/base/error.h"
 #include "preprocess/cloud/cloud.h"
+#include "preprocess/ingest/mesh_paint.h"
 #include "preprocess/ingest/scan_traits.h"
 
 namespace pointrt {
@@ -26,9 +27,13 @@ struct MeshSampling {
 
 /// Given a number, samples all meshes with that many points, or none if it is 0. Without a number, selects the meshes
 /// whose discs would stand off their faces, with a note for each: twice as many points as a picture of them has pixels,
-/// 100,000 to a million; meshes of more than half a million vertices are not sampled. cloud.normals must hold a normal
-/// per vertex (addMeshNormals).
-MeshSampling chooseSampling(Cloud& cloud, const std::vector<ScanRange>& scans, std::optional<std::uint64_t> count);
+/// 100,000 to a million; meshes of more than half a million vertices are not sampled. Meshes with textures are, since
+/// their vertices would lose most of the pictures. cloud.normals must hold a normal per vertex (addMeshNormals).
+MeshSampling chooseSampling(Cloud& cloud, const std::vector<ScanRange>& scans, std::optional<std::uint64_t> count,
+                            const MeshPaint& paint = {});
+
+/// Gives corners of painted faces the colours there.
+void paintVertices(const MeshPaint& paint, Cloud& cloud);
 
 /// Throws Error (kBadUsage): a file without faces cannot be sampled.
 [[noreturn]] void refuseSampling(const std::string& file);
@@ -44,12 +49,12 @@ void dropUnused(Cloud& cloud, std::vector<ScanRange>& scans, const std::vector<s
 void keepPoints(Cloud& cloud, const std::vector<bool>& keep);
 
 /// Replaces the vertices of sampled meshes by points spread evenly over all of their faces, with unit normals,
-/// interpolated colours and the attributes of the nearest corner; other points stay, in front. Removes the faces. The
-/// same seed gives the same points. cloud.normals must hold a normal per vertex (addMeshNormals).
-/// Returns the number of samples of each scan. Throws Error, which names the first sampled mesh, if the faces have no
-/// area.
+/// the colours of painted faces or interpolated ones, and the attributes of the nearest corner; other points stay, in
+/// front. Removes the faces. The same seed gives the same points. cloud.normals must hold a normal per vertex
+/// (addMeshNormals). Returns the number of samples of each scan. Throws Error, which names the first sampled mesh, if
+/// the faces have no area.
 std::vector<std::uint64_t> sampleMeshes(Cloud& cloud, const std::vector<ScanRange>& scans, const MeshSampling& sampling,
-                                        std::uint64_t seed);
+                                        std::uint64_t seed, MeshPaint& paint);
 
 /// The scan of a point; the ranges of scans are consecutive.
 std::size_t scanOf(const std::vector<ScanRange>& scans, std::size_t point);

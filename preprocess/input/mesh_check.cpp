@@ -131,13 +131,23 @@ double samplesFor(const std::vector<FaceSizes>& sizes, const std::vector<bool>& 
     return std::clamp(std::round(enough), kLeastSamples, kMostSamples);
 }
 
+/// [scans], true: a face has a texture.
+std::vector<bool> texturedScans(const Cloud& cloud, const std::vector<ScanRange>& scans, const MeshPaint& paint) {
+    std::vector<bool> textured(scans.size());
+    for (std::size_t i = 0; i < paint.faces.size(); ++i)
+        if (paint.faces[i].picture < FacePaint::kPlain) textured[scanOf(scans, cloud.triangles[i][0])] = true;
+    return textured;
+}
+
 /// Selects the meshes whose vertices do not represent their surface, with a note for each.
-MeshSampling chooseCoarse(Cloud& cloud, const std::vector<ScanRange>& scans) {
+MeshSampling chooseCoarse(Cloud& cloud, const std::vector<ScanRange>& scans, const MeshPaint& paint) {
     const std::vector<FaceSizes> sizes = faceSizes(cloud, scans);
+    const std::vector<bool> textured = texturedScans(cloud, scans, paint);
     MeshSampling sampling{std::vector<bool>(scans.size())};
     for (std::size_t i = 0; i < scans.size(); ++i) {
         const bool few = kFewFaces * sizes[i].corners < scans[i].position_count;
-        sampling.scans[i] = sizes[i].areCoarse() && !few && kSamplesPerVertex * double(sizes[i].corners) < kMostSamples;
+        const bool coarse = sizes[i].areCoarse() || (textured[i] && sizes[i].area > 0);
+        sampling.scans[i] = coarse && !few && kSamplesPerVertex * double(sizes[i].corners) < kMostSamples;
     }
     if (std::find(sampling.scans.begin(), sampling.scans.end(), true) == sampling.scans.end()) return sampling;
     sampling.points = std::uint64_t(samplesFor(sizes, sampling.scans));
@@ -145,9 +155,9 @@ MeshSampling chooseCoarse(Cloud& cloud, const std::vector<ScanRange>& scans) {
         if (!sampling.scans[i]) continue;
         const std::string flat = sizes[i].flat > 0 ? fmt::format(", but {} without area", sizes[i].flat) : "";
         addNote(cloud, scans[i].name,
-                fmt::format("its {} vertices are too few for its faces: points are sampled over the faces{}; "
+                fmt::format("its {} vertices are too few for its {}: points are sampled over the faces{}; "
                             "--sample N samples N, --sample 0 uses the vertices",
-                            sizes[i].corners, flat));
+                            sizes[i].corners, sizes[i].areCoarse() ? "faces" : "textures", flat));
     }
     return sampling;
 }
@@ -180,8 +190,9 @@ std::size_t scanOf(const std::vector<ScanRange>& scans, std::size_t point) {
     return static_cast<std::size_t>(after - scans.begin()) - 1;
 }
 
-MeshSampling chooseSampling(Cloud& cloud, const std::vector<ScanRange>& scans, std::optional<std::uint64_t> count) {
-    if (!count && !cloud.triangles.empty()) return chooseCoarse(cloud, scans);
+MeshSampling chooseSampling(Cloud& cloud, const std::vector<ScanRange>& scans, std::optional<std::uint64_t> count,
+                            const MeshPaint& paint) {
+    if (!count && !cloud.triangles.empty()) return chooseCoarse(cloud, scans, paint);
     MeshSampling sampling{std::vector<bool>(scans.size()), count.value_or(0)};
     for (std::size_t i = 0; i < scans.size(); ++i) sampling.scans[i] = sampling.points > 0 && scans[i].has_faces;
     return sampling;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Wavefront OBJ: positions, vertex colours after them, normals, faces.
-#include "preprocess/ingest/text.h"
+#include "preprocess/ingest/table.h"
 #include "preprocess/input/formats.h"
+#include "preprocess/input/obj_materials.h"
 
 namespace pointrt {
 namespace {
@@ -14,6 +15,14 @@ struct Model {
         normal_sums; ///< sums of the normals that faces assign to each position; empty, or as long as positions
     std::vector<std::uint32_t> corners;      ///< of all polygons
     std::vector<std::uint32_t> polygon_ends; ///< indices into corners
+
+    ObjMaterials materials;
+    bool has_materials = false;                 ///< an mtllib line precedes: only then are the next three kept
+    std::vector<Eigen::Vector2f> places;        ///< vt lines
+    std::vector<Eigen::Vector2f> corner_places; ///< of the corners, (0, 0) where a face names none
+    std::vector<ObjMaterial> polygon_materials; ///< empty, or as long as polygon_ends
+    ObjMaterial material;                       ///< of the next faces
+    std::string unknown_material;               ///< the first that no file defines
 };
 
 /// Reads lines; one that ends in a backslash continues on the next.
@@ -86,11 +95,38 @@ std::uint32_t resolve(const InputFile& input, const char* place, std::string_vie
     return static_cast<std::uint32_t>(index);
 }
 
+/// "vt u [v [w]]"; what is no number counts as 0.
+void addPlace(std::string_view line, Model& model) {
+    double values[2] = {};
+    for (double& value : values)
+        if (!wholeNumber(nextWord(line), value)) value = 0;
+    model.places.emplace_back(static_cast<float>(values[0]), static_cast<float>(values[1]));
+}
+
+/// The place in the texture that a corner names; (0, 0) if it names none that exists.
+Eigen::Vector2f placeOf(std::string_view word, const Model& model) {
+    std::int64_t number = 0;
+    const auto count = static_cast<std::int64_t>(model.places.size());
+    if (!wholeInteger(word, number)) return Eigen::Vector2f::Zero();
+    const std::int64_t index = number > 0 ? number - 1 : number + count;
+    return index >= 0 && index < count ? model.places[static_cast<std::size_t>(index)] : Eigen::Vector2f::Zero();
+}
+
+void useMaterial(std::string_view name, Model& model) {
+    const auto found = model.materials.by_name.find(name);
+    model.material = found != model.materials.by_name.end() ? found->second : ObjMaterial{};
+    if (found == model.materials.by_name.end() && model.unknown_material.empty()) model.unknown_material = name;
+}
+
 /// A corner is "v", "v/vt", "v//vn" or "v/vt/vn".
 void addCorner(const InputFile& input, const char* place, std::string_view word, Model& model) {
     const std::size_t slash = word.find('/');
     const std::uint32_t vertex = resolve(input, place, word.substr(0, slash), model.positions.size(), "vertex");
     model.corners.push_back(vertex);
+    if (model.has_materials) {
+        const std::string_view after = slash == std::string_view::npos ? "" : word.substr(slash + 1);
+        model.corner_places.push_back(placeOf(after.substr(0, after.find('/')), model));
+    }
     if (slash == std::string_view::npos) return;
     const std::size_t second = word.find('/', slash + 1);
     if (second == std::string_view::npos || second + 1 == word.size()) return;
@@ -105,9 +141,17 @@ void addFace(const InputFile& input, const char* place, std::string_view line, M
         addCorner(input, place, word, model);
     if (model.corners.size() > kNoSensor) refuseLine(input, place, "more than 4294967295 face corners");
     model.polygon_ends.push_back(static_cast<std::uint32_t>(model.corners.size()));
+    if (model.has_materials) model.polygon_materials.push_back(model.material);
 }
 
-Model parseModel(const InputFile& input) {
+void addMaterials(const InputFile& input, std::string_view names, Model& model, Sink& sink) {
+    readObjMaterials(input, names, model.materials, sink);
+    model.has_materials = true;
+    model.corner_places.resize(model.corners.size(), Eigen::Vector2f::Zero());
+    model.polygon_materials.resize(model.polygon_ends.size());
+}
+
+Model parseModel(const InputFile& input, Sink& sink) {
     Model model;
     ObjLines lines{input.bytes, {}};
     std::string_view line;
@@ -119,6 +163,12 @@ Model parseModel(const InputFile& input) {
             addNormal(input, lines.place, line, model);
         else if (keyword == "f")
             addFace(input, lines.place, line, model);
+        else if (keyword == "vt" && model.has_materials)
+            addPlace(line, model);
+        else if (keyword == "mtllib")
+            addMaterials(input, line, model, sink);
+        else if (keyword == "usemtl" && model.has_materials)
+            useMaterial(withoutBlanks(line), model);
     }
     return model;
 }
@@ -144,6 +194,23 @@ void addVertices(const Model& model, const std::vector<Vec3f>* normals, Sink& si
     }
 }
 
+/// Plain colours of materials give way to those of vertices.
+void addPolygons(const Model& model, Sink& sink) {
+    std::uint32_t begin = 0;
+    for (std::size_t i = 0; i < model.polygon_ends.size(); ++i) {
+        const std::uint32_t count = model.polygon_ends[i] - begin;
+        PolygonPaint color;
+        if (model.has_materials) {
+            const ObjMaterial& material = model.polygon_materials[i];
+            if (model.colors.empty() || material.picture != FacePaint::kPlain) color.picture = material.picture;
+            color.color = material.color;
+            color.places = std::span(model.corner_places).subspan(begin, count);
+        }
+        sink.addPolygon(std::span(model.corners).subspan(begin, count), color);
+        begin = model.polygon_ends[i];
+    }
+}
+
 /// "v" or "vn" and a number: files may start with others.
 bool isVertexLine(std::string_view line, bool) {
     const std::string_view word = nextWord(line);
@@ -152,7 +219,7 @@ bool isVertexLine(std::string_view line, bool) {
 }
 
 void readObj(const InputFile& input, Sink& sink) {
-    Model model = parseModel(input);
+    Model model = parseModel(input, sink);
     const std::vector<Vec3f>* const normals = vertexNormals(model);
     ScanTraits traits;
     traits.vertices = model.positions.size();
@@ -161,11 +228,9 @@ void readObj(const InputFile& input, Sink& sink) {
     traits.color_scale = ColorScale::kReal;
     sink.beginScan(input, traits);
     addVertices(model, normals, sink);
-    std::uint32_t begin = 0;
-    for (const std::uint32_t end : model.polygon_ends) {
-        sink.addPolygon(std::span(model.corners).subspan(begin, end - begin));
-        begin = end;
-    }
+    addPolygons(model, sink);
+    if (!model.unknown_material.empty())
+        sink.note(input, fmt::format("uses the material {}, which no file defines", inQuotes(model.unknown_material)));
     sink.finishScan(input);
 }
 

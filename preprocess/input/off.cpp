@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The Object File Format of Geomview (OFF, COFF, NOFF, CNOFF), as text.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
 #include "preprocess/ingest/text.h"
 #include "preprocess/input/formats.h"
 
@@ -29,7 +34,12 @@ OffHeader readHeader(const InputFile& input, Lines& lines) {
     std::string_view line;
     if (!lines.next(line)) refuse(input, "does not start with OFF");
     OffHeader header;
-    const std::string_view keyword = nextWord(line);
+    std::string_view keyword = nextWord(line);
+    if (const std::size_t digit = keyword.find_first_of("0123456789"); // "OFF400 398 0", as ModelNet40 has it
+        digit != std::string_view::npos && keyword.substr(0, digit).ends_with("OFF")) {
+        line = std::string_view(keyword.data() + digit, keyword.size() - digit + line.size());
+        keyword = keyword.substr(0, digit);
+    }
     header.normals = keyword == "NOFF" || keyword == "CNOFF";
     header.colors = keyword == "COFF" || keyword == "CNOFF";
     if (keyword != "OFF" && !header.normals && !header.colors)
@@ -87,7 +97,40 @@ void readVertices(const InputFile& input, const OffHeader& header, Lines& lines,
     }
 }
 
+/// Three numbers or four after the corners of a face; one is an index into a map of colours, which is not read.
+std::optional<std::array<double, 3>> colorOfFace(std::string_view line) {
+    std::array<double, 3> color{};
+    for (double& value : color)
+        if (!wholeNumber(nextWord(line), value) || !std::isfinite(value)) return std::nullopt;
+    return color;
+}
+
+/// @param line after the corners. full: the largest value
+PolygonPaint faceColor(std::string_view line, double full) {
+    PolygonPaint paint;
+    const auto color = colorOfFace(line);
+    if (!color) return paint;
+    paint.picture = FacePaint::kPlain;
+    for (std::size_t i = 0; i < 3; ++i)
+        paint.color[i] = static_cast<std::uint8_t>(std::clamp((*color)[i] / full, 0.0, 1.0) * 255 + 0.5);
+    return paint;
+}
+
+/// What a full colour of faces is: 1 if no value is larger, else 255.
+double fullFaceColor(std::uint64_t faces, Lines lines) {
+    std::string_view line;
+    for (std::uint64_t i = 0; i < faces && lines.next(line); ++i) {
+        std::uint64_t size = 0;
+        if (!wholeInteger(nextWord(line), size)) break;
+        for (; size > 0 && !line.empty(); --size) nextWord(line);
+        const auto color = colorOfFace(line);
+        if (color && *std::max_element(color->begin(), color->end()) > 1) return 255;
+    }
+    return 1;
+}
+
 void readFaces(const InputFile& input, const OffHeader& header, Lines& lines, Sink& sink) {
+    const double full = header.colors ? 1 : fullFaceColor(header.faces, lines);
     std::vector<std::uint32_t> corners;
     std::string_view line;
     for (std::uint64_t i = 0; i < header.faces; ++i) {
@@ -107,13 +150,14 @@ void readFaces(const InputFile& input, const OffHeader& header, Lines& lines, Si
                     fmt::format("vertex index {} is out of range (the file has {} vertices)", index, header.vertices));
             corners.push_back(static_cast<std::uint32_t>(index));
         }
-        sink.addPolygon(corners);
+        sink.addPolygon(corners, header.colors ? PolygonPaint{} : faceColor(line, full));
     }
 }
 
 bool isKeywordLine(std::string_view line, bool first) {
     const std::string_view word = nextWord(line);
-    return first && word.ends_with("OFF") && word.size() <= 9; // the longest is STCN4nOFF
+    const std::string_view keyword = word.substr(0, word.find_last_not_of("0123456789") + 1);
+    return first && keyword.ends_with("OFF") && keyword.size() <= 9; // the longest is STCN4nOFF
 }
 
 void readOff(const InputFile& input, Sink& sink) {

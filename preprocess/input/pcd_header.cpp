@@ -98,7 +98,7 @@ void settleField(const InputFile& input, PcdField& field) {
     if (!scalar)
         refuse(input, fmt::format("field {} has type {} of {} bytes, which is not a PCD type", inQuotes(field.name),
                                   inQuotes({&field.type, 1}), field.size));
-    if (field.count < 1 || field.count > kLargestCount)
+    if (field.count > kLargestCount) // of 0 are paddings without bytes, which drivers of lidars write
         refuse(input, fmt::format("field {} has an impossible COUNT of {}", inQuotes(field.name), field.count));
     field.scalar = *scalar;
     field.packed_color = (field.name == "rgb" || field.name == "rgba") && field.size == 4 && field.count == 1;
@@ -124,7 +124,7 @@ void settleAttributes(PcdHeader& header) {
     constexpr std::uint64_t kMostComponents = 4;
     AttributeNames names;
     for (PcdField& field : header.fields) {
-        if (field.dimension != kIgnored || field.packed_color || field.name == "_") continue;
+        if (field.dimension != kIgnored || field.packed_color || field.name == "_" || field.count == 0) continue;
         const auto name = field.count <= kMostComponents ? names.take(field.name) : std::nullopt;
         if (name) {
             field.place = header.packed_size;

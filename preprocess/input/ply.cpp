@@ -7,6 +7,7 @@
 #include "preprocess/input/ply_attributes.h"
 #include "preprocess/input/ply_body.h"
 #include "preprocess/input/ply_gaussians.h"
+#include "preprocess/input/ply_paint.h"
 
 namespace pointrt {
 namespace {
@@ -27,6 +28,7 @@ struct ElementReader {
     PlyBody<Values> body;
     std::vector<std::uint32_t> corners;
     std::vector<std::uint32_t> vertices; ///< as addVertex returned them, if there is a grid
+    PlyPaint paint;
 
     void readVertices(const PlyElement& element) {
         Row row{};
@@ -41,8 +43,10 @@ struct ElementReader {
                     body.valueAs(element, i, property.type, packed.data() + *property.place);
                 else
                     body.value(element, i, property.type, row[property.dimension]);
+                if (property.dimension == kIgnored) paint.takeOfVertex(property, row[kIgnored]);
             }
             if (header.harmonic_colors) evaluateHarmonics(row);
+            paint.addVertex();
             const std::uint32_t vertex = sink.addVertex(row, packed.data());
             if (for_grid) vertices.push_back(vertex);
             if (!sink.keepsPoints()) release_pages(static_cast<std::uint64_t>(body.values.at - body.input.begin()));
@@ -72,10 +76,16 @@ struct ElementReader {
                     fmt::format("vertex index {} is out of range (the file has {} vertices)", corner, vertex_count));
             corners.push_back(static_cast<std::uint32_t>(corner));
         }
-        if (strip)
-            flushStrip();
-        else
-            sink.addPolygon(corners);
+        if (strip) flushStrip();
+    }
+
+    void readPaint(const PlyElement& element, std::uint64_t index, const PlyProperty& property) {
+        const std::uint64_t count = property.is_list ? body.listLength(element, index, property) : 1;
+        for (std::uint64_t i = 0; i < count; ++i) {
+            double number = 0;
+            body.value(element, index, property.type, number);
+            paint.take(property, number);
+        }
     }
 
     /// Swaps the first two corners of every other triangle, so that all face the same way.
@@ -89,14 +99,20 @@ struct ElementReader {
     }
 
     void readFaces(const PlyElement& element, bool strip) {
-        for (std::uint64_t i = 0; i < element.count; ++i)
+        for (std::uint64_t i = 0; i < element.count; ++i) {
+            paint.beginFace();
+            corners.clear();
             for (const PlyProperty& property : element.properties) {
                 const bool indices = property.name == "vertex_indices" || property.name == "vertex_index";
                 if (indices && property.is_list)
                     readCorners(element, i, property, strip);
+                else if (!strip && paint.takes(property))
+                    readPaint(element, i, property);
                 else
                     body.skip(element, i, property);
             }
+            if (!strip) sink.addPolygon(corners, paint.paintOf(corners));
+        }
     }
 
     /// Reads a list of at most one vertex for each cell, row by row. An index of a missing vertex invalidates the grid.
@@ -169,7 +185,7 @@ void readPly(const InputFile& input, Sink& sink) {
     if (!unread.empty()) sink.note(input, "lists and properties with a duplicate name are not read: " + unread);
     sink.beginScan(input, traitsOf(header));
     withPlyBody(input, header, [&]<typename Values>(const PlyBody<Values>& body) {
-        ElementReader<Values> reader{header, sink, body, {}, {}};
+        ElementReader<Values> reader{header, sink, body, {}, {}, PlyPaint(input, header, sink)};
         reader.read();
         if (!reader.body.exact)
             sink.note(input, "has numbers outside their declared types: the nearest values are used");

@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <optional>
 
-#include "preprocess/ingest/text.h"
+#include "preprocess/ingest/table.h"
 
 namespace pointrt {
 namespace {
@@ -113,6 +113,8 @@ void parseLines(const InputFile& input, HeaderLines& lines, PlyHeader& header) {
             addElement(input, rest, header);
         } else if (keyword == "property") {
             addProperty(input, rest, header);
+        } else if (keyword == "comment" && nextWord(rest) == "TextureFile") {
+            header.textures.emplace_back(withoutBlanks(rest));
         } else if (keyword == "obj_info") {
             readInfo(rest, header);
         } else if (keyword == "end_header") {

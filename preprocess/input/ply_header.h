@@ -42,6 +42,7 @@ struct PlyHeader {
     PlyGaussians gaussians = PlyGaussians::kNone;
     std::vector<ColumnTraits> columns;             ///< of a vertex's packed values
     std::size_t packed_size = 0;                   ///< size of the packed values in bytes
+    std::vector<std::string> textures;             ///< "comment TextureFile NAME"
     std::uint64_t grid_rows = 0, grid_columns = 0; ///< of a range_grid, from obj_info lines
 };
 

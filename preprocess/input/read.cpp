@@ -10,6 +10,7 @@
 #include "preprocess/ingest/sink.h"
 #include "preprocess/input/detect.h"
 #include "preprocess/input/mesh.h"
+#include "preprocess/input/scan_checks.h"
 
 namespace pointrt {
 namespace {
@@ -20,27 +21,30 @@ FileReport readFile(const std::string& path, const ReadOptions& options, Sink& s
                       scans_before = sink.scans.size();
     const InputFile input = openInputFile(path);
     const InputFormat& format = formatOf(input, options.format);
+    const std::size_t known_before = sink.files_in_degrees + sink.files_with_crs;
     readInput(format, input, sink);
     FileReport report{input.name, std::string(format.title)};
     report.points = sink.cloud.points_read - points_before;
     report.kept = sink.pointCount() - kept_before;
     report.scans = sink.scans.size() - scans_before;
+    report.hides_frame = mayHideDegrees(format.name) && sink.files_in_degrees + sink.files_with_crs == known_before;
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return report;
 }
 
-void readFiles(const std::vector<std::string>& paths, const ReadOptions& options, const ReadProgress& progress,
-               std::vector<FileReport>* files, Sink& sink) {
+std::vector<FileReport> readFiles(const std::vector<std::string>& paths, const ReadOptions& options,
+                                  const ReadProgress& progress, Sink& sink) {
+    std::vector<FileReport> files;
     for (std::size_t i = 0; i < paths.size(); ++i) {
         if (progress)
             sink.progress = [&, i](double share) {
                 const double done = (static_cast<double>(i) + share) / static_cast<double>(paths.size());
                 progress({done, i, paths.size(), sink.cloud.points_read + sink.vertexCount()});
             };
-        const FileReport report = readFile(paths[i], options, sink);
-        if (files) files->push_back(report);
+        files.push_back(readFile(paths[i], options, sink));
     }
     if (progress) progress({1, paths.size() - 1, paths.size(), sink.cloud.points_read});
+    return files;
 }
 
 void checkSampling(const ReadOptions& options, const Sink& sink) {
@@ -99,7 +103,26 @@ void scaleDegreesOfFiles(std::size_t file_count, Sink& sink) {
                 "is one of several files, only some of which are in degrees: their coordinates do not match");
 }
 
+/// Files without a coordinate system whose x and y look like degrees count as files in degrees.
+void findDegrees(const std::vector<FileReport>& files, Sink& sink) {
+    std::size_t first = 0;
+    for (const FileReport& file : files) {
+        Eigen::AlignedBox3d box;
+        for (std::size_t i = first; i < first + file.scans && file.hides_frame; ++i)
+            box.extend(boxOfScan(sink.cloud, sink.scans[i]));
+        first += file.scans;
+        if (!looksLikeDegrees(box)) continue;
+        addNote(sink.cloud, file.name,
+                "names no coordinate system, but x and y look like degrees of longitude and latitude");
+        sink.files_in_degrees += 1;
+    }
+}
+
 } // namespace
+
+bool mayHideDegrees(std::string_view format) {
+    return format == "las" || format == "xyz" || format == "ply" || format == "pcd" || format == "grid";
+}
 
 SinkOptions sinkOptions(const ReadOptions& options) {
     SinkOptions result;
@@ -107,6 +130,7 @@ SinkOptions sinkOptions(const ReadOptions& options) {
     result.filter = options.filter;
     result.world_from_input = options.transform;
     result.level = options.level;
+    result.drops_withheld = options.drops_withheld;
     result.gaussians_as_discs = options.gaussians_as_discs;
     result.scales_degrees = options.scales_degrees && !options.transform;
     return result;
@@ -117,7 +141,10 @@ Cloud readInputs(const std::vector<std::string>& paths, const ReadOptions& optio
     if (paths.empty()) throw Error(ExitCode::kBadUsage, "no input file");
     Cloud cloud;
     Sink sink(cloud, sinkOptions(options));
-    readFiles(paths, options, progress, files, sink);
+    std::vector<FileReport> reports = readFiles(paths, options, progress, sink);
+    dropNoData(sink);
+    findDegrees(reports, sink);
+    noteUnits(sink);
     narrowAttributes(cloud, sink.columns);
     dropMinorAttributes(cloud, sink.columns);
     numberScans(cloud, sink.columns, sink.scans, options.attributes);
@@ -125,10 +152,12 @@ Cloud readInputs(const std::vector<std::string>& paths, const ReadOptions& optio
     checkSampling(options, sink);
     scaleDegreesOfFiles(paths.size(), sink);
     addMeshNormals(cloud);
-    const MeshSampling sampling = chooseSampling(cloud, sink.scans, options.sample_count);
+    const MeshSampling sampling = chooseSampling(cloud, sink.scans, options.sample_count, sink.paint);
     dropUnused(cloud, sink.scans, sink.cornersOfRemovedFaces(), sampling.scans);
-    const std::vector<std::uint64_t> sampled = sampleMeshes(cloud, sink.scans, sampling, options.seed);
-    if (files) addSampleCounts(sampled, *files);
+    paintVertices(sink.paint, cloud);
+    const std::vector<std::uint64_t> sampled = sampleMeshes(cloud, sink.scans, sampling, options.seed, sink.paint);
+    addSampleCounts(sampled, reports);
+    if (files) *files = std::move(reports);
     dropEmptyNormals(cloud);
     return cloud;
 }

@@ -30,6 +30,7 @@ struct ReadOptions {
     bool scales_degrees = false;
     /// Make opaque discs of the Gaussians of a radiance field, which are kept as they are otherwise.
     bool gaussians_as_discs = false;
+    bool drops_withheld = false;   ///< leave out points that their file flags as withheld
     std::optional<int> level = {}; ///< finest level to read of files with levels of detail
 };
 
@@ -47,7 +48,11 @@ struct FileReport {
     std::uint64_t points = 0, kept = 0, scans = 0;
     std::uint64_t sampled = 0; ///< points sampled over its faces, replacing its vertices
     double seconds = 0;
+    bool hides_frame = false; ///< names neither a coordinate system nor degrees, as its format may
 };
+
+/// Whether files of a format may have degrees for x and y without saying so.
+bool mayHideDegrees(std::string_view format);
 
 /// The options that every reader needs.
 SinkOptions sinkOptions(const ReadOptions& options);

@@ -79,7 +79,9 @@ void addAttributes(const Cloud& mesh, const Triangle& face, const Vec3d& weights
     }
 }
 
-void addSample(const Cloud& mesh, const Triangle& face, const Vec3d& weights, Cloud& samples) {
+/// index: of the face
+void addSample(const Cloud& mesh, const MeshPaint& paint, std::size_t index, const Vec3d& weights, Cloud& samples) {
+    const Triangle& face = mesh.triangles[index];
     const std::array<Vec3d, 3> corner_normals = cornerNormals(mesh, face);
     Vec3d position = Vec3d::Zero(), normal = Vec3d::Zero(), color = Vec3d::Constant(0.5);
     for (int i = 0; i < 3; ++i) {
@@ -93,7 +95,8 @@ void addSample(const Cloud& mesh, const Triangle& face, const Vec3d& weights, Cl
     samples.normals.push_back(normal.stableNormalized().cast<float>());
     if (!mesh.colors.empty()) {
         const auto rounded = color.cast<std::uint8_t>();
-        samples.colors.push_back({rounded[0], rounded[1], rounded[2]});
+        samples.colors.push_back(paint.has(index) ? paint.at(index, weights)
+                                                  : Rgb8{rounded[0], rounded[1], rounded[2]});
     }
     if (!mesh.radii.empty()) samples.radii.push_back(0); // a sample gets an estimated one
     if (!mesh.sensor_of_point.empty()) samples.sensor_of_point.push_back(mesh.sensor_of_point[face[0]]);
@@ -106,8 +109,8 @@ void addSample(const Cloud& mesh, const Triangle& face, const Vec3d& weights, Cl
 /// @param name of the file, for messages
 /// @param report is called with the face of each sample
 template <typename Report>
-void addSamples(const std::string& name, const Cloud& mesh, std::uint64_t count, std::uint64_t seed,
-                const Report& report, Cloud& samples) {
+void addSamples(const std::string& name, const Cloud& mesh, const MeshPaint& paint, std::uint64_t count,
+                std::uint64_t seed, const Report& report, Cloud& samples) {
     constexpr double kStepU = 0.7548776662466927, kStepV = 0.5698402909980532;
     const std::vector<std::uint32_t> order = coherentOrder(mesh);
     std::vector<double> area_up_to;
@@ -125,9 +128,23 @@ void addSamples(const std::string& name, const Cloud& mesh, std::uint64_t count,
         double whole = 0;
         const Vec3d weights =
             barycentric(std::modf(start_u + index * kStepU, &whole), std::modf(start_v + index * kStepV, &whole));
-        addSample(mesh, mesh.triangles[order[at]], weights, samples);
+        addSample(mesh, paint, order[at], weights, samples);
         report(mesh.triangles[order[at]]);
     }
+}
+
+/// Keeps the faces of sampled meshes, with their colours.
+template <typename IsSampled>
+void keepSampledFaces(const IsSampled& isSampled, Cloud& cloud, MeshPaint& paint) {
+    if (!paint.faces.empty()) paint.faces.resize(cloud.triangles.size());
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < cloud.triangles.size(); ++i) {
+        if (!isSampled(cloud.triangles[i][0])) continue;
+        if (!paint.faces.empty()) paint.faces[kept] = paint.faces[i];
+        cloud.triangles[kept++] = cloud.triangles[i];
+    }
+    cloud.triangles.resize(kept);
+    if (!paint.faces.empty()) paint.faces.resize(kept);
 }
 
 void removeVertices(Cloud& cloud, const std::vector<ScanRange>& scans, const std::vector<bool>& sampled) {
@@ -158,17 +175,17 @@ void append(const Cloud& samples, Cloud& cloud) {
 void refuseSampling(const std::string& file) { throw Error(ExitCode::kBadUsage, file + ": has no faces to sample"); }
 
 std::vector<std::uint64_t> sampleMeshes(Cloud& cloud, const std::vector<ScanRange>& scans, const MeshSampling& sampling,
-                                        std::uint64_t seed) {
+                                        std::uint64_t seed, MeshPaint& paint) {
     std::vector<std::uint64_t> counts(scans.size());
     if (sampling.points == 0) return counts;
     const auto isSampled = [&](std::size_t point) { return sampling.scans[scanOf(scans, point)]; };
-    std::erase_if(cloud.triangles, [&](const Triangle& face) { return !isSampled(face[0]); });
+    keepSampledFaces(isSampled, cloud, paint);
     const auto first = std::find(sampling.scans.begin(), sampling.scans.end(), true) - sampling.scans.begin();
     Cloud samples;
     for (const Attribute& each : cloud.attributes)
         samples.attributes.push_back({each.name, each.type, each.components, {}});
     addSamples(
-        scans[static_cast<std::size_t>(first)].name, cloud, sampling.points, seed,
+        scans[static_cast<std::size_t>(first)].name, cloud, paint, sampling.points, seed,
         [&](const Triangle& face) { ++counts[scanOf(scans, face[0])]; }, samples);
     removeVertices(cloud, scans, sampling.scans);
     append(samples, cloud);

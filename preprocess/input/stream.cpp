@@ -12,6 +12,7 @@
 #include "preprocess/ingest/sink.h"
 #include "preprocess/input/detect.h"
 #include "preprocess/input/mesh.h"
+#include "preprocess/input/scan_checks.h"
 
 namespace pointrt {
 namespace {
@@ -61,6 +62,8 @@ public:
         cloud.points_non_finite += points_.points_non_finite;
         cloud.points_unused += points_.points_unused;
         cloud.points_filtered += points_.points_filtered;
+        cloud.points_no_data += points_.points_no_data;
+        cloud.points_withheld += points_.points_withheld;
         sink_.filter = filter;
         sink_.transform.world_from_input = transform;
     }
@@ -154,6 +157,7 @@ void readFile(const std::string& path, Stream& stream) {
     const InputFile input = openInputFile(path);
     if (!input.mapped) requireSmall(input, stream, "must be unpacked in memory");
     const InputFormat& format = formatOf(input, stream.options.read.format);
+    const std::size_t known_before = stream.sink.files_in_degrees + stream.sink.files_with_crs;
     const bool streams = format.reader.readsInBatches && format.reader.readsInBatches(input);
     if (streams && stream.options.read.sample_count.value_or(0) > 0) refuseSampling(input.name);
     FileReport report = streams ? readStreamed(input, format, stream) : readWhole(input, path, stream);
@@ -161,6 +165,12 @@ void readFile(const std::string& path, Stream& stream) {
     if (stream.sink.scales_degrees && stream.sink.files_in_degrees > 0)
         refuse(input, "is in degrees of longitude and latitude, which tile sets do not support; convert to metres with "
                       "--transform");
+    const ScanBox box = stream.sink.lastScanBox();
+    const bool hides_frame = streams && mayHideDegrees(format.name) &&
+                             stream.sink.files_in_degrees + stream.sink.files_with_crs == known_before;
+    if (hides_frame && looksLikeDegrees({box.center - box.size / 2, box.center + box.size / 2}))
+        stream.sink.note(input, "names no coordinate system, but x and y look like degrees of longitude and latitude: "
+                                "tile sets do not convert them");
     stream.files.push_back(report);
 }
 

@@ -21,6 +21,8 @@ struct RowReader {
     std::vector<double> values;
     std::size_t needed = 0;       ///< number of columns up to the last required number
     std::uint64_t not_number = 0; ///< missing or malformed optional values so far
+    std::uint64_t missing = 0;    ///< rows that lack a required number
+    bool commas = false;          ///< a decimal comma was met
 
     RowReader(const InputFile& from, const Layout& how, std::vector<Need> what)
         : input(from), layout(how), needs(std::move(what)), values(needs.size()) {
@@ -28,34 +30,59 @@ struct RowReader {
             if (needs[i] == Need::kNumber) needed = i + 1;
     }
 
-    /// Parses one line into values. Throws Error if a required number is missing or malformed.
+    /// Parses one record into values. A required number that is marked as missing becomes NaN. Throws Error if one is
+    /// not there or malformed.
     void parse(std::string_view line) {
         Fields fields{line, layout.delimiter};
         std::string_view field;
+        bool lacks = false;
         for (std::size_t i = 0; i < needs.size(); ++i) {
             const bool there = fields.next(field);
             if (!there && i < needed)
                 refuseLine(input, line.data(), fmt::format("has {} columns, but {} are needed", i, needed));
-            if (needs[i] == Need::kNothing || (there && wholeNumber(field, values[i]))) continue;
-            if (needs[i] == Need::kNumber)
-                refuseLine(input, line.data(),
-                           fmt::format("column {} is not a number: {}{}", i + 1, inQuotes(field), commaHint(line)));
+            if (needs[i] == Need::kNothing || (there && takeNumber(line, field, values[i]))) continue;
             values[i] = std::numeric_limits<double>::quiet_NaN();
-            ++not_number;
+            if (needs[i] == Need::kNumberOrNot)
+                ++not_number;
+            else if (isMissingNumber(field))
+                lacks = true;
+            else
+                refuseLine(input, line.data(), fmt::format("column {} is not a number: {}", i + 1, inQuotes(field)));
         }
+        missing += lacks;
+    }
+
+private:
+    bool takeNumber(std::string_view line, std::string_view field, double& value) {
+        if (wholeNumber(field, value)) {
+            if (commas && field.find('.') != field.npos) refuseMixed(line);
+            return true;
+        }
+        if (!commaNumber(field, value)) return false;
+        const std::string_view before =
+            layout.data.substr(0, static_cast<std::size_t>(line.data() - layout.data.data()));
+        if (!commas && before.find('.') != before.npos) refuseMixed(line);
+        commas = true;
+        return true;
+    }
+
+    [[noreturn]] void refuseMixed(std::string_view line) const {
+        refuseLine(input, line.data(),
+                   "mixes decimal commas, such as 1,5, with decimal points or thousands separators");
     }
 };
 
-/// Calls use() for each point, whose values are in the reader. Returns the sum of the count lines, 0 if there are none.
+/// Calls use() for each point, whose values are in the reader, until it returns false. Returns the sum of the count
+/// lines, 0 if there are none.
 template <typename Use>
 std::uint64_t forEachRow(RowReader& reader, Use&& use) {
     const Layout& layout = reader.layout;
     std::uint64_t announced = layout.counted_points;
     std::string_view rest = layout.data, line;
     ReleasePagesBehind release_pages{reader.input};
-    while (nextLine(rest, line)) {
+    while (nextRecord(rest, line, layout.delimiter)) {
         release_pages(static_cast<std::uint64_t>(line.data() - reader.input.begin()));
-        const std::string_view trimmed = withoutBlanks(line);
+        const std::string_view trimmed = trimmedRecord(line, layout.delimiter);
         if (trimmed.empty() || commentText(trimmed)) continue;
         std::uint64_t count = 0;
         if (layout.counted && wholeInteger(trimmed, count)) {
@@ -64,24 +91,60 @@ std::uint64_t forEachRow(RowReader& reader, Use&& use) {
             continue;
         }
         reader.parse(trimmed);
-        use();
+        if (!use()) break;
     }
     return announced;
 }
 
-/// Guesses the columns of a list without a header in a separate pass over its values.
+/// What each column from the layout's first on has to be without a header.
+std::vector<Need> numbersOf(const Layout& layout) {
+    std::vector<Need> needs(layout.first, Need::kNothing);
+    needs.resize(layout.first + layout.columns, Need::kNumber);
+    return needs;
+}
+
+/// Takes a number or a time of the point from the columns before x, y and z. Returns a note about them, or "".
+std::string takeLead(const InputFile& input, Layout& layout, AttributeNames& names) {
+    if (layout.columns < 4 || layout.isPts()) return {};
+    LeadStatistics statistics;
+    RowReader reader(input, layout, numbersOf(layout));
+    forEachRow(reader, [&] {
+        observe(statistics, reader.values.data() + layout.first);
+        return statistics.ascends;
+    });
+    const Lead lead = leadOf(statistics, layout.described);
+    if (lead == Lead::kNone) return {};
+    const std::size_t column = layout.first++;
+    --layout.columns;
+    addAttribute(layout, column, lead == Lead::kTime ? "time" : "number", names);
+    const bool north_first = layout.columns == 3 && layout.described && isNorthFirst(statistics);
+    layout.north_first = north_first;
+    return fmt::format("has no header: column {} looks like the {} of the point, columns {} to {} are read as {}; a "
+                       "header line such as 'number,x,y,z' or 'P,N,E,Z,D' defines them",
+                       column + 1, lead == Lead::kTime ? "time" : "number", column + 2, column + 4,
+                       north_first ? "north, east and height" : "x, y and z");
+}
+
+/// Guesses the columns of a list without a header in separate passes over its values.
 void guessDimensions(const InputFile& input, Layout& layout, Sink& sink) {
+    AttributeNames names;
+    if (const std::string note = takeLead(input, layout, names); !note.empty()) sink.note(input, note);
     const std::size_t extras = layout.columns - 3;
     ColumnStatistics statistics;
-    RowReader reader(input, layout, std::vector<Need>(layout.columns, Need::kNumber));
+    RowReader reader(input, layout, numbersOf(layout));
     if (extras > 1 && extras <= ColumnStatistics::kMax)
-        forEachRow(reader, [&] { observe(statistics, reader.values.data() + 3, extras); });
-    ColumnGuess guess = guessColumns(statistics, layout.columns, layout.counted);
+        forEachRow(reader, [&] {
+            observe(statistics, reader.values.data() + layout.first + 3, extras);
+            return true;
+        });
+    ColumnGuess guess = guessColumns(statistics, layout.columns, layout.counted, layout.first);
     if (!guess.doubt.empty()) sink.note(input, guess.doubt);
-    layout.dimensions = std::move(guess.dimensions);
+    layout.dimensions.assign(layout.first, kIgnored);
+    layout.dimensions.insert(layout.dimensions.end(), guess.dimensions.begin(), guess.dimensions.end());
+    if (layout.north_first) std::swap(layout.dimensions[layout.first], layout.dimensions[layout.first + 1]);
     layout.real_colors = guess.real_colors;
-    AttributeNames names;
-    if (guess.intensity) addAttribute(layout, *guess.intensity, "intensity", names);
+    if (guess.intensity) addAttribute(layout, layout.first + *guess.intensity, "intensity", names);
+    if (guess.label) addAttribute(layout, layout.first + *guess.label, "label", names);
 }
 
 /// The name of a column: some headers abbreviate intensity to I.
@@ -101,7 +164,7 @@ void nameAttributes(const InputFile& input, Layout& layout, Sink& sink) {
         if (unread.size() < 80) unread += (unread.empty() ? "" : ", ") + inQuotes(layout.names[i]); // about one line
     }
     if (!unread.empty()) sink.note(input, "columns of words and columns without a unique name are not read: " + unread);
-    if (fields.next(field))
+    if (fields.next(field) && !field.empty())
         sink.note(input, fmt::format("columns from {} on have no name and are not read", layout.names.size() + 1));
 }
 
@@ -136,6 +199,7 @@ std::uint64_t addPoints(RowReader& reader, Sink& sink) {
         for (const auto& [column, dimension] : places) row[dimension] = reader.values[column];
         for (std::size_t i = 0; i < attributes.size(); ++i) attributes[i] = reader.values[layout.attribute_columns[i]];
         sink.addVertex(row, reinterpret_cast<const char*>(attributes.data()));
+        return true;
     });
 }
 
@@ -153,9 +217,14 @@ void readXyz(const InputFile& input, Sink& sink) {
     if (reader.not_number > 0)
         sink.note(input,
                   fmt::format("{} attribute values are missing or not numbers: they become NaN", reader.not_number));
+    if (reader.missing > 0)
+        sink.note(input, fmt::format("{} points lack a value: without a coordinate they are left out, without a colour "
+                                     "they are black",
+                                     reader.missing));
     WorldFrame frame;
     frame.up = Vec3d::UnitZ();
-    if (layout.isPts()) sink.setWorldFrame(input, frame);
+    if (layout.isPts() || layout.degrees) sink.setWorldFrame(input, frame);
+    if (layout.degrees) sink.addDegrees(input);
     sink.finishScan(input);
 }
 

@@ -14,6 +14,11 @@ namespace {
 /// Components with three decimals give a unit vector's length to 0.001; with two, to 0.01.
 constexpr double kUnitTolerance = 0.01;
 
+/// Seconds: of Unix and of adjusted GPS time, beyond any coordinate in metres or feet; and of a GPS week.
+constexpr double kLeastTime = 1e8, kWeek = 604800;
+/// Metres of UTM: eastings are 100,000 to 900,000, northings north of 9 degrees a million to ten million.
+constexpr double kLeastEasting = 1e5, kMostEasting = 1e6, kMostNorthing = 1e7;
+
 bool isUnit(const double* v) {
     const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     return std::abs(length - 1) <= kUnitTolerance;
@@ -62,6 +67,7 @@ struct Others {
 struct ColorPlace {
     std::size_t first;
     bool doubtful = false;
+    bool label = false; ///< the column beside them is a class number
 };
 
 /// Which of the integer columns a, b, c and d is an intensity: 'a', 'd', or 0 if undecided. b and c are colours in
@@ -70,6 +76,37 @@ char intensityByWidth(const ColumnStatistics& statistics, std::size_t a) {
     const auto wide = [&](std::size_t i) { return statistics.most[a + i] > 255; };
     if (wide(1) != wide(2) || wide(0) == wide(3)) return 0;
     return wide(0) == wide(1) ? 'd' : 'a';
+}
+
+/// Pearson's correlation of a column with the next; 0 if one of them is constant.
+double correlation(const ColumnStatistics& statistics, std::size_t column) {
+    const auto rows = static_cast<double>(statistics.rows);
+    const auto variance = [&](std::size_t i) {
+        return statistics.squares[i] - statistics.sum[i] * statistics.sum[i] / rows;
+    };
+    const double both = variance(column) * variance(column + 1);
+    if (isConstant(statistics, column) || isConstant(statistics, column + 1) || !(both > 0)) return 0;
+    return (statistics.products[column] - statistics.sum[column] * statistics.sum[column + 1] / rows) / std::sqrt(both);
+}
+
+/// Whether a column of integers is a class number beside three colours: small, where the colours are not.
+bool isLabel(const ColumnStatistics& statistics, std::size_t column, std::size_t colors) {
+    constexpr double kMostLabels = 64, kLeastColor = 128; // half of a byte's range
+    const auto most = std::max({statistics.most[colors], statistics.most[colors + 1], statistics.most[colors + 2]});
+    return statistics.whole[column] && statistics.least[column] >= 0 && statistics.most[column] < kMostLabels &&
+           !isConstant(statistics, column) && most >= kLeastColor && most <= 255;
+}
+
+/// Which of the integer columns a, b, c and d is an intensity or a label: 'a', 'd', or 0 if undecided. A label is
+/// small. Channels of a colour resemble each other more than an intensity does.
+char otherByValues(const ColumnStatistics& statistics, std::size_t a) {
+    constexpr double kClear = 0.2; // between channels of photographs 0.9, to an intensity 0.3 to 0.6
+    constexpr std::uint64_t kLeastRows = 50;
+    const bool label_last = isLabel(statistics, a + 3, a), label_first = isLabel(statistics, a, a + 1);
+    if (label_last != label_first) return label_last ? 'd' : 'a';
+    if (statistics.rows < kLeastRows) return 0;
+    const double first = correlation(statistics, a), last = correlation(statistics, a + 2);
+    return std::abs(first - last) < kClear ? char{0} : first > last ? 'd' : 'a';
 }
 
 /// Which of the columns a, b, c and d are colours. a, b and c if d is an alpha or, except in .pts files, constant;
@@ -85,6 +122,11 @@ std::optional<ColorPlace> colorsOfFour(const ColumnStatistics& statistics, std::
     const bool whole = wholeNumbers(statistics, a) && wholeNumbers(statistics, a + 1);
     if (const char intensity = whole ? intensityByWidth(statistics, a) : char{0})
         return ColorPlace{intensity == 'd' ? a : a + 1};
+    if (const char other = whole && !others.is_pts ? otherByValues(statistics, a) : char{0}) {
+        const bool last = other == 'd';
+        const bool label = isLabel(statistics, last ? a + 3 : a, last ? a : a + 1);
+        return ColorPlace{last ? a : a + 1, !label, label};
+    }
     const bool unused_first = isConstant(statistics, a) && !isConstant(statistics, a + 3);
     return ColorPlace{others.normals ? a : a + 1, !others.is_pts && !(unused_first && !others.normals)};
 }
@@ -108,11 +150,15 @@ std::optional<ColorPlace> findColors(const ColumnStatistics& statistics, std::si
 
 constexpr std::string_view kAdvice = "a header line such as '//X Y Z R G B I' defines";
 
-std::string doubtOf(const std::optional<ColorPlace>& colors, bool normals, std::size_t unread) {
+std::string doubtOf(const std::optional<ColorPlace>& colors, bool normals, std::size_t unread, std::size_t before) {
     if (colors && colors->doubtful)
         return fmt::format("has no header: columns {} to {} are read as red, green and blue, the others are not "
                            "read; {} them",
-                           colors->first + 4, colors->first + 6, kAdvice);
+                           before + colors->first + 4, before + colors->first + 6, kAdvice);
+    if (colors && colors->label)
+        return fmt::format("has no header: columns {} to {} are read as red, green and blue, the one beside them as "
+                           "'label'; {} them",
+                           before + colors->first + 4, before + colors->first + 6, kAdvice);
     if (unread == 0) return {};
     const bool one = unread == 1;
     return fmt::format(
@@ -138,25 +184,69 @@ ColumnStatistics::ColumnStatistics() {
 
 void observe(ColumnStatistics& statistics, const double* extras, std::size_t count) {
     count = std::min(count, ColumnStatistics::kMax);
+    ++statistics.rows;
     for (std::size_t i = 0; i < count; ++i) {
         const double value = extras[i];
         statistics.whole[i] = statistics.whole[i] && value == std::trunc(value);
         statistics.least[i] = std::min(statistics.least[i], value);
         statistics.most[i] = std::max(statistics.most[i], value);
+        statistics.sum[i] += value;
+        statistics.squares[i] += value * value;
+        if (i + 1 < count) statistics.products[i] += value * extras[i + 1];
         const bool direction = i + 3 <= count && isUnit(extras + i);
         statistics.directed[i] = statistics.directed[i] || direction;
         statistics.unit[i] = statistics.unit[i] && (direction || (i + 3 <= count && isMissing(extras + i)));
     }
 }
 
-ColumnGuess guessColumns(const ColumnStatistics& statistics, std::size_t column_count, bool is_pts) {
+LeadStatistics::LeadStatistics() {
+    least.fill(std::numeric_limits<double>::infinity());
+    most.fill(-std::numeric_limits<double>::infinity());
+    all_whole.fill(true);
+}
+
+void observe(LeadStatistics& statistics, const double* values) {
+    if (statistics.rows++ > 0) {
+        const double step = values[0] - statistics.last;
+        statistics.strictly = statistics.strictly && step > 0;
+        statistics.ascends = step > 0 || (step == 0 && values[0] >= kLeastTime);
+        statistics.counts = statistics.counts && step == 1;
+    }
+    statistics.last = values[0];
+    for (std::size_t i = 0; i < 4; ++i) {
+        statistics.least[i] = std::min(statistics.least[i], values[i]);
+        statistics.most[i] = std::max(statistics.most[i], values[i]);
+        statistics.all_whole[i] = statistics.all_whole[i] && values[i] == std::trunc(values[i]);
+    }
+}
+
+Lead leadOf(const LeadStatistics& statistics, bool described) {
+    // Fewer rows may ascend by chance; words after them are descriptions, which lists of numbered points have.
+    const std::uint64_t fewest = described ? 2 : 8;
+    const auto varies = [&](std::size_t i) { return statistics.least[i] < statistics.most[i]; };
+    if (!statistics.ascends || statistics.rows < fewest) return Lead::kNone;
+    if (statistics.least[0] >= kLeastTime) return Lead::kTime;
+    if (!statistics.strictly || !varies(1) || !varies(2)) return Lead::kNone;
+    const bool fractions = !statistics.all_whole[1] && !statistics.all_whole[2];
+    if (statistics.all_whole[0] && statistics.least[0] >= 0 && (statistics.counts || fractions)) return Lead::kNumber;
+    const bool on_map = statistics.least[1] >= kLeastEasting && statistics.least[2] >= kLeastEasting;
+    return statistics.least[0] >= 0 && statistics.most[0] <= kWeek && on_map ? Lead::kTime : Lead::kNone;
+}
+
+bool isNorthFirst(const LeadStatistics& statistics) {
+    return statistics.least[1] >= kMostEasting && statistics.most[1] <= kMostNorthing &&
+           statistics.least[2] >= kLeastEasting && statistics.most[2] < kMostEasting;
+}
+
+ColumnGuess guessColumns(const ColumnStatistics& statistics, std::size_t column_count, bool is_pts,
+                         std::size_t before) {
     ColumnGuess guess;
     guess.dimensions.assign(column_count, kIgnored);
     assign(guess.dimensions, 0, kX);
     const std::size_t extras = column_count - 3;
     if (is_pts && extras == 1) guess.intensity = 3;
     if (column_count != 6 && column_count != 7 && column_count != 9 && column_count != 10) {
-        guess.doubt = doubtOf(std::nullopt, false, guess.intensity ? 0 : extras);
+        guess.doubt = doubtOf(std::nullopt, false, guess.intensity ? 0 : extras, before);
         return guess;
     }
     const auto normals = findNormals(statistics, extras);
@@ -170,10 +260,13 @@ ColumnGuess guessColumns(const ColumnStatistics& statistics, std::size_t column_
     auto unread = static_cast<std::size_t>(std::count(left, guess.dimensions.end(), kIgnored));
     if (colors && unread == 1) {
         const auto column = static_cast<std::size_t>(left - guess.dimensions.begin());
-        if (!isOpaque(statistics, column - 3) && !colors->doubtful) guess.intensity = column;
+        if (colors->label)
+            guess.label = column;
+        else if (!isOpaque(statistics, column - 3) && !colors->doubtful)
+            guess.intensity = column;
         unread = 0;
     }
-    guess.doubt = doubtOf(colors, normals.has_value(), unread);
+    guess.doubt = doubtOf(colors, normals.has_value(), unread, before);
     return guess;
 }
 

@@ -160,7 +160,8 @@ void orient(const SetRequest& request, const Survey& survey, SetPlan& plan) {
 void takeFindings(const SetRequest& request, StreamFindings& found, SetPlan& plan) {
     plan.points_read = found.cloud.points_read;
     plan.points_non_finite = found.cloud.points_non_finite;
-    plan.points_filtered = found.cloud.points_filtered + found.cloud.points_unused;
+    plan.points_filtered = found.cloud.points_filtered + found.cloud.points_unused + found.cloud.points_no_data +
+                           found.cloud.points_withheld;
     plan.scans = scansOf(found);
     plan.world = found.cloud.world;
     plan.source_header = found.cloud.source_header;

@@ -290,7 +290,7 @@ TEST(Las, InconsistentHeadersAreRefused) {
         put(bytes, at, number);
         return reasonOf(bytes);
     };
-    EXPECT_SAYS(with(25, std::uint8_t{5}), "*LAS 1.5");
+    EXPECT_SAYS(with(25, std::uint8_t{6}), "*LAS 1.6");
     EXPECT_SAYS(with(24, std::uint8_t{2}), "*LAS 2.2");
     EXPECT_SAYS(with(104, std::uint8_t{11}), "*format 11");
     EXPECT_SAYS(with(105, std::uint16_t{19}), "*19 bytes*20");

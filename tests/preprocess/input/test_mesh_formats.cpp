@@ -49,7 +49,7 @@ TEST_F(OffTest, Kinds) {
     const Cloud plain =
         readText("a.off", "OFF\n# a comment\n\n4 1 0\n0 0 0\n1 0 0 # here too\n1 1 0\n0 1 0\n4 0 1 2 3 255 0 0\n");
     EXPECT_EQ(plain.triangles, (Triangles{{0, 1, 2}, {0, 2, 3}}));
-    EXPECT_TRUE(plain.colors.empty());
+    EXPECT_EQ(plain.colors, std::vector<Rgb8>(4, Rgb8{255, 0, 0}));
     EXPECT_EQ(readText("b.off", "COFF 1 0 0\n0 0 0 1 2 255 255\n").colors[0], (Rgb8{1, 2, 255}));
     EXPECT_EQ(readText("c.off", "COFF 1 0 0\n0 0 0 0 0.5 1 1\n").colors[0], (Rgb8{0, 128, 255}));
     EXPECT_EQ(readText("d.off", "NOFF\n1 0 0\n1 2 3 0 0 1\n").normals[0], Vec3f(0, 0, 1));

@@ -186,7 +186,7 @@ TEST_F(PcdTest, BadFilesSayWhy) {
     EXPECT_HAS(reasonOfText("a.pcd", "VERSION .7\nFIELDS x y z\nSIZE 4 4\nDATA ascii\n"), "a.pcd:3: SIZE *fewer");
     EXPECT_HAS(reasonOfText("a.pcd", "VERSION .7\nFIELDS x y z\nSIZE 4 4 3\nWIDTH 1\nDATA ascii\n1 2 3\n"),
                "type *3 bytes");
-    EXPECT_HAS(reasonOfText("a.pcd", "VERSION .7\nFIELDS x y z\nCOUNT 1 1 0\nWIDTH 1\nDATA ascii\n1 2 3\n"),
+    EXPECT_HAS(reasonOfText("a.pcd", "VERSION .7\nFIELDS x y z\nCOUNT 1 1 99999999\nWIDTH 1\nDATA ascii\n1 2 3\n"),
                "impossible COUNT");
     EXPECT_HAS(reasonOfText("a.pcd", "VERSION .7\nFIELDS x y\nWIDTH 1\nDATA ascii\n1 2\n"), "FIELDS *x, y and z");
     EXPECT_HAS(reasonOfText("a.pcd", "VERSION .7\nFIELDS x y z\nWIDTH 1\nDATA zipped\n"), "DATA 'zipped'");

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/ingest/no_data.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pointrt {
+namespace {
+
+/// Whether programs use a value for missing data: three nines or more, the ends of 16- and 32-bit integers, powers of
+/// ten from 1e5 on. Values of LAS files are off by rounding.
+bool isCustomaryValue(double value) {
+    const double size = std::abs(value);
+    std::string digits = fmt::format("{:.3f}", size);
+    digits.erase(digits.find_last_not_of('0') + 1);
+    if (digits.ends_with('.')) digits.pop_back();
+    const bool nines = size >= 999 && digits.find_first_not_of("9.") == std::string::npos;
+    const auto is = [&](double other) { return std::abs(size - other) <= 1e-6 * other; };
+    const bool integer_end = is(32767) || is(32768) || is(0x1p31) || is(0x1p31 - 1);
+    const bool power = size >= 1e5 && is(std::pow(10, std::round(std::log10(size))));
+    return nines || integer_end || power;
+}
+
+} // namespace
+
+NoData NoDataSurvey::candidate(std::size_t axis, bool is_low) const {
+    const Extreme& extreme = (is_low ? low_ : high_)[axis];
+    const double sign = is_low ? 1 : -1;
+    NoData found;
+    found.axis = static_cast<int>(axis);
+    found.value = sign * extreme.lowest;
+    found.points = extreme.count;
+    found.is_low = is_low;
+    found.limit = sign * (extreme.lowest / 2 + extreme.next / 2);
+    return found;
+}
+
+/// Distance of an extreme from the others over their extent; 0 unless two points or more share it and others do not.
+double NoDataSurvey::timesAsFar(std::size_t axis, bool is_low) const {
+    const Extreme &extreme = (is_low ? low_ : high_)[axis], &opposite = (is_low ? high_ : low_)[axis];
+    if (extreme.count < 2 || extreme.count == points_) return 0;
+    const double others = -opposite.lowest - extreme.next, gap = extreme.next - extreme.lowest;
+    return others > 0 ? gap / others : 0;
+}
+
+/// Points at x = y = 0 far from the others, as writers without a return put them.
+std::optional<NoData> NoDataSurvey::zeroPlace() const {
+    constexpr double kFar = 10;
+    for (const bool x_low : {true, false})
+        for (const bool y_low : {true, false}) {
+            const NoData x = candidate(0, x_low), y = candidate(1, y_low);
+            if (x.value != 0 || y.value != 0 || x.points != y.points) continue;
+            if (timesAsFar(0, x_low) > kFar && timesAsFar(1, y_low) > kFar) return x;
+        }
+    return std::nullopt;
+}
+
+std::vector<NoData> NoDataSurvey::find() const {
+    constexpr double kVeryFar = 100;
+    constexpr std::uint64_t kFew = 4; // fewer than one in 4 points
+    std::vector<NoData> all;
+    const auto zero = zeroPlace();
+    if (zero) all.push_back(*zero);
+    if (zero) all.back().is_customary = true;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (const bool is_low : {true, false}) {
+            const double far = timesAsFar(axis, is_low);
+            if (!(far > 1)) continue;
+            NoData found = candidate(axis, is_low);
+            if (zero && found.points == zero->points) continue;
+            found.is_customary = isCustomaryValue(found.value);
+            if (found.is_customary || (far > kVeryFar && kFew * found.points < points_)) all.push_back(found);
+        }
+    return all;
+}
+
+std::string nameOf(const NoData& no_data) { return fmt::format("{} = {:.10g}", "xyz"[no_data.axis], no_data.value); }
+
+} // namespace pointrt

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Coordinates that mark missing data, such as -9999 for a height.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "preprocess/cloud/cloud.h"
+
+namespace pointrt {
+
+/// Points of a scan whose coordinate on an axis of the scan's frame marks missing data.
+struct NoData {
+    int axis = 0;
+    double value = 0;
+    std::uint64_t points = 0;
+    bool is_low = false; ///< below all other values
+    double limit = 0;    ///< halfway to them
+    /// The value is one that programs use for missing data. Otherwise it is as far away and as frequent, but may be
+    /// meant.
+    bool is_customary = false;
+
+    bool marks(const Vec3d& in_scan) const { return is_low ? in_scan[axis] < limit : in_scan[axis] > limit; }
+};
+
+/// The extreme values of each coordinate of a scan, and the values next to them.
+class NoDataSurvey {
+public:
+    void add(const Vec3d& in_scan) {
+        ++points_;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double value = in_scan[static_cast<Eigen::Index>(axis)];
+            low_[axis].add(value);
+            high_[axis].add(-value);
+        }
+    }
+
+    /// Values that two points or more share and that are far from all others: a customary value farther than the
+    /// others are from each other, x = y = 0 ten times as far, and, not customary, any value of a few points a hundred
+    /// times as far.
+    std::vector<NoData> find() const;
+
+private:
+    /// The lowest value, how many have it, and the one above it.
+    struct Extreme {
+        double lowest = std::numeric_limits<double>::infinity(), next = std::numeric_limits<double>::infinity();
+        std::uint64_t count = 0;
+
+        void add(double value) {
+            if (value > lowest) {
+                if (value < next) next = value;
+            } else if (value == lowest) {
+                ++count;
+            } else {
+                next = lowest;
+                lowest = value;
+                count = 1;
+            }
+        }
+    };
+
+    std::optional<NoData> zeroPlace() const;
+    NoData candidate(std::size_t axis, bool is_low) const;
+    double timesAsFar(std::size_t axis, bool is_low) const;
+
+    std::uint64_t points_ = 0;
+    std::array<Extreme, 3> low_, high_; ///< high_: of the negated values
+};
+
+/// "z = -9999".
+std::string nameOf(const NoData& no_data);
+
+} // namespace pointrt

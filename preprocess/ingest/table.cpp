@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/ingest/table.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace pointrt {
+namespace {
+
+/// Length of the text between the quote at the start of text and the one that closes it; npos if none does.
+std::size_t quotedLength(std::string_view text) {
+    for (std::size_t at = text.find('"', 1); at != std::string_view::npos; at = text.find('"', at + 2))
+        if (at + 1 == text.size() || text[at + 1] != '"') return at - 1;
+    return std::string_view::npos;
+}
+
+/// Whether the last field of a record opens a quote without closing it.
+bool leavesQuoteOpen(std::string_view record, char delimiter) {
+    if (record.find('"') == std::string_view::npos) return false;
+    Fields fields{record, delimiter};
+    for (std::string_view field; fields.next(field);)
+        if (field.starts_with('"')) return true;
+    return false;
+}
+
+/// Whether words between blanks are three numbers or more, decimal commas among them.
+bool hasDecimalCommas(std::string_view line) {
+    std::size_t numbers = 0, commas = 0;
+    Fields words{line, ' '};
+    for (std::string_view word; words.next(word); ++numbers) {
+        double value = 0;
+        if (wholeNumber(word, value)) continue;
+        if (!commaNumber(word, value)) break;
+        ++commas;
+    }
+    return numbers >= 3 && commas > 0;
+}
+
+/// Whether tabs delimit the fields of a line, each with one word at least.
+bool hasTabFields(std::string_view line) {
+    std::size_t count = 0;
+    Fields fields{line, '\t'};
+    for (std::string_view field; fields.next(field); ++count) {
+        double value = 0;
+        const std::size_t blank = field.find(' ');
+        if (field.empty()) return false;
+        // "1 2<tab>3": blanks delimit numbers
+        if (blank != std::string_view::npos && wholeNumber(field.substr(0, blank), value)) return false;
+    }
+    return count > 1;
+}
+
+} // namespace
+
+bool Fields::next(std::string_view& field) {
+    if (delimiter == ' ') {
+        while (!rest.empty() && isSpace(rest.front())) rest.remove_prefix(1);
+        const std::size_t quoted = rest.starts_with('"') ? quotedLength(rest) : std::string_view::npos;
+        if (quoted == std::string_view::npos) {
+            field = nextWord(rest);
+            return !field.empty();
+        }
+        field = rest.substr(1, quoted);
+        rest.remove_prefix(quoted + 2);
+        return true;
+    }
+    if (!more) return false;
+    while (!rest.empty() && rest.front() == ' ') rest.remove_prefix(1);
+    const std::size_t quoted = rest.starts_with('"') ? quotedLength(rest) : std::string_view::npos;
+    const bool is_quoted = quoted != std::string_view::npos;
+    const std::size_t length = rest.find(delimiter, is_quoted ? quoted + 2 : 0);
+    field = is_quoted ? rest.substr(1, quoted) : rest.substr(0, length);
+    while (!field.empty() && isSpace(field.front())) field.remove_prefix(1);
+    while (!field.empty() && isSpace(field.back())) field.remove_suffix(1);
+    more = length != std::string_view::npos;
+    rest.remove_prefix(more ? length + 1 : rest.size());
+    return true;
+}
+
+bool nextRecord(std::string_view& rest, std::string_view& record, char delimiter) {
+    constexpr int kMostLines = 16; // of an address or a remark; a stray quote must not swallow the file
+    const char* const start = rest.data();
+    if (!nextLine(rest, record)) return false;
+    if (delimiter == ' ' || !leavesQuoteOpen(record, delimiter)) return true;
+    std::string_view after = rest, line;
+    for (int lines = 1; lines < kMostLines && nextLine(after, line); ++lines) {
+        const std::string_view longer(start, static_cast<std::size_t>(line.data() + line.size() - start));
+        if (leavesQuoteOpen(longer, delimiter)) continue;
+        record = longer;
+        rest = after;
+        break;
+    }
+    return true;
+}
+
+char delimiterOf(std::string_view line) {
+    bool quoted = false, has_comma = false, has_tab = false;
+    for (const char letter : line) {
+        if (letter == '"') quoted = !quoted;
+        if (quoted) continue;
+        if (letter == ';') return ';';
+        has_comma = has_comma || letter == ',';
+        has_tab = has_tab || letter == '\t';
+    }
+    if (has_comma && !hasDecimalCommas(line)) return ',';
+    return has_tab && hasTabFields(line) ? '\t' : ' ';
+}
+
+bool commaNumber(std::string_view field, double& value) {
+    const std::size_t comma = field.find(',');
+    if (comma == std::string_view::npos || comma + 1 == field.size() || field.find('.') != std::string_view::npos)
+        return false;
+    std::string number(field);
+    number[comma] = '.';
+    return wholeNumber(number, value);
+}
+
+bool isMissingNumber(std::string_view field) {
+    constexpr std::string_view kWords[] = {"", "na", "n/a", "#n/a", "null", "none", "nil", "nodata", "-", "--", "?"};
+    constexpr std::size_t kLongest = 6;
+    if (field.size() > kLongest) return false;
+    std::string word;
+    for (const char letter : field) word += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    return std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords);
+}
+
+} // namespace pointrt

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/input/scan_checks.h"
+
+#include <algorithm>
+#include <array>
+
+#include "preprocess/ingest/notes.h"
+#include "preprocess/input/mesh.h"
+
+namespace pointrt {
+namespace {
+
+/// Diagonal of the box around the middle 80 % of each coordinate, of a thousand points: strays do not count.
+double middleSize(const Cloud& cloud, const ScanRange& scan) {
+    constexpr std::size_t kPoints = 1000;
+    const std::size_t count = std::min(scan.position_count, kPoints);
+    Vec3d size = Vec3d::Zero();
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<float> values(count);
+        for (std::size_t i = 0; i < count; ++i)
+            values[i] = cloud.positions[scan.first_position + i * scan.position_count / count][axis];
+        std::sort(values.begin(), values.end());
+        if (count > 0) size[axis] = double(values[count - 1 - count / 10]) - double(values[count / 10]);
+    }
+    return size.norm();
+}
+
+} // namespace
+
+void dropNoData(Sink& sink) {
+    // faces that lost corners are known by the numbers of their points
+    if (sink.no_data.empty() || !sink.cornersOfRemovedFaces().empty()) return;
+    Cloud& cloud = sink.cloud;
+    std::vector<bool> keep(cloud.positions.size(), true);
+    for (const ScanNoData& each : sink.no_data) {
+        const ScanRange& scan = sink.scans[each.scan];
+        for (std::size_t i = scan.first_position; i < scan.first_position + scan.position_count; ++i)
+            if (each.points.marks(each.scan_from_world * (cloud.origin + cloud.positions[i].cast<double>())))
+                keep[i] = false;
+    }
+    std::size_t kept = 0;
+    for (ScanRange& scan : sink.scans) {
+        const auto first = keep.begin() + static_cast<std::ptrdiff_t>(scan.first_position);
+        scan.first_position = kept;
+        scan.position_count =
+            static_cast<std::size_t>(std::count(first, first + static_cast<std::ptrdiff_t>(scan.position_count), true));
+        kept += scan.position_count;
+    }
+    cloud.points_no_data += cloud.positions.size() - kept;
+    keepPoints(cloud, keep);
+}
+
+bool looksLikeDegrees(const Eigen::AlignedBox3d& box) {
+    // A thousandth of a degree is 50 to 111 m long: a scan with 1 m of relief for each 100 m is 900 times higher than
+    // wide. Upright wires and masts in metres are less than 100 times.
+    constexpr double kMostEast = 360, kMostNorth = 90, kSlender = 100;
+    if (box.isEmpty() || box.min().x() < -kMostEast || box.max().x() > kMostEast || box.min().y() < -kMostNorth ||
+        box.max().y() > kMostNorth)
+        return false;
+    const double width = std::max(box.sizes().x(), box.sizes().y());
+    // the corner of a small scan in metres is at its origin, places on Earth are seldom on the equator
+    const double away = box.center().head<2>().cwiseAbs().maxCoeff();
+    return width > 0 && box.sizes().z() > kSlender * width && away > kSlender * width;
+}
+
+Eigen::AlignedBox3d boxOfScan(const Cloud& cloud, const ScanRange& scan) {
+    Eigen::AlignedBox3f box;
+    for (std::size_t i = 0; i < scan.position_count; ++i) box.extend(cloud.positions[scan.first_position + i]);
+    if (box.isEmpty()) return {};
+    return {cloud.origin + box.min().cast<double>(), cloud.origin + box.max().cast<double>()};
+}
+
+void noteUnits(Sink& sink) {
+    constexpr double kLeast = 500, kMost = 2000; // around a thousand
+    const ScanRange *smallest = nullptr, *largest = nullptr;
+    double small = 0, large = 0;
+    for (const ScanRange& scan : sink.scans) {
+        const double size = middleSize(sink.cloud, scan);
+        if (!(size > 0)) continue;
+        if (!smallest || size < small) smallest = &scan, small = size;
+        if (!largest || size > large) largest = &scan, large = size;
+    }
+    if (!smallest || large < kLeast * small || large > kMost * small) return;
+    addNote(sink.cloud, largest->name,
+            fmt::format("is {:.0f} times the size of {}: metres and millimetres? --transform scales a scan baked by "
+                        "itself",
+                        large / small, smallest->name));
+}
+
+} // namespace pointrt
