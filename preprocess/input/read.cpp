@@ -25,6 +25,9 @@ FileReport readFile(const std::string& path, const ReadOptions& options, Sink& s
     report.points = sink.cloud.points_read - points_before;
     report.kept = sink.pointCount() - kept_before;
     report.scans = sink.scans.size() - scans_before;
+    report.meshes = static_cast<std::uint64_t>(
+        std::count_if(sink.scans.begin() + static_cast<std::ptrdiff_t>(scans_before), sink.scans.end(),
+                      [](const ScanRange& scan) { return scan.has_faces; }));
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return report;
 }
@@ -100,6 +103,12 @@ void scaleDegreesOfFiles(std::size_t file_count, Sink& sink) {
 }
 
 } // namespace
+
+bool areMeshes(const std::vector<FileReport>& files) {
+    return !files.empty() && std::all_of(files.begin(), files.end(), [](const FileReport& file) {
+        return file.scans > 0 && file.meshes == file.scans;
+    });
+}
 
 SinkOptions sinkOptions(const ReadOptions& options) {
     SinkOptions result;

@@ -45,9 +45,13 @@ using ReadProgress = std::function<void(const ReadStatus&)>;
 struct FileReport {
     std::string name, format;
     std::uint64_t points = 0, kept = 0, scans = 0;
+    std::uint64_t meshes = 0;  ///< scans with faces
     std::uint64_t sampled = 0; ///< points sampled over its faces, replacing its vertices
     double seconds = 0;
 };
+
+/// Whether every scan of the files has faces.
+bool areMeshes(const std::vector<FileReport>& files);
 
 /// The options that every reader needs.
 SinkOptions sinkOptions(const ReadOptions& options);

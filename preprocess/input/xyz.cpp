@@ -155,6 +155,7 @@ void readXyz(const InputFile& input, Sink& sink) {
                   fmt::format("{} attribute values are missing or not numbers: they become NaN", reader.not_number));
     WorldFrame frame;
     frame.up = Vec3d::UnitZ();
+    frame.up_by_custom = true;
     if (layout.isPts()) sink.setWorldFrame(input, frame);
     sink.finishScan(input);
 }
