@@ -71,8 +71,18 @@ case_colours_and_legends() {
         expectDone pointrt-view -q hill.pro -o "out/$by.png" --size 96x64 --color-by "$by"
         [ "$by" = rgb ] || ! cmp -s out/rgb.png "out/$by.png" || fail "$by: as without it"
     done
-    expectDone pointrt-view -q hill.pro -o out/plain.png --size 96x64
-    cmp out/rgb.png out/plain.png || fail "rgb is not what there is by itself"
+    expectDone pointrt-view hill.pro -o out/plain.png --size 96x64
+    cmp out/height.png out/plain.png || fail "a colourless hill is not coloured by height"
+    grep -q 'coloured by height .*--color-by rgb' stderr || fail "the viewer does not say so"
+    awk '{ print $1, $2, $3, 90, 160, 70 }' <(sed '1,/end_header/d' hill.ply) >grass.xyz
+    pointrt-bake -q grass.xyz -o grass.pro --up z --outliers keep --orient none
+    expectDone pointrt-view grass.pro -o out/grass.png --size 96x64
+    ! grep -q 'coloured by' stderr || fail "it has colours of its own"
+    expectDone pointrt-view -q grass.pro -o out/green.png --size 96x64 --color-by rgb
+    cmp out/green.png out/grass.png || fail "rgb is not what there is by itself"
+    bakeSphere
+    expectDone pointrt-view scene.pro -o out/ball.png --size 96x64
+    ! grep -q 'coloured by' stderr || fail "objects stay as clay"
     expectDone pointrt-view -q hill.pro -o out/legend.png --size 96x64 --color-by height --legend on
     ! cmp -s out/legend.png out/height.png || fail "no legend"
     expectDone pointrt-view -q hill.pro -o out/map.png --size 96x64 --color-by height --color-map magma --color-range 0,0.2
