@@ -12,6 +12,7 @@
 #include "preprocess/app/bake_progress.h"
 #include "preprocess/app/checks.h"
 #include "preprocess/app/interrupt.h"
+#include "preprocess/app/summary.h"
 #include "preprocess/octree/gaussians.h"
 #include "preprocess/octree/splat_attributes.h"
 #include "preprocess/octree/write.h"
@@ -79,14 +80,14 @@ ProContent takeMetadata(const BakeOptions& options, Cloud& cloud, BakeReport& re
     return content;
 }
 
-/// Estimates the up direction unless the command line or a file gives it. The estimate overrides the custom of a
-/// format.
+/// Finds or guesses the up direction unless the command line or a file gives it. What the surface tells overrides the
+/// custom of a format.
 void findUpInData(const Splats& splats, BakeReport& report, WorldFrame& world) {
     if (report.up_from == "option" || report.up_from == "file") return;
-    const FoundUp found = findUp(splats, report.scans);
+    const FoundUp found = findUp(splats, report.scans, {world.up, areMeshes(report.files)});
     if (found.up.isZero()) return;
     world.up = report.world.up = found.up;
-    report.up_from = "data";
+    report.up_from = nameOf(found.basis);
     report.up_reason = found.reason;
 }
 
@@ -197,12 +198,15 @@ BakeReport bake(const BakeOptions& options) {
     report.points_no_data = cloud.points_no_data;
     report.points_withheld = cloud.points_withheld;
     if (report.files.size() > 1)
-        for (const FileReport& file : report.files) progress.note(fileLine(file));
+        for (const FileReport& file : report.files) progress.detail(fileLine(file) + rateText(file));
+    progress.note(inputLine(report));
     if (gaussianColumns(cloud))
         bakeGaussians(options, cloud, report, progress);
     else
         bakeSurface(options, std::move(cloud), report, progress);
     progress.finish();
+    progress.note(changesLine(report));
+    if (report.gaussians == 0) progress.detail(octreeLine(report));
     report.seconds = progress.seconds();
     report.seconds_total = progress.totalSeconds();
     return report;

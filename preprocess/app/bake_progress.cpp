@@ -58,7 +58,9 @@ double secondsBetween(std::chrono::steady_clock::time_point a, std::chrono::stea
 } // namespace
 
 BakeProgress::BakeProgress(Verbosity verbosity, ProgressStyle style, const std::vector<std::string_view>& skipped)
-    : BakeProgress(verbosity, style, weightsWithout(skipped)) {}
+    : BakeProgress(verbosity, style, weightsWithout(skipped)) {
+    logs_stages_ = false;
+}
 
 BakeProgress::BakeProgress(Verbosity verbosity, ProgressStyle style, std::vector<StageWeight> weights)
     : weights_(std::move(weights)), verbosity_(verbosity), terminal_(isatty(STDERR_FILENO) == 1),
@@ -85,6 +87,10 @@ void BakeProgress::note(const std::string& text) {
     if (line_open_) std::fputs(kWipe, stderr);
     line_open_ = false;
     print("pointrt-bake: {}\n", printable(text, std::string::npos));
+}
+
+void BakeProgress::detail(const std::string& text) {
+    if (verbosity_ == Verbosity::kDetailed) note(text);
 }
 
 void BakeProgress::update(double share) {
@@ -130,7 +136,8 @@ void BakeProgress::end() {
         known->second += elapsed_s;
     else
         seconds_.emplace_back(stage_, elapsed_s);
-    const bool show = verbosity_ == Verbosity::kDetailed || (verbosity_ == Verbosity::kNormal && !terminal_ && !lines_);
+    const bool show = verbosity_ == Verbosity::kDetailed ||
+                      (logs_stages_ && verbosity_ == Verbosity::kNormal && !terminal_ && !lines_);
     if (line_open_) std::fputs(kWipe, stderr);
     line_open_ = false;
     if (show && points_ > 0)

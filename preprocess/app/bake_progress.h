@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Progress on standard error. On a terminal: one redrawn line with the fraction of the bake done, the time left and the
-// stage. Otherwise: one line per stage. For programs: lines "progress FRACTION STAGE RATE" with the fraction of the
-// bake, 0 to 1 and never decreasing, and the points per second of the stage, 0 if unknown.
+// stage. Otherwise: one line per stage of a tile set, which may take hours, and of any bake with -v. For programs:
+// lines "progress FRACTION STAGE RATE" with the fraction of the bake, 0 to 1 and never decreasing, and the points per
+// second of the stage, 0 if unknown.
 #pragma once
 
 #include <chrono>
@@ -38,6 +39,8 @@ public:
     void finish(); ///< ends the last stage
     /// Prints a line, unless quiet.
     void note(const std::string& text);
+    /// Prints a line if there is to be detail.
+    void detail(const std::string& text);
 
     /// Seconds of each stage so far, in order; stages of the same name are summed.
     const std::vector<std::pair<std::string, double>>& seconds() const { return seconds_; }
@@ -53,6 +56,7 @@ private:
     const std::vector<StageWeight> weights_; ///< in the order of the stages
     Verbosity verbosity_;
     bool terminal_, lines_;
+    bool logs_stages_ = true; ///< one line per stage where there is no terminal
     std::string stage_;
     std::uint64_t points_ = 0;
     Clock::time_point start_, stage_start_, drawn_;

@@ -145,7 +145,13 @@ private:
         return plan;
     }
 
-    std::string metadata() const { return nlohmann::ordered_json{{"writer", "pointrt-bake " POINTRT_VERSION}}.dump(); }
+    /// For META of the tiles.
+    std::string metadata() const {
+        nlohmann::ordered_json json{{"writer", "pointrt-bake " POINTRT_VERSION}};
+        const SetPlan& plan = report_.plan;
+        if (!plan.up_reason.empty()) json["world"] = {{"up_from", plan.up_from}, {"up_reason", plan.up_reason}};
+        return json.dump();
+    }
 
     /// Whether a previous bake can be resumed. With --force a plan for other options or inputs is discarded.
     bool canResume() {

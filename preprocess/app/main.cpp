@@ -7,6 +7,7 @@
 #include "preprocess/app/bake.h"
 #include "preprocess/app/bake_set.h"
 #include "preprocess/app/interrupt.h"
+#include "preprocess/app/summary.h"
 
 namespace {
 

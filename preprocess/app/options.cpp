@@ -176,9 +176,11 @@ void addFilterOptions(CommandLine& app, BakeOptions& options) {
     addParsed(app, "--transform", "Apply the 4x4 matrix in this text file to all inputs", [&](const std::string& text) {
         read.transform = readTransform(text);
     })->type_name("FILE");
-    addParsed(app, "--up",
-              "Up axis in scan coordinates; auto: from the files, else estimated from the surface (default auto)",
-              [&](const std::string& text) { options.up = parseUp(text); })
+    addParsed(
+        app, "--up",
+        "Up axis in scan coordinates; auto: from the files, else estimated from the surface, else z for points and "
+        "y for meshes (default auto)",
+        [&](const std::string& text) { options.up = parseUp(text); })
         ->type_name("auto|x|y|z|-x|-y|-z");
     addParsed(app, "--attributes",
               "Extra per-point attributes to keep: auto (all), none, or a list, e.g. intensity,classification "

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "format/base/axis_name.h"
 #include "format/base/report_file.h"
 #include "preprocess/app/vector_json.h"
 
@@ -19,6 +18,15 @@ using Json = nlohmann::ordered_json;
 
 Json worldJson(const WorldFrame& world) {
     return {{"up", vectorJson(world.up)}, {"metres_per_unit", world.metres_per_unit}, {"crs", world.crs}};
+}
+
+/// The world frame for META, which says where its up is from if no file and no user gave it.
+Json worldMetadata(const BakeReport& report) {
+    Json json = worldJson(report.world);
+    if (report.up_reason.empty()) return json;
+    json["up_from"] = report.up_from;
+    json["up_reason"] = report.up_reason;
+    return json;
 }
 
 Json filesJson(const BakeReport& report) {
@@ -111,52 +119,6 @@ Json toJson(const BakeReport& report) {
     return json;
 }
 
-/// " (dropped: 2 not finite, 1 outliers)", or nothing.
-std::string droppedText(const BakeReport& report) {
-    const std::pair<std::uint64_t, const char*> reasons[] = {
-        {report.points_non_finite, "not finite"},
-        {report.points_unused, "not used by a face"},
-        {report.points_filtered, "filtered out"},
-        {report.points_no_data, "without data"},
-        {report.points_withheld, "withheld"},
-        {report.surface.duplicates_removed + report.merged, "duplicates"},
-        {report.surface.outliers_removed, "outliers"},
-        {report.surface.clean_dropped, "off the surface"}};
-    std::string text;
-    for (const auto& [count, reason] : reasons)
-        if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, reason);
-    return text.empty() ? text : " (dropped: " + text + ")";
-}
-
-/// ", 463007 smoothed, 120 added in gaps, 9 discs cut by lines of sight, 40 balls", or nothing.
-std::string changedText(const BakeReport& report) {
-    std::string text;
-    if (report.surface.clean_moved > 0) text += fmt::format(", {} smoothed", report.surface.clean_moved);
-    if (report.filled > 0) text += fmt::format(", {} added in gaps", report.filled);
-    if (report.surface.seen_through > 0)
-        text += fmt::format(", {} discs cut by lines of sight", report.surface.seen_through);
-    if (report.balls > 0) text += fmt::format(", {} balls", report.balls);
-    return text;
-}
-
-/// A warning if pruning exceeds --prune-harm, or nothing.
-std::string pruningWarning(const BakeReport& report) {
-    const PruneReport& pruning = report.pruning;
-    if (pruning.harm_bound <= report.harm_allowed) return {};
-    return fmt::format(
-        " (pruning may change {:.2g} of the hits, more than the allowed {:.2g}; --prune off disables it)",
-        pruning.harm_bound, report.harm_allowed);
-}
-
-/// ", z is up: ground" if up was estimated, or nothing.
-std::string foundUpText(const BakeReport& report) {
-    if (report.up_from != "data") return {};
-    const Vec3d& up = report.world.up;
-    const std::string name = nameOfDirection({up.x(), up.y(), up.z()});
-    const std::string axis = name.empty() ? fmt::format("{:.2f},{:.2f},{:.2f}", up.x(), up.y(), up.z()) : name;
-    return fmt::format(", {} is up: {}", axis, report.up_reason);
-}
-
 bool hasWorld(const WorldFrame& world) {
     return !world.up.isZero() || world.metres_per_unit != 0 || !world.crs.empty();
 }
@@ -179,24 +141,17 @@ std::string noteLine(const Note& note) {
     return fmt::format("{}{}: {}", note.file, others, note.text);
 }
 
-std::string summaryLine(const BakeReport& report) {
-    const auto per_splat = [&](std::uint64_t n) { return static_cast<double>(n) / static_cast<double>(report.splats); };
-    return fmt::format("{} points{}{}, {} splats, {} filled leaves, references per splat {:.2f} -> {:.2f}, "
-                       "{} bytes ({:.1f} per splat), {:.2f} s",
-                       report.input_points, droppedText(report), changedText(report), report.splats,
-                       report.octree.filled_leaves, per_splat(report.references_unpruned),
-                       per_splat(report.octree.references), report.octree.file_bytes,
-                       per_splat(report.octree.file_bytes), report.seconds_total) +
-           foundUpText(report) + pruningWarning(report);
-}
-
 std::string fileLine(const FileReport& file) {
-    const double rate = file.seconds > 0 ? static_cast<double>(file.points) / file.seconds : 0;
     std::string line = fmt::format("{}: {}, {} points", file.name, file.format, file.points);
     if (file.kept != file.points) line += fmt::format(", {} kept", file.kept);
     if (file.sampled > 0) line += fmt::format(", {} sampled on its faces", file.sampled);
     if (file.scans != 1) line += fmt::format(", {} scans", file.scans);
-    return line + fmt::format(", {:.2f} s, {:.2g} million points/s", file.seconds, rate / 1e6);
+    return line;
+}
+
+std::string rateText(const FileReport& file) {
+    const double rate = file.seconds > 0 ? static_cast<double>(file.points) / file.seconds : 0;
+    return fmt::format(", {:.2f} s, {:.2g} million points/s", file.seconds, rate / 1e6);
 }
 
 std::string metadataJson(const BakeOptions& options, const BakeReport& report) {
@@ -206,7 +161,7 @@ std::string metadataJson(const BakeOptions& options, const BakeReport& report) {
         json["sources"].push_back(std::filesystem::path(input).filename().string());
     for (const Scan& scan : report.scans)
         if (report.scans.size() > 1) json["scans"].push_back(withoutFolder(scan.name));
-    if (hasWorld(report.world)) json["world"] = worldJson(report.world);
+    if (hasWorld(report.world)) json["world"] = worldMetadata(report);
     if (isChanged(report)) { // a clean scan gives the same file with and without cleaning
         json["noise"] = noiseJson(report);
         json["cleaned"] = cleanedJson(report);

@@ -21,7 +21,7 @@ struct BakeReport {
     std::vector<Note> notes;          ///< from reading
     std::vector<FileReport> files;
     WorldFrame world;
-    std::string up_from;   ///< "option", "file", "format" (its custom) or "data"; "" if unknown
+    std::string up_from;   ///< "option", "file", "data", "format" (its custom) or "guess"; "" if unknown
     std::string up_reason; ///< FoundUp::reason
     std::vector<Scan> scans;
     std::string source_header;         ///< Cloud::source_header
@@ -48,13 +48,12 @@ std::uint64_t peakRssBytes();
 /// One line for the user about the input.
 std::string noteLine(const Note& note);
 
-/// One line for the user.
-std::string summaryLine(const BakeReport& report);
-
 /// Provenance for META: tool, settings, sources, world frame. Independent of the run and the number of threads.
 std::string metadataJson(const BakeOptions& options, const BakeReport& report);
 
 /// One line for the user about a file that was read.
 std::string fileLine(const FileReport& file);
+/// ", 0.05 s, 1.6 million points/s", to be added to it.
+std::string rateText(const FileReport& file);
 
 } // namespace pointrt

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "format/base/report_file.h"
+#include "format/base/up_text.h"
 #include "preprocess/app/bake_set.h"
 #include "preprocess/app/report.h"
 #include "preprocess/app/vector_json.h"
@@ -66,6 +67,23 @@ Json toJson(const SetReport& report) {
     return json;
 }
 
+/// " (left out 2 not finite, 1 strays)", or nothing.
+std::string leftOutText(const SetPlan& plan) {
+    std::string text;
+    for (const auto& [count, what] :
+         {std::pair{plan.points_non_finite, "not finite"}, std::pair{plan.points_filtered, "filtered out"},
+          std::pair{plan.points_stray, "strays"}})
+        if (count > 0) text += fmt::format("{}{} {}", text.empty() ? " (left out " : ", ", count, what);
+    return text.empty() ? text : text + ")";
+}
+
+/// "; up is a guess: z, as in most point clouds (change it with --up)", or nothing.
+std::string foundUpText(const SetPlan& plan) {
+    const Vec3d& up = plan.world.up;
+    const std::string text = upText({up.x(), up.y(), up.z()}, plan.up_from, plan.up_reason);
+    return text.empty() ? text : "; " + text;
+}
+
 } // namespace
 
 std::string summaryLine(const SetReport& report) {
@@ -77,9 +95,10 @@ std::string summaryLine(const SetReport& report) {
                            steps.empty() ? "nothing left to do" : steps + " done", plan.points, plan.tiles.size(),
                            plan.blocks(), report.seconds_total);
     }
-    return fmt::format("{} points, {} splats in {} tiles of {} levels, {} bytes ({:.1f} per splat), {:.2f} s",
-                       plan.points, report.splats, report.tiles, plan.levels, report.bytes,
-                       static_cast<double>(report.bytes) / static_cast<double>(report.splats), report.seconds_total);
+    return fmt::format("{} points{}, {} splats in {} tiles of {} levels, {} bytes ({:.1f} per splat), {:.2f} s{}",
+                       plan.points, leftOutText(plan), report.splats, report.tiles, plan.levels, report.bytes,
+                       static_cast<double>(report.bytes) / static_cast<double>(report.splats), report.seconds_total,
+                       foundUpText(plan));
 }
 
 void writeStats(const SetReport& report, const std::string& path) {

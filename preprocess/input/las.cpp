@@ -69,9 +69,12 @@ bool isAirborne(const Sink& sink, const LasCrs& crs) {
 
 } // namespace
 
+/// Up is z in all coordinate systems of LAS files but geocentric ones. Without a coordinate system that is a custom:
+/// programs also export rooms in the y-up frame of a phone or a game.
 void setLasFrame(const LasCrs& crs, const InputFile& input, Sink& sink) {
     WorldFrame frame;
     if (crs.kind != LasCrs::Kind::kGeocentric) frame.up = Vec3d::UnitZ();
+    frame.up_by_custom = crs.name.empty() && crs.kind != LasCrs::Kind::kGeographic;
     frame.metres_per_unit = crs.metres_per_unit;
     frame.crs = crs.name;
     frame.from_above = !frame.up.isZero() && isAirborne(sink, crs);

@@ -178,6 +178,19 @@ bool isOfPoints(const InputFile& input) {
                         [&](const PlyElement& element) { return isRangeGrid(header, element); });
 }
 
+/// A header that promises less than the file holds is often wrong, not the rest: the user must know.
+void noteRest(const InputFile& input, const PlyHeader& header, std::string_view rest, Sink& sink) {
+    if (std::all_of(rest.begin(), rest.end(), isSpace)) return;
+    const bool is_text = header.encoding == PlyEncoding::kAscii;
+    std::uint64_t count = is_text ? 0 : rest.size();
+    std::string_view line;
+    for (Lines lines{rest}; is_text && lines.next(line);) ++count;
+    const PlyElement& vertex = vertexElement(header);
+    sink.note(input, fmt::format("its header promises {} vertices, but {} more {} follow what it describes: they are "
+                                 "not read; if they are points, correct the header",
+                                 vertex.count, count, is_text ? "lines" : "bytes"));
+}
+
 void readPly(const InputFile& input, Sink& sink) {
     PlyHeader header = readPlyHeader(input);
     if (header.gaussians != PlyGaussians::kNone) return readPlyGaussians(input, header, sink);
@@ -189,6 +202,7 @@ void readPly(const InputFile& input, Sink& sink) {
         reader.read();
         if (!reader.body.exact)
             sink.note(input, "has numbers outside their declared types: the nearest values are used");
+        noteRest(input, header, {reader.body.values.at, input.end()}, sink);
     });
     const std::size_t grids = sink.cloud.grids.size();
     sink.finishScan(input);

@@ -262,6 +262,7 @@ void readPtx(const InputFile& input, Sink& sink) {
     sink.progress = file_progress;
     WorldFrame frame;
     frame.up = Vec3d::UnitZ();
+    frame.up_by_custom = true;
     frame.metres_per_unit = 1;
     sink.setWorldFrame(input, frame);
 }

@@ -28,6 +28,9 @@ FileReport readFile(const std::string& path, const ReadOptions& options, Sink& s
     report.kept = sink.pointCount() - kept_before;
     report.scans = sink.scans.size() - scans_before;
     report.hides_frame = mayHideDegrees(format.name) && sink.files_in_degrees + sink.files_with_crs == known_before;
+    report.meshes = static_cast<std::uint64_t>(
+        std::count_if(sink.scans.begin() + static_cast<std::ptrdiff_t>(scans_before), sink.scans.end(),
+                      [](const ScanRange& scan) { return scan.has_faces; }));
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return report;
 }
@@ -122,6 +125,12 @@ void findDegrees(const std::vector<FileReport>& files, Sink& sink) {
 
 bool mayHideDegrees(std::string_view format) {
     return format == "las" || format == "xyz" || format == "ply" || format == "pcd" || format == "grid";
+}
+
+bool areMeshes(const std::vector<FileReport>& files) {
+    return !files.empty() && std::all_of(files.begin(), files.end(), [](const FileReport& file) {
+        return file.scans > 0 && file.meshes == file.scans;
+    });
 }
 
 SinkOptions sinkOptions(const ReadOptions& options) {

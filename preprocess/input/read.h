@@ -46,6 +46,7 @@ using ReadProgress = std::function<void(const ReadStatus&)>;
 struct FileReport {
     std::string name, format;
     std::uint64_t points = 0, kept = 0, scans = 0;
+    std::uint64_t meshes = 0;  ///< scans with faces
     std::uint64_t sampled = 0; ///< points sampled over its faces, replacing its vertices
     double seconds = 0;
     bool hides_frame = false; ///< names neither a coordinate system nor degrees, as its format may
@@ -53,6 +54,9 @@ struct FileReport {
 
 /// Whether files of a format may have degrees for x and y without saying so.
 bool mayHideDegrees(std::string_view format);
+
+/// Whether every scan of the files has faces.
+bool areMeshes(const std::vector<FileReport>& files);
 
 /// The options that every reader needs.
 SinkOptions sinkOptions(const ReadOptions& options);

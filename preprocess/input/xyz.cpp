@@ -223,6 +223,7 @@ void readXyz(const InputFile& input, Sink& sink) {
                                      reader.missing));
     WorldFrame frame;
     frame.up = Vec3d::UnitZ();
+    frame.up_by_custom = true;
     if (layout.isPts() || layout.degrees) sink.setWorldFrame(input, frame);
     if (layout.degrees) sink.addDegrees(input);
     sink.finishScan(input);

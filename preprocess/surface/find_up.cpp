@@ -149,6 +149,18 @@ Answer fromTerrain(const Evidence& evidence) {
     return z.up;
 }
 
+/// Floors and ceilings of a building whose y is up. Facades and corridors, whose walls may have most of their surface,
+/// are shallow along y, or have nothing between the walls.
+Answer fromStoreys(const Evidence& evidence) {
+    constexpr double kMost = 0.3, kWalls = 0.3, kBetween = 0.2, kLevel = 0.5, kDeep = 0.15, kTower = 1;
+    const Candidate& y = along(evidence, Vec3d::UnitY());
+    const double others = mostAcross(evidence, y.up, [](const Candidate& each) { return each.along; });
+    const bool is_layered = y.below.shelves >= kBetween && std::min(y.below.level, y.above.level) >= kLevel;
+    const bool is_deep = y.below.height >= kDeep && y.below.height < kTower;
+    if (!(y.along >= kMost && y.along >= 2 * others && y.across >= kWalls && is_layered && is_deep)) return {};
+    return y.up;
+}
+
 /// The candidate on which the object stands best.
 struct Base {
     const Candidate *best = nullptr, *opposite = nullptr;
@@ -170,17 +182,20 @@ Base bestBase(const Evidence& evidence, bool axes_only) {
     return base;
 }
 
+/// No program puts up along x or -z; pieces of terrain and trees may still stand best on such a side.
+Answer ifCustomary(const Vec3d& up) { return std::abs(up.x()) == 1 || up.z() == -1 ? Answer() : Answer(up); }
+
 Answer fromBase(const Evidence& evidence) {
     constexpr double kLeast = 0.25, kClear = 1.6, kTwice = 2;
     Base base = bestBase(evidence, true);
     if (base.support < kLeast) base = bestBase(evidence, false);
     if (!base.best || base.support < kLeast || base.support < kClear * base.across) return {};
-    if (base.support >= kTwice * base.beneath) return base.best->up;
+    if (base.support >= kTwice * base.beneath) return ifCustomary(base.best->up);
     // stands on both ends: a flat base beats three tips
     const bool turned = base.opposite->below.level > base.best->below.level;
     const Candidate &flatter = turned ? *base.opposite : *base.best, &other = turned ? *base.best : *base.opposite;
     if (flatter.below.level < kLeast || flatter.below.level < kTwice * other.below.level) return {};
-    return flatter.up;
+    return ifCustomary(flatter.up);
 }
 
 Answer fromPole(const Evidence& evidence) {
@@ -217,22 +232,51 @@ constexpr struct {
     Answer (*infer)(const Evidence&);
     const char* reason;
 } kRules[] = {
-    {fromCamera, "camera frame"},    {fromStations, "scanner positions"}, {fromGround, "ground"},
-    {fromRoom, "floor and ceiling"}, {fromLevels, "level surfaces"},      {fromMap, "map coordinates"},
-    {fromTerrain, "terrain"},        {fromBase, "stable base"},           {fromPole, "vertical pole"},
+    {fromCamera, "camera frame"},    {fromStations, "scanner positions"},  {fromGround, "ground"},
+    {fromRoom, "floor and ceiling"}, {fromLevels, "level surfaces"},       {fromMap, "map coordinates"},
+    {fromTerrain, "terrain"},        {fromStoreys, "floors and ceilings"}, {fromBase, "stable base"},
+    {fromPole, "vertical pole"},
 };
+
+/// Flat, and level on both sides.
+bool liesFlat(const Candidate& each) {
+    constexpr double kFlat = 0.25, kLevel = 0.6; // the front of a face is twice as deep, and less level
+    return each.below.height < kFlat && std::min(each.below.level, each.above.level) >= kLevel;
+}
+
+FoundUp guess(const Evidence& evidence, bool is_mesh) {
+    if (!is_mesh) return {Vec3d::UnitZ(), UpBasis::kGuess, "as in most point clouds"};
+    const Candidate &z = along(evidence, Vec3d::UnitZ()), &y = along(evidence, Vec3d::UnitY());
+    if (liesFlat(z) && !liesFlat(y)) return {Vec3d::UnitZ(), UpBasis::kGuess, "it lies flat"};
+    return {Vec3d::UnitY(), UpBasis::kGuess, "as in most meshes"};
+}
 
 } // namespace
 } // namespace upright
 
-FoundUp findUp(const Splats& splats, const std::vector<Scan>& scans) {
+const char* nameOf(UpBasis basis) {
+    switch (basis) {
+    case UpBasis::kData:
+        return "data";
+    case UpBasis::kCustom:
+        return "format";
+    default:
+        return "guess";
+    }
+}
+
+FoundUp findUp(const Splats& splats, const std::vector<Scan>& scans, const UpPrior& prior) {
     using namespace upright;
     Evidence evidence{splats, sampleSurface(splats), distinctSensors(scans, splats.origin), {}};
     if (evidence.sample.positions.empty()) return {};
     addCandidates(evidence);
+    const FoundUp custom{prior.custom, UpBasis::kCustom, "as usual in this format"};
+    const bool has_custom = !prior.custom.isZero();
+    if (has_custom && fromMap(evidence) == prior.custom) return custom;
     for (const auto& rule : kRules)
-        if (const Answer up = rule.infer(evidence)) return {*up + Vec3d::Zero(), rule.reason}; // turns -0 into 0
-    return {};
+        if (const Answer up = rule.infer(evidence))
+            return {*up + Vec3d::Zero(), UpBasis::kData, rule.reason}; // turns -0 into 0
+    return has_custom ? custom : guess(evidence, prior.is_mesh);
 }
 
 } // namespace pointrt

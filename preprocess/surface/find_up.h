@@ -9,13 +9,25 @@
 
 namespace pointrt {
 
-struct FoundUp {
-    Vec3d up = Vec3d::Zero(); ///< unit length; zero: unknown
-    std::string reason;       ///< the evidence, in a few words; "" if unknown
+/// What is known about up before looking at the surface.
+struct UpPrior {
+    Vec3d custom = Vec3d::Zero(); ///< customary for the format, unit length; zero: the format has no custom
+    bool is_mesh = false;         ///< every scan has faces
 };
 
-/// Infers up from the surface and the scanner positions; unknown if they say little: a sphere, a box, a relief. Rules,
-/// in this order:
+/// How much an up direction is worth.
+enum class UpBasis { kData, kCustom, kGuess };
+
+/// "data", "format" or "guess", as reports name it.
+const char* nameOf(UpBasis basis);
+
+struct FoundUp {
+    Vec3d up = Vec3d::Zero(); ///< unit length; zero: there are no splats
+    UpBasis basis = UpBasis::kGuess;
+    std::string reason; ///< the evidence, or what is usually so, in a few words
+};
+
+/// Infers up from the surface and the scanner positions. Rules, in this order:
 ///   - camera frame: one sensor on the z axis, with all points in a cone along it; -y is up;
 ///   - scanner positions: four or more stations in a plane; up is its normal;
 ///   - ground: level wherever it is seen from below, but not from above, or higher there;
@@ -23,9 +35,13 @@ struct FoundUp {
 ///   - level surfaces: most of the surface is level and the rest are walls if z is up, as scanners have it;
 ///   - map coordinates: x and y far from zero, z not;
 ///   - terrain: wide, flat, and level on both sides if z is up;
-///   - base: the only side on which the object stands without falling over;
+///   - storeys: floors, ceilings and walls of a building if y is up;
+///   - base: the only side on which the object stands without falling over, unless that is the side of x or -z;
 ///   - vertical pole: along z.
+/// If all of them say nothing, as about a sphere, a box or a relief: the custom of the format, else a guess: z for
+/// points, y for meshes, but z for meshes that lie in the plane of x and y as terrain does. Of formats with a custom,
+/// map coordinates are checked first: they confirm it.
 /// Directions within 5 degrees of an axis become that axis. The result does not depend on the number of threads.
-FoundUp findUp(const Splats& splats, const std::vector<Scan>& scans);
+FoundUp findUp(const Splats& splats, const std::vector<Scan>& scans, const UpPrior& prior = {});
 
 } // namespace pointrt

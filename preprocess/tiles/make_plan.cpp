@@ -133,7 +133,7 @@ std::vector<Scan> scansWithSensors(const SetPlan& plan) {
 }
 
 /// Determines up, if neither the command line nor a file gives it, and sides, if nothing else decides them.
-void orient(const SetRequest& request, const Survey& survey, SetPlan& plan) {
+void orient(const SetRequest& request, const Survey& survey, bool is_mesh, SetPlan& plan) {
     plan.orient = request.bake.surface.orient;
     const bool up_is_given = plan.up_from == "option" || plan.up_from == "file";
     const bool sides_known = sidesAreKnown(plan, survey, plan.orient);
@@ -144,10 +144,10 @@ void orient(const SetRequest& request, const Survey& survey, SetPlan& plan) {
     SurfaceReport report;
     const Splats splats = estimateSplats(cloudOf(survey.sample.points(), plan), options, report, {});
     if (!up_is_given) {
-        const FoundUp found = findUp(splats, scansWithSensors(plan));
+        const FoundUp found = findUp(splats, scansWithSensors(plan), {plan.world.up, is_mesh});
         if (!found.up.isZero()) {
             plan.world.up = found.up;
-            plan.up_from = "data";
+            plan.up_from = nameOf(found.basis);
             plan.up_reason = found.reason;
         }
     }
@@ -253,7 +253,7 @@ SetPlan makePlan(const SetRequest& request, const ReadProgress& progress) {
     named(request, [&] {
         chooseTiles(survey.counts.cells(), survey.counts.edge(), choice, plan);
         takeBounds(survey, plan);
-        orient(request, survey, plan);
+        orient(request, survey, areMeshes(found.files), plan);
     });
     return plan;
 }

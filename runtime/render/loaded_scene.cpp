@@ -6,6 +6,7 @@
 #include "runtime/device_scene/gather_sample.h"
 #include "runtime/device_scene/scene_rows.h"
 #include "runtime/device_scene/scene_tiles.h"
+#include "runtime/render/default_colors.h"
 #include "runtime/render/picture_tiles.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/framing.h"
@@ -52,6 +53,25 @@ bool holdsOnlyGaussians(const DeviceScene& scene) {
            std::all_of(scans.begin(), scans.end(), [](const DeviceScan* scan) { return scan->is_gaussian; });
 }
 
+void chooseColorsByDefault(LoadedScene& loaded) {
+    const Vec3 up = sceneUp(loaded.scene.description, loaded.settings);
+    const std::optional<DefaultColors> colors = defaultColors(loaded.scene, loaded.sample, up);
+    if (!colors) return;
+    loaded.settings.color_by = colors->color_by;
+    if (!loaded.settings.color_range) loaded.settings.color_range = colors->range;
+    loaded.colored_by_default = true;
+}
+
+/// What the lamps adapt to: outside, the brightest parts, which must not be overexposed. Within walls, the mean of what
+/// the camera sees: that is all of the picture, and it may be darker or brighter than the rest of the scan.
+double subjectReflectance(const LoadedScene& loaded, const Camera& camera, bool has_walls) {
+    constexpr double kViridisMean = 0.28; // of its 256 colours
+    if (!has_walls) return brightReflectance(loaded.sample);
+    if (loaded.colored_by_default) return kViridisMean;
+    const ViewBasis basis{camera.right, camera.up, camera.forward};
+    return meanReflectance(visibleFrom(loaded.sample, camera.eye, basis, camera.fov_deg));
+}
+
 /// Adds surroundings to the scene, selects its tiles and uploads all tables.
 void prepareScene(Device& device, LoadedScene& loaded, const LoadRequest& request) {
     DeviceScene& scene = loaded.scene;
@@ -60,6 +80,7 @@ void prepareScene(Device& device, LoadedScene& loaded, const LoadRequest& reques
     loaded.sample = gatherSample(scene);
     loaded.free_share = request.free_share;
     loaded.shown = shownBounds(scene, loaded.sample);
+    if (request.chooses_colors) chooseColorsByDefault(loaded);
     // a view from above has an up of its own; keep that of the scene
     if (loaded.settings.camera.view && !scene.description.up)
         scene.description.up = sceneUp(scene.description, loaded.settings);
@@ -69,9 +90,10 @@ void prepareScene(Device& device, LoadedScene& loaded, const LoadRequest& reques
     loaded.pivot = view.pivot;
     loaded.aside = view.aside;
     const FramedRequest stage_view = framed(loaded, staging, request);
-    loaded.subject = {brightReflectance(loaded.sample), stage_view.within, holdsOnlyGaussians(scene)};
     loaded.camera = framedCamera(loaded, view.camera);
     const Camera stage = framedCamera(loaded, stage_view.camera);
+    loaded.subject = {subjectReflectance(loaded, stage, stage_view.walls.has_value()), stage_view.within,
+                      holdsOnlyGaussians(scene), stage_view.walls};
     loaded.staged_for = scene.description.staged_for.value_or(stage.eye);
     addSurroundings(scene.description, loaded.settings, stage, loaded.shown.lo, loaded.shown.hi, loaded.subject);
     if (!scene.sets.empty()) updateTiles(device, scene, tileRequest(device, loaded, request));

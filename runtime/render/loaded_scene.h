@@ -46,8 +46,9 @@ struct LoadedScene {
     Bounds shown;               ///< bounds of the scene without strays
     std::optional<Vec3> pivot;  ///< centre of what the initial camera shows, if it was framed automatically
     StudioSubject subject;
-    double free_share = 1; ///< LoadRequest::free_share
-    double aside = 0;      ///< distance of the pivot to the left of the picture's centre, in picture heights
+    bool colored_by_default = false; ///< settings.color_by is of defaultColors
+    double free_share = 1;           ///< LoadRequest::free_share
+    double aside = 0;                ///< distance of the pivot to the left of the picture's centre, in picture heights
     DeviceScene scene;
     BandTracer tracer; ///< for ProgressiveRenderer
     ProgramKinds program_kinds;
@@ -63,6 +64,7 @@ struct LoadRequest {
     CameraRequest staging;              ///< surroundings are made for this camera: that of the settings without a view
     std::optional<TracerSize> size;     ///< of the tracer; none: for frames of the settings' size
     std::optional<Vec3> fallback_up;    ///< if neither scene nor scans define it; none: that of the camera
+    bool chooses_colors = false;        ///< color scans without colour by defaultColors
     bool fov_is_free = false;           ///< not specified by the user: framing may widen it
     double free_share = 1;              ///< uncovered share of the picture's width, from the left
     std::uint64_t memory = kTileMemory; ///< bytes, for pictures of sets

@@ -126,10 +126,14 @@ constexpr float kStudioZenith = 0.35f;
 constexpr double kBright = 0.75, kDark = 0.25, kMostGain = 2.5;
 
 /// The gain of the lamps for a subject of this reflectance.
-float lampGain(double reflectance) {
+float lampGain(double reflectance, double dark = kDark) {
     if (reflectance > kBright) return static_cast<float>(kBright / reflectance);
-    return static_cast<float>(std::clamp(kDark / std::max(reflectance, 1e-6), 1.0, kMostGain));
+    return static_cast<float>(std::clamp(dark / std::max(reflectance, 1e-6), 1.0, kMostGain));
 }
+
+/// The same as kDark for the mean of walls, which fill the picture: under kAmongWalls a mean of 0.35 renders as a
+/// middle grey.
+constexpr double kDarkWalls = 0.35;
 
 /// The light of a lamp near the eye, as the radiance of a white surface at the centre's distance, and that of a dim sky
 /// (all_around), whose ambient light reduces the contrast between near and far surfaces.
@@ -143,13 +147,18 @@ constexpr float kAbove = 0.4f, kAcross = 0.36f, kBelow = 0.3f; // floors, walls 
 /// are not too bright, and cast visible shadows.
 constexpr double kLampHeight = 0.5;
 
-void addEyeLamp(SceneDescription& scene, const Staging& staging, float gain) {
+void addEyeLamp(SceneDescription& scene, const Staging& staging, const StudioSubject& subject) {
+    const float gain = lampGain(subject.reflectance, subject.walls ? kDarkWalls : kDark);
     const Vec3 to_centre = staging.center - staging.eye;
-    const double distance = std::max(length(to_centre), 0.25 * staging.radius);
+    const bool central = length(to_centre) < staging.radius / 2;
+    // one of many rooms: the centre and the height of the whole say nothing about it
+    const bool own_room = subject.walls && !central;
+    const double distance = own_room ? subject.walls->distance : std::max(length(to_centre), 0.25 * staging.radius);
     // above and left of the eye, so that surfaces have shading. Without walls, the lamp is as far behind the eye as the
     // centre is in front of it: near surfaces do not get much more light than far ones
-    const bool walled = length(to_centre) < staging.radius / 2;
-    const double headroom = std::max(0.0, dot(to_centre, staging.up) - staging.floor);
+    const bool walled = central || own_room;
+    const double headroom =
+        own_room ? subject.walls->headroom : std::max(0.0, dot(to_centre, staging.up) - staging.floor);
     const Vec3 aside = 0.1 * distance * (staging.up - staging.right);
     const Vec3 place = staging.eye + aside + (walled ? kLampHeight * headroom * staging.up : -1.0 * to_centre);
     const double reach = walled ? distance : 2 * distance;
@@ -177,7 +186,7 @@ void addFloor(SceneDescription& scene, const Staging& staging, double level, flo
 
 void addStudio(SceneDescription& scene, const Staging& staging, const StudioSubject& subject, bool has_floor) {
     const float gain = lampGain(subject.reflectance), grey = kStudioFloor / gain;
-    if (subject.around_eye) return addEyeLamp(scene, staging, gain);
+    if (subject.around_eye) return addEyeLamp(scene, staging, subject);
     const double level = staging.floor - kStudioGap * staging.radius;
     // from below, a floor would hide the scene; the lamps then shine from below too
     const bool below = dot(staging.eye - staging.center, staging.up) <= level;

@@ -7,6 +7,7 @@
 #include "runtime/scene/background.h"
 #include "runtime/scene/render_settings.h"
 #include "runtime/scene/scene_description.h"
+#include "runtime/scene/visibility.h"
 
 namespace pointrt {
 
@@ -23,6 +24,8 @@ struct StudioSubject {
     bool around_eye = false;
     /// Every instance is a Gaussian capture: its light is part of it, and nothing in it is lit.
     bool only_gaussians = false;
+    /// What encloses the eye, if anything does.
+    std::optional<Surrounding> walls = {};
 };
 
 /// Adds default surroundings to scene:

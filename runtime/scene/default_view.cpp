@@ -155,27 +155,64 @@ double hiddenShare(const SceneSample& sample, const Ground& ground) {
     return static_cast<double>(std::count(seen.begin(), seen.end(), false)) / static_cast<double>(seen.size());
 }
 
-/// The share of the surface seen from above that is horizontal and near the maximum height.
-double ceilingShare(const SceneSample& sample, const Ground& ground) {
+/// The share of the surface seen from a side, above or below, that is horizontal and near that end.
+double levelShare(const SceneSample& sample, const Ground& ground, Vec3 side) {
     constexpr double kLevel = 0.85, kDepth = 0.1; // 32 degrees; of the height
-    const Visibility above = visibleAlong(sample, denseBox(sample), basisFrom(ground, ground.up));
-    const Extent heights = alongAxis(sample, ground.up);
+    const Visibility visible = visibleAlong(sample, denseBox(sample), basisFrom(ground, side));
+    const Extent heights = alongAxis(sample, side);
     double level = 0;
-    for (const std::uint32_t i : above.seen) {
+    for (const std::uint32_t i : visible.seen) {
         const SampledSplat& splat = sample.splats[i];
-        const bool high = dot(splat.position, ground.up) > heights.high - kDepth * heights.size();
-        level += high && std::abs(dot(splat.normal, ground.up)) > kLevel ? 1 : 0;
+        const bool near = dot(splat.position, side) > heights.high - kDepth * heights.size();
+        level += near && std::abs(dot(splat.normal, side)) > kLevel ? 1 : 0;
     }
-    return above.seen.empty() ? 0 : level / static_cast<double>(above.seen.size());
+    return visible.seen.empty() ? 0 : level / static_cast<double>(visible.seen.size());
+}
+
+/// True for a closed box of the size of a room, in metres, with the uneven spacing of a scan from one place: nobody
+/// scans the underside of a box that stands, or a hall of walls without a floor. Boxes that were sampled evenly are
+/// models.
+bool isScannedShell(const SceneSample& sample, const Ground& ground) {
+    constexpr double kLowest = 1.8, kHighest = 8, kWidest = 100, kCeiling = 0.5, kUneven = 3;
+    constexpr double kFloor = 0.3; // a scanner sees none beneath itself
+    const double height = alongAxis(sample, ground.up).size();
+    const double width = std::max(alongAxis(sample, ground.front).size(), alongAxis(sample, ground.right).size());
+    if (height < kLowest || height > kHighest || width > kWidest) return false;
+    std::vector<double> radii;
+    for (const SampledSplat& splat : sample.splats) radii.push_back(splat.radius);
+    std::sort(radii.begin(), radii.end());
+    const double small = radii[radii.size() / 10], large = radii[radii.size() * 9 / 10];
+    return large >= kUneven * small && levelShare(sample, ground, ground.up) >= kCeiling &&
+           levelShare(sample, ground, -1.0 * ground.up) >= kFloor;
 }
 
 /// True for interiors: either scanners were inside and saw nothing of the outside, or there are objects under a
-/// ceiling. An empty box has no hidden parts (kFurniture), and the top of a statue is not level (kCeiling).
+/// ceiling, or it is a shell that can only have been scanned from within. An empty box has no hidden parts
+/// (kFurniture), and the top of a statue is not level (kCeiling).
 bool isRoom(const SceneSample& sample, const Ground& ground) {
     constexpr double kFurniture = 0.015, kCeiling = 0.5;
     const bool scanned_within = !freeWithin(sample, boundsOf(sample), sample.sensors).empty();
     if (sample.oriented && scanned_within && showsItsBack(sample, ground)) return true;
-    return hiddenShare(sample, ground) >= kFurniture && ceilingShare(sample, ground) >= kCeiling;
+    if (isScannedShell(sample, ground)) return true;
+    return hiddenShare(sample, ground) >= kFurniture && levelShare(sample, ground, ground.up) >= kCeiling;
+}
+
+/// The highest free space between level surfaces around a vertical line: a room between its floor, or a table, and its
+/// ceiling; in buildings, one of several.
+Extent storeyAt(const SceneSample& sample, const Ground& ground, double x, double y, double reach, const Extent& all) {
+    constexpr double kLevel = 0.85; // 32 degrees
+    std::vector<double> levels{all.low, all.high};
+    for (const SampledSplat& splat : sample.splats) {
+        const bool beside = std::abs(dot(splat.position, ground.right) - x) > reach ||
+                            std::abs(dot(splat.position, ground.front) - y) > reach;
+        if (!beside && std::abs(dot(splat.normal, ground.up)) > kLevel)
+            levels.push_back(dot(splat.position, ground.up));
+    }
+    std::sort(levels.begin(), levels.end());
+    Extent highest{all.low, all.low};
+    for (std::size_t i = 1; i < levels.size(); ++i)
+        if (levels[i] - levels[i - 1] > highest.size()) highest = {levels[i - 1], levels[i]};
+    return highest;
 }
 
 /// Positions at eye level, from wall to wall: the half with the largest clearance.
@@ -183,6 +220,7 @@ std::vector<Vec3> placesWithin(const SceneSample& sample, const Ground& ground) 
     constexpr int kSteps = 5;
     const Extent x = alongAxis(sample, ground.right), y = alongAxis(sample, ground.front),
                  h = alongAxis(sample, ground.up);
+    const double reach = std::max(x.size(), y.size()) / (4 * kSteps); // half of the way to the next position
     struct Place {
         Vec3 eye;
         double clearance;
@@ -190,8 +228,10 @@ std::vector<Vec3> placesWithin(const SceneSample& sample, const Ground& ground) 
     std::vector<Place> places;
     for (int i = 0; i < kSteps * kSteps; ++i) {
         const double column = (i % kSteps + 0.5) / kSteps, row = (i / kSteps + 0.5) / kSteps;
-        const Vec3 eye = (x.low + column * x.size()) * ground.right + (y.low + row * y.size()) * ground.front +
-                         (h.low + 0.6 * h.size()) * ground.up; // over tables, under lamps
+        const double right = x.low + column * x.size(), front = y.low + row * y.size();
+        const Extent storey = storeyAt(sample, ground, right, front, reach, h);
+        const Vec3 eye = right * ground.right + front * ground.front +
+                         (storey.low + 0.6 * storey.size()) * ground.up; // over tables, under lamps
         double clearance = std::numeric_limits<double>::infinity();
         for (const SampledSplat& splat : sample.splats)
             clearance = std::min(clearance, length(splat.position - eye) - splat.radius);
@@ -294,6 +334,14 @@ std::optional<ViewChoice> viewOfSensor(const SceneSample& sample, Vec3 up) {
     if (sample.sensors.empty()) return {};
     if (const auto frame = viewOfFrame(sample)) return frame;
     return fullestPlace(sample, groundOf(up), someOf(sample.sensors));
+}
+
+PlaceKind placeKind(const SceneSample& sample, Vec3 up, bool is_surveyed) {
+    constexpr double kLow = 0.5, kGround = 0.5;
+    const Ground ground = groundOf(up);
+    if (isRoom(sample, ground)) return PlaceKind::kRoom;
+    const bool is_site = flatness(sample, ground) < kLow && (is_surveyed || levelGround(sample, ground) >= kGround);
+    return is_site ? PlaceKind::kSite : PlaceKind::kObject;
 }
 
 ViewChoice chooseView(const SceneSample& sample, Vec3 up) {

@@ -27,6 +27,11 @@ Vec3 upIn(StandardView view, Vec3 up);
 /// sample: not empty
 ViewChoice chooseView(const SceneSample& sample, Vec3 up);
 
+enum class PlaceKind { kObject, kRoom, kSite };
+/// What sample shows, which must have no strays: an interior, ground wider than it is high, or anything else. sample:
+/// not empty; up: unit length; is_surveyed: by lidar or the like, so that whatever is wide is ground, also below trees
+PlaceKind placeKind(const SceneSample& sample, Vec3 up, bool is_surveyed);
+
 /// The view from a scanner: the one that saw everything, or the one that shows most. None if no scanner's position is
 /// known.
 std::optional<ViewChoice> viewOfSensor(const SceneSample& sample, Vec3 up);

@@ -62,6 +62,8 @@ FramedRequest fromPlace(CameraRequest request, const SceneSample& sample, const 
     request.up = up;
     framed.camera = request;
     framed.pivot = *request.target;
+    const Surrounding surrounding = surroundingOf(sample, eye, up);
+    if (isEnclosed(surrounding)) framed.walls = surrounding;
     return framed;
 }
 
@@ -88,6 +90,14 @@ FramedRequest fromOutside(CameraRequest request, const SceneSample& sample, Vec3
     return framed;
 }
 
+/// Fills in the walls around the eye.
+FramedRequest fromGivenEye(FramedRequest framed, const SceneSample& sample, Vec3 up) {
+    const Surrounding surrounding = surroundingOf(sample, *framed.camera.eye, up);
+    framed.within = isEnclosed(surrounding);
+    if (framed.within) framed.walls = surrounding;
+    return framed;
+}
+
 /// A given target seen from the side of a view, at frameCamera's distance, or from a scanner's position.
 FramedRequest fromSideOf(CameraRequest request, const SceneSample& sample, Vec3 up) {
     const ViewChoice choice = chosen(request, sample, up);
@@ -104,6 +114,7 @@ FramedRequest frameScene(const CameraRequest& request, const SceneSample& all, V
                          bool free_fov) {
     FramedRequest framed{request, {}};
     framed.camera.view.reset();
+    if (request.eye && !all.splats.empty() && !all.has_shapes) return fromGivenEye(framed, all, up);
     if (request.view && request.target && !request.eye && !all.splats.empty())
         return fromSideOf(request, thinned(withoutStrays(all)), up);
     if (request.eye || request.target || all.splats.empty() || (all.has_shapes && !request.view)) return framed;
@@ -121,6 +132,10 @@ FramedRequest frameScene(const CameraRequest& request, const SceneSample& all, V
     const bool cut = !free_fov && fit.fov_deg > request.fov_deg && fit.fov_deg < kWidest_deg;
     if (hardly_seen || cut) return fromOutside(framed.camera, sample, -1.0 * fit.forward, level, area);
     return fromPlace(framed.camera, sample, choice, fit, level, free_fov);
+}
+
+PlaceKind kindOfPlace(const SceneSample& sample, Vec3 up, bool is_surveyed) {
+    return placeKind(thinned(withoutStrays(sample)), up, is_surveyed);
 }
 
 } // namespace pointrt

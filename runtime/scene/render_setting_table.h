@@ -161,7 +161,8 @@ inline constexpr std::tuple kRenderSettings{
     RenderSetting{&RenderSettings::color_by, &RenderChoices::color_by,
         AttributeWord{},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--color-by", "NAME",
-            "Colour scans by {limits} (default {default}: the scan's colours)"},
+            "Colour scans by {limits} (default {default}: the scan's colours; sites, interiors and surveys without colour by "
+            "height or intensity)"},
         InSceneFile{FileTable::kRender, 13, "color_by"},
         InFilm{13, "color_by", nullptr, true}},
     RenderSetting{&RenderSettings::color_map, &RenderChoices::color_map,

@@ -22,6 +22,10 @@ Extent extentWithout(std::vector<double>& values, double share) {
     return {low, quantile(values, 1 - share)};
 }
 
+double luminanceOf(const SampledSplat& splat) { // Rec. 709
+    return 0.2126 * double{splat.color[0]} + 0.7152 * double{splat.color[1]} + 0.0722 * double{splat.color[2]};
+}
+
 template <typename Measure>
 SampleBox boxOf(const SceneSample& sample, const Measure& extent) {
     std::vector<double> x, y, z;
@@ -46,10 +50,15 @@ double halfExtentAlong(const SampledSplat& splat, Vec3 axis) {
 double brightReflectance(const SceneSample& sample) {
     if (sample.splats.empty()) return 0.5;
     std::vector<double> values;
-    for (const SampledSplat& splat : sample.splats) // Rec. 709
-        values.push_back(0.2126 * double{splat.color[0]} + 0.7152 * double{splat.color[1]} +
-                         0.0722 * double{splat.color[2]});
+    for (const SampledSplat& splat : sample.splats) values.push_back(luminanceOf(splat));
     return quantile(values, 0.95);
+}
+
+double meanReflectance(const SceneSample& sample) {
+    if (sample.splats.empty()) return 0.5;
+    double sum = 0;
+    for (const SampledSplat& splat : sample.splats) sum += luminanceOf(splat);
+    return sum / static_cast<double>(sample.splats.size());
 }
 
 SampleBox boundsOf(const SceneSample& sample) {

@@ -43,6 +43,9 @@ double halfExtentAlong(const SampledSplat& splat, Vec3 axis);
 /// The 95th percentile of the luminance of reflectance; 0.5 for an empty sample.
 double brightReflectance(const SceneSample& sample);
 
+/// The mean luminance of reflectance; 0.5 for an empty sample.
+double meanReflectance(const SceneSample& sample);
+
 /// An axis-aligned box.
 struct SampleBox {
     Vec3 low, high;

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "runtime/scene/camera.h"
+
 namespace pointrt {
 namespace {
 
@@ -91,11 +93,18 @@ Visibility visibleAlong(const SceneSample& sample, const SampleBox& box, const V
     return visible;
 }
 
-double visibleWeight(const SceneSample& sample, const std::vector<double>& weights, Vec3 eye, const ViewBasis& basis,
-                     double fov_deg) {
+namespace {
+
+/// A square picture: the cell and distance of each splat, and the distance of the nearest disc in each cell.
+struct Panel {
+    std::vector<Placed> placed;
+    std::vector<double> depths;
+};
+
+Panel panelFrom(const SceneSample& sample, Vec3 eye, const ViewBasis& basis, double fov_deg) {
     const double half = std::tan(fov_deg * std::numbers::pi / 360);
-    std::vector<Placed> placed(sample.splats.size());
-    std::vector<double> depths(kOutside, kFar);
+    Panel panel{std::vector<Placed>(sample.splats.size()), std::vector<double>(kOutside, kFar)};
+    auto& [placed, depths] = panel;
     for (std::size_t i = 0; i < placed.size(); ++i) {
         const SampledSplat& splat = sample.splats[i];
         const Vec3 to = splat.position - eye;
@@ -107,11 +116,63 @@ double visibleWeight(const SceneSample& sample, const std::vector<double>& weigh
         rasterize(depths, {x, y, cells * halfExtentAlong(splat, basis.right), cells * halfExtentAlong(splat, basis.up)},
                   length(to));
     }
+    return panel;
+}
+
+bool isVisible(const Panel& panel, std::size_t splat) {
+    const auto [cell, depth] = panel.placed[splat];
+    return cell != kOutside && depth <= 1.25 * panel.depths[cell]; // oblique and noisy walls
+}
+
+double medianOf(std::vector<double>& values) {
+    if (values.empty()) return 0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+} // namespace
+
+double visibleWeight(const SceneSample& sample, const std::vector<double>& weights, Vec3 eye, const ViewBasis& basis,
+                     double fov_deg) {
+    const Panel panel = panelFrom(sample, eye, basis, fov_deg);
     double seen = 0;
-    for (std::size_t i = 0; i < placed.size(); ++i)
-        if (placed[i].cell != kOutside && placed[i].depth <= 1.25 * depths[placed[i].cell]) // oblique and noisy walls
-            seen += weights[i];
+    for (std::size_t i = 0; i < panel.placed.size(); ++i)
+        if (isVisible(panel, i)) seen += weights[i];
     return seen;
+}
+
+SceneSample visibleFrom(const SceneSample& sample, Vec3 eye, const ViewBasis& basis, double fov_deg) {
+    const Panel panel = panelFrom(sample, eye, basis, fov_deg);
+    SceneSample visible;
+    for (std::size_t i = 0; i < panel.placed.size(); ++i)
+        if (isVisible(panel, i)) visible.splats.push_back(sample.splats[i]);
+    return visible;
+}
+
+Surrounding surroundingOf(const SceneSample& sample, Vec3 eye, Vec3 up) {
+    const Vec3 front = frontSide(up), right = cross(up, front);
+    Surrounding surrounding;
+    std::vector<double> all;
+    for (const Vec3 forward : {up, -1.0 * up, front, -1.0 * front, right, -1.0 * right}) {
+        const bool steep = std::abs(dot(forward, up)) > 0.5;
+        std::vector<double> depths = panelFrom(sample, eye, basisOf(forward, steep ? front : up), 90).depths;
+        std::erase(depths, kFar);
+        const double covered = static_cast<double>(depths.size()) / kOutside;
+        surrounding.covered += covered / 6;
+        all.insert(all.end(), depths.begin(), depths.end());
+        if (dot(forward, up) < 0.5) continue;
+        surrounding.above = covered;
+        // half of a square of 90 degrees is within tan^2 = 2 / pi of its axis: sqrt(1 + 2 / pi) heights of a ceiling
+        surrounding.headroom = medianOf(depths) / std::sqrt(1 + 2 / std::numbers::pi);
+    }
+    surrounding.distance = medianOf(all);
+    return surrounding;
+}
+
+bool isEnclosed(const Surrounding& surrounding) {
+    // a third of a ceiling or of all sides lets enough of the lamps' light in, a window or a door does not
+    return surrounding.above >= 2.0 / 3 && surrounding.covered >= 2.0 / 3;
 }
 
 } // namespace pointrt

@@ -25,4 +25,21 @@ Visibility visibleAlong(const SceneSample& sample, const SampleBox& box, const V
 double visibleWeight(const SceneSample& sample, const std::vector<double>& weights, Vec3 eye, const ViewBasis& basis,
                      double fov_deg);
 
+/// The splats visible from eye in a square picture.
+SceneSample visibleFrom(const SceneSample& sample, Vec3 eye, const ViewBasis& basis, double fov_deg);
+
+/// What surrounds a place.
+struct Surrounding {
+    double covered = 0;  ///< share of all directions that meet a disc
+    double above = 0;    ///< the same for directions within 45 degrees of up, about a cube's upper face
+    double headroom = 0; ///< height of the ceiling above; 0 if there is none
+    double distance = 0; ///< median distance in all directions with a disc
+};
+
+/// up: unit length
+Surrounding surroundingOf(const SceneSample& sample, Vec3 eye, Vec3 up);
+
+/// Whether a place is within walls and under a ceiling, where light from outside would be occluded.
+bool isEnclosed(const Surrounding& surrounding);
+
 } // namespace pointrt

@@ -16,6 +16,9 @@ LoadRequest loadRequest(const Options& options, SceneDescription scene) {
     if (!standardView(options, scene) || scene.camera.eye) without_view.view.clear();
     request.staging = resolveSettings(without_view, scene).camera;
     request.fov_is_free = !options.fov_deg && request.settings.camera.fov_deg == CameraRequest{}.fov_deg;
+    // scene files and other options say how scans look
+    const RenderChoices& said = options.choices;
+    request.chooses_colors = !isSceneFile(options.scene) && !said.color_by && !said.reflectivity;
     request.scene = std::move(scene);
     if (isSceneFile(options.scene)) request.fallback_up = Vec3{0, 1, 0}; // not the camera's up, which may be tilted
     request.memory = options.memory.value_or(kTileMemory);

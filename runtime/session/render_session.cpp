@@ -8,6 +8,7 @@
 
 #include "runtime/render/film_resume.h"
 #include "runtime/session/load_request.h"
+#include "runtime/session/scene_notes.h"
 #include "runtime/session/settings.h"
 #include "runtime/session/without_effect.h"
 
@@ -53,12 +54,15 @@ void chooseLayers(RenderSession& session, const Options& options) {
         options.output.ends_with(".exr") || options.turntable != 0 || options.limits.seconds || options.limits.noise;
 }
 
+void print(const Options& options, const std::vector<std::string>& lines) {
+    if (options.quiet || options.thumbnail != 0) return;
+    for (const std::string& line : lines) std::fprintf(stderr, "pointrt-view: %s\n", line.c_str());
+}
+
 void reportWithoutEffect(const Options& options, const DeviceScene& scene, Integrator integrator) {
-    if (options.quiet) return;
     const SceneTraits traits = {!scene.sets.empty(), (scene.features & FEATURE_SECONDARY_RAYS) != 0,
                                 usesLights(integrator)};
-    for (const std::string& line : optionsWithoutEffect(options, traits))
-        std::fprintf(stderr, "pointrt-view: %s\n", line.c_str());
+    print(options, optionsWithoutEffect(options, traits));
 }
 
 } // namespace
@@ -74,12 +78,14 @@ RenderSession::~RenderSession() {
 
 void loadSession(RenderSession& session, SceneDescription description, const Options& options, Report& report) {
     const Clock::time_point start = Clock::now();
+    const bool up_is_given = description.up || options.camera.up;
     LoadRequest request = loadRequest(options, std::move(description));
     request.refines_tiles = true;
     if (options.resume) request.form = formToResume(options.output);
     session.loaded = loadScene(session.device, session.device, request, LoadStage{});
     session.settings = session.loaded->settings;
     session.camera = session.loaded->camera;
+    print(options, sceneNotes(*session.loaded, up_is_given));
     reportWithoutEffect(options, session.loaded->scene, session.settings.integrator);
     chooseLayers(session, options);
     if (options.profile) {

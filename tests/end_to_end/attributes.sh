@@ -119,7 +119,7 @@ case_a_folder_of_tiles() {
     sphere 2000 | awk 'NR % 2 == 0' >tiles/b.xyz
     echo "who flew this, and when" >tiles/README.txt
     echo nothing >tiles/.hidden.xyz
-    expectDone pointrt-bake tiles -o out/tiles.pro --outliers keep --stats tiles.json
+    expectDone pointrt-bake -v tiles -o out/tiles.pro --outliers keep --stats tiles.json
     [ "$(splatsOf out/tiles.pro)" = 2000 ] || fail "not both tiles"
     [ "$(jsonValue info.json attributes.0.name)" = scan ] || fail "the tiles cannot be told apart"
     [ "$(jsonValue tiles.json files.1.points)" = 1000 ] || fail "not what was read of each"

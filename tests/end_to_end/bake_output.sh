@@ -146,7 +146,9 @@ case_quiet_and_progress() {
     expectDone pointrt-bake -q sphere.xyz -o out/quiet.pro
     [ ! -s stderr ] || fail "-q is not quiet"
     expectDone pointrt-bake sphere.xyz -o out/plain.pro
-    [ "$(wc -l <stderr)" -ge 2 ] || fail "no line per stage"
+    [ "$(wc -l <stderr)" = 3 ] || fail "not three lines: what was read, what was done with it, the result"
+    expectDone pointrt-bake -v sphere.xyz -o out/detailed.pro
+    grep -q '^octree: .* s$' stderr || fail "-v has no line per stage"
     ! grep -q $'[\r\033]' stderr || fail "a redrawn line where there is no terminal"
 }
 

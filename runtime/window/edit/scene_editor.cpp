@@ -118,6 +118,7 @@ void SceneEditor::setUp(Vec3 up, ViewCamera& home, double aspect) {
         request = framed.camera;
         pivot_offset = framed.aside;
         opened_->subject.around_eye = framed.within;
+        opened_->subject.walls = framed.walls;
     }
     home = withPivotOffset(framedView(request, work_.scene_min, work_.scene_max, up, aspect), pivot_offset);
     opened_->file_scene.up = work_.scene_up = up;

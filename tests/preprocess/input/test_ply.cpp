@@ -179,6 +179,14 @@ TEST_F(PlyTest, NumbersOutsideTheirTypesAreNoted) {
     EXPECT_EQ(notesOf(readText("b.ply", ascii("property uchar a\n", "1 2 3 +7\n"))), "");
 }
 
+TEST_F(PlyTest, RestsThatTheHeaderDoesNotDescribeAreNoted) {
+    const Cloud text = readText("a.ply", ascii("", "1 2 3\n\n4 5 6\n7 8 9\n"));
+    EXPECT_EQ(text.positions.size(), 1u);
+    EXPECT_HAS(notesOf(text), "promises 1 vertices*2 more lines");
+    EXPECT_EQ(notesOf(readText("b.ply", ascii("", "1 2 3\n \r\n"))), "") << "blank lines";
+    EXPECT_HAS(notesOf(readText("c.ply", binaryPly(false) + "12345")), "5 more bytes");
+}
+
 TEST_F(PlyTest, SixteenBitColorsAreKept) {
     const Cloud cloud = readText(
         "a.ply", ascii("property ushort blue\nproperty ushort red\nproperty ushort green\n", "1 2 3 65535 257 0\n"));

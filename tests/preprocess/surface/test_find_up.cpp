@@ -138,15 +138,68 @@ TEST(FindUp, GroundIsBelowTheObjectsOnIt) {
     EXPECT_EQ(findUp(turned(groundWithBoxes(), upside_down), {}).up, -Vec3d::UnitZ());
 }
 
-TEST(FindUp, SymmetricObjectsHaveNoUp) {
-    EXPECT_TRUE(findUp(ball(), {}).up.isZero());
+TEST(FindUp, GuessesZForPointsAndYForMeshes) {
     Scene cube, brick;
     cube.addBox({-1, -1, -1}, {2, 2, 2}, true);
     brick.addBox({-1, -1, -1}, {8, 5, 3}, true);
-    EXPECT_TRUE(findUp(cube.splats, {}).up.isZero());
-    EXPECT_TRUE(findUp(brick.splats, {}).up.isZero());
+    for (const Splats& object : {ball(), cube.splats, brick.splats}) {
+        EXPECT_EQ(findUp(object, {}).up, Vec3d::UnitZ());
+        EXPECT_EQ(findUp(object, {}, {Vec3d::Zero(), true}).up, Vec3d::UnitY());
+        EXPECT_EQ(findUp(object, {}).basis, UpBasis::kGuess);
+    }
     EXPECT_TRUE(findUp({}, {}).up.isZero());
-    EXPECT_EQ(findUp(ball(), {}).reason, "");
+}
+
+TEST(FindUp, MeshesOfTerrainLieFlat) {
+    Scene relief(4000);
+    for (int i = 0; i < 10; ++i)
+        for (int k = 0; k < 8; ++k)
+            relief.addRectangle({0.1 * i, 0.1 * k, 0.05 * ((i + k) % 2)}, {0.1, 0, 0.03}, {0, 0.1, -0.03});
+    const UpPrior mesh{Vec3d::Zero(), true};
+    EXPECT_EQ(findUp(relief.splats, {}, mesh).up, Vec3d::UnitZ());
+    EXPECT_EQ(findUp(turned(relief.splats, kYUp), {}, mesh).up, Vec3d::UnitY());
+}
+
+TEST(FindUp, FormatsHaveCustoms) {
+    const UpPrior z_up{Vec3d::UnitZ(), false};
+    EXPECT_EQ(findUp(ball(), {}, z_up).basis, UpBasis::kCustom);
+    EXPECT_EQ(findUp(ball(), {}, z_up).up, Vec3d::UnitZ());
+    const FoundUp room_of_a_phone = findUp(turned(room(), kYUp), {}, z_up);
+    EXPECT_EQ(room_of_a_phone.up, Vec3d::UnitY()) << "the surface overrides the custom";
+    EXPECT_EQ(room_of_a_phone.basis, UpBasis::kData);
+    Splats on_a_map = turned(room(), kYUp);
+    on_a_map.origin = {512'557, 5'403'493, 143};
+    EXPECT_EQ(findUp(on_a_map, {}, z_up).up, Vec3d::UnitZ()) << "map coordinates confirm it";
+    EXPECT_EQ(findUp(on_a_map, {}, z_up).basis, UpBasis::kCustom);
+}
+
+/// A house of two storeys, shifted against each other, with a cellar: neither its ground nor its roof is at one height.
+/// z is up.
+Splats house() {
+    Scene scene;
+    scene.addBox({0, 0, 0}, {6, 5, 2.5}, true);
+    scene.addBox({3, 2, 2.6}, {6, 6, 2.5}, true);
+    scene.addBox({1, 1, -1.5}, {1.5, 1.5, 1.5}, true);
+    return scene.splats;
+}
+
+TEST(FindUp, BuildingsWithYUpHaveStoreys) {
+    EXPECT_EQ(findUp(turned(house(), kYUp), {}).up, Vec3d::UnitY());
+    EXPECT_EQ(findUp(turned(house(), kYUp), {}).reason, "floors and ceilings");
+    EXPECT_EQ(findUp(house(), {}).up, Vec3d::UnitZ());
+    Scene facade, corridor;
+    facade.addRectangle({0, 0, 0}, {20, 0, 0}, {0, 0, 9});
+    facade.addRectangle({0, -3, 0}, {20, 0, 0}, {0, 3, 0});
+    for (int i = 0; i < 6; ++i) facade.addBox({1.0 + 3 * i, -1, 4}, {2, 1, 1});
+    corridor.addBox({0, 0, 0}, {12, 1.2, 3}, true);
+    for (const Splats& walls : {facade.splats, corridor.splats})
+        EXPECT_EQ(findUp(walls, {}).up, Vec3d::UnitZ()) << findUp(walls, {}).reason;
+}
+
+TEST(FindUp, NothingStandsOnItsSide) {
+    const Eigen::Matrix3d x_up(Eigen::AngleAxisd(90 * kDegree, Vec3d::UnitY()));
+    EXPECT_EQ(findUp(turned(ballOnABase(true), x_up), {}).basis, UpBasis::kGuess);
+    EXPECT_EQ(findUp(turned(ballOnABase(true), x_up * x_up), {}).up, Vec3d::UnitZ());
 }
 
 TEST(FindUp, StatuesStandOnTheirBase) {
@@ -162,8 +215,8 @@ TEST(FindUp, CamerasLookAlongTheirOwnAxis) {
     Scene wall(2000);
     wall.addRectangle({-1, -0.7, 3}, {2, 0, 0.5}, {0, 1.4, 0});
     EXPECT_EQ(findUp(wall.splats, scansFrom({Vec3d::Zero()})).up, -Vec3d::UnitY());
-    EXPECT_EQ(findUp(wall.splats, {}).reason, "") << "no camera position";
-    EXPECT_EQ(findUp(wall.splats, scansFrom({Vec3d(2, 0, 0)})).reason, "") << "another frame";
+    EXPECT_EQ(findUp(wall.splats, {}).basis, UpBasis::kGuess) << "no camera position";
+    EXPECT_EQ(findUp(wall.splats, scansFrom({Vec3d(2, 0, 0)})).basis, UpBasis::kGuess) << "another frame";
     const Eigen::Matrix3d behind(Eigen::AngleAxisd(180 * kDegree, Vec3d::UnitX()));
     EXPECT_EQ(findUp(turned(wall.splats, behind), scansFrom({Vec3d::Zero()})).up, Vec3d::UnitY());
 }
@@ -175,7 +228,7 @@ TEST(FindUp, TurntablesRotateAboutUp) {
         row.emplace_back(i, 2, 0.1 * (i % 2));
     }
     EXPECT_EQ(findUp(ball(), scansFrom(around)).up, Vec3d::UnitY());
-    EXPECT_TRUE(findUp(ball(), scansFrom(row)).up.isZero()) << "a row is in many planes";
+    EXPECT_EQ(findUp(ball(), scansFrom(row)).basis, UpBasis::kGuess) << "a row is in many planes";
 }
 
 TEST(FindUp, MapsHaveZUp) {
@@ -183,7 +236,7 @@ TEST(FindUp, MapsHaveZUp) {
     splats.origin = {512'557, 5'403'493, 143};
     EXPECT_EQ(findUp(splats, {}).up, Vec3d::UnitZ());
     splats.origin = {0, 143, 5'403'493};
-    EXPECT_TRUE(findUp(splats, {}).up.isZero());
+    EXPECT_EQ(findUp(splats, {}).basis, UpBasis::kGuess);
 }
 
 } // namespace

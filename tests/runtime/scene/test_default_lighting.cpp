@@ -56,6 +56,25 @@ TEST(Studio, InRoomsTheLampIsBetweenEyeAndCeiling) {
     EXPECT_LT(beside, 32 * far) << "five stops";
 }
 
+TEST(Studio, InOneOfManyRoomsTheLampIsUnderItsCeiling) {
+    SceneDescription scene;
+    scene.up = Vec3{0, 0, 1};
+    Camera camera;
+    camera.eye = {2.5, 0, 0}; // far from the centre of the building
+    StudioSubject subject{0.5, true};
+    subject.walls = Surrounding{1, 1, 0.4, 0.6};
+    addSurroundings(scene, RenderSettings{}, camera, kLow, kHigh, subject);
+    const PointLight& lamp = std::get<PointLight>(scene.lights.at(0));
+    EXPECT_LT(length(lamp.position - camera.eye), 0.4);
+    EXPECT_LT(lamp.position.z, camera.eye.z + 0.4);
+    SceneDescription dark;
+    dark.up = scene.up;
+    subject.reflectance = 0.1;
+    addSurroundings(dark, RenderSettings{}, camera, kLow, kHigh, subject);
+    EXPECT_GT(std::get<PointLight>(dark.lights.at(0)).intensity[1], 2 * lamp.intensity[1])
+        << "dark walls get more light";
+}
+
 constexpr Background kOrange{{255, 128, 0}, false};
 constexpr bool kGaussians = true;
 

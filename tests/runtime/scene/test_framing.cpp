@@ -300,6 +300,86 @@ TEST(DefaultView, RoomsFromInside) {
         }
 }
 
+/// Walls of a shell of 6 x 4.5 x height seen from one place at eye level, where points are the sparser and their discs
+/// the larger the farther away they are; or evenly. z is up.
+Scene shell(double height, bool even) {
+    Scene scene;
+    scene.addRectangle({0, 0, 0}, 6.0 * kX, 4.5 * kY, 1500);
+    scene.addRectangle({0, 0, height}, 6.0 * kX, 4.5 * kY, 1500);
+    scene.addRectangle({0, 0, 0}, 6.0 * kX, height * kZ, 800);
+    scene.addRectangle({0, 4.5, 0}, 6.0 * kX, height * kZ, 800);
+    scene.addRectangle({0, 0, 0}, 4.5 * kY, height * kZ, 600);
+    scene.addRectangle({6, 0, 0}, 4.5 * kY, height * kZ, 600);
+    for (SampledSplat& splat : scene.sample.splats) {
+        const double away = length(splat.position - Vec3{2, 2.2, height / 2});
+        splat.radius = even ? 0.1 : 0.03 * away * away;
+    }
+    scene.sample.oriented = false;
+    return scene;
+}
+
+TEST(DefaultView, EmptyRoomsFromInside) {
+    const Vec3 centre{3, 2.25, 1.35};
+    const std::optional<Vec3> eye = chooseView(shell(2.7, false).sample, kZ).eye;
+    ASSERT_TRUE(eye);
+    EXPECT_LT(length(*eye - centre), 2.5);
+    EXPECT_FALSE(chooseView(shell(2.7, true).sample, kZ).eye) << "a model of a box";
+    EXPECT_FALSE(chooseView(shell(0.3, false).sample, kZ).eye) << "too low for a room";
+}
+
+TEST(DefaultView, EyesInBuildingsAreWithinAStorey) {
+    Scene house = room();
+    for (const SampledSplat& splat : room().sample.splats)
+        house.add(splat.position + Vec3{0, 0, 2.8}, splat.normal, splat.radius);
+    house.addRectangle({0, 0, 5.6}, 6.0 * kX, 5.0 * kY, 2000);
+    const std::optional<Vec3> eye = chooseView(house.sample, kZ).eye;
+    ASSERT_TRUE(eye);
+    const double above_floor = eye->z > 2.8 ? eye->z - 2.8 : eye->z;
+    EXPECT_GT(above_floor, 1);
+    EXPECT_LT(above_floor, 2.3);
+}
+
+TEST(Framing, EyesWithinWallsKnowTheirSurrounding) {
+    const SceneSample room = shell(2.7, false).sample;
+    CameraRequest request;
+    request.eye = Vec3{2, 2.2, 1.35};
+    const FramedRequest inside = frameScene(request, room, kZ, {1, 1}, true);
+    EXPECT_EQ(inside.camera.eye, request.eye);
+    ASSERT_TRUE(inside.walls);
+    EXPECT_TRUE(inside.within);
+    EXPECT_NEAR(inside.walls->headroom, 1.35, 0.1);
+    EXPECT_GT(inside.walls->covered, 0.75);
+    request.eye = Vec3{2, -9, 1.35};
+    EXPECT_FALSE(frameScene(request, room, kZ, {1, 1}, true).walls) << "outside";
+    SceneSample court = room;
+    std::erase_if(court.splats, [](const SampledSplat& splat) { return splat.position.z > 2.69; });
+    request.eye = Vec3{2, 2.2, 1.35};
+    EXPECT_FALSE(frameScene(request, court, kZ, {1, 1}, true).within) << "lamps shine in through the open top";
+}
+
+TEST(Framing, TellsPlacesFromObjects) {
+    EXPECT_EQ(kindOfPlace(room().sample, kZ, false), PlaceKind::kRoom);
+    EXPECT_EQ(kindOfPlace(site().sample, kZ, false), PlaceKind::kSite);
+    EXPECT_EQ(kindOfPlace(ball().sample, kZ, false), PlaceKind::kObject);
+    EXPECT_EQ(kindOfPlace(ball().sample, kZ, true), PlaceKind::kObject) << "a tree";
+    Scene canopy; // no ground is visible
+    for (int i = 0; i < 6000; ++i)
+        canopy.add({40 * canopy.share(), 40 * canopy.share(), 6 * canopy.share()},
+                   normalize(Vec3{canopy.share() - 0.5, canopy.share() - 0.5, canopy.share() - 0.5}));
+    EXPECT_EQ(kindOfPlace(canopy.sample, kZ, true), PlaceKind::kSite);
+    EXPECT_EQ(kindOfPlace(canopy.sample, kZ, false), PlaceKind::kObject);
+}
+
+TEST(SceneSample, MeansOfReflectance) {
+    Scene scene;
+    scene.add({}, kZ);
+    scene.add({1, 0, 0}, kZ);
+    scene.sample.splats[0].color = {1, 1, 1};
+    scene.sample.splats[1].color = {0, 0, 0};
+    EXPECT_NEAR(meanReflectance(scene.sample), 0.5, 1e-6);
+    EXPECT_EQ(meanReflectance({}), 0.5);
+}
+
 /// Whether a cupboard from (2.5, 1.8) to (3.5, 3.2), as high as the room, is between eye and place.
 bool isBehindCupboard(Vec3 eye, Vec3 place) {
     for (int step = 1; step < 200; ++step) {

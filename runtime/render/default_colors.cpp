@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/render/default_colors.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "runtime/device_scene/color_choice.h"
+#include "runtime/scene/framing.h"
+
+namespace pointrt {
+namespace {
+
+constexpr const char* kIntensity = "intensity";
+
+/// Appends a sample of a scan's intensities; none if it has no single one for each splat.
+void addIntensities(const DeviceScan& scan, std::vector<double>& values) {
+    const std::optional<SplatNumbers> source = attributeNumbers(scan.file, kIntensity);
+    if (!source || source->attribute.components != 1) return;
+    constexpr std::size_t kRead = 4096;
+    const std::size_t count = scan.info.splat_count, step = std::max<std::size_t>(1, count / kRead);
+    for (std::size_t i = 0; i < count; i += step) {
+        double value = 0;
+        readNumbers(*source, i, {&value, 1});
+        if (std::isfinite(value)) values.push_back(value);
+    }
+}
+
+/// The inner 96% of the intensities: beyond are glints. None if the inner nine tenths are equal, as in files of
+/// programs that write one value for all points.
+std::optional<ValueRange> intensityRange(const std::vector<const DeviceScan*>& scans) {
+    std::vector<double> values;
+    for (const DeviceScan* scan : scans) addIntensities(*scan, values);
+    if (values.empty()) return std::nullopt;
+    std::sort(values.begin(), values.end());
+    const auto at = [&](double share) {
+        return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+    };
+    if (!(at(0.05) < at(0.95))) return std::nullopt;
+    return ValueRange{at(0.02), at(0.98)};
+}
+
+bool hasAttribute(const DeviceScan& scan, const char* name) {
+    pro_attribute attribute;
+    return pro_find_attribute(scan.file, name, &attribute) == 1;
+}
+
+/// Attributes that only surveying instruments and their programs write. Stanford's merged range scans have an intensity
+/// too, beside a confidence.
+bool isSurvey(const DeviceScan& scan) {
+    static constexpr std::array kNames = {"return_number", "number_of_returns", "classification", "gps_time", "ring"};
+    return std::any_of(kNames.begin(), kNames.end(), [&](const char* name) { return hasAttribute(scan, name); }) ||
+           (hasAttribute(scan, kIntensity) && !hasAttribute(scan, "confidence"));
+}
+
+bool hasColor(const DeviceScan& scan) { return (scan.info.flags & PRO_FLAG_COLOR) != 0; }
+
+} // namespace
+
+std::optional<DefaultColors> defaultColors(const DeviceScene& scene, const SceneSample& sample, Vec3 up) {
+    const std::vector<const DeviceScan*> scans = representativeScans(scene);
+    if (scans.empty() || sample.splats.empty()) return std::nullopt;
+    for (const DeviceScan* scan : scans)
+        if (hasColor(*scan) || scan->is_gaussian) return std::nullopt;
+    const bool surveyed =
+        std::all_of(scans.begin(), scans.end(), [](const DeviceScan* scan) { return isSurvey(*scan); });
+    const PlaceKind kind = kindOfPlace(sample, up, surveyed);
+    if (kind == PlaceKind::kSite) return DefaultColors{kHeight, {}};
+    if (const auto range = intensityRange(scans)) return DefaultColors{kIntensity, *range};
+    if (kind == PlaceKind::kObject && !surveyed) return std::nullopt;
+    return DefaultColors{kHeight, {}};
+}
+
+} // namespace pointrt

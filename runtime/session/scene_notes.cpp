@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/session/scene_notes.h"
+
+#include <algorithm>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "format/base/printable.h"
+#include "format/base/up_text.h"
+#include "pointrt/pro_layout.h"
+
+namespace pointrt {
+namespace {
+
+using Json = nlohmann::json;
+
+template <typename Number>
+Number load(std::string_view bytes, std::size_t offset) {
+    Number number;
+    std::memcpy(&number, bytes.data() + offset, sizeof number);
+    return number;
+}
+
+/// The contents of META, which files that are open for tracing do not show; "" if there is none.
+std::string_view metadataOf(const pro_file* file) {
+    std::size_t size = 0;
+    const auto* const start = static_cast<const char*>(pro_bytes(file, &size));
+    const std::string_view bytes(start, size);
+    const std::size_t table_end = std::min<std::size_t>(PRO_HEADER_BYTES, size);
+    for (std::size_t at = PRO_TABLE_OFFSET; at + PRO_SECTION_BYTES <= table_end; at += PRO_SECTION_BYTES) {
+        if (load<std::uint32_t>(bytes, at + PRO_SEC_OFF_KIND) != PRO_KIND_META) continue;
+        const auto offset = load<std::uint64_t>(bytes, at + PRO_SEC_OFF_OFFSET);
+        const auto length = load<std::uint64_t>(bytes, at + PRO_SEC_OFF_LENGTH);
+        return offset <= size && length <= size - offset ? bytes.substr(offset, length) : std::string_view();
+    }
+    return {};
+}
+
+/// The object "world" of META; empty if there is none. Deeper values are dropped, so that a hostile file nests nothing.
+Json worldOf(std::string_view metadata) {
+    constexpr int kDepth = 2;
+    const auto is_shallow = [](int depth, Json::parse_event_t, Json&) { return depth <= kDepth; };
+    const Json json = Json::parse(metadata.begin(), metadata.end(), is_shallow, false);
+    const bool has_world = json.is_object() && json.contains("world") && json["world"].is_object();
+    return has_world ? json["world"] : Json::object();
+}
+
+std::string textOf(const Json& world, const char* key) {
+    const auto found = world.find(key);
+    return found != world.end() && found->is_string() ? printable(found->get<std::string>()) : std::string();
+}
+
+/// The up of the first scan that has one, if a bake found or guessed it; that of the viewer if none has.
+std::string upNote(const DeviceScene& scene) {
+    const std::vector<const DeviceScan*> scans = representativeScans(scene);
+    for (const DeviceScan* scan : scans) {
+        pro_world world;
+        pro_get_world(scan->file, &world);
+        const std::array<double, 3> up{world.up[0], world.up[1], world.up[2]};
+        if (up == std::array<double, 3>{}) continue;
+        const Json json = worldOf(metadataOf(scan->file));
+        const std::string from = textOf(json, "up_from");
+        const std::string text = from == "format" ? "" : upText(up, from, textOf(json, "up_reason"));
+        return text.empty() ? text : scan->path + ": " + text;
+    }
+    if (scans.empty()) return {};
+    return scans.front()->path + ": " + upText({0, 1, 0}, "guess", "as the file names none");
+}
+
+} // namespace
+
+std::vector<std::string> sceneNotes(const LoadedScene& loaded, bool up_is_given) {
+    std::vector<std::string> notes;
+    const std::string up = up_is_given ? std::string() : upNote(loaded.scene);
+    if (!up.empty()) notes.push_back(up);
+    if (loaded.colored_by_default)
+        notes.push_back("the scan has no colours: it is coloured by " + loaded.settings.color_by +
+                        " (--color-by rgb turns that off)");
+    return notes;
+}
+
+} // namespace pointrt
