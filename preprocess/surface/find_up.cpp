@@ -244,9 +244,17 @@ bool liesFlat(const Candidate& each) {
     return each.below.height < kFlat && std::min(each.below.level, each.above.level) >= kLevel;
 }
 
+/// The front of an object as cameras that look along z see it: none of its surface is upright for z, much of it is for
+/// y, and it is too deep for ground.
+bool facesAlong(const Candidate& z, const Candidate& y) {
+    constexpr double kUpright = 0.3, kHardly = 0.1, kLevel = 0.15, kDeep = 0.4;
+    return y.across >= kUpright && z.across <= kHardly && z.along <= kLevel && z.below.height >= kDeep;
+}
+
 FoundUp guess(const Evidence& evidence, bool is_mesh) {
-    if (!is_mesh) return {Vec3d::UnitZ(), UpBasis::kGuess, "as in most point clouds"};
     const Candidate &z = along(evidence, Vec3d::UnitZ()), &y = along(evidence, Vec3d::UnitY());
+    if (!is_mesh && facesAlong(z, y)) return {Vec3d::UnitY(), UpBasis::kGuess, "as it faces along z"};
+    if (!is_mesh) return {Vec3d::UnitZ(), UpBasis::kGuess, "as in most point clouds"};
     if (liesFlat(z) && !liesFlat(y)) return {Vec3d::UnitZ(), UpBasis::kGuess, "it lies flat"};
     return {Vec3d::UnitY(), UpBasis::kGuess, "as in most meshes"};
 }

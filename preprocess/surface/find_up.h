@@ -39,9 +39,9 @@ struct FoundUp {
 ///   - base: the only side on which the object stands without falling over, unless that is the side of x or -z;
 ///   - vertical pole: along z.
 /// If all of them say nothing, as about a sphere, a box or a relief: the custom of the format, else a guess: z for
-/// points, y for meshes, but z for meshes that lie in the plane of x and y as terrain does. Of formats with a custom,
-/// map coordinates are checked first: they confirm it.
-/// Directions within 5 degrees of an axis become that axis. The result does not depend on the number of threads.
+/// points, but y for fronts that face along z; y for meshes, but z for those that lie flat as terrain does. Of formats
+/// with a custom, map coordinates are checked first: they confirm it. Directions within 5 degrees of an axis become
+/// that axis. The result does not depend on the number of threads.
 FoundUp findUp(const Splats& splats, const std::vector<Scan>& scans, const UpPrior& prior = {});
 
 } // namespace pointrt

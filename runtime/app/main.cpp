@@ -55,6 +55,7 @@ void render(Options options) {
         renderCameras(session, *cameras, options, report);
     else
         (options.turntable != 0 ? renderTurntable : renderPicture)(session, options, report);
+    printNotes(session, options);
     if (session.profile) {
         report.profile = profileJson(*session.profile);
         std::fputs(profileTable(*session.profile).c_str(), stderr);

@@ -67,8 +67,8 @@ std::optional<DefaultColors> defaultColors(const DeviceScene& scene, const Scene
         std::all_of(scans.begin(), scans.end(), [](const DeviceScan* scan) { return isSurvey(*scan); });
     const PlaceKind kind = kindOfPlace(sample, up, surveyed);
     if (kind == PlaceKind::kSite) return DefaultColors{kHeight, {}};
-    if (const auto range = intensityRange(scans)) return DefaultColors{kIntensity, *range};
     if (kind == PlaceKind::kObject && !surveyed) return std::nullopt;
+    if (const auto range = intensityRange(scans)) return DefaultColors{kIntensity, *range};
     return DefaultColors{kHeight, {}};
 }
 

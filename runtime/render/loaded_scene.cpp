@@ -33,15 +33,19 @@ FramedRequest framed(const LoadedScene& loaded, const CameraRequest& request, co
 
 /// The bounds without strays far outside the rest. For clean scans exactly the bounds; for scans of a few large discs,
 /// the bounds of the discs, so that a floor does not cut through them.
-Bounds shownBounds(const DeviceScene& scene, const SceneSample& sample) {
+Bounds shownBounds(const DeviceScene& scene, const SceneSample& sample, Vec3 up) {
     if (sample.splats.empty() || scene.description.instances.empty()) return scene.bounds;
-    constexpr double kMargin = 0.1; // of each edge, for rims that the sample misses
+    constexpr double kMargin = 0.1;       // of each edge, for rims that the sample misses
+    constexpr double kFloorMargin = 0.01; // on more, a scene hovers visibly above its floor
     if (sample.splats.size() < kEachCounts) {
         const SampleBox discs = discBounds(sample);
         return {discs.low, discs.high};
     }
     const SampleBox box = boundsOf(withoutStrays(sample));
-    const Vec3 margin = kMargin * (box.high - box.low), low = box.low - margin, high = box.high + margin;
+    const Vec3 edges = box.high - box.low;
+    const auto below = [&](double along_up) { return along_up > 0.5 ? kFloorMargin : kMargin; };
+    const Vec3 low = box.low - Vec3{below(up.x) * edges.x, below(up.y) * edges.y, below(up.z) * edges.z};
+    const Vec3 high = box.high + Vec3{below(-up.x) * edges.x, below(-up.y) * edges.y, below(-up.z) * edges.z};
     const Bounds& all = scene.bounds;
     return {{std::max(all.lo.x, low.x), std::max(all.lo.y, low.y), std::max(all.lo.z, low.z)},
             {std::min(all.hi.x, high.x), std::min(all.hi.y, high.y), std::min(all.hi.z, high.z)}};
@@ -62,14 +66,18 @@ void chooseColorsByDefault(LoadedScene& loaded) {
     loaded.colored_by_default = true;
 }
 
-/// What the lamps adapt to: outside, the brightest parts, which must not be overexposed. Within walls, the mean of what
-/// the camera sees: that is all of the picture, and it may be darker or brighter than the rest of the scan.
-double subjectReflectance(const LoadedScene& loaded, const Camera& camera, bool has_walls) {
+/// What the lamps adapt to. Of an eye within the scene, the mean of what its camera sees: that is all of the picture,
+/// and it may be darker or brighter than the rest of the scan.
+StudioSubject subjectOf(const LoadedScene& loaded, const Camera& camera, const FramedRequest& view) {
     constexpr double kViridisMean = 0.28; // of its 256 colours
-    if (!has_walls) return brightReflectance(loaded.sample);
-    if (loaded.colored_by_default) return kViridisMean;
+    StudioSubject subject{brightReflectance(loaded.sample), view.within, holdsOnlyGaussians(loaded.scene), view.walls,
+                          meanReflectance(loaded.sample)};
+    subject.lowest = lowestIfTilted(loaded.sample, sceneUp(loaded.scene.description, loaded.settings));
+    if (!view.within) return subject;
     const ViewBasis basis{camera.right, camera.up, camera.forward};
-    return meanReflectance(visibleFrom(loaded.sample, camera.eye, basis, camera.fov_deg));
+    const SceneSample visible = visibleFrom(loaded.sample, camera.eye, basis, camera.fov_deg);
+    subject.reflectance = loaded.colored_by_default ? kViridisMean : meanReflectance(visible);
+    return subject;
 }
 
 /// Adds surroundings to the scene, selects its tiles and uploads all tables.
@@ -79,7 +87,7 @@ void prepareScene(Device& device, LoadedScene& loaded, const LoadRequest& reques
     resolveUp(scene.description, loaded.settings.camera, staging, {knownUp(scene), request.fallback_up});
     loaded.sample = gatherSample(scene);
     loaded.free_share = request.free_share;
-    loaded.shown = shownBounds(scene, loaded.sample);
+    loaded.shown = shownBounds(scene, loaded.sample, sceneUp(scene.description, loaded.settings));
     if (request.chooses_colors) chooseColorsByDefault(loaded);
     // a view from above has an up of its own; keep that of the scene
     if (loaded.settings.camera.view && !scene.description.up)
@@ -92,8 +100,7 @@ void prepareScene(Device& device, LoadedScene& loaded, const LoadRequest& reques
     const FramedRequest stage_view = framed(loaded, staging, request);
     loaded.camera = framedCamera(loaded, view.camera);
     const Camera stage = framedCamera(loaded, stage_view.camera);
-    loaded.subject = {subjectReflectance(loaded, stage, stage_view.walls.has_value()), stage_view.within,
-                      holdsOnlyGaussians(scene), stage_view.walls};
+    loaded.subject = subjectOf(loaded, stage, stage_view);
     loaded.staged_for = scene.description.staged_for.value_or(stage.eye);
     addSurroundings(scene.description, loaded.settings, stage, loaded.shown.lo, loaded.shown.hi, loaded.subject);
     if (!scene.sets.empty()) updateTiles(device, scene, tileRequest(device, loaded, request));

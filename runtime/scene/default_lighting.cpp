@@ -125,15 +125,18 @@ constexpr float kStudioZenith = 0.35f;
 /// kDark, by at most kMostGain.
 constexpr double kBright = 0.75, kDark = 0.25, kMostGain = 2.5;
 
-/// The gain of the lamps for a subject of this reflectance.
-float lampGain(double reflectance, double dark = kDark) {
-    if (reflectance > kBright) return static_cast<float>(kBright / reflectance);
-    return static_cast<float>(std::clamp(dark / std::max(reflectance, 1e-6), 1.0, kMostGain));
-}
+/// A mean reflectance that renders as a middle grey: of objects under the studio's lamps, and of surroundings, which
+/// fill the picture, under the dimmer lamp near the eye.
+constexpr double kMiddle = 0.18, kMiddleAround = 0.35;
 
-/// The same as kDark for the mean of walls, which fill the picture: under kAmongWalls a mean of 0.35 renders as a
-/// middle grey.
-constexpr double kDarkWalls = 0.35;
+/// The gain of the lamps for a subject.
+float lampGain(const StudioSubject& subject) {
+    const double reflectance = std::max(subject.reflectance, 1e-6);
+    if (reflectance > kBright) return static_cast<float>(kBright / reflectance);
+    const double lift = std::min(kMiddle / std::max(subject.mean_reflectance, 1e-6), kBright / reflectance);
+    const double gain = subject.around_eye ? kMiddleAround / reflectance : std::max(kDark / reflectance, lift);
+    return static_cast<float>(std::clamp(gain, 1.0, kMostGain));
+}
 
 /// The light of a lamp near the eye, as the radiance of a white surface at the centre's distance, and that of a dim sky
 /// (all_around), whose ambient light reduces the contrast between near and far surfaces.
@@ -148,7 +151,7 @@ constexpr float kAbove = 0.4f, kAcross = 0.36f, kBelow = 0.3f; // floors, walls 
 constexpr double kLampHeight = 0.5;
 
 void addEyeLamp(SceneDescription& scene, const Staging& staging, const StudioSubject& subject) {
-    const float gain = lampGain(subject.reflectance, subject.walls ? kDarkWalls : kDark);
+    const float gain = lampGain(subject);
     const Vec3 to_centre = staging.center - staging.eye;
     const bool central = length(to_centre) < staging.radius / 2;
     // one of many rooms: the centre and the height of the whole say nothing about it
@@ -185,7 +188,7 @@ void addFloor(SceneDescription& scene, const Staging& staging, double level, flo
 }
 
 void addStudio(SceneDescription& scene, const Staging& staging, const StudioSubject& subject, bool has_floor) {
-    const float gain = lampGain(subject.reflectance), grey = kStudioFloor / gain;
+    const float gain = lampGain(subject), grey = kStudioFloor / gain;
     if (subject.around_eye) return addEyeLamp(scene, staging, subject);
     const double level = staging.floor - kStudioGap * staging.radius;
     // from below, a floor would hide the scene; the lamps then shine from below too
@@ -262,7 +265,8 @@ void addSurroundings(SceneDescription& scene, const RenderSettings& settings, co
                      const StudioSubject& subject) {
     const std::optional<Room> room = settings.room ? settings.room : scene.render.room;
     const Vec3 eye = scene.staged_for.value_or(camera.eye);
-    const Staging staging = stageBounds(sceneUp(scene, settings), eye, low, high);
+    Staging staging = stageBounds(sceneUp(scene, settings), eye, low, high);
+    if (subject.lowest) staging.floor = *subject.lowest - dot(staging.center, staging.up);
     const bool by_default = isLeftToDefaults(scene, settings, room);
     scene.background = settings.background;
     if (!scene.background && by_default && subject.only_gaussians) scene.background = Background{};

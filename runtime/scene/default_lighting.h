@@ -16,8 +16,8 @@ constexpr std::uint32_t kRingLights = 3;
 
 /// The properties of the scans that the studio adapts to.
 struct StudioSubject {
-    /// The 95th percentile of reflectance. Lamps are dimmed for white subjects and brightened for black ones; the floor
-    /// looks the same under all.
+    /// The 95th percentile of reflectance; of an eye within the scene, the mean of what it sees. Lamps are dimmed for
+    /// white subjects and brightened for black ones; the floor looks the same under all.
     double reflectance = 0.5;
     /// The eye is inside the scene, where outside lamps would be occluded: one lamp is near the eye, and ambient light
     /// comes from all sides.
@@ -26,6 +26,10 @@ struct StudioSubject {
     bool only_gaussians = false;
     /// What encloses the eye, if anything does.
     std::optional<Surrounding> walls = {};
+    /// The mean reflectance: lamps are brightened for mostly dark subjects until their brightest parts are white.
+    double mean_reflectance = 0.5;
+    /// The lowest point along up, for scenes whose up is not along an axis: the corner of their box is far below.
+    std::optional<double> lowest = {};
 };
 
 /// Adds default surroundings to scene:

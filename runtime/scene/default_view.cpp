@@ -337,10 +337,11 @@ std::optional<ViewChoice> viewOfSensor(const SceneSample& sample, Vec3 up) {
 }
 
 PlaceKind placeKind(const SceneSample& sample, Vec3 up, bool is_surveyed) {
-    constexpr double kLow = 0.5, kGround = 0.5;
+    constexpr double kLow = 0.34, kLowWithTrees = 0.5, kGround = 0.5; // vehicles are half as high as long
     const Ground ground = groundOf(up);
     if (isRoom(sample, ground)) return PlaceKind::kRoom;
-    const bool is_site = flatness(sample, ground) < kLow && (is_surveyed || levelGround(sample, ground) >= kGround);
+    const double height = flatness(sample, ground);
+    const bool is_site = is_surveyed ? height < kLowWithTrees : height < kLow && levelGround(sample, ground) >= kGround;
     return is_site ? PlaceKind::kSite : PlaceKind::kObject;
 }
 

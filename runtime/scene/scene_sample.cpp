@@ -61,6 +61,16 @@ double meanReflectance(const SceneSample& sample) {
     return sum / static_cast<double>(sample.splats.size());
 }
 
+std::optional<double> lowestIfTilted(const SceneSample& sample, Vec3 up) {
+    std::optional<double> lowest;
+    if (std::max({std::abs(up.x), std::abs(up.y), std::abs(up.z)}) == 1) return lowest;
+    for (const SampledSplat& splat : withoutStrays(sample).splats) {
+        const double low = dot(splat.position, up) - halfExtentAlong(splat, up);
+        lowest = std::min(lowest.value_or(low), low);
+    }
+    return lowest;
+}
+
 SampleBox boundsOf(const SceneSample& sample) {
     return boxOf(sample, [](std::vector<double>& values) { return extentWithout(values, 0); });
 }

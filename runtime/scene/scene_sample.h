@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "runtime/util/vec.h"
@@ -45,6 +46,10 @@ double brightReflectance(const SceneSample& sample);
 
 /// The mean luminance of reflectance; 0.5 for an empty sample.
 double meanReflectance(const SceneSample& sample);
+
+/// The lowest point along up (unit length) of the discs of a sample without its strays. None if up is along an axis,
+/// where the box tells as well, or the sample is empty.
+std::optional<double> lowestIfTilted(const SceneSample& sample, Vec3 up);
 
 /// An axis-aligned box.
 struct SampleBox {

@@ -85,7 +85,7 @@ void loadSession(RenderSession& session, SceneDescription description, const Opt
     session.loaded = loadScene(session.device, session.device, request, LoadStage{});
     session.settings = session.loaded->settings;
     session.camera = session.loaded->camera;
-    print(options, sceneNotes(*session.loaded, up_is_given));
+    session.notes = sceneNotes(*session.loaded, up_is_given);
     reportWithoutEffect(options, session.loaded->scene, session.settings.integrator);
     chooseLayers(session, options);
     if (options.profile) {
@@ -97,6 +97,8 @@ void loadSession(RenderSession& session, SceneDescription description, const Opt
     report.load_seconds = std::chrono::duration<double>(Clock::now() - start).count();
     describe(session, report);
 }
+
+void printNotes(const RenderSession& session, const Options& options) { print(options, session.notes); }
 
 bool wantsDenoising(const RenderSession& session, const Options& options, std::uint32_t samples) {
     return wantsDenoising(options, session.settings, session.loaded->scene.description, samples,

@@ -4,6 +4,8 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "runtime/gpu/device.h"
 #include "runtime/render/loaded_scene.h"
@@ -22,6 +24,7 @@ struct RenderSession {
     std::optional<ProgressiveRenderer> renderer; ///< of loaded
     RenderSettings settings;                     ///< of loaded, with the film layers that the files need
     Camera camera;
+    std::vector<std::string> notes; ///< sceneNotes
 
     explicit RenderSession(const Options& options);
     RenderSession(const RenderSession&) = delete;
@@ -32,6 +35,9 @@ struct RenderSession {
 /// Loads description onto the device with options, and describes both in report. Throws Error as resolveSettings and
 /// loadScene do.
 void loadSession(RenderSession& session, SceneDescription description, const Options& options, Report& report);
+
+/// Prints the notes on stderr, unless options are quiet. To be called once pictures are written: an error is one line.
+void printNotes(const RenderSession& session, const Options& options);
 
 /// wantsDenoising (settings.h) for a loaded scene.
 bool wantsDenoising(const RenderSession& session, const Options& options, std::uint32_t samples);

@@ -251,7 +251,8 @@ case_progress_of_a_bake_on_a_terminal() {
     # no estimate during the first two seconds, in which a fast machine may finish
     [ "$took_ms" -lt 4000 ] || grep -q ' left' drawn || fail "no time left after $took_ms ms"
     ! head -n 1 drawn | grep -q ' left' || fail "a time that is left is told at the beginning"
-    tail -n 2 screen | grep -q $'\r\033\\[Kout/a.pro: 300000 points' || fail "the line is not wiped for the summary"
+    tail -n 3 screen | grep -q $'\r\033\\[Kpointrt-bake: every point' || fail "the line is not wiped for the summary"
+    tail -n 2 screen | grep -q '^out/a.pro: 300000 splats' || fail "no summary"
 }
 
 runCase "$@"

@@ -119,6 +119,7 @@ void SceneEditor::setUp(Vec3 up, ViewCamera& home, double aspect) {
         pivot_offset = framed.aside;
         opened_->subject.around_eye = framed.within;
         opened_->subject.walls = framed.walls;
+        opened_->subject.lowest = lowestIfTilted(opened_->sample, up);
     }
     home = withPivotOffset(framedView(request, work_.scene_min, work_.scene_max, up, aspect), pivot_offset);
     opened_->file_scene.up = work_.scene_up = up;

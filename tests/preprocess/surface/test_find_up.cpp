@@ -160,6 +160,17 @@ TEST(FindUp, MeshesOfTerrainLieFlat) {
     EXPECT_EQ(findUp(turned(relief.splats, kYUp), {}, mesh).up, Vec3d::UnitY());
 }
 
+TEST(FindUp, FrontsThatFaceAlongZAreNotOnTheirBack) {
+    Scene front(4000); // two walls that meet in an upright edge; their feet and shoulders are uneven
+    for (int i = 0; i < 7; ++i) {
+        const double foot = 0.1 * (i % 3), size = 1.2 - 0.07 * (i % 4) - foot;
+        front.addRectangle({-0.7 + 0.1 * i, foot, 0.1 * i}, {0.1, 0, 0.1}, {0, size, 0});
+        front.addRectangle({0.1 * i, foot, 0.7 - 0.1 * i}, {0.1, 0, -0.1}, {0, size, 0});
+    }
+    EXPECT_EQ(findUp(front.splats, {}).up, Vec3d::UnitY()) << findUp(front.splats, {}).reason;
+    EXPECT_EQ(findUp(front.splats, {}).basis, UpBasis::kGuess);
+}
+
 TEST(FindUp, FormatsHaveCustoms) {
     const UpPrior z_up{Vec3d::UnitZ(), false};
     EXPECT_EQ(findUp(ball(), {}, z_up).basis, UpBasis::kCustom);

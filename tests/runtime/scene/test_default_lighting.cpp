@@ -56,6 +56,38 @@ TEST(Studio, InRoomsTheLampIsBetweenEyeAndCeiling) {
     EXPECT_LT(beside, 32 * far) << "five stops";
 }
 
+TEST(Studio, FloorsOfTiltedScenesTouchThem) {
+    SceneDescription scene;
+    scene.up = normalize(Vec3{1, 0, 1});
+    Camera camera;
+    camera.eye = {0, -10, 1};
+    StudioSubject subject;
+    subject.lowest = -0.25;
+    addSurroundings(scene, RenderSettings{}, camera, kLow, kHigh, subject);
+    EXPECT_NEAR(dot(scene.shapes.at(0).center, *scene.up), -0.25, 0.02);
+}
+
+float keyLight(const StudioSubject& subject) {
+    SceneDescription scene;
+    scene.up = Vec3{0, 0, 1};
+    Camera camera;
+    camera.eye = {0, -10, 1};
+    addSurroundings(scene, RenderSettings{}, camera, kLow, kHigh, subject);
+    return std::get<SunLight>(scene.lights.at(0)).irradiance[1];
+}
+
+TEST(Studio, MostlyDarkSubjectsGetMoreLightUntilTheirBrightPartsAreWhite) {
+    StudioSubject subject;
+    const float usual = keyLight(subject);
+    subject.mean_reflectance = 0.09;
+    subject.reflectance = 0.3;
+    EXPECT_NEAR(keyLight(subject), 2 * usual, 1e-3 * usual);
+    subject.reflectance = 0.6;
+    EXPECT_NEAR(keyLight(subject), 1.25 * usual, 1e-3 * usual) << "0.6 becomes 0.75";
+    subject.reflectance = 1;
+    EXPECT_LT(keyLight(subject), usual) << "white parts";
+}
+
 TEST(Studio, InOneOfManyRoomsTheLampIsUnderItsCeiling) {
     SceneDescription scene;
     scene.up = Vec3{0, 0, 1};

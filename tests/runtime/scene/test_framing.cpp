@@ -370,6 +370,13 @@ TEST(Framing, TellsPlacesFromObjects) {
     EXPECT_EQ(kindOfPlace(canopy.sample, kZ, false), PlaceKind::kObject);
 }
 
+TEST(SceneSample, LowestPointAlongATiltedUp) {
+    const Vec3 up = normalize(Vec3{1, 0, 1});
+    EXPECT_NEAR(lowestIfTilted(ball().sample, up).value(), -1, 0.02) << "the corner of its box is at -1.41";
+    EXPECT_FALSE(lowestIfTilted({}, up));
+    EXPECT_FALSE(lowestIfTilted(ball().sample, kZ));
+}
+
 TEST(SceneSample, MeansOfReflectance) {
     Scene scene;
     scene.add({}, kZ);
