@@ -9,6 +9,7 @@
 #include "preprocess/input/formats.h"
 #include "preprocess/input/las_blocks.h"
 #include "preprocess/input/las_nodes.h"
+#include "preprocess/input/las_salvage.h"
 #include "preprocess/input/las_scan.h"
 
 namespace pointrt {
@@ -90,17 +91,49 @@ void addBlock(const InputFile& input, const LasBlock& block, Sink& sink) {
 
 } // namespace
 
+namespace {
+
+std::uint64_t pointsIn(const std::vector<LazChunk>& chunks) {
+    std::uint64_t points = 0;
+    for (const LazChunk& chunk : chunks) points += chunk.points;
+    return points;
+}
+
+std::string salvageHint(std::uint64_t whole, std::uint64_t promised) {
+    return whole > 0 ? fmt::format("; {} of {} points are whole: --salvage reads these", whole, promised) : "";
+}
+
+} // namespace
+
 void addLasPoints(const InputFile& input, LasPlan plan, Sink& sink) {
+    const auto add = [&](const LasBlock& block) { addBlock(input, block, sink); };
+    const std::uint64_t promised =
+        isCopc(plan.file) ? pointsIn(plan.chunks) : std::max(plan.file.promised, plan.file.header.point_count);
+    if (sink.salvages && plan.file.header.packed) {
+        const SalvagedLas salvaged = salvageLas(plan, add);
+        if (!salvaged.fault.empty() || salvaged.points < promised)
+            sink.acceptShort(input, salvaged.points, promised, salvaged.fault.empty() ? "truncated" : salvaged.fault);
+        return;
+    }
     // errors of addVertices do not name the file either
-    naming(input, [&] { forLasBlocks(std::move(plan), [&](const LasBlock& block) { addBlock(input, block, sink); }); });
+    naming(input, [&] {
+        try {
+            forLasBlocks(plan, add);
+        } catch (const Error& error) {
+            if (error.code != ExitCode::kBadInput || !plan.file.header.packed) throw;
+            const std::uint64_t whole = salvageLas(plan, [](const LasBlock&) {}).points;
+            throw Error(error.code, fmt::format("{}{}", error.what(), salvageHint(whole, promised)));
+        }
+    });
+    if (plan.file.promised > 0) sink.acceptShort(input, plan.file.header.point_count, promised);
 }
 
-LasFile openLasInput(const InputFile& input) {
-    return naming(input, [&] { return openLas(input.bytes); });
+LasFile openLasInput(const InputFile& input, const Sink& sink) {
+    return naming(input, [&] { return openLas(input.bytes, sink.salvages); });
 }
 
-LazLayout layoutOfLas(const InputFile& input, const LasFile& file) {
-    return file.header.packed ? naming(input, [&] { return lazLayout(file); }) : LazLayout{};
+LazLayout layoutOfLas(const InputFile& input, const LasFile& file, const Sink& sink) {
+    return file.header.packed ? naming(input, [&] { return lazLayout(file, sink.salvages); }) : LazLayout{};
 }
 
 std::vector<LazChunk> allLasChunks(const LasFile& file, const LazLayout& layout) {
@@ -113,13 +146,11 @@ namespace {
 /// Reads points with all attributes, and the frame from the header and records. From a COPC file only nodes that
 /// overlap the filter's bounds and are no finer than the sink's level.
 void readLas(const InputFile& input, Sink& sink) {
-    LasFile file = openLasInput(input);
+    LasFile file = openLasInput(input, sink);
     const std::vector<LasField> fields = lasFields(file);
-    LazLayout layout = layoutOfLas(input, file);
+    LazLayout layout = layoutOfLas(input, file, sink);
     const std::vector<LazChunk> chunks = naming(input, [&] { return chunksOf(input, file, layout, sink); });
-    std::uint64_t points = 0;
-    for (const LazChunk& chunk : chunks) points += chunk.points;
-
+    const std::uint64_t points = pointsIn(chunks);
     const bool is_first = sink.pointCount() == 0;
     sink.beginScan(input, lasTraits(file, fields, points));
     addLasPoints(input, {file, fields, std::move(layout), chunks}, sink);
