@@ -59,8 +59,9 @@ GridHeader readGridHeader(const InputFile& input, bool salvages) {
     // A cell takes two bytes, a digit and a blank; the last needs no blank.
     if (header.cells() < 1 || header.cells() > 1e18 ||
         (!salvages && header.cells() > static_cast<double>(header.body.size() + 1) / 2))
-        refuse(input, fmt::format("the header promises {} x {} cells, but only {} bytes follow", header.columns,
-                                  header.rows, header.body.size()));
+        refuse(input,
+               fmt::format("the header promises {} x {} cells, but only {} bytes follow; --salvage reads what is whole",
+                           header.columns, header.rows, header.body.size()));
     if (corner_x) header.x += header.width / 2;
     if (corner_y) header.y += header.height / 2;
     return header;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "format/pointio/bytes.h"
 #include "format/pointio/las_crs.h"
 #include "format/pointio/las_source_header.h"
 #include "preprocess/ingest/degrees.h"
@@ -143,6 +144,25 @@ std::vector<LazChunk> allLasChunks(const LasFile& file, const LazLayout& layout)
 
 namespace {
 
+/// Whether size and bounds contradict the header of uncompressed points: line ends that a transfer changed shift all
+/// bytes behind them. A header may be sloppy about one of them.
+bool isBeyondHeader(const LasFile& file, const Sink& sink) {
+    const LasHeader& header = file.header;
+    const std::uint64_t end = header.point_offset + header.point_count * header.record_bytes;
+    const bool fits = file.promised == 0 && (file.bytes.size() == end || header.evlr_count > 0);
+    if (header.packed || fits || sink.transform.world_from_input) return false;
+    constexpr std::size_t kMaxX = 179; // then min x, max y, min y, max z, min z
+    const ScanBox box = sink.lastScanBox();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto high = loadAt<double>(file.bytes, kMaxX + 16 * axis),
+                   low = loadAt<double>(file.bytes, kMaxX + 8 + 16 * axis);
+        const auto a = static_cast<Eigen::Index>(axis);
+        const double beyond = std::max(low - (box.center[a] - box.size[a] / 2), box.center[a] + box.size[a] / 2 - high);
+        if (low < high && beyond > high - low) return true;
+    }
+    return false;
+}
+
 /// Reads points with all attributes, and the frame from the header and records. From a COPC file only nodes that
 /// overlap the filter's bounds and are no finer than the sink's level.
 void readLas(const InputFile& input, Sink& sink) {
@@ -156,6 +176,11 @@ void readLas(const InputFile& input, Sink& sink) {
     addLasPoints(input, {file, fields, std::move(layout), chunks}, sink);
     sink.finishScan(input);
 
+    if (isBeyondHeader(file, sink))
+        sink.note(
+            input,
+            "has points far outside the bounds in its header, and another size than it states: a transfer in text "
+            "mode damages files so");
     const LasCrs crs = lasCrs(file);
     setLasFrame(crs, input, sink);
     const bool will_be_scaled =

@@ -140,8 +140,9 @@ std::uint64_t checkBodySize(const InputFile& input, const PcdHeader& header, Sin
     // A value takes at least two bytes, a digit and a separator; the last one needs no separator.
     const bool ascii = header.data == PcdData::kAscii && !sink.salvages;
     if (ascii && header.points > (header.body.size() + 1) / (2 * values))
-        refuse(input, fmt::format("the header promises {} points, but only {} bytes follow", header.points,
-                                  header.body.size()));
+        refuse(input,
+               fmt::format("the header promises {} points, but only {} bytes follow; --salvage reads what is whole",
+                           header.points, header.body.size()));
     return header.points;
 }
 

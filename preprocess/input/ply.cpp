@@ -47,7 +47,7 @@ struct ElementReader {
                 if (property.dimension == kIgnored) paint.takeOfVertex(property, row[kIgnored]);
             }
             if (header.harmonic_colors) evaluateHarmonics(row);
-            if (isCut(element, i)) throw PlyEnd();
+            if (isCut(element, i)) body.refuseValue(element, i);
             paint.addVertex();
             const std::uint32_t vertex = sink.addVertex(row, packed.data());
             if (for_grid) vertices.push_back(vertex);
@@ -150,7 +150,7 @@ struct ElementReader {
 
     /// Whether the end of the file may cut a vertex's last number.
     bool isCut(const PlyElement& element, std::uint64_t index) const {
-        return body.salvages && header.encoding == PlyEncoding::kAscii && body.values.at == body.input.end() &&
+        return header.encoding == PlyEncoding::kAscii && body.values.at == body.input.end() &&
                index + 1 < element.promised;
     }
 

@@ -86,6 +86,7 @@ struct PlyBody {
     std::uint64_t listLength(const PlyElement& element, std::uint64_t index, const PlyProperty& property) {
         double length = 0;
         value(element, index, property.count_type, length);
+        if (salvages && length > static_cast<double>(values.end - values.at)) throw PlyEnd();
         if (!(length >= 0 && length <= static_cast<double>(values.end - values.at)))
             refuseAt(input, fmt::format("{} {}", element.name, index),
                      fmt::format("impossible list length {}", length));

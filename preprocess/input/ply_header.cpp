@@ -196,11 +196,12 @@ void checkPromises(const InputFile& input, bool salvages, PlyHeader& header) {
         const std::size_t size = smallestSize(element, header.encoding);
         if (salvages) element.count = std::min<std::uint64_t>(element.count, left / size);
         if (element.count > left / size)
-            refuse(input, ascii
-                              ? fmt::format("the header promises {} {}, but only {} bytes follow", element.count,
-                                            pluralOf(element), left - 1)
-                              : fmt::format("truncated: found {} of {} {}{}", left / size, element.count,
-                                            pluralOf(element), left >= size ? "; --salvage reads what is whole" : ""));
+            refuse(input,
+                   ascii ? fmt::format(
+                               "the header promises {} {}, but only {} bytes follow; --salvage reads what is whole",
+                               element.count, pluralOf(element), left - 1)
+                         : fmt::format("truncated: found {} of {} {}{}", left / size, element.count, pluralOf(element),
+                                       left >= size ? "; --salvage reads what is whole" : ""));
         left -= element.count * size;
     }
 }

@@ -97,9 +97,11 @@ PtxHeader readHeader(const InputFile& input, std::string_view first_line, bool s
     const std::uint64_t most = (lines.rest.size() + 1) / 6;
     const bool overflows = __builtin_mul_overflow(header.columns, header.rows, &header.cells);
     if (overflows || (header.cells > most && !salvages))
-        refuseLine(input, first_line.data(),
-                   fmt::format("the header promises {} columns of {} points, but only {} bytes follow", header.columns,
-                               header.rows, lines.rest.size()));
+        refuseLine(
+            input, first_line.data(),
+            fmt::format(
+                "the header promises {} columns of {} points, but only {} bytes follow; --salvage reads what is whole",
+                header.columns, header.rows, lines.rest.size()));
     return header;
 }
 
@@ -174,6 +176,15 @@ void parseCell(const InputFile& input, std::string_view line, const Shape& shape
     if (shape.colors) std::copy(values + shape.words - 3, values + shape.words, &row[kRed]);
 }
 
+/// Whether the end of the file cuts a line: it has no line end, and is not a scan's last or lacks numbers.
+bool endsWithin(const InputFile& input, std::string_view line, const Shape& shape, bool is_last) {
+    if (line.data() + line.size() != input.end()) return false;
+    if (!is_last) return true;
+    std::size_t words = 0;
+    for (std::string_view rest = line; !nextWord(rest).empty();) ++words;
+    return words < shape.words && !isMissing(line);
+}
+
 /// Statistics of one scan's cells.
 struct Cells {
     std::uint64_t missing = 0;
@@ -189,10 +200,8 @@ Cells readCells(const InputFile& input, const PtxHeader& header, const Shape& sh
     const char* const values = reinterpret_cast<const char*>(&packed) + (shape.intensity ? 0 : sizeof packed.intensity);
     for (std::uint64_t i = 0; i < header.cells; ++i) {
         std::string_view line;
-        const bool ends = !lines.next(line);
-        const bool is_cut = sink.salvages && line.data() + line.size() == input.end() && i + 1 < header.cells;
-        if (ends || is_cut) {
-            sink.acceptShort(input, i, header.cells, "truncated within a scan");
+        if (!lines.next(line) || endsWithin(input, line, shape, i + 1 == header.cells)) {
+            sink.acceptShort(input, i, header.cells);
             break;
         }
         release_pages(static_cast<std::uint64_t>(line.data() - input.begin()));
