@@ -71,15 +71,20 @@ void takeUncounted(LasFile& file) {
             fmt::format("counts 0 points in its header; the {} that follow it are read", header.point_count));
 }
 
-void checkPoints(LasFile& file) {
+void checkPoints(LasFile& file, bool salvages) {
     LasHeader& header = file.header;
     if (header.point_offset < kShortHeader || header.point_offset > file.bytes.size())
         refuseFile(
             fmt::format("points start at byte {}, but the file has {} bytes", header.point_offset, file.bytes.size()));
     takeUncounted(file);
     const std::uint64_t room = (file.bytes.size() - header.point_offset) / header.record_bytes;
+    if (!header.packed && header.point_count > room && salvages) {
+        file.promised = header.point_count;
+        header.point_count = room;
+    }
     if (!header.packed && header.point_count > room)
-        refuseFile(fmt::format("promises {} points, but has the bytes of {}", header.point_count, room));
+        refuseFile(fmt::format("promises {} points, but has the bytes of {}{}", header.point_count, room,
+                               room > 0 ? "; --salvage reads these" : ""));
 }
 
 } // namespace
@@ -115,12 +120,12 @@ LasHeader readLasHeader(std::string_view bytes) {
 
 std::uint16_t lasRecordBytes(std::uint8_t point_format) { return kRecordBytesOf[point_format]; }
 
-LasFile openLas(std::string_view bytes) {
-    LasFile file{bytes, readLasHeader(bytes), {}, {}};
+LasFile openLas(std::string_view bytes, bool salvages) {
+    LasFile file{bytes, readLasHeader(bytes), {}, {}, 0};
     if (!readVlrs(file, file.header.header_bytes, file.header.vlr_count, false) ||
         !readVlrs(file, file.header.evlr_offset, file.header.evlr_count, true))
         file.notes.push_back("lacks records that its header announces; their content is ignored");
-    checkPoints(file);
+    checkPoints(file, salvages);
     return file;
 }
 

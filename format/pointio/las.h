@@ -40,11 +40,13 @@ struct LasFile {
     LasHeader header;
     std::vector<LasVlr> vlrs;
     std::vector<std::string> notes; ///< for the user
+    std::uint64_t promised = 0;     ///< points that the header announces, if the file is salvaged and has fewer
 };
 
 /// Reads header and records. Throws Error (kBadInput, without the file's name) for an unknown version or point format,
 /// invalid numbers in the header, and uncompressed points that do not fit in the file.
-LasFile openLas(std::string_view bytes);
+/// @param salvages accept uncompressed points that are fewer than announced
+LasFile openLas(std::string_view bytes, bool salvages = false);
 
 /// Reads the header without checking it against the rest of the file. Throws as openLas.
 LasHeader readLasHeader(std::string_view bytes);

@@ -84,7 +84,7 @@ void makeRun(const LasFile& file, std::uint64_t at, LazLayout& layout) {
 }
 
 /// The chunks of a table. False if they do not lie within the file.
-bool takeTable(const LasFile& file, const Table& table, bool variable, LazLayout& layout) {
+bool takeTable(const LasFile& file, const Table& table, bool variable, bool salvages, LazLayout& layout) {
     std::uint64_t at = file.header.point_offset + kTableOffset, left = file.header.point_count;
     for (std::size_t i = 0; i < table.sizes.size() && left > 0; ++i) {
         const std::uint64_t points = std::min(left, variable ? table.counts[i] : layout.run_points);
@@ -93,7 +93,7 @@ bool takeTable(const LasFile& file, const Table& table, bool variable, LazLayout
         at += table.sizes[i];
         left -= points;
     }
-    return left == 0;
+    return left == 0 || (salvages && !layout.chunks.empty());
 }
 
 bool append(void* text, const std::uint8_t* data, std::size_t bytes) {
@@ -116,7 +116,7 @@ std::string written(const Work& work) {
 
 } // namespace
 
-LazLayout lazLayout(const LasFile& file) {
+LazLayout lazLayout(const LasFile& file, bool salvages) {
     LazLayout layout;
     layout.record = laszipVlr(file).data;
     layout.record_bytes = file.header.record_bytes;
@@ -135,7 +135,7 @@ LazLayout lazLayout(const LasFile& file) {
     layout.run_points = variable ? 0 : chunk_points;
     const std::uint64_t table_at = tableAt(file);
     const Table table = table_at > 0 ? readTable(file, table_at, variable) : Table{};
-    if (takeTable(file, table, variable, layout)) return layout;
+    if (takeTable(file, table, variable, salvages, layout)) return layout;
     layout.chunks.clear();
     if (variable && !layout.layered) refuseFile("lacks a complete chunk table, which chunks of variable size need");
     makeRun(file, file.header.point_offset + kTableOffset, layout);

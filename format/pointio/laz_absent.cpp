@@ -6,7 +6,7 @@
 namespace pointrt {
 
 bool hasLaz() { return false; }
-LazLayout lazLayout(const LasFile&) { refuseWithoutRust("LAZ"); }
+LazLayout lazLayout(const LasFile&, bool) { refuseWithoutRust("LAZ"); }
 LazStream::LazStream(const LazLayout& layout, std::string_view, const LazChunk&) : layout_(layout), chunk_points_(0) {
     refuseWithoutRust("LAZ");
 }

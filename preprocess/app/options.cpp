@@ -170,6 +170,9 @@ void addFilterOptions(CommandLine& app, BakeOptions& options) {
            "Read COPC files down to level of detail N, where 0 is the coarsest (default: all levels)")
         ->check(range(0, 64))
         ->type_name("N");
+    app.add_flag(
+        "--salvage", read.salvages,
+        "Read the whole points of files that are cut short or promise more than they hold (default: refuse them)");
     app.add_flag_callback(
         "--keep-withheld", [&] { read.drops_withheld = false; },
         "Keep points that LAS files flag as withheld (default: leave them out)");

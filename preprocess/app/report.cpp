@@ -68,6 +68,15 @@ Json noiseJson(const BakeReport& report) {
     return scans;
 }
 
+/// The files that were cut short, and how many of their points there are.
+Json salvagedJson(const BakeReport& report) {
+    Json files = Json::array();
+    for (const FileReport& file : report.files)
+        if (file.promised > 0)
+            files.push_back({{"file", withoutFolder(file.name)}, {"points", file.points}, {"promised", file.promised}});
+    return files;
+}
+
 Json attributeNames(const BakeReport& report) {
     Json names = Json::array();
     for (const Attribute& attribute : report.attributes) names.push_back(attribute.name);
@@ -110,6 +119,7 @@ Json toJson(const BakeReport& report) {
     json["balls"] = report.balls;
     json["radii"] = {{"seen_through", report.surface.seen_through}};
     json["files"] = filesJson(report);
+    if (Json salvaged = salvagedJson(report); !salvaged.empty()) json["salvaged"] = std::move(salvaged);
     json["notes"] = Json::array();
     for (const Note& note : report.notes) json["notes"].push_back(noteLine(note));
     json["bytes"] = report.octree.file_bytes;
@@ -167,6 +177,7 @@ std::string metadataJson(const BakeOptions& options, const BakeReport& report) {
         json["cleaned"] = cleanedJson(report);
         json["settings"]["clean"] = options.surface.clean;
     }
+    if (Json salvaged = salvagedJson(report); !salvaged.empty()) json["salvaged"] = std::move(salvaged);
     const Json header = Json::parse(report.source_header, nullptr, false);
     if (header.is_object()) json["source_header"] = header;
     Json& settings = json["settings"];

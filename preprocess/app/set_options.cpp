@@ -87,6 +87,7 @@ std::string tileSetSettings(const BakeOptions& options) {
         if (filter.keep_classes[i]) json["classes"].push_back(i);
     json["thin"] = filter.thin_spacing;
     json["every"] = filter.every;
+    if (options.read.salvages) json["salvage"] = true;
     if (!options.read.drops_withheld) json["keep-withheld"] = true;
     if (options.read.level) json["level"] = *options.read.level;
     if (options.read.transform) {

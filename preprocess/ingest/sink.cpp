@@ -54,7 +54,8 @@ void intersect(WorldFrame& world, const WorldFrame& other) {
 
 Sink::Sink(Cloud& all_files, const SinkOptions& options)
     : cloud(all_files), attributes(options.attributes), level(options.level), scales_degrees(options.scales_degrees),
-      gaussians_as_discs(options.gaussians_as_discs), drops_withheld(options.drops_withheld), filter(options.filter),
+      gaussians_as_discs(options.gaussians_as_discs), drops_withheld(options.drops_withheld),
+      salvages(options.salvages), filter(options.filter),
       storage_(std::make_unique<CloudStorage>(cloud, columns, paint)) {
     transform.world_from_input = options.world_from_input;
 }
@@ -257,6 +258,14 @@ void Sink::findNoData(const InputFile& input) {
 
 void Sink::noteWithheld(const InputFile& input) {
     if (scan_.withheld > 0) note(input, "has points flagged withheld, which are left out; --keep-withheld keeps them");
+}
+
+void Sink::acceptShort(const InputFile& input, std::uint64_t found, std::uint64_t promised, const std::string& fault) {
+    if (!salvages || found == 0)
+        refuse(input, fmt::format("{}: found {} of {} points{}", fault, found, promised,
+                                  found > 0 ? "; --salvage reads these" : ""));
+    note(input, fmt::format("{}: {} of {} points are read", fault, found, promised));
+    points_promised += promised;
 }
 
 void Sink::note(const InputFile& input, const std::string& text) { addNote(cloud, input.name, text); }

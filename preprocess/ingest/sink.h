@@ -30,6 +30,7 @@ struct SinkOptions {
     std::optional<int> level = {};                        ///< finest level of files with levels of detail
     bool scales_degrees = false;     ///< degrees will be scaled to metres if all files are in degrees
     bool gaussians_as_discs = false; ///< opaque discs in place of Gaussians
+    bool salvages = false;           ///< read the whole points of files that are cut short
     bool drops_withheld = false;     ///< leave out points that their file flags as withheld
 };
 
@@ -100,6 +101,12 @@ public:
     /// over the object in parallel and looks along -Z of the scan's frame, as in the Stanford 3D Scanning Repository.
     void setSensorAlongZ();
 
+    /// For a file that holds fewer points than it promises: throws Error, or, if the sink salvages and there are any,
+    /// adds a note.
+    /// @param fault what is wrong, "truncated" or a reader's message
+    void acceptShort(const InputFile& input, std::uint64_t found, std::uint64_t promised,
+                     const std::string& fault = "truncated");
+
     /// Adds a note about the file.
     void note(const InputFile& input, const std::string& text);
 
@@ -126,6 +133,7 @@ public:
     bool scales_degrees;      ///< see SinkOptions
     bool gaussians_as_discs;  ///< see SinkOptions
     bool drops_withheld;      ///< see SinkOptions
+    bool salvages;            ///< see SinkOptions
     ScanTransform transform;
     PointFilter filter;
     Columns columns;
@@ -135,6 +143,7 @@ public:
     std::function<void(double)> progress; ///< receives the share of the current file that is read; may be empty
     std::size_t files_in_degrees = 0;     ///< files whose x and y are degrees
     std::size_t files_with_crs = 0;       ///< files that name their coordinate system
+    std::uint64_t points_promised = 0;    ///< by the current file, if it holds fewer; the reader of files resets it
     std::vector<ScanNoData> no_data;      ///< customary values of all scans, if the cloud keeps points
 
 private:

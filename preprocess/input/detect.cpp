@@ -82,7 +82,7 @@ const InputFormat* formatOfPlainText(std::string_view bytes) {
 
 SuffixOf suffixKind(const std::string& name) {
     const std::string suffix = suffixOf(name);
-    if (suffix == "txt" || suffix == "csv") return SuffixOf::kText;
+    if (suffix == "txt" || suffix == "csv" || suffix == "bin") return SuffixOf::kText;
     bool known = false;
     for (const InputFormat& format : inputFormats())
         forSuffixes(format, [&](std::string_view each) { known = known || each == suffix; });

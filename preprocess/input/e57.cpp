@@ -18,6 +18,8 @@ namespace {
 
 /// Points read at once: about 20 columns of 8 bytes fit in a core's cache.
 constexpr std::size_t kBatch = 4096;
+/// At once from a file that is salvaged: a batch is lost whole. A page of 1 KiB holds some 30 points.
+constexpr std::size_t kSalvageBatch = 16;
 
 /// Counts over all scans of a file, for notes.
 struct ScanCounts {
@@ -206,19 +208,28 @@ std::string titleOf(const E57File& file, std::size_t number) {
 struct ScanStream {
     E57Points points;
     ReleasePagesBehind release_pages;
+    bool salvages;
+    std::string fault; ///< that ended a scan to be salvaged
 
-    ScanStream(const InputFile& input, const E57File& file, std::size_t number)
-        : points(e57Points(file, number)), release_pages{input} {}
+    ScanStream(const InputFile& input, const E57File& file, std::size_t number, bool does_salvage)
+        : points(e57Points(file, number)), release_pages{input}, salvages(does_salvage) {}
 
     std::size_t read(const std::vector<void*>& columns) {
         release_pages(e57Position(points));
-        return readE57Points(points, kBatch, columns.data());
+        if (!salvages) return readE57Points(points, kBatch, columns.data());
+        if (!fault.empty()) return 0;
+        try {
+            return readE57Points(points, kSalvageBatch, columns.data());
+        } catch (const Error& error) {
+            fault = error.what();
+            return 0;
+        }
     }
 };
 
 /// Whether return indices start at 1, as in files converted from LAS, instead of at 0. Then the index of a pulse's last
 /// return equals the number of its returns. Reads these two columns to find out.
-bool countsReturnsFromOne(const InputFile& input, const E57File& file, std::size_t number) {
+bool countsReturnsFromOne(const InputFile& input, const E57File& file, std::size_t number, bool salvages) {
     const std::vector<E57Column>& columns = file.scans[number].columns;
     std::array<std::int64_t, kBatch> indices, counts;
     std::vector<void*> buffers;
@@ -229,7 +240,7 @@ bool countsReturnsFromOne(const InputFile& input, const E57File& file, std::size
                                                                     : nullptr);
     }
     if (std::count(buffers.begin(), buffers.end(), nullptr) + 2 != std::ssize(buffers)) return false;
-    ScanStream stream(input, file, number);
+    ScanStream stream(input, file, number, salvages);
     while (const std::size_t count = stream.read(buffers))
         for (std::size_t i = 0; i < count; ++i)
             if (counts[i] > 0 && indices[i] >= counts[i]) return true;
@@ -258,7 +269,8 @@ struct GridFrame {
 };
 
 /// Measured in a pass over these two columns, for files without usable limits.
-GridFrame readGridFrame(const InputFile& input, const E57File& file, std::size_t number, const GridColumns& indices) {
+GridFrame readGridFrame(const InputFile& input, const E57File& file, std::size_t number, const GridColumns& indices,
+                        bool salvages) {
     constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min(),
                            kMost = std::numeric_limits<std::int64_t>::max();
     std::array<std::int64_t, kBatch> rows, columns;
@@ -266,7 +278,7 @@ GridFrame readGridFrame(const InputFile& input, const E57File& file, std::size_t
     buffers[indices.row] = rows.data();
     buffers[indices.column] = columns.data();
     GridFrame frame{kMost, kLeast, kMost, kLeast};
-    ScanStream stream(input, file, number);
+    ScanStream stream(input, file, number, salvages);
     while (const std::size_t count = stream.read(buffers))
         for (std::size_t i = 0; i < count; ++i) {
             frame.first_row = std::min(frame.first_row, rows[i]);
@@ -277,11 +289,12 @@ GridFrame readGridFrame(const InputFile& input, const E57File& file, std::size_t
     return frame;
 }
 
-GridFrame gridFrameOf(const InputFile& input, const E57File& file, std::size_t number, const GridColumns& indices) {
+GridFrame gridFrameOf(const InputFile& input, const E57File& file, std::size_t number, const GridColumns& indices,
+                      bool salvages) {
     const E57Scan& scan = file.scans[number];
     const E57Column &row = scan.columns[indices.row], &column = scan.columns[indices.column];
     const GridFrame by_limits{row.least, row.most, column.least, column.most};
-    return by_limits.fits(scan.points) ? by_limits : readGridFrame(input, file, number, indices);
+    return by_limits.fits(scan.points) ? by_limits : readGridFrame(input, file, number, indices, salvages);
 }
 
 /// Puts a scan's points into the cells of its grid.
@@ -292,7 +305,7 @@ struct GridFiller {
     /// Begins the grid, if the scan has one.
     GridFiller(const InputFile& input, const E57File& file, std::size_t number, Sink& sink)
         : indices(gridColumnsOf(file.scans[number])) {
-        if (indices) frame = gridFrameOf(input, file, number, *indices);
+        if (indices) frame = gridFrameOf(input, file, number, *indices, sink.salvages);
         if (indices && !frame.fits(file.scans[number].points)) indices.reset();
         if (indices) beginGrid(sink, frame.rows(), frame.columns());
     }
@@ -307,14 +320,22 @@ struct GridFiller {
     }
 };
 
+/// Other scans of the file may be whole.
+void noteFault(const InputFile& input, const std::string& title, const std::string& fault, std::uint64_t found,
+               std::uint64_t promised, Sink& sink) {
+    sink.note(input, fmt::format("{}: {}: {} of {} points are read", title, fault, found, promised));
+    sink.points_promised += promised;
+}
+
 /// @param room number of points that the cloud will have after the file, 0 if unknown
 void readScan(const InputFile& input, const E57File& file, std::size_t number, std::size_t room, Sink& sink,
               ScanCounts& counts) {
     const E57Scan& scan = file.scans[number];
     const std::string title = titleOf(file, number);
-    const E57Plan plan = naming(input, title, [&] { return planE57(scan, countsReturnsFromOne(input, file, number)); });
+    const E57Plan plan =
+        naming(input, title, [&] { return planE57(scan, countsReturnsFromOne(input, file, number, sink.salvages)); });
     const Pose pose = poseOf(input, scan, title);
-    ScanStream stream = naming(input, title, [&] { return ScanStream(input, file, number); });
+    ScanStream stream = naming(input, title, [&] { return ScanStream(input, file, number, sink.salvages); });
     sink.transform.input_from_scan = pose;
     sink.beginScan(input, plan.traits);
     if (isScannerFrame(scan, plan, pose)) sink.setScanSensor(Vec3d::Zero());
@@ -322,12 +343,20 @@ void readScan(const InputFile& input, const E57File& file, std::size_t number, s
     Batch batch(scan, plan);
     BatchReader reader(batch, counts);
     const GridFiller grid = naming(input, title, [&] { return GridFiller(input, file, number, sink); });
-    const auto next = [&] { return stream.read(batch.columns); };
+    const auto next = [&] {
+        try {
+            return stream.read(batch.columns);
+        } catch (const Error& error) {
+            throw Error(error.code, fmt::format("{}; {} of its {} points before it are whole: --salvage reads these",
+                                                error.what(), sink.vertexCount(), scan.points));
+        }
+    };
     while (const std::size_t count = naming(input, title, next))
         for (std::size_t i = 0; i < count; ++i) {
             reader.read(i);
             grid.add(batch, i, sink.addVertex(reader.row, reader.values.data()), sink);
         }
+    if (!stream.fault.empty()) noteFault(input, title, stream.fault, sink.vertexCount(), scan.points, sink);
     const bool alone = file.scans.size() == 1 && scan.name.empty();
     sink.finishScan(input, alone ? "" : scan.name.empty() ? title : scan.name, Emptiness::kAllowed);
     sink.transform.input_from_scan.reset();

@@ -98,10 +98,10 @@ void readEpt(const InputFile& input, Sink& sink) {
     bool begun = false;
     for (const EptNode& node : nodesOf(input, root, sink)) {
         const InputFile part = openInputFile(node.path.string(), NamedBy::kFile);
-        LasFile file = openLasInput(part);
+        LasFile file = openLasInput(part, sink);
         if (file.header.point_count == 0) continue;
         const std::vector<LasField> fields = lasFields(file);
-        LazLayout layout = layoutOfLas(part, file);
+        LazLayout layout = layoutOfLas(part, file, sink);
         if (!begun) {
             first_fields = fields;
             if (crs.kind == LasCrs::Kind::kUnknown) crs = lasCrs(file);

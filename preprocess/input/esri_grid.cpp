@@ -46,7 +46,7 @@ bool takeEntry(const InputFile& input, std::string_view line, GridHeader& header
     return true;
 }
 
-GridHeader readGridHeader(const InputFile& input) {
+GridHeader readGridHeader(const InputFile& input, bool salvages) {
     GridHeader header;
     bool corner_x = false, corner_y = false;
     std::string_view rest = input.bytes, line;
@@ -57,9 +57,11 @@ GridHeader readGridHeader(const InputFile& input) {
     }
     if (!(header.width > 0 && header.height > 0)) refuse(input, "the header of the grid has no cellsize above 0");
     // A cell takes two bytes, a digit and a blank; the last needs no blank.
-    if (header.cells() < 1 || header.cells() > static_cast<double>(header.body.size() + 1) / 2)
-        refuse(input, fmt::format("the header promises {} x {} cells, but only {} bytes follow", header.columns,
-                                  header.rows, header.body.size()));
+    if (header.cells() < 1 || header.cells() > 1e18 ||
+        (!salvages && header.cells() > static_cast<double>(header.body.size() + 1) / 2))
+        refuse(input,
+               fmt::format("the header promises {} x {} cells, but only {} bytes follow; --salvage reads what is whole",
+                           header.columns, header.rows, header.body.size()));
     if (corner_x) header.x += header.width / 2;
     if (corner_y) header.y += header.height / 2;
     return header;
@@ -79,7 +81,11 @@ std::uint64_t addCells(const InputFile& input, const GridHeader& header, Sink& s
     Row row{};
     for (std::uint64_t i = 0; i < cells; ++i) {
         const std::string_view word = nextWord(rest);
-        if (word.empty()) refuse(input, fmt::format("truncated: found {} of {} cells", i, cells));
+        const bool is_cut = sink.salvages && rest.empty() && i + 1 < cells;
+        if (word.empty() || is_cut) {
+            sink.acceptShort(input, i, cells);
+            break;
+        }
         if (!wholeNumber(word, row[kZ]))
             refuseLine(input, word.data(), fmt::format("{} is not a number", inQuotes(word)));
         if (row[kZ] == header.no_data || !std::isfinite(row[kZ])) {
@@ -94,14 +100,15 @@ std::uint64_t addCells(const InputFile& input, const GridHeader& header, Sink& s
 }
 
 void readEsriGrid(const InputFile& input, Sink& sink) {
-    const GridHeader header = readGridHeader(input);
+    const GridHeader header = readGridHeader(input, sink.salvages);
     ScanTraits traits;
     traits.faces = false;
-    traits.vertices = header.columns * header.rows;
+    traits.vertices = std::min<std::uint64_t>(header.columns * header.rows, header.body.size());
     sink.beginScan(input, traits);
     const std::uint64_t missing = addCells(input, header, sink);
     if (missing > 0)
-        sink.note(input, fmt::format("{} of {} cells have no data and are left out", missing, traits.vertices));
+        sink.note(input,
+                  fmt::format("{} of {} cells have no data and are left out", missing, header.columns * header.rows));
     sink.finishScan(input);
     WorldFrame frame;
     frame.up = Vec3d::UnitZ();

@@ -56,6 +56,7 @@ inline bool alwaysInBatches(const InputFile&) { return true; }
     FORMAT(kEpt, "ept", "EPT", "ept", kAny)                                                                            \
     FORMAT(kPotree, "potree", "Potree 2", "potree", kAny)                                                              \
     FORMAT(kEsriGrid, "grid", "ESRI grid", "agr", kText)                                                               \
+    FORMAT(kKitti, "kitti", "KITTI", "bin", kAny)                                                                      \
     FORMAT(kConf, "conf", "Stanford .conf", "conf", kText)
 // clang-format on
 

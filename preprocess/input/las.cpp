@@ -3,12 +3,14 @@
 
 #include <algorithm>
 
+#include "format/pointio/bytes.h"
 #include "format/pointio/las_crs.h"
 #include "format/pointio/las_source_header.h"
 #include "preprocess/ingest/degrees.h"
 #include "preprocess/input/formats.h"
 #include "preprocess/input/las_blocks.h"
 #include "preprocess/input/las_nodes.h"
+#include "preprocess/input/las_salvage.h"
 #include "preprocess/input/las_scan.h"
 
 namespace pointrt {
@@ -93,17 +95,49 @@ void addBlock(const InputFile& input, const LasBlock& block, Sink& sink) {
 
 } // namespace
 
+namespace {
+
+std::uint64_t pointsIn(const std::vector<LazChunk>& chunks) {
+    std::uint64_t points = 0;
+    for (const LazChunk& chunk : chunks) points += chunk.points;
+    return points;
+}
+
+std::string salvageHint(std::uint64_t whole, std::uint64_t promised) {
+    return whole > 0 ? fmt::format("; {} of {} points are whole: --salvage reads these", whole, promised) : "";
+}
+
+} // namespace
+
 void addLasPoints(const InputFile& input, LasPlan plan, Sink& sink) {
+    const auto add = [&](const LasBlock& block) { addBlock(input, block, sink); };
+    const std::uint64_t promised =
+        isCopc(plan.file) ? pointsIn(plan.chunks) : std::max(plan.file.promised, plan.file.header.point_count);
+    if (sink.salvages && plan.file.header.packed) {
+        const SalvagedLas salvaged = salvageLas(plan, add);
+        if (!salvaged.fault.empty() || salvaged.points < promised)
+            sink.acceptShort(input, salvaged.points, promised, salvaged.fault.empty() ? "truncated" : salvaged.fault);
+        return;
+    }
     // errors of addVertices do not name the file either
-    naming(input, [&] { forLasBlocks(std::move(plan), [&](const LasBlock& block) { addBlock(input, block, sink); }); });
+    naming(input, [&] {
+        try {
+            forLasBlocks(plan, add);
+        } catch (const Error& error) {
+            if (error.code != ExitCode::kBadInput || !plan.file.header.packed) throw;
+            const std::uint64_t whole = salvageLas(plan, [](const LasBlock&) {}).points;
+            throw Error(error.code, fmt::format("{}{}", error.what(), salvageHint(whole, promised)));
+        }
+    });
+    if (plan.file.promised > 0) sink.acceptShort(input, plan.file.header.point_count, promised);
 }
 
-LasFile openLasInput(const InputFile& input) {
-    return naming(input, [&] { return openLas(input.bytes); });
+LasFile openLasInput(const InputFile& input, const Sink& sink) {
+    return naming(input, [&] { return openLas(input.bytes, sink.salvages); });
 }
 
-LazLayout layoutOfLas(const InputFile& input, const LasFile& file) {
-    return file.header.packed ? naming(input, [&] { return lazLayout(file); }) : LazLayout{};
+LazLayout layoutOfLas(const InputFile& input, const LasFile& file, const Sink& sink) {
+    return file.header.packed ? naming(input, [&] { return lazLayout(file, sink.salvages); }) : LazLayout{};
 }
 
 std::vector<LazChunk> allLasChunks(const LasFile& file, const LazLayout& layout) {
@@ -113,21 +147,43 @@ std::vector<LazChunk> allLasChunks(const LasFile& file, const LazLayout& layout)
 
 namespace {
 
+/// Whether size and bounds contradict the header of uncompressed points: line ends that a transfer changed shift all
+/// bytes behind them. A header may be sloppy about one of them.
+bool isBeyondHeader(const LasFile& file, const Sink& sink) {
+    const LasHeader& header = file.header;
+    const std::uint64_t end = header.point_offset + header.point_count * header.record_bytes;
+    const bool fits = file.promised == 0 && (file.bytes.size() == end || header.evlr_count > 0);
+    if (header.packed || fits || sink.transform.world_from_input) return false;
+    constexpr std::size_t kMaxX = 179; // then min x, max y, min y, max z, min z
+    const ScanBox box = sink.lastScanBox();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto high = loadAt<double>(file.bytes, kMaxX + 16 * axis),
+                   low = loadAt<double>(file.bytes, kMaxX + 8 + 16 * axis);
+        const auto a = static_cast<Eigen::Index>(axis);
+        const double beyond = std::max(low - (box.center[a] - box.size[a] / 2), box.center[a] + box.size[a] / 2 - high);
+        if (low < high && beyond > high - low) return true;
+    }
+    return false;
+}
+
 /// Reads points with all attributes, and the frame from the header and records. From a COPC file only nodes that
 /// overlap the filter's bounds and are no finer than the sink's level.
 void readLas(const InputFile& input, Sink& sink) {
-    LasFile file = openLasInput(input);
+    LasFile file = openLasInput(input, sink);
     const std::vector<LasField> fields = lasFields(file);
-    LazLayout layout = layoutOfLas(input, file);
+    LazLayout layout = layoutOfLas(input, file, sink);
     const std::vector<LazChunk> chunks = naming(input, [&] { return chunksOf(input, file, layout, sink); });
-    std::uint64_t points = 0;
-    for (const LazChunk& chunk : chunks) points += chunk.points;
-
+    const std::uint64_t points = pointsIn(chunks);
     const bool is_first = sink.pointCount() == 0;
     sink.beginScan(input, lasTraits(file, fields, points));
     addLasPoints(input, {file, fields, std::move(layout), chunks}, sink);
     sink.finishScan(input);
 
+    if (isBeyondHeader(file, sink))
+        sink.note(
+            input,
+            "has points far outside the bounds in its header, and another size than it states: a transfer in text "
+            "mode damages files so");
     const LasCrs crs = lasCrs(file);
     setLasFrame(crs, input, sink);
     const bool will_be_scaled =

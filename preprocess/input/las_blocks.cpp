@@ -164,6 +164,15 @@ std::size_t jobsAtOnce(const LasPlan& plan) {
 
 } // namespace
 
+void decodeRecords(const LasPlan& plan, const std::vector<char>& records, LasBlock& block) {
+    Job job;
+    job.records = records.data();
+    job.points = records.size() / plan.file.header.record_bytes;
+    job.block = std::move(block);
+    toArrays(plan, job);
+    block = std::move(job.block);
+}
+
 void forLasBlocks(const LasPlan& plan, const std::function<void(const LasBlock&)>& use) {
     Jobs jobs(plan);
     const auto cutJobs = [&](tbb::flow_control& control) {

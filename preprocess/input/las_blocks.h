@@ -31,4 +31,7 @@ struct LasPlan {
 /// points in the file, and whatever use throws.
 void forLasBlocks(const LasPlan& plan, const std::function<void(const LasBlock&)>& use);
 
+/// Decodes records.
+void decodeRecords(const LasPlan& plan, const std::vector<char>& records, LasBlock& block);
+
 } // namespace pointrt

@@ -44,19 +44,29 @@ void addPoint(Sink& sink, const PcdHeader& header, std::uint64_t index, const Ro
     setCell(sink, index / header.grid_columns, index % header.grid_columns, sink.addVertex(row, packed));
 }
 
+/// Returns false at the end of the file.
+bool readAsciiPoint(const InputFile& input, const PcdHeader& header, std::string_view& rest, Row& row, char* packed,
+                    bool& exact) {
+    for (const PcdField& field : header.fields)
+        for (std::uint64_t k = 0; k < field.count; ++k) {
+            const std::string_view word = nextWord(rest);
+            if (word.empty()) return false;
+            if (!readWord(field, k, word, row, packed, exact))
+                refuseLine(input, word.data(), fmt::format("{} is not a number", inQuotes(word)));
+        }
+    return true;
+}
+
 void readAscii(const InputFile& input, const PcdHeader& header, Sink& sink) {
     std::string_view rest = header.body;
     Row row{};
     std::vector<char> packed(header.packed_size);
     bool exact = true;
     for (std::uint64_t i = 0; i < header.points; ++i) {
-        for (const PcdField& field : header.fields) {
-            for (std::uint64_t k = 0; k < field.count; ++k) {
-                const std::string_view word = nextWord(rest);
-                if (word.empty()) refuse(input, fmt::format("truncated: found {} of {} points", i, header.points));
-                if (!readWord(field, k, word, row, packed.data(), exact))
-                    refuseLine(input, word.data(), fmt::format("{} is not a number", inQuotes(word)));
-            }
+        if (!readAsciiPoint(input, header, rest, row, packed.data(), exact) ||
+            (rest.empty() && sink.salvages && i + 1 < header.points)) { // the end may cut the last number
+            sink.acceptShort(input, i, header.points);
+            break;
         }
         addPoint(sink, header, i, row, packed.data());
     }
@@ -82,11 +92,12 @@ std::vector<FieldBytes> layOut(const PcdHeader& header, const char* bytes) {
     return all;
 }
 
-void readBytes(const PcdHeader& header, const char* bytes, Sink& sink) {
+/// points: to read, at most as many as the header has
+void readBytes(const PcdHeader& header, const char* bytes, std::uint64_t points, Sink& sink) {
     const std::vector<FieldBytes> fields = layOut(header, bytes);
     Row row{};
     std::vector<char> packed(header.packed_size);
-    for (std::uint64_t i = 0; i < header.points; ++i) {
+    for (std::uint64_t i = 0; i < points; ++i) {
         for (const FieldBytes& field : fields) {
             const char* const at = field.first + i * field.stride;
             if (field.field->place)
@@ -117,21 +128,28 @@ std::string unpackBody(const InputFile& input, const PcdHeader& header) {
     return bytes;
 }
 
-void checkBodySize(const InputFile& input, const PcdHeader& header) {
-    if (header.data == PcdData::kBinary && header.points > header.body.size() / header.point_size)
-        refuse(input,
-               fmt::format("truncated: found {} of {} points", header.body.size() / header.point_size, header.points));
+/// Returns the number of points that are there.
+std::uint64_t checkBodySize(const InputFile& input, const PcdHeader& header, Sink& sink) {
+    const std::uint64_t room = header.body.size() / header.point_size;
+    if (header.data == PcdData::kBinary && header.points > room) {
+        sink.acceptShort(input, room, header.points);
+        return room;
+    }
     std::uint64_t values = 0;
     for (const PcdField& field : header.fields) values += field.count;
     // A value takes at least two bytes, a digit and a separator; the last one needs no separator.
-    if (header.data == PcdData::kAscii && header.points > (header.body.size() + 1) / (2 * values))
-        refuse(input, fmt::format("the header promises {} points, but only {} bytes follow", header.points,
-                                  header.body.size()));
+    const bool ascii = header.data == PcdData::kAscii && !sink.salvages;
+    if (ascii && header.points > (header.body.size() + 1) / (2 * values))
+        refuse(input,
+               fmt::format("the header promises {} points, but only {} bytes follow; --salvage reads what is whole",
+                           header.points, header.body.size()));
+    return header.points;
 }
 
 ScanTraits traitsOf(const PcdHeader& header) {
     ScanTraits traits;
-    traits.vertices = header.points;
+    traits.vertices = std::min<std::uint64_t>(header.points,
+                                              header.data == PcdData::kCompressed ? header.points : header.body.size());
     traits.faces = false;
     traits.columns = header.columns;
     for (const PcdField& field : header.fields) {
@@ -156,18 +174,20 @@ bool isPcdStart(std::string_view bytes) { return bytes.starts_with("# .PCD"); }
 
 void readPcd(const InputFile& input, Sink& sink) {
     const PcdHeader header = readPcdHeader(input);
-    checkBodySize(input, header);
+    const std::uint64_t points = checkBodySize(input, header, sink);
     std::string unpacked;
     if (header.data == PcdData::kCompressed) unpacked = unpackBody(input, header);
     if (!header.unread.empty())
         sink.note(input, "fields with more than 4 components or a duplicate name are not read: " + header.unread);
     sink.beginScan(input, traitsOf(header));
     sink.setScanSensor(header.sensor);
-    beginGrid(sink, header.grid_rows, header.grid_columns);
+    if (header.data == PcdData::kCompressed ||
+        header.points <= header.body.size()) // cells take no more memory than the file
+        beginGrid(sink, header.grid_rows, header.grid_columns);
     if (header.data == PcdData::kAscii)
         readAscii(input, header, sink);
     else
-        readBytes(header, header.data == PcdData::kBinary ? header.body.data() : unpacked.data(), sink);
+        readBytes(header, header.data == PcdData::kBinary ? header.body.data() : unpacked.data(), points, sink);
     sink.finishScan(input);
 }
 

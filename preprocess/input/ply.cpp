@@ -29,6 +29,7 @@ struct ElementReader {
     std::vector<std::uint32_t> corners;
     std::vector<std::uint32_t> vertices; ///< as addVertex returned them, if there is a grid
     PlyPaint paint;
+    std::uint64_t faces = 0;
 
     void readVertices(const PlyElement& element) {
         Row row{};
@@ -46,6 +47,7 @@ struct ElementReader {
                 if (property.dimension == kIgnored) paint.takeOfVertex(property, row[kIgnored]);
             }
             if (header.harmonic_colors) evaluateHarmonics(row);
+            if (isCut(element, i)) body.refuseValue(element, i);
             paint.addVertex();
             const std::uint32_t vertex = sink.addVertex(row, packed.data());
             if (for_grid) vertices.push_back(vertex);
@@ -112,6 +114,7 @@ struct ElementReader {
                     body.skip(element, i, property);
             }
             if (!strip) sink.addPolygon(corners, paint.paintOf(corners));
+            ++faces;
         }
     }
 
@@ -129,6 +132,26 @@ struct ElementReader {
                         known ? vertices[static_cast<std::size_t>(vertex)] : RangeGrid::kFilteredOut);
             }
         }
+    }
+
+    /// Reads what is there of a file that is salvaged.
+    void readWhole() {
+        try {
+            read();
+        } catch (const PlyEnd&) { // the counts tell
+        }
+        const PlyElement& vertex = vertexElement(header);
+        if (sink.vertexCount() < vertex.promised)
+            return sink.acceptShort(body.input, sink.vertexCount(), vertex.promised);
+        for (const PlyElement& element : header.elements)
+            if (element.name == "face" && faces < element.promised)
+                sink.note(body.input, fmt::format("truncated: {} of {} faces are read", faces, element.promised));
+    }
+
+    /// Whether the end of the file may cut a vertex's last number.
+    bool isCut(const PlyElement& element, std::uint64_t index) const {
+        return header.encoding == PlyEncoding::kAscii && body.values.at == body.input.end() &&
+               index + 1 < element.promised;
     }
 
     void read() {
@@ -172,7 +195,7 @@ bool isPlyStart(std::string_view bytes) { return bytes.starts_with("ply") && byt
 
 /// Whether the file has only points.
 bool isOfPoints(const InputFile& input) {
-    const PlyHeader header = readPlyHeader(input);
+    const PlyHeader header = readPlyHeader(input, true);
     return header.gaussians == PlyGaussians::kNone && !hasFaces(header) &&
            std::none_of(header.elements.begin(), header.elements.end(),
                         [&](const PlyElement& element) { return isRangeGrid(header, element); });
@@ -192,18 +215,28 @@ void noteRest(const InputFile& input, const PlyHeader& header, std::string_view 
 }
 
 void readPly(const InputFile& input, Sink& sink) {
-    PlyHeader header = readPlyHeader(input);
-    if (header.gaussians != PlyGaussians::kNone) return readPlyGaussians(input, header, sink);
+    PlyHeader header = readPlyHeader(input, sink.salvages);
+    if (header.gaussians != PlyGaussians::kNone) {
+        const PlyElement& vertex = vertexElement(header);
+        if (vertex.count < vertex.promised) sink.acceptShort(input, vertex.count, vertex.promised);
+        return readPlyGaussians(input, header, sink);
+    }
     const std::string unread = assignPlyAttributes(header);
     if (!unread.empty()) sink.note(input, "lists and properties with a duplicate name are not read: " + unread);
     sink.beginScan(input, traitsOf(header));
-    withPlyBody(input, header, [&]<typename Values>(const PlyBody<Values>& body) {
-        ElementReader<Values> reader{header, sink, body, {}, {}, PlyPaint(input, header, sink)};
-        reader.read();
-        if (!reader.body.exact)
-            sink.note(input, "has numbers outside their declared types: the nearest values are used");
-        noteRest(input, header, {reader.body.values.at, input.end()}, sink);
-    });
+    withPlyBody(
+        input, header,
+        [&]<typename Values>(const PlyBody<Values>& body) {
+            ElementReader<Values> reader{header, sink, body, {}, {}, PlyPaint(input, header, sink)};
+            if (sink.salvages)
+                reader.readWhole();
+            else
+                reader.read();
+            if (!reader.body.exact)
+                sink.note(input, "has numbers outside their declared types: the nearest values are used");
+            if (!sink.salvages) noteRest(input, header, {reader.body.values.at, input.end()}, sink);
+        },
+        sink.salvages);
     const std::size_t grids = sink.cloud.grids.size();
     sink.finishScan(input);
     const bool has_grid = sink.cloud.grids.size() > grids;

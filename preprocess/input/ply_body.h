@@ -64,11 +64,15 @@ struct PlyBytes {
     }
 };
 
+/// Thrown at the end of a file that is salvaged.
+struct PlyEnd {};
+
 /// Reads elements. Throws Error for a missing or malformed value.
 template <typename Values>
 struct PlyBody {
     const InputFile& input;
     Values values;
+    bool salvages = false;
     bool exact = true; ///< all words so far were representable in their types
 
     void value(const PlyElement& element, std::uint64_t index, Scalar type, double& into) {
@@ -82,6 +86,7 @@ struct PlyBody {
     std::uint64_t listLength(const PlyElement& element, std::uint64_t index, const PlyProperty& property) {
         double length = 0;
         value(element, index, property.count_type, length);
+        if (salvages && length > static_cast<double>(values.end - values.at)) throw PlyEnd();
         if (!(length >= 0 && length <= static_cast<double>(values.end - values.at)))
             refuseAt(input, fmt::format("{} {}", element.name, index),
                      fmt::format("impossible list length {}", length));
@@ -100,8 +105,10 @@ struct PlyBody {
     }
 
     [[noreturn]] void refuseValue(const PlyElement& element, std::uint64_t done) {
+        if (values.at == input.end() && salvages) throw PlyEnd();
         if (values.at == input.end())
-            refuse(input, fmt::format("truncated: found {} of {} {}", done, element.count, pluralOf(element)));
+            refuse(input, fmt::format("truncated: found {} of {} {}{}", done, element.count, pluralOf(element),
+                                      done > 0 ? "; --salvage reads what is whole" : ""));
         std::string_view rest(values.at, static_cast<std::size_t>(input.end() - values.at));
         refuseLine(input, values.at, fmt::format("{} is not a number", inQuotes(nextWord(rest))));
     }
@@ -109,11 +116,11 @@ struct PlyBody {
 
 /// Calls use with a PlyBody positioned at the first value.
 template <typename Use>
-void withPlyBody(const InputFile& input, const PlyHeader& header, const Use& use) {
+void withPlyBody(const InputFile& input, const PlyHeader& header, const Use& use, bool salvages = false) {
     if (header.encoding == PlyEncoding::kAscii)
-        use(PlyBody<PlyWords>{input, {header.body, input.end()}});
+        use(PlyBody<PlyWords>{input, {header.body, input.end()}, salvages});
     else
-        use(PlyBody<PlyBytes>{input, {header.body, input.end(), header.encoding == PlyEncoding::kBigEndian}});
+        use(PlyBody<PlyBytes>{input, {header.body, input.end(), header.encoding == PlyEncoding::kBigEndian}, salvages});
 }
 
 } // namespace pointrt

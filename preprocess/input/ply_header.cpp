@@ -187,24 +187,28 @@ std::size_t smallestSize(const PlyElement& element, PlyEncoding encoding) {
     return size;
 }
 
-void checkPromises(const InputFile& input, const PlyHeader& header) {
+void checkPromises(const InputFile& input, bool salvages, PlyHeader& header) {
     const bool ascii = header.encoding == PlyEncoding::kAscii;
     // The last value of an ASCII file needs no separator.
     std::uint64_t left = static_cast<std::uint64_t>(input.end() - header.body) + (ascii ? 1 : 0);
-    for (const PlyElement& element : header.elements) {
+    for (PlyElement& element : header.elements) {
+        element.promised = element.count;
         const std::size_t size = smallestSize(element, header.encoding);
+        if (salvages) element.count = std::min<std::uint64_t>(element.count, left / size);
         if (element.count > left / size)
             refuse(input,
-                   ascii ? fmt::format("the header promises {} {}, but only {} bytes follow", element.count,
-                                       pluralOf(element), left - 1)
-                         : fmt::format("truncated: found {} of {} {}", left / size, element.count, pluralOf(element)));
+                   ascii ? fmt::format(
+                               "the header promises {} {}, but only {} bytes follow; --salvage reads what is whole",
+                               element.count, pluralOf(element), left - 1)
+                         : fmt::format("truncated: found {} of {} {}{}", left / size, element.count, pluralOf(element),
+                                       left >= size ? "; --salvage reads what is whole" : ""));
         left -= element.count * size;
     }
 }
 
 } // namespace
 
-PlyHeader readPlyHeader(const InputFile& input) {
+PlyHeader readPlyHeader(const InputFile& input, bool salvages) {
     HeaderLines lines(input.bytes);
     std::string_view line;
     if (!lines.next(line) || nextWord(line) != "ply") refuse(input, "does not start with 'ply'");
@@ -213,7 +217,7 @@ PlyHeader readPlyHeader(const InputFile& input) {
     resolveVertexDimensions(input, header);
     // elements without properties take no bytes, so any number may be declared
     std::erase_if(header.elements, [](const PlyElement& element) { return element.properties.empty(); });
-    checkPromises(input, header);
+    checkPromises(input, salvages, header);
     return header;
 }
 

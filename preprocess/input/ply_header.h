@@ -27,7 +27,7 @@ struct PlyProperty {
 
 struct PlyElement {
     std::string name;
-    std::uint64_t count = 0;
+    std::uint64_t count = 0, promised = 0; ///< differ only in files that are salvaged
     std::vector<PlyProperty> properties;
 };
 
@@ -49,7 +49,9 @@ struct PlyHeader {
 /// Reads the header and assigns dimensions to the vertex properties. Skips lines with unknown keywords, which scans of
 /// the Stanford repository have. Throws Error if there is no vertex element with x, y and z or packed Gaussians, or if
 /// the promised elements cannot fit in the bytes that follow.
-PlyHeader readPlyHeader(const InputFile& input);
+/// @param salvages accept promises that do not fit: elements then have the count that the bytes allow for, and
+/// PlyElement::promised
+PlyHeader readPlyHeader(const InputFile& input, bool salvages = false);
 
 /// Whether an element has a property of this name.
 bool hasProperty(const PlyElement& element, std::string_view name);

@@ -84,7 +84,8 @@ void readTransform(const InputFile& input, Lines& lines, Pose& input_from_scan) 
         refuseLine(input, place, "the transform is not a rotation and translation");
 }
 
-PtxHeader readHeader(const InputFile& input, std::string_view first_line, Lines& lines) {
+/// Every line of the header, whose cells may be missing if the file is to be salvaged.
+PtxHeader readHeader(const InputFile& input, std::string_view first_line, bool salvages, Lines& lines) {
     PtxHeader header;
     header.columns = readCount(input, first_line, "columns");
     header.rows = readCount(input, headerLine(input, lines), "rows");
@@ -94,10 +95,13 @@ PtxHeader readHeader(const InputFile& input, std::string_view first_line, Lines&
     readTransform(input, lines, header.input_from_scan);
     // A cell takes at least six bytes, "0 0 0" and a line end; the last one needs no line end.
     const std::uint64_t most = (lines.rest.size() + 1) / 6;
-    if (__builtin_mul_overflow(header.columns, header.rows, &header.cells) || header.cells > most)
-        refuseLine(input, first_line.data(),
-                   fmt::format("the header promises {} columns of {} points, but only {} bytes follow", header.columns,
-                               header.rows, lines.rest.size()));
+    const bool overflows = __builtin_mul_overflow(header.columns, header.rows, &header.cells);
+    if (overflows || (header.cells > most && !salvages))
+        refuseLine(
+            input, first_line.data(),
+            fmt::format(
+                "the header promises {} columns of {} points, but only {} bytes follow; --salvage reads what is whole",
+                header.columns, header.rows, lines.rest.size()));
     return header;
 }
 
@@ -143,9 +147,10 @@ struct PackedCell {
 };
 static_assert(sizeof(PackedCell) == 12);
 
-ScanTraits traitsOf(const PtxHeader& header, const Shape& shape) {
+/// most_cells: that fit in the file
+ScanTraits traitsOf(const PtxHeader& header, const Shape& shape, std::uint64_t most_cells) {
     ScanTraits traits;
-    traits.vertices = header.cells;
+    traits.vertices = std::min(header.cells, most_cells);
     traits.faces = false;
     traits.colors = shape.colors;
     traits.color_scale = shape.real_colors ? ColorScale::kReal : ColorScale::kInteger;
@@ -171,6 +176,15 @@ void parseCell(const InputFile& input, std::string_view line, const Shape& shape
     if (shape.colors) std::copy(values + shape.words - 3, values + shape.words, &row[kRed]);
 }
 
+/// Whether the end of the file cuts a line: it has no line end, and is not a scan's last or lacks numbers.
+bool endsWithin(const InputFile& input, std::string_view line, const Shape& shape, bool is_last) {
+    if (line.data() + line.size() != input.end()) return false;
+    if (!is_last) return true;
+    std::size_t words = 0;
+    for (std::string_view rest = line; !nextWord(rest).empty();) ++words;
+    return words < shape.words && !isMissing(line);
+}
+
 /// Statistics of one scan's cells.
 struct Cells {
     std::uint64_t missing = 0;
@@ -186,8 +200,10 @@ Cells readCells(const InputFile& input, const PtxHeader& header, const Shape& sh
     const char* const values = reinterpret_cast<const char*>(&packed) + (shape.intensity ? 0 : sizeof packed.intensity);
     for (std::uint64_t i = 0; i < header.cells; ++i) {
         std::string_view line;
-        if (!lines.next(line))
-            refuse(input, fmt::format("truncated: found {} of {} points of a scan", i, header.cells));
+        if (!lines.next(line) || endsWithin(input, line, shape, i + 1 == header.cells)) {
+            sink.acceptShort(input, i, header.cells);
+            break;
+        }
         release_pages(static_cast<std::uint64_t>(line.data() - input.begin()));
         if (isMissing(line)) {
             ++cells.missing;
@@ -226,8 +242,8 @@ std::optional<Vec3d> sensorOf(const PtxHeader& header, const Cells& cells) {
 std::uint64_t readScan(const InputFile& input, const PtxHeader& header, std::size_t number, Lines& lines, Sink& sink) {
     const Shape shape = shapeOf(input, lines, header.cells);
     sink.transform.input_from_scan = header.input_from_scan;
-    sink.beginScan(input, traitsOf(header, shape));
-    beginGrid(sink, header.rows, header.columns);
+    sink.beginScan(input, traitsOf(header, shape, input.bytes.size()));
+    if (header.cells <= input.bytes.size()) beginGrid(sink, header.rows, header.columns);
     const Cells cells = readCells(input, header, shape, lines, sink);
     sink.setScanSensor(sensorOf(header, cells));
     Lines after = lines;
@@ -243,7 +259,12 @@ void readScans(const InputFile& input, Lines& lines, Sink& sink) {
     std::uint64_t missing = 0, cells = 0;
     const std::size_t points_before = sink.cloud.points_read;
     for (std::size_t number = 1; lines.next(line); ++number) {
-        const PtxHeader header = readHeader(input, line, lines);
+        if (sink.salvages && number > 1 &&
+            !isPtxStart(std::string_view(line.data(), std::size_t(input.end() - line.data())))) {
+            sink.note(input, fmt::format("ends within the header of scan {}: the scans before are read", number));
+            break;
+        }
+        const PtxHeader header = readHeader(input, line, sink.salvages, lines);
         missing += readScan(input, header, number, lines, sink);
         cells += header.cells;
     }

@@ -22,8 +22,10 @@ FileReport readFile(const std::string& path, const ReadOptions& options, Sink& s
     const InputFile input = openInputFile(path);
     const InputFormat& format = formatOf(input, options.format);
     const std::size_t known_before = sink.files_in_degrees + sink.files_with_crs;
+    sink.points_promised = 0;
     readInput(format, input, sink);
     FileReport report{input.name, std::string(format.title)};
+    report.promised = sink.points_promised;
     report.points = sink.cloud.points_read - points_before;
     report.kept = sink.pointCount() - kept_before;
     report.scans = sink.scans.size() - scans_before;
@@ -139,6 +141,7 @@ SinkOptions sinkOptions(const ReadOptions& options) {
     result.filter = options.filter;
     result.world_from_input = options.transform;
     result.level = options.level;
+    result.salvages = options.salvages;
     result.drops_withheld = options.drops_withheld;
     result.gaussians_as_discs = options.gaussians_as_discs;
     result.scales_degrees = options.scales_degrees && !options.transform;

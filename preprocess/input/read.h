@@ -30,6 +30,7 @@ struct ReadOptions {
     bool scales_degrees = false;
     /// Make opaque discs of the Gaussians of a radiance field, which are kept as they are otherwise.
     bool gaussians_as_discs = false;
+    bool salvages = false;         ///< read the whole points of files that are cut short
     bool drops_withheld = false;   ///< leave out points that their file flags as withheld
     std::optional<int> level = {}; ///< finest level to read of files with levels of detail
 };
@@ -46,8 +47,9 @@ using ReadProgress = std::function<void(const ReadStatus&)>;
 struct FileReport {
     std::string name, format;
     std::uint64_t points = 0, kept = 0, scans = 0;
-    std::uint64_t meshes = 0;  ///< scans with faces
-    std::uint64_t sampled = 0; ///< points sampled over its faces, replacing its vertices
+    std::uint64_t meshes = 0;   ///< scans with faces
+    std::uint64_t sampled = 0;  ///< points sampled over its faces, replacing its vertices
+    std::uint64_t promised = 0; ///< points, if the file is cut short and was salvaged; otherwise 0
     double seconds = 0;
     bool hides_frame = false; ///< names neither a coordinate system nor degrees, as its format may
 };

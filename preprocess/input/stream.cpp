@@ -144,8 +144,10 @@ FileReport readStreamed(const InputFile& input, const InputFormat& format, Strea
     Sink& sink = stream.sink;
     const std::size_t read_before = sink.cloud.points_read, scans_before = sink.scans.size();
     const std::uint64_t kept_before = sink.pointCount();
+    sink.points_promised = 0;
     readInput(format, input, sink);
     FileReport report{input.name, std::string(format.title)};
+    report.promised = sink.points_promised;
     report.points = sink.cloud.points_read - read_before;
     report.kept = sink.pointCount() - kept_before;
     report.scans = sink.scans.size() - scans_before;

@@ -23,6 +23,8 @@ struct RowReader {
     std::uint64_t not_number = 0; ///< missing or malformed optional values so far
     std::uint64_t missing = 0;    ///< rows that lack a required number
     bool commas = false;          ///< a decimal comma was met
+    bool salvages = false;        ///< ignore a last line that the end of the file cuts
+    bool is_cut = false;          ///< it did
 
     RowReader(const InputFile& from, const Layout& how, std::vector<Need> what)
         : input(from), layout(how), needs(std::move(what)), values(needs.size()) {
@@ -72,12 +74,27 @@ private:
     }
 };
 
+/// Whether a last line without an end is to be left out: more points are announced, or it is no point, which throws
+/// Error unless the file is salvaged.
+bool endsWithin(RowReader& reader, std::string_view line, std::uint64_t rows, std::uint64_t announced) {
+    if (rows + 1 < announced) return true;
+    try {
+        RowReader(reader).parse(line);
+        return false;
+    } catch (const Error& error) {
+        reader.is_cut = reader.salvages && rows > 0;
+        if (reader.is_cut) return true;
+        if (rows == 0) throw;
+        throw Error(error.code, fmt::format("{}; --salvage reads the {} points before it", error.what(), rows));
+    }
+}
+
 /// Calls use() for each point, whose values are in the reader, until it returns false. Returns the sum of the count
 /// lines, 0 if there are none.
 template <typename Use>
 std::uint64_t forEachRow(RowReader& reader, Use&& use) {
     const Layout& layout = reader.layout;
-    std::uint64_t announced = layout.counted_points;
+    std::uint64_t announced = layout.counted_points, rows = 0;
     std::string_view rest = layout.data, line;
     ReleasePagesBehind release_pages{reader.input};
     while (nextRecord(rest, line, layout.delimiter)) {
@@ -90,7 +107,10 @@ std::uint64_t forEachRow(RowReader& reader, Use&& use) {
                 refuseLine(reader.input, line.data(), "impossible count");
             continue;
         }
+        if (trimmed.data() + trimmed.size() == reader.input.end() && endsWithin(reader, trimmed, rows, announced))
+            break;
         reader.parse(trimmed);
+        ++rows;
         if (!use()) break;
     }
     return announced;
@@ -104,10 +124,11 @@ std::vector<Need> numbersOf(const Layout& layout) {
 }
 
 /// Takes a number or a time of the point from the columns before x, y and z. Returns a note about them, or "".
-std::string takeLead(const InputFile& input, Layout& layout, AttributeNames& names) {
+std::string takeLead(const InputFile& input, bool salvages, Layout& layout, AttributeNames& names) {
     if (layout.columns < 4 || layout.isPts()) return {};
     LeadStatistics statistics;
     RowReader reader(input, layout, numbersOf(layout));
+    reader.salvages = salvages;
     forEachRow(reader, [&] {
         observe(statistics, reader.values.data() + layout.first);
         return statistics.ascends;
@@ -128,10 +149,12 @@ std::string takeLead(const InputFile& input, Layout& layout, AttributeNames& nam
 /// Guesses the columns of a list without a header in separate passes over its values.
 void guessDimensions(const InputFile& input, Layout& layout, Sink& sink) {
     AttributeNames names;
-    if (const std::string note = takeLead(input, layout, names); !note.empty()) sink.note(input, note);
+    const bool salvages = sink.salvages;
+    if (const std::string note = takeLead(input, salvages, layout, names); !note.empty()) sink.note(input, note);
     const std::size_t extras = layout.columns - 3;
     ColumnStatistics statistics;
     RowReader reader(input, layout, numbersOf(layout));
+    reader.salvages = salvages;
     if (extras > 1 && extras <= ColumnStatistics::kMax)
         forEachRow(reader, [&] {
             observe(statistics, reader.values.data() + layout.first + 3, extras);
@@ -211,9 +234,10 @@ void readXyz(const InputFile& input, Sink& sink) {
         guessDimensions(input, layout, sink);
     sink.beginScan(input, traitsOf(layout));
     RowReader reader(input, layout, needsOf(layout));
+    reader.salvages = sink.salvages;
     const std::uint64_t announced = addPoints(reader, sink);
-    if (announced > sink.vertexCount())
-        refuse(input, fmt::format("truncated: found {} of {} points", sink.vertexCount(), announced));
+    if (reader.is_cut) sink.note(input, "its last line is cut short and left out");
+    if (announced > sink.vertexCount()) sink.acceptShort(input, sink.vertexCount(), announced);
     if (reader.not_number > 0)
         sink.note(input,
                   fmt::format("{} attribute values are missing or not numbers: they become NaN", reader.not_number));

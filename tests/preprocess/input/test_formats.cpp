@@ -74,7 +74,7 @@ TEST(Formats, MessagesNameAll) {
     EXPECT_EQ(
         readableFormats(),
         "PLY, PCD, LAS/LAZ, E57, PTX, XYZ/PTS/ASC/TXT/CSV, OBJ, OFF, Draco, glTF/GLB, SPLAT, SPZ, SOG, EPT, Potree 2, "
-        "ESRI grid and Stanford .conf");
+        "ESRI grid, KITTI and Stanford .conf");
 }
 
 } // namespace

@@ -38,7 +38,7 @@ TEST_F(InputFileTest, ForeignFormatsAreNamed) {
     EXPECT_HAS(reasonOfText("a.fbx", "Kaydara FBX Binary"), "FBX *reads PLY");
     EXPECT_HAS(reasonOfText("a.ply", "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n"), "Git LFS");
     EXPECT_HAS(reasonOfText("a.zip", "PK\3\4rest"), " zip ");
-    EXPECT_HAS(reasonOfText("a.bin", std::string("\0\1\2\3", 4)), "unknown format");
+    EXPECT_HAS(reasonOfText("a.dat", std::string("\0\1\2\3", 4)), "unknown format");
     const std::string triangles(3 * 50, '\1');
     EXPECT_HAS(reasonOfText("a.stl", std::string(80, 'x') + bytesOf(3u) + triangles), "STL *reads PLY");
     EXPECT_HAS(reasonOfText("b.stl", "solid cube\n  facet normal 0 0 1\n"), "STL *reads PLY");

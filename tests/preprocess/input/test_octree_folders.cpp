@@ -116,6 +116,7 @@ TEST_F(FolderTest, FoldersInFolders) {
     const std::string b = writeIn("top/b/2.ply", "x"), a = writeIn("top/a/deep/1.xyz", "x");
     writeIn("top/.hidden/3.ply", "x");
     EXPECT_EQ(filesOf({(folder / "top").string()}), (std::vector{a, b}));
+    writeIn("top/scene.bin", "x");                     // a part of another file, perhaps
     const std::string own = writeIn("top/0.ply", "x"); // then the folder itself is meant
     EXPECT_EQ(filesOf({(folder / "top").string()}), std::vector{own});
     std::filesystem::create_directories(folder / "loop");
@@ -136,7 +137,7 @@ TEST_F(FolderTest, EsriGrids) {
     EXPECT_EQ(world(centres, 0), Vec3d(5, 10, 1));
     EXPECT_EQ(world(centres, 1), Vec3d(5, 7, 2));
     EXPECT_HAS(reasonOfText("c.asc", header + "1 2 3 4"), "c.asc: *3 x 2 cells");
-    EXPECT_HAS(reasonOfText("c.asc", header + "1 2 3 4 5        "), "c.asc: *5 of 6 cells");
+    EXPECT_HAS(reasonOfText("c.asc", header + "1 2 3 4 5        "), "c.asc: *5 of 6 ");
     EXPECT_HAS(reasonOfText("c.asc", header + "1 2 3 four 5 6"), "c.asc:7: 'four'");
     EXPECT_HAS(reasonOfText("c.asc", "ncols 3\nnrows 2\n1 2 3 4 5 6"), "c.asc: *cellsize");
     EXPECT_HAS(reasonOfText("c.asc", "ncols 99999999999\nnrows 99999999999\ncellsize 1\n1"), "c.asc: *cells");
