@@ -64,12 +64,11 @@ struct UnsetAllocator : std::allocator<T> {
     };
 };
 
-/// Whether a list holds the nearest neighbours, or points of a wider neighbourhood in its second half
-/// (surroundNeighborhoods).
-enum ListKind : std::uint8_t {
-    kNearest,
-    kSurrounded, ///< the others are all around
-    kAtBorder    ///< the others leave a side open
+/// Flags of a list whose second half holds points of a wider neighbourhood, not the nearest (surroundNeighborhoods).
+enum ListFlag : std::uint8_t {
+    kThinned = 1,
+    kOpen = 2,  ///< at a border: they leave a side open
+    kClump = 4, ///< the nearest are in a clump, not on a line
 };
 
 /// The k neighbours of every point, nearest first, without the point itself.
@@ -78,7 +77,7 @@ struct NeighborLists {
     std::vector<std::uint32_t, UnsetAllocator<std::uint32_t>> indices; ///< [points][k]
     std::vector<float> spacings;       ///< [points], edge of the square that a point has to itself; half the distance
                                        ///< to the farthest point around if the list is not of the nearest
-    std::vector<std::uint8_t> thinned; ///< [points], ListKind
+    std::vector<std::uint8_t> thinned; ///< [points], ListFlag; 0: the nearest
 
     std::span<const std::uint32_t> of(std::size_t point) const { return {&indices[point * k], k}; }
     /// Distance of a point to its neighbour at a place of its list. Not stored: that would take as much as the indices.
@@ -91,7 +90,7 @@ struct NeighborLists {
     std::size_t denseCount() const { return k / 2 + 1; }
     /// Every point within this distance is on the list.
     float completeRadius(const PointSet& points, std::size_t point) const {
-        return distance(points, point, (thinned[point] != kNearest ? denseCount() : k) - 1);
+        return distance(points, point, (thinned[point] ? denseCount() : k) - 1);
     }
 };
 

@@ -195,9 +195,8 @@ float blendScattered(float radius, float half_way, float planarity) {
 bool isInIsolatedGroup(const RadiusJob& job, std::size_t point) {
     constexpr std::size_t kGroup = 6, kNear = 9, kFar = 16;
     if (job.lists.k < kFar) return false;
-    const std::uint8_t kind = job.lists.thinned[point];
-    if (kind == kSurrounded) return false;
-    const bool thinned = kind == kAtBorder; // only the first half of the list is complete
+    const bool thinned = job.lists.thinned[point]; // only the first half of the list is complete
+    if (thinned && !(job.lists.thinned[point] & kOpen)) return false;
     const float apart = thinned ? 3.0f : 5.0f;
     return job.lists.distance(job.points, point, (thinned ? kNear : kFar) - 1) >
            apart * job.lists.distance(job.points, point, kGroup - 1);

@@ -84,8 +84,8 @@ bool liesIn(const PointGraph& graph, std::size_t point, const Vec3f& origin, con
     });
 }
 
-/// Whether the line goes on for half the gap on one side at least: a clump of points may be as narrow as a line, and the
-/// next clump as far away as the next line.
+/// Whether the line goes on for half the gap on one side at least: a clump of points may be as narrow as a line, and
+/// the next clump as far away as the next line.
 bool goesOn(const PointGraph& graph, const LineFrame& frame, float gap) {
     std::array<std::uint32_t, 1> found;
     std::array<float, 1> squared;
@@ -98,7 +98,7 @@ bool goesOn(const PointGraph& graph, const LineFrame& frame, float gap) {
 } // namespace
 
 std::optional<ScanLine> lineAt(const PointGraph& graph, std::size_t point) {
-    if (graph.lists.k < kLinePoints) return {};
+    if (graph.lists.k < kLinePoints || (graph.lists.thinned[point] & kClump)) return {};
     const Vec3f origin = graph.points.positions[point], normal = graph.points.normals[point];
     const Vec3f u = normal.unitOrthogonal(), v = normal.cross(u);
     float xx = 0, xy = 0, yy = 0;

@@ -2,7 +2,9 @@
 #include "preprocess/surface/thinned_cloud.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
@@ -13,6 +15,12 @@ namespace {
 
 /// A level with fewer representatives is the last: a point needs some in all directions.
 constexpr std::size_t kFewestRepresentatives = 32;
+
+/// In findIsolated.
+constexpr std::size_t kInRing = 12;
+constexpr float kAlone = 4.5f;
+/// Levels of fewer cells show the shape of the whole cloud.
+constexpr std::size_t kFewestCells = 64;
 
 /// The edge of the cells that all grids are aligned to. Positions span less than 1, so that they start in one of two
 /// such cells, and codes of kMortonBits bits reach down to kFinestExponent.
@@ -76,14 +84,15 @@ std::vector<Cell> mergeEqual(const std::vector<Cell>& cells, const std::vector<V
 }
 
 ThinnedLevel levelOf(const std::vector<Cell>& cells, const std::vector<Vec3f>& positions, int exponent) {
-    std::vector<std::uint32_t> points;
+    std::vector<std::uint32_t> points, first{0};
     std::vector<Vec3f> places;
     for (const Cell& cell : cells) {
         points.push_back(cell.point);
+        first.push_back(first.back() + cell.count);
         places.push_back(positions[cell.point]);
     }
     NearestSearch search(places); // its memory moves along
-    return {std::ldexp(1.0f, exponent), std::move(points), std::move(places), std::move(search)};
+    return {std::ldexp(1.0f, exponent), std::move(points), std::move(first), std::move(places), std::move(search)};
 }
 
 } // namespace
@@ -91,6 +100,7 @@ ThinnedLevel levelOf(const std::vector<Cell>& cells, const std::vector<Vec3f>& p
 ThinnedCloud::ThinnedCloud(const PointSet& points, float finest) {
     int exponent = std::clamp(std::ilogb(finest), kFinestExponent, kCoarsestExponent);
     std::vector<Cell> cells = cellsOf(points, exponent);
+    for (const Cell& cell : cells) order_.push_back(cell.point);
     for (; exponent <= kCoarsestExponent; ++exponent) {
         cells = mergeEqual(cells, points.positions);
         levels_.push_back(levelOf(cells, points.positions, exponent));
@@ -103,6 +113,23 @@ std::size_t ThinnedCloud::levelFor(float edge) const {
     std::size_t number = 0;
     while (number < levels_.size() && levels_[number].edge < edge) ++number;
     return number;
+}
+
+std::vector<std::uint32_t> ThinnedCloud::findIsolated() const {
+    std::vector<std::uint32_t> isolated(order_.size(), 0);
+    for (std::size_t number = 0; number < levels_.size(); ++number) {
+        const ThinnedLevel& level = levels_[number];
+        if (level.points.size() < kFewestCells) break;
+        tbb::parallel_for(std::size_t(0), level.points.size(), [&](std::size_t cell) {
+            std::array<std::uint32_t, kInRing> found;
+            std::array<float, kInRing> squared;
+            level.search.nearest(level.positions[cell], found, squared);
+            if (squared.back() <= kAlone * kAlone * level.edge * level.edge) return;
+            for (std::uint32_t i = level.first[cell]; i < level.first[cell + 1]; ++i)
+                isolated[order_[i]] |= std::uint32_t(1) << number;
+        });
+    }
+    return isolated;
 }
 
 } // namespace pointrt::surface

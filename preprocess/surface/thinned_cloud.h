@@ -14,6 +14,7 @@ namespace pointrt::surface {
 struct ThinnedLevel {
     float edge = 0;                    ///< of a cell
     std::vector<std::uint32_t> points; ///< indices of the representatives
+    std::vector<std::uint32_t> first;  ///< [cells + 1], begin of each cell's points in ThinnedCloud::order
     std::vector<Vec3f> positions;      ///< of the representatives
     NearestSearch search;              ///< over positions
 };
@@ -30,7 +31,12 @@ public:
     /// The finest level whose cells are at least this wide; levelCount() if there is none.
     std::size_t levelFor(float edge) const;
 
+    /// [points] bit n: the point's cell of level n has nothing around but a line at most. The 12th representative is
+    /// more than 4.5 cell edges away: 1.8 on a surface, 3.5 at a corner of one, 6 on a line.
+    std::vector<std::uint32_t> findIsolated() const;
+
 private:
+    std::vector<std::uint32_t> order_; ///< the points in the order of the cells
     std::vector<ThinnedLevel> levels_;
 };
 
