@@ -57,7 +57,7 @@ void connect(PointGraph& graph, const Estimation& job) {
     constexpr double kSearch = 0.9; // of the stage's time
     graph.connect(std::size_t(job.options.neighbors), {job.progress, kNeighborStage, 0, kSearch});
     if (job.options.remove_outliers) removeOutliers(graph, job);
-    surroundNeighborhoods(graph.lists, graph.points, {job.progress, kNeighborStage, kSearch, 1});
+    surroundNeighborhoods(graph.lists, graph.points, *graph.search, {job.progress, kNeighborStage, kSearch, 1});
 }
 
 /// Turns normals to the decided sides. Leaves a normal that is nearly perpendicular to its decided side: that was
@@ -141,7 +141,8 @@ void clean(PointGraph& graph, const ScanPriors& priors, const Estimation& job) {
     const std::vector<float>& decided_noise = job.decided.statistics.noise;
     if (decided_noise.size() == options.scan_count) options.noise_of_scans = decided_noise;
     CleanReport cleaned = cleanPoints(graph, options, job.progress);
-    if (cleaned.moved > 0) surroundNeighborhoods(graph.lists, graph.points, {job.progress, "cleaning", 1, 1});
+    if (cleaned.moved > 0)
+        surroundNeighborhoods(graph.lists, graph.points, *graph.search, {job.progress, "cleaning", 1, 1});
     raisePlanarity(graph.points);
     graph.points.scan_of_point = {}, graph.points.at_silhouette = {}, graph.points.support = {}; // no longer needed
     report.noise = std::move(cleaned.noise);
@@ -170,7 +171,8 @@ std::vector<std::uint32_t> fill(PointGraph& graph, std::size_t cloud_count, cons
     std::vector<std::uint32_t> sources = fillBetweenLines(graph, job.decided.statistics.fill_rows, job.report.filling,
                                                           {job.progress, kRadiusStage, 0, kFillShare});
     if (!sources.empty())
-        surroundNeighborhoods(graph.lists, graph.points, {job.progress, kRadiusStage, kFillShare, kFillShare});
+        surroundNeighborhoods(graph.lists, graph.points, *graph.search,
+                              {job.progress, kRadiusStage, kFillShare, kFillShare});
     std::vector<std::uint32_t>& input_index = graph.points.input_index;
     const std::size_t first = input_index.size() - sources.size();
     for (std::size_t i = 0; i < sources.size(); ++i) {

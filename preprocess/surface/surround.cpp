@@ -188,6 +188,7 @@ struct SurroundSearch {
     const PointSet& points;
     const ThinnedCloud& thinned;
     const std::vector<std::uint32_t>& isolated; ///< ThinnedCloud::findIsolated
+    const std::vector<Suspicion>& suspicions;   ///< of the nearest neighbours
     std::span<const std::uint8_t> found_before; ///< NeighborLists::thinned after the first round; empty in that
     std::array<std::uint32_t, kExamined> found{};
     std::array<float, kExamined> squared{};
@@ -257,7 +258,7 @@ bool SurroundSearch::isAmongFound(std::size_t point, bool maybe) const {
 
 SurroundPlan SurroundSearch::plan(std::size_t point) const {
     const float radius = lists.radius(points, point);
-    const Suspicion own = suspicionOf(lists, points, point);
+    const Suspicion own = suspicions[point];
     if (const auto level = isolatedLevel(point); level && own != Suspicion::kOnLine)
         return {Suspicion::kAlone, *level, radius};
     if (own >= Suspicion::kOnLine) return {own, thinned.levelFor(radius / 2), 0};
@@ -308,6 +309,27 @@ void adopt(NeighborLists& lists, const PointSet& points, std::size_t point, cons
     lists.thinned[point] = around.flags;
 }
 
+/// Whether a cloud has lists to replace: more than a few are on lines or in clumps, or a sample shows that points have
+/// little around them. Of even samplings, 1 list in 1,000 is on a line: thinned clouds would take time for nothing.
+bool hasListsToReplace(const NeighborLists& lists, const PointSet& points, const NearestSearch& nearest,
+                       const std::vector<Suspicion>& suspicions) {
+    constexpr double kFewLists = 1.0 / 500, kFewIsolated = 1.0 / 50;
+    const auto sure = std::count_if(suspicions.begin(), suspicions.end(),
+                                    [](Suspicion suspicion) { return suspicion >= Suspicion::kOnLine; });
+    if (double(sure) > kFewLists * double(points.size())) return true;
+    // Within 4.5 radii of a list there are 20 times as many points as on it; a quarter of that at a corner, 4.5 times
+    // as many on a line.
+    constexpr float kFarther = 4.5f;
+    constexpr std::size_t kStep = 64, kFewTimes = 5;
+    std::vector<std::uint32_t> found(kFewTimes * lists.k);
+    std::size_t isolated = 0;
+    for (std::size_t i = 0; i < points.size(); i += kStep) {
+        const float reach = kFarther * lists.radius(points, i);
+        isolated += nearest.within(points.positions[i], reach * reach, found) <= found.size();
+    }
+    return double(isolated * kStep) > kFewIsolated * double(points.size());
+}
+
 /// The wanted edge of the finest cells: as wide as all but the smallest lists.
 float finestEdge(const NeighborLists& lists, const PointSet& points) {
     constexpr double kAllButFew = 0.02;
@@ -335,15 +357,19 @@ void limitOpenSpacings(NeighborLists& lists, const PointSet& points) {
 
 } // namespace
 
-void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, const StageShare& share) {
+void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, const NearestSearch& nearest,
+                           const StageShare& share) {
     if (lists.k < kFewestToSurround) return;
+    std::vector<Suspicion> suspicions(points.size());
+    forEach(points.size(), share, [&](std::size_t i) { suspicions[i] = suspicionOf(lists, points, i); });
+    if (!hasListsToReplace(lists, points, nearest, suspicions)) return;
     const float edge = finestEdge(lists, points);
     if (!(edge > 0)) return;
     const ThinnedCloud thinned(points, edge);
     const std::vector<std::uint32_t> isolated = thinned.findIsolated();
     const auto replaceLists = [&](std::span<const std::uint8_t> found_before, const StageShare& part) {
         forRanges(points.size(), part, [&](std::size_t begin, std::size_t end) {
-            SurroundSearch search{lists, points, thinned, isolated, found_before};
+            SurroundSearch search{lists, points, thinned, isolated, suspicions, found_before};
             for (std::size_t i = begin; i < end; ++i) {
                 if (!found_before.empty() && found_before[i]) continue;
                 if (const auto around = search.surround(i)) adopt(lists, points, i, *around);

@@ -24,7 +24,7 @@ struct SurroundedShape {
     explicit SurroundedShape(const Shape& shape) : points(takePoints(shape.cloud())) {
         const NearestSearch search(points.positions);
         lists = findNeighbors(points, search, 16, {kQuiet, "test"});
-        surroundNeighborhoods(lists, points, {kQuiet, "test"});
+        surroundNeighborhoods(lists, points, search, {kQuiet, "test"});
     }
     double shareReplaced() const {
         const auto kept = std::count(lists.thinned.begin(), lists.thinned.end(), 0);
