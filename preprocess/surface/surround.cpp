@@ -24,9 +24,9 @@ constexpr std::size_t kFewestToSurround = 8;
 /// 1 list in 250 is.
 constexpr double kSureLine = 0.139;
 /// A list below this may be: trails of clumps, but also the border of a surface, and 1 in 10 random lists. It counts if
-/// those of a quarter of its neighbours do.
+/// those of an eighth of its neighbours do, and any list if those of a quarter do.
 constexpr double kElongated = 0.2;
-constexpr std::size_t kPartOfNeighbors = 4;
+constexpr std::size_t kPartForElongated = 8, kPartForAny = 4;
 
 /// Points around are on a surface if the misfit of their plane is below this: 0 on a plane, more than 0.2 for all but 1
 /// in 100 sets of 24 points scattered in space, as the leaves of a crown are, and 0.25 for two sheets as far apart as
@@ -247,13 +247,13 @@ bool SurroundSearch::isBetter(const Around& around, Suspicion suspicion) const {
     return double(on_surface) >= kShareOnSurface * double(around.near.size());
 }
 
-/// Whether many neighbours of a point were on lines or in clumps; a quarter will do if the point may be, too.
+/// Whether enough neighbours of a point were on lines or in clumps. @param maybe the point's own may be, too
 bool SurroundSearch::isAmongFound(std::size_t point, bool maybe) const {
     if (found_before.empty()) return false;
     const auto neighbors = lists.of(point);
     const auto count = std::count_if(neighbors.begin(), neighbors.end(),
                                      [&](std::uint32_t other) { return found_before[other] != 0; });
-    return (maybe ? kPartOfNeighbors : 2) * std::size_t(count) >= neighbors.size();
+    return (maybe ? kPartForElongated : kPartForAny) * std::size_t(count) >= neighbors.size();
 }
 
 SurroundPlan SurroundSearch::plan(std::size_t point) const {
@@ -361,10 +361,12 @@ void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, const N
                            const StageShare& share) {
     if (lists.k < kFewestToSurround) return;
     std::vector<Suspicion> suspicions(points.size());
-    forEach(points.size(), share, [&](std::size_t i) { suspicions[i] = suspicionOf(lists, points, i); });
-    if (!hasListsToReplace(lists, points, nearest, suspicions)) return;
+    const double middle = (share.from + share.to) / 2;
+    forEach(points.size(), {share.progress, share.stage, share.from, middle},
+            [&](std::size_t i) { suspicions[i] = suspicionOf(lists, points, i); });
+    if (!hasListsToReplace(lists, points, nearest, suspicions)) return share.report(1);
     const float edge = finestEdge(lists, points);
-    if (!(edge > 0)) return;
+    if (!(edge > 0)) return share.report(1);
     const ThinnedCloud thinned(points, edge);
     const std::vector<std::uint32_t> isolated = thinned.findIsolated();
     const auto replaceLists = [&](std::span<const std::uint8_t> found_before, const StageShare& part) {
@@ -376,7 +378,7 @@ void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, const N
             }
         });
     };
-    replaceLists({}, share);
+    replaceLists({}, {share.progress, share.stage, middle, share.to});
     const std::vector<std::uint8_t> found_first = lists.thinned;
     const auto kept = std::count(found_first.begin(), found_first.end(), 0);
     if (double(points.size()) - double(kept) > kShareToCount * double(points.size()))

@@ -11,9 +11,8 @@ namespace pointrt::surface {
 /// half are points around: of thinned clouds whose cells double in width, in which a clump counts as one point, until
 /// they leave no gap of a third of a turn. At a border, where a gap stays at four times the distance, and in corners,
 /// takes points many of which have such lists. Leaves lists for which there is no plane (a wire), and those at borders
-/// of even samplings.
-/// Sets thinned and the spacings of these lists. Does nothing for fewer than 8 neighbours,
-/// nor to clouds with hardly any such list.
+/// of even samplings. Sets thinned and the spacings of these lists. Does nothing for fewer than 8 neighbours, nor to
+/// clouds with hardly any such list.
 void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, const NearestSearch& nearest,
                            const StageShare& share);
 
