@@ -29,15 +29,17 @@ void dropSilhouettes(PointGraph& graph, CleanReport& report) {
     graph.keep(keep);
 }
 
-/// localNoise, but 0 if the scan or the surroundings are clean.
+/// localNoise, but 0 if the scan or the surroundings are clean, and no more than is likely in this scan: 9 in 10 points
+/// of raw range scans are below 1.6 times its noise. What looks noisier is shape.
 std::vector<float> noiseToSmooth(const PointGraph& graph, const std::vector<float>& noise_of_scans,
                                  const StageShare& share) {
     const PointSet& points = graph.points;
+    constexpr float kLikely = 2;
     std::vector<float> sigma = localNoise(points, graph.lists, share);
     for (std::size_t i = 0; i < sigma.size(); ++i) {
-        const bool noisy =
-            noise_of_scans[scanOf(points, i)] > kCleanNoise && sigma[i] > kCleanNoise * graph.lists.spacings[i];
-        if (!noisy) sigma[i] = 0;
+        const float of_scan = noise_of_scans[scanOf(points, i)], spacing = graph.lists.spacings[i];
+        const bool noisy = of_scan > kCleanNoise && sigma[i] > kCleanNoise * spacing;
+        sigma[i] = noisy ? std::min(sigma[i], kLikely * of_scan * spacing) : 0;
     }
     return sigma;
 }

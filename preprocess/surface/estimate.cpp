@@ -11,7 +11,6 @@
 #include "preprocess/surface/check.h"
 #include "preprocess/surface/clean.h"
 #include "preprocess/surface/fill.h"
-#include "preprocess/surface/line_neighborhoods.h"
 #include "preprocess/surface/normals.h"
 #include "preprocess/surface/orient.h"
 #include "preprocess/surface/outliers.h"
@@ -21,6 +20,7 @@
 #include "preprocess/surface/radii.h"
 #include "preprocess/surface/sightlines.h"
 #include "preprocess/surface/silhouettes.h"
+#include "preprocess/surface/surround.h"
 
 namespace pointrt {
 namespace surface {
@@ -57,7 +57,7 @@ void connect(PointGraph& graph, const Estimation& job) {
     constexpr double kSearch = 0.9; // of the stage's time
     graph.connect(std::size_t(job.options.neighbors), {job.progress, kNeighborStage, 0, kSearch});
     if (job.options.remove_outliers) removeOutliers(graph, job);
-    widenLineNeighborhoods(graph.lists, graph.points, *graph.search, {job.progress, kNeighborStage, kSearch, 1});
+    surroundNeighborhoods(graph.lists, graph.points, *graph.search, {job.progress, kNeighborStage, kSearch, 1});
 }
 
 /// Turns normals to the decided sides. Leaves a normal that is nearly perpendicular to its decided side: that was
@@ -142,7 +142,7 @@ void clean(PointGraph& graph, const ScanPriors& priors, const Estimation& job) {
     if (decided_noise.size() == options.scan_count) options.noise_of_scans = decided_noise;
     CleanReport cleaned = cleanPoints(graph, options, job.progress);
     if (cleaned.moved > 0)
-        widenLineNeighborhoods(graph.lists, graph.points, *graph.search, {job.progress, "cleaning", 1, 1});
+        surroundNeighborhoods(graph.lists, graph.points, *graph.search, {job.progress, "cleaning", 1, 1});
     raisePlanarity(graph.points);
     graph.points.scan_of_point = {}, graph.points.at_silhouette = {}, graph.points.support = {}; // no longer needed
     report.noise = std::move(cleaned.noise);
@@ -170,6 +170,9 @@ void setPlanarity(PointGraph& graph, const Estimation& job) {
 std::vector<std::uint32_t> fill(PointGraph& graph, std::size_t cloud_count, const Estimation& job) {
     std::vector<std::uint32_t> sources = fillBetweenLines(graph, job.decided.statistics.fill_rows, job.report.filling,
                                                           {job.progress, kRadiusStage, 0, kFillShare});
+    if (!sources.empty())
+        surroundNeighborhoods(graph.lists, graph.points, *graph.search,
+                              {job.progress, kRadiusStage, kFillShare, kFillShare});
     std::vector<std::uint32_t>& input_index = graph.points.input_index;
     const std::size_t first = input_index.size() - sources.size();
     for (std::size_t i = 0; i < sources.size(); ++i) {

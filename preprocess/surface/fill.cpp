@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+#include <tuple>
 
 #include "preprocess/surface/scan_lines.h"
 
@@ -18,13 +20,17 @@ constexpr std::array<float, 2> kSides{1.0f, -1.0f};
 struct Gap {
     Facing facing;
     std::uint32_t rows = 0; ///< 0: no gap
+    float row_step = 0;     ///< distance between rows
 };
 using Gaps = std::array<Gap, 2>; ///< on both sides
 
-/// Two lines are 2 rows + 1 steps apart; each point fills the rows of its half.
-std::uint32_t rowsFor(const Facing& facing, const ScanLine& line) {
-    const float steps = facing.across.norm() / line.step;
-    return std::clamp(std::uint32_t(std::lround((steps - 1) / 2)), std::uint32_t(1), kMostRows);
+/// A gap with rows as far apart as the filling points along them, so that there are as many of those as points of the
+/// line: the geometric mean of the line's step and the gap. The next line is 2 rows + 1 row steps away; each point
+/// fills the rows of its half.
+Gap gapWith(const Facing& facing, const ScanLine& line) {
+    const float gap = facing.across.norm(), row_step = std::sqrt(gap * line.step);
+    const auto rows = std::uint32_t(std::lround((gap / row_step - 1) / 2));
+    return {facing, std::clamp(rows, std::uint32_t(1), kMostRows), row_step};
 }
 
 std::vector<Gaps> findGaps(const PointGraph& graph, const StageShare& share) {
@@ -36,10 +42,42 @@ std::vector<Gaps> findGaps(const PointGraph& graph, const StageShare& share) {
         const auto line = lineAt(graph, i);
         if (!line) return;
         for (std::size_t side = 0; side < kSides.size(); ++side)
-            if (const auto facing = facingLine(graph, i, *line, kSides[side]))
-                gaps[i][side] = {*facing, rowsFor(*facing, *line)};
+            if (const auto facing = facingLine(graph, i, *line, kSides[side])) gaps[i][side] = gapWith(*facing, *line);
     });
     return gaps;
+}
+
+/// A cell of a grid that is about two row steps wide, as lines cross some cells at their corners.
+struct FillCell {
+    int exponent = 0; ///< of the cell's edge
+    std::array<std::int32_t, 3> place{};
+    std::uint8_t open_sides = 0; ///< 1 if the point is beside two gaps: it comes first
+    std::uint32_t point = 0;
+
+    auto cell() const { return std::tie(exponent, place); }
+    auto order() const { return std::tie(exponent, place, open_sides, point); }
+};
+
+FillCell fillCellOf(const Vec3f& position, const Gaps& sides, std::uint32_t point) {
+    FillCell cell;
+    cell.exponent = std::ilogb(2 * std::max(sides[0].row_step, sides[1].row_step));
+    for (int axis = 0; axis < 3; ++axis)
+        cell.place[std::size_t(axis)] = std::int32_t(std::floor(std::ldexp(position[axis], -cell.exponent)));
+    cell.open_sides = sides[0].rows == 0 || sides[1].rows == 0;
+    cell.point = point;
+    return cell;
+}
+
+/// Leaves the gaps of one point in each cell.
+void thinGaps(const PointSet& points, std::vector<Gaps>& gaps) {
+    std::vector<FillCell> cells;
+    for (std::size_t i = 0; i < gaps.size(); ++i)
+        if (gaps[i][0].rows + gaps[i][1].rows > 0)
+            cells.push_back(fillCellOf(points.positions[i], gaps[i], std::uint32_t(i)));
+    tbb::parallel_sort(cells.begin(), cells.end(),
+                       [](const FillCell& a, const FillCell& b) { return a.order() < b.order(); });
+    for (std::size_t i = 1; i < cells.size(); ++i)
+        if (cells[i].cell() == cells[i - 1].cell()) gaps[cells[i].point] = {};
 }
 
 /// Offset of each point's filling points, then their total.
@@ -102,14 +140,16 @@ void placeAll(PointSet& points, const std::vector<Gaps>& gaps, const std::vector
     });
 }
 
-FillCounts countGaps(const std::vector<Gaps>& gaps) {
-    FillCounts counts{};
-    for (const Gaps& sides : gaps) {
-        counts[0] += sides[0].rows + sides[1].rows > 0;
-        for (std::uint32_t rows = 1; rows <= kMostRows; ++rows)
-            counts[rows] += std::min(sides[0].rows, rows) + std::min(sides[1].rows, rows);
+std::size_t countBeside(const std::vector<Gaps>& gaps) {
+    return std::size_t(
+        std::count_if(gaps.begin(), gaps.end(), [](const Gaps& sides) { return sides[0].rows + sides[1].rows > 0; }));
+}
+
+void countRows(const std::vector<Gaps>& gaps, FillCounts& counts) {
+    for (std::uint32_t rows = 1; rows <= kMostRows; ++rows) {
+        counts[rows] = 0;
+        for (const Gaps& sides : gaps) counts[rows] += std::min(sides[0].rows, rows) + std::min(sides[1].rows, rows);
     }
-    return counts;
 }
 
 } // namespace
@@ -124,8 +164,10 @@ std::uint32_t rowsToFill(const FillCounts& counts, std::size_t points) {
 std::vector<std::uint32_t> fillBetweenLines(PointGraph& graph, std::optional<std::uint32_t> rows, FillCounts& counts,
                                             const StageShare& share) {
     if (rows == 0u) return {};
-    const std::vector<Gaps> gaps = findGaps(graph, share);
-    counts = countGaps(gaps);
+    std::vector<Gaps> gaps = findGaps(graph, share);
+    counts[0] = countBeside(gaps);
+    thinGaps(graph.points, gaps);
+    countRows(gaps, counts);
     const std::uint32_t most_rows = rows.value_or(rowsToFill(counts, graph.points.size()));
     if (most_rows == 0 || counts[0] == 0) return {};
     const std::vector<std::uint32_t> first = countFilling(gaps, most_rows);

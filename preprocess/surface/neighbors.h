@@ -64,14 +64,20 @@ struct UnsetAllocator : std::allocator<T> {
     };
 };
 
-/// The k neighbours of every point, nearest first, without the point itself. Usually the nearest; if those are on a
-/// line, a thinned selection from a wider neighbourhood (widenLineNeighborhoods).
+/// Flags of a list whose second half holds points of a wider neighbourhood, not the nearest (surroundNeighborhoods).
+enum ListFlag : std::uint8_t {
+    kThinned = 1,
+    kOpen = 2,  ///< at a border: they leave a side open
+    kClump = 4, ///< the nearest are in a clump, not on a line
+};
+
+/// The k neighbours of every point, nearest first, without the point itself.
 struct NeighborLists {
     std::size_t k = 0;
     std::vector<std::uint32_t, UnsetAllocator<std::uint32_t>> indices; ///< [points][k]
     std::vector<float> spacings;       ///< [points], edge of the square that a point has to itself; half the distance
-                                       ///< to the next scan line if the list is thinned
-    std::vector<std::uint8_t> thinned; ///< [points], 1: the second half of the list has gaps
+                                       ///< to the farthest point around if the list is not of the nearest
+    std::vector<std::uint8_t> thinned; ///< [points], ListFlag; 0: the nearest
 
     std::span<const std::uint32_t> of(std::size_t point) const { return {&indices[point * k], k}; }
     /// Distance of a point to its neighbour at a place of its list. Not stored: that would take as much as the indices.
@@ -80,9 +86,11 @@ struct NeighborLists {
     }
     /// Radius of the neighbourhood: the distance to the last neighbour.
     float radius(const PointSet& points, std::size_t point) const { return distance(points, point, k - 1); }
+    /// The number of nearest neighbours that begin a list of another kind.
+    std::size_t denseCount() const { return k / 2 + 1; }
     /// Every point within this distance is on the list.
     float completeRadius(const PointSet& points, std::size_t point) const {
-        return distance(points, point, thinned[point] ? k / 2 : k - 1);
+        return distance(points, point, (thinned[point] ? denseCount() : k) - 1);
     }
 };
 
@@ -96,7 +104,7 @@ NeighborLists findNeighbors(const PointSet& points, const NearestSearch& search,
                             const StageShare& share);
 
 /// After keepRows(points, keep): renumbers the lists, and replaces those that held a dropped point by lists of nearest
-/// neighbours, which are not thinned. search covers the remaining points.
+/// neighbours. search covers the remaining points.
 void keepNeighbors(NeighborLists& lists, const std::vector<std::uint8_t>& keep, const PointSet& points,
                    const NearestSearch& search);
 

@@ -15,6 +15,18 @@ float noiseAt(const PointSet& points, const NeighborLists& lists, std::size_t po
     return points.given_noise.empty() ? measured : std::max(measured, points.given_noise[point]);
 }
 
+/// The median residual, unless that is shape: noise is everywhere, while houses and trees that were sampled too
+/// sparsely leave quiet places. Over the residual of the quietest twentieth, the median is 2.3 to 3.5 in raw range
+/// scans, a gridded station and a dense airborne survey, and 12 to 23 in airborne surveys thinned to a point in 10 m.
+/// @param repeated the same places were measured again and again: what differs is noise
+float noiseOfScan(std::vector<float>& over_spacing, bool repeated) {
+    constexpr float kOverQuiet = 4;
+    constexpr double kQuietShare = 1.0 / 20;
+    if (over_spacing.empty()) return 0;
+    const float median = medianInPlace(over_spacing);
+    return repeated ? median : std::min(median, kOverQuiet * quantileOf(over_spacing, kQuietShare));
+}
+
 } // namespace
 
 std::vector<float> scanNoise(const PointSet& points, const NeighborLists& lists, std::size_t scan_count) {
@@ -24,11 +36,16 @@ std::vector<float> scanNoise(const PointSet& points, const NeighborLists& lists,
     forEach(over_spacing.size(), {silent, ""},
             [&](std::size_t i) { over_spacing[i] = noiseAt(points, lists, i * kStep) / lists.spacings[i * kStep]; });
     std::vector<std::vector<float>> by_scan(scan_count);
-    for (std::size_t i = 0; i < over_spacing.size(); ++i)
-        if (!points.hasGivenRadius(i * kStep))
-            by_scan[points.scan_of_point.empty() ? 0 : points.scan_of_point[i * kStep]].push_back(over_spacing[i]);
+    std::vector<std::size_t> in_clumps(scan_count);
+    for (std::size_t i = 0; i < over_spacing.size(); ++i) {
+        if (points.hasGivenRadius(i * kStep)) continue;
+        const std::size_t scan = points.scan_of_point.empty() ? 0 : points.scan_of_point[i * kStep];
+        by_scan[scan].push_back(over_spacing[i]);
+        in_clumps[scan] += (lists.thinned[i * kStep] & kClump) != 0;
+    }
     std::vector<float> noise;
-    for (std::vector<float>& of_scan : by_scan) noise.push_back(medianInPlace(of_scan));
+    for (std::size_t scan = 0; scan < scan_count; ++scan)
+        noise.push_back(noiseOfScan(by_scan[scan], 2 * in_clumps[scan] > by_scan[scan].size()));
     return noise;
 }
 

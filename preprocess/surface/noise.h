@@ -9,9 +9,10 @@
 
 namespace pointrt::surface {
 
-/// [scans], the median over a scan's points of the standard deviation across the surface, over the spacing; 0 for scans
-/// without points. Samples one point in 8, except points with given radii. The deviation is the residual of a quadric
-/// through the neighbours, or the device's own (given_noise) if that is larger. Needs normals, on either side.
+/// [scans], the median over a scan's points of the standard deviation across the surface, over the spacing; at most
+/// four times that of its quietest points, as noise is everywhere; 0 for scans without points. Samples one point in 8,
+/// except points with given radii. The deviation is the residual of a quadric through the neighbours, or the device's
+/// own (given_noise) if that is larger. Needs normals, on either side.
 std::vector<float> scanNoise(const PointSet& points, const NeighborLists& lists, std::size_t scan_count);
 
 /// [points], the standard deviation around each point: the median over the point and its neighbours, because edges have

@@ -2,12 +2,15 @@
 #include "preprocess/surface/outliers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <tbb/parallel_for.h>
 #include <utility>
 
 #include "preprocess/cloud/median.h"
 #include "preprocess/surface/plane_fit.h"
+#include "preprocess/surface/thinned_cloud.h"
 
 namespace pointrt::surface {
 namespace {
@@ -99,6 +102,65 @@ bool isOutlier(const OutlierJob& job, std::size_t point) {
     return false;
 }
 
+/// Representatives around a point that may lie between them, and levels to try: cells of half the distance to the k-th
+/// neighbour, and twice as wide each time.
+constexpr std::size_t kAround = 24, kSparseLevels = 2;
+/// Of representatives around a sparse sample of a surface, so few are on one side at least, even at a border: half of
+/// those at a straight border, but for chance.
+constexpr std::size_t kFewOnASide = 3;
+/// Largest height over the plane of the representatives, over their own standard deviation.
+constexpr float kAmongHeights = 2;
+
+/// Whether a point lies on the plane of points, and between them: in at least three of four quadrants of the plane.
+bool liesAmong(const PointSet& points, std::span<const std::uint32_t> around, std::size_t point) {
+    const Moments moments = momentsOf(points, around, point);
+    const PlaneFit plane = fitPlane(moments);
+    if (!(plane.misfit < kNoPlane)) return false;
+    const Vec3f u = plane.normal.unitOrthogonal(), v = plane.normal.cross(u);
+    float squared_heights = 0;
+    std::array<std::size_t, 4> in_quadrant{};
+    for (const std::uint32_t other : around) {
+        const Vec3f offset = points.positions[other] - points.positions[point];
+        const float height = plane.normal.dot(offset - moments.mean);
+        squared_heights += height * height;
+        ++in_quadrant[std::size_t(u.dot(offset) > 0) + 2 * std::size_t(v.dot(offset) > 0)];
+    }
+    const float height = plane.normal.dot(moments.mean);
+    if (height * height * float(around.size()) > kAmongHeights * kAmongHeights * squared_heights) return false;
+    return std::count_if(in_quadrant.begin(), in_quadrant.end(),
+                         [](std::size_t count) { return count >= kFewOnASide; }) >= 3;
+}
+
+/// Whether a point that is far from its neighbours is a sample of a sparse part of a surface, beside a dense part or a
+/// clump that most of its neighbours are in: in thinned clouds, those count less.
+bool isOnSparseSurface(const OutlierJob& job, const ThinnedCloud& thinned, std::size_t point) {
+    std::array<std::uint32_t, kAround + 1> found;
+    std::array<float, kAround + 1> squared;
+    const std::size_t first = thinned.levelFor(job.distances[point] / 2);
+    for (std::size_t number = first; number < std::min(first + kSparseLevels, thinned.levelCount()); ++number) {
+        const ThinnedLevel& level = thinned.level(number);
+        const std::size_t count = level.search.nearest(job.points.positions[point], found, squared);
+        std::vector<std::uint32_t> around;
+        for (std::size_t i = 0; i < count; ++i)
+            if (level.points[found[i]] != point) around.push_back(level.points[found[i]]);
+        if (around.size() >= kAround && liesAmong(job.points, around, point)) return true;
+    }
+    return false;
+}
+
+/// Spares samples of sparse parts among the outliers.
+void spareSparseSurfaces(const OutlierJob& job, std::vector<std::uint8_t>& keep) {
+    std::vector<std::uint32_t> outliers;
+    for (std::size_t i = 0; i < keep.size(); ++i)
+        if (!keep[i] && !isFloater(job, i)) outliers.push_back(std::uint32_t(i));
+    if (outliers.empty()) return;
+    float nearest = std::numeric_limits<float>::infinity();
+    for (const std::uint32_t i : outliers) nearest = std::min(nearest, job.distances[i]);
+    const ThinnedCloud thinned(job.points, nearest / 2);
+    tbb::parallel_for(std::size_t(0), outliers.size(),
+                      [&](std::size_t i) { keep[outliers[i]] = isOnSparseSurface(job, thinned, outliers[i]); });
+}
+
 } // namespace
 
 std::vector<std::uint8_t> flagInliers(const PointSet& points, const NeighborLists& lists,
@@ -110,6 +172,7 @@ std::vector<std::uint8_t> flagInliers(const PointSet& points, const NeighborList
                       [&](std::size_t i) { job.distances[i] = lists.radius(points, i); });
     job.floater_distance = kFarTimes * (common_reach ? *common_reach : commonReach(job.distances));
     tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) { keep[i] = !isOutlier(job, i); });
+    spareSparseSurfaces(job, keep);
     // If most points seem to be outliers, the sampling is sparse; floaters of a larger cloud go all the same.
     if (std::size_t(std::count(keep.begin(), keep.end(), 1)) < points.size() / 2)
         for (std::size_t i = 0; i < keep.size(); ++i) keep[i] = !(common_reach && isFloater(job, i));

@@ -22,8 +22,9 @@ constexpr std::size_t kMinPointsForOutliers = 1000;
 ///     neither a plane nor a line fits its neighbours, or
 ///   - d is more than 1.7 times the d of most of its neighbours, and the point is 4 times as high over their plane as
 ///     they are.
-/// Keeps all points of clouds of fewer than kMinPointsForOutliers points, and if more than half would go. Neither holds
-/// for a part of a larger cloud: floaters go in any case. lists must be of nearest neighbours.
+/// Such a point stays if it lies among the points of a sparse part of a surface, beside a clump or a dense part, except
+/// if it is a floater. Keeps all points of clouds of fewer than kMinPointsForOutliers points, and if more than half
+/// would go. Neither holds for a part of a larger cloud: floaters go in any case. lists must be of nearest neighbours.
 /// @param common_reach commonReach of the larger cloud, if the points are a part of one
 std::vector<std::uint8_t> flagInliers(const PointSet& points, const NeighborLists& lists,
                                       std::optional<float> common_reach = {});

@@ -196,6 +196,7 @@ bool isInIsolatedGroup(const RadiusJob& job, std::size_t point) {
     constexpr std::size_t kGroup = 6, kNear = 9, kFar = 16;
     if (job.lists.k < kFar) return false;
     const bool thinned = job.lists.thinned[point]; // only the first half of the list is complete
+    if (thinned && !(job.lists.thinned[point] & kOpen)) return false;
     const float apart = thinned ? 3.0f : 5.0f;
     return job.lists.distance(job.points, point, (thinned ? kNear : kFar) - 1) >
            apart * job.lists.distance(job.points, point, kGroup - 1);

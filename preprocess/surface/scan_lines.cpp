@@ -33,6 +33,8 @@ struct Offset {
     bool crosses(float least) const { return across >= least && across >= std::abs(along); }
 };
 
+constexpr std::array<float, 2> kBothWays{1.0f, -1.0f};
+
 /// Frame of a line at a point: along it, across it and normal to the surface.
 struct LineFrame {
     Vec3f origin, along, across, normal;
@@ -82,10 +84,21 @@ bool liesIn(const PointGraph& graph, std::size_t point, const Vec3f& origin, con
     });
 }
 
+/// Whether the line goes on for half the gap on one side at least: a clump of points may be as narrow as a line, and
+/// the next clump as far away as the next line.
+bool goesOn(const PointGraph& graph, const LineFrame& frame, float gap) {
+    std::array<std::uint32_t, 1> found;
+    std::array<float, 1> squared;
+    return std::any_of(kBothWays.begin(), kBothWays.end(), [&](float way) {
+        const Vec3f place = frame.origin + way * gap / 2 * frame.along;
+        return graph.search->nearest(place, found, squared, gap * gap / 16) > 0;
+    });
+}
+
 } // namespace
 
 std::optional<ScanLine> lineAt(const PointGraph& graph, std::size_t point) {
-    if (graph.lists.k < kLinePoints) return {};
+    if (graph.lists.k < kLinePoints || (graph.lists.thinned[point] & kClump)) return {};
     const Vec3f origin = graph.points.positions[point], normal = graph.points.normals[point];
     const Vec3f u = normal.unitOrthogonal(), v = normal.cross(u);
     float xx = 0, xy = 0, yy = 0;
@@ -116,7 +129,7 @@ std::optional<Facing> facingLine(const PointGraph& graph, std::size_t point, con
     const Offset to = frame.to(graph.points.positions[*other]);
     const Vec3f across = frame.at(to, 1) - origin;
     const float gap = across.norm();
-    if (gap > kMostGap * line.step) return {};
+    if (gap > kMostGap * line.step || !goesOn(graph, frame, gap)) return {};
 
     const Vec3f far_normal = graph.points.normals[*other];
     const float cosine = normal.dot(far_normal);

@@ -103,12 +103,31 @@ bool continues(const ScanGrid& scan, GridCell from, GridStep step) {
     return false;
 }
 
+/// Whether a sample is a mixed pixel of a station: between a surface in front of it, on one side, and one behind it, on
+/// the opposite side, and no surface leads from one to the other.
+bool isMixedPixel(const ScanGrid& scan, GridCell cell, std::uint32_t point) {
+    for (const GridStep step : {GridStep{0, 1}, GridStep{1, 0}}) {
+        const GridStep back{-step.rows, -step.columns};
+        const std::uint32_t before = scan.view.at(cell + back), after = scan.view.at(cell + step);
+        if (std::max(before, after) >= RangeGrid::kFilteredOut) continue;
+        const double range = scan.rangeOf(point);
+        if ((scan.rangeOf(before) < range) == (scan.rangeOf(after) < range)) continue;
+        if (isSteep(scan, point, before) && isSteep(scan, point, after) && !continues(scan, cell, step) &&
+            !continues(scan, cell, back))
+            return true;
+    }
+    return false;
+}
+
+/// A station sees thin things and rims as they are, so only its mixed pixels count. Samples of a distant scanner that
+/// triangulates curl around edges.
 bool isSilhouette(const ScanGrid& scan, GridCell cell, std::uint32_t point) {
+    if (scan.has_sensor && scan.is_near) return isMixedPixel(scan, cell, point);
     for (const GridStep step : kNeighbors) {
         const std::uint32_t beside = scan.view.at(cell + step);
         if (beside == RangeGrid::kNoPoint && !scan.isFromDepthCamera(point)) return true;
         if (beside >= RangeGrid::kFilteredOut || !scan.has_sensor || !isSteep(scan, point, beside)) continue;
-        if (!scan.is_near || !continues(scan, cell, step)) return true;
+        return true;
     }
     return false;
 }

@@ -208,5 +208,23 @@ TEST(Cleaning, DoesNotDependOnThreads) {
     EXPECT_EQ(one.noise, three.noise);
 }
 
+/// A terrain sampled too sparsely for its houses: what looks like noise there is shape, as the ground is quiet.
+TEST(Cleaning, SparseHousesAreNotNoise) {
+    Random random(41);
+    Shape shape;
+    for (int i = 0; i < 1600; ++i) {
+        const double x = 400 * uniform(random), y = 400 * uniform(random);
+        const bool built = x > 150 && uniform(random) < 0.4; // houses and trees narrower than the spacing of 10
+        shape.add(Vec3d(x, y, 0.01 * gaussian(random) + (built ? 20 * uniform(random) : 0)), Vec3d::UnitZ());
+    }
+    SurfaceReport report;
+    const Splats splats = estimateSplats(shape.cloud(), {}, report);
+    EXPECT_EQ(report.clean_moved, 0u);
+    for (std::size_t i = 0; i < splats.positions.size(); ++i) {
+        ASSERT_LT(splats.input_index[i], shape.positions.size());
+        EXPECT_EQ(splats.positions[i], shape.positions[splats.input_index[i]]);
+    }
+}
+
 } // namespace
 } // namespace pointrt::test

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "preprocess/surface/line_neighborhoods.h"
 #include "preprocess/surface/point_graph.h"
 #include "tests/preprocess/surface/shapes.h"
 
@@ -114,36 +113,6 @@ TEST(PointGraph, ListsAfterDroppingPointsEqualThoseFoundAnew) {
     EXPECT_EQ(graph.lists.indices, fresh.indices);
     EXPECT_EQ(graph.lists.spacings, fresh.spacings);
     EXPECT_EQ(graph.lists.thinned, fresh.thinned);
-}
-
-/// Scan lines 20 times as far apart as their points.
-Shape scanLines() {
-    Shape shape;
-    for (int line = 0; line < 40; ++line)
-        for (int i = 0; i < 800; ++i) shape.add(Vec3d(i + 0.37 * line, 20 * line, 0), Vec3d::UnitZ());
-    return shape;
-}
-
-TEST(Lines, ListsReachTheNextLine) {
-    const PointSet points = takePoints(scanLines().cloud());
-    const NearestSearch search(points.positions);
-    NeighborLists lists = findNeighbors(points, search, 16, {kSilent, "test"});
-    widenLineNeighborhoods(lists, points, search, {kSilent, "test"});
-    for (std::uint32_t i = 0; i < points.size(); ++i) {
-        const auto others = lists.of(i);
-        EXPECT_TRUE(std::any_of(others.begin(), others.end(),
-                                [&](std::uint32_t j) { return points.positions[j].y() != points.positions[i].y(); }));
-        EXPECT_TRUE(std::is_sorted(others.begin(), others.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return squaredDistance(points.positions[i], points.positions[a]) <
-                   squaredDistance(points.positions[i], points.positions[b]);
-        }));
-        EXPECT_EQ(std::count(others.begin(), others.end(), i), 0);
-    }
-}
-
-TEST(Lines, NormalsArePerpendicularToThePlaneOfTheLines) {
-    const Shape shape = scanLines();
-    EXPECT_LT(normalErrors(estimate(shape.cloud()), shape, true).back(), 0.1);
 }
 
 } // namespace

@@ -81,13 +81,22 @@ TEST(Silhouettes, AreNotOnADistantFloor) {
     const auto floor = [](double, double v) { return v < 0.05 ? std::nan("") : 1.5 / v; };
     const Cloud cloud = depthFrame(120, 9, 0.01, floor);
     const std::string flags = picture(cloud, flagSilhouettes(cloud));
-    EXPECT_EQ(std::count(flags.begin(), flags.end(), '#'), 9) << flags; // the far end
+    EXPECT_EQ(std::count(flags.begin(), flags.end(), '#'), 0) << flags; // nor is the far end: the camera saw it
 }
 
-TEST(Silhouettes, IncludeMixedPixels) {
+TEST(Silhouettes, OfStationsAreMixedPixelsAlone) {
     // a wall at 1, one at 3 behind it, and a sample between them at the edge
     const Cloud cloud = depthFrame(4, 12, 0.01, [](double u, double) { return u < -0.01 ? 1.0 : u > 0.0 ? 3.0 : 1.5; });
-    EXPECT_EQ(picture(cloud, flagSilhouettes(cloud)).substr(0, 13), "....###.....\n");
+    EXPECT_EQ(picture(cloud, flagSilhouettes(cloud)).substr(0, 13), ".....#......\n");
+}
+
+TEST(Silhouettes, ThinThingsThatAStationSawStay) {
+    // a wire before a wall, one sample wide, and a wire before nothing
+    const Cloud cloud = depthFrame(4, 12, 0.01, [](double u, double) {
+        return u < -0.01 ? std::nan("") : std::abs(u) < 0.01 ? 1.0 : 3.0;
+    });
+    const Flags flags = flagSilhouettes(cloud);
+    EXPECT_EQ(std::count(flags.begin(), flags.end(), 1), 0);
 }
 
 TEST(Silhouettes, NoiseIsNotASlope) {

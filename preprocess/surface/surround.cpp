@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/surface/surround.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <span>
+
+#include "preprocess/cloud/median.h"
+#include "preprocess/surface/plane_fit.h"
+#include "preprocess/surface/thinned_cloud.h"
+
+namespace pointrt::surface {
+namespace {
+
+/// With fewer neighbours, random ones are on one side too often.
+constexpr std::size_t kFewestToSurround = 8;
+
+/// A list is on a line if its points spread so much further along it than across that (b + c) a / (a + b + c)^2 is
+/// below this, for eigenvalues a >> b, c of the covariance: 1 in 5 for (b + c) / a. Of random neighbours on a surface,
+/// 1 list in 250 is.
+constexpr double kSureLine = 0.139;
+/// A list below this may be: trails of clumps, but also the border of a surface, and 1 in 10 random lists. It counts if
+/// those of an eighth of its neighbours do, and any list if those of a quarter do.
+constexpr double kElongated = 0.2;
+constexpr std::size_t kPartForElongated = 8, kPartForAny = 4;
+
+/// Points around are on a surface if the misfit of their plane is below this: 0 on a plane, more than 0.2 for all but 1
+/// in 100 sets of 24 points scattered in space, as the leaves of a crown are, and 0.25 for two sheets as far apart as
+/// two thirds of their radius. Lines are sparser than clumps, so that their surroundings are less flat for the same
+/// reason.
+constexpr float kFlatAroundLine = 0.1f, kFlatAroundClump = 0.2f;
+/// At edges and in corners of rooms it is 0.25 to 0.45. That will do, and so will a border, if so many of the points
+/// around have found such a surface.
+constexpr float kCorner = 0.5f;
+constexpr double kShareOnSurface = 1.0 / 3;
+/// With fewer such points in the cloud, lists are replaced by chance: none are in corners.
+constexpr double kShareToCount = 1.0 / 50;
+
+/// A list is clumpy if its last neighbour is so many times as far as its sixth: 1.6 times on a surface, 2.7 on a line.
+/// At 3, 1 in 250 random lists is.
+constexpr float kClumpy = 4;
+constexpr std::size_t kClumpSize = 6;
+
+/// Levels at which a point counts as isolated (ThinnedCloud): those whose cells are as wide as its list, and twice as
+/// wide: clumps of up to a hundred points. At coarser ones, small objects are clumps, and whole scans are lines.
+constexpr std::size_t kIsolationLevels = 2;
+
+/// Representatives examined at a level: within 2.4 cell edges on a plane, so that there are two rings.
+constexpr std::size_t kExamined = 24;
+
+/// Widest empty angle around a point that is surrounded. Among 24 random points, it is above this for one in 10,000;
+/// at a border it is half a turn.
+constexpr float kWidestGap = 2 * std::numbers::pi_v<float> / 3;
+
+/// Levels searched after the first one that spans a plane, for what fills the remaining gap: four times as far.
+constexpr std::size_t kMoreLevels = 2;
+
+/// What is conspicuous about a point's nearest neighbours.
+enum class Suspicion : std::uint8_t {
+    kUnsuspected,
+    kMaybeLine, ///< they may be on a line
+    kOnLine,    ///< they are on a line
+    kInClump,   ///< most are in a clump, the others far away
+    kAlone      ///< they are in a clump or a thick line, however many they are
+};
+
+/// Whether (b + c) a / (a + b + c)^2 is below a limit; avoids an eigenvalue solver.
+bool isElongated(const Moments& moments, double limit) {
+    const auto& [xx, xy, xz, yy, yz, zz] = moments.covariance;
+    const double trace = double(xx) + yy + zz;
+    const double invariant =
+        double(xx) * yy + double(xx) * zz + double(yy) * zz - double(xy) * xy - double(xz) * xz - double(yz) * yz;
+    return invariant < limit * trace * trace;
+}
+
+/// Moments of a list, in float: that is enough to tell lines from planes, and takes a third of the time of momentsOf.
+Moments quickMoments(const NeighborLists& lists, const PointSet& points, std::size_t point) {
+    const Vec3f from = points.positions[point];
+    Vec3f sum = Vec3f::Zero();
+    float xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+    for (const std::uint32_t other : lists.of(point)) {
+        const Vec3f offset = points.positions[other] - from;
+        sum += offset;
+        xx += offset.x() * offset.x(), xy += offset.x() * offset.y(), xz += offset.x() * offset.z();
+        yy += offset.y() * offset.y(), yz += offset.y() * offset.z(), zz += offset.z() * offset.z();
+    }
+    const auto count = float(lists.k + 1);
+    const Vec3f mean = sum / count;
+    const float mx = mean.x(), my = mean.y(), mz = mean.z();
+    return {mean,
+            {xx / count - mx * mx, xy / count - mx * my, xz / count - mx * mz, yy / count - my * my,
+             yz / count - my * mz, zz / count - mz * mz}};
+}
+
+Suspicion suspicionOf(const NeighborLists& lists, const PointSet& points, std::size_t point) {
+    const Moments moments = quickMoments(lists, points, point);
+    if (lists.radius(points, point) > kClumpy * lists.distance(points, point, kClumpSize - 1))
+        return Suspicion::kInClump;
+    if (isElongated(moments, kSureLine)) return Suspicion::kOnLine;
+    return isElongated(moments, kElongated) ? Suspicion::kMaybeLine : Suspicion::kUnsuspected;
+}
+
+/// Points around a point, in its plane.
+struct Around {
+    float misfit = 0;                ///< of their plane; infinite if they are on a line
+    std::uint8_t flags = 0;          ///< ListFlag
+    float widest_gap = 0;            ///< angle
+    std::vector<std::uint32_t> near; ///< nearest first; those in different directions before the others
+    float reach = 0;                 ///< distance within which they leave no wider gap
+};
+
+struct Direction {
+    float angle = 0, distance = 0;
+    std::uint32_t point = 0;
+};
+
+/// The widest empty angle between directions, and the next.
+struct EmptyAngles {
+    float widest = 2 * std::numbers::pi_v<float>, second = 2 * std::numbers::pi_v<float>;
+};
+
+/// @param angles sorted
+EmptyAngles gapsBetween(const std::vector<float>& angles) {
+    EmptyAngles gaps;
+    if (angles.size() < 2) return gaps;
+    gaps = {0, 0};
+    float before = angles.back() - 2 * std::numbers::pi_v<float>;
+    for (const float angle : angles) {
+        const float gap = angle - before;
+        gaps.second = std::max(gaps.second, std::min(gap, gaps.widest));
+        gaps.widest = std::max(gaps.widest, gap);
+        before = angle;
+    }
+    return gaps;
+}
+
+/// Finds the widest gap, and how far away the first points are that leave no wider one. At a border there is one wide
+/// gap; on a line there are two.
+void measureGap(const std::vector<Direction>& directions, Around& around) {
+    constexpr float kAsWide = 1.1f;
+    std::vector<float> angles;
+    for (const Direction& direction : directions) angles.push_back(direction.angle);
+    std::sort(angles.begin(), angles.end());
+    around.widest_gap = gapsBetween(angles).widest;
+    const float narrow = std::max(kWidestGap, kAsWide * around.widest_gap);
+    angles.clear();
+    for (const Direction& direction : directions) {
+        angles.insert(std::upper_bound(angles.begin(), angles.end(), direction.angle), direction.angle);
+        around.reach = direction.distance;
+        const EmptyAngles gaps = gapsBetween(angles);
+        if (gaps.widest < narrow && gaps.second < kWidestGap) return;
+    }
+}
+
+/// Takes the nearest points at least a tenth of a turn from each other, then the others.
+void selectAround(const std::vector<Direction>& directions, Around& around) {
+    constexpr float kApart = std::numbers::pi_v<float> / 5, kTurn = 2 * std::numbers::pi_v<float>;
+    std::vector<Direction> taken;
+    std::vector<std::uint32_t> others;
+    for (const Direction& direction : directions) {
+        const bool apart = std::all_of(taken.begin(), taken.end(), [&](const Direction& other) {
+            const float between = std::abs(other.angle - direction.angle);
+            return std::min(between, kTurn - between) >= kApart;
+        });
+        if (apart)
+            taken.push_back(direction);
+        else
+            others.push_back(direction.point);
+    }
+    for (const Direction& direction : taken) around.near.push_back(direction.point);
+    around.near.insert(around.near.end(), others.begin(), others.end());
+}
+
+/// How to search for the points around a point.
+struct SurroundPlan {
+    Suspicion suspicion = Suspicion::kUnsuspected;
+    std::size_t level = 0; ///< the finest to search
+    float least = 0;       ///< distance below which directions are noise
+};
+
+/// What the search for neighbourhoods needs. One object per thread.
+struct SurroundSearch {
+    const NeighborLists& lists;
+    const PointSet& points;
+    const ThinnedCloud& thinned;
+    const std::vector<std::uint32_t>& isolated; ///< ThinnedCloud::findIsolated
+    const std::vector<Suspicion>& suspicions;   ///< of the nearest neighbours
+    std::span<const std::uint8_t> found_before; ///< NeighborLists::thinned after the first round; empty in that
+    std::array<std::uint32_t, kExamined> found{};
+    std::array<float, kExamined> squared{};
+
+    Around examine(std::size_t point, std::span<const std::uint32_t> others, float least) const;
+    Around examineLevel(const ThinnedLevel& level, std::size_t point, float least);
+    std::optional<std::size_t> isolatedLevel(std::size_t point) const;
+    bool isBetter(const Around& around, Suspicion suspicion) const;
+    bool isAmongFound(std::size_t point, bool maybe) const;
+    SurroundPlan plan(std::size_t point) const;
+    std::optional<Around> surround(std::size_t point);
+};
+
+/// Other points around a point, without those nearer than `least`, whose directions are noise.
+Around SurroundSearch::examine(std::size_t point, std::span<const std::uint32_t> others, float least) const {
+    Around around;
+    const Moments moments = momentsOf(points, others, point);
+    const PlaneFit plane = fitPlane(moments);
+    around.misfit = isElongated(moments, kSureLine) ? std::numeric_limits<float>::infinity() : plane.misfit;
+    if (!std::isfinite(around.misfit)) return around;
+    const Vec3f u = plane.normal.unitOrthogonal(), v = plane.normal.cross(u);
+    std::vector<Direction> directions;
+    for (const std::uint32_t other : others) {
+        const Vec3f offset = points.positions[other] - points.positions[point];
+        const float x = u.dot(offset), y = v.dot(offset), distance = std::hypot(x, y);
+        if (distance > least) directions.push_back({std::atan2(y, x), distance, other});
+    }
+    measureGap(directions, around);
+    selectAround(directions, around);
+    return around;
+}
+
+/// The representatives of a level around a point.
+Around SurroundSearch::examineLevel(const ThinnedLevel& level, std::size_t point, float least) {
+    const std::size_t count = level.search.nearest(points.positions[point], found, squared);
+    for (std::size_t i = 0; i < count; ++i) found[i] = level.points[found[i]];
+    return examine(point, {found.data(), count}, std::max(least, level.edge / 2));
+}
+
+/// The coarsest level at which the point is isolated.
+std::optional<std::size_t> SurroundSearch::isolatedLevel(std::size_t point) const {
+    const std::size_t finest = thinned.levelFor(lists.radius(points, point));
+    for (std::size_t number = finest + kIsolationLevels; number-- > finest;)
+        if (number < thinned.levelCount() && (isolated[point] >> number & 1)) return number;
+    return {};
+}
+
+/// Whether points around may replace a list.
+bool SurroundSearch::isBetter(const Around& around, Suspicion suspicion) const {
+    const bool open = around.flags & kOpen;
+    const float flat = suspicion == Suspicion::kOnLine ? kFlatAroundLine : kFlatAroundClump;
+    if (!open && around.misfit < flat) return true;
+    if (found_before.empty() || !(around.misfit < kCorner)) return false;
+    const auto on_surface = std::count_if(around.near.begin(), around.near.end(),
+                                          [&](std::uint32_t other) { return found_before[other] != 0; });
+    return double(on_surface) >= kShareOnSurface * double(around.near.size());
+}
+
+/// Whether enough neighbours of a point were on lines or in clumps. @param maybe the point's own may be, too
+bool SurroundSearch::isAmongFound(std::size_t point, bool maybe) const {
+    if (found_before.empty()) return false;
+    const auto neighbors = lists.of(point);
+    const auto count = std::count_if(neighbors.begin(), neighbors.end(),
+                                     [&](std::uint32_t other) { return found_before[other] != 0; });
+    return (maybe ? kPartForElongated : kPartForAny) * std::size_t(count) >= neighbors.size();
+}
+
+SurroundPlan SurroundSearch::plan(std::size_t point) const {
+    const float radius = lists.radius(points, point);
+    const Suspicion own = suspicions[point];
+    if (const auto level = isolatedLevel(point); level && own != Suspicion::kOnLine)
+        return {Suspicion::kAlone, *level, radius};
+    if (own >= Suspicion::kOnLine) return {own, thinned.levelFor(radius / 2), 0};
+    if (!isAmongFound(point, own == Suspicion::kMaybeLine)) return {};
+    return {Suspicion::kOnLine, thinned.levelFor(radius), radius};
+}
+
+/// The points that surround a point, or those at a border; nothing if the nearest neighbours will do.
+std::optional<Around> SurroundSearch::surround(std::size_t point) {
+    const auto [suspicion, first_level, least] = plan(point);
+    if (suspicion == Suspicion::kUnsuspected) return {};
+    const std::uint8_t flags = kThinned | (suspicion >= Suspicion::kInClump ? kClump : 0);
+    const auto take = [&, suspicion = suspicion](Around& around) {
+        around.flags = std::uint8_t(flags | (around.widest_gap < kWidestGap ? 0 : kOpen));
+        return around.near.size() >= lists.k - lists.denseCount() && isBetter(around, suspicion);
+    };
+    std::optional<Around> border;
+    std::size_t end = thinned.levelCount();
+    for (std::size_t number = first_level; number < end; ++number) {
+        Around around = examineLevel(thinned.level(number), point, least);
+        if (!take(around)) continue;
+        if (!(around.flags & kOpen)) return around;
+        if (border) continue;
+        border = std::move(around);
+        end = std::min(end, number + kMoreLevels + 1);
+    }
+    return border;
+}
+
+/// Puts the points around in place of the farther half of a list, nearest first.
+void adopt(NeighborLists& lists, const PointSet& points, std::size_t point, const Around& around) {
+    std::uint32_t* const list = &lists.indices[point * lists.k];
+    std::uint32_t* const second_half = list + lists.denseCount();
+    std::vector<std::uint32_t> chosen(list, second_half);
+    std::vector<std::uint32_t> wanted = around.near;
+    wanted.insert(wanted.end(), second_half, list + lists.k);
+    for (std::size_t i = 0; chosen.size() < lists.k; ++i)
+        if (std::find(chosen.begin(), chosen.end(), wanted[i]) == chosen.end()) chosen.push_back(wanted[i]);
+    std::sort(chosen.begin() + std::ptrdiff_t(lists.denseCount()), chosen.end(), [&](std::uint32_t a, std::uint32_t b) {
+        const Vec3f& from = points.positions[point];
+        return std::pair(squaredDistance(points.positions[a], from), a) <
+               std::pair(squaredDistance(points.positions[b], from), b);
+    });
+    std::copy(chosen.begin(), chosen.end(), list);
+    // Points around at a distance r, less than a third of a turn apart, bound a Voronoi cell of a radius of r at most.
+    constexpr float kSpacings = 2; // in the radius of a cell, at most (kCapSpacings in radii.cpp)
+    lists.spacings[point] = std::max(lists.spacings[point], around.reach / kSpacings);
+    lists.thinned[point] = around.flags;
+}
+
+/// Whether a cloud has lists to replace: more than a few are on lines or in clumps, or a sample shows that points have
+/// little around them. Of even samplings, 1 list in 1,000 is on a line: thinned clouds would take time for nothing.
+bool hasListsToReplace(const NeighborLists& lists, const PointSet& points, const NearestSearch& nearest,
+                       const std::vector<Suspicion>& suspicions) {
+    constexpr double kFewLists = 1.0 / 500, kFewIsolated = 1.0 / 50;
+    const auto sure = std::count_if(suspicions.begin(), suspicions.end(),
+                                    [](Suspicion suspicion) { return suspicion >= Suspicion::kOnLine; });
+    if (double(sure) > kFewLists * double(points.size())) return true;
+    // Within 4.5 radii of a list there are 20 times as many points as on it; a quarter of that at a corner, 4.5 times
+    // as many on a line.
+    constexpr float kFarther = 4.5f;
+    constexpr std::size_t kStep = 64, kFewTimes = 5;
+    std::vector<std::uint32_t> found(kFewTimes * lists.k);
+    std::size_t isolated = 0;
+    for (std::size_t i = 0; i < points.size(); i += kStep) {
+        const float reach = kFarther * lists.radius(points, i);
+        isolated += nearest.within(points.positions[i], reach * reach, found) <= found.size();
+    }
+    return double(isolated * kStep) > kFewIsolated * double(points.size());
+}
+
+/// The wanted edge of the finest cells: as wide as all but the smallest lists.
+float finestEdge(const NeighborLists& lists, const PointSet& points) {
+    constexpr double kAllButFew = 0.02;
+    constexpr std::size_t kStep = 16; // enough for a quantile
+    std::vector<float> radii;
+    for (std::size_t i = 0; i < points.size(); i += kStep) radii.push_back(lists.radius(points, i));
+    return quantileOf(std::move(radii), kAllButFew);
+}
+
+/// At a border, limits the spacing to that of the points around which are surrounded: those of other lines or clumps.
+/// If there are hardly any, the list was replaced by chance.
+void limitOpenSpacings(NeighborLists& lists, const PointSet& points) {
+    constexpr std::size_t kFew = 2;
+    const std::vector<float> before = lists.spacings;
+    const StageProgress silent;
+    forEach(points.size(), {silent, ""}, [&](std::size_t i) {
+        if (!(lists.thinned[i] & kOpen)) return;
+        std::vector<float> around;
+        for (const std::uint32_t other : lists.of(i).subspan(lists.denseCount()))
+            if (lists.thinned[other] && !(lists.thinned[other] & kOpen)) around.push_back(before[other]);
+        const float own = spacingFromRadius(lists.distance(points, i, kClumpSize - 1), kClumpSize);
+        lists.spacings[i] = around.size() < kFew ? own : std::max(own, std::min(before[i], medianInPlace(around)));
+    });
+}
+
+} // namespace
+
+void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, const NearestSearch& nearest,
+                           const StageShare& share) {
+    if (lists.k < kFewestToSurround) return;
+    std::vector<Suspicion> suspicions(points.size());
+    const double middle = (share.from + share.to) / 2;
+    forEach(points.size(), {share.progress, share.stage, share.from, middle},
+            [&](std::size_t i) { suspicions[i] = suspicionOf(lists, points, i); });
+    if (!hasListsToReplace(lists, points, nearest, suspicions)) return share.report(1);
+    const float edge = finestEdge(lists, points);
+    if (!(edge > 0)) return share.report(1);
+    const ThinnedCloud thinned(points, edge);
+    const std::vector<std::uint32_t> isolated = thinned.findIsolated();
+    const auto replaceLists = [&](std::span<const std::uint8_t> found_before, const StageShare& part) {
+        forRanges(points.size(), part, [&](std::size_t begin, std::size_t end) {
+            SurroundSearch search{lists, points, thinned, isolated, suspicions, found_before};
+            for (std::size_t i = begin; i < end; ++i) {
+                if (!found_before.empty() && found_before[i]) continue;
+                if (const auto around = search.surround(i)) adopt(lists, points, i, *around);
+            }
+        });
+    };
+    replaceLists({}, {share.progress, share.stage, middle, share.to});
+    const std::vector<std::uint8_t> found_first = lists.thinned;
+    const auto kept = std::count(found_first.begin(), found_first.end(), 0);
+    if (double(points.size()) - double(kept) > kShareToCount * double(points.size()))
+        replaceLists(found_first, {share.progress, share.stage, share.to, share.to});
+    limitOpenSpacings(lists, points);
+}
+
+} // namespace pointrt::surface

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+// Neighbourhoods of points in clumps and on lines, and the surfaces that come of them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "preprocess/surface/point_graph.h"
+#include "preprocess/surface/surround.h"
+#include "preprocess/surface/thinned_cloud.h"
+#include "tests/preprocess/surface/shapes.h"
+
+namespace pointrt::test {
+namespace {
+
+using namespace surface;
+
+const StageProgress kQuiet;
+
+/// The lists of a shape's points, in the order of takePoints.
+struct SurroundedShape {
+    PointSet points;
+    NeighborLists lists;
+
+    explicit SurroundedShape(const Shape& shape) : points(takePoints(shape.cloud())) {
+        const NearestSearch search(points.positions);
+        lists = findNeighbors(points, search, 16, {kQuiet, "test"});
+        surroundNeighborhoods(lists, points, search, {kQuiet, "test"});
+    }
+    double shareReplaced() const {
+        const auto kept = std::count(lists.thinned.begin(), lists.thinned.end(), 0);
+        return 1 - double(kept) / double(lists.thinned.size());
+    }
+};
+
+/// Frames of a sensor that stands still: a clump at each place of a grid with steps of 0.97, 0.01 wide and 0.03 high.
+/// Off the origin, as a clump at a corner of cells would lie in several.
+Shape standingFrames(int frames, int steps = 24) {
+    Random random(31);
+    Shape shape;
+    for (int frame = 0; frame < frames; ++frame)
+        for (int i = 0; i < steps; ++i)
+            for (int j = 0; j < steps; ++j)
+                shape.add(Vec3d(0.43 + 0.97 * i + 0.01 * gaussian(random), 0.31 + 0.97 * j + 0.01 * gaussian(random),
+                                0.2 + 0.03 * gaussian(random)),
+                          Vec3d::UnitZ());
+    return shape;
+}
+
+/// Scan lines 20 times as far apart as their points.
+Shape scanLines() {
+    Shape shape;
+    for (int line = 0; line < 40; ++line)
+        for (int i = 0; i < 800; ++i) shape.add(Vec3d(i + 0.37 * line, 20 * line, 0), Vec3d::UnitZ());
+    return shape;
+}
+
+/// Profiles of a road: points every 5 mm, noise of 3 mm.
+Shape profiles(double apart, int lines) {
+    Random random(32);
+    Shape shape;
+    for (int line = 0; line < lines; ++line)
+        for (int i = 0; i < 800; ++i) {
+            const double x = 0.005 * i, slope = 0.39 * std::cos(1.3 * x);
+            shape.add(Vec3d(x, apart * line, 0.3 * std::sin(1.3 * x) + 0.003 * gaussian(random)),
+                      Vec3d(-slope, 0, 1).normalized());
+        }
+    return shape;
+}
+
+/// Share of vertical lines in a rectangle that meet a disc, `margin` inside the splats' bounds.
+double shareHit(const Splats& splats, float margin) {
+    Vec3f low = splats.positions[0], high = low;
+    for (const Vec3f& p : splats.positions) low = low.cwiseMin(p), high = high.cwiseMax(p);
+    Random random(7);
+    constexpr int kRays = 1000;
+    int hits = 0;
+    for (int ray = 0; ray < kRays; ++ray) {
+        const float x = low.x() + margin + (high.x() - low.x() - 2 * margin) * float(uniform(random)),
+                    y = low.y() + margin + (high.y() - low.y() - 2 * margin) * float(uniform(random));
+        for (std::size_t i = 0; i < splats.positions.size(); ++i) {
+            const Vec3f &n = splats.normals[i], &p = splats.positions[i];
+            if (std::abs(x - p.x()) > splats.radii[i] || std::abs(y - p.y()) > splats.radii[i]) continue;
+            const float z = p.z() - (n.x() * (x - p.x()) + n.y() * (y - p.y())) / n.z();
+            if ((Vec3f(x, y, z) - p).norm() > splats.radii[i]) continue;
+            ++hits;
+            break;
+        }
+    }
+    return double(hits) / kRays;
+}
+
+TEST(ThinnedCloud, AClumpCountsOnceAndItsMiddleStandsForIt) {
+    const PointSet points = takePoints(standingFrames(30, 16).cloud());
+    const float step = 1 / std::ldexp(1.0f, points.scale_exponent);
+    const ThinnedCloud thinned(points, step / 2);
+    const ThinnedLevel& level = thinned.level(thinned.levelFor(step / 4));
+    EXPECT_LE(level.edge, step / 2);
+    EXPECT_LT(level.points.size(), 16u * 16 * 3) << "a clump may lie in several cells";
+    double squared = 0;
+    for (const Vec3f& p : level.positions) squared += std::pow(p.z() / step - 0.2f, 2);
+    EXPECT_LT(std::sqrt(squared / double(level.positions.size())), 0.02) << "the noise of a single point is 0.03";
+    for (std::size_t i = 1; i < thinned.levelCount(); ++i) {
+        EXPECT_EQ(thinned.level(i).edge, 2 * thinned.level(i - 1).edge);
+        EXPECT_LE(thinned.level(i).points.size(), thinned.level(i - 1).points.size());
+    }
+}
+
+TEST(Surround, EvenSamplingsKeepTheirLists) {
+    EXPECT_EQ(SurroundedShape(gridPlane(60)).shareReplaced(), 0);
+    EXPECT_EQ(SurroundedShape(hexPlane(60)).shareReplaced(), 0);
+    EXPECT_EQ(SurroundedShape(gridCube(30)).shareReplaced(), 0);
+    EXPECT_LT(SurroundedShape(randomSphere(20'000)).shareReplaced(), 0.01); // measured: 0.005
+}
+
+TEST(Surround, ListsHoldPointsOfOtherClumpsOnAllSides) {
+    for (const int frames : {3, 10, 30}) {
+        const Shape shape = standingFrames(frames);
+        const SurroundedShape surrounded(shape);
+        const float step = 1 / std::ldexp(1.0f, surrounded.points.scale_exponent);
+        std::size_t one_sided = 0;
+        for (std::size_t i = 0; i < surrounded.points.size(); ++i) {
+            const Vec3f& from = surrounded.points.positions[i];
+            const Vec3f& in_steps = from / step;
+            if (in_steps.x() < 1.5f || in_steps.x() > 21.5f || in_steps.y() < 1.5f || in_steps.y() > 21.5f) continue;
+            bool left = false, right = false, before = false, behind = false;
+            for (const std::uint32_t other : surrounded.lists.of(i)) {
+                const Vec3f offset = (surrounded.points.positions[other] - from) / step;
+                left = left || offset.x() < -0.5f, right = right || offset.x() > 0.5f;
+                before = before || offset.y() < -0.5f, behind = behind || offset.y() > 0.5f;
+            }
+            one_sided += !(left && right && before && behind);
+        }
+        EXPECT_LE(one_sided, surrounded.points.size() / 25) << frames; // three sides may do
+    }
+}
+
+TEST(Surround, FramesOfAStandingSensorMakeAClosedSurface) {
+    for (const int frames : {3, 10, 30}) {
+        const Shape shape = standingFrames(frames);
+        SurfaceReport report;
+        const Splats splats = estimateSplats(shape.cloud(), {}, report);
+        EXPECT_LE(report.outliers_removed, shape.positions.size() / 200) << "the tails of the noise, " << frames;
+        EXPECT_LT(normalErrors(splats, shape, true)[splats.positions.size() * 99 / 100], 6) << frames;
+        EXPECT_GE(shareHit(splats, 1), 0.999) << frames;
+        EXPECT_LT(*std::max_element(splats.radii.begin(), splats.radii.end()), 2.1f) << frames;
+        EXPECT_LE(report.filled, shape.positions.size()) << frames;
+    }
+}
+
+TEST(Surround, NoisyProfilesMakeAClosedSurface) {
+    for (const double apart : {0.1, 0.25, 0.5}) {
+        const Shape shape = profiles(apart, 8);
+        SurfaceReport report;
+        const Splats splats = estimateSplats(shape.cloud(), {}, report);
+        EXPECT_LT(normalErrors(splats, shape, true)[splats.positions.size() * 99 / 100], 10) << apart;
+        EXPECT_GE(shareHit(splats, 0.05f), 0.995) << apart;
+        EXPECT_LE(report.filled, shape.positions.size()) << "more is invented than was measured, " << apart;
+    }
+}
+
+TEST(Surround, AWireKeepsItsLists) {
+    Shape wire;
+    for (int i = 0; i < 3000; ++i) wire.add(Vec3d(i, 0, 0.01 * std::sin(i)), Vec3d::UnitZ());
+    EXPECT_EQ(SurroundedShape(wire).shareReplaced(), 0);
+}
+
+TEST(Lines, ListsReachTheNextLine) {
+    const SurroundedShape surrounded(scanLines());
+    const PointSet& points = surrounded.points;
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+        const auto others = surrounded.lists.of(i);
+        EXPECT_TRUE(std::any_of(others.begin(), others.end(),
+                                [&](std::uint32_t j) { return points.positions[j].y() != points.positions[i].y(); }));
+        EXPECT_TRUE(std::is_sorted(others.begin(), others.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return squaredDistance(points.positions[i], points.positions[a]) <
+                   squaredDistance(points.positions[i], points.positions[b]);
+        }));
+        EXPECT_EQ(std::count(others.begin(), others.end(), i), 0);
+    }
+}
+
+TEST(Lines, NormalsArePerpendicularToThePlaneOfTheLines) {
+    const Shape shape = scanLines();
+    EXPECT_LT(normalErrors(estimate(shape.cloud()), shape, true).back(), 0.1);
+}
+
+} // namespace
+} // namespace pointrt::test
