@@ -179,7 +179,7 @@ case_compact() {
     expectDone pointrt-info out/whole.pro --json
     [ "$(jsonValue stdout version)" = 1.4 ] || fail "not version 1.4"
     expectDone pointrt-info out/compact.pro --json
-    [ "$(jsonValue stdout version)" = 1.2 ] || fail "not version 1.2, which has an up direction"
+    [ "$(jsonValue stdout version)" = 1.2 ] || fail "not version 1.2, the first with an up"
 }
 
 runCase "$@"
