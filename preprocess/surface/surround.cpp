@@ -310,10 +310,10 @@ void adopt(NeighborLists& lists, const PointSet& points, std::size_t point, cons
 }
 
 /// Whether a cloud has lists to replace: more than a few are on lines or in clumps, or a sample shows that points have
-/// little around them. Of even samplings, 1 list in 1,000 is on a line: thinned clouds would take time for nothing.
+/// little around them. Of random samples, 1 list in 250 is on a line: thinned clouds would take time for nothing.
 bool hasListsToReplace(const NeighborLists& lists, const PointSet& points, const NearestSearch& nearest,
                        const std::vector<Suspicion>& suspicions) {
-    constexpr double kFewLists = 1.0 / 500, kFewIsolated = 1.0 / 50;
+    constexpr double kFewLists = 1.0 / 100, kFewIsolated = 1.0 / 50;
     const auto sure = std::count_if(suspicions.begin(), suspicions.end(),
                                     [](Suspicion suspicion) { return suspicion >= Suspicion::kOnLine; });
     if (double(sure) > kFewLists * double(points.size())) return true;
