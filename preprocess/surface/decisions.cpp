@@ -13,6 +13,11 @@ void StatisticsSampler::add(const SurfaceReport& report, const Splats& splats) {
     scattered_ += report.scattered;
     for (std::size_t i = 0; i < filling_.size(); ++i) filling_[i] += report.filling[i];
     radii_.insert(radii_.end(), splats.radii.begin(), splats.radii.end());
+    const surface::SurroundCounts& more = report.surround;
+    surround_.sampled += more.sampled;
+    surround_.unsurrounded += more.unsurrounded;
+    surround_.isolated += more.isolated;
+    surround_.reaches.insert(surround_.reaches.end(), more.reaches.begin(), more.reaches.end());
 }
 
 CloudStatistics StatisticsSampler::statistics() {
@@ -22,7 +27,8 @@ CloudStatistics StatisticsSampler::statistics() {
             surface::rowsToFill(filling_, points_),
             surface::radiusLimit(radii_),
             {},
-            surface::isVolume(scattered_, points_)};
+            surface::isVolume(scattered_, points_),
+            surface::finestCells(surround_)};
 }
 
 } // namespace pointrt

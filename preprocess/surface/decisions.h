@@ -8,6 +8,7 @@
 
 #include "preprocess/cloud/splats.h"
 #include "preprocess/surface/fill.h"
+#include "preprocess/surface/surround.h"
 
 namespace pointrt {
 
@@ -21,6 +22,7 @@ struct CloudStatistics {
     std::optional<float> radius_limit;      ///< input units, before radius_scale; infinity: none
     std::optional<float> common_reach;      ///< input units: commonReach (outliers.h)
     bool volume = false;                    ///< hardly any point is on a surface (balls.h)
+    std::optional<float> finest_cells;      ///< input units: finestCells (surround.h)
 };
 
 /// Decisions made for the larger cloud that this one is a part of; empty: this cloud decides.
@@ -44,6 +46,7 @@ public:
 private:
     std::size_t points_ = 0, scattered_ = 0;
     surface::FillCounts filling_{};
+    surface::SurroundCounts surround_;
     std::vector<float> radii_;
 };
 

@@ -36,6 +36,7 @@ struct Estimation {
     const SurfaceDecisions& decided;
     const StageProgress& progress;
     SurfaceReport& report;
+    float finest_cells = 0; ///< of thinned clouds, input units (surround.h); 0: all lists surround their points
 };
 
 /// Converts a length from input units to the unit of the points.
@@ -46,18 +47,36 @@ std::optional<float> inPoints(const PointSet& points, const std::optional<float>
 
 void removeOutliers(PointGraph& graph, const Estimation& job) {
     const auto common_reach = inPoints(graph.points, job.decided.statistics.common_reach);
-    const std::vector<std::uint8_t> keep = flagInliers(graph.points, graph.lists, common_reach);
+    const float finest_cells = *inPoints(graph.points, job.finest_cells);
+    const std::vector<std::uint8_t> keep = flagInliers(graph.points, graph.lists, common_reach, finest_cells);
     job.report.outliers_removed = std::size_t(std::count(keep.begin(), keep.end(), 0));
     if (job.report.outliers_removed > 0) graph.keepAndRefit(keep);
 }
 
-/// Finds the neighbours of all points and removes outliers.
-void connect(PointGraph& graph, const Estimation& job) {
+void surround(PointGraph& graph, const Estimation& job, const StageShare& share) {
+    surroundNeighborhoods(graph.lists, graph.points, *inPoints(graph.points, job.finest_cells), share);
+}
+
+/// [points] SurfaceDecisions::inner
+std::vector<std::uint8_t> innerOf(const PointSet& points, const SurfaceDecisions& decided) {
+    std::vector<std::uint8_t> inner(points.size(), 1);
+    for (std::size_t i = 0; i < inner.size() && !decided.inner.empty(); ++i)
+        inner[i] = decided.inner[points.input_index[i]];
+    return inner;
+}
+
+/// Finds the neighbours of all points, removes outliers, and sets finest_cells.
+void connect(PointGraph& graph, Estimation& job) {
     const Stopwatch watch(job.report.seconds_neighbors);
     constexpr double kSearch = 0.9; // of the stage's time
     graph.connect(std::size_t(job.options.neighbors), {job.progress, kNeighborStage, 0, kSearch});
+    const std::optional<float>& decided = job.decided.statistics.finest_cells;
+    if (!decided)
+        countUnsurrounded(graph.lists, graph.points, *graph.search, innerOf(graph.points, job.decided),
+                          job.report.surround);
+    job.finest_cells = decided ? *decided : finestCells(job.report.surround);
     if (job.options.remove_outliers) removeOutliers(graph, job);
-    surroundNeighborhoods(graph.lists, graph.points, *graph.search, {job.progress, kNeighborStage, kSearch, 1});
+    surround(graph, job, {job.progress, kNeighborStage, kSearch, 1});
 }
 
 /// Turns normals to the decided sides. Leaves a normal that is nearly perpendicular to its decided side: that was
@@ -141,8 +160,7 @@ void clean(PointGraph& graph, const ScanPriors& priors, const Estimation& job) {
     const std::vector<float>& decided_noise = job.decided.statistics.noise;
     if (decided_noise.size() == options.scan_count) options.noise_of_scans = decided_noise;
     CleanReport cleaned = cleanPoints(graph, options, job.progress);
-    if (cleaned.moved > 0)
-        surroundNeighborhoods(graph.lists, graph.points, *graph.search, {job.progress, "cleaning", 1, 1});
+    if (cleaned.moved > 0) surround(graph, job, {job.progress, "cleaning", 1, 1});
     raisePlanarity(graph.points);
     graph.points.scan_of_point = {}, graph.points.at_silhouette = {}, graph.points.support = {}; // no longer needed
     report.noise = std::move(cleaned.noise);
@@ -158,9 +176,7 @@ void setPlanarity(PointGraph& graph, const Estimation& job) {
     const Stopwatch watch(job.report.seconds_radii);
     const StageProgress silent;
     const PointSet& points = graph.points;
-    std::vector<std::uint8_t> inner(points.size(), 1);
-    for (std::size_t i = 0; i < inner.size() && !job.decided.inner.empty(); ++i)
-        inner[i] = job.decided.inner[points.input_index[i]];
+    const std::vector<std::uint8_t> inner = innerOf(points, job.decided);
     job.report.inner = std::size_t(std::count(inner.begin(), inner.end(), 1));
     job.report.scattered = weighPlanarity(graph, job.decided.statistics.scattered, inner, {silent, kRadiusStage});
 }
@@ -170,9 +186,7 @@ void setPlanarity(PointGraph& graph, const Estimation& job) {
 std::vector<std::uint32_t> fill(PointGraph& graph, std::size_t cloud_count, const Estimation& job) {
     std::vector<std::uint32_t> sources = fillBetweenLines(graph, job.decided.statistics.fill_rows, job.report.filling,
                                                           {job.progress, kRadiusStage, 0, kFillShare});
-    if (!sources.empty())
-        surroundNeighborhoods(graph.lists, graph.points, *graph.search,
-                              {job.progress, kRadiusStage, kFillShare, kFillShare});
+    if (!sources.empty()) surround(graph, job, {job.progress, kRadiusStage, kFillShare, kFillShare});
     std::vector<std::uint32_t>& input_index = graph.points.input_index;
     const std::size_t first = input_index.size() - sources.size();
     for (std::size_t i = 0; i < sources.size(); ++i) {
@@ -297,7 +311,7 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
     using namespace surface;
     report = {};
     requireValid(options);
-    const Estimation job{options, decided, progress, report};
+    Estimation job{options, decided, progress, report};
     const std::vector<std::uint32_t> far_outliers = requireSurface(cloud.positions);
     const ScanPriors priors = takePriors(cloud, job);
     const Vec3d origin = cloud.origin;

@@ -149,14 +149,12 @@ bool isOnSparseSurface(const OutlierJob& job, const ThinnedCloud& thinned, std::
 }
 
 /// Spares samples of sparse parts among the outliers.
-void spareSparseSurfaces(const OutlierJob& job, std::vector<std::uint8_t>& keep) {
+void spareSparseSurfaces(const OutlierJob& job, float finest_cells, std::vector<std::uint8_t>& keep) {
     std::vector<std::uint32_t> outliers;
     for (std::size_t i = 0; i < keep.size(); ++i)
         if (!keep[i] && !isFloater(job, i)) outliers.push_back(std::uint32_t(i));
     if (outliers.empty()) return;
-    float nearest = std::numeric_limits<float>::infinity();
-    for (const std::uint32_t i : outliers) nearest = std::min(nearest, job.distances[i]);
-    const ThinnedCloud thinned(job.points, nearest / 2);
+    const ThinnedCloud thinned(job.points, finest_cells);
     tbb::parallel_for(std::size_t(0), outliers.size(),
                       [&](std::size_t i) { keep[outliers[i]] = isOnSparseSurface(job, thinned, outliers[i]); });
 }
@@ -164,7 +162,7 @@ void spareSparseSurfaces(const OutlierJob& job, std::vector<std::uint8_t>& keep)
 } // namespace
 
 std::vector<std::uint8_t> flagInliers(const PointSet& points, const NeighborLists& lists,
-                                      std::optional<float> common_reach) {
+                                      std::optional<float> common_reach, float finest_cells) {
     std::vector<std::uint8_t> keep(points.size(), 1);
     if (!common_reach && points.size() < kMinPointsForOutliers) return keep;
     OutlierJob job{points, lists, std::vector<float>(points.size())};
@@ -172,7 +170,7 @@ std::vector<std::uint8_t> flagInliers(const PointSet& points, const NeighborList
                       [&](std::size_t i) { job.distances[i] = lists.radius(points, i); });
     job.floater_distance = kFarTimes * (common_reach ? *common_reach : commonReach(job.distances));
     tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) { keep[i] = !isOutlier(job, i); });
-    spareSparseSurfaces(job, keep);
+    if (finest_cells > 0) spareSparseSurfaces(job, finest_cells, keep);
     // If most points seem to be outliers, the sampling is sparse; floaters of a larger cloud go all the same.
     if (std::size_t(std::count(keep.begin(), keep.end(), 1)) < points.size() / 2)
         for (std::size_t i = 0; i < keep.size(); ++i) keep[i] = !(common_reach && isFloater(job, i));

@@ -59,6 +59,9 @@ constexpr float kWidestGap = 2 * std::numbers::pi_v<float> / 3;
 /// Levels searched after the first one that spans a plane, for what fills the remaining gap: four times as far.
 constexpr std::size_t kMoreLevels = 2;
 
+/// Every 16th list is enough for shares of a hundredth and quantiles, of more points than these.
+constexpr std::size_t kSampleStep = 16, kManyPoints = 16384;
+
 /// What is conspicuous about a point's nearest neighbours.
 enum class Suspicion : std::uint8_t {
     kUnsuspected,
@@ -309,36 +312,6 @@ void adopt(NeighborLists& lists, const PointSet& points, std::size_t point, cons
     lists.thinned[point] = around.flags;
 }
 
-/// Whether a cloud has lists to replace: more than a few are on lines or in clumps, or a sample shows that points have
-/// little around them. Of random samples, 1 list in 250 is on a line: thinned clouds would take time for nothing.
-bool hasListsToReplace(const NeighborLists& lists, const PointSet& points, const NearestSearch& nearest,
-                       const std::vector<Suspicion>& suspicions) {
-    constexpr double kFewLists = 1.0 / 100, kFewIsolated = 1.0 / 50;
-    const auto sure = std::count_if(suspicions.begin(), suspicions.end(),
-                                    [](Suspicion suspicion) { return suspicion >= Suspicion::kOnLine; });
-    if (double(sure) > kFewLists * double(points.size())) return true;
-    // Within 4.5 radii of a list there are 20 times as many points as on it; a quarter of that at a corner, 4.5 times
-    // as many on a line.
-    constexpr float kFarther = 4.5f;
-    constexpr std::size_t kStep = 64, kFewTimes = 5;
-    std::vector<std::uint32_t> found(kFewTimes * lists.k);
-    std::size_t isolated = 0;
-    for (std::size_t i = 0; i < points.size(); i += kStep) {
-        const float reach = kFarther * lists.radius(points, i);
-        isolated += nearest.within(points.positions[i], reach * reach, found) <= found.size();
-    }
-    return double(isolated * kStep) > kFewIsolated * double(points.size());
-}
-
-/// The wanted edge of the finest cells: as wide as all but the smallest lists.
-float finestEdge(const NeighborLists& lists, const PointSet& points) {
-    constexpr double kAllButFew = 0.02;
-    constexpr std::size_t kStep = 16; // enough for a quantile
-    std::vector<float> radii;
-    for (std::size_t i = 0; i < points.size(); i += kStep) radii.push_back(lists.radius(points, i));
-    return quantileOf(std::move(radii), kAllButFew);
-}
-
 /// At a border, limits the spacing to that of the points around which are surrounded: those of other lines or clumps.
 /// If there are hardly any, the list was replaced by chance.
 void limitOpenSpacings(NeighborLists& lists, const PointSet& points) {
@@ -355,19 +328,52 @@ void limitOpenSpacings(NeighborLists& lists, const PointSet& points) {
     });
 }
 
+/// Whether a list, several times as wide, would hold hardly more than a line or a clump.
+bool isIsolated(const NeighborLists& lists, const PointSet& points, const NearestSearch& nearest, std::size_t point,
+                std::vector<std::uint32_t>& found) {
+    // Within 4.5 radii of a list there are 20 times as many points as on it; a quarter of that at a corner, 4.5 times
+    // as many on a line.
+    constexpr float kFarther = 4.5f;
+    constexpr std::size_t kFewTimes = 5;
+    found.resize(kFewTimes * lists.k);
+    const float reach = kFarther * lists.radius(points, point);
+    return nearest.within(points.positions[point], reach * reach, found) <= found.size();
+}
+
 } // namespace
 
-void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, const NearestSearch& nearest,
-                           const StageShare& share) {
+void countUnsurrounded(const NeighborLists& lists, const PointSet& points, const NearestSearch& nearest,
+                       const std::vector<std::uint8_t>& inner, SurroundCounts& counts) {
     if (lists.k < kFewestToSurround) return;
+    constexpr std::size_t kIsolatedStep = 4; // of those that are sampled: it takes longer
+    const std::size_t step = points.size() < kManyPoints ? 1 : kSampleStep;
+    std::vector<std::uint32_t> found;
+    for (std::size_t i = 0, sample = 0; i < points.size(); i += step, ++sample) {
+        if (inner[i] == 0) continue;
+        ++counts.sampled;
+        counts.unsurrounded += suspicionOf(lists, points, i) >= Suspicion::kOnLine;
+        counts.reaches.push_back(std::ldexp(lists.radius(points, i), points.scale_exponent));
+        if (sample % kIsolatedStep == 0 && isIsolated(lists, points, nearest, i, found))
+            counts.isolated += kIsolatedStep;
+    }
+}
+
+float finestCells(SurroundCounts counts) {
+    // Of random samples of a surface, 1 list in 80 is on a line: thinned clouds would take time for nothing.
+    constexpr double kFewLists = 1.0 / 30, kFewIsolated = 1.0 / 50, kAllButFew = 0.02;
+    const auto sampled = double(counts.sampled);
+    const bool has_some =
+        double(counts.unsurrounded) > kFewLists * sampled || double(counts.isolated) > kFewIsolated * sampled;
+    return has_some ? quantileOf(std::move(counts.reaches), kAllButFew) : 0;
+}
+
+void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, float finest_cells, const StageShare& share) {
+    if (lists.k < kFewestToSurround || !(finest_cells > 0)) return share.report(1);
     std::vector<Suspicion> suspicions(points.size());
     const double middle = (share.from + share.to) / 2;
     forEach(points.size(), {share.progress, share.stage, share.from, middle},
             [&](std::size_t i) { suspicions[i] = suspicionOf(lists, points, i); });
-    if (!hasListsToReplace(lists, points, nearest, suspicions)) return share.report(1);
-    const float edge = finestEdge(lists, points);
-    if (!(edge > 0)) return share.report(1);
-    const ThinnedCloud thinned(points, edge);
+    const ThinnedCloud thinned(points, finest_cells);
     const std::vector<std::uint32_t> isolated = thinned.findIsolated();
     const auto replaceLists = [&](std::span<const std::uint8_t> found_before, const StageShare& part) {
         forRanges(points.size(), part, [&](std::size_t begin, std::size_t end) {

@@ -6,14 +6,30 @@
 
 namespace pointrt::surface {
 
+/// A sample of a cloud's lists, from which to decide whether some are to be replaced.
+struct SurroundCounts {
+    std::size_t sampled = 0;
+    std::size_t unsurrounded = 0; ///< on a line or in a clump
+    std::size_t isolated = 0;     ///< with little around
+    std::vector<float> reaches;   ///< [sampled] distance to the k-th neighbour, input units
+};
+
+/// Adds those of a cloud, or of a place in it. Samples nothing for fewer than 8 neighbours.
+/// @param inner [points] 1: the neighbourhood is complete, as of SurfaceDecisions; only these count
+void countUnsurrounded(const NeighborLists& lists, const PointSet& points, const NearestSearch& nearest,
+                       const std::vector<std::uint8_t>& inner, SurroundCounts& counts);
+
+/// The edge of the finest cells of thinned clouds, input units: as wide as all but the smallest lists. 0 if hardly any
+/// list is to be replaced.
+float finestCells(SurroundCounts counts);
+
 /// Replaces the lists of points whose nearest neighbours do not surround them because they are on a line, as in the
 /// sweep of a lidar, or in a clump, as in merged frames of a sensor that stood still. The nearer half stays, the other
 /// half are points around: of thinned clouds whose cells double in width, in which a clump counts as one point, until
 /// they leave no gap of a third of a turn. At a border, where a gap stays at four times the distance, and in corners,
 /// takes points many of which have such lists. Leaves lists for which there is no plane (a wire), and those at borders
-/// of even samplings. Sets thinned and the spacings of these lists. Does nothing for fewer than 8 neighbours, nor to
-/// clouds with hardly any such list.
-void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, const NearestSearch& nearest,
-                           const StageShare& share);
+/// of even samplings. Sets thinned and the spacings of these lists. Does nothing for fewer than 8 neighbours.
+/// @param finest_cells of the thinned clouds, unit of the points; 0: replaces no list
+void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, float finest_cells, const StageShare& share);
 
 } // namespace pointrt::surface

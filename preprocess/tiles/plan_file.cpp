@@ -274,7 +274,8 @@ CloudStatistics readStatistics(const std::string& work) {
     const OrderedJson json = OrderedJson::parse(stream);
     return {json.at("noise").get<std::vector<float>>(),  takeMaybe<bool>(json, "scattered"),
             takeMaybe<std::uint32_t>(json, "fill_rows"), takeMaybe<float>(json, "radius_limit"),
-            takeMaybe<float>(json, "common_reach"),      json.value("volume", false)};
+            takeMaybe<float>(json, "common_reach"),      json.value("volume", false),
+            takeMaybe<float>(json, "finest_cells")};
 }
 
 void requireSame(bool same, const std::string& path) {
@@ -312,7 +313,8 @@ void writeStatistics(const SetPlan& plan, const CloudStatistics& statistics) {
                               {"fill_rows", jsonOf(statistics.fill_rows)},
                               {"radius_limit", jsonOf(statistics.radius_limit)},
                               {"common_reach", jsonOf(statistics.common_reach)},
-                              {"volume", statistics.volume}};
+                              {"volume", statistics.volume},
+                              {"finest_cells", jsonOf(statistics.finest_cells)}};
     writeWhole(statisticsFile(plan.work), json.dump() + "\n");
 }
 

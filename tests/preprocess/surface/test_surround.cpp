@@ -24,7 +24,10 @@ struct SurroundedShape {
     explicit SurroundedShape(const Shape& shape) : points(takePoints(shape.cloud())) {
         const NearestSearch search(points.positions);
         lists = findNeighbors(points, search, 16, {kQuiet, "test"});
-        surroundNeighborhoods(lists, points, search, {kQuiet, "test"});
+        SurroundCounts counts;
+        countUnsurrounded(lists, points, search, std::vector<std::uint8_t>(points.size(), 1), counts);
+        const float finest_cells = std::ldexp(finestCells(counts), -points.scale_exponent);
+        surroundNeighborhoods(lists, points, finest_cells, {kQuiet, "test"});
     }
     double shareReplaced() const {
         const auto kept = std::count(lists.thinned.begin(), lists.thinned.end(), 0);
