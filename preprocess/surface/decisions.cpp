@@ -28,7 +28,7 @@ CloudStatistics StatisticsSampler::statistics() {
             surface::radiusLimit(radii_),
             {},
             surface::isVolume(scattered_, points_),
-            surface::finestCells(surround_)};
+            surface::thinningOf(surround_)};
 }
 
 } // namespace pointrt

@@ -22,7 +22,7 @@ struct CloudStatistics {
     std::optional<float> radius_limit;      ///< input units, before radius_scale; infinity: none
     std::optional<float> common_reach;      ///< input units: commonReach (outliers.h)
     bool volume = false;                    ///< hardly any point is on a surface (balls.h)
-    std::optional<float> finest_cells;      ///< input units: finestCells (surround.h)
+    std::optional<surface::Thinning> thinning;
 };
 
 /// Decisions made for the larger cloud that this one is a part of; empty: this cloud decides.

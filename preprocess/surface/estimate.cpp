@@ -36,7 +36,7 @@ struct Estimation {
     const SurfaceDecisions& decided;
     const StageProgress& progress;
     SurfaceReport& report;
-    float finest_cells = 0; ///< of thinned clouds, input units (surround.h); 0: all lists surround their points
+    surface::Thinning thinning{};
 };
 
 /// Converts a length from input units to the unit of the points.
@@ -47,14 +47,15 @@ std::optional<float> inPoints(const PointSet& points, const std::optional<float>
 
 void removeOutliers(PointGraph& graph, const Estimation& job) {
     const auto common_reach = inPoints(graph.points, job.decided.statistics.common_reach);
-    const float finest_cells = *inPoints(graph.points, job.finest_cells);
+    const float finest_cells = *inPoints(graph.points, job.thinning.finest_cells);
     const std::vector<std::uint8_t> keep = flagInliers(graph.points, graph.lists, common_reach, finest_cells);
     job.report.outliers_removed = std::size_t(std::count(keep.begin(), keep.end(), 0));
     if (job.report.outliers_removed > 0) graph.keepAndRefit(keep);
 }
 
 void surround(PointGraph& graph, const Estimation& job, const StageShare& share) {
-    surroundNeighborhoods(graph.lists, graph.points, *inPoints(graph.points, job.finest_cells), share);
+    if (!job.thinning.replaces_lists) return share.report(1);
+    surroundNeighborhoods(graph.lists, graph.points, *inPoints(graph.points, job.thinning.finest_cells), share);
 }
 
 /// [points] SurfaceDecisions::inner
@@ -65,16 +66,16 @@ std::vector<std::uint8_t> innerOf(const PointSet& points, const SurfaceDecisions
     return inner;
 }
 
-/// Finds the neighbours of all points, removes outliers, and sets finest_cells.
+/// Finds the neighbours of all points, removes outliers, and sets the thinning.
 void connect(PointGraph& graph, Estimation& job) {
     const Stopwatch watch(job.report.seconds_neighbors);
     constexpr double kSearch = 0.9; // of the stage's time
     graph.connect(std::size_t(job.options.neighbors), {job.progress, kNeighborStage, 0, kSearch});
-    const std::optional<float>& decided = job.decided.statistics.finest_cells;
+    const std::optional<Thinning>& decided = job.decided.statistics.thinning;
     if (!decided)
         countUnsurrounded(graph.lists, graph.points, *graph.search, innerOf(graph.points, job.decided),
                           job.report.surround);
-    job.finest_cells = decided ? *decided : finestCells(job.report.surround);
+    job.thinning = decided ? *decided : thinningOf(job.report.surround);
     if (job.options.remove_outliers) removeOutliers(graph, job);
     surround(graph, job, {job.progress, kNeighborStage, kSearch, 1});
 }

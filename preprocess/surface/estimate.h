@@ -24,7 +24,7 @@ struct SurfaceReport {
     double seconds_neighbors = 0, seconds_normals = 0, seconds_orient = 0, seconds_clean = 0, seconds_radii = 0;
     std::size_t filled = 0;           ///< points inserted between scan lines
     surface::FillCounts filling{};    ///< for rowsToFill
-    surface::SurroundCounts surround; ///< for finestCells; empty if that was decided
+    surface::SurroundCounts surround; ///< for thinningOf; empty if that was decided
     std::size_t inner = 0;            ///< points with SurfaceDecisions::inner set
     std::size_t scattered = 0;        ///< of those, points on no surface
     std::size_t seen_through = 0;     ///< discs shrunk because a sensor saw through them

@@ -358,13 +358,14 @@ void countUnsurrounded(const NeighborLists& lists, const PointSet& points, const
     }
 }
 
-float finestCells(SurroundCounts counts) {
+Thinning thinningOf(SurroundCounts counts) {
+    if (counts.sampled == 0) return {};
     // Of random samples of a surface, 1 list in 80 is on a line: thinned clouds would take time for nothing.
-    constexpr double kFewLists = 1.0 / 30, kFewIsolated = 1.0 / 50, kAllButFew = 0.02;
+    constexpr double kFewLists = 1.0 / 45, kFewIsolated = 1.0 / 50, kAllButFew = 0.02;
     const auto sampled = double(counts.sampled);
     const bool has_some =
         double(counts.unsurrounded) > kFewLists * sampled || double(counts.isolated) > kFewIsolated * sampled;
-    return has_some ? quantileOf(std::move(counts.reaches), kAllButFew) : 0;
+    return {quantileOf(std::move(counts.reaches), kAllButFew), has_some};
 }
 
 void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, float finest_cells, const StageShare& share) {

@@ -19,9 +19,12 @@ struct SurroundCounts {
 void countUnsurrounded(const NeighborLists& lists, const PointSet& points, const NearestSearch& nearest,
                        const std::vector<std::uint8_t>& inner, SurroundCounts& counts);
 
-/// The edge of the finest cells of thinned clouds, input units: as wide as all but the smallest lists. 0 if hardly any
-/// list is to be replaced.
-float finestCells(SurroundCounts counts);
+/// How a cloud is thinned, and whether for its lists, too.
+struct Thinning {
+    float finest_cells = 0;      ///< edge, input units: as wide as all but the smallest lists; 0: no thinned clouds
+    bool replaces_lists = false; ///< false: hardly any list is to be replaced
+};
+Thinning thinningOf(SurroundCounts counts);
 
 /// Replaces the lists of points whose nearest neighbours do not surround them because they are on a line, as in the
 /// sweep of a lidar, or in a clump, as in merged frames of a sensor that stood still. The nearer half stays, the other

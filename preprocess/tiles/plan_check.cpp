@@ -47,7 +47,7 @@ std::string findPlanFault(const SetPlan& plan) {
     if (!statistics.noise.empty() && statistics.noise.size() != plan.scans.size())
         return "noise does not match the scans";
     if (statistics.common_reach && !(*statistics.common_reach >= 0)) return "invalid common_reach";
-    if (statistics.finest_cells && !(*statistics.finest_cells >= 0)) return "invalid finest_cells";
+    if (statistics.thinning && !(statistics.thinning->finest_cells >= 0)) return "invalid finest_cells";
     if (statistics.radius_limit && !(*statistics.radius_limit > 0)) return "invalid radius_limit";
     return "";
 }

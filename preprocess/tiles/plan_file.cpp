@@ -267,15 +267,28 @@ std::optional<Value> takeMaybe(const OrderedJson& json, const char* name) {
     return json.at(name).is_null() ? std::nullopt : std::optional<Value>(take<Value>(json, name));
 }
 
+std::optional<float> finestCells(const CloudStatistics& statistics) {
+    return statistics.thinning ? std::optional(statistics.thinning->finest_cells) : std::nullopt;
+}
+
+std::optional<surface::Thinning> thinningIn(const OrderedJson& json) {
+    const auto finest_cells = takeMaybe<float>(json, "finest_cells");
+    if (!finest_cells) return std::nullopt;
+    return surface::Thinning{*finest_cells, take<bool>(json, "replaces_lists")};
+}
+
 /// Empty before the statistics are measured.
 CloudStatistics readStatistics(const std::string& work) {
     std::ifstream stream(statisticsFile(work));
     if (!stream) return {};
     const OrderedJson json = OrderedJson::parse(stream);
-    return {json.at("noise").get<std::vector<float>>(),  takeMaybe<bool>(json, "scattered"),
-            takeMaybe<std::uint32_t>(json, "fill_rows"), takeMaybe<float>(json, "radius_limit"),
-            takeMaybe<float>(json, "common_reach"),      json.value("volume", false),
-            takeMaybe<float>(json, "finest_cells")};
+    return {json.at("noise").get<std::vector<float>>(),
+            takeMaybe<bool>(json, "scattered"),
+            takeMaybe<std::uint32_t>(json, "fill_rows"),
+            takeMaybe<float>(json, "radius_limit"),
+            takeMaybe<float>(json, "common_reach"),
+            json.value("volume", false),
+            thinningIn(json)};
 }
 
 void requireSame(bool same, const std::string& path) {
@@ -314,7 +327,8 @@ void writeStatistics(const SetPlan& plan, const CloudStatistics& statistics) {
                               {"radius_limit", jsonOf(statistics.radius_limit)},
                               {"common_reach", jsonOf(statistics.common_reach)},
                               {"volume", statistics.volume},
-                              {"finest_cells", jsonOf(statistics.finest_cells)}};
+                              {"finest_cells", jsonOf(finestCells(statistics))},
+                              {"replaces_lists", statistics.thinning && statistics.thinning->replaces_lists}};
     writeWhole(statisticsFile(plan.work), json.dump() + "\n");
 }
 

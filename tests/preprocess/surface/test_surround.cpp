@@ -26,7 +26,9 @@ struct SurroundedShape {
         lists = findNeighbors(points, search, 16, {kQuiet, "test"});
         SurroundCounts counts;
         countUnsurrounded(lists, points, search, std::vector<std::uint8_t>(points.size(), 1), counts);
-        const float finest_cells = std::ldexp(finestCells(counts), -points.scale_exponent);
+        const Thinning thinning = thinningOf(counts);
+        if (!thinning.replaces_lists) return;
+        const float finest_cells = std::ldexp(thinning.finest_cells, -points.scale_exponent);
         surroundNeighborhoods(lists, points, finest_cells, {kQuiet, "test"});
     }
     double shareReplaced() const {
