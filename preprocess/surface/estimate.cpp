@@ -47,8 +47,7 @@ std::optional<float> inPoints(const PointSet& points, const std::optional<float>
 
 void removeOutliers(PointGraph& graph, const Estimation& job) {
     const auto common_reach = inPoints(graph.points, job.decided.statistics.common_reach);
-    const float finest_cells = *inPoints(graph.points, job.thinning.finest_cells);
-    const std::vector<std::uint8_t> keep = flagInliers(graph.points, graph.lists, common_reach, finest_cells);
+    const std::vector<std::uint8_t> keep = flagInliers(graph.points, graph.lists, common_reach);
     job.report.outliers_removed = std::size_t(std::count(keep.begin(), keep.end(), 0));
     if (job.report.outliers_removed > 0) graph.keepAndRefit(keep);
 }

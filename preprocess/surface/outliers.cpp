@@ -102,9 +102,12 @@ bool isOutlier(const OutlierJob& job, std::size_t point) {
     return false;
 }
 
-/// Representatives around a point that may lie between them, and levels to try: cells of half the distance to the k-th
-/// neighbour, and twice as wide each time.
-constexpr std::size_t kAround = 24, kSparseLevels = 2;
+/// Representatives around a point that may lie between them, of cells of half the distance to the k-th neighbour: wider
+/// ones would reach beyond the halos of tiles.
+constexpr std::size_t kAround = 24;
+/// Edge of the finest cells over the distance of floaters: an eighth of the reach that 95% of the points have. Sparse
+/// samples have more, and tiles know it as well as the whole.
+constexpr float kFinestShare = 1.0f / 32;
 /// Of representatives around a sparse sample of a surface, so few are on one side at least, even at a border: half of
 /// those at a straight border, but for chance.
 constexpr std::size_t kFewOnASide = 3;
@@ -136,25 +139,23 @@ bool liesAmong(const PointSet& points, std::span<const std::uint32_t> around, st
 bool isOnSparseSurface(const OutlierJob& job, const ThinnedCloud& thinned, std::size_t point) {
     std::array<std::uint32_t, kAround + 1> found;
     std::array<float, kAround + 1> squared;
-    const std::size_t first = thinned.levelFor(job.distances[point] / 2);
-    for (std::size_t number = first; number < std::min(first + kSparseLevels, thinned.levelCount()); ++number) {
-        const ThinnedLevel& level = thinned.level(number);
-        const std::size_t count = level.search.nearest(job.points.positions[point], found, squared);
-        std::vector<std::uint32_t> around;
-        for (std::size_t i = 0; i < count; ++i)
-            if (level.points[found[i]] != point) around.push_back(level.points[found[i]]);
-        if (around.size() >= kAround && liesAmong(job.points, around, point)) return true;
-    }
-    return false;
+    const std::size_t number = thinned.levelFor(job.distances[point] / 2);
+    if (number == thinned.levelCount()) return false;
+    const ThinnedLevel& level = thinned.level(number);
+    const std::size_t count = level.search.nearest(job.points.positions[point], found, squared);
+    std::vector<std::uint32_t> around;
+    for (std::size_t i = 0; i < count; ++i)
+        if (level.points[found[i]] != point) around.push_back(level.points[found[i]]);
+    return around.size() >= kAround && liesAmong(job.points, around, point);
 }
 
 /// Spares samples of sparse parts among the outliers.
-void spareSparseSurfaces(const OutlierJob& job, float finest_cells, std::vector<std::uint8_t>& keep) {
+void spareSparseSurfaces(const OutlierJob& job, std::vector<std::uint8_t>& keep) {
     std::vector<std::uint32_t> outliers;
     for (std::size_t i = 0; i < keep.size(); ++i)
         if (!keep[i] && !isFloater(job, i)) outliers.push_back(std::uint32_t(i));
     if (outliers.empty()) return;
-    const ThinnedCloud thinned(job.points, finest_cells);
+    const ThinnedCloud thinned(job.points, kFinestShare * job.floater_distance);
     tbb::parallel_for(std::size_t(0), outliers.size(),
                       [&](std::size_t i) { keep[outliers[i]] = isOnSparseSurface(job, thinned, outliers[i]); });
 }
@@ -162,7 +163,7 @@ void spareSparseSurfaces(const OutlierJob& job, float finest_cells, std::vector<
 } // namespace
 
 std::vector<std::uint8_t> flagInliers(const PointSet& points, const NeighborLists& lists,
-                                      std::optional<float> common_reach, float finest_cells) {
+                                      std::optional<float> common_reach) {
     std::vector<std::uint8_t> keep(points.size(), 1);
     if (!common_reach && points.size() < kMinPointsForOutliers) return keep;
     OutlierJob job{points, lists, std::vector<float>(points.size())};
@@ -170,7 +171,7 @@ std::vector<std::uint8_t> flagInliers(const PointSet& points, const NeighborList
                       [&](std::size_t i) { job.distances[i] = lists.radius(points, i); });
     job.floater_distance = kFarTimes * (common_reach ? *common_reach : commonReach(job.distances));
     tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) { keep[i] = !isOutlier(job, i); });
-    if (finest_cells > 0) spareSparseSurfaces(job, finest_cells, keep);
+    spareSparseSurfaces(job, keep);
     // If most points seem to be outliers, the sampling is sparse; floaters of a larger cloud go all the same.
     if (std::size_t(std::count(keep.begin(), keep.end(), 1)) < points.size() / 2)
         for (std::size_t i = 0; i < keep.size(); ++i) keep[i] = !(common_reach && isFloater(job, i));

@@ -26,9 +26,8 @@ constexpr std::size_t kMinPointsForOutliers = 1000;
 /// if it is a floater. Keeps all points of clouds of fewer than kMinPointsForOutliers points, and if more than half
 /// would go. Neither holds for a part of a larger cloud: floaters go in any case. lists must be of nearest neighbours.
 /// @param common_reach commonReach of the larger cloud, if the points are a part of one
-/// @param finest_cells as of surroundNeighborhoods; 0: there are no such sparse parts
 std::vector<std::uint8_t> flagInliers(const PointSet& points, const NeighborLists& lists,
-                                      std::optional<float> common_reach = {}, float finest_cells = 0);
+                                      std::optional<float> common_reach = {});
 
 /// The 95% quantile of the points' distances to their k-th neighbour (at least one).
 float commonReach(std::vector<float> distances);

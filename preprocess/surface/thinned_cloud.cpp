@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <span>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
@@ -27,85 +27,75 @@ constexpr std::size_t kFewestCells = 64;
 constexpr int kCoarsestExponent = 1;
 constexpr int kFinestExponent = kCoarsestExponent + 1 - kMortonBits;
 
-/// A cell with its points' sum and the point that stands for it so far.
-struct Cell {
+/// A point with the code of its cell.
+struct Place {
     std::uint64_t code = 0;
     std::uint32_t point = 0;
-    std::uint32_t count = 1;
-    Vec3f mean = Vec3f::Zero();
+
+    bool operator<(const Place& other) const { return code != other.code ? code < other.code : point < other.point; }
 };
 
-/// Every point as a cell of its own, in the order of the cells.
-std::vector<Cell> cellsOf(const PointSet& points, int exponent) {
+/// All points in the order of the cells.
+std::vector<Place> placesOf(const PointSet& points, int exponent) {
     Vec3f low = points.positions.front();
     for (const Vec3f& position : points.positions) low = low.cwiseMin(position);
     const double coarsest = std::ldexp(1.0, kCoarsestExponent), inverse = std::ldexp(1.0, -exponent);
     const Vec3d base = (low.cast<double>() / coarsest).array().floor().matrix() * coarsest;
-    std::vector<Cell> cells(points.size());
+    std::vector<Place> places(points.size());
     tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) {
         const Vec3d place = (points.positions[i].cast<double>() - base) * inverse;
-        cells[i] = {mortonCode(std::uint64_t(place.x()), std::uint64_t(place.y()), std::uint64_t(place.z())),
-                    std::uint32_t(i), 1, points.positions[i]};
+        places[i] = {mortonCode(std::uint64_t(place.x()), std::uint64_t(place.y()), std::uint64_t(place.z())),
+                     std::uint32_t(i)};
     });
-    const auto before = [](const Cell& a, const Cell& b) {
-        return a.code != b.code ? a.code < b.code : a.point < b.point;
-    };
-    if (!std::is_sorted(cells.begin(), cells.end(), before)) tbb::parallel_sort(cells.begin(), cells.end(), before);
-    return cells;
+    if (!std::is_sorted(places.begin(), places.end())) tbb::parallel_sort(places.begin(), places.end());
+    return places;
 }
 
-/// One cell for all those in a range.
-Cell merged(const Cell* first, const Cell* last, const std::vector<Vec3f>& positions) {
-    Cell whole = *first;
-    if (last - first == 1) return whole;
+/// The begins of runs of equal codes, and the end of the last one.
+std::vector<std::uint32_t> cellsIn(const std::vector<Place>& places) {
+    std::vector<std::uint32_t> first;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        if (i == 0 || places[i].code != places[i - 1].code) first.push_back(std::uint32_t(i));
+    first.push_back(std::uint32_t(places.size()));
+    return first;
+}
+
+/// The point nearest to the mean of all points of a cell, so that it does not depend on the finer levels there are.
+std::uint32_t representative(std::span<const Place> cell, const std::vector<Vec3f>& positions) {
+    if (cell.size() == 1) return cell.front().point;
     Vec3d sum = Vec3d::Zero();
-    whole.count = 0;
-    for (const Cell* cell = first; cell != last; ++cell) {
-        sum += double(cell->count) * cell->mean.cast<double>();
-        whole.count += cell->count;
+    for (const Place& place : cell) sum += positions[place.point].cast<double>();
+    const Vec3f mean = (sum / double(cell.size())).cast<float>();
+    std::uint32_t best = cell.front().point;
+    for (const Place& place : cell) {
+        const float squared = squaredDistance(positions[place.point], mean),
+                    least = squaredDistance(positions[best], mean);
+        if (squared < least || (squared == least && place.point < best)) best = place.point;
     }
-    whole.mean = (sum / double(whole.count)).cast<float>();
-    float nearest = std::numeric_limits<float>::infinity();
-    for (const Cell* cell = first; cell != last; ++cell) {
-        const float squared = squaredDistance(positions[cell->point], whole.mean);
-        if (squared < nearest) nearest = squared, whole.point = cell->point;
-    }
-    return whole;
+    return best;
 }
 
-/// Merges the cells of equal codes, which follow each other.
-std::vector<Cell> mergeEqual(const std::vector<Cell>& cells, const std::vector<Vec3f>& positions) {
-    std::vector<Cell> merged_cells;
-    for (std::size_t begin = 0, end = 0; begin < cells.size(); begin = end) {
-        while (end < cells.size() && cells[end].code == cells[begin].code) ++end;
-        merged_cells.push_back(merged(&cells[begin], cells.data() + end, positions));
-    }
-    return merged_cells;
-}
-
-ThinnedLevel levelOf(const std::vector<Cell>& cells, const std::vector<Vec3f>& positions, int exponent) {
-    std::vector<std::uint32_t> points, first{0};
-    std::vector<Vec3f> places;
-    for (const Cell& cell : cells) {
-        points.push_back(cell.point);
-        first.push_back(first.back() + cell.count);
-        places.push_back(positions[cell.point]);
-    }
-    NearestSearch search(places); // its memory moves along
-    return {std::ldexp(1.0f, exponent), std::move(points), std::move(first), std::move(places), std::move(search)};
+ThinnedLevel levelOf(const std::vector<Place>& places, const std::vector<Vec3f>& positions, int exponent) {
+    std::vector<std::uint32_t> first = cellsIn(places), points(first.size() - 1);
+    std::vector<Vec3f> middles(points.size());
+    tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) {
+        points[i] = representative({&places[first[i]], first[i + 1] - first[i]}, positions);
+        middles[i] = positions[points[i]];
+    });
+    NearestSearch search(middles); // its memory moves along
+    return {std::ldexp(1.0f, exponent), std::move(points), std::move(first), std::move(middles), std::move(search)};
 }
 
 } // namespace
 
 ThinnedCloud::ThinnedCloud(const PointSet& points, float finest) {
     int exponent = std::clamp(std::ilogb(finest), kFinestExponent, kCoarsestExponent);
-    std::vector<Cell> cells = cellsOf(points, exponent);
-    for (const Cell& cell : cells) order_.push_back(cell.point);
+    std::vector<Place> places = placesOf(points, exponent);
+    for (const Place& place : places) order_.push_back(place.point);
     for (; exponent <= kCoarsestExponent; ++exponent) {
-        cells = mergeEqual(cells, points.positions);
-        levels_.push_back(levelOf(cells, points.positions, exponent));
-        if (cells.size() < kFewestRepresentatives) return;
-        for (Cell& cell : cells) cell.code >>= 3;
+        levels_.push_back(levelOf(places, points.positions, exponent));
+        if (levels_.back().points.size() < kFewestRepresentatives) return;
+        for (Place& place : places) place.code >>= 3;
     }
 }
 

@@ -178,7 +178,7 @@ TEST(Outliers, SparseSurfaceAroundClumpsStays) {
     }
     SurfaceReport report;
     estimateSplats(shape.cloud(), {}, report);
-    EXPECT_LT(report.outliers_removed, 30u); // measured: 20
+    EXPECT_LT(report.outliers_removed, 75u); // 1.5% of the sparse points; without the rule hundreds
 }
 
 TEST(Outliers, SparseRoundSurfaceBesideDenseOneStays) {
