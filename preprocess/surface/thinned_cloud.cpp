@@ -28,46 +28,48 @@ constexpr int kCoarsestExponent = 1;
 constexpr int kFinestExponent = kCoarsestExponent + 1 - kMortonBits;
 
 /// A point with the code of its cell.
-struct Place {
+struct CodedPoint {
     std::uint64_t code = 0;
     std::uint32_t point = 0;
 
-    bool operator<(const Place& other) const { return code != other.code ? code < other.code : point < other.point; }
+    bool operator<(const CodedPoint& other) const {
+        return code != other.code ? code < other.code : point < other.point;
+    }
 };
 
 /// All points in the order of the cells.
-std::vector<Place> placesOf(const PointSet& points, int exponent) {
+std::vector<CodedPoint> codedPoints(const PointSet& points, int exponent) {
     Vec3f low = points.positions.front();
     for (const Vec3f& position : points.positions) low = low.cwiseMin(position);
     const double coarsest = std::ldexp(1.0, kCoarsestExponent), inverse = std::ldexp(1.0, -exponent);
     const Vec3d base = (low.cast<double>() / coarsest).array().floor().matrix() * coarsest;
-    std::vector<Place> places(points.size());
+    std::vector<CodedPoint> coded(points.size());
     tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) {
         const Vec3d place = (points.positions[i].cast<double>() - base) * inverse;
-        places[i] = {mortonCode(std::uint64_t(place.x()), std::uint64_t(place.y()), std::uint64_t(place.z())),
-                     std::uint32_t(i)};
+        coded[i] = {mortonCode(std::uint64_t(place.x()), std::uint64_t(place.y()), std::uint64_t(place.z())),
+                    std::uint32_t(i)};
     });
-    if (!std::is_sorted(places.begin(), places.end())) tbb::parallel_sort(places.begin(), places.end());
-    return places;
+    if (!std::is_sorted(coded.begin(), coded.end())) tbb::parallel_sort(coded.begin(), coded.end());
+    return coded;
 }
 
 /// The begins of runs of equal codes, and the end of the last one.
-std::vector<std::uint32_t> cellsIn(const std::vector<Place>& places) {
+std::vector<std::uint32_t> cellsIn(const std::vector<CodedPoint>& coded) {
     std::vector<std::uint32_t> first;
-    for (std::size_t i = 0; i < places.size(); ++i)
-        if (i == 0 || places[i].code != places[i - 1].code) first.push_back(std::uint32_t(i));
-    first.push_back(std::uint32_t(places.size()));
+    for (std::size_t i = 0; i < coded.size(); ++i)
+        if (i == 0 || coded[i].code != coded[i - 1].code) first.push_back(std::uint32_t(i));
+    first.push_back(std::uint32_t(coded.size()));
     return first;
 }
 
 /// The point nearest to the mean of all points of a cell, so that it does not depend on the finer levels there are.
-std::uint32_t representative(std::span<const Place> cell, const std::vector<Vec3f>& positions) {
+std::uint32_t representative(std::span<const CodedPoint> cell, const std::vector<Vec3f>& positions) {
     if (cell.size() == 1) return cell.front().point;
     Vec3d sum = Vec3d::Zero();
-    for (const Place& place : cell) sum += positions[place.point].cast<double>();
+    for (const CodedPoint& place : cell) sum += positions[place.point].cast<double>();
     const Vec3f mean = (sum / double(cell.size())).cast<float>();
     std::uint32_t best = cell.front().point;
-    for (const Place& place : cell) {
+    for (const CodedPoint& place : cell) {
         const float squared = squaredDistance(positions[place.point], mean),
                     least = squaredDistance(positions[best], mean);
         if (squared < least || (squared == least && place.point < best)) best = place.point;
@@ -75,11 +77,11 @@ std::uint32_t representative(std::span<const Place> cell, const std::vector<Vec3
     return best;
 }
 
-ThinnedLevel levelOf(const std::vector<Place>& places, const std::vector<Vec3f>& positions, int exponent) {
-    std::vector<std::uint32_t> first = cellsIn(places), points(first.size() - 1);
+ThinnedLevel levelOf(const std::vector<CodedPoint>& coded, const std::vector<Vec3f>& positions, int exponent) {
+    std::vector<std::uint32_t> first = cellsIn(coded), points(first.size() - 1);
     std::vector<Vec3f> middles(points.size());
     tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) {
-        points[i] = representative({&places[first[i]], first[i + 1] - first[i]}, positions);
+        points[i] = representative({&coded[first[i]], first[i + 1] - first[i]}, positions);
         middles[i] = positions[points[i]];
     });
     NearestSearch search(middles); // its memory moves along
@@ -90,12 +92,12 @@ ThinnedLevel levelOf(const std::vector<Place>& places, const std::vector<Vec3f>&
 
 ThinnedCloud::ThinnedCloud(const PointSet& points, float finest) {
     int exponent = std::clamp(std::ilogb(finest), kFinestExponent, kCoarsestExponent);
-    std::vector<Place> places = placesOf(points, exponent);
-    for (const Place& place : places) order_.push_back(place.point);
+    std::vector<CodedPoint> coded = codedPoints(points, exponent);
+    for (const CodedPoint& place : coded) order_.push_back(place.point);
     for (; exponent <= kCoarsestExponent; ++exponent) {
-        levels_.push_back(levelOf(places, points.positions, exponent));
+        levels_.push_back(levelOf(coded, points.positions, exponent));
         if (levels_.back().points.size() < kFewestRepresentatives) return;
-        for (Place& place : places) place.code >>= 3;
+        for (CodedPoint& place : coded) place.code >>= 3;
     }
 }
 
