@@ -313,18 +313,22 @@ void adopt(NeighborLists& lists, const PointSet& points, std::size_t point, cons
 }
 
 /// At a border, limits the spacing to that of the points around which are surrounded: those of other lines or clumps.
-/// If there are hardly any, the list was replaced by chance.
-void limitOpenSpacings(NeighborLists& lists, const PointSet& points) {
+/// If there are hardly any, the list was replaced by chance. Elsewhere a spacing is at most three times that of the
+/// points around: a point in the open, with dense parts around it, would become a plate.
+void limitSpacings(NeighborLists& lists, const PointSet& points) {
     constexpr std::size_t kFew = 2;
+    constexpr float kWider = 3;
     const std::vector<float> before = lists.spacings;
     const StageProgress silent;
     forEach(points.size(), {silent, ""}, [&](std::size_t i) {
-        if (!(lists.thinned[i] & kOpen)) return;
+        if (!lists.thinned[i]) return;
+        const bool open = lists.thinned[i] & kOpen;
         std::vector<float> around;
         for (const std::uint32_t other : lists.of(i).subspan(lists.denseCount()))
-            if (lists.thinned[other] && !(lists.thinned[other] & kOpen)) around.push_back(before[other]);
+            if (!open || (lists.thinned[other] && !(lists.thinned[other] & kOpen))) around.push_back(before[other]);
         const float own = spacingFromRadius(lists.distance(points, i, kClumpSize - 1), kClumpSize);
-        lists.spacings[i] = around.size() < kFew ? own : std::max(own, std::min(before[i], medianInPlace(around)));
+        const float limit = around.size() < kFew ? own : (open ? 1 : kWider) * medianInPlace(around);
+        lists.spacings[i] = std::max(own, std::min(before[i], limit));
     });
 }
 
@@ -390,7 +394,7 @@ void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, float f
     const auto kept = std::count(found_first.begin(), found_first.end(), 0);
     if (double(points.size()) - double(kept) > kShareToCount * double(points.size()))
         replaceLists(found_first, {share.progress, share.stage, share.to, share.to});
-    limitOpenSpacings(lists, points);
+    limitSpacings(lists, points);
 }
 
 } // namespace pointrt::surface
