@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "format/info/export_gaussians.h"
-#include "format/base/harmonic_degree.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
+#include "format/info/gaussian_values.h"
 #include "format/pointio/input_order.h"
 #include "format/pointio/point_file.h"
 
 namespace pointrt {
 namespace {
 
-constexpr std::size_t kGaussiansAtOnce = 16384;           // some MiB of properties
-constexpr double kConstantHarmonic = 0.28209479177387814; // 1 / (2 sqrt(pi))
+constexpr std::size_t kGaussiansAtOnce = 16384; // some MiB of properties
 
 /// Logits of 0 and 1 are not finite: opacities end a quarter of a step before them and are coded again as 0 and 1.
 constexpr double kLeastOpacity = 0.25 / double{PRO_OPACITY_STEPS};
@@ -39,23 +38,18 @@ void appendHarmonics(const ProFile& file, std::size_t index, std::vector<float>&
     const auto codes = file.harmonics(index);
     const auto count = static_cast<std::uint32_t>(codes.size() / 3);
     for (std::uint32_t color = 0; color < 3; ++color)
-        for (std::uint32_t k = 0; k < count; ++k)
-            row.push_back(static_cast<float>(codes[3 * k + color]) / PRO_HARMONIC_STEPS *
-                          file.gaussians()->harmonic_max[degreeOfHarmonic(k) - 1]);
+        for (std::uint32_t k = 0; k < count; ++k) row.push_back(harmonicValue(file, codes[3 * k + color], k));
 }
 
 void appendGaussian(const ProFile& file, std::size_t index, std::vector<float>& row) {
     const pro_gaussian gaussian = file.gaussian(index);
-    const pro_info& info = file.info();
-    for (int axis = 0; axis < 3; ++axis)
-        row.push_back(static_cast<float>(info.origin[axis] + info.scale * gaussian.mean[axis]));
+    for (int axis = 0; axis < 3; ++axis) row.push_back(static_cast<float>(inputCoordinate(file, gaussian, axis)));
     row.insert(row.end(), 3, 0.0f);
-    for (const float color : gaussian.color)
-        row.push_back(static_cast<float>((double{color} - 0.5) / kConstantHarmonic));
+    for (const float color : gaussian.color) row.push_back(static_cast<float>(constantHarmonic(color)));
     appendHarmonics(file, index, row);
     row.push_back(logitOf(gaussian.opacity));
     for (const float deviation : gaussian.deviation)
-        row.push_back(static_cast<float>(std::log(double{deviation} * info.scale)));
+        row.push_back(static_cast<float>(std::log(double{deviation} * file.info().scale)));
     row.insert(row.end(), std::begin(gaussian.rotation), std::end(gaussian.rotation));
 }
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "format/base/error.h"
-#include "format/base/harmonic_degree.h"
+#include "format/info/gaussian_values.h"
 #include "format/pointio/input_order.h"
 #include "format/pointio/point_file.h"
 
@@ -20,8 +20,7 @@ namespace {
 constexpr std::uint32_t kVersion = 3;
 /// Coordinates are signed and have 24 bits.
 constexpr int kCoordinateBits = 24;
-constexpr double kConstantHarmonic = 0.28209479177387814; // 1 / (2 sqrt(pi))
-constexpr double kColorScale = 0.15;                      // of the constant coefficient, around grey
+constexpr double kColorScale = 0.15; // of the constant coefficient, around grey
 
 struct Header {
     char magic[4] = {'N', 'G', 'S', 'P'};
@@ -82,7 +81,7 @@ struct Arrays {
 
 void appendPosition(const ProFile& file, const pro_gaussian& gaussian, const Turn& turn, int bits, Arrays& arrays) {
     for (int axis = 0; axis < 3; ++axis) {
-        const double at = file.info().origin[axis] + file.info().scale * gaussian.mean[axis];
+        const double at = inputCoordinate(file, gaussian, axis);
         const double most = std::ldexp(1.0, kCoordinateBits - 1) - 1;
         const double code = std::clamp(std::round(std::ldexp(axis > 0 ? turn.yz * at : at, bits)), -most, most);
         const auto word = static_cast<std::uint32_t>(static_cast<std::int32_t>(code));
@@ -101,10 +100,8 @@ void appendHarmonics(const ProFile& file, std::size_t index, const Turn& turn, A
     const auto codes = file.harmonics(index);
     for (std::size_t k = 0; k < codes.size() / 3; ++k)
         for (std::size_t color = 0; color < 3; ++color) {
-            const auto degree = degreeOfHarmonic(static_cast<std::uint32_t>(k));
-            const double value = static_cast<double>(codes[3 * k + color]) / PRO_HARMONIC_STEPS *
-                                 double{file.gaussians()->harmonic_max[degree - 1]} * turn.harmonics[k];
-            arrays.harmonics.push_back(byteOf(128 + 128 * value));
+            const double value = harmonicValue(file, codes[3 * k + color], static_cast<std::uint32_t>(k));
+            arrays.harmonics.push_back(byteOf(128 + 128 * turn.harmonics[k] * value));
         }
 }
 
@@ -113,7 +110,7 @@ void appendGaussian(const ProFile& file, std::size_t index, const Turn& turn, in
     appendPosition(file, gaussian, turn, bits, arrays);
     arrays.alphas.push_back(byteOf(255 * double{gaussian.opacity}));
     for (const float color : gaussian.color)
-        arrays.colors.push_back(byteOf(255 * ((double{color} - 0.5) / kConstantHarmonic * kColorScale + 0.5)));
+        arrays.colors.push_back(byteOf(255 * (kColorScale * constantHarmonic(color) + 0.5)));
     for (const float deviation : gaussian.deviation)
         arrays.scales.push_back(byteOf(16 * (std::log(double{deviation} * file.info().scale) + 10)));
     appendRotation(gaussian, turn, arrays);

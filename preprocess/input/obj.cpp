@@ -95,7 +95,7 @@ std::uint32_t resolve(const InputFile& input, const char* place, std::string_vie
     return static_cast<std::uint32_t>(index);
 }
 
-/// "vt u [v [w]]"; what is no number counts as 0.
+/// "vt u [v [w]]"; anything but a number counts as 0.
 void addPlace(std::string_view line, Model& model) {
     double values[2] = {};
     for (double& value : values)

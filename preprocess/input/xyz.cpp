@@ -90,7 +90,7 @@ bool endsWithin(RowReader& reader, std::string_view line, std::uint64_t rows, st
 }
 
 /// Calls use() for each point, whose values are in the reader, until it returns false. Returns the sum of the count
-/// lines, 0 if there are none.
+/// lines; 0 in a file without them.
 template <typename Use>
 std::uint64_t forEachRow(RowReader& reader, Use&& use) {
     const Layout& layout = reader.layout;

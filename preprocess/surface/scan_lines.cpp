@@ -84,7 +84,7 @@ bool liesIn(const PointGraph& graph, std::size_t point, const Vec3f& origin, con
     });
 }
 
-/// Whether the line goes on for half the gap on one side at least: a clump of points may be as narrow as a line, and
+/// Whether the line continues for at least half the gap on one side. A clump of points may be as narrow as a line, and
 /// the next clump as far away as the next line.
 bool goesOn(const PointGraph& graph, const LineFrame& frame, float gap) {
     std::array<std::uint32_t, 1> found;

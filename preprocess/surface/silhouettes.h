@@ -9,13 +9,16 @@
 
 namespace pointrt {
 
-/// [points of the cloud], 1 for samples at a silhouette. Of a near scanner, a station: mixed pixels, from which the
-/// surface steps forward on one side and back on the other; thin things and rims that it saw stay. Of a distant or
-/// unknown one: samples beside an empty cell (unless a depth camera measured the point, Cloud::noise), or from which
-/// the surface recedes 6 times as far along the line of sight as it extends across it; in range scans of the Stanford
-/// Dragon, such samples are 0.23 to 0.47 mm outside the surface, others less than 0.15. Not a silhouette: the frame of
-/// a grid, and a neighbour that was left out. Flags none of a grid if it would be more than half, as its cells are too
-/// far apart. Empty if no sample is flagged.
+/// [points of the cloud], 1 for samples at a silhouette.
+///   - If the scanner was near (a station), only mixed pixels: the surface steps forward on one side of them and back
+///   on
+///     the other. Thin objects and rims that it saw are not flagged.
+///   - If it was far away or is unknown, samples beside an empty cell (unless a depth camera measured the point,
+///     Cloud::noise), and those from which the surface recedes 6 times as far along the line of sight as it extends
+///     across it. In range scans of the Stanford Dragon these are 0.23 to 0.47 mm outside the surface, others less than
+///     0.15.
+/// Neither the frame of a grid nor a neighbour that was left out makes a silhouette. If more than half of a grid would
+/// be flagged, its cells are too far apart, and none is. Empty if no sample is flagged.
 std::vector<std::uint8_t> flagSilhouettes(const Cloud& cloud);
 
 } // namespace pointrt

@@ -28,7 +28,7 @@ public:
 
     std::size_t levelCount() const { return levels_.size(); }
     const ThinnedLevel& level(std::size_t number) const { return levels_[number]; }
-    /// The finest level whose cells are at least this wide; levelCount() if there is none.
+    /// The finest level whose cells are at least this wide; levelCount() if all are narrower.
     std::size_t levelFor(float edge) const;
 
     /// [points] bit n: the point's cell of level n has nothing around but a line at most. The 12th representative is

@@ -63,7 +63,7 @@ std::uint32_t mostListed(const std::vector<gpu::GaussianNode>& nodes) {
     return *std::max_element(listed.begin(), listed.end());
 }
 
-/// Around all ellipsoids that are not empty; the cube if there are none.
+/// The bounding box of the ellipsoids that are not empty; the unit cube if all are empty.
 CubeBox boxAround(const std::vector<GaussianEllipsoid>& ellipsoids) {
     constexpr double kFar = std::numeric_limits<double>::infinity();
     CubeBox box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};

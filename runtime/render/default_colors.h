@@ -16,7 +16,7 @@ struct DefaultColors {
     std::optional<ValueRange> range;
 };
 
-/// What scans without colour are coloured by if nobody says. Sites, which are wide ground, by height, which shows
+/// How scans without colours are coloured by default. Sites, which are wide ground, by height, which shows
 /// buildings and trees better than anything else. Other scans by intensity if that varies. Interiors without, and
 /// objects of surveying instruments, which have returns, classes or the like, by height. None for scans with colours,
 /// and for other objects, which look like clay.

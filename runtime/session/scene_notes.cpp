@@ -22,7 +22,7 @@ Number load(std::string_view bytes, std::size_t offset) {
     return number;
 }
 
-/// The contents of META, which files that are open for tracing do not show; "" if there is none.
+/// The contents of META, which files that are open for tracing do not show; "" if the file has no META.
 std::string_view metadataOf(const pro_file* file) {
     std::size_t size = 0;
     const auto* const start = static_cast<const char*>(pro_bytes(file, &size));
@@ -37,7 +37,7 @@ std::string_view metadataOf(const pro_file* file) {
     return {};
 }
 
-/// The object "world" of META; empty if there is none. Deeper values are dropped, so that a hostile file nests nothing.
+/// The object "world" of META; empty if META lacks it. Deeper values are dropped, so that a hostile file nests nothing.
 Json worldOf(std::string_view metadata) {
     constexpr int kDepth = 2;
     const auto is_shallow = [](int depth, Json::parse_event_t, Json&) { return depth <= kDepth; };

@@ -46,6 +46,11 @@ uint lightOfSample(uint number, uint path, uint bounce) {
 // Beyond the pairs of any bounce.
 #define FIRST_LIGHT_PAIR 2048u
 
+LightSample sampleAnyLight(Light light, vec3 position, vec2 u) {
+    if (kSkyImage && lightKind(light) == LIGHT_SKY) return sampleSky(u);
+    return sampleLight(light, position, u);
+}
+
 LightSample drawLightSample(DirectLightQuery query, uint path, uint number, out Light light) {
     uint bounce = query.bounce;
     uint pair = dimensionPair(bounce, PAIR_LIGHT);
@@ -54,8 +59,7 @@ LightSample drawLightSample(DirectLightQuery query, uint path, uint number, out 
     light = loadLight(lightOfSample(number, path, bounce));
     vec2 u = sample2(imagePixel(path), push.sample_index, pair, params.seed);
     u = hasStep(STEP_PREVIEW) && lightKind(light) != LIGHT_SKY ? lightMiddle(lightKind(light)) : u;
-    if (kSkyImage && lightKind(light) == LIGHT_SKY) return sampleSky(u);
-    return sampleLight(light, query.position, u);
+    return sampleAnyLight(light, query.position, u);
 }
 
 // The shape of an area light, NO_INDEX for other lights.

@@ -16,8 +16,7 @@ vec3 irradianceUnshadowed(DirectLightQuery query, uint path, uint tested) {
         Light light = loadLight(number);
         uint pair = FIRST_LIGHT_PAIR + query.bounce * MAX_LIGHTS + number;
         vec2 u = sample2(imagePixel(path), push.sample_index, pair, params.seed);
-        LightSample to = sampleLight(light, query.position, u);
-        if (kSkyImage && lightKind(light) == LIGHT_SKY) to = sampleSky(u);
+        LightSample to = sampleAnyLight(light, query.position, u);
         sum += number != tested ? irradianceOf(query, to) : vec3(0.0);
     }
     return sum;

@@ -123,7 +123,7 @@ struct Control {
 struct GaussianLight {
     vec4 light;  // a: the share that passes from behind
     vec4 last;   // x: t of the last Gaussian added, kWalkEnded if no more come; y: its number
-    vec4 middle; // behind which less than half passes: its normal, and t in render space, kWalkEnded if there is none
+    vec4 middle; // behind which less than half passes: its normal, and t in render space; kWalkEnded if more passes
 };
 
 // The boxes of a cull group, which rays are tested against before they are intersected with the instances inside.
