@@ -17,6 +17,9 @@ void StatisticsSampler::add(const SurfaceReport& report, const Splats& splats) {
     surround_.sampled += more.sampled;
     surround_.unsurrounded += more.unsurrounded;
     surround_.isolated += more.isolated;
+    surround_.probed += more.probed;
+    surround_.noisy += more.noisy;
+    surround_.at_gaps += more.at_gaps;
     surround_.reaches.insert(surround_.reaches.end(), more.reaches.begin(), more.reaches.end());
 }
 

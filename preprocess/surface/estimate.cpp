@@ -54,7 +54,9 @@ void removeOutliers(PointGraph& graph, const Estimation& job) {
 
 void surround(PointGraph& graph, const Estimation& job, const StageShare& share) {
     if (!job.thinning.replaces_lists) return share.report(1);
-    surroundNeighborhoods(graph.lists, graph.points, *inPoints(graph.points, job.thinning.finest_cells), share);
+    Thinning thinning = job.thinning;
+    thinning.finest_cells = *inPoints(graph.points, thinning.finest_cells);
+    surroundNeighborhoods(graph.lists, graph.points, thinning, share);
 }
 
 /// [points] SurfaceDecisions::inner
@@ -64,6 +66,10 @@ std::vector<std::uint8_t> innerOf(const PointSet& points, const SurfaceDecisions
         inner[i] = decided.inner[points.input_index[i]];
     return inner;
 }
+
+/// In clouds of fewer points, neighbourhoods may be as wide as parts of an object (balls.cpp): what seems to be noise
+/// or a gap is shape.
+constexpr std::size_t kFewForBlur = 5000;
 
 /// Finds the neighbours of all points, removes outliers, and sets the thinning.
 void connect(PointGraph& graph, Estimation& job) {
@@ -75,6 +81,7 @@ void connect(PointGraph& graph, Estimation& job) {
         countUnsurrounded(graph.lists, graph.points, *graph.search, innerOf(graph.points, job.decided),
                           job.report.surround);
     job.thinning = decided ? *decided : thinningOf(job.report.surround);
+    if (!decided && graph.points.size() < kFewForBlur) job.thinning.is_noisy = job.thinning.has_gaps = false;
     if (job.options.remove_outliers) removeOutliers(graph, job);
     surround(graph, job, {job.progress, kNeighborStage, kSearch, 1});
 }
@@ -196,11 +203,24 @@ std::vector<std::uint32_t> fill(PointGraph& graph, std::size_t cloud_count, cons
     return sources;
 }
 
+/// The reach of sparse points: beyond that of 95% of the points, and far beyond that of the densest, which in even
+/// samplings none is.
+float sparseReach(const PointGraph& graph, const Estimation& job) {
+    constexpr float kFarBeyond = 6; // raw range scans: 4 at most, by overlap
+    const float dense = *inPoints(graph.points, job.thinning.finest_cells);
+    if (const auto decided = inPoints(graph.points, job.decided.statistics.common_reach))
+        return std::max(*decided, kFarBeyond * dense);
+    std::vector<float> distances(graph.points.size());
+    const StageProgress silent;
+    forEach(distances.size(), {silent, ""}, [&](std::size_t i) { distances[i] = graph.lists.radius(graph.points, i); });
+    return std::max(commonReach(std::move(distances)), kFarBeyond * dense);
+}
+
 /// @param filled number of points inserted by fill
 void setRadii(PointGraph& graph, std::size_t filled, bool oriented, const Estimation& job) {
     PointSet& points = graph.points;
     computeRadii(graph, oriented, {job.progress, kRadiusStage, kFillShare, 1});
-    shrinkPlates(graph);
+    shrinkPlates(graph, sparseReach(graph, job));
     shrinkSmoothed(points);
     limitRadii(points.radii, inPoints(points, job.decided.statistics.radius_limit));
     job.report.seen_through = clearSightlines(graph, points.size() - filled, {job.progress, kRadiusStage, 1, 1});

@@ -69,6 +69,7 @@ enum ListFlag : std::uint8_t {
     kThinned = 1,
     kOpen = 2,  ///< at a border: they leave a side open
     kClump = 4, ///< the nearest are in a clump, not on a line
+    kAtGap = 8, ///< the nearest are on one side, the others all around: beyond a gap of the sampling
 };
 
 /// The k neighbours of every point, nearest first, without the point itself.

@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <tbb/parallel_for.h>
+#include <utility>
 
 #include "preprocess/cloud/median.h"
 #include "preprocess/surface/plane_fit.h"
@@ -73,6 +75,7 @@ struct TangentPlane {
 /// between, which counting shows without the median.
 float clampedSpacing(const NeighborLists& lists, std::size_t point, std::vector<float>& others) {
     const float own = lists.spacings[point];
+    if (lists.thinned[point] & kAtGap) return own;
     others.clear();
     for (const std::uint32_t neighbor : lists.of(point)) others.push_back(lists.spacings[neighbor]);
     std::size_t not_above = 0, far_below = 0;
@@ -221,6 +224,61 @@ float discRadius(const RadiusJob& job, std::size_t point, VoronoiCell& cell, std
     return isInIsolatedGroup(job, point) ? std::min(held, kOverlap * half_way) : held;
 }
 
+/// The radius of a point, or the median of its neighbours' if it is much wider than most of those and they are in no
+/// plane.
+float unevenRadius(const PointGraph& graph, const std::vector<float>& radii, std::size_t point) {
+    // In 99 of 100 places, radii are at most 1.6 times the median of their neighbours' in raw range scans, 1.4 times in
+    // airborne surveys of houses; half of those above 10 cm in trees of 10 m are 2.4 times. Only where neighbours are a
+    // tenth of the neighbourhood's radius off the plane: a surface has such radii, too, at a change of density.
+    constexpr float kPlate = 1.7f, kUneven = 0.1f;
+    const auto neighbors = graph.lists.of(point);
+    const auto narrow = std::count_if(neighbors.begin(), neighbors.end(),
+                                      [&](std::uint32_t other) { return kPlate * radii[other] < radii[point]; });
+    if (2 * std::size_t(narrow) <= neighbors.size()) return radii[point];
+    if (heightOver(graph.points, graph.lists, point) <= kUneven * graph.lists.radius(graph.points, point))
+        return radii[point];
+    std::vector<float> around;
+    for (const std::uint32_t neighbor : neighbors) around.push_back(radii[neighbor]);
+    return medianInPlace(around);
+}
+
+/// Whether the points on a list surround their point in its tangent plane: no angle of 150 degrees is empty. At a
+/// border, half a turn is; of 16 random points around, one list in 1,000 has such a gap.
+bool isSurrounded(const PointGraph& graph, std::size_t point) {
+    constexpr float kTurn = 2 * std::numbers::pi_v<float>, kWidest = kTurn * 150 / 360;
+    const TangentPlane plane(graph.points.positions[point], graph.points.normals[point]);
+    std::vector<float> angles;
+    for (const std::uint32_t other : graph.lists.of(point)) {
+        const Eigen::Vector2f place = plane.project(graph.points.positions[other] - plane.origin);
+        angles.push_back(std::atan2(place.y(), place.x()));
+    }
+    std::sort(angles.begin(), angles.end());
+    float before = angles.back() - kTurn, widest = 0;
+    for (const float angle : angles) widest = std::max(widest, angle - std::exchange(before, angle));
+    return widest < kWidest;
+}
+
+/// The radius of a point, or a smaller one if no plane through its neighbours justifies it.
+float unprovenRadius(const PointGraph& graph, float radius, float sparse_reach, std::size_t point) {
+    // Radii are at most 1.65 times the distance to the sixth neighbour for nine in ten points of sparse scans of all
+    // kinds, and 3 to 6 times for the plates among them.
+    constexpr std::size_t kSixth = 6;
+    constexpr float kWide = 2.5f, kWideHeight = 0.5f, kWideUneven = 0.1f;
+    // Neighbours of strays are 0.24 radii of their neighbourhood off its plane in maps of moving lidars, 0.4 in sparse
+    // reconstructions.
+    constexpr float kSparseHeight = 0.07f;
+    const NeighborLists& lists = graph.lists;
+    if (lists.k < kSixth || (lists.thinned[point] & kClump)) return radius; // distances within clumps tell nothing
+    const float sixth = lists.distance(graph.points, point, kSixth - 1), reach = lists.radius(graph.points, point);
+    const bool wide = radius > kWide * sixth, sparse = reach > sparse_reach;
+    if (!wide && !sparse) return radius;
+    const float height = heightOver(graph.points, lists, point);
+    if (wide && height > std::max(kWideHeight * sixth, kWideUneven * reach)) radius = kOverlap * sixth;
+    if (!sparse || (height <= kSparseHeight * reach && isSurrounded(graph, point))) return radius;
+    const float half_way = lists.distance(graph.points, point, 1) / 2;
+    return std::max(std::min({radius, kOverlap * half_way, spacingFromRadius(sparse_reach, lists.k)}), kMinRadius);
+}
+
 } // namespace
 
 void computeRadii(PointGraph& graph, bool oriented, const StageShare& share) {
@@ -234,22 +292,11 @@ void computeRadii(PointGraph& graph, bool oriented, const StageShare& share) {
     });
 }
 
-void shrinkPlates(PointGraph& graph) {
-    // In 99 of 100 places, radii are at most 1.6 times the median of their neighbours' in raw range scans, 1.4 times in
-    // airborne surveys of houses; half of those above 10 cm in trees of 10 m are 2.4 times. Only where neighbours are a
-    // tenth of the neighbourhood's radius off the plane: a surface has such radii, too, at a change of density.
-    constexpr float kPlate = 1.7f, kUneven = 0.1f;
+void shrinkPlates(PointGraph& graph, float sparse_reach) {
     std::vector<float>& radii = graph.points.radii;
     const std::vector<float> before = radii;
     tbb::parallel_for(std::size_t(0), radii.size(), [&](std::size_t i) {
-        const auto neighbors = graph.lists.of(i);
-        const auto narrow = std::count_if(neighbors.begin(), neighbors.end(),
-                                          [&](std::uint32_t other) { return kPlate * before[other] < before[i]; });
-        if (2 * std::size_t(narrow) <= neighbors.size()) return;
-        if (heightOver(graph.points, graph.lists, i) <= kUneven * graph.lists.radius(graph.points, i)) return;
-        std::vector<float> around;
-        for (const std::uint32_t neighbor : neighbors) around.push_back(before[neighbor]);
-        radii[i] = medianInPlace(around);
+        radii[i] = std::min(unevenRadius(graph, before, i), unprovenRadius(graph, before[i], sparse_reach, i));
     });
 }
 

@@ -22,8 +22,10 @@ void computeRadii(PointGraph& graph, bool oriented, const StageShare& share);
 void shrinkSmoothed(PointSet& points);
 
 /// Shrinks discs much wider than those around them if their neighbours are in no plane: in crowns and hedges, at edges
-/// and among outliers they look like plates between closely sampled parts.
-void shrinkPlates(PointGraph& graph);
+/// and among outliers they look like plates between closely sampled parts. So do discs much wider than the distances
+/// between neighbours that are in no plane, and those of sparse points, unless neighbours in a plane surround them.
+/// @param sparse_reach distance to the k-th neighbour beyond which a point is sparse, unit of the points
+void shrinkPlates(PointGraph& graph, float sparse_reach);
 
 /// Shrinks the few radii far above all others. Isolated points are each other's neighbours, and no local rule tells
 /// their spacing from a surface's: their discs would be sails in the picture.

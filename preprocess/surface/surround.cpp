@@ -33,6 +33,14 @@ constexpr std::size_t kPartForElongated = 8, kPartForAny = 4;
 /// two thirds of their radius. Lines are sparser than clumps, so that their surroundings are less flat for the same
 /// reason.
 constexpr float kFlatAroundLine = 0.1f, kFlatAroundClump = 0.2f;
+
+/// In noisy clouds, neighbours are in no plane above this misfit: the normal of 16 is then off by about
+/// sqrt(0.1 / 16), 5 degrees.
+constexpr float kInNoPlane = 0.1f;
+/// Points around in noise are searched up to the level at which the misfit falls below this: normals of 24 are then off
+/// by about sqrt(0.05 / 24), 3 degrees. Over four levels, for noise of up to 8 list radii.
+constexpr float kFlatInNoise = 0.05f;
+constexpr std::size_t kNoiseLevels = 4;
 /// At edges and in corners of rooms it is 0.25 to 0.45. That will do, and so will a border, if so many of the points
 /// around have found such a surface.
 constexpr float kCorner = 0.5f;
@@ -68,7 +76,9 @@ enum class Suspicion : std::uint8_t {
     kMaybeLine, ///< they may be on a line
     kOnLine,    ///< they are on a line
     kInClump,   ///< most are in a clump, the others far away
-    kAlone      ///< they are in a clump or a thick line, however many they are
+    kAlone,     ///< they are in a clump or a thick line, however many they are
+    kInNoise,   ///< they are in no plane, in a noisy cloud
+    kOnOneSide  ///< they leave half of the plane empty
 };
 
 /// Whether (b + c) a / (a + b + c)^2 is below a limit; avoids an eigenvalue solver.
@@ -114,6 +124,7 @@ struct Around {
     float widest_gap = 0;            ///< angle
     std::vector<std::uint32_t> near; ///< nearest first; those in different directions before the others
     float reach = 0;                 ///< distance within which they leave no wider gap
+    bool keeps_spacing = false;      ///< their distance does not tell how wide discs must be
 };
 
 struct Direction {
@@ -203,6 +214,8 @@ struct SurroundSearch {
     bool isAmongFound(std::size_t point, bool maybe) const;
     SurroundPlan plan(std::size_t point) const;
     std::optional<Around> surround(std::size_t point);
+    std::optional<Around> surroundInNoise(std::size_t point, const SurroundPlan& plan);
+    std::optional<Around> acrossGap(std::size_t point, const SurroundPlan& plan);
 };
 
 /// Other points around a point, without those nearer than `least`, whose directions are noise.
@@ -262,17 +275,59 @@ bool SurroundSearch::isAmongFound(std::size_t point, bool maybe) const {
 SurroundPlan SurroundSearch::plan(std::size_t point) const {
     const float radius = lists.radius(points, point);
     const Suspicion own = suspicions[point];
+    if (own == Suspicion::kInNoise) return {own, thinned.levelFor(radius), radius};
+    const auto orGap = [&](const SurroundPlan& other) {
+        if (other.suspicion == Suspicion::kUnsuspected && own == Suspicion::kOnOneSide)
+            return SurroundPlan{own, thinned.levelFor(radius), radius};
+        return other;
+    };
     if (const auto level = isolatedLevel(point); level && own != Suspicion::kOnLine)
         return {Suspicion::kAlone, *level, radius};
-    if (own >= Suspicion::kOnLine) return {own, thinned.levelFor(radius / 2), 0};
-    if (!isAmongFound(point, own == Suspicion::kMaybeLine)) return {};
+    if (own >= Suspicion::kOnLine && own != Suspicion::kOnOneSide) return {own, thinned.levelFor(radius / 2), 0};
+    if (!isAmongFound(point, own == Suspicion::kMaybeLine)) return orGap({});
     return {Suspicion::kOnLine, thinned.levelFor(radius), radius};
+}
+
+/// The points that surround a point at the scale that its noise allows.
+std::optional<Around> SurroundSearch::surroundInNoise(std::size_t point, const SurroundPlan& plan) {
+    std::optional<Around> best;
+    const std::size_t end = std::min(thinned.levelCount(), plan.level + kNoiseLevels);
+    for (std::size_t number = plan.level; number < end; ++number) {
+        Around around = examineLevel(thinned.level(number), point, plan.least);
+        around.flags = std::uint8_t(kThinned | kClump | (around.widest_gap < kWidestGap ? 0 : kOpen));
+        const float flat = (around.flags & kOpen) ? kInNoPlane : kFlatAroundClump;
+        if (around.near.size() < lists.k - lists.denseCount() || !(around.misfit < flat)) continue;
+        const bool closes = best && best->misfit < kFlatInNoise && (best->flags & kOpen);
+        if (closes && (around.flags & kOpen)) continue;
+        if (closes) around.flags |= kAtGap;
+        if (!best || closes || around.misfit < best->misfit) best = std::move(around);
+        if (best->misfit < kFlatInNoise && !(best->flags & kOpen)) break;
+    }
+    if (best) best->keeps_spacing = (best->flags & kOpen) && best->misfit >= kFlatInNoise;
+    return best;
+}
+
+/// The points that surround a point at the edge of a gap; nothing if it is at a border.
+std::optional<Around> SurroundSearch::acrossGap(std::size_t point, const SurroundPlan& plan) {
+    const std::size_t end = std::min(thinned.levelCount(), plan.level + kMoreLevels + 1);
+    for (std::size_t number = plan.level; number < end; ++number) {
+        Around around = examineLevel(thinned.level(number), point, plan.least);
+        if (around.near.size() < lists.k - lists.denseCount() || !(around.misfit < kFlatAroundLine) ||
+            !(around.widest_gap < kWidestGap))
+            continue;
+        around.flags = kThinned | kClump | kAtGap;
+        return around;
+    }
+    return {};
 }
 
 /// The points that surround a point, or those at a border; nothing if the nearest neighbours will do.
 std::optional<Around> SurroundSearch::surround(std::size_t point) {
-    const auto [suspicion, first_level, least] = plan(point);
+    const SurroundPlan planned = plan(point);
+    const auto [suspicion, first_level, least] = planned;
     if (suspicion == Suspicion::kUnsuspected) return {};
+    if (suspicion == Suspicion::kInNoise) return surroundInNoise(point, planned);
+    if (suspicion == Suspicion::kOnOneSide) return acrossGap(point, planned);
     const std::uint8_t flags = kThinned | (suspicion >= Suspicion::kInClump ? kClump : 0);
     const auto take = [&, suspicion = suspicion](Around& around) {
         around.flags = std::uint8_t(flags | (around.widest_gap < kWidestGap ? 0 : kOpen));
@@ -308,7 +363,7 @@ void adopt(NeighborLists& lists, const PointSet& points, std::size_t point, cons
     std::copy(chosen.begin(), chosen.end(), list);
     // Points around at a distance r, less than a third of a turn apart, bound a Voronoi cell of a radius of r at most.
     constexpr float kSpacings = 2; // in the radius of a cell, at most (kCapSpacings in radii.cpp)
-    lists.spacings[point] = std::max(lists.spacings[point], around.reach / kSpacings);
+    if (!around.keeps_spacing) lists.spacings[point] = std::max(lists.spacings[point], around.reach / kSpacings);
     lists.thinned[point] = around.flags;
 }
 
@@ -321,7 +376,7 @@ void limitSpacings(NeighborLists& lists, const PointSet& points) {
     const std::vector<float> before = lists.spacings;
     const StageProgress silent;
     forEach(points.size(), {silent, ""}, [&](std::size_t i) {
-        if (!lists.thinned[i]) return;
+        if (!lists.thinned[i] || (lists.thinned[i] & kAtGap)) return;
         const bool open = lists.thinned[i] & kOpen;
         std::vector<float> around;
         for (const std::uint32_t other : lists.of(i).subspan(lists.denseCount()))
@@ -344,6 +399,55 @@ bool isIsolated(const NeighborLists& lists, const PointSet& points, const Neares
     return nearest.within(points.positions[point], reach * reach, found) <= found.size();
 }
 
+bool isInNoPlane(const NeighborLists& lists, const PointSet& points, std::size_t point, float misfit) {
+    const float own = fitPlane(quickMoments(lists, points, point)).misfit;
+    return own > misfit && std::isfinite(own);
+}
+
+/// Whether the neighbours of a point are on one side of it: their mean is as far off as in half a disc (0.42 radii),
+/// but for chance. Of random neighbours all around, 1 list in 50 is.
+bool isOneSided(const NeighborLists& lists, const PointSet& points, std::size_t point) {
+    constexpr float kOffCenter = 0.35f;
+    return quickMoments(lists, points, point).mean.norm() > kOffCenter * lists.radius(points, point);
+}
+
+/// Whether a point is at a gap: its neighbours are on one side, but points at up to four times their distance are in a
+/// plane and on all sides.
+bool isAtGap(const NeighborLists& lists, const PointSet& points, const NearestSearch& nearest, std::size_t point,
+             std::vector<std::uint32_t>& found) {
+    constexpr float kFarther = 4;
+    constexpr std::size_t kMostFound = 4096;
+    if (!isOneSided(lists, points, point)) return false;
+    found.resize(kMostFound);
+    const float radius = lists.radius(points, point), reach = kFarther * radius;
+    found.resize(std::min(nearest.within(points.positions[point], reach * reach, found), kMostFound));
+    const PlaneFit plane = fitPlane(momentsOf(points, found, point));
+    if (!(plane.misfit < kFlatAroundLine)) return false;
+    const Vec3f u = plane.normal.unitOrthogonal(), v = plane.normal.cross(u);
+    std::vector<float> angles;
+    for (const std::uint32_t other : found) {
+        const Vec3f offset = points.positions[other] - points.positions[point];
+        if (offset.squaredNorm() > radius * radius) angles.push_back(std::atan2(v.dot(offset), u.dot(offset)));
+    }
+    std::sort(angles.begin(), angles.end());
+    return gapsBetween(angles).widest < kWidestGap;
+}
+
+/// Whether the neighbours of a point are scattered, while all points within several times their distance are in a
+/// plane.
+bool isBlurred(const NeighborLists& lists, const PointSet& points, const NearestSearch& nearest, std::size_t point,
+               std::vector<std::uint32_t>& found) {
+    // Nine in ten points of a solid ball are above kScattered. Noise of 2 spacings has a misfit of 0.02 within 8 radii,
+    // noise of 4 spacings of 0.09, and there are 1,400 and 2,300 points.
+    constexpr float kScattered = 0.25f, kFlat = 0.12f, kWider = 8;
+    constexpr std::size_t kMostFound = 4096;
+    if (!isInNoPlane(lists, points, point, kScattered)) return false;
+    found.resize(kMostFound);
+    const float reach = kWider * lists.radius(points, point);
+    found.resize(std::min(nearest.within(points.positions[point], reach * reach, found), kMostFound));
+    return fitPlane(momentsOf(points, found, point)).misfit < kFlat;
+}
+
 } // namespace
 
 void countUnsurrounded(const NeighborLists& lists, const PointSet& points, const NearestSearch& nearest,
@@ -359,6 +463,10 @@ void countUnsurrounded(const NeighborLists& lists, const PointSet& points, const
         counts.reaches.push_back(std::ldexp(lists.radius(points, i), points.scale_exponent));
         if (sample % kIsolatedStep == 0 && isIsolated(lists, points, nearest, i, found))
             counts.isolated += kIsolatedStep;
+        if (sample % kIsolatedStep > 0) continue;
+        ++counts.probed;
+        counts.noisy += isBlurred(lists, points, nearest, i, found);
+        counts.at_gaps += isAtGap(lists, points, nearest, i, found);
     }
 }
 
@@ -366,19 +474,29 @@ Thinning thinningOf(SurroundCounts counts) {
     if (counts.sampled == 0) return {};
     // Of random samples of a surface, 1 list in 80 is on a line: thinned clouds would take time for nothing.
     constexpr double kFewLists = 1.0 / 45, kFewIsolated = 1.0 / 50, kAllButFew = 0.02;
+    // Of raw range scans, up to a quarter of the lists are blurred and up to a fifteenth at gaps, by noise of half a
+    // spacing; of merged frames of depth cameras and of moving lidars, 58 to 77% are blurred, or many on lines.
+    constexpr double kNoisyShare = 1.0 / 2, kGapShare = 1.0 / 20;
     const auto sampled = double(counts.sampled);
     const bool has_some =
         double(counts.unsurrounded) > kFewLists * sampled || double(counts.isolated) > kFewIsolated * sampled;
-    return {quantileOf(std::move(counts.reaches), kAllButFew), has_some};
+    const bool is_noisy = double(counts.noisy) > kNoisyShare * double(counts.probed);
+    const bool has_gaps = (has_some || is_noisy) && double(counts.at_gaps) > kGapShare * double(counts.probed);
+    return {quantileOf(std::move(counts.reaches), kAllButFew), has_some || is_noisy || has_gaps, is_noisy, has_gaps};
 }
 
-void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, float finest_cells, const StageShare& share) {
-    if (lists.k < kFewestToSurround || !(finest_cells > 0)) return share.report(1);
+void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, const Thinning& thinning,
+                           const StageShare& share) {
+    if (lists.k < kFewestToSurround || !(thinning.finest_cells > 0)) return share.report(1);
     std::vector<Suspicion> suspicions(points.size());
     const double middle = (share.from + share.to) / 2;
-    forEach(points.size(), {share.progress, share.stage, share.from, middle},
-            [&](std::size_t i) { suspicions[i] = suspicionOf(lists, points, i); });
-    const ThinnedCloud thinned(points, finest_cells);
+    forEach(points.size(), {share.progress, share.stage, share.from, middle}, [&](std::size_t i) {
+        suspicions[i] = thinning.is_noisy && isInNoPlane(lists, points, i, kInNoPlane) ? Suspicion::kInNoise
+                                                                                       : suspicionOf(lists, points, i);
+        if (thinning.has_gaps && suspicions[i] == Suspicion::kUnsuspected && isOneSided(lists, points, i))
+            suspicions[i] = Suspicion::kOnOneSide;
+    });
+    const ThinnedCloud thinned(points, thinning.finest_cells);
     const std::vector<std::uint32_t> isolated = thinned.findIsolated();
     const auto replaceLists = [&](std::span<const std::uint8_t> found_before, const StageShare& part) {
         forRanges(points.size(), part, [&](std::size_t begin, std::size_t end) {

@@ -11,6 +11,9 @@ struct SurroundCounts {
     std::size_t sampled = 0;
     std::size_t unsurrounded = 0; ///< on a line or in a clump
     std::size_t isolated = 0;     ///< with little around
+    std::size_t probed = 0;       ///< whose wider surroundings were examined, too
+    std::size_t noisy = 0;        ///< of those: in a surface blurred by noise wider than the list
+    std::size_t at_gaps = 0;      ///< of those: beside a gap behind which the surface goes on
     std::vector<float> reaches;   ///< [sampled] distance to the k-th neighbour, input units
 };
 
@@ -23,16 +26,20 @@ void countUnsurrounded(const NeighborLists& lists, const PointSet& points, const
 struct Thinning {
     float finest_cells = 0;      ///< edge, input units: as wide as all but the smallest lists; 0: no thinned clouds
     bool replaces_lists = false; ///< false: hardly any list is to be replaced
+    bool is_noisy = false;       ///< noise is as wide as many lists: their planes are those of the noise
+    bool has_gaps = false;       ///< many points are beside gaps of the sampling: it is in bands
 };
 Thinning thinningOf(SurroundCounts counts);
 
 /// Replaces the lists of points whose nearest neighbours do not surround them because they are on a line, as in the
-/// sweep of a lidar, or in a clump, as in merged frames of a sensor that stood still. The nearer half stays, the other
-/// half are points around: of thinned clouds whose cells double in width, in which a clump counts as one point, until
-/// they leave no gap of a third of a turn. At a border, where a gap stays at four times the distance, and in corners,
-/// takes points many of which have such lists. Leaves lists for which there is no plane (a wire), and those at borders
-/// of even samplings. Sets thinned and the spacings of these lists. Does nothing for fewer than 8 neighbours.
-/// @param finest_cells of the thinned clouds, unit of the points; 0: replaces no list
-void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, float finest_cells, const StageShare& share);
+/// sweep of a lidar, or in a clump, as in merged frames of a sensor that stood still, and in noisy clouds those of
+/// points whose neighbours are in no plane, at the scale at which points around are in one. The nearer half stays, the
+/// other half are points around: of thinned clouds whose cells double in width, in which a clump counts as one point,
+/// until they leave no gap of a third of a turn. At a border, where a gap stays at four times the distance, and in
+/// corners, takes points many of which have such lists. Leaves lists for which there is no plane (a wire), and those at
+/// borders of even samplings. Sets thinned and the spacings of these lists. Does nothing for fewer than 8 neighbours.
+/// @param thinning finest_cells in the unit of the points; 0: replaces no list
+void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, const Thinning& thinning,
+                           const StageShare& share);
 
 } // namespace pointrt::surface

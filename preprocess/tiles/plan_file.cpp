@@ -274,7 +274,8 @@ std::optional<float> finestCells(const CloudStatistics& statistics) {
 std::optional<surface::Thinning> thinningIn(const OrderedJson& json) {
     const auto finest_cells = takeMaybe<float>(json, "finest_cells");
     if (!finest_cells) return std::nullopt;
-    return surface::Thinning{*finest_cells, take<bool>(json, "replaces_lists")};
+    return surface::Thinning{*finest_cells, take<bool>(json, "replaces_lists"), json.value("is_noisy", false),
+                             json.value("has_gaps", false)};
 }
 
 /// Empty before the statistics are measured.
@@ -328,7 +329,9 @@ void writeStatistics(const SetPlan& plan, const CloudStatistics& statistics) {
                               {"common_reach", jsonOf(statistics.common_reach)},
                               {"volume", statistics.volume},
                               {"finest_cells", jsonOf(finestCells(statistics))},
-                              {"replaces_lists", statistics.thinning && statistics.thinning->replaces_lists}};
+                              {"replaces_lists", statistics.thinning && statistics.thinning->replaces_lists},
+                              {"is_noisy", statistics.thinning && statistics.thinning->is_noisy},
+                              {"has_gaps", statistics.thinning && statistics.thinning->has_gaps}};
     writeWhole(statisticsFile(plan.work), json.dump() + "\n");
 }
 

@@ -233,5 +233,18 @@ TEST(Radii, ScanLinesAreClosed) {
     EXPECT_GT(leastWeight(estimate(shape.cloud()), 0.1), 0.3);
 }
 
+TEST(Radii, StraysHaveNoPlates) {
+    Shape shape = gridPlane(100);
+    Random random(41);
+    for (int i = 0; i < 80; ++i)
+        shape.add(Vec3d(uniform(random), uniform(random), 0.2 + 0.8 * uniform(random)), Vec3d::UnitZ());
+    SurfaceOptions options;
+    options.remove_outliers = false;
+    const Splats splats = estimate(shape.cloud(), options);
+    ASSERT_EQ(splats.positions.size(), shape.positions.size());
+    // Points of the plane are 0.01 apart, strays a quarter; discs as wide as their spacing would be plates.
+    EXPECT_LT(*std::max_element(splats.radii.begin(), splats.radii.end()), 0.1f);
+}
+
 } // namespace
 } // namespace pointrt::test

@@ -26,10 +26,10 @@ struct SurroundedShape {
         lists = findNeighbors(points, search, 16, {kQuiet, "test"});
         SurroundCounts counts;
         countUnsurrounded(lists, points, search, std::vector<std::uint8_t>(points.size(), 1), counts);
-        const Thinning thinning = thinningOf(counts);
+        Thinning thinning = thinningOf(counts);
         if (!thinning.replaces_lists) return;
-        const float finest_cells = std::ldexp(thinning.finest_cells, -points.scale_exponent);
-        surroundNeighborhoods(lists, points, finest_cells, {kQuiet, "test"});
+        thinning.finest_cells = std::ldexp(thinning.finest_cells, -points.scale_exponent);
+        surroundNeighborhoods(lists, points, thinning, {kQuiet, "test"});
     }
     double shareReplaced() const {
         const auto kept = std::count(lists.thinned.begin(), lists.thinned.end(), 0);
@@ -69,6 +69,19 @@ Shape profiles(double apart, int lines) {
             shape.add(Vec3d(x, apart * line, 0.3 * std::sin(1.3 * x) + 0.003 * gaussian(random)),
                       Vec3d(-slope, 0, 1).normalized());
         }
+    return shape;
+}
+
+/// Bands of points, half as wide as they are apart, as a lidar that moves on slowly leaves: 24 lines each. The noise is
+/// nearly two spacings.
+Shape bands() {
+    Random random(33);
+    Shape shape;
+    for (int band = 0; band < 12; ++band)
+        for (int line = 0; line < 24; ++line)
+            for (int i = 0; i < 120; ++i)
+                shape.add(Vec3d(0.1 * i + 0.1 * uniform(random), band + line / 48.0, 0.08 * gaussian(random)),
+                          Vec3d::UnitZ());
     return shape;
 }
 
@@ -161,6 +174,28 @@ TEST(Surround, NoisyProfilesMakeAClosedSurface) {
         EXPECT_GE(shareHit(splats, 0.05f), 0.995) << apart;
         EXPECT_LE(report.filled, shape.positions.size()) << "more is invented than was measured, " << apart;
     }
+}
+
+TEST(Surround, NoiseWiderThanTheSpacingIsSmoothed) {
+    constexpr double kSpacing = 1.0 / 150;
+    for (const double spacings : {2.0, 4.0}) {
+        Shape shape = jitteredPlane(150, 0, Vec3d::UnitZ(), 34);
+        addNoise(shape, spacings * kSpacing);
+        const Splats splats = estimate(shape.cloud());
+        const std::vector<double> errors = normalErrors(splats, shape, true);
+        EXPECT_LT(errors[errors.size() / 2], 5) << spacings;
+        EXPECT_LT(errors[errors.size() * 9 / 10], 15) << spacings;
+        EXPECT_GE(shareHit(splats, 0.05f), 0.99) << spacings;
+        double squared = 0;
+        for (const Vec3f& p : splats.positions) squared += p.z() * p.z();
+        EXPECT_LT(std::sqrt(squared / double(splats.positions.size())), spacings * kSpacing / 2) << spacings;
+    }
+}
+
+TEST(Surround, GapsBetweenBandsAreClosed) {
+    const Splats splats = estimate(bands().cloud());
+    EXPECT_GE(shareHit(splats, 0.5f), 0.9); // 0.55 of the rectangle is in bands
+    EXPECT_LT(*std::max_element(splats.radii.begin(), splats.radii.end()), 1.0f) << "the distance between bands";
 }
 
 TEST(Surround, AWireKeepsItsLists) {
