@@ -37,6 +37,7 @@ struct Estimation {
     const StageProgress& progress;
     SurfaceReport& report;
     surface::Thinning thinning{};
+    float common_reach = 0; ///< input units: commonReach (outliers.h)
 };
 
 /// Converts a length from input units to the unit of the points.
@@ -67,6 +68,15 @@ std::vector<std::uint8_t> innerOf(const PointSet& points, const SurfaceDecisions
     return inner;
 }
 
+/// The commonReach of the larger cloud, or of this one, whose lists are of nearest neighbours.
+float commonReachOf(const PointGraph& graph, const SurfaceDecisions& decided) {
+    if (const auto reach = inPoints(graph.points, decided.statistics.common_reach)) return *reach;
+    std::vector<float> distances(graph.points.size());
+    const StageProgress silent;
+    forEach(distances.size(), {silent, ""}, [&](std::size_t i) { distances[i] = graph.lists.radius(graph.points, i); });
+    return commonReach(std::move(distances));
+}
+
 /// In clouds of fewer points, neighbourhoods may be as wide as parts of an object (balls.cpp): what seems to be noise
 /// or a gap is shape.
 constexpr std::size_t kFewForBlur = 5000;
@@ -76,6 +86,7 @@ void connect(PointGraph& graph, Estimation& job) {
     const Stopwatch watch(job.report.seconds_neighbors);
     constexpr double kSearch = 0.9; // of the stage's time
     graph.connect(std::size_t(job.options.neighbors), {job.progress, kNeighborStage, 0, kSearch});
+    job.common_reach = std::ldexp(commonReachOf(graph, job.decided), graph.points.scale_exponent);
     const std::optional<Thinning>& decided = job.decided.statistics.thinning;
     if (!decided)
         countUnsurrounded(graph.lists, graph.points, *graph.search, innerOf(graph.points, job.decided),
@@ -206,14 +217,12 @@ std::vector<std::uint32_t> fill(PointGraph& graph, std::size_t cloud_count, cons
 /// The reach of sparse points: beyond that of 95% of the points, and far beyond that of the densest, which in even
 /// samplings none is.
 float sparseReach(const PointGraph& graph, const Estimation& job) {
-    constexpr float kFarBeyond = 6; // raw range scans: 4 at most, by overlap
-    const float dense = *inPoints(graph.points, job.thinning.finest_cells);
-    if (const auto decided = inPoints(graph.points, job.decided.statistics.common_reach))
-        return std::max(*decided, kFarBeyond * dense);
-    std::vector<float> distances(graph.points.size());
-    const StageProgress silent;
-    forEach(distances.size(), {silent, ""}, [&](std::size_t i) { distances[i] = graph.lists.radius(graph.points, i); });
-    return std::max(commonReach(std::move(distances)), kFarBeyond * dense);
+    constexpr float kFarBeyond =
+        12; // raw range scans: 4 at most, by overlap; as a power of two, half of it may be left
+    const float finest = *inPoints(graph.points, job.thinning.finest_cells);
+    // A power of two, as in ThinnedCloud: samples of a set's places and of the whole rarely differ in that.
+    const float dense = finest > 0 ? std::ldexp(1.0f, std::ilogb(finest)) : 0;
+    return std::max(std::ldexp(job.common_reach, -graph.points.scale_exponent), kFarBeyond * dense);
 }
 
 /// @param filled number of points inserted by fill

@@ -270,7 +270,7 @@ float unprovenRadius(const PointGraph& graph, float radius, float sparse_reach, 
     const NeighborLists& lists = graph.lists;
     if (lists.k < kSixth || (lists.thinned[point] & kClump)) return radius; // distances within clumps tell nothing
     const float sixth = lists.distance(graph.points, point, kSixth - 1), reach = lists.radius(graph.points, point);
-    const bool wide = radius > kWide * sixth, sparse = reach > sparse_reach;
+    const bool wide = radius > kWide * sixth, sparse = lists.completeRadius(graph.points, point) > sparse_reach;
     if (!wide && !sparse) return radius;
     const float height = heightOver(graph.points, lists, point);
     if (wide && height > std::max(kWideHeight * sixth, kWideUneven * reach)) radius = kOverlap * sixth;

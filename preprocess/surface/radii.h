@@ -24,7 +24,8 @@ void shrinkSmoothed(PointSet& points);
 /// Shrinks discs much wider than those around them if their neighbours are in no plane: in crowns and hedges, at edges
 /// and among outliers they look like plates between closely sampled parts. So do discs much wider than the distances
 /// between neighbours that are in no plane, and those of sparse points, unless neighbours in a plane surround them.
-/// @param sparse_reach distance to the k-th neighbour beyond which a point is sparse, unit of the points
+/// @param sparse_reach distance of the farthest of the nearest neighbours beyond which a point is sparse, unit of the
+/// points
 void shrinkPlates(PointGraph& graph, float sparse_reach);
 
 /// Shrinks the few radii far above all others. Isolated points are each other's neighbours, and no local rule tells
