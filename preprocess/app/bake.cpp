@@ -8,11 +8,11 @@
 
 #include "format/base/atomic_file.h"
 #include "format/base/error.h"
-#include "format/index/build_index.h"
 #include "preprocess/app/bake_progress.h"
 #include "preprocess/app/checks.h"
 #include "preprocess/app/interrupt.h"
 #include "preprocess/app/summary.h"
+#include "preprocess/octree/file_index.h"
 #include "preprocess/octree/gaussians.h"
 #include "preprocess/octree/splat_attributes.h"
 #include "preprocess/octree/write.h"
@@ -48,15 +48,6 @@ Splats estimateNamed(Cloud&& cloud, const BakeOptions& options, BakeReport& repo
         return estimateSplats(std::move(cloud), options.surface, report.surface, show);
     } catch (const Error& error) {
         throw Error(error.code, sourceName(options) + ": " + error.what());
-    }
-}
-
-TracingIndex buildIndexNamed(const ProSections& sections, const BakeOptions& options, const OctreeProgress& progress) {
-    try {
-        return buildTracingIndex(sections.info, sections.view, {threadCount(options), progress});
-    } catch (const Error& error) {
-        throw Error(error.code, sourceName(options) + ": " + error.what() +
-                                    "; --compact omits the index, for viewers other than pointrt-view");
     }
 }
 
@@ -103,7 +94,8 @@ void store(const BakeOptions& options, ProContent content, const PackedSplats& s
     pro_index index_view{};
     if (options.index) {
         progress.begin("index", report.splats);
-        index = buildIndexNamed(sections, options, [&](double share) { progress.update(share); });
+        index = fileIndex(sections, {threadCount(options), [&](double share) { progress.update(share); }},
+                          sourceName(options), "--compact omits the index, for viewers other than pointrt-view");
         index_view = indexView(index);
     }
     progress.begin("write", report.splats);
