@@ -12,9 +12,7 @@
 namespace pointrt {
 namespace {
 
-bool isScene(const std::string& path) {
-    return path.ends_with(".pro") || isSceneOrSet(path) || beginsAsPro(path);
-}
+bool isScene(const std::string& path) { return path.ends_with(".pro") || isSceneOrSet(path) || beginsAsPro(path); }
 
 } // namespace
 
