@@ -28,9 +28,16 @@ struct StudioSubject {
     std::optional<Surrounding> walls = {};
     /// The mean reflectance: lamps are brightened for mostly dark subjects until their brightest parts are white.
     double mean_reflectance = 0.5;
+    /// Light bounces: paths see the sky, and the floor lights the scans.
+    bool is_path_traced = false;
+    /// Open ground, which would hover over a floor. Where paths reach the sky, it is light below, too.
+    bool is_ground = false;
     /// The lowest point along up, for scenes whose up is not along an axis: the corner of their box is far below.
     std::optional<double> lowest = {};
 };
+
+/// Whether addSurroundings chooses the lights, because neither scene nor settings do.
+bool isLitByDefault(const SceneDescription& scene, const RenderSettings& settings);
 
 /// Adds default surroundings to scene:
 ///  - the room of settings or scene, a box that encloses the bounds and the eye;

@@ -77,7 +77,7 @@ inline constexpr std::tuple kRenderSettings{
     RenderSetting{&RenderSettings::spp, &RenderChoices::spp,
         CountRange{1, kMaxSpp},
         OnCommandLine{HelpGroup::kImage, "--spp", "N",
-            "Samples per pixel; 1 samples its centre (default {default}; {limits})"},
+            "Samples per pixel; 1 samples its centre (default {default}, or 8 where --integrator defaults to path; {limits})"},
         InSceneFile{FileTable::kRender, 3, "spp"},
         InFilm{6, "pixel", pixelPattern}},
     RenderSetting{&RenderSettings::seed, &RenderChoices::seed,
@@ -107,7 +107,9 @@ inline constexpr std::tuple kRenderSettings{
         kNotInFilm}, // the signature lists the scene's tiles instead
     RenderSetting{&RenderSettings::integrator, &RenderChoices::integrator,
         OneOf{kIntegratorNames},
-        OnCommandLine{HelpGroup::kLightAndSurfaces, "--integrator", "NAME", "Rendering method: {limits} (default {default})"},
+        OnCommandLine{HelpGroup::kLightAndSurfaces, "--integrator", "NAME",
+            "Rendering method: {limits} (default {default}; path for a PNG of a scan seen from outside, without options "
+            "for samples, light or surfaces)"},
         InSceneFile{FileTable::kRender, 1, "integrator"},
         InFilm{3, "integrator"}},
     RenderSetting{&RenderSettings::bounces, &RenderChoices::bounces,

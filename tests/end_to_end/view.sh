@@ -95,6 +95,31 @@ case_colours_and_legends() {
     expectError 2 "--legend: .*FILE.png" pointrt-view hill.pro -o out/a.exr --color-by height --legend on
 }
 
+# hasIntegrator NAME SPP ARGUMENT...: renders a small picture of scene.pro and checks how.
+hasIntegrator() {
+    local name=$1 spp=$2
+    shift 2
+    expectDone pointrt-view -q scene.pro --size 32x32 --stats stats.json "$@"
+    [ "$(jsonValue stats.json integrator)" = "$name" ] || fail "$*: not $name"
+    [ "$(jsonValue stats.json spp)" = "$spp" ] || fail "$*: not $spp samples"
+}
+
+case_only_pictures_left_to_us_are_path_traced() {
+    bakeSphere
+    hasIntegrator path 8 -o out/a.png
+    hasIntegrator path 8 -o out/again.png --color-by rgb --exposure 0
+    cmp out/a.png out/again.png
+    hasIntegrator phong 4 -o out/b.png --integrator phong
+    hasIntegrator phong 2 -o out/b.png --spp 2
+    hasIntegrator phong 4 -o out/b.png --lights 3
+    hasIntegrator phong 4 -o out/b.png --room matte
+    hasIntegrator phong 4 -o out/b.png --background white
+    hasIntegrator phong 4 -o out/b.exr
+    printf '[[instance]]\nfile = "scene.pro"\n' >scene.toml
+    expectDone pointrt-view -q scene.toml -o out/b.png --size 32x32 --stats stats.json
+    [ "$(jsonValue stats.json integrator)" = phong ] || fail "scene files say how"
+}
+
 case_films_differ_by_colours() {
     bakeHill
     expectDone pointrt-view -q hill.pro -o film.exr --size 32x24 --spp 2 --color-by normal
@@ -220,7 +245,7 @@ case_thumbnail() {
     [ ! -s stderr ] || fail "something on stderr"
     [ "$(head -c 8 out/no_suffix | od -An -t x1 | tr -d ' \n')" = 89504e470d0a1a0a ] || fail "no PNG"
     [ "$(bigEndian out/no_suffix 16)x$(bigEndian out/no_suffix 20)" = 128x128 ] || fail "not of 128 pixels"
-    expectDone pointrt-view scene.pro --size 128x128 -q -o out/picture.png
+    expectDone pointrt-view scene.pro --size 128x128 -q --integrator phong -o out/picture.png # for its time, no path tracing
     cmp out/no_suffix out/picture.png || fail "a thumbnail that had time enough is another picture"
     # the picture is written to the file that the file manager has created and holds open
     : >out/held
