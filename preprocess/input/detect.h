@@ -2,7 +2,7 @@
 // Detects the format of a file.
 #pragma once
 
-#include "preprocess/input/formats.h"
+#include "preprocess/input/input_formats.h"
 
 namespace pointrt {
 

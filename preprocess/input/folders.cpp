@@ -7,8 +7,8 @@
 
 #include "format/base/error.h"
 #include "preprocess/input/detect.h"
-#include "preprocess/input/octree_folder.h"
-#include "preprocess/input/sog_files.h"
+#include "preprocess/input/gaussian/sog_files.h"
+#include "preprocess/input/points/octree_folder.h"
 
 namespace pointrt {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "preprocess/ingest/scalar.h"
 #include "preprocess/ingest/text.h"
-#include "preprocess/input/formats.h"
+#include "preprocess/input/input_formats.h"
 
 namespace pointrt {
 namespace {

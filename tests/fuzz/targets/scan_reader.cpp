@@ -3,7 +3,7 @@
 // target.
 #include <tbb/global_control.h>
 
-#include "preprocess/input/formats.h"
+#include "preprocess/ingest/formats.h"
 #include "tests/fuzz/fuzz_target.h"
 #include "tests/support/temporary_folder.h"
 

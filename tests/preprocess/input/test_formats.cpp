@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The list of formats, the readers and the table of docs/FORMATS.md agree.
-#include "preprocess/input/formats.h"
+#include "preprocess/input/input_formats.h"
 
 #include <gtest/gtest.h>
 
