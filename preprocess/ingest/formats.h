@@ -46,6 +46,8 @@ inline bool alwaysInBatches(const InputFile&) { return true; }
     FORMAT(kXyz, "xyz", "XYZ/PTS/ASC/TXT/CSV", "xyz pts asc txt csv", kColumns)                                        \
     FORMAT(kObj, "obj", "OBJ", "obj", kText)                                                                           \
     FORMAT(kOff, "off", "OFF", "off", kText)                                                                           \
+    FORMAT(kStl, "stl", "STL", "stl", kAny)                                                                            \
+    FORMAT(kVtk, "vtk", "VTK", "vtk vtp vtu", kAny)                                                                    \
     FORMAT(kDraco, "drc", "Draco", "drc", kAny)                                                                        \
     FORMAT(kGltf, "gltf", "glTF/GLB", "gltf glb", kAny)                                                                \
     FORMAT(kSplat, "splat", "SPLAT", "splat", kAny)                                                                    \
@@ -53,6 +55,12 @@ inline bool alwaysInBatches(const InputFile&) { return true; }
     FORMAT(kSog, "sog", "SOG", "sog", kAny)                                                                            \
     FORMAT(kEpt, "ept", "EPT", "ept", kAny)                                                                            \
     FORMAT(kPotree, "potree", "Potree 2", "potree", kAny)                                                              \
+    FORMAT(kPnts, "pnts", "3D Tiles", "pnts", kAny)                                                                    \
+    FORMAT(kMcap, "mcap", "MCAP", "mcap", kAny)                                                                        \
+    FORMAT(kRosbag, "rosbag", "ROS bag", "bag", kAny)                                                                  \
+    FORMAT(kColmap, "colmap", "COLMAP", "colmap", kAny)                                                                \
+    FORMAT(kNumPy, "numpy", "NumPy", "npy npz", kAny)                                                                  \
+    FORMAT(kGeoTiff, "geotiff", "GeoTIFF", "tif tiff", kAny)                                                           \
     FORMAT(kEsriGrid, "grid", "ESRI grid", "agr", kText)                                                               \
     FORMAT(kKitti, "kitti", "KITTI", "bin", kAny)                                                                      \
     FORMAT(kConf, "conf", "Stanford .conf", "conf", kText)

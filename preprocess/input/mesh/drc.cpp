@@ -15,6 +15,7 @@
 
 #include "preprocess/ingest/attribute_names.h"
 #include "preprocess/ingest/formats.h"
+#include "preprocess/input/mesh/drc.h"
 #include "preprocess/input/mesh/drc_guard.h"
 
 namespace pointrt {
@@ -150,6 +151,25 @@ const PointAttribute* attributeOf(const draco::PointCloud& points, GeometryAttri
     return attribute && attribute->num_components() >= 3 ? attribute : nullptr;
 }
 
+struct Roles {
+    const PointAttribute* positions = nullptr;
+    const PointAttribute* normals = nullptr;
+    const PointAttribute* colors = nullptr;
+};
+
+/// By the types of attributes, or by the numbers that the file around the data gives.
+Roles rolesOf(const draco::PointCloud& points, const DracoIds& ids) {
+    const auto byId = [&](const std::optional<std::uint32_t>& id) -> const PointAttribute* {
+        const PointAttribute* const attribute = id ? points.GetAttributeByUniqueId(*id) : nullptr;
+        return attribute && attribute->num_components() >= 3 ? attribute : nullptr;
+    };
+    Roles roles{attributeOf(points, GeometryAttribute::POSITION), attributeOf(points, GeometryAttribute::NORMAL),
+                attributeOf(points, GeometryAttribute::COLOR)};
+    if (!roles.normals) roles.normals = byId(ids.normals);
+    if (!roles.colors) roles.colors = byId(ids.colors);
+    return roles;
+}
+
 ColorScale scaleOf(const PointAttribute& colors) {
     if (colors.data_type() == draco::DT_UINT8) return ColorScale::kByte;
     if (colors.data_type() == draco::DT_UINT16) return ColorScale::k16Bit;
@@ -212,11 +232,11 @@ struct PackedColumns {
 };
 
 /// 16-bit colours and generic attributes; texture coordinates of meshes are left out.
-PackedColumns packedColumns(const draco::PointCloud& points, bool mesh) {
+PackedColumns packedColumns(const draco::PointCloud& points, const Roles& roles, bool mesh) {
     constexpr std::uint32_t kMostComponents = 4;
     PackedColumns packed;
     AttributeNames names;
-    const PointAttribute* const colors = attributeOf(points, GeometryAttribute::COLOR);
+    const PointAttribute* const colors = roles.colors;
     if (colors && scaleOf(*colors) == ColorScale::k16Bit) packed.add(*colors, *names.take(kRgb16), Scalar::kU16, 3);
     for (int id = 0; id < points.num_attributes(); ++id) {
         const PointAttribute& attribute = *points.attribute(id);
@@ -224,7 +244,8 @@ PackedColumns packedColumns(const draco::PointCloud& points, bool mesh) {
         const bool of_texture = mesh && type == GeometryAttribute::TEX_COORD;
         const bool has_role = type != GeometryAttribute::GENERIC && &attribute == points.GetNamedAttribute(type) &&
                               type != GeometryAttribute::TEX_COORD;
-        if (has_role || of_texture) continue;
+        const bool is_named = &attribute == roles.normals || &attribute == roles.colors;
+        if (has_role || is_named || of_texture) continue;
         const auto components = static_cast<std::uint32_t>(attribute.num_components());
         const std::optional<Scalar> scalar = scalarOf(attribute.data_type());
         const std::string written = nameOf(points, id);
@@ -264,10 +285,8 @@ void load(const InputFile& input, const PointAttribute* attribute, draco::PointI
     }
 }
 
-void addVertices(const InputFile& input, const draco::PointCloud& points, bool mesh, Sink& sink) {
-    const PointAttribute* const positions = attributeOf(points, GeometryAttribute::POSITION);
-    const PointAttribute* const normals = attributeOf(points, GeometryAttribute::NORMAL);
-    const PointAttribute* const colors = attributeOf(points, GeometryAttribute::COLOR);
+void addVertices(const InputFile& input, const draco::PointCloud& points, const Roles& roles, bool mesh, Sink& sink) {
+    const auto& [positions, normals, colors] = roles;
     if (!positions) refuse(input, "the Draco data has no positions");
     ScanTraits traits;
     traits.vertices = points.num_points();
@@ -275,7 +294,7 @@ void addVertices(const InputFile& input, const draco::PointCloud& points, bool m
     traits.colors = colors != nullptr;
     traits.faces = mesh;
     if (colors) traits.color_scale = scaleOf(*colors);
-    const PackedColumns packed = packedColumns(points, mesh);
+    const PackedColumns packed = packedColumns(points, roles, mesh);
     traits.columns = packed.traits;
     if (!packed.unread.empty())
         sink.note(input, "attributes with more than 4 components or a duplicate name are not read: " + packed.unread);
@@ -305,14 +324,18 @@ void addFaces(const InputFile& input, const draco::Mesh& mesh, Sink& sink) {
 bool isDracoStart(std::string_view bytes) { return bytes.starts_with("DRACO"); }
 
 void readDraco(const InputFile& input, Sink& sink) {
-    checkCounts(input);
-    const Decoded decoded = decode(input);
-    addVertices(input, *decoded.points, decoded.mesh != nullptr, sink);
-    if (decoded.mesh) addFaces(input, *decoded.mesh, sink);
+    addDraco(input, {}, sink);
     sink.finishScan(input);
 }
 
 } // namespace
+
+void addDraco(const InputFile& input, const DracoIds& ids, Sink& sink) {
+    checkCounts(input);
+    const Decoded decoded = decode(input);
+    addVertices(input, *decoded.points, rolesOf(*decoded.points, ids), decoded.mesh != nullptr, sink);
+    if (decoded.mesh) addFaces(input, *decoded.mesh, sink);
+}
 
 const FormatReader readers::kDraco{.isStart = isDracoStart, .read = readDraco};
 

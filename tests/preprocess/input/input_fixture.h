@@ -56,6 +56,21 @@ protected:
         }
     }
 
+    /// Changes each byte to critical values, one at a time: each file must be read or refused in one line.
+    void readChangedBytes(const std::string& name, const std::string& bytes) const {
+        for (std::size_t i = 0; i < bytes.size(); ++i)
+            for (const char byte : {'\0', '\xff', '\x7f', '\x80', '9'}) {
+                std::string changed = bytes;
+                changed[i] = byte;
+                try {
+                    readInputs({write(name, changed)}, {});
+                } catch (const Error& error) {
+                    ASSERT_EQ(error.code, ExitCode::kBadInput) << error.what();
+                    ASSERT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+                }
+            }
+    }
+
     test::TemporaryFolder temporary;
     const std::filesystem::path& folder = temporary.path;
     static inline ExitCode last_code = ExitCode::kDone;
