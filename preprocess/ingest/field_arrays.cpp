@@ -146,7 +146,7 @@ bool hasPositions(std::span<const FieldArray> fields) {
     return hasPositions(std::span<const Dimension>(dimensions));
 }
 
-void addFieldPoints(const InputFile& input, std::span<const FieldArray> fields, std::uint64_t count, Sink& sink,
+void beginFieldScan(const InputFile& input, std::span<const FieldArray> fields, std::uint64_t count, Sink& sink,
                     bool faces) {
     FieldPlan plan = planOf(fields);
     if (!plan.unread.empty())
@@ -154,6 +154,10 @@ void addFieldPoints(const InputFile& input, std::span<const FieldArray> fields, 
     plan.traits.vertices = count;
     plan.traits.faces = faces;
     sink.beginScan(input, plan.traits);
+}
+
+void addToFieldScan(std::span<const FieldArray> fields, std::uint64_t count, Sink& sink) {
+    const FieldPlan plan = planOf(fields);
     Row row{};
     std::vector<char> packed(plan.packed_size);
     for (std::uint64_t i = 0; i < count; ++i) {
@@ -167,6 +171,12 @@ void addFieldPoints(const InputFile& input, std::span<const FieldArray> fields, 
         packValues(plan, i, packed.data());
         sink.addVertex(row, packed.data());
     }
+}
+
+void addFieldPoints(const InputFile& input, std::span<const FieldArray> fields, std::uint64_t count, Sink& sink,
+                    bool faces) {
+    beginFieldScan(input, fields, count, sink, faces);
+    addToFieldScan(fields, count, sink);
 }
 
 } // namespace pointrt

@@ -42,4 +42,9 @@ bool hasPositions(std::span<const FieldArray> fields);
 void addFieldPoints(const InputFile& input, std::span<const FieldArray> fields, std::uint64_t count, Sink& sink,
                     bool faces = false);
 
+/// The same in parts: starts a scan of as many points (0: unknown) with fields like these, and adds points to it.
+void beginFieldScan(const InputFile& input, std::span<const FieldArray> fields, std::uint64_t count, Sink& sink,
+                    bool faces = false);
+void addToFieldScan(std::span<const FieldArray> fields, std::uint64_t count, Sink& sink);
+
 } // namespace pointrt

@@ -152,6 +152,27 @@ GltfView GltfFile::view(const JsonValue& index) const {
     return {bytes.substr(start, length), stride ? stride->integer(kLargestStride) : 0};
 }
 
+std::optional<InputFile> GltfFile::picture(const JsonValue& texture) const {
+    const JsonValue its = item("textures", texture);
+    auto source = its.optionalMember("source");
+    if (const auto extensions = its.optionalMember("extensions"); extensions && extensions->has("EXT_texture_webp"))
+        source = extensions->member("EXT_texture_webp").member("source");
+    if (!source) return std::nullopt;
+    const JsonValue image = item("images", *source);
+    InputFile file;
+    file.name = fmt::format("{}: {}", input_.name, image.place());
+    if (const auto in_view = image.optionalMember("bufferView")) {
+        file.bytes = view(*in_view).bytes;
+        return file;
+    }
+    const JsonValue uri = image.member("uri");
+    if (!uri.text().starts_with("data:")) return openNamed(uri);
+    auto bytes = std::make_shared<std::string>(decodeDataUri(uri));
+    file.bytes = *bytes;
+    file.owner = std::move(bytes);
+    return file;
+}
+
 std::uint64_t GltfFile::size() const {
     std::uint64_t size = input_.bytes.size();
     for (const auto& [index, buffer] : buffers_) size += buffer.bytes.size();

@@ -39,6 +39,10 @@ public:
     /// is missing or outside the file's folder, or if the view lies outside it or is compressed.
     GltfView view(const JsonValue& index) const;
 
+    /// The picture of a texture that a value names by its index: a file, a data URI or a buffer view; nothing if an
+    /// extension has it. Throws Error as view does.
+    std::optional<InputFile> picture(const JsonValue& texture) const;
+
     /// Bytes of the file and of the buffers opened so far.
     std::uint64_t size() const;
 

@@ -6,6 +6,7 @@
 #include "preprocess/cloud/srgb.h"
 #include "preprocess/ingest/scan_colors.h"
 #include "preprocess/input/mesh/gltf_accessor.h"
+#include "preprocess/input/mesh/picture.h"
 
 namespace pointrt {
 namespace {
@@ -21,10 +22,14 @@ std::uint64_t modeOf(const GltfPart& part) {
 /// A file may show the vertices of one mesh many times: as many as this, and this many for each of its bytes.
 constexpr std::uint64_t kVerticesAtLeast = 1 << 24, kVerticesPerByte = 16;
 
+/// Sets of places in textures; files have one or two.
+constexpr std::uint64_t kMostTextureSets = 255;
+
 /// The colour of a primitive's material: linear red, green, blue.
 struct PartMaterial {
     Vec3d factor = Vec3d::Ones();
-    bool has_factor = false, has_texture = false;
+    bool has_factor = false;
+    std::optional<JsonValue> texture; ///< of the base colour
 };
 
 PartMaterial materialOf(const GltfFile& file, const GltfPart& part) {
@@ -33,7 +38,7 @@ PartMaterial materialOf(const GltfFile& file, const GltfPart& part) {
     if (!index) return material;
     const auto roughness = file.item("materials", *index).optionalMember("pbrMetallicRoughness");
     if (!roughness) return material;
-    material.has_texture = roughness->has("baseColorTexture");
+    material.texture = roughness->optionalMember("baseColorTexture");
     if (const auto factor = roughness->optionalMember("baseColorFactor")) {
         material.has_factor = true;
         for (std::size_t i = 0; i < 3; ++i) material.factor[static_cast<Eigen::Index>(i)] = factor->at(i).number();
@@ -60,7 +65,25 @@ public:
 
     bool hasNormals() const { return normals_.has_value(); }
     bool hasColors() const { return colors_ || material_.has_factor; }
-    bool hasUnreadTexture() const { return material_.has_texture && !colors_; }
+
+    /// Opens the texture of faces without colours of their own; without it they lack their colours, and a note says so.
+    void openTexture(Sink& sink) {
+        if (!material_.texture || colors_ || isOfPoints()) return;
+        const auto set = material_.texture->optionalMember("texCoord");
+        const std::string name = fmt::format("TEXCOORD_{}", set ? set->integer(kMostTextureSets) : 0);
+        const auto places = attributes_.optionalMember(name.c_str());
+        if (!places) {
+            sink.note(file_.input(), fmt::format("its faces lack the colours of textures: they have no {}", name));
+            return;
+        }
+        try {
+            openPicture(sink);
+        } catch (const Error& error) { // a file that is missing, for example
+            sink.note(file_.input(), fmt::format("its faces lack the colours of a texture: {}", error.what()));
+        }
+        if (picture_) places_.emplace(file_, *places, 2);
+        if (places_ && places_->count() < positions_.count()) places->refuse("has fewer values than positions");
+    }
     bool isOfPoints() const { return modeOf(part_) == kModePoints; }
 
     /// Of points with indices, those that these name.
@@ -89,6 +112,16 @@ public:
     }
 
 private:
+    void openPicture(Sink& sink) {
+        const JsonValue index = material_.texture->member("index");
+        const auto picture = file_.picture(index);
+        if (picture)
+            picture_ =
+                addPicture(file_.input(), *picture, fmt::format("{}#{}", file_.input().name, index.integer()), sink);
+        else
+            sink.note(file_.input(), "has textures in formats of extensions, which are not read");
+    }
+
     std::uint64_t cornerCount() const { return indices_ ? indices_->count() : positions_.count(); }
 
     /// The vertex of a corner.
@@ -102,11 +135,23 @@ private:
     }
 
     /// A mirrored part would show its back.
-    void addFace(std::uint64_t first, const std::array<std::uint64_t, 3>& corners, Sink& sink) const {
+    void addFace(std::uint64_t first, std::array<std::uint64_t, 3> corners, Sink& sink) const {
+        if (mirrors_) std::swap(corners[1], corners[2]);
         std::uint32_t face[3] = {};
-        for (std::size_t i = 0; i < 3; ++i) face[i] = static_cast<std::uint32_t>(first + corner(corners[i]));
-        if (mirrors_) std::swap(face[1], face[2]);
-        sink.addPolygon(face);
+        std::array<Eigen::Vector2f, 3> places{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint64_t vertex = corner(corners[i]);
+            face[i] = static_cast<std::uint32_t>(first + vertex);
+            if (places_) places[i] = placeOf(vertex);
+        }
+        PolygonPaint paint;
+        if (places_) paint.picture = *picture_, paint.places = places;
+        sink.addPolygon(face, paint);
+    }
+
+    /// In the texture, whose first row is the lowest here and the highest in glTF.
+    Eigen::Vector2f placeOf(std::uint64_t vertex) const {
+        return {static_cast<float>(places_->value(vertex, 0)), static_cast<float>(1 - places_->value(vertex, 1))};
     }
 
     double colorOf(std::uint64_t vertex, int channel) const {
@@ -119,28 +164,26 @@ private:
     const GltfPart& part_;
     JsonValue attributes_;
     GltfAccessor positions_;
-    std::optional<GltfAccessor> normals_, colors_, indices_;
+    std::optional<GltfAccessor> normals_, colors_, indices_, places_;
+    std::optional<std::uint32_t> picture_; ///< index in the sink's paint
     PartMaterial material_;
     Eigen::Matrix3d normal_from_part_;
     bool mirrors_ = false;
 };
 
 /// Opens all parts, which shows what they have in all.
-ScanTraits traitsOf(const GltfFile& file, const std::vector<GltfPart>& parts, Sink& sink) {
+ScanTraits traitsOf(const GltfFile& file, const std::vector<GltfPart>& parts) {
     ScanTraits traits;
     traits.faces = false;
-    bool lacks_texture = false;
     for (const GltfPart& part : parts) {
         const PartReader reader(file, part);
         traits.normals |= reader.hasNormals();
         traits.colors |= reader.hasColors();
         traits.faces |= !reader.isOfPoints();
         traits.vertices += reader.vertexCount();
-        lacks_texture |= reader.hasUnreadTexture();
     }
     if (traits.vertices > kVerticesAtLeast + kVerticesPerByte * file.size())
         refuse(file.input(), fmt::format("shows {} vertices with {} bytes", traits.vertices, file.size()));
-    if (lacks_texture) sink.note(file.input(), "has textures, which are not read");
     return traits;
 }
 
@@ -153,11 +196,12 @@ GltfShape gltfShape(const GltfPart& part) {
 }
 
 void readGltfParts(const GltfFile& file, const std::vector<GltfPart>& parts, const std::string& title, Sink& sink) {
-    sink.beginScan(file.input(), traitsOf(file, parts, sink));
+    sink.beginScan(file.input(), traitsOf(file, parts));
     Row row{};
     std::uint64_t first = 0;
     for (const GltfPart& part : parts) {
-        const PartReader reader(file, part);
+        PartReader reader(file, part);
+        reader.openTexture(sink);
         for (std::uint64_t i = 0; i < reader.vertexCount(); ++i) {
             reader.readVertex(i, row);
             sink.addVertex(row);

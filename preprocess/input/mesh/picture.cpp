@@ -113,10 +113,8 @@ Picture readWebp(const InputFile& file) {
 }
 
 /// Reads a file once, whatever names it has, and all files together within the limit of one.
-std::uint32_t takePicture(const InputFile& file, MeshPaint& paint) {
-    std::error_code failure;
-    const std::string path = std::filesystem::canonical(file.name, failure).string();
-    if (const auto known = paint.picture_of_file.find(path); known != paint.picture_of_file.end()) return known->second;
+std::uint32_t takePicture(const InputFile& file, const std::string& key, MeshPaint& paint) {
+    if (const auto known = paint.picture_of_file.find(key); known != paint.picture_of_file.end()) return known->second;
     Picture picture = readPicture(file);
     std::uint64_t bytes = picture.rgb.size();
     for (const Picture& each : paint.pictures) bytes += each.rgb.size();
@@ -125,8 +123,12 @@ std::uint32_t takePicture(const InputFile& file, MeshPaint& paint) {
         refuse(file, fmt::format("has too many pixels with those of {} textures before", paint.pictures.size()));
     paint.pictures.push_back(std::move(picture));
     const auto index = static_cast<std::uint32_t>(paint.pictures.size() - 1);
-    paint.picture_of_file.emplace(path, index);
+    paint.picture_of_file.emplace(key, index);
     return index;
+}
+
+void noteUnreadable(const InputFile& input, const Error& error, Sink& sink) {
+    sink.note(input, fmt::format("its faces lack the colours of a texture: {}", error.what()));
 }
 
 } // namespace
@@ -159,9 +161,20 @@ std::optional<std::uint32_t> addTexture(const InputFile& input, const std::strin
                                          inQuotes(name)));
             return std::nullopt;
         }
-        return takePicture(*file, sink.paint);
+        std::error_code failure;
+        return addPicture(input, *file, std::filesystem::canonical(file->name, failure).string(), sink);
     } catch (const Error& error) {
-        sink.note(input, fmt::format("its faces lack the colours of a texture: {}", error.what()));
+        noteUnreadable(input, error, sink);
+        return std::nullopt;
+    }
+}
+
+std::optional<std::uint32_t> addPicture(const InputFile& input, const InputFile& picture, const std::string& key,
+                                        Sink& sink) {
+    try {
+        return takePicture(picture, key, sink.paint);
+    } catch (const Error& error) {
+        noteUnreadable(input, error, sink);
         return std::nullopt;
     }
 }

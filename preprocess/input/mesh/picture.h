@@ -18,6 +18,11 @@ Picture readPicture(const InputFile& file);
 /// there. If it is missing or malformed, adds a note and returns nothing.
 std::optional<std::uint32_t> addTexture(const InputFile& input, const std::string& name, Sink& sink);
 
+/// Adds a picture that a file holds or names. key: distinguishes the pictures of a run. If it is malformed, adds a note
+/// and returns nothing.
+std::optional<std::uint32_t> addPicture(const InputFile& input, const InputFile& picture, const std::string& key,
+                                        Sink& sink);
+
 /// Opens a file that an input names with the path as written on another machine, perhaps: the path itself if it lies
 /// in the input's folder, else its last part there. Nothing if no such file is there.
 std::optional<InputFile> openBeside(const InputFile& input, std::string name);

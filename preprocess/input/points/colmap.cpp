@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <utility>
 
 #include "preprocess/ingest/formats.h"
 #include "preprocess/ingest/scalar.h"
@@ -76,9 +77,11 @@ ColmapPoint textPoint(const InputFile& input, std::string_view line) {
     good = good && wholeNumber(nextWord(line), error);
     if (!good) refuseLine(input, place, "a point needs POINT3D_ID, X, Y, Z, R, G, B and ERROR");
     point.error = static_cast<float>(error);
-    for (std::string_view word = nextWord(line); !word.empty(); word = nextWord(line), nextWord(line))
+    for (std::string_view word = nextWord(line); !word.empty(); word = nextWord(line)) {
         if (point.sights++ == 0 && !wholeInteger(word, point.image))
             refuseLine(input, place, fmt::format("{} is not an IMAGE_ID", inQuotes(word)));
+        nextWord(line); // POINT2D_IDX
+    }
     return point;
 }
 
@@ -144,6 +147,19 @@ void addScan(const InputFile& input, const ColmapImages& images, std::uint32_t i
     sink.finishScan(input, image == images.end() ? "" : image->second.name, Emptiness::kAllowed);
 }
 
+/// count: of the points of all scans, whose progress is reported as one
+void addScans(const InputFile& input, const ColmapImages& images, const PointsOfImage& scans, std::uint64_t count,
+              Sink& sink) {
+    const auto progress = std::exchange(sink.progress, nullptr);
+    std::uint64_t done = 0;
+    for (const auto& [id, points] : scans) {
+        addScan(input, images, id, points, sink);
+        done += points.size();
+        if (progress) progress(static_cast<double>(done) / static_cast<double>(count));
+    }
+    sink.progress = progress;
+}
+
 /// Up in most photographs, if they agree.
 Vec3d upOf(const ColmapImages& images) {
     constexpr double kAgreement = 0.5; // of the mean of unit vectors; photographs taken all around have none
@@ -164,7 +180,7 @@ void readColmap(const InputFile& input, Sink& sink) {
     if (found == 0) refuse(input, "holds no points");
     if (found < promised) sink.acceptShort(input, found, promised);
     const std::size_t before = sink.pointCount();
-    for (const auto& [id, points] : scans) addScan(input, images, id, points, sink);
+    addScans(input, images, scans, found, sink);
     if (sink.pointCount() == before) refuse(input, fmt::format("none of its {} points passes the filters", found));
     WorldFrame frame;
     frame.up = upOf(images);

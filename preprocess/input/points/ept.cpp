@@ -7,8 +7,10 @@
 #include "preprocess/ingest/formats.h"
 #include "preprocess/ingest/json_value.h"
 #include "preprocess/ingest/text.h"
+#include "preprocess/input/points/ept_binary.h"
 #include "preprocess/input/points/las_scan.h"
 #include "preprocess/input/points/octree_folder.h"
+#include "preprocess/input/points/unpack_chunk.h"
 
 namespace pointrt {
 namespace {
@@ -23,10 +25,10 @@ struct EptNode {
     bool operator<(const EptNode& other) const { return key < other.key; }
 };
 
-/// "3-1-4-0.laz".
-std::optional<EptNode> nodeOf(const fs::path& path) {
+/// "3-1-4-0.laz", or with another suffix.
+std::optional<EptNode> nodeOf(const fs::path& path, std::string_view suffix) {
     constexpr std::uint64_t kDeepest = 30; // places in 32 bits
-    if (path.extension() != ".laz") return std::nullopt;
+    if (path.extension() != suffix) return std::nullopt;
     EptNode node{path, {}};
     const std::string name = path.stem().string();
     std::string_view rest = name;
@@ -57,14 +59,14 @@ Eigen::AlignedBox3d boxOf(const EptNode& node, const Eigen::AlignedBox3d& cube) 
 }
 
 /// The nodes that the sink selects, in the order of their keys.
-std::vector<EptNode> nodesOf(const InputFile& input, const JsonValue& root, const Sink& sink) {
+std::vector<EptNode> nodesOf(const InputFile& input, const JsonValue& root, std::string_view suffix, const Sink& sink) {
     const fs::path folder = fs::path(input.name).parent_path() / "ept-data";
     const Eigen::AlignedBox3d cube = cubeOf(root);
     std::vector<EptNode> nodes;
     std::size_t all = 0;
     std::error_code failure;
     for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end; entry.increment(failure)) {
-        const auto node = nodeOf(entry->path());
+        const auto node = nodeOf(entry->path(), suffix);
         if (!node || !entry->is_regular_file(failure)) continue;
         ++all;
         if (selectsNode(sink, static_cast<int>(node->key[0]), boxOf(*node, cube))) nodes.push_back(*node);
@@ -87,16 +89,25 @@ bool haveSameFields(const std::vector<LasField>& a, const std::vector<LasField>&
     });
 }
 
-void readEpt(const InputFile& input, Sink& sink) {
-    const nlohmann::json json = parseJson(input, input.bytes);
-    const JsonValue root(input, json);
-    if (root.member("dataType").text() != "laszip")
-        refuse(input, fmt::format("has points in the form {}; this build reads 'laszip'",
-                                  inQuotes(root.member("dataType").text())));
+/// Bare records, compressed with zstd or not.
+void readRecordNodes(const InputFile& input, const JsonValue& root, bool is_zstd, Sink& sink) {
+    EptRecords records(input, root.member("schema"));
+    for (const EptNode& node : nodesOf(input, root, is_zstd ? ".zst" : ".bin", sink)) {
+        const InputFile part = openInputFile(node.path.string(), NamedBy::kFile);
+        std::string unpacked;
+        if (is_zstd) unpacked = unpackChunk(part, "zstd", part.bytes, zstdSize(part));
+        records.add(part, is_zstd ? unpacked : part.bytes, sink);
+    }
+    if (!records.hasBegun()) refuse(input, "holds no points");
+    sink.finishScan(input);
+    setLasFrame(crsOf(root), input, sink);
+}
+
+void readLazNodes(const InputFile& input, const JsonValue& root, Sink& sink) {
     std::vector<LasField> first_fields;
     LasCrs crs = crsOf(root);
     bool begun = false;
-    for (const EptNode& node : nodesOf(input, root, sink)) {
+    for (const EptNode& node : nodesOf(input, root, ".laz", sink)) {
         const InputFile part = openInputFile(node.path.string(), NamedBy::kFile);
         LasFile file = openLasInput(part, sink);
         if (file.header.point_count == 0) continue;
@@ -115,6 +126,16 @@ void readEpt(const InputFile& input, Sink& sink) {
     if (!begun) refuse(input, "holds no points");
     sink.finishScan(input);
     setLasFrame(crs, input, sink);
+}
+
+void readEpt(const InputFile& input, Sink& sink) {
+    const nlohmann::json json = parseJson(input, input.bytes);
+    const JsonValue root(input, json);
+    const std::string& kind = root.member("dataType").text();
+    if (kind == "laszip") return readLazNodes(input, root, sink);
+    if (kind == "binary" || kind == "zstandard") return readRecordNodes(input, root, kind == "zstandard", sink);
+    refuse(input, fmt::format("has points in the form {}; this build reads 'laszip', 'binary' and 'zstandard'",
+                              inQuotes(kind)));
 }
 
 } // namespace

@@ -32,6 +32,7 @@ private:
     void readRecords(std::string_view bytes, bool in_chunk) {
         ByteCursor cursor{input_, bytes};
         while (!cursor.rest.empty() && !(cursor.rest == kMcapMark && !in_chunk)) {
+            if (!in_chunk) clouds_.reportLeft(cursor.rest.size());
             const auto kind = cursor.take<std::uint8_t>();
             const auto size = cursor.take<std::uint64_t>();
             if (size > cursor.rest.size()) {

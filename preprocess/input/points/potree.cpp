@@ -10,6 +10,7 @@
 #include "preprocess/ingest/json_value.h"
 #include "preprocess/ingest/scalar.h"
 #include "preprocess/input/points/octree_folder.h"
+#include "preprocess/input/points/potree_brotli.h"
 
 namespace pointrt {
 namespace {
@@ -27,6 +28,8 @@ struct PotreeMeta {
     std::size_t record_bytes = 0;
     std::optional<std::size_t> position, color; ///< bytes of the record
     std::vector<PotreeField> fields;
+    std::vector<PotreeColumn> columns; ///< of whole records
+    bool is_brotli = false;
     ScanTraits traits;
     std::string projection;
 };
@@ -50,11 +53,14 @@ void takeField(const JsonValue& attribute, AttributeNames& names, std::size_t& p
     const std::uint64_t elements = attribute.member("numElements").integer(kMostElements);
     PotreeField field{meta.record_bytes, elements * scalarSize(type), {}};
     meta.record_bytes += field.size;
+    meta.columns.push_back({field.at, field.size, PotreeKind::kOther});
     if (name == "position") {
         if (type != Scalar::kI32 || elements != 3) attribute.refuse("must be three int32");
         meta.position = field.at;
+        meta.columns.back().kind = PotreeKind::kPosition;
     } else if (name == "rgb" && type == Scalar::kU16 && elements == 3) {
         meta.color = field.at;
+        meta.columns.back().kind = PotreeKind::kColor;
     } else if (elements >= 1 && elements <= 4) {
         const auto taken = names.take(name);
         if (!taken) return;
@@ -69,10 +75,11 @@ PotreeMeta metaOf(const InputFile& input) {
     const nlohmann::json json = parseJson(input, input.bytes);
     const JsonValue root(input, json);
     PotreeMeta meta;
-    if (root.has("encoding") && root.member("encoding").text() != "DEFAULT")
-        refuse(input, fmt::format("has points in the encoding {}; this build reads 'DEFAULT': convert the scan again "
-                                  "with PotreeConverter --encoding DEFAULT",
-                                  inQuotes(root.member("encoding").text())));
+    const std::string encoding = root.has("encoding") ? root.member("encoding").text() : "DEFAULT";
+    meta.is_brotli = encoding == "BROTLI";
+    if (!meta.is_brotli && encoding != "DEFAULT")
+        refuse(input, fmt::format("has points in the encoding {}; this build reads 'DEFAULT' and 'BROTLI'",
+                                  inQuotes(encoding)));
     meta.scale = threeOf(root.member("scale"));
     meta.offset = threeOf(root.member("offset"));
     meta.points = root.member("points").integer();
@@ -93,6 +100,7 @@ PotreeMeta metaOf(const InputFile& input) {
 /// A run of points in octree.bin.
 struct PotreeRun {
     std::uint64_t at = 0, points = 0;
+    std::uint64_t bytes = 0; ///< in the encoding BROTLI
 };
 
 /// Reads the records of the hierarchy, which lies in chunks: the last nodes of one stand for the roots of others.
@@ -137,7 +145,8 @@ private:
                 chunks_.push_back({byte, wholeAt(at + 14, Scalar::kU64), node});
                 continue;
             }
-            if (points > 0 && selectsNode(sink_, node.level, node.box)) runs_.push_back({byte, points});
+            if (points > 0 && selectsNode(sink_, node.level, node.box))
+                runs_.push_back({byte, points, wholeAt(at + 14, Scalar::kU64)});
             for (unsigned child = 0; child < 8; ++child)
                 if ((static_cast<unsigned char>(at[1]) >> child & 1) != 0)
                     nodes.push_back({node.level + 1, childBox(node.box, child)});
@@ -174,19 +183,32 @@ InputFile openSibling(const InputFile& input, const char* name) {
     return openInputFile((std::filesystem::path(input.name).parent_path() / name).string(), NamedBy::kFile);
 }
 
+/// The points of all runs. Throws Error if one lies outside the file, or together they are more than it can hold: with
+/// Brotli, more than a gzipped scan may unpack to.
+std::uint64_t pointsOf(const PotreeMeta& meta, const InputFile& hierarchy, const InputFile& octree,
+                       const std::vector<PotreeRun>& runs) {
+    constexpr std::uint64_t kUnpackedAtLeast = std::uint64_t{64} << 20, kUnpackedPerByte = 100;
+    const std::uint64_t size = octree.bytes.size();
+    const std::uint64_t unpacked = meta.is_brotli ? kUnpackedAtLeast + kUnpackedPerByte * size : size;
+    const std::uint64_t room = unpacked / meta.record_bytes;
+    std::uint64_t points = 0;
+    for (const PotreeRun& run : runs) {
+        const std::uint64_t left = size - std::min(run.at, size);
+        const bool fits = meta.is_brotli ? run.bytes <= left : run.points <= left / meta.record_bytes;
+        if (run.at > size || !fits)
+            refuse(octree,
+                   fmt::format("truncated: a node of {} points at byte {} lies outside the file", run.points, run.at));
+        points += run.points;
+        if (points > room) refuse(hierarchy, fmt::format("names {} points or more, but {} are there", points, room));
+    }
+    return points;
+}
+
 void readPotree(const InputFile& input, Sink& sink) {
     PotreeMeta meta = metaOf(input);
     const InputFile hierarchy = openSibling(input, "hierarchy.bin"), octree = openSibling(input, "octree.bin");
     const std::vector<PotreeRun> runs = PotreeHierarchy(hierarchy, sink).runs(meta.first_chunk, meta.box);
-    std::uint64_t points = 0;
-    const std::uint64_t room = octree.bytes.size() / meta.record_bytes;
-    for (const PotreeRun& run : runs) {
-        if (run.at > octree.bytes.size() || run.points > (octree.bytes.size() - run.at) / meta.record_bytes)
-            refuse(octree,
-                   fmt::format("truncated: a node of {} points at byte {} lies outside the file", run.points, run.at));
-        points += run.points;
-    }
-    if (points > room) refuse(hierarchy, fmt::format("names {} points, but {} are there", points, room));
+    const std::uint64_t points = pointsOf(meta, hierarchy, octree, runs);
     if (runs.empty()) refuse(input, "none of its nodes is within --bounds");
     meta.traits.vertices = points;
     sink.beginScan(input, meta.traits);
@@ -194,9 +216,15 @@ void readPotree(const InputFile& input, Sink& sink) {
     std::size_t packed_bytes = 0;
     for (const PotreeField& field : meta.fields) packed_bytes += field.size;
     std::vector<char> packed(packed_bytes);
-    for (const PotreeRun& run : runs)
+    for (const PotreeRun& run : runs) {
+        std::string unpacked;
+        if (meta.is_brotli)
+            unpacked = unpackPotreeNode(octree, octree.bytes.substr(run.at, run.bytes), meta.columns, meta.record_bytes,
+                                        run.points);
+        const char* const records = meta.is_brotli ? unpacked.data() : octree.begin() + run.at;
         for (std::uint64_t i = 0; i < run.points; ++i)
-            addPotreePoint(meta, octree.begin() + run.at + i * meta.record_bytes, row, packed, sink);
+            addPotreePoint(meta, records + i * meta.record_bytes, row, packed, sink);
+    }
     sink.finishScan(input);
     const LasCrs crs = crsOfWkt(meta.projection);
     WorldFrame frame;

@@ -134,6 +134,12 @@ bool isRosCloud(std::string_view type) {
     return type == "sensor_msgs/PointCloud2" || type == "sensor_msgs/msg/PointCloud2";
 }
 
+void RosClouds::reportLeft(std::size_t bytes) {
+    const std::size_t done = input_.bytes.size() - bytes;
+    if (progress_) progress_(static_cast<double>(done) / static_cast<double>(input_.bytes.size()));
+    release_pages_(done);
+}
+
 void RosClouds::add(const std::string& topic, RosEncoding encoding, std::string_view message) {
     RosCloud cloud = takeCloud(input_, encoding, message);
     Topic& its = topics_[topic];
@@ -171,6 +177,8 @@ void RosClouds::finish() {
             read += fmt::format("{}{} ({} in frame {})", read.empty() ? "" : ", ", name, topic.clouds, topic.frame);
     sink_.note(input_,
                fmt::format("clouds are read as they are, without poses of a moving scanner: {}", inQuotes(read)));
+    if (const std::string others = otherTopics(); !others.empty())
+        sink_.note(input_, fmt::format("topics without clouds are not read: {}", inQuotes(others)));
     WorldFrame frame;
     frame.up = Vec3d::UnitZ(); // of vehicles and maps alike (REP 103)
     frame.up_by_custom = true;

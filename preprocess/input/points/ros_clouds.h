@@ -2,9 +2,11 @@
 // Clouds in ROS recordings: messages of type sensor_msgs/PointCloud2, whatever container holds them.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "preprocess/ingest/formats.h"
 
@@ -19,7 +21,14 @@ bool isRosCloud(std::string_view type);
 /// Receives the messages of one recording and adds each as a scan.
 class RosClouds {
 public:
-    RosClouds(const InputFile& input, Sink& sink) : input_(input), sink_(sink) {}
+    RosClouds(const InputFile& input, Sink& sink)
+        : input_(input), sink_(sink), progress_(std::exchange(sink.progress, nullptr)), release_pages_{input} {}
+    ~RosClouds() { sink_.progress = progress_; }
+    RosClouds(const RosClouds&) = delete;
+    RosClouds& operator=(const RosClouds&) = delete;
+
+    /// Reports how much of the file is read, and releases the memory of that.
+    void reportLeft(std::size_t bytes);
 
     /// A topic of the recording, with clouds or something else.
     void addTopic(const std::string& topic, const std::string& type) { topics_[topic].type = type; }
@@ -37,6 +46,8 @@ private:
 
     const InputFile& input_;
     Sink& sink_;
+    std::function<void(double)> progress_; ///< of the file: the sink would report that of each cloud
+    ReleasePagesBehind release_pages_;
     std::map<std::string, Topic> topics_;
     std::uint64_t clouds_ = 0, points_ = 0;
 };

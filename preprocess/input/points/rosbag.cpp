@@ -54,6 +54,7 @@ private:
     void readRecords(std::string_view bytes, bool in_chunk) {
         ByteCursor cursor{input_, bytes};
         while (!cursor.rest.empty()) {
+            if (!in_chunk) clouds_.reportLeft(cursor.rest.size());
             std::string_view header, data;
             if (!takePart(cursor, header) || !takePart(cursor, data)) {
                 if (!sink_.salvages)

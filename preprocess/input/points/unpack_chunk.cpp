@@ -47,4 +47,11 @@ std::string unpackChunk(const InputFile& input, std::string_view compression, st
     return unpacked;
 }
 
+std::uint64_t zstdSize(const InputFile& input) {
+    const unsigned long long size = ZSTD_getFrameContentSize(input.bytes.data(), input.bytes.size());
+    if (size == ZSTD_CONTENTSIZE_UNKNOWN || size == ZSTD_CONTENTSIZE_ERROR)
+        refuse(input, "is not zstd data that states its size");
+    return size;
+}
+
 } // namespace pointrt

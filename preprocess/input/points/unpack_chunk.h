@@ -14,4 +14,7 @@ namespace pointrt {
 std::string unpackChunk(const InputFile& input, std::string_view compression, std::string_view packed,
                         std::uint64_t size);
 
+/// The unpacked size that the bytes of a file, a zstd frame, state. Throws Error if they do not.
+std::uint64_t zstdSize(const InputFile& input);
+
 } // namespace pointrt

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <png.h>
 
 #include "format/pointio/base64.h"
 #include "preprocess/cloud/gaussians.h"
@@ -213,6 +214,42 @@ TEST_F(GltfTest, MaterialsColourMeshes) {
     EXPECT_EQ(cloud.colors[3], (Rgb8{255, 188, 0}));
     EXPECT_HAS(notesOf(cloud), "textures");
     EXPECT_TRUE(readText("b.glb", triangle().glb()).colors.empty());
+}
+
+/// Two pixels: red above, blue below.
+std::string redAboveBlue() {
+    const std::uint8_t rgb[] = {255, 0, 0, 0, 0, 255};
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = 1;
+    image.height = 2;
+    image.format = PNG_FORMAT_RGB;
+    std::string bytes(4096, '\0');
+    png_alloc_size_t size = bytes.size();
+    EXPECT_TRUE(png_image_write_to_memory(&image, bytes.data(), &size, 0, rgb, 0, nullptr));
+    return bytes.substr(0, size);
+}
+
+TEST_F(GltfTest, TexturesColourFaces) {
+    Gltf gltf;
+    const std::size_t places = gltf.floats({0.5f, 0.25f, 0.5f, 0.25f, 0.5f, 0.75f}, "VEC2", 2); // v counts down
+    gltf.add({{"material", 0}, {"attributes", {{"POSITION", gltf.threes(kCorner)}, {"TEXCOORD_0", places}}}});
+    gltf.json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
+    gltf.json["textures"] = {{{"source", 0}}};
+    const auto expectColors = [](const Cloud& cloud) {
+        ASSERT_EQ(cloud.colors.size(), 3u) << notesOf(cloud);
+        EXPECT_EQ(cloud.colors[0], (Rgb8{255, 0, 0}));
+        EXPECT_EQ(cloud.colors[2], (Rgb8{0, 0, 255}));
+    };
+    Gltf inside = gltf;
+    inside.json["images"] = {{{"bufferView", inside.view(redAboveBlue())}, {"mimeType", "image/png"}}};
+    expectColors(readText("a.glb", inside.glb()));
+    gltf.json["images"] = {{{"uri", "data:image/png;base64," + toBase64(redAboveBlue())}}};
+    expectColors(readText("b.glb", gltf.glb()));
+    gltf.json["images"] = {{{"uri", "my%20picture.png"}}};
+    EXPECT_HAS(notesOf(readText("c.glb", gltf.glb())), "my picture.png");
+    write("my picture.png", redAboveBlue());
+    expectColors(readText("c.glb", gltf.glb()));
 }
 
 TEST_F(GltfTest, MeshesAreSampled) {

@@ -19,7 +19,7 @@ std::string pnts(const std::string& features, const std::string& bytes, const st
 }
 
 template <typename Value>
-std::string values(const std::vector<Value>& list) {
+std::string pntsValues(const std::vector<Value>& list) {
     std::string bytes;
     for (const Value value : list) bytes += bytesOf(value);
     return bytes;
@@ -28,9 +28,9 @@ std::string values(const std::vector<Value>& list) {
 const std::string kPlain = pnts(
     "{\"POINTS_LENGTH\":2,\"RTC_CENTER\":[6371000,0,0],\"POSITION\":{\"byteOffset\":0},\"RGB\":{\"byteOffset\":24},"
     "\"NORMAL_OCT16P\":{\"byteOffset\":30}}",
-    values<float>({1, 2, 3, 4, 5, 6}) + "\x01\x02\x03\x04\x05\xff\xff\x80\x80\xff",
+    pntsValues<float>({1, 2, 3, 4, 5, 6}) + "\x01\x02\x03\x04\x05\xff\xff\x80\x80\xff",
     "{\"intensity\":{\"byteOffset\":0,\"componentType\":\"UNSIGNED_SHORT\",\"type\":\"SCALAR\"}}",
-    values<std::uint16_t>({7, 9}));
+    pntsValues<std::uint16_t>({7, 9}));
 
 TEST_F(PntsTest, PositionsAroundACentreOnTheEarth) {
     const Cloud cloud = readText("a.pnts", kPlain);
@@ -48,7 +48,7 @@ TEST_F(PntsTest, QuantisedPositionsAndColours) {
     const Cloud cloud = readText(
         "a.pnts", pnts("{\"POINTS_LENGTH\":2,\"POSITION_QUANTIZED\":{\"byteOffset\":0},\"RGB565\":{\"byteOffset\":12},"
                        "\"QUANTIZED_VOLUME_OFFSET\":[10,20,30],\"QUANTIZED_VOLUME_SCALE\":[1,2,4]}",
-                       values<std::uint16_t>({0, 0, 0, 65535, 65535, 65535, 31 << 11, 63 << 5})));
+                       pntsValues<std::uint16_t>({0, 0, 0, 65535, 65535, 65535, 31 << 11, 63 << 5})));
     EXPECT_EQ(world(cloud, 0), Vec3d(10, 20, 30));
     EXPECT_EQ(world(cloud, 1), Vec3d(11, 22, 34));
     EXPECT_EQ(cloud.colors.at(0), (Rgb8{255, 0, 0}));

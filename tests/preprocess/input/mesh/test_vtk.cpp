@@ -33,7 +33,7 @@ TEST_F(VtkTest, PolygonsOfLegacyText) {
     EXPECT_EQ(cloud.triangles[1], (std::array<std::uint32_t, 3>{0, 2, 3}));
 }
 
-void expectPoints(const Cloud& cloud) {
+void expectVtkPoints(const Cloud& cloud) {
     ASSERT_EQ(cloud.positions.size(), 2u);
     EXPECT_EQ(world(cloud, 1), Vec3d(4, 5, 6));
     EXPECT_EQ(cloud.colors.at(1), (Rgb8{4, 5, 255}));
@@ -41,18 +41,18 @@ void expectPoints(const Cloud& cloud) {
     EXPECT_EQ(numbersOf(cloud, "intensity"), (Numbers{0.5, 0.25}));
 }
 
-TEST_F(VtkTest, ArraysOfLegacyBinary) { expectPoints(readText("a.vtk", kBinary)); }
+TEST_F(VtkTest, ArraysOfLegacyBinary) { expectVtkPoints(readText("a.vtk", kBinary)); }
 
 template <typename Value>
-std::string values(const std::vector<Value>& list) {
+std::string vtkValues(const std::vector<Value>& list) {
     std::string bytes;
     for (const Value value : list) bytes += bytesOf(value);
     return bytes;
 }
 
 struct XmlArrays {
-    std::string points = values<float>({1, 2, 3, 4, 5, 6}), colors = "\x01\x02\x03\x04\x05\xff",
-                normals = values<float>({0, 0, 1, 0, 1, 0}), intensity = values<float>({0.5, 0.25});
+    std::string points = vtkValues<float>({1, 2, 3, 4, 5, 6}), colors = "\x01\x02\x03\x04\x05\xff",
+                normals = vtkValues<float>({0, 0, 1, 0, 1, 0}), intensity = vtkValues<float>({0.5, 0.25});
 };
 
 /// store(bytes) returns the attributes and the text of an array.
@@ -98,7 +98,7 @@ std::string appended() {
         xml("header_type='UInt64' compressor='vtkZLibDataCompressor'", [&](const std::string& bytes) {
             const std::string packed = deflated(bytes);
             const Stored stored{fmt::format("format='appended' offset='{}'", data.size()), ""};
-            data += values<std::uint64_t>({1, 32768, bytes.size(), packed.size()}) + packed;
+            data += vtkValues<std::uint64_t>({1, 32768, bytes.size(), packed.size()}) + packed;
             return stored;
         });
     const std::string end = "</VTKFile>\n";
@@ -106,9 +106,9 @@ std::string appended() {
            "\n</AppendedData>\n" + end;
 }
 
-TEST_F(VtkTest, ArraysOfXmlInBase64) { expectPoints(readText("a.vtp", inBase64())); }
+TEST_F(VtkTest, ArraysOfXmlInBase64) { expectVtkPoints(readText("a.vtp", inBase64())); }
 
-TEST_F(VtkTest, ArraysOfXmlAppendedAndCompressed) { expectPoints(readText("a.vtp", appended())); }
+TEST_F(VtkTest, ArraysOfXmlAppendedAndCompressed) { expectVtkPoints(readText("a.vtp", appended())); }
 
 TEST_F(VtkTest, PolygonsOfXmlText) {
     const Cloud cloud = readText(

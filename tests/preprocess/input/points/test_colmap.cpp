@@ -13,15 +13,15 @@ std::string packed(Values... each) {
     return (bytesOf(each) + ...);
 }
 
-std::string point(std::uint64_t id, double x, std::uint32_t image) {
+std::string colmapPoint(std::uint64_t id, double x, std::uint32_t image) {
     return packed(id, x, 2.0, 3.0) + "\x0a\x14\x1e" + packed(0.5, std::uint64_t{1}, image, 0u);
 }
 
 /// Two points: the first seen by photograph 4, the second by photograph 3.
-std::string points() { return packed(std::uint64_t{2}) + point(1, 1, 4) + point(2, 9, 3); }
+std::string colmapPoints() { return packed(std::uint64_t{2}) + colmapPoint(1, 1, 4) + colmapPoint(2, 9, 3); }
 
 /// Photographs 3 and 4 look along z from (0, 0, -5) and (7, 0, -5), with y down.
-std::string images() {
+std::string photographs() {
     const std::string none = packed(std::uint64_t{0});
     return packed(std::uint64_t{2}) + packed(3u, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 5.0, 1u) + std::string("a.jpg\0", 6) +
            none + packed(4u, 1.0, 0.0, 0.0, 0.0, -7.0, 0.0, 5.0, 1u) + std::string("b.jpg\0", 6) + none;
@@ -41,8 +41,8 @@ void expectModel(const Cloud& cloud) {
 }
 
 TEST_F(ColmapTest, BinaryModelsByTheirFolder) {
-    write("images.bin", images());
-    write("points3D.bin", points());
+    write("images.bin", photographs());
+    write("points3D.bin", colmapPoints());
     write("cameras.bin", packed(std::uint64_t{0}));
     const std::vector<std::string> files = filesOf({folder.string()});
     ASSERT_EQ(files.size(), 1u);
@@ -58,7 +58,7 @@ TEST_F(ColmapTest, TextModels) {
 }
 
 TEST_F(ColmapTest, PointsWithoutPhotographs) {
-    const Cloud cloud = readText("points3D.bin", points());
+    const Cloud cloud = readText("points3D.bin", colmapPoints());
     EXPECT_EQ(cloud.positions.size(), 2u);
     EXPECT_FALSE(cloud.scans.at(0).sensor.has_value());
     EXPECT_HAS(notesOf(cloud), "images.bin");
@@ -72,11 +72,11 @@ TEST_F(ColmapTest, MalformedLinesAndImagesAreNamed) {
 }
 
 TEST_F(ColmapTest, DamagedFilesAreReadOrRefused) {
-    write("images.bin", images());
-    readPrefixes("points3D.bin", points());
-    readChangedBytes("points3D.bin", points());
-    const std::string whole = images();
-    const std::string path = write("points3D.bin", points());
+    write("images.bin", photographs());
+    readPrefixes("points3D.bin", colmapPoints());
+    readChangedBytes("points3D.bin", colmapPoints());
+    const std::string whole = photographs();
+    const std::string path = write("points3D.bin", colmapPoints());
     for (std::size_t size = 0; size < whole.size(); ++size) {
         write("images.bin", whole.substr(0, size));
         reasonOf(path);

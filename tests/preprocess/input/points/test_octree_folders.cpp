@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scans that other programs read: folders in folders, EPT, Potree 2, ESRI grids, headers that leave things out.
+#include <brotli/encode.h>
+#include <fstream>
+#include <zstd.h>
+
 #include "tests/preprocess/input/input_fixture.h"
 #include "tests/support/las_file.h"
 
@@ -77,7 +81,65 @@ TEST_F(FolderTest, DamagedPotreeOctreesAreRefused) {
     EXPECT_HAS(reasonOf(writeIn(
                    "q/metadata.json",
                    R"({"hierarchy":{"firstChunkSize":22},"attributes":[],"boundingBox":{},"encoding":"BROTLI"})")),
-               "'BROTLI'");
+               "metadata.json:scale");
+    EXPECT_HAS(
+        reasonOf(writeIn("r/metadata.json",
+                         R"({"hierarchy":{"firstChunkSize":22},"attributes":[],"boundingBox":{},"encoding":"LZMA"})")),
+        "'LZMA'");
+}
+
+std::uint64_t mortonOf(const std::array<std::uint32_t, 3>& values) {
+    std::uint64_t code = 0;
+    for (int bit = 0; bit < 16; ++bit)
+        for (int axis = 0; axis < 3; ++axis)
+            code |= std::uint64_t{values[static_cast<std::size_t>(axis)] >> bit & 1} << (3 * bit + axis);
+    return code;
+}
+
+std::string brotli(const std::string& bytes) {
+    std::size_t size = BrotliEncoderMaxCompressedSize(bytes.size());
+    std::string packed(size, '\0');
+    BrotliEncoderCompress(5, BROTLI_DEFAULT_WINDOW, BROTLI_DEFAULT_MODE, bytes.size(),
+                          reinterpret_cast<const std::uint8_t*>(bytes.data()), &size,
+                          reinterpret_cast<std::uint8_t*>(packed.data()));
+    packed.resize(size);
+    return packed;
+}
+
+TEST_F(FolderTest, PotreeOctreesWithBrotli) {
+    // one node: Morton codes of the high and the low halves of positions, intensities, Morton codes of colours
+    const std::array<std::uint32_t, 3> places[] = {{70000, 400, 65536}, {1, 2, 3}};
+    std::string positions, colors;
+    for (const auto& place : places) {
+        positions += bytesOf(mortonOf({place[0] >> 16, place[1] >> 16, place[2] >> 16})) +
+                     bytesOf(mortonOf({place[0] & 0xffff, place[1] & 0xffff, place[2] & 0xffff}));
+        colors += bytesOf(mortonOf({65280, 256, place[2] & 255}));
+    }
+    const std::string node = brotli(positions + bytesOf(std::uint16_t{7}) + bytesOf(std::uint16_t{9}) + colors);
+    potree();
+    writeIn("p/octree.bin", node);
+    writeIn("p/hierarchy.bin", potreeNode(1, 0, 2, 0, node.size()) + std::string(44, '\0'));
+    std::ifstream file(folder / "p/metadata.json");
+    std::string meta{std::istreambuf_iterator<char>(file), {}};
+    meta.replace(meta.find("DEFAULT"), 7, "BROTLI");
+    const std::string path = writeIn("p/metadata.json", meta);
+    const Cloud cloud = read(path);
+    ASSERT_EQ(cloud.positions.size(), 2u);
+    EXPECT_TRUE(world(cloud, 0).isApprox(Vec3d(1700, 4, 655.36), 1e-6));
+    EXPECT_EQ(cloud.colors.at(1), (Rgb8{255, 1, 0}));
+    EXPECT_EQ(numbersOf(cloud, "intensity"), (Numbers{7, 9}));
+    for (std::size_t i = 0; i < node.size(); ++i) {
+        std::string changed = node;
+        changed[i] ^= '\x55';
+        writeIn("p/octree.bin", changed);
+        try {
+            read(path);
+        } catch (const Error& error) {
+            ASSERT_EQ(error.code, ExitCode::kBadInput) << error.what();
+        }
+    }
+    writeIn("p/hierarchy.bin", potreeNode(1, 0, 4000000000, 0, node.size()) + std::string(44, '\0'));
+    EXPECT_HAS(reasonOf(path), "hierarchy.bin: *4000000000");
 }
 
 TEST_F(FolderTest, EptFolders) {
@@ -108,8 +170,48 @@ TEST_F(FolderTest, EptFolders) {
     options.filter.bounds = Eigen::AlignedBox3d(Vec3d(60, 6, 6), Vec3d(90, 9, 9));
     EXPECT_HAS(reasonOf(meta, options), "ept.json: none of its 3 nodes");
     EXPECT_HAS(reasonOf(writeIn("f/ept.json",
-                                R"({"bounds":[0,0,0,8,8,8],"dataType":"binary","hierarchyType":"json","schema":[]})")),
-               "f/ept.json: *'binary'");
+                                R"({"bounds":[0,0,0,8,8,8],"dataType":"text","hierarchyType":"json","schema":[]})")),
+               "f/ept.json: *'text'");
+}
+
+TEST_F(FolderTest, EptFoldersOfBareRecords) {
+    const auto record = [](int x, std::uint8_t label) {
+        return bytesOf(x) + bytesOf(200) + bytesOf(300) + bytesOf(label) + bytesOf(std::uint16_t{65280}) +
+               bytesOf(std::uint16_t{0}) + bytesOf(std::uint16_t{256});
+    };
+    const std::string meta = R"({"bounds":[0,0,0,8,8,8],"dataType":"binary","hierarchyType":"json","schema":[)"
+                             R"({"name":"X","type":"signed","size":4,"scale":0.01,"offset":1000},)"
+                             R"({"name":"Y","type":"signed","size":4,"scale":0.01,"offset":0},)"
+                             R"({"name":"Z","type":"signed","size":4,"scale":0.01,"offset":0},)"
+                             R"({"name":"Classification","type":"unsigned","size":1},)"
+                             R"({"name":"Red","type":"unsigned","size":2},{"name":"Green","type":"unsigned","size":2},)"
+                             R"({"name":"Blue","type":"unsigned","size":2}]})";
+    const std::string root = record(100, 2), child = record(500, 6);
+    writeIn("b/ept-data/0-0-0-0.bin", root);
+    writeIn("b/ept-data/1-0-0-0.bin", child);
+    const auto expectRecords = [](const Cloud& cloud) {
+        ASSERT_EQ(cloud.positions.size(), 2u);
+        EXPECT_EQ(cloud.scans.size(), 1u);
+        EXPECT_EQ(world(cloud, 1), Vec3d(1005, 2, 3));
+        EXPECT_EQ(cloud.colors.at(1), (Rgb8{255, 0, 1}));
+        EXPECT_EQ(numbersOf(cloud, "classification"), (Numbers{2, 6}));
+    };
+    expectRecords(read(writeIn("b/ept.json", meta)));
+    std::string packed = meta;
+    packed.replace(packed.find("binary"), 6, "zstandard");
+    const auto packedNode = [](const std::string& bytes) {
+        std::string out(ZSTD_compressBound(bytes.size()), '\0');
+        out.resize(ZSTD_compress(out.data(), out.size(), bytes.data(), bytes.size(), 1));
+        return out;
+    };
+    writeIn("z/ept-data/0-0-0-0.zst", packedNode(root));
+    writeIn("z/ept-data/1-0-0-0.zst", packedNode(child));
+    const std::string path = writeIn("z/ept.json", packed);
+    expectRecords(read(path));
+    writeIn("z/ept-data/1-0-0-0.zst", packedNode(child + "x"));
+    EXPECT_HAS(reasonOf(path), "1-0-0-0.zst: *20 bytes");
+    writeIn("z/ept-data/1-0-0-0.zst", "junk");
+    EXPECT_HAS(reasonOf(path), "1-0-0-0.zst: *zstd");
 }
 
 TEST_F(FolderTest, FoldersInFolders) {
