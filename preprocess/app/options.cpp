@@ -12,7 +12,7 @@
 #include "preprocess/app/filter_options.h"
 #include "preprocess/app/set_options.h"
 #include "preprocess/input/folders.h"
-#include "preprocess/input/formats.h"
+#include "preprocess/input/input_formats.h"
 
 namespace pointrt {
 

@@ -3,7 +3,7 @@
 
 #include <tbb/global_control.h>
 
-#include "preprocess/input/formats.h"
+#include "preprocess/ingest/formats.h"
 #include "tests/support/temporary_folder.h"
 
 namespace pointrt::fuzz {
