@@ -68,13 +68,15 @@ vec3 decoded(Composite sum, bool misses) {
     return plain && misses && !hasOption(OPTION_TRANSPARENT) && !kRelights ? over : alone;
 }
 
-// Shadow rays of lit Gaussians start this far above them, in half lengths of the flattest axis of the ellipsoid in which
-// the Gaussian counts: a surface is a layer of several, which overlap and do not lie in one plane.
-const float kLift = 1.0;
-
-// In render space. The length of the flattest axis is the inverse of its half length.
-float liftOf(GaussianRay ray, GaussianHit hit) {
-    return kLift / (length(gaussianNormal(hit.gaussian, ray.direction)) * cubeScale());
+// The radius by which shadow rays of lit Gaussians are offset (shaders/trace/offset.glsl): about a deviation along the
+// middle axis, which is a third of its half length. A surface is a layer of Gaussians that overlap and do not lie in one
+// plane.
+float radiusOf(uint gaussian) {
+    vec3 x = loadGaussianRow(gaussian, 0u).xyz, y = loadGaussianRow(gaussian, 1u).xyz;
+    vec3 z = loadGaussianRow(gaussian, 2u).xyz;
+    vec3 squares = vec3(dot(x, x), dot(y, y), dot(z, z)); // of the inverse half lengths
+    float middle = max(min(squares.x, squares.y), min(max(squares.x, squares.y), squares.z));
+    return 1.0 / (3.0 * sqrt(middle) * cubeScale());
 }
 
 // As GaussianLight stores it.
@@ -84,12 +86,12 @@ vec4 middleOf(GaussianRay ray, GaussianHit hit) {
 }
 
 // What GaussianLight stores of Gaussians that the scene lights.
-void storeSurface(Composite sum, bool complete, float lift, vec3 light, inout vec4 next, inout vec4 middle) {
+void storeSurface(Composite sum, bool complete, float radius, vec3 light, inout vec4 next, inout vec4 middle) {
     if (!kRelights) return;
     float length_squared = dot(sum.normal, sum.normal);
-    middle.xyz = complete && length_squared > 0.0 ? sum.normal * (lift / sqrt(length_squared)) : sum.normal;
+    middle.xyz = complete && length_squared > 0.0 ? sum.normal * (radius / sqrt(length_squared)) : sum.normal;
     if (length_squared == 0.0) middle.w = kWalkEnded;
-    next.yzw = complete ? light : vec3(next.y, sum.most, lift);
+    next.yzw = complete ? light : vec3(next.y, sum.most, radius);
 }
 
 void main() {
@@ -115,8 +117,8 @@ void main() {
     vec4 next = vec4(ends ? kWalkEnded : hits.last.t, uintBitsToFloat(hits.last.gaussian), 0.0, 0.0);
     bool has_middle = sum.middle.gaussian != NO_INDEX;
     vec4 middle = has_middle ? middleOf(ray, sum.middle) : stored.middle;
-    float lift = kRelights && has_middle ? liftOf(ray, sum.middle) : stored.last.w;
-    storeSurface(sum, complete, lift, light, next, middle);
+    float radius = kRelights && has_middle ? radiusOf(sum.middle.gaussian) : stored.last.w;
+    storeSurface(sum, complete, radius, light, next, middle);
     if (live) gaussian_light[index] = GaussianLight(vec4(light, sum.transmittance), next, middle);
     if (cut && ends) atomicAdd(control.cut_rays, 1u);
 }

@@ -125,9 +125,8 @@ struct GaussianLight {
     vec4 light;  // a: the share that passes from behind
     vec4 last;   // x: t of the last Gaussian added, kWalkEnded if no more come; y: its number
     vec4 middle; // behind which less than half passes: its normal, and t in render space; kWalkEnded if more passes
-    // Lit by the scene: until all are composited, last.z is the most that one Gaussian adds, last.w how far above it
-    // shadow rays start, and middle.xyz the sum of normals; then last.yzw is the albedo and middle.xyz the normal, as
-    // long as shadow rays start above the surface.
+    // Lit by the scene: until all are composited, last.z is the most that one Gaussian adds, last.w its radius, and
+    // middle.xyz the sum of normals; then last.yzw is the albedo, and middle.xyz the normal as long as the radius.
 };
 
 // The boxes of a cull group, which rays are tested against before they are intersected with the instances inside.

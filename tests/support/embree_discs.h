@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Splats of a .pro as oriented discs and spheres in Embree: closest hits by an independent program with its own hierarchy.
+// Splats of a .pro as oriented discs and spheres in Embree: closest hits by an independent program with its own
+// hierarchy.
 #pragma once
 
 #include <cstdint>

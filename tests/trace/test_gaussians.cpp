@@ -207,7 +207,7 @@ enum class Between { kNothing, kBall, kFog };
 
 /// The light of a grey surface, or of a flat and nearly opaque Gaussian.
 double litLight(Lit lit, Between between, Integrator integrator, KernelForm form) {
-    OracleGaussian flat = roundGaussian({0, 0, 0}, 1, 0.99, {0.8, 0.8, 0.8});
+    OracleGaussian flat = roundGaussian({0, 0, 0}, 0.1, 0.99, {0.8, 0.8, 0.8});
     flat.deviation[1] = 0.001;
     // a fifth of a unit wide, 3 above the lamp if it shall hide nothing
     const OracleGaussian fog = roundGaussian({0, between == Between::kFog ? 1.5 : 6, 0}, 0.2, 0.6, {1, 1, 1});
