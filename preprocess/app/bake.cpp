@@ -17,6 +17,7 @@
 #include "preprocess/octree/splat_attributes.h"
 #include "preprocess/octree/write.h"
 #include "preprocess/surface/find_up.h"
+#include "preprocess/surface/gaussian_surface.h"
 
 namespace pointrt {
 
@@ -82,6 +83,12 @@ void findUpInData(const Splats& splats, BakeReport& report, WorldFrame& world) {
     report.up_reason = found.reason;
 }
 
+/// Where a capture does not tell, the custom of its format is a guess: programs keep the frame that their cameras had.
+void findUpOfCapture(const GaussianCloud& gaussians, BakeReport& report, WorldFrame& world) {
+    findUpInData(surfaceOfGaussians(gaussians.points, gaussians.columns), report, world);
+    if (report.up_from == nameOf(UpBasis::kCustom)) report.up_from = nameOf(UpBasis::kGuess);
+}
+
 void store(const BakeOptions& options, ProContent content, const PackedSplats& splats, const Octree& octree,
            BakeReport& report, BakeProgress& progress) {
     content.attributes = gatherAttributes(content.attributes, sourcePoints(splats));
@@ -114,6 +121,7 @@ void bakeGaussians(const BakeOptions& options, Cloud& cloud, BakeReport& report,
     }();
     ProContent content = takeMetadata(options, cloud, report);
     for (const Note& note : report.notes) progress.note(noteLine(note));
+    findUpOfCapture(gaussians, report, content.world);
     progress.begin("quantize", gaussians.points.positions.size());
     PackedSplats packed = packGaussianSplats(gaussians);
     report.splats = report.gaussians = packed.words.size();

@@ -70,7 +70,8 @@ void chooseColorsByDefault(LoadedScene& loaded) {
 /// and it may be darker or brighter than the rest of the scan.
 StudioSubject subjectOf(const LoadedScene& loaded, const Camera& camera, const FramedRequest& view) {
     constexpr double kViridisMean = 0.28; // of its 256 colours
-    StudioSubject subject{brightReflectance(loaded.sample), view.within, holdsOnlyGaussians(loaded.scene), view.walls,
+    StudioSubject subject{brightReflectance(loaded.sample), view.within,
+                          holdsOnlyGaussians(loaded.scene) && !loaded.settings.relight, view.walls,
                           meanReflectance(loaded.sample)};
     subject.lowest = lowestIfTilted(loaded.sample, sceneUp(loaded.scene.description, loaded.settings));
     if (!view.within) return subject;

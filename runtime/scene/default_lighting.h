@@ -22,7 +22,7 @@ struct StudioSubject {
     /// The eye is inside the scene, where outside lamps would be occluded: one lamp is near the eye, and ambient light
     /// comes from all sides.
     bool around_eye = false;
-    /// Every instance is a Gaussian capture: its light is part of it, and nothing in it is lit.
+    /// Every instance is a Gaussian capture whose light is part of it, and which nothing lights.
     bool only_gaussians = false;
     /// What encloses the eye, if anything does.
     std::optional<Surrounding> walls = {};

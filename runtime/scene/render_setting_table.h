@@ -148,6 +148,13 @@ inline constexpr std::tuple kRenderSettings{
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--blend", "on|off", "Blend overlapping splats (default {default})"},
         InSceneFile{FileTable::kRender, 11, "blend"},
         InFilm{10, "blend"}},
+    RenderSetting{&RenderSettings::relight, &RenderChoices::relight,
+        OneOf{kSwitchNames},
+        OnCommandLine{HelpGroup::kLightAndSurfaces, "--relight", "on|off",
+            "Light Gaussian captures as matte surfaces of their base colours, in place of the light that they have "
+            "captured (default {default})"},
+        InSceneFile{FileTable::kRender, 18, "relight"},
+        InFilm{17, "relight", nullptr, true}},
     RenderSetting{&RenderSettings::caustics, &RenderChoices::caustics,
         OneOf{kSwitchNames},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--caustics", "on|off",

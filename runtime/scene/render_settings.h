@@ -67,6 +67,7 @@ struct RenderSettings {
     bool shadows = true;
     bool caustics = true;              ///< light focused by glass and mirrors
     bool blend = true;                 ///< off: each hit is one splat's flat disc
+    bool relight = false;              ///< Gaussians are surfaces that the scene lights
     std::optional<float> reflectivity; ///< overrides the scans' materials
     std::string color_by = kOwnColors; ///< see color_choice.h of device_scene
     std::optional<ColorMap> color_map;
@@ -92,7 +93,7 @@ struct RenderChoices {
     std::optional<Room> room;
     std::optional<std::uint32_t> lights;
     std::optional<Background> background;
-    std::optional<bool> shadows, caustics, blend;
+    std::optional<bool> shadows, caustics, blend, relight;
     std::optional<float> reflectivity;
     std::optional<std::string> color_by;
     std::optional<ColorMap> color_map;

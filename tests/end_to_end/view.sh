@@ -162,6 +162,35 @@ EOF
         pointrt-view scene.toml -o out/a.png
 }
 
+# gaussians XYZ...: a .splat of round Gaussians; each digit is a coordinate, 0, 1 or 2.
+gaussians() {
+    local at axis
+    local -A bytes=([0]='\0\0\0\0' [1]='\0\0\x80\x3f' [2]='\0\0\0\x40')
+    for at in "$@"; do
+        for axis in 0 1 2; do printf "${bytes[${at:axis:1}]}"; done
+        # three deviations of 0.0625, opaque white, no rotation
+        printf '\0\0\x80\x3d\0\0\x80\x3d\0\0\x80\x3d\xff\xff\xff\xff\xff\x80\x80\x80'
+    done
+}
+
+# A row of balls does not tell what is up, and the custom of the format is worth little: both tools say so.
+case_captures_without_a_base_have_a_guessed_up() {
+    gaussians 000 100 200 >row.splat
+    expectDone pointrt-bake row.splat -o row.pro --stats stats.json
+    grep -q 'up is a guess: -y' stderr || fail "the bake does not say that it guessed"
+    [ "$(jsonValue stats.json up_from)" = guess ] || fail "the statistics do not say that up is a guess"
+    expectDone pointrt-view row.pro --size 8x8 --spp 1 -o out/row.png
+    grep -q 'up is a guess: -y' stderr || fail "the viewer does not say that up is a guess"
+}
+
+case_captures_become_discs_on_request() {
+    gaussians 000 100 010 110 001 101 >some.splat
+    pointrt-bake -q some.splat -o discs.pro --splat disc --outliers keep
+    pointrt-bake -q some.splat -o kept.pro
+    pointrt-info kept.pro | grep -q '^Gaussians ' || fail "Gaussians are not kept"
+    ! pointrt-info discs.pro | grep -q '^Gaussians ' || fail "--splat disc keeps Gaussians"
+}
+
 # The up direction stored in a file, found or guessed by the bake, has the effect of --up. A ball's points tell nothing:
 # z is guessed.
 case_up_directions() {

@@ -106,7 +106,11 @@ void readAsDiscs(const InputFile& input, const GaussianFile& file, const EachGau
         row[kRadius] = disc.radius;
         sink.addVertex(row, reinterpret_cast<const char*>(&gaussian.opacity));
     });
-    if (file.count > 0 && left_out.faint + left_out.huge == file.count)
+    if (left_out.huge > 0 && left_out.faint + left_out.huge == file.count)
+        refuse(input, fmt::format("none of its {} Gaussian splats makes a disc: {} are as large as the sky, and the "
+                                  "others have an opacity below {}",
+                                  file.count, left_out.huge, kLeastOpacity));
+    if (file.count > 0 && left_out.faint == file.count)
         refuse(input,
                fmt::format("none of its {} Gaussian splats has an opacity of {} or more", file.count, kLeastOpacity));
     noteLosses(input, file, left_out, sink);

@@ -123,6 +123,7 @@ void readGaussians(const InputFile& input, const GaussianFile& file, const EachG
     readGaussianScan(input, file, each, sink);
     WorldFrame frame;
     frame.up = file.up;
+    frame.up_by_custom = true; // programs that train them keep whatever frame their cameras had
     sink.setWorldFrame(input, frame);
 }
 

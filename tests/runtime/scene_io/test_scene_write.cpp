@@ -85,6 +85,7 @@ private:
         maybe(said.shadows, chance());
         maybe(said.caustics, chance());
         maybe(said.blend, chance());
+        maybe(said.relight, chance());
         maybe(said.reflectivity, single(1));
         maybe(said.exposure, single(40) - 20);
         maybe(said.denoise, DenoiseChoice{static_cast<int>(below(3))});
