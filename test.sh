@@ -20,6 +20,12 @@ command -v ccache >/dev/null ||
     options=(-D POINTRT_BUILD_BENCHES=OFF -D "CMAKE_CXX_FLAGS_RELWITHDEBINFO=-O2 -g1 -DNDEBUG")
 buildPreset dev "${options[@]}"
 
+# The tools sync each file that they complete, and the tests write thousands: a disk takes some 10 ms for each.
+if [ -z "${TMPDIR:-}" ] && folder=$(folderInMemory 2048); then
+    export TMPDIR=$folder
+    trap 'rm -rf "$TMPDIR"' EXIT
+fi
+
 report=$PWD/build/dev/ctest.xml
 rm -f "$report"
 status=0

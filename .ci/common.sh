@@ -39,22 +39,48 @@ rustUse() {
 
 # installPackages USE...: installs what is missing, and touches apt only then.
 installPackages() {
-    local missing as_root=""
+    local missing headers="" as_root=""
     if ! command -v dpkg-query >/dev/null; then
         say "no dpkg here: expecting the libraries of .ci/packages.txt to be there"
         return
     fi
-    case " $* " in *" bake "*) set -- "$@" "$(rustUse)" ;; esac
+    case " $* " in
+        *" bake "*)
+            set -- "$@" "$(rustUse)"
+            headers=$(missingHeaders)
+            ;;
+    esac
     missing=$(missingPackages "$@" | tr '\n' ' ')
-    [ -n "$missing" ] || return 0
+    [ -n "$missing$headers" ] || return 0
     if [ "$(id -u)" != 0 ]; then
-        command -v sudo >/dev/null || die "run this as root, or as root install: $missing"
+        command -v sudo >/dev/null || die "run this as root, or as root install: $missing$headers"
         as_root="sudo"
     fi
-    say "installing $missing"
+    say "installing $missing$headers"
     $as_root env DEBIAN_FRONTEND=noninteractive apt-get -q update
     # shellcheck disable=SC2086 # a list of words
     $as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o Dpkg::Use-Pty=0 install --no-install-recommends $missing
+    # shellcheck disable=SC2086
+    [ -z "$headers" ] || unpackHeaders $headers
+}
+
+# missingHeaders: the packages of which only headers are used, if they are neither installed nor unpacked.
+missingHeaders() {
+    local package
+    for package in $(missingPackages headers); do
+        [ -e "build/headers/$package.unpacked" ] || echo "$package"
+    done | tr '\n' ' '
+}
+
+# unpackHeaders PACKAGE...: unpacks packages into build/headers, without those that they depend on.
+unpackHeaders() {
+    local package folder=$PWD/build/headers
+    say "unpacking the headers of $*"
+    mkdir -p "$folder"
+    for package in "$@"; do
+        (cd "$folder" && rm -f "$package"_*.deb && apt-get -q -o APT::Sandbox::User=root download "$package" &&
+            dpkg-deb -x "$package"_*.deb . && rm "$package"_*.deb && touch "$package.unpacked")
+    done
 }
 
 # memoryMiB: what can be used now, by this machine and by this container.
@@ -90,10 +116,29 @@ buildPreset() {
         shift
     done
     say "building with the $preset preset, $(buildJobs) at a time"
+    [ ! -d build/headers ] || export CMAKE_PREFIX_PATH=$PWD/build/headers/usr${CMAKE_PREFIX_PATH:+:$CMAKE_PREFIX_PATH}
     output=$(cmake --preset "$preset" "${options[@]}" 2>&1) || {
         printf '%s\n' "$output" >&2
         die "cmake could not configure the build"
     }
     cmake --build --preset "$preset" --parallel "$(buildJobs)" "$@"
     say "built in $((SECONDS - started)) s"
+}
+
+# folderInMemory MIB: makes a folder in memory with room for so many MiB, from which programs can be started, and prints it.
+# Fails where there is none.
+folderInMemory() {
+    local folder
+    [ "$(stat -f -c %T /dev/shm 2>/dev/null)" = tmpfs ] || return 1
+    [ "$(df -Pm /dev/shm | awk 'NR == 2 { print $4 }')" -ge "$1" ] || return 1
+    [ "$(memoryMiB)" -ge $(($1 + 4096)) ] || return 1 # 4 GiB: what two tests take at a time
+    folder=$(mktemp -d /dev/shm/pointrt-XXXXXX) || return 1
+    printf '#!/bin/sh\n' >"$folder/starts" && chmod +x "$folder/starts"
+    if "$folder/starts" 2>/dev/null; then
+        rm "$folder/starts"
+        echo "$folder"
+    else
+        rm -r "$folder" # mounted without the right to execute
+        return 1
+    fi
 }

@@ -38,9 +38,9 @@ struct GaussianTree {
 /// at 1 (9.8) and 700 at 2 (25.6), of which 47 count.
 constexpr int kStoredFineness = 0, kTracedFineness = 2;
 
-/// Lists each Gaussian in every node of one depth whose cube its ellipsoid meets: the largest depth at which the edge
-/// of a cube is not shorter than the diameter of the disc that covers as much as the two longest axes, and `fineness`
-/// depths below. Those that reach out of the cube [0, 1)^3 are listed at the root, whose list all rays test.
+/// Lists each Gaussian in the nodes whose cubes its ellipsoid meets, all at one depth: the deepest whose cubes are as
+/// wide as the Gaussian (as the disc that has the area of its two longest axes), and then `fineness` depths further
+/// down. Gaussians that reach out of the cube [0, 1)^3 are listed at the root; all rays test its list.
 /// @param fineness 0 to 3
 /// @param threads 0: one per core
 GaussianTree buildGaussianTree(std::span<const GaussianEllipsoid> gaussians, int fineness, std::size_t threads = 0);

@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 
 struct Options {
     std::string input, export_path;
-    bool json = false, verify = false, force = false, quiet = false;
+    bool json = false, verify = false, force = false, quiet = false, scalar_names = false;
 };
 
 constexpr const char* kExamples = "  pointrt-info scan.pro\n"
@@ -41,12 +41,14 @@ void addOptions(CommandLine& app, Options& options) {
     completes(app, "FILE", ".pro .proset");
     app.add_flag("--json", options.json, "Print JSON instead of text");
     app.add_flag("--verify", options.verify, "Verify all checksums and contents; exit with 1 on findings");
-    app.add_option(
-           "--export", options.export_path,
-           "Write the splats to a new .ply, .las or .laz file, in input order or tile by tile (Gaussians: as a .ply of "
-           "3D Gaussian splatting, or as .spz); - is PLY on standard output")
+    app.add_option("--export", options.export_path,
+                   "Write the splats to a new .ply, .pcd, .las, .laz or .e57 file, in input order or tile by tile "
+                   "(Gaussians: as a .ply of "
+                   "3D Gaussian splatting, or as .spz); - is PLY on standard output")
         ->type_name("FILE");
-    completes(app, "--export", ".ply .las .laz .spz");
+    completes(app, "--export", ".ply .pcd .las .laz .e57 .spz");
+    app.add_flag("--scalar-names", options.scalar_names,
+                 "Start the names of attributes in an exported PLY with scalar_, as CloudCompare does");
     app.add_flag("-f,--force", options.force, "Let --export overwrite an existing file");
     app.add_flag("-q,--quiet", options.quiet, "Print only errors and findings");
     addCommonOptions(app, POINTRT_VERSION, "FILE cannot be read or is malformed", kExamples);
@@ -57,6 +59,7 @@ void checkOptions(const Options& options) {
     const std::string& path = options.export_path;
     if (options.input == "-") usage("-: a .pro is memory-mapped, so it must be a file");
     if (path.empty() && options.force) usage("--force needs --export");
+    if (options.scalar_names && path != "-" && !path.ends_with(".ply")) usage("--scalar-names needs --export to PLY");
     if (path.empty()) return;
     if (options.json || options.verify)
         usage(std::string("--export and ") + (options.json ? "--json" : "--verify") + " exclude each other");
@@ -64,8 +67,8 @@ void checkOptions(const Options& options) {
         usage("--export -: standard output is a terminal; redirect the splats to a file or a pipe");
     if (path != "-" && isSameFile(options.input, path)) usage(path + ": is the input");
     const auto has = [&](const char* suffix) { return path.ends_with(suffix); };
-    if (path != "-" && !has(".ply") && !has(".las") && !has(".laz") && !has(".spz"))
-        usage(path + ": --export writes .ply, .las, .laz or .spz");
+    if (path != "-" && !has(".ply") && !has(".pcd") && !has(".las") && !has(".laz") && !has(".e57") && !has(".spz"))
+        usage(path + ": --export writes .ply, .pcd, .las, .laz, .e57 or .spz");
 }
 
 struct FindingList {
@@ -103,7 +106,7 @@ int verify(const Options& options) {
 }
 
 int exportSplats(const Options& options, const ExportSource& source) {
-    exportPoints(source, options.export_path, options.force);
+    exportPoints(source, options.export_path, options.force, options.scalar_names);
     return 0;
 }
 
@@ -151,8 +154,12 @@ int main(int argc, char** argv) {
         CommandLine app("Summarizes, verifies and exports .pro files and tile sets.", "pointrt-info");
         Options options;
         addOptions(app, options);
-        if (const auto done =
-                parseCommandLine(app, argc, argv, {{".ply", "--export"}, {".las", "--export"}, {".laz", "--export"}}))
+        if (const auto done = parseCommandLine(app, argc, argv,
+                                               {{".ply", "--export"},
+                                                {".pcd", "--export"},
+                                                {".las", "--export"},
+                                                {".laz", "--export"},
+                                                {".e57", "--export"}}))
             return *done;
         const int code = runOptions(options);
         if (std::fflush(stdout) != 0) throw Error(ExitCode::kCannotWrite, "standard output: cannot write");

@@ -174,7 +174,9 @@ LasCrs lasCrs(const LasFile& file) {
     const LasVlr* const directory = findVlr(file, kLasCrsUser, kGeoKeysRecord);
     if (!directory) return {};
     const LasVlr* const doubles = findVlr(file, kLasCrsUser, kGeoDoublesRecord);
-    return crsOfKeys({directory->data, doubles ? doubles->data : std::string_view{}});
+    return crsOfGeoKeys(directory->data, doubles ? doubles->data : std::string_view{});
 }
+
+LasCrs crsOfGeoKeys(std::string_view directory, std::string_view doubles) { return crsOfKeys({directory, doubles}); }
 
 } // namespace pointrt

@@ -20,6 +20,9 @@ struct LasCrs {
 /// EPSG code, if PROJ is installed.
 LasCrs lasCrs(const LasFile& file);
 
+/// Reads GeoTIFF keys, the same in LAS and in TIFF files: GeoKeyDirectoryTag and GeoDoubleParamsTag, little-endian.
+LasCrs crsOfGeoKeys(std::string_view directory, std::string_view doubles);
+
 /// Kind and unit of a coordinate system in WKT, version 1 or 2.
 LasCrs crsOfWkt(std::string_view wkt);
 

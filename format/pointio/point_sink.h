@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes points as PLY, LAS, LAZ or text, block by block.
+// Writes points as PLY, PCD, LAS, LAZ, E57 or text, block by block.
 #pragma once
 
 #include <memory>
@@ -20,7 +20,7 @@ public:
     virtual void finish() = 0;
 };
 
-enum class PointFormat { kPly, kLas, kLaz, kCsv };
+enum class PointFormat { kPly, kLas, kLaz, kCsv, kPcd, kE57 };
 
 /// By the suffix; "-" is PLY. Throws Error kBadUsage for other suffixes.
 PointFormat pointFormat(const std::string& path);
@@ -29,6 +29,9 @@ PointFormat pointFormat(const std::string& path);
 /// - .ply: binary little-endian, double x y z, then a property for each component (NAME, or NAME_0 ... of several;
 ///   64-bit integers as double)
 /// - .las, .laz: see planLas
+/// - .pcd: version 0.7, binary; positions as floats if these are as fine as the positions are, else as doubles
+/// - .e57: one scan in metres, without a coordinate system; attributes without a name in the standard are an extension
+///   "pointrt:NAME"
 /// - .csv: text with a line of names; numbers in their shortest exact form
 /// @param existing kKept: an existing file is an error, which mentions --force
 /// Throws Error: kCannotWrite; kBadUsage as pointFormat; kCannotRun for LAZ in a build without it.

@@ -8,15 +8,16 @@
 
 #include "format/base/atomic_file.h"
 #include "format/base/error.h"
-#include "format/index/build_index.h"
 #include "preprocess/app/bake_progress.h"
 #include "preprocess/app/checks.h"
 #include "preprocess/app/interrupt.h"
 #include "preprocess/app/summary.h"
+#include "preprocess/octree/file_index.h"
 #include "preprocess/octree/gaussians.h"
 #include "preprocess/octree/splat_attributes.h"
 #include "preprocess/octree/write.h"
 #include "preprocess/surface/find_up.h"
+#include "preprocess/surface/gaussian_surface.h"
 
 namespace pointrt {
 
@@ -51,15 +52,6 @@ Splats estimateNamed(Cloud&& cloud, const BakeOptions& options, BakeReport& repo
     }
 }
 
-TracingIndex buildIndexNamed(const ProSections& sections, const BakeOptions& options, const OctreeProgress& progress) {
-    try {
-        return buildTracingIndex(sections.info, sections.view, {threadCount(options), progress});
-    } catch (const Error& error) {
-        throw Error(error.code, sourceName(options) + ": " + error.what() +
-                                    "; --compact omits the index, for viewers other than pointrt-view");
-    }
-}
-
 /// Moves all but the points from cloud to the content of the file; report gets the names of attributes.
 ProContent takeMetadata(const BakeOptions& options, Cloud& cloud, BakeReport& report) {
     fitAttributes(cloud);
@@ -91,6 +83,12 @@ void findUpInData(const Splats& splats, BakeReport& report, WorldFrame& world) {
     report.up_reason = found.reason;
 }
 
+/// Where a capture does not tell, the custom of its format is a guess: programs keep the frame that their cameras had.
+void findUpOfCapture(const GaussianCloud& gaussians, BakeReport& report, WorldFrame& world) {
+    findUpInData(surfaceOfGaussians(gaussians.points, gaussians.columns), report, world);
+    if (report.up_from == nameOf(UpBasis::kCustom)) report.up_from = nameOf(UpBasis::kGuess);
+}
+
 void store(const BakeOptions& options, ProContent content, const PackedSplats& splats, const Octree& octree,
            BakeReport& report, BakeProgress& progress) {
     content.attributes = gatherAttributes(content.attributes, sourcePoints(splats));
@@ -103,7 +101,8 @@ void store(const BakeOptions& options, ProContent content, const PackedSplats& s
     pro_index index_view{};
     if (options.index) {
         progress.begin("index", report.splats);
-        index = buildIndexNamed(sections, options, [&](double share) { progress.update(share); });
+        index = fileIndex(sections, {threadCount(options), [&](double share) { progress.update(share); }},
+                          sourceName(options), "--compact omits the index, for viewers other than pointrt-view");
         index_view = indexView(index);
     }
     progress.begin("write", report.splats);
@@ -122,6 +121,7 @@ void bakeGaussians(const BakeOptions& options, Cloud& cloud, BakeReport& report,
     }();
     ProContent content = takeMetadata(options, cloud, report);
     for (const Note& note : report.notes) progress.note(noteLine(note));
+    findUpOfCapture(gaussians, report, content.world);
     progress.begin("quantize", gaussians.points.positions.size());
     PackedSplats packed = packGaussianSplats(gaussians);
     report.splats = report.gaussians = packed.words.size();

@@ -12,7 +12,7 @@
 #include "preprocess/app/filter_options.h"
 #include "preprocess/app/set_options.h"
 #include "preprocess/input/folders.h"
-#include "preprocess/input/formats.h"
+#include "preprocess/input/input_formats.h"
 
 namespace pointrt {
 
@@ -315,6 +315,7 @@ void checkOptions(BakeOptions& options) {
     if (!std::isfinite(options.surface.radius_scale)) refuseUsage("--radius-scale: must be finite");
     if (!std::isfinite(options.reflectivity)) refuseUsage("--reflectivity: must be finite");
     options.pruning.seed = options.read.seed;
+    options.read.gaussians_as_discs |= options.surface.splat == SplatShape::kDisc;
 }
 
 } // namespace

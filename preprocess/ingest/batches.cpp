@@ -17,6 +17,7 @@ void removePoints(Cloud& cloud) {
     cloud.colors.clear();
     cloud.radii.clear();
     for (Attribute& attribute : cloud.attributes) attribute.values.clear();
+    cloud.grids.clear();
 }
 
 std::size_t BatchStorage::lengthFor(std::uint64_t vertices) const {
@@ -24,7 +25,9 @@ std::size_t BatchStorage::lengthFor(std::uint64_t vertices) const {
 }
 
 void BatchStorage::verticesAdded(CurrentScan& scan) {
-    if (cloud_.positions.size() >= options_.points) handOn(scan);
+    if (cloud_.positions.size() < (gathers_ ? options_.most_in_grid : options_.points)) return;
+    gathers_ = false;
+    handOn(scan);
 }
 
 /// The first pass only measures colours that wait for a scale, and drops them.
@@ -48,8 +51,11 @@ void BatchStorage::handOn(CurrentScan& scan) {
     removePoints(cloud_);
 }
 
-void BatchStorage::finishScan(CurrentScan& scan, const InputFile& input) {
+void BatchStorage::finishScan(CurrentScan&, const InputFile& input) {
     if (!cloud_.triangles.empty()) refuse(input, "has faces, which cannot be read in batches");
+}
+
+void BatchStorage::releaseScan(CurrentScan& scan, const InputFile& input) {
     handOn(scan);
     auto& largest = findings_.largest_color;
     largest.resize(std::max(largest.size(), scan.number + 1));

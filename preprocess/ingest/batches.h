@@ -16,7 +16,8 @@ namespace pointrt {
 /// Points of one scan.
 struct PointBatch {
     /// Arrays shorter than `positions` are absent: normals, colours and radii if the file has none, attributes if all
-    /// of their values are 0. Cloud::positions must not be used.
+    /// of their values are 0. If it has a grid, the batch is a whole scan, the last of Cloud::scans; otherwise
+    /// Cloud::positions must not be used.
     const Cloud& cloud;
     const std::vector<Vec3d>& positions; ///< input coordinates
     std::size_t scan = 0;                ///< its number
@@ -32,6 +33,8 @@ struct BatchOptions {
     /// first pass, whose batches have no colours but 8-bit ones.
     const std::vector<float>* largest_color = nullptr;
     std::uint64_t points_before = 0; ///< points handed on by a reading that this one continues
+    /// A scan with a grid is handed on whole if its grid has at most so many cells, and it as many points.
+    std::uint64_t most_in_grid = std::uint64_t{1} << 24;
 };
 
 /// What a pass over the files finds about colours.
@@ -40,7 +43,7 @@ struct BatchFindings {
     bool colors = false;              ///< some scan has colours
 };
 
-/// Removes the points; arrays keep their memory, and attributes their types.
+/// Removes the points and grids; arrays keep their memory, and attributes their types.
 void removePoints(Cloud& cloud);
 
 /// Storage of a Sink that hands its points on.
@@ -50,11 +53,17 @@ public:
 
     std::uint64_t count() const override { return handed_on_ + cloud_.positions.size(); }
     bool keepsPoints() const override { return false; }
+    bool gatherScan(std::uint64_t cells) override { return gathers_ = cells <= options_.most_in_grid; }
+    bool holdsScan() const override { return gathers_; }
     std::size_t lengthFor(std::uint64_t vertices) const override;
-    void beginScan() override { scan_box_.setEmpty(); }
+    void beginScan() override {
+        scan_box_.setEmpty();
+        gathers_ = false;
+    }
     void positionAdded(const Vec3d& position) override { positions_.push_back(position); }
     void verticesAdded(CurrentScan& scan) override;
     void finishScan(CurrentScan& scan, const InputFile& input) override;
+    void releaseScan(CurrentScan& scan, const InputFile& input) override;
     ScanBox boxOf(const ScanRange&) const override { return {scan_box_.center(), scan_box_.sizes()}; }
 
     const BatchFindings& findings() const { return findings_; }
@@ -65,6 +74,7 @@ private:
     std::vector<Vec3d> positions_; ///< of the next batch's points
     std::uint64_t handed_on_ = 0;  ///< points
     Eigen::AlignedBox3d scan_box_; ///< of the scan's points that were handed on
+    bool gathers_ = false;         ///< the scan has a grid, and none of its points were handed on
 
     void scaleColors(CurrentScan& scan);
     void handOn(CurrentScan& scan);

@@ -13,6 +13,8 @@ public:
 
     std::uint64_t count() const override { return cloud_.positions.size(); }
     bool keepsPoints() const override { return true; }
+    bool gatherScan(std::uint64_t) override { return true; }
+    bool holdsScan() const override { return true; }
     std::size_t lengthFor(std::uint64_t vertices) const override { return cloud_.positions.size() + vertices; }
     void positionAdded(const Vec3d& position) override { origin_.add(cloud_, position); }
     void finishScan(CurrentScan& scan, const InputFile& input) override;

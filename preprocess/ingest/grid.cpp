@@ -64,7 +64,9 @@ void beginGrid(Sink& sink, std::uint64_t rows, std::uint64_t columns) {
     sink.grid = {};
     std::uint64_t cells = 0;
     const bool overflow = __builtin_mul_overflow(rows, columns, &cells);
-    if (!sink.keepsPoints() || rows < 2 || columns < 2 || overflow || cells >= RangeGrid::kFilteredOut) return;
+    if (rows < 2 || columns < 2 || overflow || cells >= RangeGrid::kFilteredOut) return;
+    sink.grid.too_large = !sink.gatherScan(cells);
+    if (sink.grid.too_large) return;
     RangeGrid& grid = sink.grid.grid.emplace();
     grid.rows = static_cast<std::uint32_t>(rows);
     grid.columns = static_cast<std::uint32_t>(columns);
@@ -91,9 +93,11 @@ void setCell(Sink& sink, std::uint64_t row, std::uint64_t column, std::uint32_t 
 void finishGrid(Sink& sink, const InputFile& input) {
     GridBuilder built = std::exchange(sink.grid, {});
     Cloud& cloud = sink.cloud;
+    if (built.too_large || (built.grid && !sink.holdsScan()))
+        return sink.note(input, "its grid does not fit in --max-memory: mixed pixels at rims stay in the set");
     if (!built.grid || built.occupied == 0 || 2 * built.left_out > built.occupied) return;
-    const std::size_t first = sink.scans.back().first_position;
-    const std::string fault = faultOf(built, first, cloud.positions.size() - first);
+    const std::size_t points = sink.scans.back().position_count, first = cloud.positions.size() - points;
+    const std::string fault = faultOf(built, first, points);
     if (!fault.empty()) return sink.note(input, fault + ": the scan is read without its grid");
     RangeGrid& grid = cloud.grids.emplace_back(std::move(*built.grid));
     grid.scan = static_cast<std::uint32_t>(cloud.scans.size() - 1);

@@ -19,11 +19,12 @@ struct GridBuilder {
     std::uint64_t left_out = 0;   ///< of them, filtered
     std::uint64_t collisions = 0; ///< vertices whose cell was occupied
     std::uint64_t beyond = 0;     ///< vertices outside the grid
+    bool too_large = false;       ///< for the memory of a reading in batches
 };
 
 /// Declares the vertices of the current scan to be samples of a grid. Allocates 4 bytes per cell: the caller must have
 /// checked that the file can hold as many. Ignored for a grid of one row or column or of more cells than 32-bit indices
-/// distinguish, and if the sink keeps no points.
+/// distinguish.
 void beginGrid(Sink& sink, std::uint64_t rows, std::uint64_t columns);
 
 /// Stores a vertex, as returned by addVertex, in its cell. A cell keeps its first vertex: scanners that record several
@@ -31,8 +32,8 @@ void beginGrid(Sink& sink, std::uint64_t rows, std::uint64_t columns);
 void setCell(Sink& sink, std::uint64_t row, std::uint64_t column, std::uint32_t vertex);
 
 /// Moves the grid of the finished scan to the cloud; the scan and its sensor must be there already. Drops an invalid
-/// grid with a note: vertices outside it, a vertex in two cells, or too many vertices in occupied cells. Also drops a
-/// grid of which less than half of the samples passed the filters.
+/// grid with a note: vertices outside it, a vertex in two cells, or too many vertices in occupied cells; and one that
+/// takes too much memory. Also drops a grid of which less than half of the samples passed the filters.
 void finishGrid(Sink& sink, const InputFile& input);
 
 } // namespace pointrt

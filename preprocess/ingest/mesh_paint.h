@@ -49,7 +49,7 @@ struct PolygonPaint {
 struct MeshPaint {
     std::vector<FacePaint> faces; ///< of the cloud's first triangles; those beyond have no colour
     std::vector<Picture> pictures;
-    std::map<std::string, std::uint32_t> picture_of_file; ///< by its path
+    std::map<std::string, std::uint32_t> picture_of_file; ///< by its path, or another key
     std::uint64_t picture_file_bytes = 0;                 ///< of these files
 
     bool has(std::size_t face) const { return face < faces.size() && faces[face].picture != FacePaint::kNone; }

@@ -39,8 +39,13 @@ public:
 
     /// Points stored so far, of all scans.
     virtual std::uint64_t count() const = 0;
-    /// Whether the cloud keeps all points: only then may it have faces, grids and a sensor for each point.
+    /// Whether the cloud keeps all points: only then may it have faces and a sensor for each point.
     virtual bool keepsPoints() const = 0;
+    /// Asks to keep the points of the current scan until it is finished, because it has a grid. Returns false if they
+    /// may take too much memory.
+    virtual bool gatherScan(std::uint64_t cells) = 0;
+    /// Whether all points of the current scan are still in the cloud.
+    virtual bool holdsScan() const = 0;
     /// The array length to reserve when a scan of this many vertices begins.
     virtual std::size_t lengthFor(std::uint64_t vertices) const = 0;
     virtual void beginScan() {}
@@ -50,6 +55,8 @@ public:
     virtual void verticesAdded(CurrentScan&) {}
     /// Completes a scan: scales its colours and converts its faces.
     virtual void finishScan(CurrentScan& scan, const InputFile& input) = 0;
+    /// Called last, when the cloud has the scan with its sensor and grid.
+    virtual void releaseScan(CurrentScan&, const InputFile&) {}
     /// Box of the scan finished last.
     virtual ScanBox boxOf(const ScanRange& last_scan) const = 0;
 

@@ -239,6 +239,7 @@ void Sink::finishScan(const InputFile& input, const std::string& title, Emptines
     finishGrid(*this, input);
     findNoData(input);
     noteWithheld(input);
+    storage_->releaseScan(scan_, input);
 }
 
 /// Customary values are left out once all files are read, unless points are handed on before they are known.

@@ -64,7 +64,7 @@ public:
     /// or once rounded to float, or has a coordinate of 1e25 or more; likewise, counted apart, one that the filter
     /// rejects.
     /// @param values packed values of the traits' columns, in their types; null if there are no columns
-    /// @return its index in the cloud (meaningful only if keepsPoints()), or what a range grid stores for it:
+    /// @return its index in the cloud (meaningful only if holdsScan()), or what a range grid stores for it:
     /// RangeGrid::kNoPoint if it is not finite, kFilteredOut if the filter rejects it
     std::uint32_t addVertex(const Row& row, const char* values = nullptr);
 
@@ -116,6 +116,9 @@ public:
 
     /// Whether the cloud keeps all points, rather than handing them on in batches.
     bool keepsPoints() const { return storage_->keepsPoints(); }
+    /// As PointStorage: for range grids.
+    bool gatherScan(std::uint64_t cells) { return storage_->gatherScan(cells); }
+    bool holdsScan() const { return storage_->holdsScan(); }
     /// Points stored so far, of all scans, whether the cloud still holds them or not.
     std::uint64_t pointCount() const { return storage_->count(); }
     /// Vertices read so far of the current scan.

@@ -8,9 +8,9 @@
 #include <sys/stat.h>
 #include <utility>
 
+#include "preprocess/ingest/named_file.h"
 #include "preprocess/ingest/text.h"
 #include "preprocess/input/detect.h"
-#include "preprocess/input/named_file.h"
 
 namespace pointrt {
 namespace {

@@ -82,7 +82,8 @@ const InputFormat* formatOfPlainText(std::string_view bytes) {
 
 SuffixOf suffixKind(const std::string& name) {
     const std::string suffix = suffixOf(name);
-    if (suffix == "txt" || suffix == "csv" || suffix == "bin") return SuffixOf::kText;
+    for (const std::string_view shared : {"txt", "csv", "bin", "tif", "tiff"})
+        if (suffix == shared) return SuffixOf::kText;
     bool known = false;
     for (const InputFormat& format : inputFormats())
         forSuffixes(format, [&](std::string_view each) { known = known || each == suffix; });

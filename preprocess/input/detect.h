@@ -2,7 +2,7 @@
 // Detects the format of a file.
 #pragma once
 
-#include "preprocess/input/formats.h"
+#include "preprocess/input/input_formats.h"
 
 namespace pointrt {
 
@@ -10,8 +10,8 @@ namespace pointrt {
 /// Throws Error if the name is unknown (kBadUsage), or the format is unknown or not supported by this build.
 const InputFormat& formatOf(const InputFile& input, std::string_view name);
 
-/// What the suffix of a name says, without ".gz". .txt, .csv and .bin, which other formats use for
-/// parts of theirs, may be anything and are a class of their own.
+/// What the suffix of a name says, without ".gz". .txt, .csv, .bin and .tif, which other formats use for
+/// parts and pictures of theirs, may be anything and are a class of their own.
 enum class SuffixOf { kScan, kText, kOther };
 SuffixOf suffixKind(const std::string& name);
 

@@ -7,8 +7,9 @@
 
 #include "format/base/error.h"
 #include "preprocess/input/detect.h"
-#include "preprocess/input/octree_folder.h"
-#include "preprocess/input/sog_files.h"
+#include "preprocess/input/gaussian/sog_files.h"
+#include "preprocess/input/points/colmap.h"
+#include "preprocess/input/points/octree_folder.h"
 
 namespace pointrt {
 namespace {
@@ -54,11 +55,11 @@ std::vector<std::string> scansIn(const std::string& folder) {
 /// The file of a folder that names all of its other files; "" if no file does.
 std::string descriptionIn(const fs::path& folder) {
     std::error_code failure;
-    for (const std::string_view name : {kSogLevels, kSogMeta, kEptMeta, kPotreeMeta}) {
+    for (const std::string_view name : {kSogLevels, kSogMeta, kEptMeta, kPotreeMeta, kColmapBinary, kColmapText}) {
         const fs::path path = folder / name;
         if (!fs::is_regular_file(path, failure)) continue;
         const InputFile input = openInputFile(path.string(), NamedBy::kFile);
-        for (const auto is : {isSogLevels, isSogMeta, isEptMeta, isPotreeMeta})
+        for (const auto is : {isSogLevels, isSogMeta, isEptMeta, isPotreeMeta, isColmap})
             if (is(input.bytes)) return path.string();
     }
     return "";

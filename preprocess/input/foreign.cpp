@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/input/foreign.h"
 
-#include "preprocess/ingest/scalar.h"
 #include "preprocess/ingest/text.h"
-#include "preprocess/input/formats.h"
+#include "preprocess/input/input_formats.h"
 
 namespace pointrt {
 namespace {
@@ -25,14 +24,23 @@ struct Foreign {
 
 /// Scans and models in unsupported formats.
 constexpr Foreign kUnreadStarts[] = {
-    {"[Expe/PointSet", "is an Expe point set", kConvertScan}, {"\x89HDF", "is an HDF5 file", kConvertScan},
-    {"# vtk DataFile", "is a VTK file", kConvertMesh},        {"Kaydara FBX", "is an FBX model", kConvertMesh},
+    {"[Expe/PointSet", "is an Expe point set", kConvertScan},
+    {"\x89HDF", "is an HDF5 file", kConvertScan},
+    {"Kaydara FBX", "is an FBX model", kConvertMesh},
     {"BLENDER", "is a Blender file", kConvertMesh},
 };
 /// The same, recognised by suffix: text, or bytes without a signature.
 constexpr Foreign kUnreadSuffixes[] = {
     {"ksplat lcc", "is a file of Gaussian splats", kConvertSplats},
-    {"fls rcp rcs zfs", "is in a scanner vendor's format", "export it as E57, PLY or text from the vendor's software"},
+    {"fls fws lsproj", "is in a format of FARO's", "export it as E57 from FARO SCENE"},
+    {"zfs zfprj", "is in a format of Z+F's", "export it as E57 from Z+F LaserControl"},
+    {"rxp rdbx", "is in a format of RIEGL's", "export it as E57 or LAZ from RiSCAN PRO or RiPROCESS"},
+    {"rcp rcs", "is in Autodesk ReCap's format", "export it as E57 from ReCap"},
+    {"ptg imp lgs lgsx", "is in a format of Leica's", "export it as E57 from Leica Cyclone or Cyclone REGISTER 360"},
+    {"tzf tzs", "is in a format of Trimble's", "export it as E57 from Trimble RealWorks"},
+    {"dp", "is in DotProduct's format", "export it as E57, PTX or PLY from Dot3D"},
+    {"clr cl3", "is in a format of Topcon's", "export it as E57 from MAGNET Collage or ScanMaster"},
+    {"pod", "is in Bentley Pointools' format", "export it as E57 from Pointools or Descartes"},
     {"dae wrl x3d 3ds stp step igs iges dxf ifc", "is a 3D model", kConvertMesh},
 };
 
@@ -66,22 +74,6 @@ constexpr Foreign kOtherStarts[] = {
     refuse(input, fmt::format("{}; this build reads {}: {}", foreign.what, readableFormats(), foreign.advice));
 }
 
-/// A header of 80 bytes, the number of triangles, 50 bytes for each.
-bool isBinaryStl(std::string_view bytes) {
-    constexpr std::size_t kHeader = 84, kTriangle = 50;
-    if (bytes.size() < kHeader + kTriangle || (bytes.size() - kHeader) % kTriangle != 0) return false;
-    return loadScalar(bytes.data() + 80, Scalar::kU32, false) ==
-           static_cast<double>((bytes.size() - kHeader) / kTriangle);
-}
-
-/// "solid NAME" and, on the next line, "facet normal x y z".
-bool isTextStl(std::string_view bytes) {
-    std::string_view line;
-    if (nextWord(bytes) != "solid" || !nextLine(bytes, line)) return false;
-    const std::string_view word = nextWord(bytes);
-    return word == "facet" || word == "endsolid";
-}
-
 /// The header of the first member has the signature at byte 257.
 bool isTar(std::string_view bytes) { return bytes.size() > 512 && bytes.substr(257).starts_with("ustar"); }
 
@@ -96,7 +88,6 @@ bool holdsWord(std::string_view words, std::string_view wanted) {
 void refuseForeignStart(const InputFile& input) {
     for (const Foreign& foreign : kUnreadStarts)
         if (input.bytes.starts_with(foreign.mark)) refuseUnread(input, foreign);
-    if (isTextStl(input.bytes) || isBinaryStl(input.bytes)) refuseUnread(input, {"", "is an STL mesh", kConvertMesh});
     for (const Foreign& foreign : kOtherStarts)
         if (input.bytes.starts_with(foreign.mark)) refuse(input, fmt::format("{}: {}", foreign.what, foreign.advice));
     if (isTar(input.bytes)) refuse(input, fmt::format("is a tar archive: {}", kUnpack));

@@ -9,7 +9,7 @@
 #include "preprocess/ingest/notes.h"
 #include "preprocess/ingest/sink.h"
 #include "preprocess/input/detect.h"
-#include "preprocess/input/mesh.h"
+#include "preprocess/input/mesh/mesh.h"
 #include "preprocess/input/scan_checks.h"
 
 namespace pointrt {

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "preprocess/ingest/notes.h"
-#include "preprocess/input/mesh.h"
+#include "preprocess/input/mesh/mesh.h"
 
 namespace pointrt {
 namespace {

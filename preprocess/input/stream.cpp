@@ -11,7 +11,7 @@
 #include "preprocess/ingest/notes.h"
 #include "preprocess/ingest/sink.h"
 #include "preprocess/input/detect.h"
-#include "preprocess/input/mesh.h"
+#include "preprocess/input/mesh/mesh.h"
 #include "preprocess/input/scan_checks.h"
 
 namespace pointrt {
@@ -19,7 +19,7 @@ namespace {
 
 BatchOptions batchOptions(const StreamOptions& options, const std::function<void(const PointBatch&)>& take) {
     return {options.batch_points, take, options.first_pass ? &options.first_pass->largest_color : nullptr,
-            options.start.kept};
+            options.start.kept, options.most_in_grid};
 }
 
 /// The state of one pass over the files.
@@ -92,14 +92,28 @@ private:
         ScanTraits all = traits();
         all.vertices = end - first;
         sink_.beginScan(input_, all);
+        sink_.setScanSensor(points_.scans[scan].sensor);
+        const auto grid = std::find_if(points_.grids.begin(), points_.grids.end(),
+                                       [&](const RangeGrid& each) { return each.scan == scan; });
+        if (grid != points_.grids.end()) beginGrid(sink_, grid->rows, grid->columns);
         std::vector<char> values;
-        for (std::size_t i = first; i < end; ++i) addPoint(i, values);
+        std::vector<std::uint32_t> vertices;
+        for (std::size_t i = first; i < end; ++i) vertices.push_back(addPoint(i, values));
+        if (grid != points_.grids.end()) addCells(*grid, first, vertices);
         sink_.finishScan(input_, "", Emptiness::kAllowed);
         sink_.cloud.scans.back().name = points_.scans[scan].name;
-        sink_.cloud.scans.back().sensor = points_.scans[scan].sensor;
     }
 
-    void addPoint(std::size_t i, std::vector<char>& values) {
+    /// @param vertices those of the scan's points, from first on, as addVertex returned them
+    void addCells(const RangeGrid& grid, std::size_t first, const std::vector<std::uint32_t>& vertices) {
+        for (std::uint32_t row = 0; row < grid.rows; ++row)
+            for (std::uint32_t column = 0; column < grid.columns; ++column) {
+                const std::uint32_t cell = grid.at(row, column);
+                setCell(sink_, row, column, cell < RangeGrid::kFilteredOut ? vertices[cell - first] : cell);
+            }
+    }
+
+    std::uint32_t addPoint(std::size_t i, std::vector<char>& values) {
         Row row{};
         const Vec3d position = points_.origin + points_.positions[i].cast<double>();
         for (int axis = 0; axis < 3; ++axis) {
@@ -113,7 +127,7 @@ private:
             const char* const from = each.values.data() + i * each.bytesEach();
             values.insert(values.end(), from, from + each.bytesEach());
         }
-        sink_.addVertex(row, values.data());
+        return sink_.addVertex(row, values.data());
     }
 
     const Cloud& points_;

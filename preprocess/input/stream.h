@@ -34,8 +34,9 @@ struct StreamOptions {
     std::size_t batch_points = std::size_t{1} << 20;
     /// Size limit in bytes of files that must be read at once (meshes, grids, Gaussians).
     std::uint64_t largest_whole_file = std::uint64_t{512} << 20;
-    const StreamFindings* first_pass = nullptr; ///< null in the first pass
-    StreamPlace start;                          ///< where to resume an interrupted reading
+    std::uint64_t most_in_grid = std::uint64_t{1} << 24; ///< BatchOptions::most_in_grid
+    const StreamFindings* first_pass = nullptr;          ///< null in the first pass
+    StreamPlace start;                                   ///< where to resume an interrupted reading
     std::function<void(const StreamPlace&)> file_done = {};
 };
 

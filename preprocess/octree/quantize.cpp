@@ -65,7 +65,8 @@ void fillFrame(const Splats& splats, pro_info& frame) {
                   (balls ? PRO_FLAG_BALLS : 0u);
 }
 
-/// Position in the cube at the middle of its step, which is exact in float: rounds once, in double.
+/// The position as its code gives it back: the middle of a step, in the unit cube. Computed in double, since a float
+/// holds that middle exactly, but not what leads to it.
 Vec3f cubePosition(const Vec3f& position, const Vec3d& shift, double scale) {
     const Vec3d steps = ((position.cast<double>() + shift) * (PRO_POSITION_STEPS / scale)).array().floor();
     const Vec3d code = steps.cwiseMax(0.0).cwiseMin(static_cast<double>(PRO_POSITION_MASK));

@@ -8,6 +8,7 @@
 
 #include "preprocess/cloud/splats.h"
 #include "preprocess/surface/fill.h"
+#include "preprocess/surface/noise.h"
 #include "preprocess/surface/surround.h"
 
 namespace pointrt {
@@ -29,24 +30,27 @@ struct CloudStatistics {
 struct SurfaceDecisions {
     std::vector<Vec3f> sides; ///< [points of the cloud] unit direction that the normal should face; zero: unknown
     CloudStatistics statistics;
+    /// [points of the cloud] flagSilhouettes of the larger cloud, whose grids this one lacks; empty: its own decide.
+    std::vector<std::uint8_t> silhouettes;
     /// [points of the cloud] 1: the neighbourhood is complete, 0: the cloud was cut there; empty: all are complete.
     /// Only these count in the SurfaceReport for StatisticsSampler.
     std::vector<std::uint8_t> inner;
 };
 
-/// Statistics of a cloud, sampled at several places in it; noise and common_reach are left out.
+/// Statistics of a cloud, sampled at several places in it; common_reach is left out.
 class StatisticsSampler {
 public:
     /// @param splats those of one place, estimated with radius_limit infinity and radius_scale 1
     void add(const SurfaceReport& report, const Splats& splats);
 
-    /// Empty for fewer than kMinPointsForPlanarity points.
+    /// Empty for fewer than kMinPointsForPlanarity points, and the noise for fewer than kFewForNoise.
     CloudStatistics statistics();
 
 private:
     std::size_t points_ = 0, scattered_ = 0;
     surface::FillCounts filling_{};
     surface::SurroundCounts surround_;
+    surface::NoiseSamples noise_;
     std::vector<float> radii_;
 };
 

@@ -132,11 +132,12 @@ struct ScanPriors {
     std::vector<std::uint8_t> silhouettes; ///< [points of the cloud], flagSilhouettes
 };
 
-/// Finds the priors, and removes the quantisation of depths. Both need the cloud's range grids.
+/// Takes or finds the priors, and removes the quantisation of depths. Both need the cloud's range grids.
 ScanPriors takePriors(Cloud& cloud, const Estimation& job) {
     ScanPriors priors;
     for (const Scan& scan : cloud.scans) priors.first_points.push_back(scan.first_point);
-    if (job.options.clean == 0 || job.options.splat == SplatShape::kBall || cloud.grids.empty()) return priors;
+    priors.silhouettes = job.decided.silhouettes;
+    if (!usesGrids(job.options) || cloud.grids.empty()) return priors;
     const Stopwatch watch(job.report.seconds_clean);
     job.report.dequantized = dequantizeDepths(cloud);
     priors.silhouettes = flagSilhouettes(cloud);
@@ -187,6 +188,17 @@ void clean(PointGraph& graph, const ScanPriors& priors, const Estimation& job) {
         if (each.scan < report.noise.size())
             report.noise[each.scan] = std::max(report.noise[each.scan], float(each.noise_over_spacing));
     report.clean_moved = std::max(cleaned.moved, report.dequantized.moved);
+}
+
+/// Samples the noise of a place of a larger cloud.
+void samplePlaceNoise(PointGraph& graph, const ScanPriors& priors, const Estimation& job) {
+    if (job.decided.inner.empty()) return;
+    constexpr std::size_t kStep = 2; // places are small
+    const std::size_t scans = std::max<std::size_t>(priors.first_points.size(), 1);
+    applyPriors(graph.points, priors);
+    job.report.noise_samples = {std::vector<std::vector<float>>(scans), std::vector<std::size_t>(scans)};
+    sampleNoise(graph.points, graph.lists, innerOf(graph.points, job.decided), kStep, job.report.noise_samples);
+    graph.points.scan_of_point = {}, graph.points.at_silhouette = {};
 }
 
 /// Sets planarity weights. Called before cleaning, after which scattered points would lie on surfaces, too.
@@ -288,6 +300,7 @@ MadeSplats makeSurface(PointGraph& graph, const KnownCloud& known, const Estimat
         return made;
     }
     made.oriented = oriented;
+    samplePlaceNoise(graph, known.priors, job);
     if (oriented) clean(graph, known.priors, job);
     const Stopwatch watch(job.report.seconds_radii);
     made.filled_from = fill(graph, known.cloud_count, job);

@@ -6,6 +6,7 @@
 #include "preprocess/cloud/stage_progress.h"
 #include "preprocess/surface/decisions.h"
 #include "preprocess/surface/dequantize.h"
+#include "preprocess/surface/noise.h"
 #include "preprocess/surface/surface_options.h"
 #include "preprocess/surface/surround.h"
 
@@ -22,14 +23,18 @@ struct SurfaceReport {
     std::size_t clean_dropped = 0; ///< by cleaning: at silhouettes of range grids, or off the surface
     std::size_t clean_moved = 0;
     double seconds_neighbors = 0, seconds_normals = 0, seconds_orient = 0, seconds_clean = 0, seconds_radii = 0;
-    std::size_t filled = 0;           ///< points inserted between scan lines
-    surface::FillCounts filling{};    ///< for rowsToFill
-    surface::SurroundCounts surround; ///< for thinningOf; empty if that was decided
-    std::size_t inner = 0;            ///< points with SurfaceDecisions::inner set
-    std::size_t scattered = 0;        ///< of those, points on no surface
-    std::size_t seen_through = 0;     ///< discs shrunk because a sensor saw through them
-    std::size_t balls = 0;            ///< splats that are balls
+    std::size_t filled = 0;              ///< points inserted between scan lines
+    surface::FillCounts filling{};       ///< for rowsToFill
+    surface::SurroundCounts surround;    ///< for thinningOf; empty if that was decided
+    surface::NoiseSamples noise_samples; ///< for noiseOf; empty without SurfaceDecisions::inner
+    std::size_t inner = 0;               ///< points with SurfaceDecisions::inner set
+    std::size_t scattered = 0;           ///< of those, points on no surface
+    std::size_t seen_through = 0;        ///< discs shrunk because a sensor saw through them
+    std::size_t balls = 0;               ///< splats that are balls
 };
+
+/// Whether the surface depends on the range grids of a cloud.
+inline bool usesGrids(const SurfaceOptions& options) { return options.clean > 0 && options.splat != SplatShape::kBall; }
 
 /// Converts the points of cloud (finite, fewer than 2^31) to splats.
 /// Empties the cloud on the way, to limit peak memory. The result does not depend on the number of threads. Reports

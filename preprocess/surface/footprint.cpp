@@ -92,7 +92,8 @@ Plan groundPlan(const SurfaceSample& sample, const Axes& axes) {
 }
 
 struct Ground {
-    double height = 0, level = 0; ///< level: share of its area
+    double height = 0;
+    double level = 0; ///< the share of its area that is level
 };
 
 /// The ground in a cell, from its splats.

@@ -18,11 +18,13 @@ float noiseAt(const PointSet& points, const NeighborLists& lists, std::size_t po
 /// The median residual, unless that is shape: noise is everywhere, while houses and trees that were sampled too
 /// sparsely leave quiet places. Over the residual of the quietest twentieth, the median is 2.3 to 3.5 in raw range
 /// scans, a gridded station and a dense airborne survey, and 12 to 23 in airborne surveys thinned to a point in 10 m.
-/// @param repeated the same places were measured again and again: what differs is noise
-float noiseOfScan(std::vector<float>& over_spacing, bool repeated) {
+/// Samples in clumps measured the same places again and again: what differs there is noise.
+float noiseOfScan(NoiseSamples& samples, std::size_t scan) {
     constexpr float kOverQuiet = 4;
     constexpr double kQuietShare = 1.0 / 20;
+    std::vector<float>& over_spacing = samples.over_spacing[scan];
     if (over_spacing.empty()) return 0;
+    const bool repeated = 2 * samples.in_clumps[scan] > over_spacing.size();
     const float median = medianInPlace(over_spacing);
     return repeated ? median : std::min(median, kOverQuiet * quantileOf(over_spacing, kQuietShare));
 }
@@ -31,21 +33,39 @@ float noiseOfScan(std::vector<float>& over_spacing, bool repeated) {
 
 std::vector<float> scanNoise(const PointSet& points, const NeighborLists& lists, std::size_t scan_count) {
     constexpr std::size_t kStep = 8; // enough for a median
-    std::vector<float> over_spacing((points.size() + kStep - 1) / kStep);
-    const StageProgress silent;
-    forEach(over_spacing.size(), {silent, ""},
-            [&](std::size_t i) { over_spacing[i] = noiseAt(points, lists, i * kStep) / lists.spacings[i * kStep]; });
-    std::vector<std::vector<float>> by_scan(scan_count);
-    std::vector<std::size_t> in_clumps(scan_count);
-    for (std::size_t i = 0; i < over_spacing.size(); ++i) {
-        if (points.hasGivenRadius(i * kStep)) continue;
-        const std::size_t scan = points.scan_of_point.empty() ? 0 : points.scan_of_point[i * kStep];
-        by_scan[scan].push_back(over_spacing[i]);
-        in_clumps[scan] += (lists.thinned[i * kStep] & kClump) != 0;
-    }
+    NoiseSamples samples{std::vector<std::vector<float>>(scan_count), std::vector<std::size_t>(scan_count)};
+    sampleNoise(points, lists, std::vector<std::uint8_t>(points.size(), 1), kStep, samples);
     std::vector<float> noise;
-    for (std::size_t scan = 0; scan < scan_count; ++scan)
-        noise.push_back(noiseOfScan(by_scan[scan], 2 * in_clumps[scan] > by_scan[scan].size()));
+    for (std::size_t scan = 0; scan < scan_count; ++scan) noise.push_back(noiseOfScan(samples, scan));
+    return noise;
+}
+
+void sampleNoise(const PointSet& points, const NeighborLists& lists, const std::vector<std::uint8_t>& inner,
+                 std::size_t step, NoiseSamples& samples) {
+    std::vector<float> over_spacing((points.size() + step - 1) / step);
+    const StageProgress silent;
+    forEach(over_spacing.size(), {silent, ""}, [&](std::size_t i) {
+        if (inner[i * step]) over_spacing[i] = noiseAt(points, lists, i * step) / lists.spacings[i * step];
+    });
+    for (std::size_t i = 0; i < over_spacing.size(); ++i) {
+        if (points.hasGivenRadius(i * step) || !inner[i * step]) continue;
+        const std::size_t scan = points.scan_of_point.empty() ? 0 : points.scan_of_point[i * step];
+        samples.over_spacing[scan].push_back(over_spacing[i]);
+        samples.in_clumps[scan] += (lists.thinned[i * step] & kClump) != 0;
+    }
+}
+
+std::vector<float> noiseOf(NoiseSamples samples) {
+    NoiseSamples all{{{}}, {0}};
+    for (std::size_t scan = 0; scan < samples.over_spacing.size(); ++scan) {
+        const std::vector<float>& more = samples.over_spacing[scan];
+        all.over_spacing[0].insert(all.over_spacing[0].end(), more.begin(), more.end());
+        all.in_clumps[0] += samples.in_clumps[scan];
+    }
+    const float usual = noiseOfScan(all, 0);
+    std::vector<float> noise;
+    for (std::size_t scan = 0; scan < samples.over_spacing.size(); ++scan)
+        noise.push_back(samples.over_spacing[scan].empty() ? usual : noiseOfScan(samples, scan));
     return noise;
 }
 

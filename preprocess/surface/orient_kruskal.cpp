@@ -123,9 +123,9 @@ void joinAlong(const std::vector<std::uint64_t>& edges, const Graph& graph, Pari
 } // namespace
 
 Agreement agreementOf(const PointSet& points, std::size_t a, std::size_t b) {
-    // Factor for edges that join sheets, or seem to because of noise, so that they come after edges along a surface:
-    // those have less than this only if they leave its plane by 25 degrees (cos^2 of twice that is 0.4). It is large
-    // enough for them to come before edges that run from sheet to sheet across a corner.
+    // Edges that join two sheets, or seem to because of noise, are weighted by this factor, so that edges along a
+    // surface come before them: these weigh less only where they leave the surface's plane by 25 degrees (cos^2 of
+    // twice that is 0.4). Edges from sheet to sheet across a corner weigh less still, and come last.
     constexpr float kBetween = 0.4f;
     const Reflection reflection = reflectionOf(points, a, b);
     const float reflected = reflection.scaled / reflection.length_squared;

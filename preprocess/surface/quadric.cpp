@@ -39,7 +39,7 @@ Matrix6 matrixOf(const QuadricMoments& sums) {
 std::optional<Vector6> solve(const QuadricMoments& sums) {
     const Eigen::LDLT<Matrix6> factors(matrixOf(sums));
     const Vector6 pivots = factors.vectorD();
-    constexpr double kSingular = 1e-7; // over the largest pivot, for lengths of about 1; rounding is 1e-12
+    constexpr double kSingular = 1e-7; // a smaller pivot, as a share of the largest, is rounding (1e-12), not shape
     if (!(pivots.minCoeff() > kSingular * pivots.maxCoeff())) return std::nullopt;
     return factors.solve(Eigen::Map<const Vector6>(sums.heights.data()));
 }

@@ -19,8 +19,10 @@ constexpr float kSigmas = 5;
 /// The same for clean clouds, whose local noise is unknown but below kCleanNoise spacings.
 constexpr float kClean = kSigmas * kCleanNoise;
 
-/// Least depth behind the plane over the distance from the disc's centre to where the sightline crosses it: a surface
-/// whose radius of curvature equals the disc's radius is half of it behind the disc's edge (distance^2 / (2 radius)).
+/// A sightline shows a disc to be wrong only if its point lies deeper behind the disc's plane than this share of the
+/// distance between the disc's centre and the place where the sightline crosses the plane. A curved surface may be that
+/// deep itself: one whose radius of curvature is the disc's radius lies half a radius behind the plane at the disc's
+/// edge (distance^2 / (2 radius)).
 constexpr float kCurved = 0.5f;
 
 /// Sine of the angle at the disc's centre between its plane and the point behind: normals err by less, and a point at a

@@ -87,7 +87,7 @@ SplatShape splatShapeOf(const SetPlan& plan) {
 
 SurfaceDecisions decisionsOf(const SetPlan& plan, BoxPoints& points, SurfaceOptions& options) {
     options.orient = plan.orient;
-    SurfaceDecisions decided{sidesOf(points), plan.statistics, {}};
+    SurfaceDecisions decided{sidesOf(points), plan.statistics, std::exchange(points.silhouettes, {}), {}};
     if (options.orient != OrientMode::kMst || decided.sides.empty()) return decided;
     options.orient = OrientMode::kAuto; // uses the plan's sides if nothing else decides
     points.cloud.normal_sides = false;

@@ -4,6 +4,8 @@
 //   normal    float x 3, if the schema has normals
 //   colour    byte x 3, if it has colours
 //   radius    float, if it has radii
+//   noise     float, if a depth camera's depths were quantised
+//   silhouette  byte, 1 at the silhouettes of range grids, if there are grids
 //   scan      1, 2 or 4 bytes, if there are several
 //   attributes, each in its type
 // A trailer follows the last record. Records are in the order of the input.
@@ -18,7 +20,7 @@ namespace pointrt {
 
 /// Offsets in bytes from the start of a record.
 struct BucketLayout {
-    std::size_t normal = 0, color = 0, radius = 0, scan = 0;
+    std::size_t normal = 0, color = 0, radius = 0, noise = 0, silhouette = 0, scan = 0;
     std::vector<std::size_t> attributes; ///< of the schema's attributes, except the scan number
     std::size_t record_bytes = 0;
 

@@ -140,12 +140,13 @@ void BucketWriter::sortByTile() {
     }
 }
 
-void BucketWriter::writeRecord(const PointBatch& batch, const std::vector<const char*>& attributes, std::size_t point,
-                               const Vec3d& corner, char* to) const {
+void BucketWriter::writeRecord(const PointBatch& batch, const GridPriors& priors,
+                               const std::vector<const char*>& attributes, std::size_t point, char* to) const {
     const Cloud& cloud = batch.cloud;
     const PlanSchema& schema = plan_.schema;
-    const float most = belowEdge(edgeOf(plan_, plan_.tiles[tile_of_point_[point]].level));
-    const Vec3f local = (batch.positions[point] - corner).cast<float>().cwiseMin(most).cwiseMax(0.0f);
+    const std::uint32_t tile = tile_of_point_[point];
+    const float most = belowEdge(edgeOf(plan_, plan_.tiles[tile].level));
+    const Vec3f local = (batch.positions[point] - corners_[tile]).cast<float>().cwiseMin(most).cwiseMax(0.0f);
     std::memcpy(to, local.data(), sizeof local);
     if (schema.normals) {
         const Vec3f normal = cloud.normals.empty() ? Vec3f(Vec3f::Zero()) : cloud.normals[point];
@@ -159,6 +160,12 @@ void BucketWriter::writeRecord(const PointBatch& batch, const std::vector<const 
         const float radius = cloud.radii.empty() ? 0.0f : cloud.radii[point];
         std::memcpy(to + layout_.radius, &radius, sizeof radius);
     }
+    if (schema.noise) {
+        const float noise = priors.noise.empty() ? 0.0f : priors.noise[point];
+        std::memcpy(to + layout_.noise, &noise, sizeof noise);
+    }
+    if (schema.silhouettes)
+        to[layout_.silhouette] = static_cast<char>(priors.silhouettes.empty() ? 0 : priors.silhouettes[point]);
     const auto scan = static_cast<std::uint32_t>(batch.scan); // little-endian, as everything in the file
     std::memcpy(to + layout_.scan, &scan, schema.scan_bytes);
     for (std::size_t i = 0; i < attributes.size(); ++i) {
@@ -170,7 +177,7 @@ void BucketWriter::writeRecord(const PointBatch& batch, const std::vector<const 
     }
 }
 
-void BucketWriter::add(const PointBatch& batch) {
+void BucketWriter::add(const PointBatch& batch, const GridPriors& priors) {
     findTiles(batch.positions);
     sortByTile();
     std::vector<Attribute> converted; // attributes read as another type
@@ -188,7 +195,7 @@ void BucketWriter::add(const PointBatch& batch) {
     }
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, order_.size(), 4096), [&](const auto& range) {
         for (std::size_t k = range.begin(); k < range.end(); ++k)
-            writeRecord(batch, attributes, order_[k], corners_[tile_of_point_[order_[k]]], place_[k]);
+            writeRecord(batch, priors, attributes, order_[k], place_[k]);
     });
     if (buffered_ > most_buffered_) flushLargest();
 }

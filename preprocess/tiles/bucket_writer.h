@@ -8,6 +8,7 @@
 
 #include "preprocess/ingest/batches.h"
 #include "preprocess/tiles/bucket_layout.h"
+#include "preprocess/tiles/grid_priors.h"
 #include "preprocess/tiles/plan.h"
 #include "preprocess/tiles/tile_finder.h"
 
@@ -23,7 +24,7 @@ public:
 
     /// Appends a batch's points to their tiles' records, in its order. Points outside all cores are strays. Throws
     /// Error (kCannotWrite).
-    void add(const PointBatch& batch);
+    void add(const PointBatch& batch, const GridPriors& priors = {});
 
     /// Writes all buffered records and returns the size of each bucket in bytes.
     std::vector<std::uint64_t> flush();
@@ -47,8 +48,8 @@ private:
     void findTiles(const std::vector<Vec3d>& positions);
     void sortByTile();
     void makeRoom();
-    void writeRecord(const PointBatch& batch, const std::vector<const char*>& attributes, std::size_t point,
-                     const Vec3d& corner, char* to) const;
+    void writeRecord(const PointBatch& batch, const GridPriors& priors, const std::vector<const char*>& attributes,
+                     std::size_t point, char* to) const;
     void append(std::size_t tile);
     void flushLargest();
 

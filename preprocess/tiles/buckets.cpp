@@ -160,6 +160,7 @@ struct Picking {
         cloud.normal_sides = schema.normal_sides;
         if (schema.colors) take(layout.color, cloud.colors);
         if (schema.radii) take(layout.radius, cloud.radii);
+        if (schema.noise) take(layout.noise, cloud.noise);
         takeAttributes(cloud);
         takeScans(cloud);
         cloud.world = plan.world;
@@ -190,6 +191,7 @@ BoxPoints readBox(const SetPlan& plan, std::uint32_t tile, const PlanBox& box, c
     BoxPoints points;
     points.cloud = picking.cloud();
     for (const Pick& pick : picking.picks) points.core.push_back(pick.bucket == core_bucket);
+    if (plan.schema.silhouettes) picking.take(picking.layout.silhouette, points.silhouettes);
     addSides(plan, box, points);
     return points;
 }

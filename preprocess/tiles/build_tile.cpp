@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "format/base/error.h"
-#include "format/index/build_index.h"
+#include "preprocess/octree/file_index.h"
 #include "preprocess/octree/splat_attributes.h"
 #include "preprocess/octree/write.h"
 #include "preprocess/tiles/collect_splats.h"
@@ -74,12 +74,10 @@ void write(const std::string& path, const PackedSplats& packed, const Octree& oc
     sections.view.order = nullptr; // points are not numbered in a set
     TracingIndex index;
     pro_index index_view{};
-    try {
-        if (options.index) index = buildTracingIndex(sections.info, sections.view, {options.threads, {}});
-    } catch (const Error& error) {
-        throw Error(error.code, path + ": " + error.what() + "; --compact writes tiles without it");
+    if (options.index) {
+        index = fileIndex(sections, {options.threads, {}}, path, "--compact writes tiles without it");
+        index_view = indexView(index);
     }
-    if (options.index) index_view = indexView(index);
     writePro(path, true, sections, options.index ? &index_view : nullptr);
 }
 

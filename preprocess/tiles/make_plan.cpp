@@ -10,6 +10,7 @@
 #include "preprocess/surface/estimate.h"
 #include "preprocess/surface/find_up.h"
 #include "preprocess/tiles/choose_tiles.h"
+#include "preprocess/tiles/grid_priors.h"
 #include "preprocess/tiles/input_state.h"
 #include "preprocess/tiles/sample.h"
 
@@ -36,6 +37,7 @@ struct Survey {
     Eigen::AlignedBox3d bounds;
     std::vector<ValueSurvey> values; ///< [attributes of the cloud]
     bool normals = false, radii = false;
+    bool noise = false, grids = false;
     std::uint64_t normals_given = 0; ///< points with a normal
 
     explicit Survey(std::uint64_t max_memory) : counts(mostCells(max_memory)) {}
@@ -66,6 +68,8 @@ PlanSchema schemaOf(const StreamFindings& found, const Survey& survey, const Att
     schema.normal_sides = found.cloud.normal_sides;
     schema.colors = found.colors;
     schema.radii = survey.radii;
+    schema.noise = survey.noise;
+    schema.silhouettes = survey.grids;
     const std::size_t scans = found.scan_points.size();
     if (scans > 1) schema.scan_bytes = scans <= 0x100 ? 1 : scans <= 0x10000 ? 2 : 4;
     const std::uint64_t points = std::accumulate(found.scan_points.begin(), found.scan_points.end(), std::uint64_t{0});
@@ -209,6 +213,9 @@ StreamOptions streamOptionsOf(const SetRequest& request) {
     constexpr std::uint64_t kBytesPerPoint = 1024; // a batch with its attributes, in three copies
     constexpr std::uint64_t kFewest = 1 << 14, kMost = 1 << 20;
     options.batch_points = std::clamp(request.bake.max_memory / 8 / kBytesPerPoint, kFewest, kMost);
+    // Of a scan with a grid: its points in two copies with their values, the cells, and the records.
+    constexpr std::uint64_t kBytesPerCell = 128;
+    options.most_in_grid = request.bake.max_memory / 4 / kBytesPerCell;
     options.largest_whole_file =
         request.bake.max_memory / 8; // a mesh's few bytes per corner become eight times as many
     return options;
@@ -227,7 +234,10 @@ SetPlan makePlan(const SetRequest& request, const ReadProgress& progress) {
     StreamFindings found = readInBatches(
         request.inputs, streamOptionsOf(request),
         [&](const PointBatch& batch) {
-            survey.add(batch);
+            const GridPriors priors = gridPriorsOf(batch, request.bake.surface, PriorKinds::kDepths);
+            survey.noise |= !priors.noise.empty();
+            survey.grids |= usesGrids(request.bake.surface) && !batch.cloud.grids.empty();
+            survey.add(movedBatch(batch, priors));
             checkThinning(request, kept += batch.positions.size());
         },
         progress);

@@ -41,6 +41,8 @@ struct PlanAttribute {
 struct PlanSchema {
     bool normals = false, normal_sides = true; ///< as Cloud::normal_sides
     bool colors = false, radii = false;
+    bool noise = false;         ///< Cloud::noise
+    bool silhouettes = false;   ///< flagSilhouettes
     std::size_t scan_bytes = 0; ///< size of a scan number: 0 (there is one scan), 1, 2 or 4
     /// In the order of the files. kScanNumber, if selected, is the last one and not stored in records: it is the scan
     /// number.

@@ -89,6 +89,8 @@ OrderedJson schemaJson(const PlanSchema& schema) {
             {"normal_sides", schema.normal_sides},
             {"colors", schema.colors},
             {"radii", schema.radii},
+            {"noise", schema.noise},
+            {"silhouettes", schema.silhouettes},
             {"scan_bytes", schema.scan_bytes},
             {"scan_attribute", schema.scan_attribute},
             {"attributes", std::move(attributes)}};
@@ -100,6 +102,8 @@ PlanSchema schemaOf(const OrderedJson& json) {
     schema.normal_sides = take<bool>(json, "normal_sides");
     schema.colors = take<bool>(json, "colors");
     schema.radii = take<bool>(json, "radii");
+    schema.noise = take<bool>(json, "noise");
+    schema.silhouettes = take<bool>(json, "silhouettes");
     schema.scan_bytes = take<std::size_t>(json, "scan_bytes");
     schema.scan_attribute = take<bool>(json, "scan_attribute");
     for (const OrderedJson& each : json.at("attributes"))

@@ -114,7 +114,12 @@ void splitPoints(const SetPlan& plan, const SetRequest& request, const ReadProgr
     };
     if (stream.start.file < request.inputs.size())
         readInBatches(
-            request.inputs, stream, [&](const PointBatch& batch) { writer.add(batch); }, progress);
+            request.inputs, stream,
+            [&](const PointBatch& batch) {
+                const GridPriors priors = gridPriorsOf(batch, request.bake.surface, PriorKinds::kAll);
+                writer.add(movedBatch(batch, priors), priors);
+            },
+            progress);
     requireCounts(plan, writer.counts());
     writer.finish();
     writeStatistics(plan, measureStatistics(plan));

@@ -4,7 +4,6 @@
 
 #include "format/base/error.h"
 #include "format/base/require_pro.h"
-#include "format/set/tile_set.h"
 #include "pointrt/render.hpp"
 #include "runtime/api/picture_camera.h"
 #include "runtime/api/picture_layers.h"
@@ -25,7 +24,7 @@ SceneDescription describe(const std::vector<std::string>& paths, PictureOptions&
     for (const std::string& path : paths) {
         if (isSceneFile(path) && paths.size() > 1)
             throw Error(ExitCode::kBadUsage, path + ": a scene file cannot be combined with other files");
-        if (!isSceneFile(path) && !isTileSet(path)) requirePro(path);
+        if (!isSceneOrSet(path)) requirePro(path);
     }
     picture.options.scene = paths.front();
     SceneDescription scene = describeScene(picture.options);

@@ -11,7 +11,6 @@
 #include "format/base/report_file.h"
 #include "format/base/require_pro.h"
 #include "format/base/run_tool.h"
-#include "format/set/tile_set.h"
 #include "runtime/app/camera_job.h"
 #include "runtime/app/render_job.h"
 #include "runtime/gpu/device.h"
@@ -47,7 +46,7 @@ void render(Options options) {
     if (!options.stats.empty()) requireReportWritable(options.stats);
     SceneDescription description = describeScene(options);
     requireOutputsApart(options, description);
-    if (!isSceneFile(options.scene) && !isTileSet(options.scene)) requirePro(options.scene, kWindowBakes);
+    if (!isSceneOrSet(options.scene)) requirePro(options.scene, kWindowBakes);
     Report report;
     RenderSession session(options);
     loadSession(session, std::move(description), options, report);

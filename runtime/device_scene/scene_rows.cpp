@@ -196,7 +196,7 @@ SceneRows makeSceneRows(const DeviceScene& scene, const SceneDescription& descri
                                    [&](const Instance& each) { return scene.files[each.file].noisy; });
     const bool noisy_set = std::any_of(scene.sets.begin(), scene.sets.end(),
                                        [](const SceneSet& each) { return each.opened.set.noise > 0; });
-    if (hasGaussians(scene)) rows.features |= FEATURE_GAUSSIANS;
+    if (hasGaussians(scene)) rows.features |= FEATURE_GAUSSIANS | (settings.relight ? FEATURE_RELIGHT : 0u);
     if (noisy || noisy_set) rows.features |= FEATURE_NOISE;
     return rows;
 }

@@ -6,7 +6,6 @@
 #include <system_error>
 
 #include "format/base/require_pro.h"
-#include "format/set/tile_set.h"
 #include "runtime/rays/file_points.h"
 #include "runtime/rays/listed_points.h"
 #include "runtime/rays/scene_points.h"
@@ -32,7 +31,7 @@ std::unique_ptr<PointSource> openPoints(const std::string& file, const std::vect
                                         const std::vector<std::string>& replaced) {
     if (file.empty()) return scenePoints(scene, replaced);
     if (file == "-") return listedPoints(file, sceneOutline(scene));
-    if (isTileSet(file) || isSceneFile(file) || beginsAsPro(file)) return scenePoints({file}, replaced);
+    if (isSceneOrSet(file) || beginsAsPro(file)) return scenePoints({file}, replaced);
     if (auto reader = readerOf(file)) return filePoints(file, std::move(reader), sceneOutline(scene), replaced);
     return listedPoints(file, sceneOutline(scene));
 }

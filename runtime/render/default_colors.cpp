@@ -56,18 +56,27 @@ bool isSurvey(const DeviceScan& scan) {
 
 bool hasColor(const DeviceScan& scan) { return (scan.info.flags & PRO_FLAG_COLOR) != 0; }
 
+/// Whether all scans are of surveying instruments.
+bool areSurveys(const std::vector<const DeviceScan*>& scans) {
+    return std::all_of(scans.begin(), scans.end(), [](const DeviceScan* scan) { return isSurvey(*scan); });
+}
+
 } // namespace
+
+PlaceKind placeKindOf(const DeviceScene& scene, const SceneSample& sample, Vec3 up) {
+    const std::vector<const DeviceScan*> scans = representativeScans(scene);
+    if (scans.empty() || sample.splats.empty()) return PlaceKind::kObject;
+    return kindOfPlace(sample, up, areSurveys(scans));
+}
 
 std::optional<DefaultColors> defaultColors(const DeviceScene& scene, const SceneSample& sample, Vec3 up) {
     const std::vector<const DeviceScan*> scans = representativeScans(scene);
     if (scans.empty() || sample.splats.empty()) return std::nullopt;
     for (const DeviceScan* scan : scans)
         if (hasColor(*scan) || scan->is_gaussian) return std::nullopt;
-    const bool surveyed =
-        std::all_of(scans.begin(), scans.end(), [](const DeviceScan* scan) { return isSurvey(*scan); });
-    const PlaceKind kind = kindOfPlace(sample, up, surveyed);
+    const PlaceKind kind = placeKindOf(scene, sample, up);
     if (kind == PlaceKind::kSite) return DefaultColors{kHeight, {}};
-    if (kind == PlaceKind::kObject && !surveyed) return std::nullopt;
+    if (kind == PlaceKind::kObject && !areSurveys(scans)) return std::nullopt;
     if (const auto range = intensityRange(scans)) return DefaultColors{kIntensity, *range};
     return DefaultColors{kHeight, {}};
 }

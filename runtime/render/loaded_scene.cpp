@@ -70,7 +70,8 @@ void chooseColorsByDefault(LoadedScene& loaded) {
 /// and it may be darker or brighter than the rest of the scan.
 StudioSubject subjectOf(const LoadedScene& loaded, const Camera& camera, const FramedRequest& view) {
     constexpr double kViridisMean = 0.28; // of its 256 colours
-    StudioSubject subject{brightReflectance(loaded.sample), view.within, holdsOnlyGaussians(loaded.scene), view.walls,
+    StudioSubject subject{brightReflectance(loaded.sample), view.within,
+                          holdsOnlyGaussians(loaded.scene) && !loaded.settings.relight, view.walls,
                           meanReflectance(loaded.sample)};
     subject.lowest = lowestIfTilted(loaded.sample, sceneUp(loaded.scene.description, loaded.settings));
     if (!view.within) return subject;
@@ -78,6 +79,18 @@ StudioSubject subjectOf(const LoadedScene& loaded, const Camera& camera, const F
     const SceneSample visible = visibleFrom(loaded.sample, camera.eye, basis, camera.fov_deg);
     subject.reflectance = loaded.colored_by_default ? kViridisMean : meanReflectance(visible);
     return subject;
+}
+
+/// Path traces scans seen from outside, whose light then bounces. Among walls eight samples of a small lamp leave
+/// noise, and take up to ten times as long. Gaussian captures hold their light already.
+void chooseIntegratorByDefault(LoadedScene& loaded) {
+    if (loaded.subject.only_gaussians || loaded.subject.around_eye) return;
+    if (!isLitByDefault(loaded.scene.description, loaded.settings)) return;
+    loaded.settings.integrator = Integrator::kPath;
+    loaded.settings.spp = kDefaultPathSpp;
+    loaded.subject.is_path_traced = true;
+    const Vec3 up = sceneUp(loaded.scene.description, loaded.settings);
+    loaded.subject.is_ground = placeKindOf(loaded.scene, loaded.sample, up) == PlaceKind::kSite;
 }
 
 /// Adds surroundings to the scene, selects its tiles and uploads all tables.
@@ -101,6 +114,7 @@ void prepareScene(Device& device, LoadedScene& loaded, const LoadRequest& reques
     loaded.camera = framedCamera(loaded, view.camera);
     const Camera stage = framedCamera(loaded, stage_view.camera);
     loaded.subject = subjectOf(loaded, stage, stage_view);
+    if (request.chooses_integrator) chooseIntegratorByDefault(loaded);
     loaded.staged_for = scene.description.staged_for.value_or(stage.eye);
     addSurroundings(scene.description, loaded.settings, stage, loaded.shown.lo, loaded.shown.hi, loaded.subject);
     if (!scene.sets.empty()) updateTiles(device, scene, tileRequest(device, loaded, request));

@@ -65,6 +65,7 @@ struct LoadRequest {
     std::optional<TracerSize> size;     ///< of the tracer; none: for frames of the settings' size
     std::optional<Vec3> fallback_up;    ///< if neither scene nor scans define it; none: that of the camera
     bool chooses_colors = false;        ///< color scans without colour by defaultColors
+    bool chooses_integrator = false;    ///< path trace scans seen from outside that are lit by default
     bool fov_is_free = false;           ///< not specified by the user: framing may widen it
     double free_share = 1;              ///< uncovered share of the picture's width, from the left
     std::uint64_t memory = kTileMemory; ///< bytes, for pictures of sets

@@ -121,7 +121,7 @@ void orderFor(const InstanceTraits& instance, Constants constants, const Program
         if (storesShadowRays(all))
             order(programs.attenuate_shadow_ray, "attenuate_shadow_ray", attenuate_shadow_ray_spv,
                   attenuate_shadow_ray_paged_spv);
-        else if (all.has_direct_lighting)
+        if (all.has_direct_lighting && (all.relights || !storesShadowRays(all)))
             order(programs.attenuate_shadow, "attenuate_shadow", attenuate_shadow_spv, attenuate_shadow_paged_spv);
         if (all.has_secondary_rays)
             order(programs.composite, "composite_gaussians", composite_gaussians_spv, composite_gaussians_paged_spv);
@@ -263,6 +263,7 @@ Programs createPrograms(Device& device, const DeviceScene& scene, const RenderSe
     programs.has_direct_lighting = usesLights(settings.integrator);
     programs.samples_one_light = samplesOneLight(settings.integrator);
     programs.inline_nee = (scene.features & FEATURE_INLINE_NEE) != 0;
+    programs.relights = (scene.features & FEATURE_RELIGHT) != 0;
     programs.catches_shadows = hasGaussians(scene) && programs.has_direct_lighting;
     const OnError undo([&] { destroyPrograms(device, programs); });
     buildAll(device, orderAll(scene, constantsFor(scene, settings), programs));

@@ -42,6 +42,7 @@ struct Programs {
     bool has_secondary_rays = true, has_direct_lighting = true; ///< if false, the programs for it are not built
     bool samples_one_light = false;                             ///< at each hit, instead of every light
     bool inline_nee = false;                                    ///< see FEATURE_INLINE_NEE
+    bool relights = false;                                      ///< Gaussians are lit: what catches shadows shades them
     bool catches_shadows = false;                               ///< Gaussians do, of the objects among them
     Program prepare, first_hits, beam, intersect_shadow_shapes, shade_shadow, photon, caustic, fold_film;
     Program shade_shadow_catcher;

@@ -98,7 +98,8 @@ void SampleRecorder::compositeGaussians(Program InstancePrograms::*program, std:
                 rays_);
 }
 
-/// Shadows of surfaces on what Gaussians have captured. The shadows among Gaussians are part of that.
+/// Shadows of surfaces on what Gaussians have captured. The shadows among Gaussians are part of that, unless they are
+/// lit: then this shades them.
 void SampleRecorder::catchShadows(const Program& query, std::uint32_t bits) {
     const DeviceScene& scene = *tracer_.scene;
     const auto lights = static_cast<std::uint32_t>(scene.light_rows.size());
@@ -106,11 +107,12 @@ void SampleRecorder::catchShadows(const Program& query, std::uint32_t bits) {
     const bool has_surfaces =
         !scene.shape_rows.empty() ||
         std::any_of(instances.begin(), instances.end(), [](const TracedInstance& each) { return !each.is_gaussian; });
-    if (!tracer_.programs.catches_shadows || !tracer_.shadows || lights == 0 || !has_surfaces) return;
+    const bool has_shadows = tracer_.shadows && lights > 0 && has_surfaces, relights = tracer_.programs.relights;
+    if (!tracer_.programs.catches_shadows || !(has_shadows || relights)) return;
     run(query, tracer_.instances.sets, bits, rays_);
     closeList(LIST_DIRECT_LIGHT, bits);
-    const Attenuation none = Attenuation::kNone;
-    for (std::uint32_t first = 0; first < lights; first += SHADOW_RAYS_PER_PATH) shadows(first, bits, none);
+    const Attenuation attenuation = relights ? Attenuation::kByGaussians : Attenuation::kNone;
+    for (std::uint32_t first = 0; first < lights; first += SHADOW_RAYS_PER_PATH) shadows(first, bits, attenuation);
     runOver(LIST_DIRECT_LIGHT, tracer_.programs.shade_shadow_catcher, tracer_.instances.sets, bits);
 }
 

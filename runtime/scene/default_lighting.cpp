@@ -113,7 +113,15 @@ struct StudioLamp {
 // the other side, at a quarter of the key, the rim behind.
 constexpr StudioLamp kStudioLamps[] = {
     {-42, 48, 5, {0.98f, 0.94f, 0.88f}}, {52, 22, 14, {0.22f, 0.24f, 0.27f}}, {160, 35, 8, {0.40f, 0.42f, 0.46f}}};
-constexpr float kStudioFloor = 0.42f;
+/// The lamps, the floor and the brightness of the sky.
+struct StudioLight {
+    float lamps; ///< factor of kStudioLamps
+    float floor; ///< reflectance
+};
+constexpr StudioLight kDirectStudio{1, 0.42f};
+/// Where light bounces, sky and floor fill the shadows: with lamps of a seventh less, a white subject is as bright as
+/// without, and on a floor half as bright it keeps its contrast.
+constexpr StudioLight kPathStudio{0.86f, 0.21f};
 /// How far the floor is below the lowest point, in bounding radii: more than float precision, so that discs flat on the
 /// floor stay above it, and so little that shadows still touch their objects.
 constexpr double kStudioGap = 1e-3;
@@ -187,32 +195,43 @@ void addFloor(SceneDescription& scene, const Staging& staging, double level, flo
     scene.shapes.push_back(plane);
 }
 
+/// The sky's light on a level floor over that of its horizon, where paths reach the sky: the mean of its gradient, by
+/// the square root of the height, weighted by the cosine, is 0.2 horizon + 0.8 zenith.
+constexpr float kSkyOnFloor = 0.2f + 0.8f * kStudioZenith;
+
+/// A sky whose horizon is as bright as the floor, which the lamps give the radiance lit_floor.
+SkyDescription studioSky(Color lit_floor, const StudioLight& light, bool is_path_traced) {
+    SkyDescription sky;
+    for (int c = 0; c < 3; ++c) {
+        sky.horizon[c] = is_path_traced ? lit_floor[c] / (1 - light.floor * kSkyOnFloor) : lit_floor[c];
+        sky.zenith[c] = kStudioZenith * sky.horizon[c];
+        sky.ground[c] = sky.horizon[c];
+        if (!is_path_traced) sky.horizon[c] += light.floor * sky.ambient * sky.zenith[c]; // ambient light on the floor
+    }
+    return sky;
+}
+
 void addStudio(SceneDescription& scene, const Staging& staging, const StudioSubject& subject, bool has_floor) {
-    const float gain = lampGain(subject), grey = kStudioFloor / gain;
+    const StudioLight studio = subject.is_path_traced ? kPathStudio : kDirectStudio;
+    const float gain = lampGain(subject), grey = studio.floor / gain;
     if (subject.around_eye) return addEyeLamp(scene, staging, subject);
     const double level = staging.floor - kStudioGap * staging.radius;
     // from below, a floor would hide the scene; the lamps then shine from below too
     const bool below = dot(staging.eye - staging.center, staging.up) <= level;
-    if (has_floor && !below) addFloor(scene, staging, level, grey);
+    if (has_floor && !below && !subject.is_ground) addFloor(scene, staging, level, grey);
     const Vec3 lamps_up = (below ? -1.0 : 1.0) * staging.up;
-    SkyDescription sky;
-    sky.horizon = {0, 0, 0};
+    Color lit_floor{0, 0, 0};
     for (const StudioLamp& lamp : kStudioLamps) {
         const double angle = lamp.angle_deg * pi / 180, height = lamp.height_deg * pi / 180;
         const Vec3 across = std::cos(angle) * staging.towards_eye + std::sin(angle) * staging.right;
         SunLight light{std::cos(height) * across + std::sin(height) * lamps_up, lamp.radius_deg, lamp.light};
         for (int c = 0; c < 3; ++c) {
-            light.irradiance[c] = static_cast<float>(pi) * lamp.light[c] * gain;
-            sky.horizon[c] += kStudioFloor * lamp.light[c] * static_cast<float>(std::sin(height));
+            light.irradiance[c] = static_cast<float>(pi) * studio.lamps * lamp.light[c] * gain;
+            lit_floor[c] += studio.floor * studio.lamps * lamp.light[c] * static_cast<float>(std::sin(height));
         }
         scene.lights.push_back(light);
     }
-    for (int c = 0; c < 3; ++c) {
-        sky.zenith[c] = kStudioZenith * sky.horizon[c];
-        sky.ground[c] = sky.horizon[c];
-        sky.horizon[c] += kStudioFloor * sky.ambient * sky.zenith[c]; // ambient light on the floor
-    }
-    scene.sky = sky;
+    scene.sky = studioSky(lit_floor, studio, subject.is_path_traced);
 }
 
 /// Whether neither scene nor settings choose surroundings.
@@ -255,6 +274,11 @@ void addBackground(SceneDescription& scene, const RenderSettings& settings, cons
 }
 
 } // namespace
+
+bool isLitByDefault(const SceneDescription& scene, const RenderSettings& settings) {
+    const std::optional<Room> room = settings.room ? settings.room : scene.render.room;
+    return !settings.background && isLeftToDefaults(scene, settings, room);
+}
 
 Vec3 sceneUp(const SceneDescription& scene, const RenderSettings& settings) {
     if (scene.up) return *scene.up;

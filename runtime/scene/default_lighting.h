@@ -22,15 +22,22 @@ struct StudioSubject {
     /// The eye is inside the scene, where outside lamps would be occluded: one lamp is near the eye, and ambient light
     /// comes from all sides.
     bool around_eye = false;
-    /// Every instance is a Gaussian capture: its light is part of it, and nothing in it is lit.
+    /// Every instance is a Gaussian capture whose light is part of it, and which nothing lights.
     bool only_gaussians = false;
     /// What encloses the eye, if anything does.
     std::optional<Surrounding> walls = {};
     /// The mean reflectance: lamps are brightened for mostly dark subjects until their brightest parts are white.
     double mean_reflectance = 0.5;
+    /// Light bounces: paths see the sky, and the floor lights the scans.
+    bool is_path_traced = false;
+    /// Open ground, which would hover over a floor. Where paths reach the sky, it is light below, too.
+    bool is_ground = false;
     /// The lowest point along up, for scenes whose up is not along an axis: the corner of their box is far below.
     std::optional<double> lowest = {};
 };
+
+/// Whether addSurroundings chooses the lights, because neither scene nor settings do.
+bool isLitByDefault(const SceneDescription& scene, const RenderSettings& settings);
 
 /// Adds default surroundings to scene:
 ///  - the room of settings or scene, a box that encloses the bounds and the eye;

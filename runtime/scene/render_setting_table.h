@@ -77,7 +77,7 @@ inline constexpr std::tuple kRenderSettings{
     RenderSetting{&RenderSettings::spp, &RenderChoices::spp,
         CountRange{1, kMaxSpp},
         OnCommandLine{HelpGroup::kImage, "--spp", "N",
-            "Samples per pixel; 1 samples its centre (default {default}; {limits})"},
+            "Samples per pixel; 1 samples its centre (default {default}, or 8 where --integrator defaults to path; {limits})"},
         InSceneFile{FileTable::kRender, 3, "spp"},
         InFilm{6, "pixel", pixelPattern}},
     RenderSetting{&RenderSettings::seed, &RenderChoices::seed,
@@ -107,7 +107,9 @@ inline constexpr std::tuple kRenderSettings{
         kNotInFilm}, // the signature lists the scene's tiles instead
     RenderSetting{&RenderSettings::integrator, &RenderChoices::integrator,
         OneOf{kIntegratorNames},
-        OnCommandLine{HelpGroup::kLightAndSurfaces, "--integrator", "NAME", "Rendering method: {limits} (default {default})"},
+        OnCommandLine{HelpGroup::kLightAndSurfaces, "--integrator", "NAME",
+            "Rendering method: {limits} (default {default}; path for a PNG of a scan seen from outside, without options "
+            "for samples, light or surfaces)"},
         InSceneFile{FileTable::kRender, 1, "integrator"},
         InFilm{3, "integrator"}},
     RenderSetting{&RenderSettings::bounces, &RenderChoices::bounces,
@@ -146,6 +148,13 @@ inline constexpr std::tuple kRenderSettings{
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--blend", "on|off", "Blend overlapping splats (default {default})"},
         InSceneFile{FileTable::kRender, 11, "blend"},
         InFilm{10, "blend"}},
+    RenderSetting{&RenderSettings::relight, &RenderChoices::relight,
+        OneOf{kSwitchNames},
+        OnCommandLine{HelpGroup::kLightAndSurfaces, "--relight", "on|off",
+            "Light Gaussian captures as matte surfaces of their base colours, in place of the light that they have "
+            "captured (default {default})"},
+        InSceneFile{FileTable::kRender, 18, "relight"},
+        InFilm{17, "relight", nullptr, true}},
     RenderSetting{&RenderSettings::caustics, &RenderChoices::caustics,
         OneOf{kSwitchNames},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--caustics", "on|off",

@@ -15,17 +15,18 @@ namespace {
 Color strengthOf(const SceneValue& table, std::string_view key) {
     const SceneValue strength = require(table, key);
     const auto color = find(table, "color");
-    if (strength.node->is_number()) return scaled(color ? colorOf(*color) : Color{1, 1, 1}, numberOf(strength, kLight));
+    if (strength.node->is_number())
+        return scaled(color ? colorOf(*color) : Color{1, 1, 1}, numberOf(strength, kLightValues));
     if (color) refuse(*color, "\"" + std::string(key) + "\" is a colour already; make it a number");
-    return colorOf(strength, kLight);
+    return colorOf(strength, kLightValues);
 }
 
 /// The same, or from "power" in watts, multiplied by "color". watts_of_one: the power of a light of strength 1.
 Color strengthOrPower(const SceneValue& table, std::string_view key, double watts_of_one) {
     if (hasFirst(table, key, "power")) return strengthOf(table, key);
     Color color{1, 1, 1};
-    takeColor(table, "color", kShare, color);
-    return scaled(color, numberOf(require(table, "power"), kLight) / watts_of_one);
+    takeColor(table, "color", kShares, color);
+    return scaled(color, numberOf(require(table, "power"), kLightValues) / watts_of_one);
 }
 
 double unixSecondsOf(const SceneValue& value) {

@@ -69,7 +69,7 @@ void readColor(const SceneValue& table, MaterialDescription& material) {
     material.splat_color = !colored && !clear;
     takeFlag(table, "splat_color", material.splat_color);
     if (material.splat_color || clear) material.color = {1, 1, 1};
-    takeColor(table, "color", kShare, material.color);
+    takeColor(table, "color", kShares, material.color);
 }
 
 MaterialDescription readMaterial(const SceneValue& table) {
@@ -79,7 +79,7 @@ MaterialDescription readMaterial(const SceneValue& table) {
     MaterialDescription material;
     material.kind = kind.kind;
     readColor(table, material);
-    takeColor(table, "emission", kLight, material.emission);
+    takeColor(table, "emission", kLightValues, material.emission);
     for (const MaterialField* field : fieldsOf(kind.kind)) readField(table, *field, material);
     return material;
 }

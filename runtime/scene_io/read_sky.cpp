@@ -18,13 +18,13 @@ void readColors(const SceneValue& table, SkyDescription& sky) {
     forbid(table, {"rotation"}, "has no effect without \"image\"");
     if (find(table, "color")) {
         forbid(table, {"zenith", "horizon", "ground"}, "excludes \"color\"");
-        takeColor(table, "color", kLight, sky.zenith);
+        takeColor(table, "color", kLightValues, sky.zenith);
         sky.horizon = sky.ground = sky.zenith;
         return;
     }
-    takeColor(table, "zenith", kLight, sky.zenith);
-    takeColor(table, "horizon", kLight, sky.horizon);
-    takeColor(table, "ground", kLight, sky.ground);
+    takeColor(table, "zenith", kLightValues, sky.zenith);
+    takeColor(table, "horizon", kLightValues, sky.horizon);
+    takeColor(table, "ground", kLightValues, sky.ground);
 }
 
 } // namespace
@@ -40,7 +40,7 @@ void readSky(const SceneValue& file, SceneReading& reading) {
     else
         readColors(*table, sky);
     takeNumber(*table, "strength", {0, 1e6}, sky.strength);
-    takeNumber(*table, "ambient", kShare, sky.ambient);
+    takeNumber(*table, "ambient", kShares, sky.ambient);
     reading.scene.sky = sky;
 }
 

@@ -121,6 +121,8 @@ SceneDescription parseScene(std::string_view text, const std::string& path) {
     return reading.scene;
 }
 
+bool isSceneOrSet(const std::string& path) { return isSceneFile(path) || isTileSet(path); }
+
 SceneDescription readSceneFile(const std::string& path) { return parseScene(readText(path), path); }
 
 std::string fileOf(const SceneValue& value, const SceneReading& reading) {

@@ -16,6 +16,9 @@ constexpr std::size_t kMaxSceneBytes = std::size_t{1} << 20;
 /// True if path ends in .toml.
 bool isSceneFile(const std::string& path);
 
+/// True if path is a scene file or a tile set: all that can be opened but a .pro.
+bool isSceneOrSet(const std::string& path);
+
 /// Reads the scene file at path, at most 1 MiB. Files named in it are relative to its folder, and must exist. Throws
 /// Error kBadInput with one line: "PATH:LINE: key "light[2].radius": reason", without the key for invalid TOML, without
 /// the line if the file cannot be read. Lists count from 0.

@@ -35,8 +35,8 @@ constexpr double kLargest = 1e12;
 constexpr double kSmallest = 1e-9;
 constexpr Range kCoordinates{-kLargest, kLargest};
 constexpr Range kLengths{kSmallest, kLargest};
-constexpr Range kLight{0, kLargest};
-constexpr Range kShare{0, 1};
+constexpr Range kLightValues{0, kLargest};
+constexpr Range kShares{0, 1};
 /// The values of attributes: any finite number.
 constexpr Range kNumbers{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
 
@@ -87,7 +87,7 @@ ValueRange rangeOf(const SceneValue& value);
 /// A normalised vector; refuses zero.
 Vec3 directionOf(const SceneValue& value);
 /// [r, g, b] within range, linear, or "#rrggbb", sRGB.
-Color colorOf(const SceneValue& value, Range range = kShare);
+Color colorOf(const SceneValue& value, Range range = kShares);
 /// "#rrggbb"
 std::array<std::uint8_t, 3> bytesOf(const SceneValue& value);
 /// The index of the text in names.

@@ -7,6 +7,20 @@
 #include "runtime/session/settings.h"
 
 namespace pointrt {
+namespace {
+
+/// Whether a picture is left to us: a PNG of a scan, for which nothing says how to light, shade or sample it.
+bool leavesIntegrator(const Options& options) {
+    const RenderChoices& said = options.choices;
+    const bool is_picture = writesPng(options) && options.thumbnail == 0 && options.bench_frames == 0;
+    const bool is_limited = options.limits.seconds || options.limits.noise;
+    const bool is_sampled = said.integrator || said.spp || said.bounces;
+    const bool is_lit = said.room || said.lights || said.background || said.shadows || said.caustics;
+    const bool is_shaded = said.blend || said.reflectivity;
+    return is_picture && !isSceneFile(options.scene) && !is_limited && !is_sampled && !is_lit && !is_shaded;
+}
+
+} // namespace
 
 LoadRequest loadRequest(const Options& options, SceneDescription scene) {
     LoadRequest request;
@@ -19,6 +33,7 @@ LoadRequest loadRequest(const Options& options, SceneDescription scene) {
     // scene files and other options say how scans look
     const RenderChoices& said = options.choices;
     request.chooses_colors = !isSceneFile(options.scene) && !said.color_by && !said.reflectivity;
+    request.chooses_integrator = leavesIntegrator(options);
     request.scene = std::move(scene);
     if (isSceneFile(options.scene)) request.fallback_up = Vec3{0, 1, 0}; // not the camera's up, which may be tilted
     request.memory = options.memory.value_or(kTileMemory);

@@ -59,7 +59,7 @@ void readReflectance(const SceneValue& value, LidarReflectance& reflectance) {
     using Source = LidarReflectance::Source;
     if (value.node->is_number()) {
         reflectance.source = Source::kConstant;
-        reflectance.value = numberOf(value, kShare);
+        reflectance.value = numberOf(value, kShares);
         return;
     }
     constexpr std::array<Name<Source>, 2> kSources{{{"scan", Source::kScan}, {"color", Source::kColor}}};
@@ -91,7 +91,7 @@ void readDetection(const SceneValue& file, LidarSensor& sensor) {
     if (!table) return;
     requireKnownKeys(*table, "a detection", {"threshold", "drop_probability"});
     takeNumber(*table, "threshold", rangeOf(kLidarNumbers), sensor.detection_threshold);
-    takeNumber(*table, "drop_probability", kShare, sensor.drop_probability);
+    takeNumber(*table, "drop_probability", kShares, sensor.drop_probability);
 }
 
 std::array<double, 4> quaternionOf(const SceneValue& list) {

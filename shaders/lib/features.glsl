@@ -27,6 +27,7 @@ layout(constant_id = SPEC_GATHERS_PHOTONS) const bool kGathersPhotons = false;
 
 #define mayHaveLight(kind) ((kFeatures & FEATURE_LIGHT(kind)) != 0u)
 const bool kHasGaussians = (kFeatures & FEATURE_GAUSSIANS) != 0u;
+const bool kRelights = (kFeatures & FEATURE_RELIGHT) != 0u;
 const bool kHasNoise = (kFeatures & FEATURE_NOISE) != 0u;
 #define mayHaveMaterial(kind) ((kFeatures & FEATURE_MATERIAL(kind)) != 0u)
 #define ROUGH(number, NAME, Name, word, label, lobes, traits)                                                          \

@@ -4,6 +4,9 @@
 //
 // Captures are trained with colours that are display-encoded, so Gaussians are composited so, and the result is decoded
 // once. Over a plain background it is encoded, too, as in viewers of such captures.
+//
+// To be lit by the scene, each ray sees one surface: where it meets the Gaussian that adds most, with the composited
+// normals, and the composited constant terms as its albedo (deferred shading).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/path.glsl"
@@ -17,18 +20,23 @@
 struct Composite {
     vec3 light;
     float transmittance;
-    GaussianHit middle; // behind which less than half passes, if that is one of this instance
+    GaussianHit middle; // behind which less than half passes, or the one that adds most; if it is of this instance
+    float most;         // added by one Gaussian; this and the next only if they are lit
+    vec3 normal;        // sum of the normals in render space, each times what its Gaussian adds
 };
 
 void addGaussian(inout Composite sum, GaussianHit hit, vec3 direction) {
     bool is_hit = hit.gaussian != NO_INDEX;
     uint gaussian = is_hit ? hit.gaussian : 0u;
     vec4 look = loadGaussianRow(gaussian, 3u);
-    vec3 color = max(look.yzw + harmonicsAlong(gaussian, direction), vec3(0.0));
+    vec3 color = max(kRelights ? look.yzw : look.yzw + harmonicsAlong(gaussian, direction), vec3(0.0));
     float alpha = is_hit ? alphaAt(look.x, hit.distance_squared) : 0.0;
+    float added = sum.transmittance * alpha;
     sum.light += sum.transmittance * alpha * color;
     float passes = sum.transmittance * (1.0 - alpha);
-    if (sum.transmittance > kHalf && passes <= kHalf) sum.middle = hit;
+    if (kRelights ? added > sum.most : sum.transmittance > kHalf && passes <= kHalf) sum.middle = hit;
+    if (kRelights) sum.most = max(sum.most, added);
+    if (kRelights) sum.normal += added * renderDirection(normalize(gaussianNormal(gaussian, direction)));
     sum.transmittance = passes;
 }
 
@@ -57,7 +65,18 @@ vec3 decoded(Composite sum, bool misses) {
     vec3 over = exactLinearFromSrgb(sum.light + behind * srgbFromLinear(background)) - behind * background;
     float covered = 1.0 - behind;
     vec3 alone = covered > 0.0 ? covered * exactLinearFromSrgb(sum.light / covered) : vec3(0.0);
-    return plain && misses && !hasOption(OPTION_TRANSPARENT) ? over : alone;
+    return plain && misses && !hasOption(OPTION_TRANSPARENT) && !kRelights ? over : alone;
+}
+
+// The radius by which shadow rays of lit Gaussians are offset (shaders/trace/offset.glsl): about a deviation along the
+// middle axis, which is a third of its half length. A surface is a layer of Gaussians that overlap and do not lie in one
+// plane.
+float radiusOf(uint gaussian) {
+    vec3 x = loadGaussianRow(gaussian, 0u).xyz, y = loadGaussianRow(gaussian, 1u).xyz;
+    vec3 z = loadGaussianRow(gaussian, 2u).xyz;
+    vec3 squares = vec3(dot(x, x), dot(y, y), dot(z, z)); // of the inverse half lengths
+    float middle = max(min(squares.x, squares.y), min(max(squares.x, squares.y), squares.z));
+    return 1.0 / (3.0 * sqrt(middle) * cubeScale());
 }
 
 // As GaussianLight stores it.
@@ -66,26 +85,40 @@ vec4 middleOf(GaussianRay ray, GaussianHit hit) {
     return vec4(normal, (ray.t_start + hit.t) / cubeScale());
 }
 
+// What GaussianLight stores of Gaussians that the scene lights.
+void storeSurface(Composite sum, bool complete, float radius, vec3 light, inout vec4 next, inout vec4 middle) {
+    if (!kRelights) return;
+    float length_squared = dot(sum.normal, sum.normal);
+    middle.xyz = complete && length_squared > 0.0 ? sum.normal * (radius / sqrt(length_squared)) : sum.normal;
+    if (length_squared == 0.0) middle.w = kWalkEnded;
+    next.yzw = complete ? light : vec3(next.y, sum.most, radius);
+}
+
 void main() {
     uint index;
     PathState path = currentPath(index);
     bool live = index != NO_INDEX, enters;
     uvec4 hit = live ? loadHit(index) : kNoHit;
     GaussianRay ray = gaussianRay(path.origin, path.direction, uintBitsToFloat(hit.x) * cubeScale(), enters);
-    GaussianLight stored = GaussianLight(vec4(0.0, 0.0, 0.0, 1.0), vec4(kWalkEnded), vec4(kWalkEnded));
+    GaussianLight stored = GaussianLight(vec4(0.0, 0.0, 0.0, 1.0), vec4(0.0), vec4(vec3(0.0), kWalkEnded));
     if (live && (!hasStep(STEP_FIRST) || hasStep(STEP_RESUME))) stored = gaussian_light[index];
     GaussianHit last = GaussianHit(-ray.t_start, NO_INDEX, 0.0);
     if (hasStep(STEP_RESUME)) last = GaussianHit(stored.last.x, floatBitsToUint(stored.last.y), 0.0);
     live = live && last.t < kWalkEnded;
 
     GaussianHits hits = resumeGaussianHits(ray, enters, last);
-    Composite sum = Composite(stored.light.rgb, stored.light.a, kNoGaussianHit);
+    Composite sum = Composite(stored.light.rgb, stored.light.a, kNoGaussianHit, kRelights ? stored.last.z : 0.0,
+                              kRelights ? stored.middle.xyz : vec3(0.0));
     bool cut = compositeAlong(hits, enters, live, sum);
     bool ends = !cut || hasStep(STEP_FINAL);
     if (!isTransparent(sum)) sum.transmittance = 0.0;
-    vec3 light = hasStep(STEP_LAST) && ends ? decoded(sum, hit.z == NO_INDEX) : sum.light;
-    vec4 next = ends ? vec4(kWalkEnded) : vec4(hits.last.t, uintBitsToFloat(hits.last.gaussian), 0.0, 0.0);
-    vec4 middle = sum.middle.gaussian != NO_INDEX ? middleOf(ray, sum.middle) : stored.middle;
+    bool complete = hasStep(STEP_LAST) && ends;
+    vec3 light = complete ? decoded(sum, hit.z == NO_INDEX) : sum.light;
+    vec4 next = vec4(ends ? kWalkEnded : hits.last.t, uintBitsToFloat(hits.last.gaussian), 0.0, 0.0);
+    bool has_middle = sum.middle.gaussian != NO_INDEX;
+    vec4 middle = has_middle ? middleOf(ray, sum.middle) : stored.middle;
+    float radius = kRelights && has_middle ? radiusOf(sum.middle.gaussian) : stored.last.w;
+    storeSurface(sum, complete, radius, light, next, middle);
     if (live) gaussian_light[index] = GaussianLight(vec4(light, sum.transmittance), next, middle);
     if (cut && ends) atomicAdd(control.cut_rays, 1u);
 }

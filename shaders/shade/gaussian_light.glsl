@@ -16,12 +16,13 @@ vec3 passGaussians(inout PathState path, vec4 gaussians) {
 }
 
 // Coverage and albedo of a pixel whose ray passes Gaussians before a hit of these. As they emit what they show, their
-// light counts as albedo.
+// light counts as albedo, unless the scene lights them.
 float coverageBehind(float covered, vec4 gaussians) {
     return kHasGaussians ? 1.0 - gaussians.a * (1.0 - covered) : covered;
 }
-vec3 albedoBehind(vec3 albedo, vec4 gaussians) {
-    return kHasGaussians ? min(gaussians.rgb, vec3(1.0)) + gaussians.a * albedo : albedo;
+vec3 albedoBehind(vec3 albedo, vec4 gaussians, uint path) {
+    vec3 own = kRelights ? gaussian_light[path].last.yzw : gaussians.rgb;
+    return kHasGaussians ? min(own, vec3(1.0)) + gaussians.a * albedo : albedo;
 }
 
 #endif

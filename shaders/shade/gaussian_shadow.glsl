@@ -8,8 +8,11 @@
 // A ray with negative t_max meets none.
 float passedByGaussians(ShadowRay shadow, bool live) {
     bool enters, cut;
-    GaussianRay ray = gaussianRay(shadow.origin, shadow.direction, shadow.t_max * cubeScale(), enters);
-    float passes = gaussianTransmittance(ray, enters, live && shadow.t_max > 0.0, GAUSSIAN_TRANSMITTANCE_MIN, cut);
+    // rays of lit Gaussians, which alone have no owner, do not meet their own surface
+    float start = kRelights && shadow.owner == NO_OWNER ? shadow.self_t : 0.0, t_max = shadow.t_max - start;
+    vec3 origin = kRelights ? shadow.origin + start * shadow.direction : shadow.origin;
+    GaussianRay ray = gaussianRay(origin, shadow.direction, t_max * cubeScale(), enters);
+    float passes = gaussianTransmittance(ray, enters, live && t_max > 0.0, GAUSSIAN_TRANSMITTANCE_MIN, cut);
     if (cut) atomicAdd(control.cut_rays, 1u);
     return passes;
 }

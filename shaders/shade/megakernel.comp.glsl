@@ -105,7 +105,7 @@ void main() {
         SurfaceInteraction point = interactionOf(loop, splats);
         float covered = covers(point) ? 1.0 : 0.0;
         loop.sums = beginSample(loop.sums, coverageBehind(covered, gaussians),
-                                albedoBehind(covered * point.albedo, gaussians), push.sample_index);
+                                albedoBehind(covered * point.albedo, gaussians, index), push.sample_index);
     }
     if (kHasGaussians && live) accumulateLight(loop.sums, passGaussians(loop.path, gaussians), bounceOf(path.bits));
     uint bounces = 0u;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gaussians as a shadow catcher: what is put among them shadows the light that they have captured. Queries the direct
-// light at the points where rays have lost half of their light to Gaussians.
+// light at the points where rays have lost half of their light to Gaussians, or, of lit Gaussians, have met the one that
+// adds most.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/shade/direct_light.glsl"
@@ -16,7 +17,9 @@ void main() {
     bool catches = live && middle.w < kWalkEnded;
     appendEntry(LIST_DIRECT_LIGHT, catches, index);
     vec3 position = path.origin + middle.w * path.direction;
+    float radius = kRelights ? length(middle.xyz) : 0.0;
+    vec3 normal = kRelights ? middle.xyz / radius : middle.xyz;
     if (catches)
-        light_queries[index] = DirectLightQuery(position, 0.0, middle.xyz, 0u, vec3(1.0), NO_OWNER, vec3(1.0),
+        light_queries[index] = DirectLightQuery(position, radius, normal, 0u, vec3(1.0), NO_OWNER, vec3(1.0),
                                                 bounceOf(path.bits), -path.direction, 1.0);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Multiplies the light of Gaussians by the ratio of the irradiance with and without the objects that shadow them, at the
 // points of LIST_DIRECT_LIGHT (Debevec, Rendering Synthetic Objects into Real Scenes, 1998: differential rendering).
+// Lit Gaussians are multiplied by what a matte surface there reflects of the scene's light: their light is their albedo.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/shade/direct_light.glsl"
@@ -22,10 +23,20 @@ vec3 irradianceUnshadowed(DirectLightQuery query, uint path, uint tested) {
     return sum;
 }
 
-void main() {
-    uint path;
-    DirectLightQuery query = currentLightQuery(path);
-    if (path == NO_INDEX) return;
+// What a white matte surface reflects of the lights that are not hidden, and of the sky as phong and whitted add it.
+vec3 reflectedByWhite(DirectLightQuery query, uint path) {
+    vec3 irradiance = vec3(0.0);
+    uint samples = lightSampleCount(), mask = light_masks[path];
+    for (uint number = 0u; number < samples; number++) {
+        Light light;
+        LightSample to = drawLightSample(query, path, number, light);
+        irradiance += (mask >> number & 1u) == 0u ? irradianceOf(query, to) / lightChance() : vec3(0.0);
+    }
+    return irradiance / kPi + ambientLight(query.normal);
+}
+
+// The ratio of the irradiance with and without the objects among the Gaussians.
+vec3 shadowRatio(DirectLightQuery query, uint path) {
     uint samples = lightSampleCount(), mask = light_masks[path];
     vec3 lit = kPi * skyColor(query.normal), hidden = vec3(0.0); // the sky as seen along the normal
     for (uint number = 0u; number < samples; number++) {
@@ -37,6 +48,12 @@ void main() {
     }
     if (kSamplesOneLight) lit += irradianceUnshadowed(query, path, lightOfSample(0u, path, query.bounce));
     // in one-light samples of many lights more may be hidden than is lit: their mean is right
-    vec3 ratio = 1.0 - hidden / max(lit, vec3(1e-20));
-    gaussian_light[path].light.rgb *= ratio;
+    return 1.0 - hidden / max(lit, vec3(1e-20));
+}
+
+void main() {
+    uint path;
+    DirectLightQuery query = currentLightQuery(path);
+    if (path == NO_INDEX) return;
+    gaussian_light[path].light.rgb *= kRelights ? reflectedByWhite(query, path) : shadowRatio(query, path);
 }

@@ -19,7 +19,7 @@ void main() {
     vec4 gaussians = loadGaussianLight(index);
     vec3 before = passGaussians(path, gaussians);
     bool covered = covers(point);
-    vec3 albedo = albedoBehind(covered ? point.albedo : vec3(0.0), gaussians);
+    vec3 albedo = albedoBehind(covered ? point.albedo : vec3(0.0), gaussians, index);
     ShadedHit shaded = shadeAt(path, point, index);
     Shading shading = shaded.shading;
     if (live && kCameraPass) {

@@ -23,15 +23,16 @@
 //             knows it as SHOWN_NAME and ShownAs::HOW (runtime/image/film_views.h) and draws it with that function of
 //             shaders/display/resolve.comp.glsl
 //
-// rgba         linear radiance with the background; coverage by the scene
-// depth        distance along the centre ray from its origin, input units
-// normal       unit vector, facing the eye
+// rgba         linear radiance with the background; coverage by the scene: of Gaussians alone, their opacity
+// depth        distance along the centre ray from its origin, input units; of Gaussians, to where half of the light is
+//              hidden
+// normal       unit vector, facing the eye; of Gaussians, the shortest axis
 // position     input coordinates
 // direct       light that reached the first hit straight from a light source
 // indirect     light that reached it by way of other surfaces
 // caustic      light focused by mirrors or glass onto a surface that scatters it
 // albedo       reflectance of the first hit, 0 to 1
-// splat_id     index in its .pro; none on shapes
+// splat_id     index in its .pro; none on shapes; of Gaussians, that of the one that adds most up to the depth
 // tile_id      index of the splat's tile in its set; none outside sets
 // instance_id  index in the scene; OWNER_SHAPES on shapes
 // material_id  row of the scene's material table

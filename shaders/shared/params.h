@@ -24,6 +24,7 @@ namespace pointrt::gpu {
 #define FEATURE_LIGHT(kind) (1u << uint(kind))
 #define FEATURE_MATERIAL(kind) (1u << (8u + uint(kind)))
 #define FEATURE_SHAPE(kind) (1u << (16u + uint(kind)))
+#define FEATURE_RELIGHT (1u << 26)    // Gaussians are surfaces that the scene lights
 #define FEATURE_GAUSSIANS (1u << 27)  // some instance holds Gaussians
 #define FEATURE_HIGHLIGHTS (1u << 28) // some material has a Phong highlight
 #define FEATURE_INLINE_NEE (1u << 29) // the megakernel samples lights itself; else it queues direct-lighting queries
@@ -124,6 +125,8 @@ struct GaussianLight {
     vec4 light;  // a: the share that passes from behind
     vec4 last;   // x: t of the last Gaussian added, kWalkEnded if no more come; y: its number
     vec4 middle; // behind which less than half passes: its normal, and t in render space; kWalkEnded if more passes
+    // Lit by the scene: until all are composited, last.z is the most that one Gaussian adds, last.w its radius, and
+    // middle.xyz the sum of normals; then last.yzw is the albedo, and middle.xyz the normal as long as the radius.
 };
 
 // The boxes of a cull group, which rays are tested against before they are intersected with the instances inside.

@@ -56,7 +56,7 @@ case_overwrites_only_with_force() {
     expectError 4 "out/points.las: " pointrt-info out/scene.pro --export out/points.las
     [ "$(cat out/points.las)" = precious ] || fail "the file was overwritten"
     expectDone pointrt-info out/scene.pro --export out/points.las --force
-    expectError 2 "out/points.e57: --export " pointrt-info out/scene.pro --export out/points.e57
+    expectError 2 "out/points.xyz: --export " pointrt-info out/scene.pro --export out/points.xyz
 }
 
 runCase "$@"

@@ -66,7 +66,7 @@ case_slips() {
         expectUsage "(is required|no SCENE given)" "$tool"
     done
     expectUsage "-q and -v .*" pointrt-bake scan.xyz -o out/a.pro -q -v
-    expectUsage "out/a.e57: --export .*\.spz" pointrt-info scan.pro --export out/a.e57
+    expectUsage "out/a.xyz: --export .*\.spz" pointrt-info scan.pro --export out/a.xyz
 }
 
 case_the_last_of_a_repeated_option_counts() {

@@ -95,6 +95,31 @@ case_colours_and_legends() {
     expectError 2 "--legend: .*FILE.png" pointrt-view hill.pro -o out/a.exr --color-by height --legend on
 }
 
+# hasIntegrator NAME SPP ARGUMENT...: renders a small picture of scene.pro and checks how.
+hasIntegrator() {
+    local name=$1 spp=$2
+    shift 2
+    expectDone pointrt-view -q scene.pro --size 32x32 --stats stats.json "$@"
+    [ "$(jsonValue stats.json integrator)" = "$name" ] || fail "$*: not $name"
+    [ "$(jsonValue stats.json spp)" = "$spp" ] || fail "$*: not $spp samples"
+}
+
+case_only_pictures_left_to_us_are_path_traced() {
+    bakeSphere
+    hasIntegrator path 8 -o out/a.png
+    hasIntegrator path 8 -o out/again.png --color-by rgb --exposure 0
+    cmp out/a.png out/again.png
+    hasIntegrator phong 4 -o out/b.png --integrator phong
+    hasIntegrator phong 2 -o out/b.png --spp 2
+    hasIntegrator phong 4 -o out/b.png --lights 3
+    hasIntegrator phong 4 -o out/b.png --room matte
+    hasIntegrator phong 4 -o out/b.png --background white
+    hasIntegrator phong 4 -o out/b.exr
+    printf '[[instance]]\nfile = "scene.pro"\n' >scene.toml
+    expectDone pointrt-view -q scene.toml -o out/b.png --size 32x32 --stats stats.json
+    [ "$(jsonValue stats.json integrator)" = phong ] || fail "scene files say how"
+}
+
 case_films_differ_by_colours() {
     bakeHill
     expectDone pointrt-view -q hill.pro -o film.exr --size 32x24 --spp 2 --color-by normal
@@ -135,6 +160,35 @@ EOF
     sed -i 's/"class"/"klass"/' scene.toml
     expectError 1 "scene.toml:15: key \"instance.0..override.0..attribute\": .*hill.pro .*\"klass\"" \
         pointrt-view scene.toml -o out/a.png
+}
+
+# gaussians XYZ...: a .splat of round Gaussians; each digit is a coordinate, 0, 1 or 2.
+gaussians() {
+    local at axis
+    local -A bytes=([0]='\0\0\0\0' [1]='\0\0\x80\x3f' [2]='\0\0\0\x40')
+    for at in "$@"; do
+        for axis in 0 1 2; do printf "${bytes[${at:axis:1}]}"; done
+        # three deviations of 0.0625, opaque white, no rotation
+        printf '\0\0\x80\x3d\0\0\x80\x3d\0\0\x80\x3d\xff\xff\xff\xff\xff\x80\x80\x80'
+    done
+}
+
+# A row of balls does not tell what is up, and the custom of the format is worth little: both tools say so.
+case_captures_without_a_base_have_a_guessed_up() {
+    gaussians 000 100 200 >row.splat
+    expectDone pointrt-bake row.splat -o row.pro --stats stats.json
+    grep -q 'up is a guess: -y' stderr || fail "the bake does not say that it guessed"
+    [ "$(jsonValue stats.json up_from)" = guess ] || fail "the statistics do not say that up is a guess"
+    expectDone pointrt-view row.pro --size 8x8 --spp 1 -o out/row.png
+    grep -q 'up is a guess: -y' stderr || fail "the viewer does not say that up is a guess"
+}
+
+case_captures_become_discs_on_request() {
+    gaussians 000 100 010 110 001 101 >some.splat
+    pointrt-bake -q some.splat -o discs.pro --splat disc --outliers keep
+    pointrt-bake -q some.splat -o kept.pro
+    pointrt-info kept.pro | grep -q '^Gaussians ' || fail "Gaussians are not kept"
+    ! pointrt-info discs.pro | grep -q '^Gaussians ' || fail "--splat disc keeps Gaussians"
 }
 
 # The up direction stored in a file, found or guessed by the bake, has the effect of --up. A ball's points tell nothing:
@@ -220,7 +274,7 @@ case_thumbnail() {
     [ ! -s stderr ] || fail "something on stderr"
     [ "$(head -c 8 out/no_suffix | od -An -t x1 | tr -d ' \n')" = 89504e470d0a1a0a ] || fail "no PNG"
     [ "$(bigEndian out/no_suffix 16)x$(bigEndian out/no_suffix 20)" = 128x128 ] || fail "not of 128 pixels"
-    expectDone pointrt-view scene.pro --size 128x128 -q -o out/picture.png
+    expectDone pointrt-view scene.pro --size 128x128 -q --integrator phong -o out/picture.png # for its time, no path tracing
     cmp out/no_suffix out/picture.png || fail "a thumbnail that had time enough is another picture"
     # the picture is written to the file that the file manager has created and holds open
     : >out/held

@@ -57,12 +57,17 @@ keepFiles test_tiles --gtest_filter='*InOneLine*'
 keepFiles test_rays_command
 keepFiles test_runtime_host --gtest_filter='*Image*:*Film*:*Record*:*Env*'
 
-for suffix in ply pcd e57 ptx obj off splat spz sog conf; do seedsOf "scan_$suffix" "*.$suffix"; done
+for suffix in ply pcd e57 ptx obj off stl pnts mcap splat spz sog conf; do seedsOf "scan_$suffix" "*.$suffix"; done
 seedsOf scan_las '*.las' '*.laz'
 seedsOf points '*.ply' '*.las' '*.laz'
 seedsOf scan_xyz '*.xyz' '*.pts' '*.asc' '*.csv'
 seedsOf scan_draco '*.drc'
 seedsOf scan_gltf '*.gltf' '*.glb'
+seedsOf scan_vtk '*.vtk' '*.vtp'
+seedsOf scan_rosbag '*.bag'
+seedsOf scan_numpy '*.npy' '*.npz'
+seedsOf scan_geotiff '*.tif'
+seedsOf scan_colmap '*points3D.*'
 seedsOf scan '*.gz' '*.stl' '*.zip'
 for target in "$work"/seeds/scan_*; do # two of each format
     for file in $(find "$target" -type f -size "-$((largest))c" | sort | head -2); do seed scan "$(basename "$file")" <"$file"; done

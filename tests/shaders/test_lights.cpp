@@ -23,16 +23,16 @@ struct Receiver {
     gpu::vec4 point;
     gpu::uvec4 light;
 };
-struct Answer {
+struct LightAnswer {
     gpu::vec4 direction, radiance_over_pdf, pdf, free, sample2;
 };
 
 constexpr std::uint32_t kSamples = 1u << 14;
 
-std::vector<Answer> sampleLights(const std::vector<gpu::Light>& lights, const std::vector<Receiver>& receivers,
-                                 std::uint32_t samples = kSamples) {
+std::vector<LightAnswer> sampleLights(const std::vector<gpu::Light>& lights, const std::vector<Receiver>& receivers,
+                                      std::uint32_t samples = kSamples) {
     const auto count = static_cast<std::uint32_t>(receivers.size() * samples);
-    return runProbe<Answer>(lights_probe_spv, lights, receivers, {count, samples, 0, 0});
+    return runProbe<LightAnswer>(lights_probe_spv, lights, receivers, {count, samples, 0, 0});
 }
 
 Receiver receiverAt(Vec3 p, std::uint32_t light = 0) {
@@ -40,40 +40,40 @@ Receiver receiverAt(Vec3 p, std::uint32_t light = 0) {
 }
 
 /// Samples of one light from each point: the answers, point after point.
-std::vector<Answer> samplesFrom(const LightDescription& light, const std::vector<Vec3>& points) {
+std::vector<LightAnswer> samplesFrom(const LightDescription& light, const std::vector<Vec3>& points) {
     std::vector<Receiver> receivers;
     for (const Vec3& p : points) receivers.push_back(receiverAt(p));
     return sampleLights({packLight({}, light)}, receivers);
 }
 
-using Span = std::span<const Answer>;
+using Span = std::span<const LightAnswer>;
 
-Span samplesOf(const std::vector<Answer>& answers, std::size_t receiver) {
+Span samplesOf(const std::vector<LightAnswer>& answers, std::size_t receiver) {
     return Span(answers).subspan(receiver * kSamples, kSamples);
 }
 
-double mean(Span answers, const std::function<double(const Answer&)>& value) {
+double mean(Span answers, const std::function<double(const LightAnswer&)>& value) {
     double sum = 0;
-    for (const Answer& answer : answers) sum += value(answer);
+    for (const LightAnswer& answer : answers) sum += value(answer);
     return sum / static_cast<double>(answers.size());
 }
 
 double irradiance(Span answers, Vec3 normal) {
-    return mean(answers, [&](const Answer& a) {
+    return mean(answers, [&](const LightAnswer& a) {
         return a.radiance_over_pdf.x * std::max(0.0, dot(unpack(a.direction), normal));
     });
 }
 
 /// Solid angle of the light, estimated from the densities of the samples.
 double solidAngle(Span answers) {
-    return mean(answers, [](const Answer& a) { return 1.0 / a.radiance_over_pdf.w; });
+    return mean(answers, [](const LightAnswer& a) { return 1.0 / a.radiance_over_pdf.w; });
 }
 
 void expectShare(double value, double expected, double share) { EXPECT_NEAR(value / expected, 1, share) << expected; }
 
 /// Directions are unit vectors, and lightPdf equals the density of the sample.
 void expectConsistent(Span answers) {
-    for (const Answer& a : answers) {
+    for (const LightAnswer& a : answers) {
         ASSERT_NEAR(length(unpack(a.direction)), 1, 1e-6);
         ASSERT_NEAR(a.pdf.x / a.radiance_over_pdf.w, 1, 1e-3);
         ASSERT_NEAR(a.radiance_over_pdf.x * a.radiance_over_pdf.w / a.free.w, 1, 1e-3);
@@ -86,7 +86,7 @@ std::vector<std::array<double, 2>> pairsOf(std::uint32_t pixel, std::uint32_t pa
                                            std::uint32_t samples) {
     std::vector<std::array<double, 2>> points;
     const Receiver receiver{{0, 0, 0, static_cast<float>(pair)}, {0, pixel, seed, 0}};
-    for (const Answer& a : sampleLights({gpu::Light{}}, {receiver}, samples)) {
+    for (const LightAnswer& a : sampleLights({gpu::Light{}}, {receiver}, samples)) {
         EXPECT_EQ(a.sample2.x, a.pdf.w) << "sample1 is the first of the pair";
         points.push_back({a.sample2.x, a.sample2.y});
     }
@@ -208,7 +208,7 @@ TEST(Sampler, HasFirstSamplesThatDoNotRepeatAcrossPixels) {
     for (std::uint32_t pixel = 0; pixel < 65'536; ++pixel) receivers.push_back({{0, 0, 0, 0}, {0, pixel, 0, 0}});
     const auto answers = sampleLights({gpu::Light{}}, receivers, 1);
     std::vector<int> cells(64 * 64);
-    for (const Answer& a : answers)
+    for (const LightAnswer& a : answers)
         cells[static_cast<int>(a.sample2.x * 64) + 64 * static_cast<int>(a.sample2.y * 64)]++;
     double chi = 0; // 16 expected in each cell
     for (const int n : cells) chi += (n - 16) * (n - 16) / 16.0;
@@ -221,7 +221,7 @@ TEST(Sampler, HasFirstSamplesThatDoNotRepeatAcrossPixels) {
 TEST(Lights, PointAndSpotFallOffWithTheSquareOfDistance) {
     const Vec3 point{1, 2, 3}, at{3, 5, 9};
     const auto answers = samplesFrom(PointLight{at, {49, 98, 7}}, {point});
-    const Answer& a = answers.front();
+    const LightAnswer& a = answers.front();
     EXPECT_NEAR(a.direction.w, 7, 1e-5);
     EXPECT_NEAR(length(7 * unpack(a.direction) - (at - point)), 0, 1e-5);
     EXPECT_NEAR(a.radiance_over_pdf.x, 1, 1e-6);
@@ -260,7 +260,7 @@ TEST(Lights, SunGivesItsIrradianceWhateverItsSize) {
         const Vec3 aside = normalize(cross(towards, {0, 0, 1}));
         const Vec3 turned = std::cos(40 * pi / 180) * towards + std::sin(40 * pi / 180) * aside;
         expectShare(irradiance(samples, turned), 3 * std::cos(40 * pi / 180), 2e-3);
-        for (const Answer& a : samples) {
+        for (const LightAnswer& a : samples) {
             ASSERT_LE(length(cross(unpack(a.direction), towards)), std::sin(radius * pi / 180) * 1.003 + 1e-6);
             ASSERT_GT(a.direction.w, 1e29);
         }
@@ -280,16 +280,17 @@ TEST(Lights, SunIsHitByDirectionsWithinItsDisc) {
     for (const double radius : {5.0, 30.0}) {
         const auto answers = samplesFrom(SunLight{towards, radius, {3, 3, 3}}, {{0, 0, 0}});
         const Span samples = samplesOf(answers, 0);
-        for (const Answer& a : samples) {
+        for (const LightAnswer& a : samples) {
             const double angle = std::acos(dot(unpack(a.free), towards)) * 180 / pi;
             if (std::abs(angle - radius) > 0.01) {
                 ASSERT_EQ(a.pdf.z, angle < radius ? 1 : 0) << angle;
             }
         }
         // integrals over the disc of lightPdf and of the radiance
-        expectShare(4 * pi * mean(samples, [](const Answer& a) { return a.pdf.y * a.pdf.z; }), 1, 0.01);
-        const double facing = mean(
-            samples, [&](const Answer& a) { return a.pdf.z * a.free.w * std::max(0.0, dot(unpack(a.free), towards)); });
+        expectShare(4 * pi * mean(samples, [](const LightAnswer& a) { return a.pdf.y * a.pdf.z; }), 1, 0.01);
+        const double facing = mean(samples, [&](const LightAnswer& a) {
+            return a.pdf.z * a.free.w * std::max(0.0, dot(unpack(a.free), towards));
+        });
         expectShare(4 * pi * facing, 3, 0.01);
     }
 }
@@ -311,7 +312,7 @@ TEST(Lights, SphereGivesPiLTimesTheSquareOfItsSine) {
             expectShare(solidAngle(samples), 2 * pi * (1 - std::sqrt(1 - squared_sine)), share);
             expectConsistent(samples);
             if (radius < 1e-3) continue;
-            for (const Answer& a : samples) { // the distance ends on the sphere
+            for (const LightAnswer& a : samples) { // the distance ends on the sphere
                 const Vec3 end = point + a.direction.w * unpack(a.direction);
                 ASSERT_NEAR(length(end - center), radius, 2e-3 * radius);
                 ASSERT_LT(a.direction.w, length(way));
@@ -329,7 +330,7 @@ TEST(Lights, SphereShinesInside) {
         expectShare(solidAngle(samples), 4 * pi, 1e-5);
         expectConsistent(samples);
         const Vec3 point = i == 0 ? center : Vec3{1, 2.5, 0.5};
-        for (const Answer& a : samples)
+        for (const LightAnswer& a : samples)
             ASSERT_NEAR(length(point + a.direction.w * unpack(a.direction) - center), 2, 1e-5);
     }
 }
@@ -387,7 +388,7 @@ TEST(Lights, QuadGivesLambertsFormula) {
         EXPECT_NEAR(irradiance(samples, facing), expected, 2e-3 * expected + 1e-6);
         expectShare(solidAngle(samples), solidAngleOf(cornersOf(quad), point), 2e-3);
         expectConsistent(samples);
-        for (const Answer& a : samples) {
+        for (const LightAnswer& a : samples) {
             const Vec3 at = point + a.direction.w * unpack(a.direction) - quad.center;
             ASSERT_NEAR(dot(at, normal), 0, 2e-6 * (1 + a.direction.w));
             ASSERT_LE(std::abs(dot(at, quad.u)), dot(quad.u, quad.u) * (1 + 1e-4));
@@ -410,7 +411,7 @@ TEST(Lights, QuadSeenEdgeOnGivesNothing) {
     const QuadLight quad{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}, true};
     const auto answers = samplesFrom(quad, {{3, 0, 1}, {30, 0, 1}});
     for (std::size_t i = 0; i < 2; ++i)
-        for (const Answer& a : samplesOf(answers, i)) {
+        for (const LightAnswer& a : samplesOf(answers, i)) {
             ASSERT_NEAR(a.radiance_over_pdf.x, 0, 1e-5);
             ASSERT_TRUE(std::isfinite(a.radiance_over_pdf.w * a.radiance_over_pdf.w));
             ASSERT_TRUE(std::isfinite(a.direction.x + a.direction.y + a.direction.z + a.direction.w));
@@ -419,7 +420,7 @@ TEST(Lights, QuadSeenEdgeOnGivesNothing) {
 
 /// Received light over radiance: the solid angle, without the corners that emit nothing.
 double seenAngle(Span answers, double radiance) {
-    return mean(answers, [&](const Answer& a) { return a.radiance_over_pdf.x / radiance; });
+    return mean(answers, [&](const LightAnswer& a) { return a.radiance_over_pdf.x / radiance; });
 }
 
 /// View factor of a disc from a point off its axis, for a surface parallel to it.
@@ -446,7 +447,7 @@ TEST(Lights, DiscGivesItsViewFactor) {
         const Span samples = samplesOf(answers, i);
         SCOPED_TRACE(testing::Message() << "point " << i);
         EXPECT_NEAR(irradiance(samples, facing), expected[i], 4e-3 * expected[i] + 1e-4);
-        for (const Answer& a : samples) {
+        for (const LightAnswer& a : samples) {
             ASSERT_NEAR(length(unpack(a.direction)), 1, 1e-6);
             ASSERT_NEAR(a.pdf.x / a.radiance_over_pdf.w, 1, 2e-3);
             ASSERT_EQ(a.free.w, 5);
@@ -483,12 +484,12 @@ TEST(Lights, DensityOfDiscIntegratesToShareOfLitSamples) {
         for (std::uint32_t seed = 0; seed < 16; ++seed)
             receivers.push_back(receiverAt(point)), receivers.back().light.z = seed;
         const auto answers = sampleLights({packLight({}, kDisc)}, receivers);
-        const double sum = mean(answers, [&](const Answer& a) {
+        const double sum = mean(answers, [&](const LightAnswer& a) {
             const Vec3 direction = unpack(a.free);
             const double t = dot(kDisc.center - point, kDisc.normal) / dot(direction, kDisc.normal);
             return t > 0 && length(point + t * direction - kDisc.center) < kDisc.radius ? double{a.pdf.y} : 0.0;
         });
-        const double lit = mean(answers, [](const Answer& a) { return a.radiance_over_pdf.x > 0 ? 1.0 : 0.0; });
+        const double lit = mean(answers, [](const LightAnswer& a) { return a.radiance_over_pdf.x > 0 ? 1.0 : 0.0; });
         EXPECT_GT(lit, distance > kDisc.radius ? 0.9999 : 0.6);
         EXPECT_NEAR(4 * pi * sum / lit, 1, 0.015) << distance;
     }
@@ -497,7 +498,7 @@ TEST(Lights, DensityOfDiscIntegratesToShareOfLitSamples) {
 TEST(Lights, DiscSeenEdgeOnGivesNothing) {
     const DiscLight disc{{0, 0, 1}, {0, 0, 1}, 1, {5, 5, 5}, true};
     const auto answers = samplesFrom(disc, {{3, 0, 1}, {30, 0, 1}});
-    for (const Answer& a : answers) {
+    for (const LightAnswer& a : answers) {
         ASSERT_NEAR(a.radiance_over_pdf.x, 0, 1e-5);
         ASSERT_TRUE(std::isfinite(a.radiance_over_pdf.w * a.radiance_over_pdf.w));
         ASSERT_TRUE(std::isfinite(a.direction.x + a.direction.y + a.direction.z + a.direction.w));
@@ -531,7 +532,7 @@ TEST(Lights, DensitiesIntegrateToOne) {
         for (std::uint32_t seed = 0; seed < 8; ++seed)
             receivers.push_back(receiverAt(point)), receivers.back().light.z = seed;
         const auto answers = sampleLights({packLight({}, light)}, receivers);
-        const double sum = mean(answers, [&](const Answer& a) {
+        const double sum = mean(answers, [&](const LightAnswer& a) {
             return meets(light, point, unpack(a.free)) ? static_cast<double>(a.pdf.y) : 0.0;
         });
         expectShare(4 * pi * sum, 1, 0.01);

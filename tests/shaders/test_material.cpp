@@ -56,14 +56,14 @@ gpu::Material makeMaterial(int kind, float roughness = 0.3f, float index = 1.5f,
 /// Normals in general position and at the poles of the frame.
 const std::array<Vec3, 4> kNormals = {normalize({0.3, -0.5, 0.8}), {0, 0, -1}, {0, 0, 1}, normalize({-2, 0.1, -0.2})};
 
-struct Frame {
+struct ShadingFrame {
     Vec3 tangent, bitangent, normal;
 };
-Frame frameOf(Vec3 normal) {
+ShadingFrame frameOf(Vec3 normal) {
     const Vec3 tangent = normalize(cross(normal, std::abs(normal.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
     return {tangent, cross(normal, tangent), normal};
 }
-Vec3 directionAt(const Frame& frame, double cosine, double azimuth) {
+Vec3 directionAt(const ShadingFrame& frame, double cosine, double azimuth) {
     const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
     return frame.tangent * (sine * std::cos(azimuth)) + frame.bitangent * (sine * std::sin(azimuth)) +
            frame.normal * cosine;
@@ -198,7 +198,7 @@ constexpr int kRings = 208, kSteps = 168;
 /// Directions in equal steps of the angle from axis and of the azimuth, with their solid angle in w.
 std::vector<vec4> ringDirections(Vec3 axis) {
     std::vector<vec4> directions;
-    const Frame frame = frameOf(axis);
+    const ShadingFrame frame = frameOf(axis);
     for (int i = 0; i < kRings; i++)
         for (int j = 0; j < kSteps; j++) {
             // steps grow with the angle, for narrow lobes around axis
@@ -261,7 +261,7 @@ TEST_F(MaterialTest, WeightsAreEvaluationOverDensity) {
 double chiSquare(const std::vector<MaterialAnswer>& drawn, const std::vector<MaterialAnswer>& on_grid,
                  const std::vector<vec4>& directions, Vec3 axis, int& degrees) {
     constexpr int kBinRings = 16, kBinSectors = 24;
-    const Frame frame = frameOf(axis);
+    const ShadingFrame frame = frameOf(axis);
     std::vector<double> seen(kBinRings * kBinSectors), expected(seen.size());
     const auto binOf = [&](Vec3 d) {
         const double turn = std::atan2(dot(d, frame.bitangent), dot(d, frame.tangent)) / (2 * pi) + 0.5;
@@ -305,7 +305,7 @@ TEST_F(MaterialTest, DirectionsAreDrawnByTheirDensity) {
 }
 
 TEST_F(MaterialTest, RoughSurfacesAreReciprocal) {
-    const Frame frame = frameOf(kNormals[0]);
+    const ShadingFrame frame = frameOf(kNormals[0]);
     for (const float roughness : kRoughnesses)
         for (const int kind : {MATERIAL_METAL, MATERIAL_PLASTIC}) {
             Surface surface = makeSurface(makeMaterial(kind, roughness), 0.6f, 0.3);

@@ -27,7 +27,7 @@ struct ShapesAnswer {
 };
 
 constexpr double kNoHit = 1e30;
-constexpr double kMin = 1e-4; // t_min
+constexpr double kMinT = 1e-4; // t_min
 
 std::vector<ShapesAnswer> intersect(const std::vector<gpu::Shape>& shapes, const std::vector<Query>& queries,
                                     std::uint32_t shape_count) {
@@ -36,11 +36,11 @@ std::vector<ShapesAnswer> intersect(const std::vector<gpu::Shape>& shapes, const
 }
 
 /// The query with its floats converted to doubles; direction need not be a unit vector.
-Query query(Vec3 origin, Vec3 direction, std::uint32_t shape = 0, double t_min = kMin) {
+Query query(Vec3 origin, Vec3 direction, std::uint32_t shape = 0, double t_min = kMinT) {
     return {pack(origin, t_min), pack(direction, shape)};
 }
 
-struct Random {
+struct ShapeRandom {
     std::mt19937_64 bits;
     std::uniform_real_distribution<double> unit{-1, 1};
     double next() { return unit(bits); }
@@ -53,7 +53,7 @@ struct Random {
 };
 
 /// In general position, about half a unit in size; round shapes stay round.
-ShapeDescription someShape(Random& random, ShapeKind kind) {
+ShapeDescription someShape(ShapeRandom& random, ShapeKind kind) {
     const Vec3 u = random.direction(), v = normalize(cross(u, random.direction())), w = cross(u, v);
     const double size = 0.2 + 0.5 * std::abs(random.next());
     ShapeDescription shape{kind, random.inCube(), size * u, size * v, size * w, 0, true};
@@ -78,7 +78,7 @@ Expected hitFlat(ShapeKind kind, Vec3 center, Vec3 u, Vec3 v, Vec3 origin, Vec3 
     const double reach = kind == ShapeKind::kPlane  ? 0
                          : kind == ShapeKind::kDisc ? std::hypot(x, y)
                                                     : std::max(std::abs(x), std::abs(y));
-    return {t >= kMin && reach <= 1 ? t : kNoHit, normalize(n), std::abs(1 - reach)};
+    return {t >= kMinT && reach <= 1 ? t : kNoHit, normalize(n), std::abs(1 - reach)};
 }
 
 void keepNearer(Expected& best, const Expected& other) {
@@ -108,7 +108,7 @@ Expected hitSphere(const ShapeDescription& s, Vec3 origin, Vec3 direction) {
     best.margin = std::abs(root) / (a * r * r);
     if (root < 0) return best;
     for (const double t : {(-b - std::sqrt(root)) / a, (-b + std::sqrt(root)) / a})
-        if (t >= kMin && t < best.t) best.t = t;
+        if (t >= kMinT && t < best.t) best.t = t;
     best.normal = normalize(from + best.t * direction);
     return best;
 }
@@ -132,7 +132,7 @@ std::size_t compare(const ShapeDescription& shape, std::span<const Query> querie
         const Expected expected = expectedHit(shape, queries[i]);
         const Vec3 direction = unpack(queries[i].direction);
         const double t = answers[i].normal.w;
-        const bool doubtful = expected.margin < 20 * tolerance || std::abs(expected.t - kMin) < 1e-5;
+        const bool doubtful = expected.margin < 20 * tolerance || std::abs(expected.t - kMinT) < 1e-5;
         if (doubtful) continue;
         if ((expected.t < kNoHit) != (t < kNoHit)) wrong++;
         if (expected.t >= kNoHit || t >= kNoHit) continue;
@@ -159,7 +159,7 @@ class Shapes : public testing::TestWithParam<ShapeKind> {};
 
 TEST_P(Shapes, AreHitAsInDouble) {
     constexpr std::size_t kShapes = 20, kRays = 5000;
-    Random random{std::mt19937_64(7), {}};
+    ShapeRandom random{std::mt19937_64(7), {}};
     std::vector<ShapeDescription> descriptions;
     std::vector<gpu::Shape> shapes;
     std::vector<Query> queries;
@@ -184,7 +184,7 @@ TEST_P(Shapes, AreHitAsInDouble) {
 
 // Rays along the axes: components of 0 cause infinite intermediate values.
 TEST_P(Shapes, AreHitByRaysAlongAxes) {
-    Random random{std::mt19937_64(8), {}};
+    ShapeRandom random{std::mt19937_64(8), {}};
     const ShapeDescription shape{
         GetParam(), {0.25, 0.5, -0.25}, {0.5, 0, 0}, {0, 0.5, 0}, {0, 0, GetParam() >= ShapeKind::kBox ? 0.5 : 1.0}, 0,
         true};
@@ -210,7 +210,7 @@ ShapeDescription sphereAt(Vec3 center, double radius) {
 }
 
 TEST(Spheres, ArePreciseAtADistance) {
-    Random random{std::mt19937_64(9), {}};
+    ShapeRandom random{std::mt19937_64(9), {}};
     const ShapeDescription sphere = sphereAt({0, 0, 0}, 0.5);
     for (const double distance : {10.0, 100.0, 1000.0}) {
         std::vector<Query> queries;
@@ -226,7 +226,7 @@ TEST(Spheres, ArePreciseAtADistance) {
 }
 
 TEST(Spheres, IgnoreTheOriginOfRaysThatLeaveThem) {
-    Random random{std::mt19937_64(10), {}};
+    ShapeRandom random{std::mt19937_64(10), {}};
     const ShapeDescription sphere = sphereAt({0.3, 0.6, 0.2}, 0.25);
     std::vector<Query> inwards, outwards;
     for (int i = 0; i < 20'000; ++i) {
@@ -279,7 +279,7 @@ TEST(Flats, HaveTheirBackBehindTheZAxis) {
 }
 
 TEST(NearestShape, IsTheNearestOfAll) {
-    Random random{std::mt19937_64(11), {}};
+    ShapeRandom random{std::mt19937_64(11), {}};
     std::vector<ShapeDescription> descriptions;
     std::vector<gpu::Shape> shapes;
     for (std::uint32_t s = 0; s < 24; ++s) {
@@ -298,7 +298,7 @@ TEST(NearestShape, IsTheNearestOfAll) {
         for (std::uint32_t s = 0; s < count; ++s) {
             const Expected hit = expectedHit(descriptions[s], ray);
             doubtful |=
-                hit.margin < 1e-4 || std::abs(hit.t - kMin) < 1e-5 || (hit.t < kNoHit && std::abs(hit.t - t) < 1e-5);
+                hit.margin < 1e-4 || std::abs(hit.t - kMinT) < 1e-5 || (hit.t < kNoHit && std::abs(hit.t - t) < 1e-5);
             if ((all || descriptions[s].seen_by_camera) && hit.t < t) t = hit.t, first = s;
         }
         return first;

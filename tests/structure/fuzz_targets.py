@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Checks that every input format has a fuzz target with a corpus: fuzz_targets.py REPOSITORY
 
-The formats are the rows of POINTRT_INPUT_FORMATS (preprocess/input/formats.h), the targets the readers in the loop over
+The formats are the rows of POINTRT_INPUT_FORMATS (preprocess/ingest/formats.h), the targets the readers in the loop over
 targets/scan_reader.cpp (tests/fuzz/CMakeLists.txt).
 """
 import pathlib
@@ -26,13 +26,13 @@ def fuzzedIn(cmake: str) -> list[str]:
 def findings(formats: list[str], fuzzed: list[str], corpora: Iterable[str]) -> Iterator[str]:
     """A line for each format without a target, target without a format or corpus, and outdated exception."""
     if not formats:
-        yield "preprocess/input/formats.h: no formats found"
+        yield "preprocess/ingest/formats.h: no formats found"
     for name in formats:
         if name not in fuzzed and name not in WITHOUT:
             yield f"{name}: has no fuzz target; add it to the readers in tests/fuzz/CMakeLists.txt"
     for name in fuzzed:
         if name not in formats:
-            yield f"{name}: has a fuzz target, but is not a format of preprocess/input/formats.h"
+            yield f"{name}: has a fuzz target, but is not a format of preprocess/ingest/formats.h"
         if f"scan_{name[1:].lower()}" not in corpora:
             yield f"{name}: tests/fuzz/corpus has no folder scan_{name[1:].lower()} for its target"
     for name in WITHOUT:
@@ -42,7 +42,7 @@ def findings(formats: list[str], fuzzed: list[str], corpora: Iterable[str]) -> I
 
 def main() -> int:
     repository = pathlib.Path(sys.argv[1])
-    lines = list(findings(formatsIn((repository / "preprocess/input/formats.h").read_text("utf-8")),
+    lines = list(findings(formatsIn((repository / "preprocess/ingest/formats.h").read_text("utf-8")),
                           fuzzedIn((repository / "tests/fuzz/CMakeLists.txt").read_text("utf-8")),
                           [folder.name for folder in (repository / "tests/fuzz/corpus").iterdir()]))
     if lines:

@@ -41,7 +41,7 @@ class FuzzTargets(unittest.TestCase):
             self.assertEqual(findingsOf(), ["kXyz"])
 
     def test_finds_that_it_reads_nothing(self):
-        self.assertEqual(findingsOf("", ""), ["preprocess/input/formats.h"])
+        self.assertEqual(findingsOf("", ""), ["preprocess/ingest/formats.h"])
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "format/base/error.h"
 #include "tests/support/embree.h"
@@ -21,11 +22,14 @@ constexpr std::size_t kBlockRays = 1024;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-EmbreeHit hitOf(unsigned primitive, float t) {
-    return primitive == RTC_INVALID_GEOMETRY_ID ? EmbreeHit{} : EmbreeHit{t, primitive};
+/// The splats of each of the scene's geometries, by primitive.
+using SplatsOfGeometry = std::vector<std::vector<std::uint32_t>>;
+
+EmbreeHit hitOf(const SplatsOfGeometry& splats, unsigned geometry, unsigned primitive, float t) {
+    return geometry == RTC_INVALID_GEOMETRY_ID ? EmbreeHit{} : EmbreeHit{t, splats[geometry][primitive]};
 }
 
-EmbreeHit castOne(RTCScene scene, const Ray& ray) {
+EmbreeHit castOne(RTCScene scene, const SplatsOfGeometry& splats, const Ray& ray) {
     embree::IntersectOptions options(embree::Coherence::kNone);
     RTCRayHit query{};
     query.ray.org_x = static_cast<float>(ray.origin.x);
@@ -38,12 +42,11 @@ EmbreeHit castOne(RTCScene scene, const Ray& ray) {
     query.ray.mask = ~0u;
     query.hit.geomID = query.hit.primID = RTC_INVALID_GEOMETRY_ID;
     embree::intersect1(scene, options, query);
-    return hitOf(query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? RTC_INVALID_GEOMETRY_ID : query.hit.primID,
-                 query.ray.tfar);
+    return hitOf(splats, query.hit.geomID, query.hit.primID, query.ray.tfar);
 }
 
 /// rays and hits must have the same length, at most kPacket.
-void castEight(RTCScene scene, std::span<const Ray> rays, EmbreeHit* hits) {
+void castEight(RTCScene scene, const SplatsOfGeometry& splats, std::span<const Ray> rays, EmbreeHit* hits) {
     embree::IntersectOptions options(embree::Coherence::kNone);
     alignas(32) int valid[kPacket] = {};
     RTCRayHit8 query{};
@@ -61,8 +64,7 @@ void castEight(RTCScene scene, std::span<const Ray> rays, EmbreeHit* hits) {
     }
     embree::intersect8(valid, scene, options, query);
     for (std::size_t i = 0; i < rays.size(); ++i)
-        hits[i] = hitOf(query.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID ? RTC_INVALID_GEOMETRY_ID : query.hit.primID[i],
-                        query.ray.tfar[i]);
+        hits[i] = hitOf(splats, query.hit.geomID[i], query.hit.primID[i], query.ray.tfar[i]);
 }
 
 /// body(first, count) over blocks of rays, on all cores.
@@ -81,6 +83,7 @@ struct EmbreeDiscs::State {
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
     std::atomic<std::int64_t> bytes = 0;
+    SplatsOfGeometry splats;
     State() = default;
     State(const State&) = delete;
     State& operator=(const State&) = delete;
@@ -92,22 +95,32 @@ struct EmbreeDiscs::State {
         const RTCError error = rtcGetDeviceError(device);
         if (error != RTC_ERROR_NONE) throw Error(ExitCode::kCannotRun, "Embree error " + std::to_string(error));
     }
-    void addDiscs(std::span<const CubeSplat> splats) {
-        RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_ORIENTED_DISC_POINT);
+    /// Adds those of the splats that are balls, or those that are not, as a geometry of Embree's own.
+    void add(std::span<const CubeSplat> all, bool balls) {
+        std::vector<std::uint32_t> added;
+        for (std::uint32_t i = 0; i < all.size(); ++i)
+            if ((all[i].normal == Vec3{}) == balls) added.push_back(i);
+        if (added.empty()) return;
+        RTCGeometry geometry =
+            rtcNewGeometry(device, balls ? RTC_GEOMETRY_TYPE_SPHERE_POINT : RTC_GEOMETRY_TYPE_ORIENTED_DISC_POINT);
         auto* centers = static_cast<float*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float), splats.size()));
-        auto* normals = static_cast<float*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_NORMAL, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), splats.size()));
+            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float), added.size()));
+        auto* normals =
+            balls ? nullptr
+                  : static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_NORMAL, 0, RTC_FORMAT_FLOAT3,
+                                                                3 * sizeof(float), added.size()));
         requireNoError();
-        for (const CubeSplat& splat : splats) {
-            for (const double value : {splat.center.x, splat.center.y, splat.center.z, splat.radius})
+        for (const std::uint32_t i : added) {
+            for (const double value : {all[i].center.x, all[i].center.y, all[i].center.z, all[i].radius})
                 *centers++ = static_cast<float>(value);
-            for (const double value : {splat.normal.x, splat.normal.y, splat.normal.z})
+            if (balls) continue;
+            for (const double value : {all[i].normal.x, all[i].normal.y, all[i].normal.z})
                 *normals++ = static_cast<float>(value);
         }
         rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene, geometry);
+        rtcAttachGeometryByID(scene, geometry, static_cast<unsigned>(splats.size()));
         rtcReleaseGeometry(geometry);
+        splats.push_back(std::move(added));
     }
 };
 
@@ -123,7 +136,8 @@ EmbreeDiscs::EmbreeDiscs(std::span<const CubeSplat> splats, EmbreeFlag flag) : s
         state_.get());
     state_->scene = rtcNewScene(state_->device);
     rtcSetSceneFlags(state_->scene, flag == EmbreeFlag::kRobust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
-    state_->addDiscs(splats);
+    state_->add(splats, false);
+    state_->add(splats, true);
     rtcCommitScene(state_->scene);
     state_->requireNoError();
 }
@@ -136,7 +150,7 @@ std::int64_t EmbreeDiscs::bytes() const { return state_->bytes; }
 std::vector<EmbreeHit> EmbreeDiscs::cast(std::span<const Ray> rays) const {
     std::vector<EmbreeHit> hits(rays.size());
     forBlocks(rays.size(), [&](std::size_t first, std::size_t count) {
-        for (std::size_t i = first; i < first + count; ++i) hits[i] = castOne(state_->scene, rays[i]);
+        for (std::size_t i = first; i < first + count; ++i) hits[i] = castOne(state_->scene, state_->splats, rays[i]);
     });
     return hits;
 }
@@ -145,7 +159,7 @@ std::vector<EmbreeHit> EmbreeDiscs::castPackets(std::span<const Ray> rays) const
     std::vector<EmbreeHit> hits(rays.size());
     forBlocks(rays.size(), [&](std::size_t first, std::size_t count) {
         for (std::size_t i = first; i < first + count; i += kPacket)
-            castEight(state_->scene, rays.subspan(i, std::min(kPacket, first + count - i)), &hits[i]);
+            castEight(state_->scene, state_->splats, rays.subspan(i, std::min(kPacket, first + count - i)), &hits[i]);
     });
     return hits;
 }

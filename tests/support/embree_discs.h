@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Splats of a .pro as oriented discs in Embree: closest hits by an independent program with its own hierarchy.
+// Splats of a .pro as oriented discs and spheres in Embree: closest hits by an independent program with its own
+// hierarchy.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +38,7 @@ public:
 
     /// The RTCScene, valid during the lifetime of this object.
     RTCSceneTy* scene() const;
-    /// Bytes that Embree allocated for the scene, discs and hierarchy, by its memory monitor.
+    /// Bytes that Embree allocated for the scene, splats and hierarchy, by its memory monitor.
     std::int64_t bytes() const;
 
 private:

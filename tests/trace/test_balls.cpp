@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/support/cube_splats.h"
+#include "tests/support/embree_discs.h"
 #include "tests/support/ray_caster.h"
 #include "tests/support/splat_scenes.h"
 
@@ -132,6 +133,30 @@ void expectExactSpheres(const Splats& splats, double same, const BuildOptions& o
 }
 
 TEST(Balls, FirstHitsAreThoseOfExactSpheres) { expectExactSpheres(randomBalls(2000, 1, 0.01f, 0.04f), 0.99); }
+
+/// Embree's spheres, with a hierarchy of its own. Where the first ball differs, rounding explains it.
+TEST(Balls, FirstHitsAreThoseOfEmbreesSpheres) {
+    const BallScene scene(ballsAmongDiscs(3000, 13));
+    const std::vector<Ray> rays = randomRays(boundingSphere(scene.splats), 5 * kBallRays, 14);
+    const std::vector<CastHit> ours = RayCaster(scene.path).cast(rays);
+    const std::vector<EmbreeHit> embrees = EmbreeDiscs(scene.splats).cast(rays);
+    std::size_t hits = 0, near = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (ours[i].splat == kNoSplat && embrees[i].splat == kNoSplat) continue;
+        ++hits;
+        if (ours[i].splat != embrees[i].splat) continue;
+        near += std::abs(ours[i].t_flat - embrees[i].t) <= 2 * distanceError(scene.splats[ours[i].splat], rays[i]);
+    }
+    std::vector<Ray> different;
+    std::vector<CastHit> of_different;
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        if (ours[i].splat != embrees[i].splat) different.push_back(rays[i]), of_different.push_back(ours[i]);
+    const HitComparison rest = compareHits(scene, different, of_different);
+    std::printf("%zu rays, %zu hits, %zu the same within float\n", rays.size(), hits, near);
+    EXPECT_GT(hits, rays.size() / 4);
+    EXPECT_GT(near, hits * 98 / 100); // stored lists round balls to kBallRounding
+    EXPECT_GE(near + different.size() - rest.unexplained - rest.inexact, hits * 9999 / 10000);
+}
 
 TEST(Balls, OfManySizesAreHit) { expectExactSpheres(randomBalls(1000, 2, 0.002f, 0.2f), 0.99); }
 

@@ -186,6 +186,65 @@ TEST(Gaussians, CatchShadows) {
         }
 }
 
+TEST(Gaussians, AlphaIsTheirOpacity) {
+    const GaussianFile file(makeGaussians("random", 300));
+    RenderSettings settings = lookingFrom({0.3, 0.2, 4}, {0, 0, 0});
+    settings.spp = 1;
+    for (const KernelForm form : {KernelForm::kWavefront, KernelForm::kMegakernel}) {
+        const Rendered rendered = renderScene(sceneOf(file.path), settings, {form});
+        for (std::uint32_t y = 0; y < settings.height; ++y)
+            for (std::uint32_t x = 0; x < settings.width; ++x) {
+                const OracleComposite truth = compositeAlong(file.scene, rendered.camera.eye,
+                                                             centerRayDirection(settings, rendered.camera, x, y));
+                ASSERT_NEAR(pixel(rendered.film, x, y, 3), 1 - truth.transmittance, 1e-3) << x << ", " << y;
+            }
+    }
+}
+
+/// What lies under a lamp, with something between them.
+enum class Lit { kGaussian, kSurface };
+enum class Between { kNothing, kBall, kFog };
+
+/// The light of a grey surface, or of a flat and nearly opaque Gaussian.
+double litLight(Lit lit, Between between, Integrator integrator, KernelForm form) {
+    OracleGaussian flat = roundGaussian({0, 0, 0}, 0.1, 0.99, {0.8, 0.8, 0.8});
+    flat.deviation[1] = 0.001;
+    // a fifth of a unit wide, 3 above the lamp if it shall hide nothing
+    const OracleGaussian fog = roundGaussian({0, between == Between::kFog ? 1.5 : 6, 0}, 0.2, 0.6, {1, 1, 1});
+    const GaussianFile file(lit == Lit::kGaussian ? std::vector{flat, fog} : std::vector{fog});
+    SceneDescription scene = sceneOf(file.path);
+    scene.materials.resize(1);
+    const auto albedo = static_cast<float>(linearFromSrgb(0.8));
+    scene.materials[0].color = {albedo, albedo, albedo};
+    const double ball = between == Between::kBall ? 1.5 : 9;
+    scene.shapes = {{ShapeKind::kSphere, {0, ball, 0}, {0.3, 0, 0}, {0, 0.3, 0}, {0, 0, 0.3}, 0}};
+    if (lit == Lit::kSurface)
+        scene.shapes.push_back({ShapeKind::kPlane, {0, 0, 0}, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}, 0});
+    scene.lights = {PointLight{{0, 3, 0}, {10, 10, 10}}};
+    RenderSettings settings = lookingFrom({3, 0.5, 0}, {0, 0, 0}, 8); // all pixels see the same
+    settings.camera.fov_deg = 0.01;
+    settings.spp = 16;
+    settings.relight = true;
+    settings.bounces = 0;
+    settings.integrator = integrator;
+    const Rendered rendered = renderScene(scene, settings, {form});
+    double sum = 0;
+    for (std::uint32_t i = 0; i < 64; ++i) sum += pixel(rendered.film, i % 8, i / 8, 0);
+    return sum / 64;
+}
+
+TEST(Gaussians, AreLitAsMatteSurfaces) {
+    for (const KernelForm form : {KernelForm::kWavefront, KernelForm::kMegakernel})
+        for (const Integrator integrator : {Integrator::kPhong, Integrator::kPath}) {
+            const double truth = litLight(Lit::kSurface, Between::kNothing, integrator, form);
+            EXPECT_NEAR(truth, linearFromSrgb(0.8) * (10.0 / 9) / std::numbers::pi, 0.001);
+            EXPECT_NEAR(litLight(Lit::kGaussian, Between::kNothing, integrator, form) / truth, 0.99, 0.01);
+            EXPECT_LT(litLight(Lit::kGaussian, Between::kBall, integrator, form), 0.01);
+            // shadow rays pass or not at random, as of ShadowsAreAsDarkAsTheyAreOpaque
+            EXPECT_NEAR(litLight(Lit::kGaussian, Between::kFog, integrator, form) / truth, 0.4, 0.06);
+        }
+}
+
 TEST(Gaussians, FirstHitsAreWhereHalfOfTheLightIsHidden) {
     const GaussianFile file(makeGaussians("random", 300));
     const RenderSettings settings = lookingFrom({0.3, 0.2, 4}, {0, 0, 0});

@@ -9,7 +9,6 @@
 #include "format/base/error.h"
 #include "format/base/printable.h"
 #include "format/base/report_file.h"
-#include "runtime/scene/default_lighting.h"
 #include "runtime/scene_io/scene_write.h"
 #include "runtime/session/report.h"
 #include "runtime/util/clock.h"

@@ -5,7 +5,6 @@
 
 #include "format/base/error.h"
 #include "format/base/require_pro.h"
-#include "format/set/tile_set.h"
 #include "runtime/scene_io/scene_file.h"
 #include "runtime/window/edit/bake_job.h"
 #include "runtime/window/edit/file_list.h"
@@ -13,9 +12,7 @@
 namespace pointrt {
 namespace {
 
-bool isScene(const std::string& path) {
-    return path.ends_with(".pro") || isSceneFile(path) || isTileSet(path) || beginsAsPro(path);
-}
+bool isScene(const std::string& path) { return path.ends_with(".pro") || isSceneOrSet(path) || beginsAsPro(path); }
 
 } // namespace
 

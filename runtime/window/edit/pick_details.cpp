@@ -7,7 +7,6 @@
 
 #include "runtime/device_scene/color_choice.h"
 #include "runtime/scene/point_classes.h"
-#include "shaders/shared/params.h"
 
 namespace pointrt {
 namespace {

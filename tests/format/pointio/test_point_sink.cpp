@@ -11,6 +11,7 @@
 #include <iterator>
 
 #include "format/base/error.h"
+#include "format/pointio/e57.h"
 #include "format/pointio/las_fields.h"
 #include "format/pointio/las_source_header.h"
 #include "format/pointio/laz.h"
@@ -138,6 +139,77 @@ TEST_F(PointSinks, TextNamesItsColumns) {
                              "500001,4500001,101,1.5,65535,2\n500002.25,4500003,102,2.5,9,3\n");
 }
 
+TEST_F(PointSinks, PcdHasItsCountTwice) {
+    write("a.pcd", outline());
+    const std::string pcd = text("a.pcd"),
+                      header = "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n"
+                               "FIELDS x y z sun_hours intensity return_number\nSIZE 8 8 8 4 2 1\nTYPE F F F F U U\n"
+                               "COUNT 1 1 1 1 1 1\nWIDTH 00000000000000000003\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\n"
+                               "POINTS 00000000000000000003\nDATA binary\n";
+    ASSERT_EQ(pcd.substr(0, header.size()), header);
+    constexpr std::size_t kRow = 24 + 4 + 2 + 1;
+    ASSERT_EQ(pcd.size(), header.size() + 3 * kRow);
+    double x;
+    std::memcpy(&x, pcd.data() + header.size() + 2 * kRow, sizeof x);
+    EXPECT_EQ(x, 500002.25);
+    EXPECT_EQ(pcd.back(), 3);
+}
+
+TEST_F(PointSinks, PcdPacksColoursAndTakesFloatsNearTheOrigin) {
+    PointOutline near;
+    near.columns = {{"color", PRO_TYPE_U8, 3, PointRole::kColor}, {"normal", PRO_TYPE_F32, 3, PointRole::kNormal}};
+    near.count = 1;
+    near.bounds_max = {10, 10, 10};
+    near.position_step = 1e-3;
+    const auto sink = openPointSink(folder.file("a.pcd"), near);
+    PointBlock one;
+    one.positions = {1, 2, 3};
+    const float normal[] = {0, 0, 1};
+    const auto bytes = std::as_bytes(std::span(normal));
+    one.columns = {{std::byte{10}, std::byte{20}, std::byte{30}}, {bytes.begin(), bytes.end()}};
+    sink->add(one);
+    sink->finish();
+    const std::string pcd = text("a.pcd");
+    EXPECT_NE(pcd.find("FIELDS x y z rgb normal_x normal_y normal_z\nSIZE 4 4 4 4 4 4 4\nTYPE F F F U F F F\n"),
+              std::string::npos);
+    EXPECT_NE(pcd.find("WIDTH 1\n"), std::string::npos);
+    EXPECT_EQ(pcd.substr(pcd.find("binary\n") + 7 + 12, 4), std::string("\x1e\x14\x0a\0", 4));
+}
+
+TEST_F(PointSinks, E57IsReadBack) {
+    if (!hasE57()) GTEST_SKIP() << "this build has no Rust: E57 is not tested";
+    PointOutline many = outline();
+    many.metres_per_unit = 0.5;
+    const auto sink = openPointSink(folder.file("a.e57"), many);
+    constexpr std::size_t kPoints = 5000; // several packets and pages
+    for (std::size_t i = 0; i < kPoints; ++i)
+        sink->add(block({double(i), 2, -3}, {float(i)}, {std::uint16_t(i)}, {std::uint8_t(i)}));
+    sink->finish();
+    const std::string bytes = text("a.e57");
+    const E57File file = openE57(bytes);
+    ASSERT_EQ(file.scans.size(), 1u);
+    const E57Scan& scan = file.scans[0];
+    EXPECT_EQ(scan.points, kPoints);
+    ASSERT_EQ(scan.columns.size(), 6u);
+    EXPECT_EQ(scan.columns[3].name, "pointrt:sun_hours");
+    EXPECT_EQ(scan.columns[4].name, "intensity");
+    std::vector<double> x(kPoints), y(kPoints), z(kPoints);
+    std::vector<float> hours(kPoints);
+    std::vector<std::int64_t> heat(kPoints), returns(kPoints);
+    E57Points points = e57Points(file, 0);
+    std::size_t read = 0;
+    for (std::size_t count = 1; count > 0 && read < kPoints; read += count) { // a packet at a time
+        void* const columns[] = {&x[read], &y[read], &z[read], &hours[read], &heat[read], &returns[read]};
+        count = readE57Points(points, kPoints - read, columns);
+    }
+    ASSERT_EQ(read, kPoints);
+    EXPECT_EQ(x[4321], 2160.5); // metres
+    EXPECT_EQ(z[4999], -1.5);
+    EXPECT_EQ(hours[4321], 4321.0f);
+    EXPECT_EQ(heat[4321], 4321);
+    EXPECT_EQ(returns[300], 300 - 256);
+}
+
 TEST_F(PointSinks, LasHasFieldsAndExtraBytes) {
     for (const std::string name : {"a.las", "a.laz"}) {
         if (name == "a.laz" && !hasLaz()) continue;
@@ -192,6 +264,7 @@ TEST_F(PointSinks, WhatLasCannotHoldIsRefusedAndLeavesNothing) {
 TEST_F(PointSinks, NamesDecide) {
     EXPECT_EQ(pointFormat("-"), PointFormat::kPly);
     EXPECT_EQ(pointFormat("a.b.laz"), PointFormat::kLaz);
+    EXPECT_EQ(pointFormat("a.e57"), PointFormat::kE57);
     EXPECT_THROW(pointFormat("a.txt"), Error);
     EXPECT_THROW(openPointSink(folder.file("none/a.ply"), outline()), Error);
     write("a.ply", outline());

@@ -11,6 +11,7 @@
 
 #include "format/base/error.h"
 #include "preprocess/ingest/scalar.h"
+#include "preprocess/input/detect.h"
 #include "preprocess/input/read.h"
 #include "tests/support/find_attribute.h"
 #include "tests/support/says.h"
@@ -54,6 +55,24 @@ protected:
                 ASSERT_EQ(error.code, ExitCode::kBadInput) << error.what();
             }
         }
+    }
+
+    /// Changes each byte to critical values, one at a time: each file, in memory, must be read or refused in one line.
+    void readChangedBytes(const std::string& name, const std::string& bytes) const {
+        for (std::size_t i = 0; i < bytes.size(); ++i)
+            for (const char byte : {'\0', '\xff', '\x7f', '\x80', '9'}) {
+                std::string changed = bytes;
+                changed[i] = byte;
+                const InputFile file{(folder / name).string(), changed, nullptr, false};
+                Cloud cloud;
+                Sink sink(cloud);
+                try {
+                    readInput(formatOf(file, ""), file, sink);
+                } catch (const Error& error) {
+                    ASSERT_EQ(error.code, ExitCode::kBadInput) << error.what();
+                    ASSERT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+                }
+            }
     }
 
     test::TemporaryFolder temporary;

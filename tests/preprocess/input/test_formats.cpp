@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The list of formats, the readers and the table of docs/FORMATS.md agree.
-#include "preprocess/input/formats.h"
+#include "preprocess/input/input_formats.h"
 
 #include <gtest/gtest.h>
 
@@ -73,8 +73,8 @@ TEST(Formats, NamesDifferAndEachIsComplete) {
 TEST(Formats, MessagesNameAll) {
     EXPECT_EQ(
         readableFormats(),
-        "PLY, PCD, LAS/LAZ, E57, PTX, XYZ/PTS/ASC/TXT/CSV, OBJ, OFF, Draco, glTF/GLB, SPLAT, SPZ, SOG, EPT, Potree 2, "
-        "ESRI grid, KITTI and Stanford .conf");
+        "PLY, PCD, LAS/LAZ, E57, PTX, XYZ/PTS/ASC/TXT/CSV, OBJ, OFF, STL, VTK, Draco, glTF/GLB, SPLAT, SPZ, SOG, EPT, "
+        "Potree 2, 3D Tiles, MCAP, ROS bag, COLMAP, NumPy, GeoTIFF, ESRI grid, KITTI and Stanford .conf");
 }
 
 } // namespace

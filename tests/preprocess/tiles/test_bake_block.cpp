@@ -47,7 +47,8 @@ SetPlan bakeAll(SetPlan plan) {
 }
 
 /// Counts splats of tiles whose normal or radius differs from that of the whole cloud as one file.
-std::size_t countOtherThanWhole(const SetRequest& request, const SetPlan& plan) {
+/// @param apart largest distance of a splat from that of the whole; the point spacing is 0.6 or 1
+std::size_t countOtherThanWhole(const SetRequest& request, const SetPlan& plan, float apart = 1e-3f) {
     const PlainSplats tiles = splatsOf(plan);
     SurfaceReport report;
     const Splats whole = estimateSplats(readInputs(request.inputs, {}), request.bake.surface, report);
@@ -59,7 +60,7 @@ std::size_t countOtherThanWhole(const SetRequest& request, const SetPlan& plan) 
         std::uint32_t at = 0;
         float squared = 0;
         EXPECT_EQ(search.nearest(position.cast<float>(), {&at, 1}, {&squared, 1}), 1u);
-        EXPECT_LT(squared, 1e-6f);                                             // a thousandth; the point spacing is 0.6
+        EXPECT_LT(squared, apart * apart);
         const bool same = tiles.normals[at].dot(whole.normals[i]) > 0.9998f && // 1 degree
                           std::abs(tiles.radii[at] / whole.radii[i] - 1) < 0.01f;
         differ += !same;
@@ -269,6 +270,55 @@ TEST_F(SetTest, SplatsMovedToANeighborAreKept) {
     EXPECT_EQ(set.splats, splats);
     for (std::size_t i = 0; i < set.tiles.size(); ++i)
         for (const TileFinding& finding : verifyTile(set, plan.output, i)) ADD_FAILURE() << finding.text;
+}
+
+/// A noisy plane of 120 x 120 samples one unit apart, seen from afar, with a hole of 4 x 4 samples.
+std::string rangeGridWithAHole() {
+    constexpr int kEdge = 120, kHole = 58, kHoleEnd = 62;
+    std::string vertices, cells;
+    int count = 0;
+    for (int y = 0; y < kEdge; ++y)
+        for (int x = 0; x < kEdge; ++x) {
+            if (x >= kHole && x < kHoleEnd && y >= kHole && y < kHoleEnd) {
+                cells += "0\n";
+                continue;
+            }
+            const double noise = unitShare(mixBits(std::uint64_t(y * kEdge + x))) - 0.5;
+            vertices += fmt::format("{} {} {:.4f}\n", x, y, noise);
+            cells += fmt::format("1 {}\n", count++);
+        }
+    return fmt::format("ply\nformat ascii 1.0\nobj_info num_cols {0}\nobj_info num_rows {0}\nelement vertex {1}\n"
+                       "property float x\nproperty float y\nproperty float z\nelement range_grid {2}\n"
+                       "property list uchar int vertex_indices\nend_header\n{3}{4}",
+                       kEdge, count, kEdge * kEdge, vertices, cells);
+}
+
+TEST_F(SetTest, TilesKnowTheSilhouettesOfRangeGrids) {
+    const SetRequest request = requestOf({folder.write("grid.ply", rangeGridWithAHole())}, 4000);
+    SetPlan plan = readPlan(splitInto("A.proset", request).work);
+    ASSERT_GE(plan.tiles.size(), 4u);
+    std::size_t flagged = 0;
+    for (std::uint32_t tile = 0; tile < plan.tiles.size(); ++tile) {
+        const BoxPoints points = readPoints(plan, tile, 3);
+        ASSERT_EQ(points.silhouettes.size(), points.core.size());
+        for (std::size_t i = 0; i < points.core.size(); ++i) flagged += points.core[i] && points.silhouettes[i];
+    }
+    EXPECT_EQ(flagged, 16u) << "four samples on each side of the hole";
+    plan.bake = request.bake;
+    SurfaceReport report;
+    estimateSplats(readInputs(request.inputs, {}), request.bake.surface, report);
+    EXPECT_GE(report.clean_dropped, 16u);
+    EXPECT_NEAR(plan.statistics.noise.at(0), report.noise.at(0), 0.02 * double(report.noise.at(0)));
+    constexpr float kSmoothedApart = 0.02f; // as the noise is sampled
+    EXPECT_LE(countOtherThanWhole(request, bakeAll(plan), kSmoothedApart), 140u) << "one in a hundred";
+}
+
+TEST_F(SetTest, CleaningThatIsOffNeedsNoSilhouettes) {
+    SetRequest request = requestOf({folder.write("grid.ply", rangeGridWithAHole())}, 4000);
+    request.bake.surface.clean = 0;
+    const SetPlan plan = splitInto("A.proset", request);
+    EXPECT_FALSE(plan.schema.silhouettes);
+    EXPECT_TRUE(readPoints(plan, 0, 3).silhouettes.empty());
 }
 
 /// A grid of points half a unit apart in a box with a halo of 3.

@@ -110,5 +110,49 @@ TEST_F(SetTest, SmallMeshesAreReadAtOnce) {
     EXPECT_HAS(reason, "quad.ply: *at once");
 }
 
+/// Two scans of 2 columns and 3 rows, of which one cell is empty.
+std::string griddedScans() {
+    const std::string header = "2\n3\n0 0 9\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n";
+    return header + "1 0 0 1\n2 0 0 1\n3 0 0 1\n0 0 0 0.5\n2 1 0 1\n3 1 0 1\n" + header +
+           "1 0 5 1\n2 0 5 1\n3 0 5 1\n1 1 5 1\n2 1 5 1\n3 1 5 1\n";
+}
+
+TEST_F(SetTest, ScansWithGridsArriveWhole) {
+    const std::string path = folder.write("stations.ptx", griddedScans());
+    StreamOptions options;
+    options.batch_points = 2;
+    std::vector<std::vector<std::uint32_t>> cells;
+    std::vector<std::size_t> points;
+    readInBatches({path}, options, [&](const PointBatch& batch) {
+        points.push_back(batch.positions.size());
+        ASSERT_EQ(batch.cloud.grids.size(), 1u);
+        cells.push_back(batch.cloud.grids[0].point_of_cell);
+        EXPECT_EQ(batch.cloud.grids[0].scan, batch.scan);
+        EXPECT_TRUE(batch.cloud.scans.back().sensor.has_value());
+        for (std::size_t i = 0; i < batch.positions.size(); ++i)
+            EXPECT_EQ(Vec3d(batch.cloud.origin + batch.cloud.positions[i].cast<double>()), batch.positions[i]);
+    });
+    EXPECT_EQ(points, (std::vector<std::size_t>{5, 6}));
+    EXPECT_EQ(cells,
+              (std::vector<std::vector<std::uint32_t>>{{0, RangeGrid::kNoPoint, 1, 3, 2, 4}, {0, 3, 1, 4, 2, 5}}));
+}
+
+TEST_F(SetTest, GridsThatDoNotFitAreLeftOutWithANote) {
+    const std::string path = folder.write("stations.ptx", griddedScans());
+    StreamOptions options;
+    options.batch_points = 2;
+    options.most_in_grid = 5; // cells
+    std::size_t points = 0, largest = 0;
+    const StreamFindings found = readInBatches({path}, options, [&](const PointBatch& batch) {
+        EXPECT_TRUE(batch.cloud.grids.empty());
+        points += batch.positions.size();
+        largest = std::max(largest, batch.positions.size());
+    });
+    EXPECT_EQ(points, 11u);
+    EXPECT_EQ(largest, 2u);
+    const auto says = [](const Note& note) { return note.text.find("--max-memory") != std::string::npos; };
+    EXPECT_EQ(std::count_if(found.cloud.notes.begin(), found.cloud.notes.end(), says), 1) << "said once for both scans";
+}
+
 } // namespace
 } // namespace pointrt

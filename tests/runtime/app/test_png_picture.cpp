@@ -12,14 +12,14 @@
 namespace pointrt {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using PngBytes = std::vector<std::uint8_t>;
 
-Bytes pixelsOf(const std::string& path, png_uint_32 format) {
+PngBytes pixelsOf(const std::string& path, png_uint_32 format) {
     png_image read{};
     read.version = PNG_IMAGE_VERSION;
     EXPECT_TRUE(png_image_begin_read_from_file(&read, path.c_str())) << read.message;
     EXPECT_EQ(read.format, format);
-    Bytes pixels(PNG_IMAGE_SIZE(read));
+    PngBytes pixels(PNG_IMAGE_SIZE(read));
     EXPECT_TRUE(png_image_finish_read(&read, nullptr, pixels.data(), 0, nullptr)) << read.message;
     return pixels;
 }
@@ -40,7 +40,7 @@ Film fourPixels() {
 class PngPictureTest : public DeviceFixture {
 protected:
     /// The pixels of a picture of two rows, the second of which is missing.
-    Bytes written(const ToneMapping& tone, bool filtered, png_uint_32 format) {
+    PngBytes written(const ToneMapping& tone, bool filtered, png_uint_32 format) {
         const PixelSize size{4, 2};
         PngPlan plan{folder.file("a.png"), size, tone, {}, {}, Writing::kWhole};
         if (filtered) plan.filter = {size, true, !tone.has_alpha, filterTileFor(size)};
@@ -54,15 +54,15 @@ protected:
 };
 
 TEST_F(PngPictureTest, HasTheCoverageAsStraightAlpha) {
-    const Bytes expected = {188, 0, 255, 255, 188, 0, 255, 128, 0, 0, 0, 0, 243, 255, 0, 255, //
-                            0,   0, 0,   0,   0,   0, 0,   0,   0, 0, 0, 0, 0,   0,   0, 0};
+    const PngBytes expected = {188, 0, 255, 255, 188, 0, 255, 128, 0, 0, 0, 0, 243, 255, 0, 255, //
+                               0,   0, 0,   0,   0,   0, 0,   0,   0, 0, 0, 0, 0,   0,   0, 0};
     for (const bool filtered : {false, true})
         EXPECT_EQ(written({0, false, true}, filtered, PNG_FORMAT_RGBA), expected) << filtered;
 }
 
 TEST_F(PngPictureTest, HasNoAlphaOtherwise) {
-    const Bytes expected = {188, 0, 255, 137, 0, 188, 0, 0, 0, 243, 255, 0, //
-                            0,   0, 0,   0,   0, 0,   0, 0, 0, 0,   0,   0};
+    const PngBytes expected = {188, 0, 255, 137, 0, 188, 0, 0, 0, 243, 255, 0, //
+                               0,   0, 0,   0,   0, 0,   0, 0, 0, 0,   0,   0};
     for (const bool filtered : {false, true})
         EXPECT_EQ(written({0, false}, filtered, PNG_FORMAT_RGB), expected) << filtered;
 }

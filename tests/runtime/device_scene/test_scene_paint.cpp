@@ -16,8 +16,6 @@
 namespace pointrt {
 namespace {
 
-constexpr Vec3 kZ{0, 0, 1};
-
 /// The tiny scene with all attributes, opened as the viewer opens files.
 class ScenePaintTest : public testing::Test {
 protected:
@@ -151,7 +149,7 @@ TEST_F(ScenePaintTest, Components_AreNumbered) {
 }
 
 TEST_F(ScenePaintTest, Heights_AreInTheWorld) {
-    scene.up = kZ;
+    scene.up = {0, 0, 1};
     colorBy("height", ColorMap::kGrey, ValueRange{30, 32}); // z of the splats: 30 + 2 * 0.25, 0.1, 0.1, 0.45, 0.75
     EXPECT_EQ(greys(), (Ints{64, 25, 25, 115, 192}));
     EXPECT_EQ(plan().legend->title, "height (ft)");
@@ -261,7 +259,7 @@ TEST_F(ScenePaintTest, Requests_DifferIfPaintDiffers) {
     const PaintRequest plain = paintRequest(scene, settings);
     settings.color_range = {{0, 1}};
     settings.legend = true;
-    scene.up = kZ;
+    scene.up = {0, 0, 1};
     EXPECT_EQ(paintRequest(scene, settings), plain) << "it has no visible effect";
     settings.color_by = "intensity";
     const PaintRequest intensity = paintRequest(scene, settings);
@@ -270,7 +268,7 @@ TEST_F(ScenePaintTest, Requests_DifferIfPaintDiffers) {
     EXPECT_EQ(paintRequest(scene, settings), intensity) << "no height";
     settings.color_by = "height";
     const PaintRequest height = paintRequest(scene, settings);
-    scene.up = kZ;
+    scene.up = {0, 0, 1};
     EXPECT_NE(paintRequest(scene, settings), height);
 }
 

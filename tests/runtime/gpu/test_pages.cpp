@@ -67,7 +67,7 @@ std::vector<pro_splat> disorder() {
     return splats;
 }
 
-struct Picture {
+struct PagedPicture {
     Film film;
     std::vector<PageCounts> pages; ///< of each file
     bool uneven = false;           ///< the first one
@@ -112,7 +112,7 @@ protected:
         return scene;
     }
 
-    static Picture render(const SceneDescription& description, Integrator integrator, std::uint32_t page_bits) {
+    static PagedPicture render(const SceneDescription& description, Integrator integrator, std::uint32_t page_bits) {
         DeviceRequest request;
         request.page_bits_most = page_bits;
         OpenScene open(request, description);
@@ -124,7 +124,7 @@ protected:
         uploadSceneTables(open.device, open.scene, settings);
         const Bounds& bounds = open.scene.bounds;
         const Camera camera = frameCamera({}, bounds.lo, bounds.hi, 1);
-        Picture picture{
+        PagedPicture picture{
             test::wholeFrame(open.device, open.scene, settings, camera), {}, open.scene.files[0].index.uneven != 0};
         for (const DeviceScan& file : open.scene.files) picture.pages.push_back(file.pages);
         return picture;
@@ -173,7 +173,7 @@ TEST_F(PagesTest, HoldAllBytes_ImportedOrCopied) {
 
 TEST_F(PagesTest, OfAnEvenScanShowIt) {
     const SceneDescription scene = around({even_});
-    const Picture whole = render(scene, Integrator::kPath, 31), paged = render(scene, Integrator::kPath, 13);
+    const PagedPicture whole = render(scene, Integrator::kPath, 31), paged = render(scene, Integrator::kPath, 13);
     EXPECT_FALSE(isPaged(whole.pages[0]));
     EXPECT_FALSE(paged.uneven);
     expectSeveral(paged.pages[0], {kBricks, kNear, kListed, kBlending, kSplats});
@@ -182,7 +182,7 @@ TEST_F(PagesTest, OfAnEvenScanShowIt) {
 
 TEST_F(PagesTest, OfAnUnevenScanShowIt) {
     const SceneDescription scene = around({uneven_});
-    const Picture whole = render(scene, Integrator::kWhitted, 31), paged = render(scene, Integrator::kWhitted, 13);
+    const PagedPicture whole = render(scene, Integrator::kWhitted, 31), paged = render(scene, Integrator::kWhitted, 13);
     EXPECT_TRUE(paged.uneven);
     expectSeveral(paged.pages[0], {kBricks, kCells, kSlabs, kNear, kListed});
     expectSame(paged.film, whole.film);
@@ -190,7 +190,7 @@ TEST_F(PagesTest, OfAnUnevenScanShowIt) {
 
 TEST_F(PagesTest, OfEachInstanceAreItsOwn) {
     const SceneDescription scene = around({even_, uneven_});
-    const Picture whole = render(scene, Integrator::kPhong, 31), paged = render(scene, Integrator::kPhong, 15);
+    const PagedPicture whole = render(scene, Integrator::kPhong, 31), paged = render(scene, Integrator::kPhong, 15);
     EXPECT_TRUE(isPaged(paged.pages[0]));
     EXPECT_NE(paged.pages[0], paged.pages[1]);
     expectSame(paged.film, whole.film);

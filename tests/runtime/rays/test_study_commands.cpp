@@ -184,7 +184,7 @@ TEST_F(StudyCommand, UsageErrorsAreOneLine) {
     refused("--sky-rays needs --sky", start + kDay + "--sky-rays 5");
     refused("--sides: \"left\" *auto", start + kDay + "--sides left");
     refused("north *up", start + kDay + "--north 0,0,1");
-    refused("out.txt: *.ply, .las, .laz", "sun plane.pro -o out.txt" + kDay);
+    refused("out.txt: *.ply, *.las, .laz", "sun plane.pro -o out.txt" + kDay);
     refused("plane.pro: *input", "sun plane.pro -o plane.pro" + kDay);
     refused("--from *required", "viewshed plane.pro -o out.csv");
     refused("--from: \"1,2\" *X,Y,Z", "viewshed plane.pro --from 1,2 -o out.csv");

@@ -18,7 +18,8 @@
 namespace pointrt {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kFloatNan = std::numeric_limits<float>::quiet_NaN(),
+                kFloatInfinity = std::numeric_limits<float>::infinity();
 constexpr std::uint32_t kSide = 128;
 
 /// Selects the pixels of a statistic.
@@ -198,7 +199,7 @@ TEST_F(DenoiserTest, LeavesTheBackgroundUnchanged) {
     for (std::size_t i = 0; i < film.depth.size(); ++i)
         if (isRight(i % kSide, 0)) {
             film.rgba[4 * i + 3] = film.normal[3 * i + 2] = film.albedo[3 * i] = 0;
-            film.depth[i] = kInfinity;
+            film.depth[i] = kFloatInfinity;
             setRgb(film, i, 100);
         }
     addNoise(film, 0.3f);
@@ -297,7 +298,7 @@ TEST_F(DenoiserTest, ReplacesNonFiniteValues) {
     Film film = truth;
     addNoise(film, 0.3f);
     const double before = errorOf(film, truth);
-    const float bad[] = {kNan, kInfinity, -kInfinity};
+    const float bad[] = {kFloatNan, kFloatInfinity, -kFloatInfinity};
     film.rgba[4 * 50] = film.variance[51] = std::numeric_limits<float>::max();
     for (std::size_t i = 0; i < film.depth.size(); i += 97) {
         const float value = bad[i % 3];
@@ -315,7 +316,7 @@ TEST_F(DenoiserTest, ReplacesNonFiniteValues) {
 TEST_F(DenoiserTest, ReplacesNonFiniteValuesInTheBackground) {
     Film film = planeFilm(5, 5);
     for (std::size_t i = 0; i < 25; ++i) film.rgba[4 * i + 3] = 0;
-    film.rgba[4 * 12] = kNan;
+    film.rgba[4 * 12] = kFloatNan;
     const Film result = denoised(film);
     for (std::size_t i = 0; i < 25; ++i) EXPECT_EQ(result.rgba[4 * i], 0.5f);
 }
@@ -341,7 +342,7 @@ Film unevenFilm(std::uint32_t width, std::uint32_t height) {
         film.normal[3 * i] = y > height / 3 ? 0.6f : 0.0f;
         film.albedo[3 * i + 1] = (x / 7 + y / 5) % 2 ? 0.3f : 0.9f;
         if (i % 97 == 0) setRgb(film, i, 40.0f);
-        if (i % 211 == 0) setRgb(film, i, kNan);
+        if (i % 211 == 0) setRgb(film, i, kFloatNan);
         if (i % 31 == 0) film.rgba[4 * i + 3] = i % 2 ? 0.0f : 0.4f;
     }
     return film;

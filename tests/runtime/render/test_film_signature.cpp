@@ -63,6 +63,12 @@ TEST(FilmSignature, ListsColourSettingsAfterOlderOnes) {
               before + "; color_by=gps_time; color_map=turbo; color_range=0.1,3e+09");
 }
 
+TEST(FilmSignature, ListsLitGaussians) {
+    RenderSettings settings;
+    settings.relight = true;
+    EXPECT_EQ(settingsPart(settings, testCamera()), settingsPart({}, testCamera()) + "; relight=on");
+}
+
 TEST(FilmSignature, ListsAGivenBackground) {
     RenderSettings settings;
     settings.background = Background{{255, 128, 0}, false};

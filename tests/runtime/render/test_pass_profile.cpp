@@ -18,7 +18,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint32_t kPassProfileSide = 40, kSamples = 2;
+constexpr std::uint32_t kPassProfileSide = 40, kProfiledSamples = 2;
 
 const PassTally& passNamed(const PassProfile& profile, const std::string& name) {
     for (const PassTally& each : profile.passes)
@@ -32,7 +32,7 @@ protected:
         LoadRequest request;
         request.scene = ballScene();
         request.settings.width = request.settings.height = kPassProfileSide;
-        request.settings.spp = kSamples;
+        request.settings.spp = kProfiledSamples;
         request.settings.integrator = Integrator::kPath;
         request.settings.first_hits = true;
         request.form = KernelForm::kWavefront;
@@ -47,7 +47,7 @@ protected:
         const Clock::time_point start = Clock::now();
         ProgressiveRenderer renderer(device, loaded->tracer);
         FrameJob job;
-        job.samples = kSamples;
+        job.samples = kProfiledSamples;
         renderer.begin({loaded->settings, loaded->camera, {kPassProfileSide, kPassProfileSide}}, job);
         renderer.run();
         rays = renderer.takeRays();
@@ -65,7 +65,7 @@ TEST_F(PassProfileTest, CountsTheRaysOfTheFrame) {
     render(&profile);
     ASSERT_GT(rays.secondary, 0u);
     EXPECT_EQ(passNamed(profile, "shade_surface (camera)").lanes_in, rays.primary);
-    EXPECT_EQ(rays.primary, kSamples * kPassProfileSide * kPassProfileSide);
+    EXPECT_EQ(rays.primary, kProfiledSamples * kPassProfileSide * kPassProfileSide);
     EXPECT_EQ(passNamed(profile, "shade_surface").lanes_in, rays.secondary);
     EXPECT_EQ(passNamed(profile, "intersect_shapes").lanes_in, rays.secondary);
     EXPECT_EQ(passNamed(profile, "intersect_shapes").lanes_out, 0u) << "the scene has no instances";

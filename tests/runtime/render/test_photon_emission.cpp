@@ -21,7 +21,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr std::uint32_t kCount = 1u << 15;
-constexpr RenderSphere kScene{{0, 0, 0}, 5};
+constexpr RenderSphere kSceneSphere{{0, 0, 0}, 5};
 const PhotonTarget kBall{{1, -2, 3}, 0.75, 7};
 
 Vec3 vecOf(const gpu::vec3& v) { return {v.x, v.y, v.z}; }
@@ -56,7 +56,7 @@ double fluxOf(const std::vector<gpu::PathState>& paths) {
 
 double emittedFlux(const LightDescription& light, const PhotonTarget& target) {
     const std::vector<gpu::Light> rows{packLight({}, light)};
-    const std::vector<gpu::PathState> paths = emitPhotons(rows, std::vector{target}, kScene, kCount);
+    const std::vector<gpu::PathState> paths = emitPhotons(rows, std::vector{target}, kSceneSphere, kCount);
     expectValid(paths, target);
     return fluxOf(paths);
 }
@@ -202,11 +202,11 @@ TEST(PhotonEmission, SunLightsEmitTheirFlux) {
         // radiance is irradiance / (pi sin^2); the flux is radiance times the sun's solid angle and the ball's shadow
         const double cosine = std::cos(radius_deg * pi / 180);
         const std::vector<gpu::Light> rows{packLight({}, SunLight{towards, radius_deg, kColor})};
-        const std::vector<gpu::PathState> paths = emitPhotons(rows, std::vector{kBall}, kScene, kCount);
+        const std::vector<gpu::PathState> paths = emitPhotons(rows, std::vector{kBall}, kSceneSphere, kCount);
         expectValid(paths, kBall);
         EXPECT_NEAR(fluxOf(paths) / (2 * 2 / (1 + cosine) * pi * kBall.radius * kBall.radius), 1, 0.003);
         for (const gpu::PathState& path : paths) {
-            ASSERT_GT(length(vecOf(path.origin) - kScene.center), kScene.radius)
+            ASSERT_GT(length(vecOf(path.origin) - kSceneSphere.center), kSceneSphere.radius)
                 << "photons must start outside the scene";
             ASSERT_GE(-dot(vecOf(path.direction), towards), cosine - 1e-6);
         }
@@ -220,7 +220,7 @@ TEST(PhotonEmission, IsEvenOverTheTarget) {
                up = cross(side, axis);
     double left = 0, low = 0, all = 0;
     for (const gpu::PathState& path :
-         emitPhotons(std::vector{packLight({}, light)}, std::vector{kBall}, kScene, kCount)) {
+         emitPhotons(std::vector{packLight({}, light)}, std::vector{kBall}, kSceneSphere, kCount)) {
         const Vec3 d = vecOf(path.direction);
         left += dot(d, side) < 0 ? path.throughput.x : 0;
         low += dot(d, up) < 0 ? path.throughput.x : 0;
@@ -236,7 +236,7 @@ TEST(PhotonEmission, SharesPhotonsByFlux) {
     const std::vector<PhotonTarget> targets{kBall, {{-2, 0, 0}, 0.5, OWNER_SHAPES | 3u << PHOTON_SHAPE_SHIFT}};
     std::vector<gpu::Light> rows;
     for (const LightDescription& light : lights) rows.push_back(packLight({}, light));
-    const std::vector<gpu::PathState> paths = emitPhotons(rows, targets, kScene, kCount);
+    const std::vector<gpu::PathState> paths = emitPhotons(rows, targets, kSceneSphere, kCount);
     EXPECT_NEAR(static_cast<double>(paths.size()), kCount, 8);
     double total = 0;
     std::vector<double> flux(4), photons(4);
@@ -258,8 +258,8 @@ TEST(PhotonEmission, SharesPhotonsByFlux) {
 TEST(PhotonEmission, IsDeterministic) {
     const std::vector<gpu::Light> lights{packLight({}, SphereLight{{4, 0, 1}, 0.5, kColor}),
                                          packLight({}, SunLight{{0, 1, 0}, 3, kColor})};
-    const auto once = emitPhotons(lights, std::vector{kBall}, kScene, 1000);
-    const auto again = emitPhotons(lights, std::vector{kBall}, kScene, 1000);
+    const auto once = emitPhotons(lights, std::vector{kBall}, kSceneSphere, 1000);
+    const auto again = emitPhotons(lights, std::vector{kBall}, kSceneSphere, 1000);
     ASSERT_EQ(once.size(), again.size());
     EXPECT_EQ(std::memcmp(once.data(), again.data(), once.size() * sizeof once[0]), 0);
     EXPECT_NE(std::memcmp(&once[0].direction, &once[1].direction, sizeof(gpu::vec4)), 0);
@@ -289,7 +289,7 @@ TEST(PhotonEmission, MapsArePartsOfOneEvenSequence) {
     std::vector<gpu::PathState> all;
     double one = 0;
     for (std::uint32_t map = 0; map < 16; ++map) {
-        const auto paths = emitPhotons(lights, {kBall}, kScene, kCount, {map, 0});
+        const auto paths = emitPhotons(lights, {kBall}, kSceneSphere, kCount, {map, 0});
         EXPECT_NEAR(fluxOf(paths) / (2 * 2 * pi * capOf(kBall, light.position)), 1, 0.003) << map;
         all.insert(all.end(), paths.begin(), paths.end());
         if (map == 0) one = unevenness(paths, light.position);
@@ -297,7 +297,7 @@ TEST(PhotonEmission, MapsArePartsOfOneEvenSequence) {
     // sixteen independent maps would have a quarter of the unevenness of one, sixteen equal ones all of it
     std::printf("unevenness of one map %.5f, of sixteen %.5f\n", one, unevenness(all, light.position));
     EXPECT_LT(unevenness(all, light.position), one / 8);
-    const auto at_once = emitPhotons(lights, {kBall}, kScene, 16 * kCount);
+    const auto at_once = emitPhotons(lights, {kBall}, kSceneSphere, 16 * kCount);
     ASSERT_EQ(at_once.size(), all.size());
     for (std::size_t i = 0; i < all.size(); ++i)
         ASSERT_LT(length(vecOf(at_once[i].direction) - vecOf(all[i].direction)), 1e-5) << i;
@@ -305,9 +305,9 @@ TEST(PhotonEmission, MapsArePartsOfOneEvenSequence) {
 
 TEST(PhotonEmission, DiffersBySeed) {
     const std::vector<gpu::Light> lights{packLight({}, PointLight{{4, 0, 1}, kColor})};
-    const auto first = emitPhotons(lights, {kBall}, kScene, 1000),
-               other = emitPhotons(lights, {kBall}, kScene, 1000, {0, 1}),
-               third = emitPhotons(lights, {kBall}, kScene, 1000, {0, 2});
+    const auto first = emitPhotons(lights, {kBall}, kSceneSphere, 1000),
+               other = emitPhotons(lights, {kBall}, kSceneSphere, 1000, {0, 1}),
+               third = emitPhotons(lights, {kBall}, kSceneSphere, 1000, {0, 2});
     for (std::size_t i = 0; i < first.size(); ++i) {
         ASSERT_GT(length(vecOf(first[i].direction) - vecOf(other[i].direction)), 1e-6);
         ASSERT_GT(length(vecOf(third[i].direction) - vecOf(other[i].direction)), 1e-6);
@@ -316,13 +316,14 @@ TEST(PhotonEmission, DiffersBySeed) {
 
 TEST(PhotonEmission, IsEmptyWithoutLightsOrTargets) {
     const gpu::Light sky{{0, 0, 0, LIGHT_SKY}, {}, {}, {}, {}}, lamp = packLight({}, PointLight{{4, 0, 1}, kColor});
-    EXPECT_TRUE(emitPhotons({}, std::vector{kBall}, kScene, kCount).empty());
-    EXPECT_TRUE(emitPhotons(std::vector{lamp}, {}, kScene, kCount).empty());
-    EXPECT_TRUE(emitPhotons(std::vector{sky}, std::vector{kBall}, kScene, kCount).empty());
+    EXPECT_TRUE(emitPhotons({}, std::vector{kBall}, kSceneSphere, kCount).empty());
+    EXPECT_TRUE(emitPhotons(std::vector{lamp}, {}, kSceneSphere, kCount).empty());
+    EXPECT_TRUE(emitPhotons(std::vector{sky}, std::vector{kBall}, kSceneSphere, kCount).empty());
+    EXPECT_TRUE(emitPhotons(std::vector{packLight({}, PointLight{{4, 0, 1}, {0, 0, 0}})}, std::vector{kBall},
+                            kSceneSphere, kCount)
+                    .empty());
     EXPECT_TRUE(
-        emitPhotons(std::vector{packLight({}, PointLight{{4, 0, 1}, {0, 0, 0}})}, std::vector{kBall}, kScene, kCount)
-            .empty());
-    EXPECT_TRUE(emitPhotons(std::vector{lamp}, std::vector{PhotonTarget{{0, 0, 0}, 0, 0}}, kScene, kCount).empty());
+        emitPhotons(std::vector{lamp}, std::vector{PhotonTarget{{0, 0, 0}, 0, 0}}, kSceneSphere, kCount).empty());
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "runtime/scene/camera.h"
 
@@ -86,6 +87,49 @@ TEST(Studio, MostlyDarkSubjectsGetMoreLightUntilTheirBrightPartsAreWhite) {
     EXPECT_NEAR(keyLight(subject), 1.25 * usual, 1e-3 * usual) << "0.6 becomes 0.75";
     subject.reflectance = 1;
     EXPECT_LT(keyLight(subject), usual) << "white parts";
+}
+
+/// The mean radiance of a sky above a level floor, weighted by the cosine, in many steps of the height.
+double skyOnFloor(const SkyDescription& sky) {
+    constexpr int kSteps = 10'000;
+    double sum = 0;
+    for (int i = 0; i < kSteps; ++i) {
+        const double height = (i + 0.5) / kSteps;
+        sum += 2 * height * (double{sky.horizon[1]} + std::sqrt(height) * double{sky.zenith[1] - sky.horizon[1]});
+    }
+    return sum / kSteps;
+}
+
+TEST(Studio, ForPathsTheFloorIsAsBrightAsTheHorizon) {
+    SceneDescription scene;
+    scene.up = Vec3{0, 0, 1};
+    Camera camera;
+    camera.eye = {0, -10, 1};
+    StudioSubject subject;
+    subject.is_path_traced = true;
+    addSurroundings(scene, RenderSettings{}, camera, kLow, kHigh, subject);
+    double light = skyOnFloor(*scene.sky);
+    for (const auto& each : scene.lights) {
+        const SunLight& lamp = std::get<SunLight>(each);
+        light += double{lamp.irradiance[1]} * lamp.towards.z / std::numbers::pi;
+    }
+    const double floor = double{scene.materials.at(scene.shapes.at(0).material).color[1]};
+    EXPECT_NEAR(floor * light, double{scene.sky->horizon[1]}, 1e-4);
+    EXPECT_LT(floor, 0.3) << "darker than subjects";
+}
+
+TEST(Studio, LightsScenesThatNothingElseLights) {
+    SceneDescription scene;
+    RenderSettings settings;
+    EXPECT_TRUE(isLitByDefault(scene, settings));
+    settings.background = Background{};
+    EXPECT_FALSE(isLitByDefault(scene, settings));
+    settings.background.reset();
+    settings.lights = 3;
+    EXPECT_FALSE(isLitByDefault(scene, settings));
+    settings.lights.reset();
+    scene.render.room = Room::kMatte;
+    EXPECT_FALSE(isLitByDefault(scene, settings));
 }
 
 TEST(Studio, InOneOfManyRoomsTheLampIsUnderItsCeiling) {

@@ -364,7 +364,7 @@ TEST_F(SceneFile, ReadsTheSky) {
 TEST_F(SceneFile, ReadsRenderSettings) {
     const SceneDescription scene =
         parseMore("staged_for = [1, 2, 3]\n[render]\nseed=7\ndenoise='off'\nexposure=-1.5\nlights=4\nshadows=false\n"
-                  "caustics=false\nblend=false\nreflectivity=0.25");
+                  "caustics=false\nblend=false\nrelight=true\nreflectivity=0.25");
     expectReadVector(*scene.staged_for, 1, 2, 3);
     EXPECT_EQ(scene.render.seed, 7u);
     EXPECT_EQ(scene.render.denoise, DenoiseChoice::kOff);
@@ -373,6 +373,7 @@ TEST_F(SceneFile, ReadsRenderSettings) {
     EXPECT_EQ(scene.render.shadows, false);
     EXPECT_EQ(scene.render.caustics, false);
     EXPECT_EQ(scene.render.blend, false);
+    EXPECT_EQ(scene.render.relight, true);
     EXPECT_EQ(scene.render.reflectivity, 0.25f);
 }
 

@@ -27,7 +27,8 @@ TEST_F(SceneFile, SuggestsTheNearestKey) {
     EXPECT_SAYS(
         refusal("[render]\nroom = 'none'"),
         "scene.toml:2: key \"render.room\": *\"room\"*render *integrator, bounces, spp, size, seed, denoise, exposure, "
-        "lights, shadows, caustics, blend, reflectivity, color_by, color_map, color_range, legend, detail");
+        "lights, shadows, caustics, blend, reflectivity, color_by, color_map, color_range, legend, detail, "
+        "relight");
     EXPECT_SAYS(refusal("[material.gold]\n[[instance]]\nfile = 'statue.pro'\nmaterial = 'godl'"),
                 "scene.toml:4: key \"instance[0].material\": *[material.godl]*\"gold\"");
 }

@@ -85,6 +85,7 @@ private:
         maybe(said.shadows, chance());
         maybe(said.caustics, chance());
         maybe(said.blend, chance());
+        maybe(said.relight, chance());
         maybe(said.reflectivity, single(1));
         maybe(said.exposure, single(40) - 20);
         maybe(said.denoise, DenoiseChoice{static_cast<int>(below(3))});
@@ -348,13 +349,13 @@ struct Picture {
     Camera camera;
 };
 
-constexpr Vec3 kLow{-1, 0, -2}, kHigh{3, 1, 2.5};
+constexpr Vec3 kScanLow{-1, 0, -2}, kScanHigh{3, 1, 2.5};
 
 Picture pictureOf(const Options& options, SceneDescription scene) {
     Picture picture{std::move(scene), {}, {}};
     picture.settings = resolveSettings(options, picture.scene);
-    picture.camera = frameCamera(picture.settings.camera, kLow, kHigh, 1.5);
-    addSurroundings(picture.scene, picture.settings, picture.camera, kLow, kHigh);
+    picture.camera = frameCamera(picture.settings.camera, kScanLow, kScanHigh, 1.5);
+    addSurroundings(picture.scene, picture.settings, picture.camera, kScanLow, kScanHigh);
     return picture;
 }
 
@@ -399,7 +400,7 @@ TEST_F(SceneWrite, ASavedRunShowsTheSamePicture) {
         expectSame(read, run);
         run.settings.camera.eye = Vec3{9, 3, 4};
         run.settings.camera.up = up;
-        run.camera = frameCamera(run.settings.camera, kLow, kHigh, 1.5);
+        run.camera = frameCamera(run.settings.camera, kScanLow, kScanHigh, 1.5);
         expectSame(readBack(), run);
     }
 }

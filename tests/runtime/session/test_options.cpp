@@ -90,6 +90,8 @@ TEST(Options, TakesEveryOption) {
                                    "off",
                                    "--blend",
                                    "off",
+                                   "--relight",
+                                   "on",
                                    "--reflectivity",
                                    "0.25",
                                    "--device",
@@ -118,6 +120,7 @@ TEST(Options, TakesEveryOption) {
     EXPECT_EQ(options.choices.room, Room::kMirror);
     EXPECT_EQ(options.choices.lights, 0u);
     EXPECT_FALSE(*options.choices.shadows || *options.choices.blend || *options.choices.caustics);
+    EXPECT_EQ(options.choices.relight, true);
     EXPECT_EQ(options.limits.seconds, 2.5);
     EXPECT_EQ(options.limits.noise, 0.02);
     EXPECT_EQ(options.choices.denoise, DenoiseChoice::kOn);

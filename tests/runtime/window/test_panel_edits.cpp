@@ -21,7 +21,7 @@ L newLightOf() {
     return std::get<L>(newLight(LightDescription(L{}).index(), kScene));
 }
 
-void expectNear(Vec3 a, Vec3 b, double tolerance = 1e-9) { EXPECT_LT(length(a - b), tolerance); }
+void expectSameVector(Vec3 a, Vec3 b, double tolerance = 1e-9) { EXPECT_LT(length(a - b), tolerance); }
 
 TEST(LightEdit, BrightnessOneIsWhite) {
     // A white surface reflects irradiance / pi. At distance 10 a point of intensity 100 pi gives an irradiance of pi;
@@ -38,7 +38,7 @@ TEST(LightEdit, BrightnessOfADisc) {
     // its area is pi
     EXPECT_NEAR(brightnessOf(DiscLight{{}, kUp, 1, {100, 0, 0}, true}, 10), 1, 1e-6);
     auto disc = newLightOf<DiscLight>();
-    expectNear(disc.normal, normalize(kScene.centre - disc.center));
+    expectSameVector(disc.normal, normalize(kScene.centre - disc.center));
     resize(disc, [&] { disc.radius *= 3; });
     EXPECT_NEAR(brightnessOf(disc, 8), 0.7, 1e-6);
 }
@@ -83,20 +83,20 @@ TEST(LightEdit, ResizingKeepsTheBrightness) {
 TEST(LightEdit, NewLightsFaceTheScene) {
     const auto towards = [](Vec3 from) { return normalize(kScene.centre - from); };
     const auto spot = newLightOf<SpotLight>();
-    expectNear(spot.direction, towards(spot.position));
+    expectSameVector(spot.direction, towards(spot.position));
     EXPECT_NEAR(spot.outer_deg, 30, 1e-9); // the scene's sphere at a distance of twice its radius
     const auto quad = newLightOf<QuadLight>();
-    expectNear(quad.facing(), towards(quad.center));
+    expectSameVector(quad.facing(), towards(quad.center));
     EXPECT_NEAR(dot(quad.u, quad.v), 0, 1e-9);
     EXPECT_NEAR(quad.u.y, 0, 1e-9);
     const auto sun = newLightOf<SunLight>();
-    expectNear(sun.towards, normalize(Vec3{-1, 1, 1}));
+    expectSameVector(sun.towards, normalize(Vec3{-1, 1, 1}));
 }
 
 TEST(LightEdit, BearingsAreAzimuthAndElevation) {
-    expectNear(directionOf({0, 0}, kUp), {0, 0, -1});
-    expectNear(directionOf({90, 0}, kUp), {1, 0, 0});
-    expectNear(directionOf({90, 90}, kUp), kUp);
+    expectSameVector(directionOf({0, 0}, kUp), {0, 0, -1});
+    expectSameVector(directionOf({90, 0}, kUp), {1, 0, 0});
+    expectSameVector(directionOf({90, 90}, kUp), kUp);
     for (const Vec3 up : {kUp, Vec3{0, 0, 1}, normalize(Vec3{1, 2, -3})})
         for (const double azimuth : {0.0, 10.0, 179.0, 359.0})
             for (const double height : {-80.0, 0.0, 45.0}) {
@@ -111,7 +111,7 @@ TEST(LightEdit, BearingsAreAzimuthAndElevation) {
 TEST(LightEdit, AimsASoftboxStraightDown) {
     QuadLight light{{}, {2, 0, 0}, {0, 3, 0}, {1, 1, 1}, true};
     light.face({0, -1, 0}, kUp);
-    expectNear(light.facing(), {0, -1, 0});
+    expectSameVector(light.facing(), {0, -1, 0});
     EXPECT_NEAR(length(light.u), 2, 1e-9);
     EXPECT_NEAR(length(light.v), 3, 1e-9);
 }

@@ -30,7 +30,7 @@ Step only(const std::string& line) {
         return std::get<Step>(std::get<InputEvent>(step));
 }
 
-std::string errorOf(const std::string& text) {
+std::string recordingErrorOf(const std::string& text) {
     try {
         parseRecording(text, "a.rec");
         return "";
@@ -40,7 +40,7 @@ std::string errorOf(const std::string& text) {
     }
 }
 
-std::string errorOfLine(const std::string& line) { return errorOf(kHeader + line); }
+std::string errorOfLine(const std::string& line) { return recordingErrorOf(kHeader + line); }
 
 /// The recording as text. Lines are exact, so equal texts mean equal recordings.
 std::string textOf(const Recording& recording) {
@@ -80,12 +80,12 @@ TEST(Recording, AcceptsHandEditedFiles) {
 }
 
 TEST(Recording, ErrorsHaveLineAndReason) {
-    EXPECT_SAYS(errorOf(""), "a.rec: *empty");
-    EXPECT_SAYS(errorOf("# nothing\n"), "a.rec: *empty");
-    EXPECT_SAYS(errorOf("\nhello\n"), "a.rec:2: *pointrt-recording");
-    EXPECT_SAYS(errorOf("pointrt-recording 2 window 1x1 scale 1"), "a.rec:1: *version \"2\"");
-    EXPECT_SAYS(errorOf("pointrt-recording 1 window 0x0 scale 1"), "a.rec:1: *window *size");
-    EXPECT_SAYS(errorOf("pointrt-recording 1 window 99999x1 scale 1"), "a.rec:1: \"99999x1\" *WxH *16384");
+    EXPECT_SAYS(recordingErrorOf(""), "a.rec: *empty");
+    EXPECT_SAYS(recordingErrorOf("# nothing\n"), "a.rec: *empty");
+    EXPECT_SAYS(recordingErrorOf("\nhello\n"), "a.rec:2: *pointrt-recording");
+    EXPECT_SAYS(recordingErrorOf("pointrt-recording 2 window 1x1 scale 1"), "a.rec:1: *version \"2\"");
+    EXPECT_SAYS(recordingErrorOf("pointrt-recording 1 window 0x0 scale 1"), "a.rec:1: *window *size");
+    EXPECT_SAYS(recordingErrorOf("pointrt-recording 1 window 99999x1 scale 1"), "a.rec:1: \"99999x1\" *WxH *16384");
     EXPECT_SAYS(errorOfLine("5 quit\n4 quit"), "a.rec:3: *4 *5");
     EXPECT_SAYS(errorOfLine("x quit"), "a.rec:2: \"x\" *0 *10000000");
     EXPECT_SAYS(errorOfLine("1 jump"),
@@ -115,9 +115,9 @@ TEST(Recording, RejectsDangerousInput) {
     std::string many = "1 drop";
     for (int i = 0; i < 1025; ++i) many += " \"a\"";
     EXPECT_SAYS(errorOfLine(many), "a.rec:2: *paths");
-    EXPECT_SAYS(errorOf(kHeader + "1 text \"" + std::string(kMaxRecordedEvents + 1, 'a') + "\""),
+    EXPECT_SAYS(recordingErrorOf(kHeader + "1 text \"" + std::string(kMaxRecordedEvents + 1, 'a') + "\""),
                 "a.rec:2: *1000000 events");
-    EXPECT_SAYS(errorOf(std::string(kMaxRecordingBytes + 1, '\n')), "a.rec: *64 MiB");
+    EXPECT_SAYS(recordingErrorOf(std::string(kMaxRecordingBytes + 1, '\n')), "a.rec: *64 MiB");
 }
 
 TEST(Recording, KeyNamesRoundTrip) {
@@ -226,7 +226,7 @@ TEST(Recording, WriterOutputIsReadable) {
                               heap};
     for (const InputEvent& event : odd)
         EXPECT_EQ(errorOfLine(recordingLine({4000000000U, event})), "") << event.index();
-    EXPECT_EQ(errorOf(recordingHeader({0, 0, 1e9})), "");
+    EXPECT_EQ(recordingErrorOf(recordingHeader({0, 0, 1e9})), "");
     EXPECT_EQ(errorOfLine(recordingLine({1, WaitStep{0}})), "");
 }
 
@@ -264,7 +264,7 @@ TEST_F(RecordingFile, ReportsFileErrors) {
     EXPECT_THROW(openRecording("/dev/full", {640, 480, 1}), Error);
 }
 
-std::string mutated(std::string text, std::mt19937& random) {
+std::string mutatedRecording(std::string text, std::mt19937& random) {
     const unsigned changes = random() % 8 + 1;
     for (unsigned i = 0; i < changes && !text.empty(); ++i) {
         const std::size_t at = random() % text.size();
@@ -295,7 +295,7 @@ TEST(Recording, MutationsAreReadOrRejected) {
     int read = 0;
     for (int i = 0; i < 2000; ++i) {
         try {
-            const std::string again = textOf(parseRecording(mutated(text, random), "r"));
+            const std::string again = textOf(parseRecording(mutatedRecording(text, random), "r"));
             EXPECT_EQ(textOf(parseRecording(again, "r")), again);
             ++read;
         } catch (const Error& error) {

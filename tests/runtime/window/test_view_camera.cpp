@@ -26,22 +26,22 @@ constexpr ViewSize kViewCameraSize{1280, 720};
 constexpr double kInfinity = std::numeric_limits<double>::infinity(), kNan = std::nan("");
 const Vec3 kUps[] = {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {0, -3, 0}, {1, 2, -3}};
 
-void expectNear(Vec3 a, Vec3 b, double tolerance) {
+void expectVectorsNear(Vec3 a, Vec3 b, double tolerance) {
     EXPECT_NEAR(a.x, b.x, tolerance);
     EXPECT_NEAR(a.y, b.y, tolerance);
     EXPECT_NEAR(a.z, b.z, tolerance);
 }
 
-struct Scene {
+struct ViewedScene {
     Vec3 low, high;
     double radius() const { return length(high - low) / 2; }
     Vec3 centre() const { return low + (high - low) * 0.5; }
 };
-const Scene kUnit{{-1, -1, -1}, {1, 1, 1}};
-const Scene kNationalGrid{{2'600'000, 1'200'000, 400}, {2'600'030, 1'200'040, 520}}; // radius 65
+const ViewedScene kUnit{{-1, -1, -1}, {1, 1, 1}};
+const ViewedScene kNationalGrid{{2'600'000, 1'200'000, 400}, {2'600'030, 1'200'040, 520}}; // radius 65
 
 /// From an oblique direction, so that no axis is special.
-ViewCamera slantedView(const Scene& scene, Vec3 up) {
+ViewCamera slantedView(const ViewedScene& scene, Vec3 up) {
     CameraRequest request;
     request.eye = scene.centre() + Vec3{1.7, 1.1, 2.3} * scene.radius();
     return framedView(request, scene.low, scene.high, up, 16.0 / 9);
@@ -58,34 +58,34 @@ void expectSame(const ViewCamera& a, const ViewCamera& b) {
 }
 
 void expectSamePicture(const ViewCamera& a, const ViewCamera& b, double tolerance) {
-    expectNear(axesOf(a).right, axesOf(b).right, tolerance);
-    expectNear(axesOf(a).up, axesOf(b).up, tolerance);
-    expectNear(a.eye, b.eye, tolerance * a.scene_radius);
+    expectVectorsNear(axesOf(a).right, axesOf(b).right, tolerance);
+    expectVectorsNear(axesOf(a).up, axesOf(b).up, tolerance);
+    expectVectorsNear(a.eye, b.eye, tolerance * a.scene_radius);
 }
 
 TEST(ViewCamera, StartsAsFrameCameraFrames) {
-    for (const Scene& scene : {kUnit, kNationalGrid}) {
+    for (const ViewedScene& scene : {kUnit, kNationalGrid}) {
         const ViewCamera view = framedView({}, scene.low, scene.high, {0, 1, 0}, 1.5);
         const Camera framed = frameCamera({}, scene.low, scene.high, 1.5);
         EXPECT_EQ(view.eye, framed.eye);
-        expectNear(view.pivot, scene.centre(), 0);
-        expectNear(cameraOf(view).right, framed.right, 1e-15);
-        expectNear(cameraOf(view).up, framed.up, 1e-15);
-        expectNear(cameraOf(view).forward, framed.forward, 1e-15);
+        expectVectorsNear(view.pivot, scene.centre(), 0);
+        expectVectorsNear(cameraOf(view).right, framed.right, 1e-15);
+        expectVectorsNear(cameraOf(view).up, framed.up, 1e-15);
+        expectVectorsNear(cameraOf(view).forward, framed.forward, 1e-15);
         EXPECT_EQ(cameraOf(view).fov_deg, framed.fov_deg);
     }
 }
 
 TEST(ViewCamera, RequestRoundTrips) {
     for (const Vec3& up : kUps)
-        for (const Scene& scene : {kUnit, kNationalGrid})
+        for (const ViewedScene& scene : {kUnit, kNationalGrid})
             for (ViewCamera view : {slantedView(scene, up), standardView(slantedView(scene, up), StandardView::kTop),
                                     oppositeView(standardView(slantedView(scene, up), StandardView::kTop)),
                                     orthoToggled(slantedView(scene, up))}) {
                 const Camera camera = frameCamera(requestOf(view), scene.low, scene.high, 1);
                 EXPECT_EQ(camera.eye, view.eye);
-                expectNear(camera.right, cameraOf(view).right, 1e-12);
-                expectNear(camera.up, cameraOf(view).up, 1e-12);
+                expectVectorsNear(camera.right, cameraOf(view).right, 1e-12);
+                expectVectorsNear(camera.up, cameraOf(view).up, 1e-12);
                 EXPECT_EQ(camera.ortho_height, view.ortho_height);
             }
 }
@@ -94,11 +94,11 @@ TEST(ViewCamera, PivotIsOnTheLineOfSight) {
     Camera camera = frameCamera({}, kUnit.low, kUnit.high, 1);
     const double distance = camera.eye.z;
     EXPECT_EQ(viewOf(camera, {0, 0, 0}, kUnit.low, kUnit.high, {0, 1, 0}).pivot, (Vec3{0, 0, 0}));
-    expectNear(viewOf(camera, {3, 0, 1}, kUnit.low, kUnit.high, {0, 1, 0}).pivot, {0, 0, 1}, 1e-12);
+    expectVectorsNear(viewOf(camera, {3, 0, 1}, kUnit.low, kUnit.high, {0, 1, 0}).pivot, {0, 0, 1}, 1e-12);
     // the target is behind the eye: the pivot is a radius ahead
     const Vec3 behind{0, 0, distance + 1};
-    expectNear(viewOf(camera, behind, kUnit.low, kUnit.high, {0, 1, 0}).pivot, {0, 0, distance - kUnit.radius()},
-               1e-12);
+    expectVectorsNear(viewOf(camera, behind, kUnit.low, kUnit.high, {0, 1, 0}).pivot, {0, 0, distance - kUnit.radius()},
+                      1e-12);
 }
 
 TEST(ViewCamera, KeepsTheRollOfATiltedCamera) {
@@ -106,8 +106,8 @@ TEST(ViewCamera, KeepsTheRollOfATiltedCamera) {
     request.up = Vec3{1, 1, 0};
     const Camera tilted = frameCamera(request, kUnit.low, kUnit.high, 1);
     const ViewCamera view = viewOf(tilted, {}, kUnit.low, kUnit.high, {0, 1, 0});
-    expectNear(cameraOf(view).right, tilted.right, 1e-12);
-    expectNear(framedView(request, kUnit.low, kUnit.high, {0, 1, 0}, 1).up, {1, 1, 0}, 0);
+    expectVectorsNear(cameraOf(view).right, tilted.right, 1e-12);
+    expectVectorsNear(framedView(request, kUnit.low, kUnit.high, {0, 1, 0}, 1).up, {1, 1, 0}, 0);
 }
 
 TEST(ViewCamera, OrbitFollowsTheDrag) {
@@ -126,16 +126,16 @@ TEST(ViewCamera, OrbitFollowsTheDrag) {
 TEST(ViewCamera, PictureHeightIsHalfATurn) {
     const ViewCamera view = framedView({}, kNationalGrid.low, kNationalGrid.high, {0, 1, 0}, 1);
     const ViewCamera behind = orbited(view, kViewCameraSize, kViewCameraSize.height, 0);
-    expectNear(behind.eye - view.pivot, (view.eye - view.pivot) * -1, 1e-6);
+    expectVectorsNear(behind.eye - view.pivot, (view.eye - view.pivot) * -1, 1e-6);
     const ViewCamera quarter = orbited(view, kViewCameraSize, kViewCameraSize.height / 2, 0); // the camera moves left
-    expectNear(normalize(quarter.eye - view.pivot), {-1, 0, 0}, 1e-8);
+    expectVectorsNear(normalize(quarter.eye - view.pivot), {-1, 0, 0}, 1e-8);
 }
 
 TEST(ViewCamera, OrbitKeepsHorizonAndDistance) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> move(-300, 300);
     for (const Vec3& up : kUps)
-        for (const Scene& scene : {kUnit, kNationalGrid}) {
+        for (const ViewedScene& scene : {kUnit, kNationalGrid}) {
             ViewCamera view = slantedView(scene, up);
             const double distance = distanceToPivot(view);
             for (int i = 0; i < 5000; ++i) {
@@ -144,7 +144,7 @@ TEST(ViewCamera, OrbitKeepsHorizonAndDistance) {
                 ASSERT_GT(dot(axesOf(view).up, normalize(view.up)), 0); // never upside down
             }
             EXPECT_NEAR(distanceToPivot(view) / distance, 1, 1e-8);
-            expectNear(view.pivot, scene.centre(), 0);
+            expectVectorsNear(view.pivot, scene.centre(), 0);
         }
 }
 
@@ -157,7 +157,7 @@ TEST(ViewCamera, OrbitStopsBeforeThePoles) {
             EXPECT_NEAR(roll(view), 0, 1e-9);
             // and they return from there with the same right vector
             const ViewCamera back = orbited(view, kViewCameraSize, 0, side * -100);
-            expectNear(axesOf(back).right, axesOf(view).right, 1e-6);
+            expectVectorsNear(axesOf(back).right, axesOf(view).right, 1e-6);
         }
 }
 
@@ -174,19 +174,19 @@ TEST(ViewCamera, OrbitLeavesAPoleSmoothly) {
 
 TEST(ViewCamera, PanFollowsTheCursor) {
     for (const Vec3& up : kUps)
-        for (const Scene& scene : {kUnit, kNationalGrid})
+        for (const ViewedScene& scene : {kUnit, kNationalGrid})
             for (const ViewCamera& view : {slantedView(scene, up), orthoToggled(slantedView(scene, up))}) {
                 const Vec3 grabbed = pointAtPivotDepth(view, kViewCameraSize, 200, 610);
                 const ViewCamera after = panned(view, kViewCameraSize, 333, -217);
                 const ViewPoint there = *projected(after, kViewCameraSize, grabbed);
                 EXPECT_NEAR(there.x, 533, 1e-5);
                 EXPECT_NEAR(there.y, 393, 1e-5);
-                expectNear(axesOf(after).forward, axesOf(view).forward, 1e-8);
+                expectVectorsNear(axesOf(after).forward, axesOf(view).forward, 1e-8);
             }
 }
 
 TEST(ViewCamera, ZoomIsAboutTheCursor) {
-    for (const Scene& scene : {kUnit, kNationalGrid})
+    for (const ViewedScene& scene : {kUnit, kNationalGrid})
         for (ViewCamera view : {slantedView(scene, {0, 0, 1}), orthoToggled(slantedView(scene, {0, 0, 1}))}) {
             const Vec3 aimed = pointAtPivotDepth(view, kViewCameraSize, 1000, 100);
             const double height = heightAtPivot(view);
@@ -198,12 +198,12 @@ TEST(ViewCamera, ZoomIsAboutTheCursor) {
 }
 
 TEST(ViewCamera, ZoomRespectsItsLimits) {
-    for (const Scene& scene : {kUnit, kNationalGrid})
+    for (const ViewedScene& scene : {kUnit, kNationalGrid})
         for (ViewCamera view : {slantedView(scene, {0, 1, 0}), orthoToggled(slantedView(scene, {0, 1, 0}))}) {
             const Vec3 forward = axesOf(view).forward;
             const double to_distance = 1 / (2 * std::tan(20 * std::numbers::pi / 180));
             for (int i = 0; i < 300; ++i) view = zoomed(view, kViewCameraSize, 1, 640, 360);
-            expectNear(axesOf(view).forward, forward, 1e-6);
+            expectVectorsNear(axesOf(view).forward, forward, 1e-6);
             EXPECT_NEAR(heightAtPivot(view) * to_distance / scene.radius(), 1e-4, 1e-7);
             for (int i = 0; i < 300; ++i) view = zoomed(view, kViewCameraSize, -1, 640, 360);
             EXPECT_NEAR(heightAtPivot(view) * to_distance / scene.radius(), 1e3, 1e-3);
@@ -225,7 +225,7 @@ TEST(ViewCamera, CentringKeepsSizes) {
         const Vec3 point = view.pivot + Vec3{20, -9, 13}, beside = point + axesOf(view).right;
         const ViewCamera after = centredOn(view, point);
         EXPECT_EQ(after.pivot, point);
-        expectNear(axesOf(after).forward, axesOf(view).forward, 1e-9);
+        expectVectorsNear(axesOf(after).forward, axesOf(view).forward, 1e-9);
         EXPECT_NEAR(projected(after, kViewCameraSize, point)->x, 640, 1e-4);
         EXPECT_NEAR(projected(after, kViewCameraSize, point)->y, 360, 1e-4);
         const auto width = [&](const ViewCamera& v) {
@@ -247,8 +247,8 @@ TEST(ViewCamera, FlyingSpeedFollowsThePivotDistance) {
     const ViewCamera far = slantedView(kNationalGrid, {0, 0, 1});
     ViewCamera near = far;
     near.pivot = far.eye + axesOf(far).forward * 2.0; // 2 m, in a scene of radius 65
-    expectNear(flown(near, {0, 0, 1}, 0.5).eye, near.eye + axesOf(near).forward * 1.0, 1e-7);
-    expectNear(flown(near, {1, 0, 0}, 0.5).eye, near.eye + axesOf(near).right * 1.0, 1e-7);
+    expectVectorsNear(flown(near, {0, 0, 1}, 0.5).eye, near.eye + axesOf(near).forward * 1.0, 1e-7);
+    expectVectorsNear(flown(near, {1, 0, 0}, 0.5).eye, near.eye + axesOf(near).right * 1.0, 1e-7);
 }
 
 TEST(ViewCamera, FlyingSpeedIsLimitedBySceneSize) {
@@ -256,9 +256,9 @@ TEST(ViewCamera, FlyingSpeedIsLimitedBySceneSize) {
         const ViewCamera view = slantedView(kNationalGrid, up);
         const double step = 65 * 0.5 * 0.1;
         const ViewAxes axes = axesOf(view);
-        expectNear(flown(view, {0, 0, 1}, 0.1).eye, view.eye + axes.forward * step, 1e-7);
-        expectNear(flown(view, {-1, 0, 0}, 0.1).eye, view.eye - axes.right * step, 1e-7);
-        expectNear(flown(view, {0, 1, 0}, 0.1).eye, view.eye + normalize(up) * step, 1e-7);
+        expectVectorsNear(flown(view, {0, 0, 1}, 0.1).eye, view.eye + axes.forward * step, 1e-7);
+        expectVectorsNear(flown(view, {-1, 0, 0}, 0.1).eye, view.eye - axes.right * step, 1e-7);
+        expectVectorsNear(flown(view, {0, 1, 0}, 0.1).eye, view.eye + normalize(up) * step, 1e-7);
         EXPECT_NEAR(distanceToPivot(flown(view, {1, -1, 1}, 3)), distanceToPivot(view), 1e-7);
     }
     const ViewCamera ortho = orthoToggled(slantedView(kUnit, {0, 1, 0}));
@@ -293,20 +293,20 @@ TEST(ViewCamera, StandardViewsUseTheUpAxis) {
                                   {{0, 0, -1}, {0, -1, 0}, {-1, 0, 0}, {0, 1, 0}},
                                   {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}, {0, 0, -1}}};
     for (const StandardCase& each : cases)
-        for (const Scene& scene : {kUnit, kNationalGrid}) {
+        for (const ViewedScene& scene : {kUnit, kNationalGrid}) {
             const ViewCamera view = slantedView(scene, each.up);
             const auto from = [&](const ViewCamera& v) { return normalize(v.eye - v.pivot); };
             const ViewCamera front = standardView(view, StandardView::kFront);
             const ViewCamera right = standardView(view, StandardView::kRight);
             const ViewCamera top = standardView(view, StandardView::kTop);
-            expectNear(from(front), each.front, 1e-9);
-            expectNear(axesOf(front).up, each.up, 1e-9);
-            expectNear(from(right), each.right, 1e-9);
-            expectNear(from(top), each.up, 1e-9);
-            expectNear(axesOf(top).up, each.top_up, 1e-9);
-            expectNear(from(oppositeView(front)), each.front * -1, 1e-9);
-            expectNear(from(oppositeView(top)), each.up * -1, 1e-9);
-            expectNear(axesOf(oppositeView(top)).up, each.top_up, 1e-9);
+            expectVectorsNear(from(front), each.front, 1e-9);
+            expectVectorsNear(axesOf(front).up, each.up, 1e-9);
+            expectVectorsNear(from(right), each.right, 1e-9);
+            expectVectorsNear(from(top), each.up, 1e-9);
+            expectVectorsNear(axesOf(top).up, each.top_up, 1e-9);
+            expectVectorsNear(from(oppositeView(front)), each.front * -1, 1e-9);
+            expectVectorsNear(from(oppositeView(top)), each.up * -1, 1e-9);
+            expectVectorsNear(axesOf(oppositeView(top)).up, each.top_up, 1e-9);
             expectSamePicture(oppositeView(oppositeView(view)), view, 1e-9);
             EXPECT_EQ(top.pivot, view.pivot);
         }
@@ -319,19 +319,19 @@ TEST(ViewCamera, TopViewMatchesFrameCamera) {
         request.eye = top.eye;
         request.target = top.pivot;
         request.up = top.up;
-        expectNear(frameCamera(request, kUnit.low, kUnit.high, 1).up, axesOf(top).up, 1e-9);
+        expectVectorsNear(frameCamera(request, kUnit.low, kUnit.high, 1).up, axesOf(top).up, 1e-9);
     }
 }
 
 TEST(ViewCamera, OrthographicKeepsTheSizeAtThePivot) {
-    for (const Scene& scene : {kUnit, kNationalGrid}) {
+    for (const ViewedScene& scene : {kUnit, kNationalGrid}) {
         ViewCamera view = zoomed(slantedView(scene, {0, 1, 0}), kViewCameraSize, 12, 800, 300);
         const ViewCamera ortho = orthoToggled(view);
         EXPECT_EQ(ortho.ortho_height, heightAtPivot(view));
         const Vec3 beside = pointAtPivotDepth(view, kViewCameraSize, 111, 222);
         EXPECT_NEAR(projected(ortho, kViewCameraSize, beside)->x, 111, 1e-4);
         EXPECT_NEAR(projected(ortho, kViewCameraSize, beside)->y, 222, 1e-4);
-        expectNear(orthoToggled(ortho).eye, view.eye, 1e-7 * scene.radius());
+        expectVectorsNear(orthoToggled(ortho).eye, view.eye, 1e-7 * scene.radius());
         ViewCamera turning = ortho;
         for (int i = 0; i < 50; ++i) {
             turning = panned(orbited(zoomed(turning, kViewCameraSize, 0.3, 900, 500), kViewCameraSize, 77, 13),
@@ -375,7 +375,7 @@ TEST(ViewCamera, NonFiniteNumbersChangeNothing) {
 TEST(ViewCamera, StaysWithinFrameCamerasLimits) {
     std::mt19937 random(2);
     std::uniform_real_distribution<double> move(-1, 1);
-    for (const Scene& scene : {kUnit, kNationalGrid, Scene{{1e6, 1e6, 1e6}, {1e6 + 1e-3, 1e6, 1e6}}}) {
+    for (const ViewedScene& scene : {kUnit, kNationalGrid, ViewedScene{{1e6, 1e6, 1e6}, {1e6 + 1e-3, 1e6, 1e6}}}) {
         ViewCamera view = slantedView(scene, {0, 0, 1});
         for (int i = 0; i < 20000; ++i) {
             const double a = move(random) * 1000, b = move(random) * 1000;
@@ -505,7 +505,7 @@ TEST(CameraText, RoundTripsExactly) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> move(-400, 400);
     for (const Vec3& up : kUps)
-        for (const Scene& scene : {kUnit, kNationalGrid}) {
+        for (const ViewedScene& scene : {kUnit, kNationalGrid}) {
             const ViewCamera other = slantedView(scene, {0, 1, 0});
             ViewCamera view = slantedView(scene, up);
             for (int i = 0; i < 200; ++i) {
@@ -535,7 +535,7 @@ TEST(CameraText, TopViewKeepsItsAxis) {
     }
     // the axis itself as --up, as frameCamera makes it
     const std::string text = "--eye 0,9,0 --target 0,0,0 --up 0,1,0";
-    expectNear(axesOf(withCameraText(slantedView(kUnit, {0, 1, 0}), text)).up, {0, 0, -1}, 1e-12);
+    expectVectorsNear(axesOf(withCameraText(slantedView(kUnit, {0, 1, 0}), text)).up, {0, 0, -1}, 1e-12);
 }
 
 TEST(CameraText, AcceptsAnyOrderAndMissingOptions) {

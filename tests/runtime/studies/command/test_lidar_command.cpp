@@ -107,7 +107,7 @@ TEST_F(LidarCommand, ErrorsAreOneLine) {
     refused(2, "--pose: *X,Y,Z,YAW,PITCH,ROLL", good + "--pose 1,2" + out);
     refused(2, "--pose: *X,Y,Z,YAW,PITCH,ROLL", good + "--pose 1,2,nan" + out);
     refused(2, "duration_s *0", good + kMiddle + "--duration 0" + out);
-    refused(2, "out.txt: *.ply, .las, .laz", good + kMiddle + "-o out.txt");
+    refused(2, "out.txt: *.ply, *.las, .laz", good + kMiddle + "-o out.txt");
     refused(2, "-o -: *streamed", good + kMiddle + "-o -");
     refused(2, "good.toml: *input", good + kMiddle + "-o good.toml");
     refused(2, "--attributes: *gloss*none", good + kMiddle + "--attributes gloss" + out);

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole points of LAZ files that are damaged or cut short.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "preprocess/input/points/las_blocks.h"
+
+namespace pointrt {
+
+struct SalvagedLas {
+    std::uint64_t points = 0;
+    std::string fault; ///< of the first chunk that is not whole; "" if all are
+};
+
+/// Decompresses point by point and calls use for blocks of those before the first malformed one of each chunk. Points
+/// right before it that are outside the header's bounds are left out: bytes beyond the last point decode to anything.
+SalvagedLas salvageLas(const LasPlan& plan, const std::function<void(const LasBlock&)>& use);
+
+} // namespace pointrt

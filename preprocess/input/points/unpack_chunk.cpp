@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/input/points/unpack_chunk.h"
+
+#include <lz4frame.h>
+#include <memory>
+#include <zstd.h>
+
+namespace pointrt {
+namespace {
+
+/// The limits of unpackGzip.
+constexpr std::uint64_t kChunkAtLeast = std::uint64_t{64} << 20, kChunkPerByte = 100;
+
+bool unpackLz4(std::string_view packed, std::string& unpacked) {
+    LZ4F_dctx* made = nullptr;
+    if (LZ4F_isError(LZ4F_createDecompressionContext(&made, LZ4F_VERSION))) throw std::bad_alloc();
+    const std::unique_ptr<LZ4F_dctx, decltype(&LZ4F_freeDecompressionContext)> context(made,
+                                                                                       LZ4F_freeDecompressionContext);
+    std::size_t done = 0;
+    while (!packed.empty()) {
+        std::size_t room = unpacked.size() - done, taken = packed.size();
+        const std::size_t hint =
+            LZ4F_decompress(context.get(), unpacked.data() + done, &room, packed.data(), &taken, nullptr);
+        if (LZ4F_isError(hint) || (room == 0 && taken == 0)) return false;
+        done += room;
+        packed.remove_prefix(taken);
+        if (hint == 0) break; // the frame is complete
+    }
+    return done == unpacked.size();
+}
+
+} // namespace
+
+std::string unpackChunk(const InputFile& input, std::string_view compression, std::string_view packed,
+                        std::uint64_t size) {
+    if (compression != "lz4" && compression != "zstd")
+        refuse(input, fmt::format("has chunks compressed with {}; this build reads lz4 and zstd: recompress it, for "
+                                  "example with 'rosbag compress --lz4' or 'mcap compress'",
+                                  inQuotes(compression)));
+    if (size > kChunkAtLeast + kChunkPerByte * packed.size())
+        refuse(input, fmt::format("a chunk of {} bytes promises {} unpacked ones", packed.size(), size));
+    std::string unpacked(size, '\0');
+    const bool good = compression == "lz4"
+                          ? unpackLz4(packed, unpacked)
+                          : ZSTD_decompress(unpacked.data(), size, packed.data(), packed.size()) == size;
+    if (!good) refuse(input, fmt::format("the {} data of a chunk is invalid", compression));
+    return unpacked;
+}
+
+std::uint64_t zstdSize(const InputFile& input) {
+    const unsigned long long size = ZSTD_getFrameContentSize(input.bytes.data(), input.bytes.size());
+    if (size == ZSTD_CONTENTSIZE_UNKNOWN || size == ZSTD_CONTENTSIZE_ERROR)
+        refuse(input, "is not zstd data that states its size");
+    return size;
+}
+
+} // namespace pointrt

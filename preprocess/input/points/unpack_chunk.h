@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Chunks compressed with LZ4 (frames) or zstd.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "preprocess/ingest/input_file.h"
+
+namespace pointrt {
+
+/// Unpacks a chunk to `size` bytes. Throws Error if the data is invalid or has another size, if that is more than a
+/// gzipped scan may unpack to, or if the compression is neither "lz4" nor "zstd".
+std::string unpackChunk(const InputFile& input, std::string_view compression, std::string_view packed,
+                        std::uint64_t size);
+
+/// The unpacked size that the bytes of a file, a zstd frame, state. Throws Error if they do not.
+std::uint64_t zstdSize(const InputFile& input);
+
+} // namespace pointrt

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/input/points/xyz_layout.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "preprocess/ingest/axis_names.h"
+#include "preprocess/ingest/table.h"
+
+namespace pointrt {
+namespace {
+
+constexpr std::size_t kMaxColumns = 4096;
+
+/// The names of the columns, without units such as "[m]" or "(m)".
+std::vector<std::string> namesOf(std::string_view line, char delimiter) {
+    std::vector<std::string> names;
+    Fields fields{line, delimiter};
+    for (std::string_view field; names.size() < kMaxColumns && fields.next(field);)
+        names.emplace_back(Fields::trim(field.substr(0, field.find_first_of("[("))));
+    while (!names.empty() && names.back().empty()) names.pop_back();
+    return names;
+}
+
+/// Parses a line as the header. Returns false if it does not name x, y and z.
+bool takeHeader(std::string_view line, char delimiter, Layout& layout) {
+    std::vector<std::string> names = namesOf(line, delimiter);
+    std::vector<Dimension> dimensions;
+    for (const std::string& name : names) dimensions.push_back(dimensionOfName(name));
+    const bool degrees = findAxes(names, dimensions);
+    resolveDimensions(dimensions);
+    if (!hasPositions(dimensions)) return false;
+    layout.dimensions = std::move(dimensions);
+    layout.names = std::move(names);
+    layout.degrees = degrees;
+    return true;
+}
+
+/// Number of fields in a line; its first run of numbers.
+struct LineShape {
+    std::size_t fields = 0, first = 0, numbers = 0;
+    bool whole = false; ///< the first field is an integer without a sign
+};
+
+LineShape shapeOf(std::string_view line, char delimiter) {
+    LineShape shape;
+    Fields fields{line, delimiter};
+    for (std::string_view field; fields.next(field); ++shape.fields) {
+        double value = 0;
+        std::uint64_t count = 0;
+        if (shape.fields == 0) shape.whole = wholeInteger(field, count);
+        if (shape.numbers == 0) shape.first = shape.fields;
+        if (shape.first + shape.numbers == shape.fields && (wholeNumber(field, value) || commaNumber(field, value)))
+            ++shape.numbers;
+    }
+    return shape;
+}
+
+/// A point: three numbers, after no more words than a name, a date and a time.
+bool isPoint(const LineShape& shape) {
+    constexpr std::size_t kMostWords = 3;
+    return shape.numbers >= 3 && shape.first <= kMostWords;
+}
+
+/// The delimiter that the first line of a file may set for spreadsheets: "sep=;".
+std::optional<char> separatorOf(std::string_view line) {
+    if (line.size() != 5 || (!line.starts_with("sep=") && !line.starts_with("SEP="))) return std::nullopt;
+    return line.back() == ',' || line.back() == ';' ? std::optional(line.back()) : std::nullopt;
+}
+
+bool isCount(const LineShape& shape) { return shape.fields == 1 && shape.whole; }
+
+void takeCount(const InputFile& input, std::string_view line, Layout& layout) {
+    if (layout.counted) refuseLine(input, line.data(), "a second count before the first point");
+    layout.counted = true;
+    wholeInteger(line, layout.counted_points);
+}
+
+/// The delimiter is that of the header line if the point has it: words may contain others.
+void takeFirstPoint(std::string_view data, std::string_view line, char delimiter, const LineShape& shape,
+                    Layout& layout) {
+    layout.data = data;
+    const bool as_header = layout.named() && layout.delimiter != ' ' && line.find(layout.delimiter) != line.npos;
+    if (!as_header) layout.delimiter = delimiter;
+    layout.first = shape.first;
+    layout.columns = shape.numbers;
+    layout.described = shape.first + shape.numbers < shape.fields;
+    layout.first_line = trimmedRecord(line, layout.delimiter);
+}
+
+} // namespace
+
+Layout readPrologue(const InputFile& input) {
+    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+    Layout layout;
+    std::optional<char> separator;
+    std::string_view rest = input.bytes, line;
+    if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
+    const auto next = [&] { return nextRecord(rest, line, layout.named() ? layout.delimiter : ' '); };
+    for (std::string_view here = rest; next(); here = rest) {
+        const std::string_view untrimmed = line;
+        line = withoutBlanks(line);
+        if (line.empty()) continue;
+        if (const auto comment = commentText(line)) {
+            if (!layout.named()) takeHeader(*comment, delimiterOf(*comment), layout);
+            continue;
+        }
+        if (const auto found = separatorOf(line)) {
+            separator = found;
+            continue;
+        }
+        const char delimiter = separator.value_or(delimiterOf(line));
+        const LineShape shape = shapeOf(line, delimiter);
+        if (isCount(shape)) {
+            takeCount(input, line, layout);
+        } else if (takeHeader(line, delimiter, layout)) {
+            layout.delimiter = delimiter;
+        } else if (isPoint(shape) || layout.named()) {
+            takeFirstPoint(here, untrimmed, delimiter, shape, layout);
+            return layout;
+        } else {
+            refuseLine(input, line.data(),
+                       fmt::format("neither a point nor a header with x, y and z: {}", inQuotes(line)));
+        }
+    }
+    refuse(input, "holds no points");
+}
+
+bool addAttribute(Layout& layout, std::size_t column, std::string_view name, AttributeNames& names) {
+    const auto taken = names.take(name);
+    if (!taken) return false;
+    layout.attributes.push_back({*taken, Scalar::kF64, 1, true});
+    layout.attribute_columns.push_back(column);
+    return true;
+}
+
+} // namespace pointrt
