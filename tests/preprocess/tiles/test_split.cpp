@@ -26,6 +26,41 @@ void addRows(const Cloud& cloud, Rows& rows) {
     }
 }
 
+Rows rowsOf(const SetPlan& plan) {
+    Rows rows;
+    for (std::uint32_t tile = 0; tile < plan.tiles.size(); ++tile) addRows(readBucket(plan, tile), rows);
+    std::sort(rows.begin(), rows.end());
+    return rows;
+}
+
+TEST_F(SetTest, MissingDataIsLeftOutAsOfFiles) {
+    std::string marked = "x,y,z,intensity\n";
+    for (int i = 0; i < 3000; ++i)
+        marked += i % 30 == 1   ? "0,0,0,7\n"
+                  : i % 10 == 0 ? fmt::format("{},{},-9999,{}\n", 5000 + i % 50, 7000 + i / 50, 1000 + i)
+                                : fmt::format("{},{},{},{}\n", 5000 + i % 50, 7000 + i / 50, i % 7, 1000 + i);
+    const SetRequest request = requestOf({writeHill("a.csv", 2000, 5000), folder.write("b.csv", marked)});
+    const SetPlan plan = splitInto("A.proset", request);
+    const Cloud whole = readInputs(request.inputs, request.read);
+    EXPECT_EQ(whole.points_no_data, 400u);
+    EXPECT_EQ(plan.points, 4600u);
+    EXPECT_EQ(plan.points_filtered, 400u);
+    EXPECT_GT(plan.bounds.min().z(), -6);
+    EXPECT_GT(plan.bounds.min().x(), 4999);
+    Rows expected;
+    addRows(whole, expected);
+    std::sort(expected.begin(), expected.end());
+    EXPECT_EQ(rowsOf(plan), expected);
+    ASSERT_EQ(plan.notes.size(), whole.notes.size());
+    for (std::size_t i = 0; i < plan.notes.size(); ++i) EXPECT_EQ(plan.notes[i].text, whole.notes[i].text);
+    // another process splits by what the plan's file says
+    const SetPlan read = readPlan(plan.work);
+    removeTree(splitMark(plan));
+    removeTree(bucketsFolder(plan));
+    splitPoints(read, request);
+    EXPECT_EQ(rowsOf(read), expected);
+}
+
 TEST_F(SetTest, EveryPointIsInTheBucketOfItsCore) {
     const SetRequest request = requestOf({writeHill("a.csv", 6000), writeHill("b.csv", 2000, -50)});
     const SetPlan plan = splitInto("A.proset", request);
