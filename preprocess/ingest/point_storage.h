@@ -22,6 +22,7 @@ struct CurrentScan {
     std::uint64_t vertices = 0;      ///< read so far, including dropped ones
     std::uint64_t non_finite = 0;    ///< of them, dropped as not finite
     std::uint64_t withheld = 0;      ///< of them, dropped as withheld
+    std::uint64_t no_data = 0;       ///< of them, dropped as without data
     std::size_t first_position = 0;  ///< index of the scan's first point in the cloud
     std::uint64_t points_before = 0; ///< points stored before this scan
     std::optional<Vec3d> sensor;     ///< scanner position in the scan's frame

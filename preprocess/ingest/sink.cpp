@@ -17,6 +17,8 @@ namespace {
 /// including the cubes around its discs.
 constexpr double kFarthest = 1e25;
 
+bool isWithinReach(const Vec3d& position) { return position.cwiseAbs().maxCoeff() < kFarthest && position.allFinite(); }
+
 /// Feet of the US survey are 2e-6 longer than international ones.
 constexpr double kSameUnit = 1e-5;
 
@@ -71,8 +73,11 @@ void Sink::beginScan(const InputFile& input, const ScanTraits& traits) {
         refuse(input, fmt::format("more than {} points in all", kMaxPoints));
     scan_.number = scans.size();
     scan_.traits = traits;
-    scan_.vertices = scan_.non_finite = scan_.withheld = 0;
+    scan_.vertices = scan_.non_finite = scan_.withheld = scan_.no_data = 0;
     survey_ = {};
+    dropped_.clear();
+    for (const ScanNoData& each : known_no_data)
+        if (each.scan == scan_.number) dropped_.push_back(each.points);
     scan_.first_position = cloud.positions.size();
     scan_.points_before = pointCount();
     scan_.sensor.reset();
@@ -141,12 +146,21 @@ bool Sink::passesFilter(const Vec3d& position, std::uint8_t point_class) {
 }
 
 bool Sink::addPosition(const Vec3d& position) {
-    if (!(position.cwiseAbs().maxCoeff() < kFarthest) || !position.allFinite()) return false;
+    if (!isWithinReach(position)) return false;
     if (cloud.positions.empty()) cloud.origin = wholeNumbers(position);
     const Vec3f local = (position - cloud.origin).cast<float>();
     if (!local.allFinite()) return false;
     cloud.positions.push_back(local);
     storage_->positionAdded(position);
+    return true;
+}
+
+/// The survey counts the points that are dropped, so that every pass finds and notes the same.
+bool Sink::dropsNoData(const Vec3d& in_scan, const Vec3d& position) {
+    const auto marks = [&](const NoData& each) { return each.marks(in_scan); };
+    if (std::none_of(dropped_.begin(), dropped_.end(), marks) || !isWithinReach(position)) return false;
+    survey_.add(in_scan);
+    ++scan_.no_data;
     return true;
 }
 
@@ -166,12 +180,17 @@ std::uint32_t Sink::addVertex(const Row& row, const char* values) {
         scan_.faces.drop(index);
         return RangeGrid::kFilteredOut;
     }
+    const Vec3d in_scan(row[kX], row[kY], row[kZ]);
+    if (dropsNoData(in_scan, position)) {
+        scan_.faces.drop(index);
+        return RangeGrid::kFilteredOut;
+    }
     if (!addPosition(position)) {
         ++scan_.non_finite;
         scan_.faces.drop(index);
         return RangeGrid::kNoPoint;
     }
-    survey_.add({row[kX], row[kY], row[kZ]});
+    survey_.add(in_scan);
     if (scan_.traits.normals) cloud.normals.push_back(transform.normal(row));
     if (scan_.traits.radii) cloud.radii.push_back(transform.radius(row));
     if (scan_.traits.colors) scan_.colors.add(cloud, row, values);
@@ -196,6 +215,7 @@ void Sink::addVertices(std::span<const Vec3d> positions, std::span<const char* c
         const std::uint8_t point_class =
             classes ? loadClass(classes + i * class_size, class_column_->type) : std::uint8_t{0};
         if (filters && !passesFilter(position, point_class)) continue;
+        if (dropsNoData(positions[i], position)) continue;
         if (addPosition(position)) {
             kept.push_back(static_cast<std::uint32_t>(i));
             survey_.add(positions[i]);
@@ -232,7 +252,8 @@ void Sink::finishScan(const InputFile& input, const std::string& title, Emptines
     cloud.points_read += scan_.vertices;
     cloud.points_non_finite += scan_.non_finite;
     cloud.points_withheld += scan_.withheld;
-    cloud.points_filtered += scan_.vertices - scan_.non_finite - scan_.withheld - kept;
+    cloud.points_no_data += scan_.no_data;
+    cloud.points_filtered += scan_.vertices - scan_.non_finite - scan_.withheld - scan_.no_data - kept;
     scans.push_back({input.name, scan_.points_before, kept, scan_.faces.any(cloud)});
     cloud.scans.push_back({title.empty() ? input.name : input.name + ": " + title, {}, scan_.points_before});
     if (scan_.sensor) setSensor(transform.position(*scan_.sensor));
@@ -242,11 +263,12 @@ void Sink::finishScan(const InputFile& input, const std::string& title, Emptines
     storage_->releaseScan(scan_, input);
 }
 
-/// Customary values are left out once all files are read, unless points are handed on before they are known.
+/// Customary values are left out once all files are read or, if points are handed on before that, in the next pass.
 void Sink::findNoData(const InputFile& input) {
-    if (scan_.traits.radii || scan_.faces.any(cloud)) return; // splats and meshes have no missing points
+    // splats and meshes have no missing points
+    if (!finds_no_data || scan_.traits.radii || scan_.faces.any(cloud)) return;
     for (const NoData& each : survey_.find()) {
-        if (each.is_customary && keepsPoints()) {
+        if (each.is_customary) {
             no_data.push_back({scans.size() - 1, each, transform.scanFromWorld()});
             note(input, fmt::format("has points with {}, which marks missing data: they are left out", nameOf(each)));
         } else {

@@ -37,7 +37,7 @@ struct SinkOptions {
 /// The attribute that flags points as withheld, in LAS files.
 inline constexpr const char* kWithheld = "withheld";
 
-/// Points without data of a finished scan: they are still in the cloud.
+/// Points without data of a finished scan. They are still in the cloud, unless known_no_data has them.
 struct ScanNoData {
     std::size_t scan = 0; ///< index in Sink::scans
     NoData points;
@@ -147,7 +147,10 @@ public:
     std::size_t files_in_degrees = 0;     ///< files whose x and y are degrees
     std::size_t files_with_crs = 0;       ///< files that name their coordinate system
     std::uint64_t points_promised = 0;    ///< by the current file, if it holds fewer; the reader of files resets it
-    std::vector<ScanNoData> no_data;      ///< customary values of all scans, if the cloud keeps points
+    std::vector<ScanNoData> no_data;      ///< customary values of all finished scans
+    /// The customary values that an earlier pass over the same files found: their points are left out.
+    std::vector<ScanNoData> known_no_data;
+    bool finds_no_data = true; ///< whether points without data may be among those to come
 
 private:
     void beginColumns(const InputFile& input, std::size_t length);
@@ -157,6 +160,7 @@ private:
     void reportProgress(std::uint64_t vertex) const;
     void requirePoints(const InputFile& input, std::size_t kept) const;
     std::uint8_t classOf(const char* values) const;
+    bool dropsNoData(const Vec3d& in_scan, const Vec3d& position);
     void findNoData(const InputFile& input);
     void noteWithheld(const InputFile& input);
 
@@ -166,6 +170,7 @@ private:
     std::optional<ColumnPlace> class_column_; ///< of the current scan
     std::optional<ColumnPlace> withheld_column_;
     NoDataSurvey survey_;          ///< of the current scan
+    std::vector<NoData> dropped_;  ///< known_no_data of the current scan
     bool has_world_frame_ = false; ///< a file has set Cloud::world
 };
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "preprocess/ingest/number_style.h"
+
 namespace pointrt {
 namespace {
 
@@ -23,31 +25,31 @@ bool leavesQuoteOpen(std::string_view record, char delimiter) {
     return false;
 }
 
-/// Whether words between blanks are three numbers or more, decimal commas among them.
-bool hasDecimalCommas(std::string_view line) {
+/// Whether words between blanks are three numbers or more, commas within them.
+bool hasCommasInNumbers(std::string_view line) {
     std::size_t numbers = 0, commas = 0;
     Fields words{line, ' '};
     for (std::string_view word; words.next(word); ++numbers) {
-        double value = 0;
-        if (wholeNumber(word, value)) continue;
-        if (!commaNumber(word, value)) break;
-        ++commas;
+        if (!isAnyNumber(word)) break;
+        commas += word.find(',') != std::string_view::npos;
     }
     return numbers >= 3 && commas > 0;
 }
 
-/// Whether tabs delimit the fields of a line, each with one word at least.
+/// Whether tabs delimit the fields of a line, each with one word at least, or are all numbers, perhaps with blanks
+/// between thousands.
 bool hasTabFields(std::string_view line) {
-    std::size_t count = 0;
+    std::size_t count = 0, fewest = 2;
     Fields fields{line, '\t'};
     for (std::string_view field; fields.next(field); ++count) {
         double value = 0;
         const std::size_t blank = field.find(' ');
         if (field.empty()) return false;
-        // "1 2<tab>3": blanks delimit numbers
-        if (blank != std::string_view::npos && wholeNumber(field.substr(0, blank), value)) return false;
+        if (blank == std::string_view::npos || !wholeNumber(field.substr(0, blank), value)) continue;
+        if (!isAnyNumber(field)) return false; // "1 2<tab>3": blanks delimit numbers
+        fewest = 3;                            // "1 200<tab>3" are three, "1 200<tab>3<tab>4" as well
     }
-    return count > 1;
+    return count >= fewest;
 }
 
 } // namespace
@@ -102,17 +104,8 @@ char delimiterOf(std::string_view line) {
         has_comma = has_comma || letter == ',';
         has_tab = has_tab || letter == '\t';
     }
-    if (has_comma && !hasDecimalCommas(line)) return ',';
+    if (has_comma && !hasCommasInNumbers(line)) return ',';
     return has_tab && hasTabFields(line) ? '\t' : ' ';
-}
-
-bool commaNumber(std::string_view field, double& value) {
-    const std::size_t comma = field.find(',');
-    if (comma == std::string_view::npos || comma + 1 == field.size() || field.find('.') != std::string_view::npos)
-        return false;
-    std::string number(field);
-    number[comma] = '.';
-    return wholeNumber(number, value);
 }
 
 bool isMissingNumber(std::string_view field) {

@@ -31,11 +31,9 @@ struct Fields {
 bool nextRecord(std::string_view& rest, std::string_view& record, char delimiter);
 
 /// Semicolons outside quotes delimit fields, else commas, else tabs, else blanks. Commas between digits in words that
-/// are all numbers are decimal commas, and tabs in a line that starts with one, or repeats them, are blanks.
+/// are all numbers separate decimals or thousands, and tabs in a line that starts with one, or repeats them, are
+/// blanks.
 char delimiterOf(std::string_view line);
-
-/// Whether a field is a number with a decimal comma, such as 1,5.
-bool commaNumber(std::string_view field, double& value);
 
 /// Whether a field marks a missing number: empty, NA, null and the like.
 bool isMissingNumber(std::string_view field);

@@ -34,6 +34,8 @@ struct Stream {
         sink.filter.resumeAfter(options.start.seen);
         sink.scans.resize(options.start.scan);
         if (options.first_pass) useTypes(options.first_pass->cloud.attributes);
+        for (const StreamNoData& each : options.no_data)
+            sink.known_no_data.push_back({each.scan, each.points, Eigen::Affine3d::Identity()});
     }
 
     void useTypes(const std::vector<Attribute>& attributes) {
@@ -43,7 +45,7 @@ struct Stream {
     }
 };
 
-/// Sends the points of a cloud, which are filtered and transformed already, through the sink.
+/// Sends the points of a cloud, which are filtered and transformed already and all have data, through the sink.
 class Replay {
 public:
     Replay(const Cloud& points, const std::string& name, Sink& sink) : points_(points), sink_(sink) {
@@ -53,7 +55,9 @@ public:
     void run() {
         const auto filter = std::exchange(sink_.filter, PointFilter({}));
         const auto transform = std::exchange(sink_.transform.world_from_input, std::nullopt);
+        sink_.finds_no_data = false;
         for (std::size_t scan = 0; scan < points_.scans.size(); ++scan) addScan(scan);
+        sink_.finds_no_data = true;
         for (const Note& note : points_.notes) addNote(sink_.cloud, note.file, note.text);
         sink_.setWorldFrame(input_, points_.world);
         Cloud& cloud = sink_.cloud;
@@ -196,6 +200,7 @@ StreamFindings findingsOf(Stream&& stream) {
     findings.minor = stream.sink.columns.minor;
     findings.largest_color = stream.sink.batchFindings().largest_color;
     findings.colors = stream.sink.batchFindings().colors;
+    for (const ScanNoData& each : stream.sink.no_data) findings.no_data.push_back({each.scan, each.points});
     for (const ScanRange& scan : stream.sink.scans) findings.scan_points.push_back(scan.position_count);
     findings.files = std::move(stream.files);
     removePoints(stream.cloud);

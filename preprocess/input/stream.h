@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "preprocess/ingest/batches.h"
+#include "preprocess/ingest/no_data.h"
 #include "preprocess/input/read.h"
 
 namespace pointrt {
@@ -18,6 +19,12 @@ struct StreamPlace {
     std::uint64_t seen = 0;         ///< points that the filter has seen before
 };
 
+/// Points without data of a scan, see Sink::no_data.
+struct StreamNoData {
+    std::size_t scan = 0; ///< its number
+    NoData points;
+};
+
 /// What the first pass finds in all files.
 struct StreamFindings {
     /// The cloud without its points: scans, frame, notes, counts, attributes by name and the type that readers need.
@@ -26,6 +33,7 @@ struct StreamFindings {
     std::vector<std::uint64_t> scan_points;
     std::vector<float> largest_color; ///< BatchFindings::largest_color
     bool colors = false;
+    std::vector<StreamNoData> no_data; ///< points that were handed on unless StreamOptions::no_data has them
     std::vector<FileReport> files;
 };
 
@@ -36,6 +44,7 @@ struct StreamOptions {
     std::uint64_t largest_whole_file = std::uint64_t{512} << 20;
     std::uint64_t most_in_grid = std::uint64_t{1} << 24; ///< BatchOptions::most_in_grid
     const StreamFindings* first_pass = nullptr;          ///< null in the first pass
+    std::vector<StreamNoData> no_data;                   ///< points to leave out, as an earlier pass found them
     StreamPlace start;                                   ///< where to resume an interrupted reading
     std::function<void(const StreamPlace&)> file_done = {};
 };

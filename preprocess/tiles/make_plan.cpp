@@ -38,6 +38,7 @@ struct Survey {
     std::vector<ValueSurvey> values; ///< [attributes of the cloud]
     bool normals = false, radii = false;
     bool noise = false, grids = false;
+    std::uint64_t kept = 0;          ///< points
     std::uint64_t normals_given = 0; ///< points with a normal
 
     explicit Survey(std::uint64_t max_memory) : counts(mostCells(max_memory)) {}
@@ -93,7 +94,8 @@ std::vector<PlanScan> scansOf(const StreamFindings& found) {
     std::vector<PlanScan> scans;
     for (std::size_t i = 0; i < found.cloud.scans.size(); ++i)
         scans.push_back(
-            {found.cloud.scans[i].name, found.cloud.scans[i].sensor, found.scan_points[i], found.largest_color[i]});
+            {found.cloud.scans[i].name, found.cloud.scans[i].sensor, found.scan_points[i], found.largest_color[i], {}});
+    for (const StreamNoData& each : found.no_data) scans[each.scan].no_data.push_back(each.points);
     return scans;
 }
 
@@ -205,6 +207,33 @@ void checkThinning(const SetRequest& request, std::uint64_t kept) {
                                                       joinedNames(request.inputs)));
 }
 
+StreamFindings surveyInputs(const SetRequest& request, const StreamOptions& options, Survey& survey,
+                            const ReadProgress& progress) {
+    return readInBatches(
+        request.inputs, options,
+        [&](const PointBatch& batch) {
+            const GridPriors priors = gridPriorsOf(batch, request.bake.surface, PriorKinds::kDepths);
+            survey.noise |= !priors.noise.empty();
+            survey.grids |= usesGrids(request.bake.surface) && !batch.cloud.grids.empty();
+            survey.add(movedBatch(batch, priors));
+            checkThinning(request, survey.kept += batch.positions.size());
+        },
+        progress);
+}
+
+/// Points that mark missing data are known once a file is read: where there are some, another pass decides without
+/// them. Colours are scaled as in single files, by the largest value of all points.
+StreamFindings surveyPointsWithData(const SetRequest& request, Survey& survey, const ReadProgress& progress) {
+    StreamOptions options = streamOptionsOf(request);
+    StreamFindings all = surveyInputs(request, options, survey, progress);
+    if (all.no_data.empty()) return all;
+    options.no_data = std::move(all.no_data);
+    survey = Survey(request.bake.max_memory);
+    StreamFindings found = surveyInputs(request, options, survey, progress);
+    found.largest_color = std::move(all.largest_color);
+    return found;
+}
+
 } // namespace
 
 StreamOptions streamOptionsOf(const SetRequest& request) {
@@ -230,17 +259,7 @@ SetPlan makePlan(const SetRequest& request, const ReadProgress& progress) {
     plan.bake = request.bake;
     plan.inputs = statesOf(request.inputs); // before reading them
     Survey survey(request.bake.max_memory);
-    std::uint64_t kept = 0;
-    StreamFindings found = readInBatches(
-        request.inputs, streamOptionsOf(request),
-        [&](const PointBatch& batch) {
-            const GridPriors priors = gridPriorsOf(batch, request.bake.surface, PriorKinds::kDepths);
-            survey.noise |= !priors.noise.empty();
-            survey.grids |= usesGrids(request.bake.surface) && !batch.cloud.grids.empty();
-            survey.add(movedBatch(batch, priors));
-            checkThinning(request, kept += batch.positions.size());
-        },
-        progress);
+    StreamFindings found = surveyPointsWithData(request, survey, progress);
     takeFindings(request, found, plan);
     plan.schema = schemaOf(found, survey, request.read.attributes);
     for (std::size_t i = 0; i < found.files.size(); ++i) {
@@ -256,7 +275,7 @@ SetPlan makePlan(const SetRequest& request, const ReadProgress& progress) {
     choice.points_per_tile = request.points_per_tile;
     choice.most_points = mostPointsAtOnce(request.bake.max_memory) / 2; // leaves as much for the halo
     choice.leaves_out_strays = request.bake.surface.remove_outliers;
-    if (kept > choice.most_points && choice.points_per_tile > choice.most_points)
+    if (survey.kept > choice.most_points && choice.points_per_tile > choice.most_points)
         plan.notes.push_back(
             {"--tile-splats", fmt::format("{} points do not fit in a tile with this --max-memory; at most {} do",
                                           choice.points_per_tile, choice.most_points)});

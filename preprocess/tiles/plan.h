@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "preprocess/cloud/cloud.h"
+#include "preprocess/ingest/no_data.h"
 #include "preprocess/octree/octree.h"
 #include "preprocess/surface/decisions.h"
 #include "preprocess/surface/surface_options.h"
@@ -56,6 +57,7 @@ struct PlanScan {
     std::optional<Vec3d> sensor; ///< input coordinates
     std::uint64_t points = 0;    ///< kept points
     float largest_color = 0;     ///< BatchFindings::largest_color; 0 for 16-bit colours: all are black
+    std::vector<NoData> no_data; ///< points that every pass leaves out
 };
 
 struct PlanInput {

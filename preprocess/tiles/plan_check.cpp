@@ -28,6 +28,8 @@ bool isGood(const PlanTile& tile, const SetPlan& plan) {
            tile.points >= 1 && std::isfinite(tile.spacing) && tile.spacing >= 0;
 }
 
+bool isGood(const NoData& no_data) { return no_data.axis >= 0 && no_data.axis < 3 && std::isfinite(no_data.limit); }
+
 bool areBlocks(const std::vector<std::uint32_t>& first_tiles, std::size_t tiles) {
     return !first_tiles.empty() && first_tiles.front() == 0 && first_tiles.back() == tiles &&
            std::is_sorted(first_tiles.begin(), first_tiles.end());
@@ -42,6 +44,9 @@ std::string findPlanFault(const SetPlan& plan) {
     if (!isGood(plan.schema)) return "invalid schema of points";
     for (const PlanTile& tile : plan.tiles)
         if (!isGood(tile, plan)) return "tile " + std::to_string(&tile - plan.tiles.data()) + " is invalid";
+    for (const PlanScan& scan : plan.scans)
+        if (!std::all_of(scan.no_data.begin(), scan.no_data.end(), [](const NoData& each) { return isGood(each); }))
+            return "invalid no_data of a scan";
     if (!areBlocks(plan.first_tile_of_block, plan.tiles.size())) return "blocks do not match the tiles";
     const CloudStatistics& statistics = plan.statistics;
     if (!statistics.noise.empty() && statistics.noise.size() != plan.scans.size())

@@ -113,11 +113,31 @@ PlanSchema schemaOf(const OrderedJson& json) {
     return schema;
 }
 
+/// What decides which points are left out.
+OrderedJson noDataJson(const std::vector<NoData>& no_data) {
+    OrderedJson json = OrderedJson::array();
+    for (const NoData& each : no_data)
+        json.push_back({{"axis", each.axis}, {"is_low", each.is_low}, {"limit", each.limit}});
+    return json;
+}
+
+std::vector<NoData> noDataOf(const OrderedJson& json) {
+    std::vector<NoData> all;
+    for (const OrderedJson& each : json) {
+        NoData& no_data = all.emplace_back();
+        no_data.axis = take<int>(each, "axis");
+        no_data.is_low = take<bool>(each, "is_low");
+        no_data.limit = take<double>(each, "limit");
+    }
+    return all;
+}
+
 OrderedJson scansJson(const std::vector<PlanScan>& scans) {
     OrderedJson json = OrderedJson::array();
     for (const PlanScan& each : scans) {
         json.push_back({{"name", each.name}, {"points", each.points}, {"largest_color", each.largest_color}});
         if (each.sensor) json.back()["sensor"] = vectorJson(*each.sensor);
+        if (!each.no_data.empty()) json.back()["no_data"] = noDataJson(each.no_data);
     }
     return json;
 }
@@ -130,6 +150,7 @@ std::vector<PlanScan> scansOf(const OrderedJson& json) {
         scan.points = take<std::uint64_t>(each, "points");
         scan.largest_color = take<float>(each, "largest_color");
         if (each.contains("sensor")) scan.sensor = vectorOf(each.at("sensor"));
+        if (each.contains("no_data")) scan.no_data = noDataOf(each.at("no_data"));
     }
     return scans;
 }

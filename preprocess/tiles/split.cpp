@@ -73,6 +73,13 @@ StreamFindings findingsOf(const SetPlan& plan) {
     return first_pass;
 }
 
+std::vector<StreamNoData> noDataOf(const SetPlan& plan) {
+    std::vector<StreamNoData> all;
+    for (std::size_t scan = 0; scan < plan.scans.size(); ++scan)
+        for (const NoData& each : plan.scans[scan].no_data) all.push_back({scan, each});
+    return all;
+}
+
 void requireCounts(const SetPlan& plan, const std::vector<std::uint64_t>& counts) {
     for (std::size_t i = 0; i < counts.size(); ++i)
         if (counts[i] != plan.tiles[i].points)
@@ -98,6 +105,7 @@ void splitPoints(const SetPlan& plan, const SetRequest& request, const ReadProgr
     const StreamFindings first_pass = findingsOf(plan);
     StreamOptions stream = streamOptionsOf(request);
     stream.first_pass = &first_pass;
+    stream.no_data = noDataOf(plan);
     const std::optional<Mark> mark = readMark(plan);
     if (mark && writer.resume(mark->bytes))
         stream.start = mark->place;

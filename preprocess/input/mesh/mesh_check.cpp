@@ -45,7 +45,9 @@ std::vector<bool> usedPoints(const Cloud& cloud, const std::vector<ScanRange>& s
     return used;
 }
 
+/// Minor attributes whose values are all 0 are empty until all files are read, and stay so.
 void keepFlaggedValues(Attribute& attribute, const std::vector<bool>& keep) {
+    if (attribute.values.empty()) return;
     const std::size_t size = attribute.bytesEach();
     char* kept = attribute.values.data();
     for (std::size_t i = 0; i < keep.size(); ++i)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/input/points/lzf.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace pointrt {
@@ -15,15 +16,16 @@ void copyBack(std::string& unpacked, std::size_t distance, std::size_t length) {
 
 bool unpackLzf(std::string_view packed, std::size_t unpacked_size, std::string& unpacked) {
     unpacked.clear();
-    unpacked.reserve(unpacked_size);
+    unpacked.reserve(std::min(unpacked_size, packed.size() * kLargestLzfGain));
     std::size_t at = 0;
     const auto byteAt = [&](std::size_t index) -> std::size_t { return static_cast<std::uint8_t>(packed[index]); };
     while (at < packed.size()) {
         const std::size_t control = byteAt(at++);
         if (control < 32) { // control + 1 literal bytes
             const std::size_t length = control + 1;
-            if (length > packed.size() - at || length > unpacked_size - unpacked.size()) return false;
+            if (length > unpacked_size - unpacked.size()) return false;
             unpacked.append(packed.substr(at, length));
+            if (length > packed.size() - at) return false;
             at += length;
             continue;
         }

@@ -111,20 +111,35 @@ void readBytes(const PcdHeader& header, const char* bytes, std::uint64_t points,
     }
 }
 
-std::string unpackBody(const InputFile& input, const PcdHeader& header) {
+/// Points whose values of all fields lie within the first bytes of the fields' columns.
+std::uint64_t wholePoints(const PcdHeader& header, const std::string& bytes) {
+    std::uint64_t points = header.points;
+    for (const FieldBytes& field : layOut(header, bytes.data())) {
+        const auto first = static_cast<std::size_t>(field.first - bytes.data());
+        points = std::min<std::uint64_t>(points, first < bytes.size() ? (bytes.size() - first) / field.stride : 0);
+    }
+    return points;
+}
+
+/// @param points receives the number of points that are there
+std::string unpackBody(const InputFile& input, const PcdHeader& header, Sink& sink, std::uint64_t& points) {
     // Two 32-bit sizes: of the compressed and of the uncompressed bytes.
     if (header.body.size() < 8) refuse(input, "truncated: the sizes of the compressed data are missing");
     const auto packed_size = static_cast<std::size_t>(loadScalar(header.body.data(), Scalar::kU32, false));
     const auto size = static_cast<std::size_t>(loadScalar(header.body.data() + 4, Scalar::kU32, false));
     const std::string_view packed = header.body.substr(8);
-    if (packed_size > packed.size())
-        refuse(input, fmt::format("truncated: found {} of {} compressed bytes", packed.size(), packed_size));
     if (size / header.point_size != header.points || size % header.point_size != 0)
         refuse(input, fmt::format("{} points of {} bytes do not make the {} bytes announced", header.points,
                                   header.point_size, size));
     std::string bytes;
-    if (size > packed_size * kLargestLzfGain || !unpackLzf(packed.substr(0, packed_size), size, bytes))
+    const bool is_cut = packed_size > packed.size();
+    const bool can_be = size <= packed_size * kLargestLzfGain;
+    if (!can_be || (!unpackLzf(packed.substr(0, packed_size), size, bytes) && !is_cut))
         refuse(input, "the compressed data is invalid");
+    if (!is_cut) return bytes;
+    points = wholePoints(header, bytes);
+    sink.acceptShort(input, points, header.points,
+                     fmt::format("truncated to {} of {} compressed bytes", packed.size(), packed_size));
     return bytes;
 }
 
@@ -146,10 +161,11 @@ std::uint64_t checkBodySize(const InputFile& input, const PcdHeader& header, Sin
     return header.points;
 }
 
-ScanTraits traitsOf(const PcdHeader& header) {
+/// points: that are there, if they are compressed
+ScanTraits traitsOf(const PcdHeader& header, std::uint64_t points) {
     ScanTraits traits;
-    traits.vertices = std::min<std::uint64_t>(header.points,
-                                              header.data == PcdData::kCompressed ? header.points : header.body.size());
+    traits.vertices =
+        header.data == PcdData::kCompressed ? points : std::min<std::uint64_t>(header.points, header.body.size());
     traits.faces = false;
     traits.columns = header.columns;
     for (const PcdField& field : header.fields) {
@@ -174,15 +190,15 @@ bool isPcdStart(std::string_view bytes) { return bytes.starts_with("# .PCD"); }
 
 void readPcd(const InputFile& input, Sink& sink) {
     const PcdHeader header = readPcdHeader(input);
-    const std::uint64_t points = checkBodySize(input, header, sink);
+    std::uint64_t points = checkBodySize(input, header, sink);
     std::string unpacked;
-    if (header.data == PcdData::kCompressed) unpacked = unpackBody(input, header);
+    if (header.data == PcdData::kCompressed) unpacked = unpackBody(input, header, sink, points);
     if (!header.unread.empty())
         sink.note(input, "fields with more than 4 components or a duplicate name are not read: " + header.unread);
-    sink.beginScan(input, traitsOf(header));
+    sink.beginScan(input, traitsOf(header, points));
     sink.setScanSensor(header.sensor);
-    if (header.data == PcdData::kCompressed ||
-        header.points <= header.body.size()) // cells take no more memory than the file
+    const std::uint64_t bytes = std::max(unpacked.size(), header.body.size());
+    if (header.points <= bytes) // cells take no more memory than the file or what it unpacks to
         beginGrid(sink, header.grid_rows, header.grid_columns);
     if (header.data == PcdData::kAscii)
         readAscii(input, header, sink);

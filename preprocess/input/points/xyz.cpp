@@ -22,12 +22,12 @@ struct RowReader {
     std::size_t needed = 0;       ///< number of columns up to the last required number
     std::uint64_t not_number = 0; ///< missing or malformed optional values so far
     std::uint64_t missing = 0;    ///< rows that lack a required number
-    bool commas = false;          ///< a decimal comma was met
+    NumberStyle style;            ///< of the numbers so far
     bool salvages = false;        ///< ignore a last line that the end of the file cuts
     bool is_cut = false;          ///< it did
 
     RowReader(const InputFile& from, const Layout& how, std::vector<Need> what)
-        : input(from), layout(how), needs(std::move(what)), values(needs.size()) {
+        : input(from), layout(how), needs(std::move(what)), values(needs.size()), style(how.style) {
         for (std::size_t i = 0; i < needs.size(); ++i)
             if (needs[i] == Need::kNumber) needed = i + 1;
     }
@@ -56,21 +56,37 @@ struct RowReader {
 
 private:
     bool takeNumber(std::string_view line, std::string_view field, double& value) {
-        if (wholeNumber(field, value)) {
-            if (commas && field.find('.') != field.npos) refuseMixed(line);
-            return true;
+        if (style.isPlain() ? wholeNumber(field, value) : styledNumber(field, style, value)) return true;
+        if (!isAnyNumber(field)) return false;
+        takeStyle(line, field);
+        return styledNumber(field, style, value);
+    }
+
+    /// Takes the style of a number that does not fit that of the numbers before it. Throws Error if the two differ
+    /// about these, or if the number may be in several.
+    void takeStyle(std::string_view line, std::string_view field) {
+        const NumberStyle* found = nullptr;
+        double value = 0;
+        for (const NumberStyle& other : numberStyles()) {
+            if (!styledNumber(field, other, value) || !mayBecome(other, line)) continue;
+            if (found && found->decimal != other.decimal) refuseMixed(line);
+            if (!found) found = &other;
         }
-        if (!commaNumber(field, value)) return false;
+        if (!found) refuseMixed(line);
+        style = *found;
+    }
+
+    /// Whether the numbers before a line are the same in another style.
+    bool mayBecome(const NumberStyle& other, std::string_view line) const {
+        if (!style.group.empty()) return false;
         const std::string_view before =
             layout.data.substr(0, static_cast<std::size_t>(line.data() - layout.data.data()));
-        if (!commas && before.find('.') != before.npos) refuseMixed(line);
-        commas = true;
-        return true;
+        return other.decimal == style.decimal || (style.isPlain() && before.find('.') == before.npos);
     }
 
     [[noreturn]] void refuseMixed(std::string_view line) const {
         refuseLine(input, line.data(),
-                   "mixes decimal commas, such as 1,5, with decimal points or thousands separators");
+                   "mixes decimal commas, decimal points and thousands separators: 1,234 may be either");
     }
 };
 
@@ -180,8 +196,7 @@ void nameAttributes(const InputFile& input, Layout& layout, Sink& sink) {
     Fields fields{layout.first_line, layout.delimiter};
     std::string_view field;
     for (std::size_t i = 0; i < layout.names.size(); ++i) {
-        double value = 0;
-        const bool is_word = fields.next(field) && !field.empty() && !wholeNumber(field, value);
+        const bool is_word = fields.next(field) && !field.empty() && !isAnyNumber(field);
         if (layout.dimensions[i] != kIgnored) continue;
         if (!is_word && addAttribute(layout, i, fullName(layout.names[i]), names)) continue;
         if (unread.size() < 80) unread += (unread.empty() ? "" : ", ") + inQuotes(layout.names[i]); // about one line
@@ -228,6 +243,10 @@ std::uint64_t addPoints(RowReader& reader, Sink& sink) {
 
 void readXyz(const InputFile& input, Sink& sink) {
     Layout layout = readPrologue(input);
+    const NumberSurvey numbers = surveyNumbers(layout);
+    layout.style = numbers.style();
+    if (numbers.isAmbiguous())
+        sink.note(input, "has commas before three digits, as in 1,234: they are read as decimal commas");
     if (layout.named())
         nameAttributes(input, layout, sink);
     else

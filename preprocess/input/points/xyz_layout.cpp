@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "preprocess/ingest/axis_names.h"
+#include "preprocess/ingest/number_style.h"
 #include "preprocess/ingest/table.h"
 
 namespace pointrt {
@@ -46,12 +47,10 @@ LineShape shapeOf(std::string_view line, char delimiter) {
     LineShape shape;
     Fields fields{line, delimiter};
     for (std::string_view field; fields.next(field); ++shape.fields) {
-        double value = 0;
         std::uint64_t count = 0;
         if (shape.fields == 0) shape.whole = wholeInteger(field, count);
         if (shape.numbers == 0) shape.first = shape.fields;
-        if (shape.first + shape.numbers == shape.fields && (wholeNumber(field, value) || commaNumber(field, value)))
-            ++shape.numbers;
+        if (shape.first + shape.numbers == shape.fields && isAnyNumber(field)) ++shape.numbers;
     }
     return shape;
 }
@@ -88,7 +87,28 @@ void takeFirstPoint(std::string_view data, std::string_view line, char delimiter
     layout.first_line = trimmedRecord(line, layout.delimiter);
 }
 
+/// Whether a column of the first point is read as a number: if no header says so, all of its first run are.
+bool isNumberColumn(const Layout& layout, std::size_t column) {
+    if (layout.named()) return column < layout.dimensions.size() && layout.dimensions[column] != kIgnored;
+    return column >= layout.first && column < layout.first + layout.columns;
+}
+
 } // namespace
+
+NumberSurvey surveyNumbers(const Layout& layout) {
+    constexpr int kRecords = 1000; // enough for a number that only one style fits
+    NumberSurvey survey;
+    std::string_view rest = layout.data, record;
+    for (int i = 0; i < kRecords && nextRecord(rest, record, layout.delimiter); ++i) {
+        const std::string_view trimmed = trimmedRecord(record, layout.delimiter);
+        if (commentText(trimmed)) continue;
+        Fields fields{trimmed, layout.delimiter};
+        std::string_view field;
+        for (std::size_t column = 0; column < kMaxColumns && fields.next(field); ++column)
+            if (isNumberColumn(layout, column)) survey.add(field);
+    }
+    return survey;
+}
 
 Layout readPrologue(const InputFile& input) {
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";

@@ -9,6 +9,7 @@
 #include "preprocess/ingest/attribute_names.h"
 #include "preprocess/ingest/dimensions.h"
 #include "preprocess/ingest/input_file.h"
+#include "preprocess/ingest/number_style.h"
 #include "preprocess/ingest/scan_traits.h"
 
 namespace pointrt {
@@ -27,6 +28,7 @@ struct Layout {
     bool described = false;   ///< words follow them
     bool north_first = false; ///< y precedes x
     bool degrees = false;     ///< x and y are named longitude and latitude
+    NumberStyle style;        ///< of the first points' numbers
 
     std::vector<ColumnTraits> attributes;
     std::vector<std::size_t> attribute_columns; ///< column of each attribute
@@ -38,6 +40,9 @@ struct Layout {
 
 /// Reads the lines before the first point. Throws Error if there is no point, or an invalid line before it.
 Layout readPrologue(const InputFile& input);
+
+/// How numbers of the first points are written.
+NumberSurvey surveyNumbers(const Layout& layout);
 
 /// Makes a column an untyped attribute. Returns false if its name is taken.
 bool addAttribute(Layout& layout, std::size_t column, std::string_view name, AttributeNames& names);

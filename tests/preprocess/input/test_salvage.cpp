@@ -78,6 +78,30 @@ TEST_F(SalvageTest, LazThatEndsEarly) {
     }
 }
 
+TEST_F(SalvageTest, WholeChunksOfLayeredLaz) {
+    if (!hasLaz()) GTEST_SKIP() << "this build has no LAZ";
+    // our writer's chunks have 50,000 points, the last one the rest
+    const std::string good = test::writeLas(6, records(lasRecordBytes(6), 120'000), true);
+    const Cloud whole = read(write("whole.laz", good));
+    std::size_t seen = 0;
+    for (const double share : {0.99, 0.7, 0.5, 0.2}) {
+        const std::string path =
+            write("a.laz", good.substr(0, static_cast<std::size_t>(share * static_cast<double>(good.size()))));
+        const std::size_t expected = share > 0.9 ? 100'000 : share > 0.45 ? 50'000 : 0;
+        if (expected == 0) {
+            EXPECT_HAS(reasonOf(path), "a.laz: ");
+            continue;
+        }
+        EXPECT_HAS(reasonOf(path), fmt::format("{} of 120000 points *--salvage", expected));
+        const Cloud cloud = readInputs({path}, salvaging());
+        ASSERT_EQ(cloud.positions.size(), expected) << share;
+        for (std::size_t i = 0; i < expected; i += 97) ASSERT_EQ(world(cloud, i), world(whole, i)) << i;
+        EXPECT_HAS(notesOf(cloud), fmt::format("{} of 120000 points", expected));
+        ++seen;
+    }
+    EXPECT_EQ(seen, 3u);
+}
+
 TEST_F(SalvageTest, LazThatPromisesMore) {
     if (!hasLaz()) GTEST_SKIP() << "this build has no LAZ";
     std::string bytes = test::writeLas(0, records(20, 500), true);
@@ -128,6 +152,31 @@ TEST_F(SalvageTest, Pcd) {
     promise.replace(promise.find("WIDTH 2\nHEIGHT 2\nPOINTS 4"), 25,
                     "WIDTH 4000000000\nHEIGHT 4000000\nPOINTS 16000000000000000");
     EXPECT_EQ(readInputs({write("f.pcd", promise)}, salvaging()).positions.size(), 4u);
+}
+
+TEST_F(SalvageTest, CompressedPcd) {
+    const std::string head = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 2\nHEIGHT 2\n"
+                             "POINTS 4\nDATA binary_compressed\n";
+    std::string columns; // x, y and z of all points, one after another
+    for (const float value : {0.f, 1.f, 1.f, 0.f, 0.f, 0.f, 1.f, 1.f, 0.f, 0.f, 0.f, 1.5f}) columns += bytesOf(value);
+    const std::string packed = '\x1f' + columns.substr(0, 32) + '\x0f' + columns.substr(32);
+    const auto sizes = [](std::size_t bytes) {
+        return bytesOf(static_cast<std::uint32_t>(bytes)) + bytesOf(std::uint32_t{48});
+    };
+    const std::string good = head + sizes(packed.size()) + packed;
+    expectSalvaged("a.pcd", good.substr(0, good.size() - 1), 3, 4, Vec3d(1, 1, 0));
+    expectSalvaged("b.pcd", good.substr(0, good.size() - 5), 2, 4, Vec3d(1, 0, 0));
+    salvagePrefixes("c.pcd", good, 4);
+    // without any z there is no whole point
+    EXPECT_HAS(reasonOf(write("d.pcd", good.substr(0, good.size() - 13))), "d.pcd: truncated *0 of 4 points");
+    // z repeats y of the first three points; the bytes of the last one are cut
+    const std::string back = '\x1f' + columns.substr(0, 32) + std::string("\xe0\x03\x0f", 3) + '\x03' + bytesOf(1.5f);
+    expectSalvaged("e.pcd", head + sizes(back.size()) + back.substr(0, back.size() - 2), 3, 4, Vec3d(1, 1, 1));
+    // what a cut file promises takes no memory
+    std::string promise = head;
+    promise.replace(promise.find("WIDTH 2\nHEIGHT 2\nPOINTS 4"), 25, "WIDTH 20000\nHEIGHT 15000\nPOINTS 300000000");
+    promise += bytesOf(std::uint32_t{50'000'000}) + bytesOf(std::uint32_t{3'600'000'000}) + packed;
+    EXPECT_HAS(reasonOf(write("f.pcd", promise)), "f.pcd: truncated *0 of 300000000 points");
 }
 
 TEST_F(SalvageTest, Ptx) {

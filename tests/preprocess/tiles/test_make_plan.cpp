@@ -49,6 +49,11 @@ TEST_F(SetTest, APlanIsReadAsItWasWritten) {
     const std::string before = bytesOf(planFile(plan.work));
     writePlan(read);
     EXPECT_EQ(bytesOf(planFile(plan.work)), before);
+    std::string axis = before;
+    axis.replace(axis.find("\"points\":3000,\"largest_color\""), 0,
+                 R"("no_data":[{"axis":3,"is_low":true,"limit":-5000.0}],)");
+    std::ofstream(planFile(plan.work)) << axis;
+    EXPECT_HAS(reasonOf([&] { readPlan(plan.work); }, ExitCode::kBadInput), "no_data");
     for (const char* damage : {"", "{", "[]", "{\"version\":1}", "{\"version\":2}"}) {
         std::ofstream(planFile(plan.work)) << damage;
         reasonOf([&] { readPlan(plan.work); }, ExitCode::kBadInput);

@@ -26,6 +26,44 @@ void addRows(const Cloud& cloud, Rows& rows) {
     }
 }
 
+Rows rowsOf(const SetPlan& plan) {
+    Rows rows;
+    for (std::uint32_t tile = 0; tile < plan.tiles.size(); ++tile) addRows(readBucket(plan, tile), rows);
+    std::sort(rows.begin(), rows.end());
+    return rows;
+}
+
+TEST_F(SetTest, MissingDataIsLeftOutAsOfFiles) {
+    // wide enough that a tile's cube holds z = 9999: only the plan's limits keep these points out
+    std::string good = "x,y,z,intensity\n", marked = good;
+    for (int i = 0; i < 2000; ++i)
+        good += i % 20 == 1 ? "0,0,0,7\n" : fmt::format("{},{},{},{}\n", 5000 + i % 40, 7000 + i / 40, i % 5, i);
+    for (int i = 0; i < 3000; ++i)
+        marked +=
+            fmt::format("{},{},{},{}\n", 5000 + 1000 * (i % 50), 7000 + i / 50, i % 10 == 0 ? 9999 : i % 7, 1000 + i);
+    const SetRequest request = requestOf({folder.write("a.csv", good), folder.write("b.csv", marked)});
+    const SetPlan plan = splitInto("A.proset", request);
+    const Cloud whole = readInputs(request.inputs, request.read);
+    EXPECT_EQ(whole.points_no_data, 400u);
+    EXPECT_EQ(plan.points, 4600u);
+    EXPECT_EQ(plan.points_filtered, 400u);
+    EXPECT_LE(plan.bounds.max().z(), 6);
+    EXPECT_EQ(plan.bounds.min().x(), 5000);
+    Rows expected;
+    addRows(whole, expected);
+    std::sort(expected.begin(), expected.end());
+    EXPECT_EQ(rowsOf(plan), expected);
+    ASSERT_EQ(plan.notes.size(), 2u); // the third of single files is about their sizes
+    ASSERT_EQ(whole.notes.size(), 3u);
+    for (std::size_t i = 0; i < plan.notes.size(); ++i) EXPECT_EQ(plan.notes[i].text, whole.notes[i].text);
+    // another process splits by what the plan's file says
+    const SetPlan read = readPlan(plan.work);
+    removeTree(splitMark(plan));
+    removeTree(bucketsFolder(plan));
+    splitPoints(read, request);
+    EXPECT_EQ(rowsOf(read), expected);
+}
+
 TEST_F(SetTest, EveryPointIsInTheBucketOfItsCore) {
     const SetRequest request = requestOf({writeHill("a.csv", 6000), writeHill("b.csv", 2000, -50)});
     const SetPlan plan = splitInto("A.proset", request);

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "set_fixture.h"
+#include "tests/support/las_file.h"
 #include "tests/support/says.h"
 
 namespace pointrt {
@@ -66,6 +67,41 @@ TEST_F(SetTest, BatchesEqualReadingAtOnce) {
     EXPECT_EQ(batches.scans.back(), 1u);
     ASSERT_EQ(found.cloud.attributes.size(), 1u); // the scan number is added elsewhere
     ASSERT_EQ(whole.attributes.front().name, "reading");
+}
+
+TEST_F(SetTest, PointsWithoutDataAreLeftOutOfALaterPass) {
+    test::LasParts parts;
+    std::string grid = "20\n20\n0 0 9\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n";
+    for (int i = 0; i < 400; ++i) {
+        const bool marked = i % 8 == 3;
+        parts.points.push_back(test::lasPoint(20, i % 20, i / 20, marked ? -32768 : i % 5, 0));
+        grid += marked ? "9999 9999 9999 1\n" : fmt::format("{} {} {} 1\n", 1 + i / 20, 1 + i % 20, i % 5);
+    }
+    parts.scale = 1;
+    const std::vector<std::string> files = {folder.write("a.las", parts.bytes()), folder.write("b.ptx", grid)};
+    StreamOptions options;
+    options.batch_points = 64;
+    const StreamFindings all = readInBatches(files, options, [](const PointBatch&) {});
+    EXPECT_EQ(all.scan_points, (std::vector<std::uint64_t>{400, 400}));
+    options.no_data = all.no_data;
+    std::vector<Vec3d> positions;
+    std::size_t cells = 0;
+    const StreamFindings found = readInBatches(files, options, [&](const PointBatch& batch) {
+        positions.insert(positions.end(), batch.positions.begin(), batch.positions.end());
+        for (const RangeGrid& each : batch.cloud.grids)
+            cells += static_cast<std::size_t>(
+                std::count(each.point_of_cell.begin(), each.point_of_cell.end(), RangeGrid::kFilteredOut));
+    });
+    EXPECT_EQ(found.scan_points, (std::vector<std::uint64_t>{350, 350}));
+    EXPECT_EQ(found.cloud.points_no_data, 100u);
+    EXPECT_EQ(found.cloud.points_filtered, 0u);
+    EXPECT_EQ(found.no_data.size(), all.no_data.size());
+    EXPECT_EQ(cells, 50u);
+    const Cloud whole = readInputs(files, {});
+    EXPECT_EQ(whole.points_no_data, 100u);
+    ASSERT_EQ(positions.size(), whole.positions.size());
+    for (std::size_t i = 0; i < whole.positions.size(); ++i)
+        EXPECT_EQ(positions[i], Vec3d(whole.origin + whole.positions[i].cast<double>()));
 }
 
 TEST_F(SetTest, AReadingResumesAfterAnyFile) {

@@ -53,8 +53,43 @@ TEST_F(TableTest, DecimalCommasAreRead) {
 TEST_F(TableTest, MixedDecimalMarksAreRefused) {
     EXPECT_HAS(reasonOfText("a.csv", "x;y;z\n1,5;2,5;3,5\n1.5;2;3\n"), "a.csv:3: *decimal commas");
     EXPECT_HAS(reasonOfText("b.csv", "x;y;z\n1.5;2.5;3.5\n1;2,5;3\n"), "b.csv:3: *decimal commas");
-    EXPECT_HAS(reasonOfText("c.csv", "x;y;z\n1.234,5;2;3\n"), "c.csv:2: *column 1");
-    EXPECT_HAS(reasonOfText("d.csv", "x,y,z\n\"1,234,567\",2,3\n"), "d.csv:2: *column 1");
+    EXPECT_HAS(reasonOfText("c.csv", "x;y;z\n1,234.5;2;3\n1.234,5;2;3\n"), "c.csv:3: *decimal commas");
+    EXPECT_HAS(reasonOfText("d.csv", "x;y;z\n1'234.5;2;3\n1 234.5;2;3\n"), "d.csv:3: *thousands");
+    EXPECT_HAS(reasonOfText("e.csv", "x;y;z\n1,23,456;2;3\n"), "e.csv:2: *column 1");
+    EXPECT_HAS(reasonOfText("f.csv", "x;y;z\n1.5;2;3\n0,123;2;3\n"), "f.csv:3: *decimal commas");
+}
+
+TEST_F(TableTest, ThousandsSeparatorsAreRead) {
+    const std::vector<Vec3d> points = {{512345.5, 5403210.25, 350}, {-1234, 999.5, 1000}};
+    expectPoints("x;y;z\n512,345.5;5,403,210.25;350\n-1,234;999.5;1,000\n", points);
+    expectPoints("x;y;z\n512.345,5;5.403.210,25;350\n-1.234;999,5;1.000\n", points);
+    expectPoints("x,y,z\n\"512,345.5\",\"5,403,210.25\",350\n\"-1,234\",999.5,\"1,000\"\n", points);
+    expectPoints("x,y,z\n\"512.345,5\",\"5.403.210,25\",\"350\"\n\"-1.234\",\"999,5\",\"1.000\"\n", points);
+    expectPoints("x,y,z\n512'345.5,5'403'210.25,350\n-1'234,999.5,1'000\n", points);
+    expectPoints("512'345.5 5'403'210.25 350\n-1'234 999.5 1'000\n", points);
+    expectPoints("512,345.5 5,403,210.25 350\n-1,234 999.5 1,000\n", points);
+    expectPoints("x\ty\tz\n512 345,5\t5 403 210,25\t350\n-1 234\t999,5\t1 000\n", points);
+    expectPoints("512 345,5\t5 403 210,25\t350\n-1 234\t999,5\t1 000\n", points);
+    for (const std::string group :
+         {"\xc2\xa0", "\xe2\x80\xaf", "\xe2\x80\x99"}) // blanks that do not break, Swiss quote
+        expectPoints("x;y;z\n512" + group + "345,5;5" + group + "403" + group + "210,25;350\n-1234;999,5;1" + group +
+                         "000\n",
+                     points);
+    // the separators come late: nothing before them reads differently
+    expectPoints("x;y;z\n1;2;3.5\n1,234;2;3\n", {{1, 2, 3.5}, {1234, 2, 3}});
+    expectPoints("1 200\t3\n4 5\t6\n", {{1, 200, 3}, {4, 5, 6}});
+}
+
+TEST_F(TableTest, CommasThatMayBeEitherAreSaid) {
+    const Cloud cloud = readText("a.csv", "x;y;z\n1,250;2,500;3\n");
+    EXPECT_EQ(world(cloud, 0), Vec3d(1.25, 2.5, 3));
+    EXPECT_HAS(notesOf(cloud), "a.csv: *1,234*decimal commas");
+    EXPECT_EQ(notesOf(readText("b.csv", "x;y;z\n1,234;2,5;3\n")), "");
+    // behind the numbers that are surveyed
+    std::string text = "x;y;z\n";
+    for (int i = 0; i < 1000; ++i) text += fmt::format("{};{};7\n", i % 999, i);
+    EXPECT_HAS(reasonOfText("c.csv", text + "1,234;2;3\n"), "c.csv:1002: *1,234 may be either");
+    EXPECT_EQ(readText("d.csv", text + "1,5;2;3\n").positions.size(), 1001u);
 }
 
 TEST_F(TableTest, MissingCoordinatesLeaveThePointOut) {
