@@ -12,10 +12,10 @@
 
 namespace pointrt::surface {
 
-/// A kd-tree over a copy of positions. It divides and visits them in the order of FLANN's KDTreeSingleIndex, in half the
-/// time: it is built on all threads, measures the points of a leaf at once and calls no virtual functions. Searches are
-/// exact and may run on any number of threads at once; among equally distant points, the lower index comes first, unless
-/// more points than wanted are at the very place.
+/// A kd-tree over a copy of positions. It divides and visits them in the order of FLANN's KDTreeSingleIndex, in half
+/// the time: it is built on all threads, measures the points of a leaf at once and calls no virtual functions. Searches
+/// are exact and may run on any number of threads at once; among equally distant points, the lower index comes first,
+/// unless more points than wanted are at the very place.
 class NearestSearch {
 public:
     explicit NearestSearch(const std::vector<Vec3f>& positions);
