@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Neighbour lists of all points, which later stages share.
+// Nearest neighbours: a kd-tree, and neighbour lists of all points, which later stages share.
 #pragma once
 
 #include <cmath>
@@ -11,19 +11,41 @@
 #include <utility>
 #include <vector>
 
-#include "preprocess/surface/nearest_search.h"
 #include "preprocess/surface/parallel_stages.h"
 #include "preprocess/surface/point_set.h"
 
 namespace pointrt::surface {
 
-/// Squared distance, summed in NearestSearch's order: the same bits.
+/// Squared distance, summed in FLANN's order: the same bits.
 inline float squaredDistance(const Vec3f& a, const Vec3f& b) {
     const float x = a.x() - b.x(), y = a.y() - b.y(), z = a.z() - b.z();
     return x * x + y * y + z * z;
 }
 
 inline float distanceBetween(const Vec3f& a, const Vec3f& b) { return std::sqrt(squaredDistance(a, b)); }
+
+/// FLANN's single kd-tree over positions, which must outlive it unchanged. Searches are exact and may run on any number
+/// of threads at once; among equally distant points, the lower index comes first.
+class NearestSearch {
+public:
+    explicit NearestSearch(const std::vector<Vec3f>& positions);
+    ~NearestSearch();
+    NearestSearch(NearestSearch&&) noexcept;
+    NearestSearch& operator=(NearestSearch&&) noexcept;
+
+    /// Finds the points nearest to query, nearest first, at most as many as fit into indices, with squared distances
+    /// below squared_limit. squared_distances is as long as indices. Returns their number.
+    std::size_t nearest(const Vec3f& query, std::span<std::uint32_t> indices, std::span<float> squared_distances,
+                        float squared_limit = std::numeric_limits<float>::max()) const;
+
+    /// Finds all points nearer to query than the root of squared_radius, in any order. Returns their number, or
+    /// indices.size() + 1 if they do not fit: then some are missing.
+    std::size_t within(const Vec3f& query, float squared_radius, std::span<std::uint32_t> indices) const;
+
+private:
+    struct Tree;
+    std::unique_ptr<Tree> tree_;
+};
 
 /// Leaves new elements uninitialised, so that the threads that fill a large array also touch its memory first.
 template <typename T>

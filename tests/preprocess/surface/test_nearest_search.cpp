@@ -5,7 +5,6 @@
 #include <array>
 #include <random>
 
-#include "preprocess/surface/nearest_search.h"
 #include "preprocess/surface/neighbors.h"
 
 namespace pointrt::test {
