@@ -53,12 +53,14 @@ AlgebraicSphere fitSphere(const Neighborhood& around, const AlgebraicSphere& fro
 }
 
 float supportOf(const Neighborhood& around, const AlgebraicSphere& sphere, float distance) {
-    Lanes near = Lanes::Zero();
+    std::uint32_t near = 0;
     for (std::size_t group = 0; group < around.laneGroups(); ++group) {
         const Lanes off = distancesFrom(around, group, sphere).abs();
-        near += (off < distance && Neighborhood::lanes(around.weight, group) > 0).cast<float>();
+        const float* weights = &around.weight[group * kLaneCount];
+        for (std::size_t lane = 0; lane < kLaneCount; ++lane)
+            near += std::uint32_t(off[Eigen::Index(lane)] < distance) & std::uint32_t(weights[lane] > 0);
     }
-    return near.sum() / float(around.count);
+    return float(near) / float(around.count);
 }
 
 Vec3f projectOrigin(const AlgebraicSphere& sphere) {

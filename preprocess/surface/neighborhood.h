@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <span>
-#include <tuple>
 #include <vector>
 
 #include "preprocess/surface/neighbors.h"
@@ -71,8 +70,8 @@ private:
     bool fetchRun(std::size_t begin, std::size_t end);
     void gather(std::size_t point);
     void sortByCell(std::size_t point, std::size_t count);
-    void measure(const Vec3f& from);
-    std::size_t keepNear(std::size_t point);
+    void measure(const Vec3f& from, const Vec3f& normal);
+    std::size_t keepNear(float squared_radius);
     void fill(std::size_t point);
 
     const PointSet& points_;
@@ -81,9 +80,9 @@ private:
     const std::vector<float>& radii_;
     std::vector<std::uint32_t> found_;
     std::size_t found_count_ = 0;
-    std::vector<float> x_, y_, z_, squared_;
+    std::vector<float> x_, y_, z_, nx_, ny_, nz_, squared_, cosines_;
     std::vector<std::uint32_t> kept_;
-    std::vector<std::tuple<std::uint64_t, float, std::uint32_t>> order_; ///< cell, squared distance, index in found_
+    std::vector<std::uint64_t> keys_, sorted_keys_; ///< of kept_, for sortByCell
     Neighborhood around_;
 };
 

@@ -175,10 +175,14 @@ NeighborLists findNeighbors(const PointSet& points, const NearestSearch& search,
 void keepNeighbors(NeighborLists& lists, const std::vector<std::uint8_t>& keep, const PointSet& points,
                    const NearestSearch& search) {
     const std::vector<std::uint32_t> renumbered = newIndices(keep);
-    Found found(lists.k);
+    std::vector<std::uint32_t> incomplete;
     for (std::size_t i = 0; i < keep.size(); ++i)
-        if (keep[i] && !moveList(lists, i, renumbered[i], renumbered))
-            findOne(points, search, renumbered[i], found, lists);
+        if (keep[i] && !moveList(lists, i, renumbered[i], renumbered)) incomplete.push_back(renumbered[i]);
+    const StageProgress silent;
+    forRanges(incomplete.size(), {silent, ""}, [&](std::size_t begin, std::size_t end) {
+        Found found(lists.k);
+        for (std::size_t i = begin; i < end; ++i) findOne(points, search, incomplete[i], found, lists);
+    });
     lists.indices.resize(points.size() * lists.k);
     lists.spacings.resize(points.size());
     lists.thinned.resize(points.size());

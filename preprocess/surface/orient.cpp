@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include "format/base/error.h"
@@ -165,28 +166,36 @@ void turnComponents(Components& components, PointSet& points, const NeighborList
 /// Votes for pairs of components: above 0 they agree on the outside, below 0 one has to be flipped.
 using SheetVotes = std::map<std::pair<std::uint32_t, std::uint32_t>, int>;
 
-/// Votes of sampled points that have another component a few spacings away along their normal. Skips the points of the
-/// component with the largest area: the other one of each pair votes.
-SheetVotes voteOnSheets(const Components& components, const PointSet& points, const NearestSearch& search) {
-    constexpr std::size_t kStep = 16;   // samples one point in so many
+/// Votes of a point that has another component a few spacings away along its normal.
+void voteAt(std::uint32_t point, const Components& components, const PointSet& points, const NearestSearch& search,
+            SheetVotes& votes) {
     constexpr std::size_t kAround = 64; // up to 4.5 spacings away
     std::array<std::uint32_t, kAround> found;
     std::array<float, kAround> squared;
-    SheetVotes votes;
+    const std::uint32_t own = components.of_point[point];
+    const std::size_t count = search.nearest(points.positions[point], found, squared);
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::uint32_t other = components.of_point[found[k]];
+        if (other == own) continue;
+        const Agreement agreement = agreementOf(points, point, found[k]);
+        if (agreement.sheets) votes[std::minmax(own, other)] += agreement.opposite ? -1 : 1;
+    }
+}
+
+/// Votes of sampled points. Skips the points of the component with the largest area: the other one of each pair votes.
+SheetVotes voteOnSheets(const Components& components, const PointSet& points, const NearestSearch& search) {
+    constexpr std::size_t kStep = 16; // samples one point in so many
     const auto by_area = [](const Component& a, const Component& b) { return a.area < b.area; };
     const auto largest =
         std::uint32_t(std::max_element(components.all.begin(), components.all.end(), by_area) - components.all.begin());
-    for (std::uint32_t i = 0; i < points.size(); i += kStep) {
-        const std::uint32_t own = components.of_point[i];
-        if (own == largest) continue;
-        const std::size_t count = search.nearest(points.positions[i], found, squared);
-        for (std::size_t k = 0; k < count; ++k) {
-            const std::uint32_t other = components.of_point[found[k]];
-            if (other == own) continue;
-            const Agreement agreement = agreementOf(points, i, found[k]);
-            if (agreement.sheets) votes[std::minmax(own, other)] += agreement.opposite ? -1 : 1;
-        }
-    }
+    tbb::enumerable_thread_specific<SheetVotes> votes_of_threads;
+    tbb::parallel_for(std::size_t(0), (points.size() + kStep - 1) / kStep, [&](std::size_t sample) {
+        const auto point = std::uint32_t(sample * kStep);
+        if (components.of_point[point] != largest) voteAt(point, components, points, search, votes_of_threads.local());
+    });
+    SheetVotes votes;
+    for (const SheetVotes& some : votes_of_threads)
+        for (const auto& [pair, vote] : some) votes[pair] += vote;
     return votes;
 }
 

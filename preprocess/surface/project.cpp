@@ -136,9 +136,7 @@ std::vector<std::uint8_t> fitQuadrics(Projection& job, const StageShare& share) 
 
 ProjectionReport projectPoints(PointGraph& graph, float strength, const StageShare& share) {
     PointSet& points = graph.points;
-    // the search keeps using the memory that it was built over
-    const std::vector<Vec3f> places = std::move(points.positions);
-    points.positions = places;
+    const std::vector<Vec3f> places = points.positions;
 
     Projection job{graph, places, supportRadii(graph.lists, points.noise, strength)};
     const double step = (share.to - share.from) / (kRounds + 1);
@@ -153,7 +151,7 @@ ProjectionReport projectPoints(PointGraph& graph, float strength, const StageSha
     ProjectionReport report;
     report.off_surface = fitQuadrics(job, part(kRounds));
     for (std::size_t i = 0; i < points.size(); ++i) report.moved += places[i] != points.positions[i];
-    graph.search.reset(); // its memory goes with places
+    graph.search.reset(); // it is over the places before
     return report;
 }
 

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <random>
+
+#include "preprocess/surface/neighbors.h"
+
+namespace pointrt::test {
+namespace {
+
+using namespace surface;
+using Ranked = std::vector<std::pair<float, std::uint32_t>>;
+
+/// Enough that several threads divide them: scattered ones, a line, a clump, and a grid whose points tie.
+std::vector<Vec3f> unevenPoints() {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> place(0, 1);
+    std::vector<Vec3f> points;
+    for (int i = 0; i < 6000; ++i) points.emplace_back(place(random), place(random), place(random));
+    for (int i = 0; i < 2000; ++i) points.emplace_back(place(random), 0.5f, 0.25f);
+    for (int i = 0; i < 1000; ++i) points.push_back(Vec3f(3, 3, 3) + 1e-4f * points[std::size_t(i)]);
+    for (int i = 0; i < 4096; ++i) points.emplace_back(float(i % 16), float(i / 16 % 16), float(i / 256));
+    std::shuffle(points.begin(), points.end(), random);
+    return points;
+}
+
+/// In the cloud, at its points, and outside.
+std::vector<Vec3f> queriesFor(const std::vector<Vec3f>& points) {
+    std::vector<Vec3f> queries{{-5, 2, 2}, {20, 20, 20}, {8, 8, -0.5f}, {3, 3, 3}, {0.5f, 0.5f, 0.25f}};
+    for (std::size_t i = 0; i < points.size(); i += 131) queries.push_back(points[i]);
+    return queries;
+}
+
+Ranked rankedByDistance(const std::vector<Vec3f>& points, const Vec3f& from) {
+    Ranked all;
+    for (std::uint32_t i = 0; i < points.size(); ++i) all.emplace_back(squaredDistance(from, points[i]), i);
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+TEST(NearestSearch, FindsTheNearestAndBreaksTies) {
+    const std::vector<Vec3f> points = unevenPoints();
+    const NearestSearch search(points);
+    std::array<std::uint32_t, 20> indices;
+    std::array<float, 20> squared;
+    for (const Vec3f& query : queriesFor(points)) {
+        const Ranked ranked = rankedByDistance(points, query);
+        ASSERT_EQ(search.nearest(query, indices, squared), 20u);
+        for (std::size_t i = 0; i < 20; ++i) EXPECT_EQ(std::pair(squared[i], indices[i]), ranked[i]);
+        const float limit = ranked[7].first; // those at the limit are not below it
+        const auto nearer = std::lower_bound(ranked.begin(), ranked.end(), std::pair(limit, 0u)) - ranked.begin();
+        EXPECT_EQ(search.nearest(query, indices, squared, limit), std::size_t(nearer));
+    }
+}
+
+TEST(NearestSearch, FindsAllWithin) {
+    const std::vector<Vec3f> points = unevenPoints();
+    const NearestSearch search(points);
+    for (const Vec3f& query : queriesFor(points)) {
+        const Ranked ranked = rankedByDistance(points, query);
+        const float limit = ranked[300].first;
+        std::vector<std::uint32_t> expected;
+        for (const auto& [squared, index] : ranked)
+            if (squared < limit) expected.push_back(index);
+        std::vector<std::uint32_t> found(expected.size());
+        ASSERT_EQ(search.within(query, limit, found), found.size());
+        std::sort(expected.begin(), expected.end());
+        std::sort(found.begin(), found.end());
+        EXPECT_EQ(found, expected);
+    }
+}
+
+TEST(NearestSearch, ReportsWhatDoesNotFitAndWritesNoMore) {
+    const std::vector<Vec3f> points = unevenPoints();
+    const NearestSearch search(points);
+    for (const std::size_t room : {0u, 1u, 23u, 100u}) {
+        std::vector<std::uint32_t> found(room + 1, 12345);
+        EXPECT_EQ(search.within({3, 3, 3}, 1, {found.data(), room}), room + 1);
+        EXPECT_EQ(found[room], 12345u);
+    }
+}
+
+TEST(NearestSearch, FewPoints) {
+    std::array<std::uint32_t, 3> indices;
+    std::array<float, 3> squared;
+    EXPECT_EQ(NearestSearch({}).nearest({0, 0, 0}, indices, squared), 0u);
+    EXPECT_EQ(NearestSearch({Vec3f(1, 2, 3)}).nearest({1, 2, 4}, indices, squared), 1u);
+    EXPECT_EQ(indices[0], 0u);
+    EXPECT_EQ(squared[0], 1);
+    const NearestSearch equal(std::vector<Vec3f>(1000, Vec3f(1, 1, 1))); // no cut tells them apart
+    EXPECT_EQ(equal.nearest({1, 1, 1}, indices, squared), 3u);
+    EXPECT_EQ(squared, (std::array<float, 3>{0, 0, 0}));
+}
+
+} // namespace
+} // namespace pointrt::test
