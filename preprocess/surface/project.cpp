@@ -136,7 +136,9 @@ std::vector<std::uint8_t> fitQuadrics(Projection& job, const StageShare& share) 
 
 ProjectionReport projectPoints(PointGraph& graph, float strength, const StageShare& share) {
     PointSet& points = graph.points;
-    const std::vector<Vec3f> places = points.positions;
+    // the search keeps using the memory that it was built over
+    const std::vector<Vec3f> places = std::move(points.positions);
+    points.positions = places;
 
     Projection job{graph, places, supportRadii(graph.lists, points.noise, strength)};
     const double step = (share.to - share.from) / (kRounds + 1);
@@ -151,7 +153,7 @@ ProjectionReport projectPoints(PointGraph& graph, float strength, const StageSha
     ProjectionReport report;
     report.off_surface = fitQuadrics(job, part(kRounds));
     for (std::size_t i = 0; i < points.size(); ++i) report.moved += places[i] != points.positions[i];
-    graph.search.reset(); // it is over the places before
+    graph.search.reset(); // its memory goes with places
     return report;
 }
 
