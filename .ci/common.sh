@@ -126,7 +126,7 @@ buildPreset() {
 }
 
 # folderInMemory MIB: makes a folder in memory with room for so many MiB, from which programs can be started, and prints it.
-# Fails where there is none.
+# Returns 1 if no folder in memory will do.
 folderInMemory() {
     local folder
     [ "$(stat -f -c %T /dev/shm 2>/dev/null)" = tmpfs ] || return 1

@@ -35,6 +35,9 @@ auto withType(std::uint32_t type, const Use& use) {
     }
 }
 
+/// Whether a type has integers of 64 bits, which many formats lack.
+inline bool isWideInteger(std::uint32_t type) { return type == PRO_TYPE_I64 || type == PRO_TYPE_U64; }
+
 /// The name of a PRO_TYPE_*, such as "uint16"; "unknown" for other numbers.
 inline const char* typeName(std::uint32_t type) {
     constexpr const char* kNames[] = {"int8",   "uint8", "int16",  "uint16", "int32",

@@ -43,8 +43,7 @@ void addOptions(CommandLine& app, Options& options) {
     app.add_flag("--verify", options.verify, "Verify all checksums and contents; exit with 1 on findings");
     app.add_option("--export", options.export_path,
                    "Write the splats to a new .ply, .pcd, .las, .laz or .e57 file, in input order or tile by tile "
-                   "(Gaussians: as a .ply of "
-                   "3D Gaussian splatting, or as .spz); - is PLY on standard output")
+                   "(Gaussians: as a .ply of 3D Gaussian splatting, or as .spz); - is PLY on standard output")
         ->type_name("FILE");
     completes(app, "--export", ".ply .pcd .las .laz .e57 .spz");
     app.add_flag("--scalar-names", options.scalar_names,

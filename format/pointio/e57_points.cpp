@@ -28,13 +28,12 @@ struct E57Stream {
     std::size_t column = 0;            ///< of the outline
     std::size_t component = 0;
     bool is_position = false;
-    bool is_wide = false; ///< 64-bit integers become reals
 
     std::size_t bytes() const { return pro_type_bytes(from); }
 };
 
 template <typename Number>
-std::string append(Number value) {
+std::string bytesOf(Number value) {
     std::string bytes(sizeof value, '\0');
     std::memcpy(bytes.data(), &value, sizeof value);
     return bytes;
@@ -76,13 +75,12 @@ std::vector<E57Stream> streamsOf(const PointOutline& outline) {
     std::vector<E57Stream> streams;
     std::size_t axis = 0;
     for (const char* const tag : {"cartesianX", "cartesianY", "cartesianZ"})
-        streams.push_back({tag, typeOf(PRO_TYPE_F64), PRO_TYPE_F64, 0, axis++, true, false});
+        streams.push_back({tag, typeOf(PRO_TYPE_F64), PRO_TYPE_F64, 0, axis++, true});
     for (std::size_t k = 0; k < outline.columns.size(); ++k) {
         const PointColumn& column = outline.columns[k];
         const std::vector<std::string> names = componentNames(column, "");
         for (std::size_t c = 0; c < names.size(); ++c) {
-            const bool is_wide = column.type == PRO_TYPE_I64 || column.type == PRO_TYPE_U64;
-            streams.push_back({tagOf(column, names[c]), typeOf(column.type), column.type, k, c, false, is_wide});
+            streams.push_back({tagOf(column, names[c]), typeOf(column.type), column.type, k, c, false});
         }
     }
     return streams;
@@ -140,14 +138,14 @@ public:
 
     void finish() override {
         const std::uint64_t section_end = pages_.size();
-        pages_.overwriteFirst(kE57HeaderBytes, append(std::uint64_t{1}) + append(section_end - kE57HeaderBytes) +
-                                                   append(E57Pages::placeOf(kE57HeaderBytes + kE57SectionBytes)) +
-                                                   append(std::uint64_t{0}));
+        pages_.overwriteFirst(kE57HeaderBytes, bytesOf(std::uint64_t{1}) + bytesOf(section_end - kE57HeaderBytes) +
+                                                   bytesOf(E57Pages::placeOf(kE57HeaderBytes + kE57SectionBytes)) +
+                                                   bytesOf(std::uint64_t{0}));
         const std::string xml = xmlText();
         pages_.append(xml);
-        pages_.overwriteFirst(0, "ASTM-E57" + append(std::uint32_t{1}) + append(std::uint32_t{0}) +
-                                     append(pages_.fileSize()) + append(E57Pages::placeOf(section_end)) +
-                                     append(std::uint64_t{xml.size()}) + append(E57Pages::kPage));
+        pages_.overwriteFirst(0, "ASTM-E57" + bytesOf(std::uint32_t{1}) + bytesOf(std::uint32_t{0}) +
+                                     bytesOf(pages_.fileSize()) + bytesOf(E57Pages::placeOf(section_end)) +
+                                     bytesOf(std::uint64_t{xml.size()}) + bytesOf(E57Pages::kPage));
         pages_.commit();
     }
 
@@ -156,18 +154,18 @@ private:
     void addPacket(const PointBlock& block, std::size_t first, std::size_t count) {
         std::string lengths, data;
         for (const E57Stream& stream : streams_) {
-            lengths += append(static_cast<std::uint16_t>(stream.bytes() * count));
+            lengths += bytesOf(static_cast<std::uint16_t>(stream.bytes() * count));
             for (std::size_t i = first; i < first + count; ++i) addNumber(block, stream, i, data);
         }
-        std::string rest = append(static_cast<std::uint16_t>(streams_.size())) + lengths + data;
+        std::string rest = bytesOf(static_cast<std::uint16_t>(streams_.size())) + lengths + data;
         rest.resize((rest.size() + 3) / 4 * 4, '\0');
         constexpr char kDataPacket = 1;
-        pages_.append(std::string{kDataPacket, '\0'} + append(static_cast<std::uint16_t>(rest.size() + 3)) + rest);
+        pages_.append(std::string{kDataPacket, '\0'} + bytesOf(static_cast<std::uint16_t>(rest.size() + 3)) + rest);
     }
 
     void addNumber(const PointBlock& block, const E57Stream& stream, std::size_t i, std::string& data) const {
         if (stream.is_position) {
-            data += append(scale_ * block.positions[3 * i + stream.component]);
+            data += bytesOf(scale_ * block.positions[3 * i + stream.component]);
             return;
         }
         const std::byte* const from =
@@ -175,21 +173,21 @@ private:
             (i * outline_.columns[stream.column].components + stream.component) * stream.bytes();
         withType(stream.from, [&](auto number) {
             std::memcpy(&number, from, sizeof number);
-            addAs(number, stream.is_wide, data);
+            addAs(number, data);
         });
     }
 
     /// Integers as their distance from the smallest of the type.
     template <typename Number>
-    static void addAs(Number number, bool is_wide, std::string& data) {
+    static void addAs(Number number, std::string& data) {
         if constexpr (std::is_floating_point_v<Number>) {
-            data += append(number);
-        } else if (is_wide) {
-            data += append(static_cast<double>(number));
+            data += bytesOf(number);
+        } else if constexpr (sizeof(Number) == sizeof(std::int64_t)) { // becomes a real
+            data += bytesOf(static_cast<double>(number));
         } else {
             using Unsigned = std::make_unsigned_t<Number>;
-            data += append(static_cast<Unsigned>(static_cast<Unsigned>(number) -
-                                                 static_cast<Unsigned>(std::numeric_limits<Number>::lowest())));
+            data += bytesOf(static_cast<Unsigned>(static_cast<Unsigned>(number) -
+                                                  static_cast<Unsigned>(std::numeric_limits<Number>::lowest())));
         }
     }
 

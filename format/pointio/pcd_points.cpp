@@ -3,16 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <utility>
 
 #include "format/pointio/column_names.h"
+#include "format/pointio/row_points.h"
 
 namespace pointrt {
 namespace {
 
-constexpr std::size_t kPcdPointsAtOnce = 16384; // of some hundred bytes each at most
-constexpr std::size_t kCountDigits = 20;        // of 64 bits
+constexpr std::size_t kCountDigits = 20; // of 64 bits
 
 /// Whether floats, which PCL's point types have, are as fine as the positions.
 bool fitsFloats(const PointOutline& outline) {
@@ -61,71 +60,40 @@ std::string pcdHeader(const PointOutline& outline, bool floats, std::uint64_t co
            "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + digits + "\nDATA binary\n";
 }
 
-class PcdPoints final : public PointSink {
+class PcdRows {
 public:
-    PcdPoints(PointFile file, const PointOutline& outline)
-        : file_(std::move(file)), outline_(outline), floats_(fitsFloats(outline)) {
-        const std::string text = pcdHeader(outline_, floats_, outline_.count.value_or(0));
-        file_.append(text.data(), text.size());
-    }
+    explicit PcdRows(const PointOutline& outline) : outline_(outline), floats_(fitsFloats(outline)) {}
 
-    void add(const PointBlock& block) override {
-        for (std::size_t i = 0; i < block.count(); ++i) {
-            addPcdRow(block, i);
-            if ((i + 1) % kPcdPointsAtOnce == 0) flush();
-        }
-        flush();
-        count_ += block.count();
-    }
+    const PointOutline& outline() const { return outline_; }
+    std::string header(std::uint64_t count) const { return pcdHeader(outline_, floats_, count); }
 
-    void finish() override {
-        if (!outline_.count) {
-            const std::string text = pcdHeader(outline_, floats_, count_);
-            file_.overwrite(0, text.data(), text.size());
-        }
-        file_.commit();
-    }
-
-private:
-    void put(const void* from, std::size_t bytes) {
-        const auto* first = static_cast<const char*>(from);
-        rows_.insert(rows_.end(), first, first + bytes);
-    }
-
-    void addPcdRow(const PointBlock& block, std::size_t i) {
+    void addRow(const PointBlock& block, std::size_t i, RowBytes& rows) const {
         const double* const position = block.positions.data() + 3 * i;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto single = static_cast<float>(position[axis]);
-            floats_ ? put(&single, sizeof single) : put(position + axis, sizeof(double));
+            floats_ ? rows.add(&single, sizeof single) : rows.add(position + axis, sizeof(double));
         }
         for (std::size_t k = 0; k < outline_.columns.size(); ++k) {
             const PointColumn& column = outline_.columns[k];
             const std::byte* const from = block.columns[k].data() + i * column.rowBytes();
             if (column.role != PointRole::kColor) {
-                put(from, column.rowBytes());
+                rows.add(from, column.rowBytes());
                 continue;
             }
             const std::byte packed[4] = {from[2], from[1], from[0], std::byte{0}}; // blue is lowest
-            put(packed, sizeof packed);
+            rows.add(packed, sizeof packed);
         }
     }
 
-    void flush() {
-        file_.append(rows_.data(), rows_.size());
-        rows_.clear();
-    }
-
-    PointFile file_;
+private:
     PointOutline outline_;
     bool floats_;
-    std::vector<char> rows_;
-    std::uint64_t count_ = 0;
 };
 
 } // namespace
 
 std::unique_ptr<PointSink> pcdPoints(PointFile file, const PointOutline& outline) {
-    return std::make_unique<PcdPoints>(std::move(file), outline);
+    return std::make_unique<RowPoints<PcdRows>>(std::move(file), PcdRows(outline));
 }
 
 } // namespace pointrt

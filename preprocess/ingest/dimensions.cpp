@@ -2,9 +2,10 @@
 #include "preprocess/ingest/dimensions.h"
 
 #include <algorithm>
-#include <cctype>
 #include <initializer_list>
 #include <string>
+
+#include "preprocess/ingest/text.h"
 
 namespace pointrt {
 namespace {
@@ -55,8 +56,7 @@ void drop(std::span<Dimension> dimensions, Dimension first, Dimension last) {
 } // namespace
 
 Dimension dimensionOfName(std::string_view name) {
-    std::string lower(name);
-    for (char& letter : lower) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    const std::string lower = lowerCase(name);
     for (const Alias& alias : kAliases)
         if (alias.name == lower) return alias.dimension;
     return kIgnored;

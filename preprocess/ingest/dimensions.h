@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -25,6 +26,13 @@ enum Dimension {
 
 /// One vertex: a value per dimension, and one for ignored columns.
 using Row = std::array<double, kDimensionCount + 1>;
+
+/// Sets the colours from bytes of an integer: blue is the lowest, then green and red.
+inline void setPackedColor(Row& row, std::uint32_t rgb) {
+    row[kRed] = rgb >> 16 & 255;
+    row[kGreen] = rgb >> 8 & 255;
+    row[kBlue] = rgb & 255;
+}
 
 /// The dimension of a property, field or column name, ignoring case; kIgnored if it has none.
 Dimension dimensionOfName(std::string_view name);

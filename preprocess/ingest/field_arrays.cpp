@@ -61,10 +61,7 @@ struct FieldPlan {
 void addAttribute(const FieldArray& field, AttributeNames& names, FieldPlan& plan) {
     constexpr std::uint32_t kMostComponents = 4;
     const auto name = field.components <= kMostComponents ? names.take(field.name) : std::nullopt;
-    if (!name) {
-        if (plan.unread.size() < 80) plan.unread += (plan.unread.empty() ? "" : ", ") + inQuotes(field.name); // a line
-        return;
-    }
+    if (!name) return addQuoted(field.name, plan.unread);
     plan.attributes.push_back(&field);
     plan.traits.columns.push_back({*name, field.type, field.components});
     plan.packed_size += scalarSize(field.type) * field.components;
@@ -94,13 +91,6 @@ FieldPlan planOf(std::span<const FieldArray> fields) {
         }
     }
     return plan;
-}
-
-void setPackedColor(const char* at, bool swapped, Row& row) {
-    const auto rgb = static_cast<std::uint32_t>(loadScalar(at, Scalar::kU32, swapped));
-    row[kRed] = rgb >> 16 & 255;
-    row[kGreen] = rgb >> 8 & 255;
-    row[kBlue] = rgb & 255;
 }
 
 void packValues(const FieldPlan& plan, std::uint64_t point, char* into) {
@@ -164,7 +154,7 @@ void addToFieldScan(std::span<const FieldArray> fields, std::uint64_t count, Sin
         for (const RowSource& source : plan.row) {
             const char* const at = source.field->first + i * source.field->stride + source.offset;
             if (source.field->packs_color)
-                setPackedColor(at, source.field->swapped, row);
+                setPackedColor(row, static_cast<std::uint32_t>(loadScalar(at, Scalar::kU32, source.field->swapped)));
             else
                 row[source.dimension] = loadScalar(at, source.field->type, source.field->swapped);
         }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/ingest/gzip.h"
+#include "preprocess/ingest/unpack_limit.h"
 
 #include <algorithm>
 #include <limits>
@@ -10,7 +11,6 @@ namespace {
 
 /// Deflate expands a byte to at most 1032. Scans compress 3 to 20 times, binary depth frames that are mostly holes
 /// about 50 times: the limits allow twice that and any small file, but nothing that must be unpacked on disk first.
-constexpr std::size_t kUnpackedAtLeast = std::size_t{64} << 20, kUnpackedPerByte = 100;
 constexpr std::size_t kLargestUnpacked = std::size_t{8} << 30;
 constexpr std::size_t kUnpackedBlock = std::size_t{1} << 20;
 
@@ -46,7 +46,7 @@ bool anotherMember(const z_stream& stream) {
 
 void checkSize(const InputFile& input, std::size_t unpacked) {
     if (unpacked > kLargestUnpacked) refuse(input, "unpacks to more than 8 GiB; unpack it first");
-    if (unpacked > kUnpackedAtLeast + kUnpackedPerByte * input.bytes.size())
+    if (unpacked > mostUnpacked(input.bytes.size()))
         refuse(input, "unpacks to more than 100 times its size, which scans do not; if it is a scan, unpack it first");
 }
 

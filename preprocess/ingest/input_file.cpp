@@ -111,4 +111,9 @@ std::string inQuotes(std::string_view text) {
     return "'" + printable(text, kLongest) + "'";
 }
 
+void addQuoted(std::string_view name, std::string& list) {
+    constexpr std::size_t kLine = 80;
+    if (list.size() < kLine) list += (list.empty() ? "" : ", ") + inQuotes(name);
+}
+
 } // namespace pointrt

@@ -56,4 +56,7 @@ struct ReleasePagesBehind {
 /// Quotes bytes of a file for a one-line message: shortened, without control characters.
 std::string inQuotes(std::string_view text);
 
+/// Adds a name in quotes to a list for a message, unless the list fills about a line already.
+void addQuoted(std::string_view name, std::string& list);
+
 } // namespace pointrt

@@ -2,9 +2,9 @@
 #include "preprocess/ingest/table.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include "preprocess/ingest/number_style.h"
+#include "preprocess/ingest/text.h"
 
 namespace pointrt {
 namespace {
@@ -112,9 +112,7 @@ bool isMissingNumber(std::string_view field) {
     constexpr std::string_view kWords[] = {"", "na", "n/a", "#n/a", "null", "none", "nil", "nodata", "-", "--", "?"};
     constexpr std::size_t kLongest = 6;
     if (field.size() > kLongest) return false;
-    std::string word;
-    for (const char letter : field) word += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    return std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords);
+    return std::find(std::begin(kWords), std::end(kWords), lowerCase(field)) != std::end(kWords);
 }
 
 } // namespace pointrt

@@ -2,6 +2,7 @@
 // Parses numbers and words in a block of text, independent of the locale.
 #pragma once
 
+#include <cctype>
 #include <charconv>
 #include <cstdlib>
 #include <limits>
@@ -20,6 +21,12 @@ inline bool hasControls(std::string_view word) {
     for (const char letter : word)
         if (static_cast<unsigned char>(letter) < ' ' || letter == 127) return true;
     return false;
+}
+
+inline std::string lowerCase(std::string_view text) {
+    std::string lower(text);
+    for (char& letter : lower) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    return lower;
 }
 
 /// from_chars leaves the value unset if it is out of range; strtod distinguishes 0 from infinity.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/ingest/zip.h"
+#include "preprocess/ingest/unpack_limit.h"
 
 #include <algorithm>
 #include <limits>
@@ -14,7 +15,6 @@ constexpr std::uint32_t kStored = 0, kDeflated = 8;
 constexpr std::uint32_t kZip64 = 0xffffffff; ///< in place of sizes and offsets that need 64 bits
 
 /// The limits of unpackGzip.
-constexpr std::uint64_t kMemberAtLeast = std::uint64_t{64} << 20, kMemberPerByte = 100;
 
 /// A little-endian number of so many bytes.
 std::uint32_t loadNumber(std::string_view bytes, std::size_t at, std::size_t size) {
@@ -121,7 +121,7 @@ InputFile openZipMember(const InputFile& archive, const ZipMember& member) {
         input.owner = archive.owner;
         return input;
     }
-    if (member.size > kMemberAtLeast + kMemberPerByte * packed.size())
+    if (member.size > mostUnpacked(packed.size()))
         refuse(input, "unpacks to more than 100 times its size, which scans do not; if it is a scan, unpack it first");
     auto unpacked = std::make_shared<std::string>(member.size, '\0');
     if (!inflateInto(packed, *unpacked)) refuse(input, "the zip data is invalid");

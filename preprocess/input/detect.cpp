@@ -2,7 +2,6 @@
 #include "preprocess/input/detect.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include "preprocess/ingest/text.h"
 #include "preprocess/input/foreign.h"
@@ -27,7 +26,7 @@ const InputFormat* formatNamed(std::string_view name) {
 
 /// The suffix of a name in lower case, without ".gz".
 std::string suffixOf(std::string name) {
-    for (char& letter : name) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    name = lowerCase(name);
     if (name.ends_with(".gz")) name.resize(name.size() - 3);
     const std::size_t dot = name.find_last_of("./");
     return dot == std::string::npos || name[dot] != '.' ? std::string() : name.substr(dot + 1);

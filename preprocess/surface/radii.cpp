@@ -8,9 +8,9 @@
 #include <limits>
 #include <numbers>
 #include <tbb/parallel_for.h>
-#include <utility>
 
 #include "preprocess/cloud/median.h"
+#include "preprocess/surface/angle_gaps.h"
 #include "preprocess/surface/plane_fit.h"
 #include "preprocess/surface/voronoi_cell.h"
 
@@ -245,7 +245,7 @@ float unevenRadius(const PointGraph& graph, const std::vector<float>& radii, std
 /// Whether the points on a list surround their point in its tangent plane: no angle of 150 degrees is empty. At a
 /// border, half a turn is; of 16 random points around, one list in 1,000 has such a gap.
 bool isSurrounded(const PointGraph& graph, std::size_t point) {
-    constexpr float kTurn = 2 * std::numbers::pi_v<float>, kWidest = kTurn * 150 / 360;
+    constexpr float kWidest = 2 * std::numbers::pi_v<float> * 150 / 360;
     const TangentPlane plane(graph.points.positions[point], graph.points.normals[point]);
     std::vector<float> angles;
     for (const std::uint32_t other : graph.lists.of(point)) {
@@ -253,9 +253,7 @@ bool isSurrounded(const PointGraph& graph, std::size_t point) {
         angles.push_back(std::atan2(place.y(), place.x()));
     }
     std::sort(angles.begin(), angles.end());
-    float before = angles.back() - kTurn, widest = 0;
-    for (const float angle : angles) widest = std::max(widest, angle - std::exchange(before, angle));
-    return widest < kWidest;
+    return gapsBetween(angles).widest < kWidest;
 }
 
 /// The radius of a point, or a smaller one if no plane through its neighbours justifies it.

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "preprocess/cloud/median.h"
+#include "preprocess/surface/angle_gaps.h"
 #include "preprocess/surface/plane_fit.h"
 #include "preprocess/surface/thinned_cloud.h"
 
@@ -131,26 +132,6 @@ struct Direction {
     float angle = 0, distance = 0;
     std::uint32_t point = 0;
 };
-
-/// The widest empty angle between directions, and the next.
-struct EmptyAngles {
-    float widest = 2 * std::numbers::pi_v<float>, second = 2 * std::numbers::pi_v<float>;
-};
-
-/// @param angles sorted
-EmptyAngles gapsBetween(const std::vector<float>& angles) {
-    EmptyAngles gaps;
-    if (angles.size() < 2) return gaps;
-    gaps = {0, 0};
-    float before = angles.back() - 2 * std::numbers::pi_v<float>;
-    for (const float angle : angles) {
-        const float gap = angle - before;
-        gaps.second = std::max(gaps.second, std::min(gap, gaps.widest));
-        gaps.widest = std::max(gaps.widest, gap);
-        before = angle;
-    }
-    return gaps;
-}
 
 /// Finds the widest gap, and how far away the first points are that leave no wider one. At a border there is one wide
 /// gap; on a line there are two.
@@ -276,16 +257,13 @@ SurroundPlan SurroundSearch::plan(std::size_t point) const {
     const float radius = lists.radius(points, point);
     const Suspicion own = suspicions[point];
     if (own == Suspicion::kInNoise) return {own, thinned.levelFor(radius), radius};
-    const auto orGap = [&](const SurroundPlan& other) {
-        if (other.suspicion == Suspicion::kUnsuspected && own == Suspicion::kOnOneSide)
-            return SurroundPlan{own, thinned.levelFor(radius), radius};
-        return other;
-    };
     if (const auto level = isolatedLevel(point); level && own != Suspicion::kOnLine)
         return {Suspicion::kAlone, *level, radius};
     if (own >= Suspicion::kOnLine && own != Suspicion::kOnOneSide) return {own, thinned.levelFor(radius / 2), 0};
-    if (!isAmongFound(point, own == Suspicion::kMaybeLine)) return orGap({});
-    return {Suspicion::kOnLine, thinned.levelFor(radius), radius};
+    if (isAmongFound(point, own == Suspicion::kMaybeLine))
+        return {Suspicion::kOnLine, thinned.levelFor(radius), radius};
+    if (own == Suspicion::kOnOneSide) return {own, thinned.levelFor(radius), radius};
+    return {};
 }
 
 /// The points that surround a point at the scale that its noise allows.
@@ -411,16 +389,22 @@ bool isOneSided(const NeighborLists& lists, const PointSet& points, std::size_t 
     return quickMoments(lists, points, point).mean.norm() > kOffCenter * lists.radius(points, point);
 }
 
+/// Finds the points within a distance, or some thousand of them if there are more.
+void findWithin(const PointSet& points, const NearestSearch& nearest, std::size_t point, float reach,
+                std::vector<std::uint32_t>& found) {
+    constexpr std::size_t kMostFound = 4096;
+    found.resize(kMostFound);
+    found.resize(std::min(nearest.within(points.positions[point], reach * reach, found), kMostFound));
+}
+
 /// Whether a point is at a gap: its neighbours are on one side, but points at up to four times their distance are in a
 /// plane and on all sides.
 bool isAtGap(const NeighborLists& lists, const PointSet& points, const NearestSearch& nearest, std::size_t point,
              std::vector<std::uint32_t>& found) {
     constexpr float kFarther = 4;
-    constexpr std::size_t kMostFound = 4096;
     if (!isOneSided(lists, points, point)) return false;
-    found.resize(kMostFound);
-    const float radius = lists.radius(points, point), reach = kFarther * radius;
-    found.resize(std::min(nearest.within(points.positions[point], reach * reach, found), kMostFound));
+    const float radius = lists.radius(points, point);
+    findWithin(points, nearest, point, kFarther * radius, found);
     const PlaneFit plane = fitPlane(momentsOf(points, found, point));
     if (!(plane.misfit < kFlatAroundLine)) return false;
     const Vec3f u = plane.normal.unitOrthogonal(), v = plane.normal.cross(u);
@@ -440,11 +424,8 @@ bool isBlurred(const NeighborLists& lists, const PointSet& points, const Nearest
     // Nine in ten points of a solid ball are above kScattered. Noise of 2 spacings has a misfit of 0.02 within 8 radii,
     // noise of 4 spacings of 0.09, and there are 1,400 and 2,300 points.
     constexpr float kScattered = 0.25f, kFlat = 0.12f, kWider = 8;
-    constexpr std::size_t kMostFound = 4096;
     if (!isInNoPlane(lists, points, point, kScattered)) return false;
-    found.resize(kMostFound);
-    const float reach = kWider * lists.radius(points, point);
-    found.resize(std::min(nearest.within(points.positions[point], reach * reach, found), kMostFound));
+    findWithin(points, nearest, point, kWider * lists.radius(points, point), found);
     return fitPlane(momentsOf(points, found, point)).misfit < kFlat;
 }
 

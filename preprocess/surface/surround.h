@@ -13,7 +13,7 @@ struct SurroundCounts {
     std::size_t isolated = 0;     ///< with little around
     std::size_t probed = 0;       ///< whose wider surroundings were examined, too
     std::size_t noisy = 0;        ///< of those: in a surface blurred by noise wider than the list
-    std::size_t at_gaps = 0;      ///< of those: beside a gap behind which the surface goes on
+    std::size_t at_gaps = 0;      ///< of those: at the edge of a gap that has surface on its far side
     std::vector<float> reaches;   ///< [sampled] distance to the k-th neighbour, input units
 };
 

@@ -113,7 +113,7 @@ struct StudioLamp {
 // the other side, at a quarter of the key, the rim behind.
 constexpr StudioLamp kStudioLamps[] = {
     {-42, 48, 5, {0.98f, 0.94f, 0.88f}}, {52, 22, 14, {0.22f, 0.24f, 0.27f}}, {160, 35, 8, {0.40f, 0.42f, 0.46f}}};
-/// The lamps, the floor and the brightness of the sky.
+/// How strong the lamps are, and how bright the floor.
 struct StudioLight {
     float lamps; ///< factor of kStudioLamps
     float floor; ///< reflectance

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The format of Niantic's library: https://github.com/nianticlabs/spz
 #include "preprocess/input/gaussian/spz_streams.h"
+#include "preprocess/ingest/unpack_limit.h"
 
 #include <cstring>
 #include <zstd.h>
@@ -27,9 +28,6 @@ constexpr std::size_t kPackedHeader = 32;
 struct Entry {
     std::uint64_t packed_size, size;
 };
-
-/// Deflate expands a byte to at most 1032, zstd to more; files of splats compress about ten times.
-constexpr std::uint64_t kUnpackedPerByte = 100, kUnpackedAtLeast = std::uint64_t{64} << 20;
 
 template <typename Value>
 Value loadValue(const InputFile& input, std::size_t offset) {
@@ -69,7 +67,7 @@ void unpack(const InputFile& input, std::string_view packed, std::size_t size, s
 }
 
 void unpackArrays(const InputFile& input, std::size_t streams, SpzFile& file) {
-    if (file.count > (kUnpackedAtLeast + kUnpackedPerByte * input.bytes.size()) / bytesOfSplat(file))
+    if (file.count > mostUnpacked(input.bytes.size()) / bytesOfSplat(file))
         refuse(input,
                fmt::format("the header promises {} Gaussian splats in {} bytes", file.count, input.bytes.size()));
     const int needed = file.harmonics_degree > 0 ? kSpzArrayCount : kSpzHarmonics;

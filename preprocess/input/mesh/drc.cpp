@@ -253,8 +253,8 @@ PackedColumns packedColumns(const draco::PointCloud& points, const Roles& roles,
             scalar && components >= 1 && components <= kMostComponents ? names.take(written) : std::nullopt;
         if (name)
             packed.add(attribute, *name, *scalar, components);
-        else if (packed.unread.size() < 80) // about one line
-            packed.unread += (packed.unread.empty() ? "" : ", ") + inQuotes(written);
+        else
+            addQuoted(written, packed.unread);
     }
     return packed;
 }

@@ -79,7 +79,7 @@ public:
         try {
             openPicture(sink);
         } catch (const Error& error) { // a file that is missing, for example
-            sink.note(file_.input(), fmt::format("its faces lack the colours of a texture: {}", error.what()));
+            noteUnreadTexture(file_.input(), error, sink);
         }
         if (picture_) places_.emplace(file_, *places, 2);
         if (places_ && places_->count() < positions_.count()) places->refuse("has fewer values than positions");

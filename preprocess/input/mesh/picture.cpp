@@ -127,11 +127,11 @@ std::uint32_t takePicture(const InputFile& file, const std::string& key, MeshPai
     return index;
 }
 
-void noteUnreadable(const InputFile& input, const Error& error, Sink& sink) {
+} // namespace
+
+void noteUnreadTexture(const InputFile& input, const Error& error, Sink& sink) {
     sink.note(input, fmt::format("its faces lack the colours of a texture: {}", error.what()));
 }
-
-} // namespace
 
 Picture readPicture(const InputFile& file) {
     if (file.bytes.starts_with("\x89PNG")) return readPng(file);
@@ -164,7 +164,7 @@ std::optional<std::uint32_t> addTexture(const InputFile& input, const std::strin
         std::error_code failure;
         return addPicture(input, *file, std::filesystem::canonical(file->name, failure).string(), sink);
     } catch (const Error& error) {
-        noteUnreadable(input, error, sink);
+        noteUnreadTexture(input, error, sink);
         return std::nullopt;
     }
 }
@@ -174,7 +174,7 @@ std::optional<std::uint32_t> addPicture(const InputFile& input, const InputFile&
     try {
         return takePicture(picture, key, sink.paint);
     } catch (const Error& error) {
-        noteUnreadable(input, error, sink);
+        noteUnreadTexture(input, error, sink);
         return std::nullopt;
     }
 }

@@ -23,6 +23,9 @@ std::optional<std::uint32_t> addTexture(const InputFile& input, const std::strin
 std::optional<std::uint32_t> addPicture(const InputFile& input, const InputFile& picture, const std::string& key,
                                         Sink& sink);
 
+/// Adds a note that a texture cannot be read.
+void noteUnreadTexture(const InputFile& input, const Error& error, Sink& sink);
+
 /// Opens a file that an input names with the path as written on another machine, perhaps: the path itself if it lies
 /// in the input's folder, else its last part there. Nothing if no such file is there.
 std::optional<InputFile> openBeside(const InputFile& input, std::string name);

@@ -87,8 +87,8 @@ std::string assignPlyAttributes(PlyHeader& header) {
         const bool is_number = !property.is_list && !isHarmonic(header, property);
         if (const auto name = is_number ? names.take(property.name) : std::nullopt)
             property.place = addColumn(header, *name, property.type, 1);
-        else if (unread.size() < 80) // about one line
-            unread += (unread.empty() ? "" : ", ") + inQuotes(property.name);
+        else
+            addQuoted(property.name, unread);
     }
     return unread;
 }

@@ -2,7 +2,6 @@
 // STL: triangles as text, or binary with the colours of VisCAM, SolidView and Magics.
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstring>
 #include <unordered_map>
 
@@ -70,7 +69,8 @@ StlColors colorsOf(std::string_view bytes, std::uint64_t triangles) {
     return StlColors::kNone;
 }
 
-/// VisCAM: bit 15 marks a colour, red is highest. Magics: bit 15 marks that there is none, red is lowest.
+/// VisCAM sets bit 15 of a coloured face and has red in the highest bits. Magics sets bit 15 of a face without a colour
+/// and has red in the lowest bits.
 PolygonPaint paintOf(StlColors colors, std::uint32_t bits) {
     PolygonPaint paint;
     const bool marked = (bits >> 15) != 0;
@@ -110,13 +110,6 @@ void readBinaryStl(const InputFile& input, Sink& sink) {
     }
 }
 
-/// Ignores case: some programs write capitals.
-bool isWord(std::string_view word, std::string_view wanted) {
-    return word.size() == wanted.size() && std::equal(word.begin(), word.end(), wanted.begin(), [](char a, char b) {
-               return std::tolower(static_cast<unsigned char>(a)) == b;
-           });
-}
-
 std::array<double, 3> cornerOf(const InputFile& input, std::string_view line) {
     std::array<double, 3> position{};
     const char* const place = line.data();
@@ -139,15 +132,16 @@ void readTextStl(const InputFile& input, Sink& sink) {
     Lines lines{input.bytes};
     std::uint64_t triangles = 0;
     for (std::string_view line; lines.next(line);) {
-        const std::string_view word = nextWord(line);
-        if (isWord(word, "vertex")) {
+        const std::string_view written = nextWord(line);
+        const std::string word = lowerCase(written); // some programs write capitals
+        if (word == "vertex") {
             corners.push_back(vertices.indexOf(cornerOf(input, line)));
-        } else if (isWord(word, "endfacet")) {
-            endFacet(input, word.data(), corners, sink);
+        } else if (word == "endfacet") {
+            endFacet(input, written.data(), corners, sink);
             ++triangles;
-        } else if (!isWord(word, "facet") && !isWord(word, "outer") && !isWord(word, "endloop") &&
-                   !isWord(word, "solid") && !isWord(word, "endsolid") && !isWord(word, "color")) {
-            refuseLine(input, word.data(), fmt::format("unknown word {}", inQuotes(word)));
+        } else if (word != "facet" && word != "outer" && word != "endloop" && word != "solid" && word != "endsolid" &&
+                   word != "color") {
+            refuseLine(input, written.data(), fmt::format("unknown word {}", inQuotes(written)));
         }
     }
     if (!corners.empty()) sink.acceptShort(input, 3 * triangles, 3 * triangles + 3);

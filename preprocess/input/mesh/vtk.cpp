@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Legacy files of VTK, as text or big-endian: https://docs.vtk.org/en/latest/vtk_file_formats
 #include <algorithm>
-#include <cctype>
 
 #include "preprocess/ingest/formats.h"
 #include "preprocess/ingest/scalar.h"
-#include "preprocess/ingest/typed_word.h"
+#include "preprocess/ingest/text.h"
 #include "preprocess/input/mesh/vtk_piece.h"
 #include "preprocess/input/mesh/vtp.h"
 
 namespace pointrt {
 namespace {
-
-std::string lowerWord(std::string_view word) {
-    std::string lower;
-    for (const char letter : word) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    return lower;
-}
 
 struct VtkType {
     std::string_view name;
@@ -36,7 +29,7 @@ public:
     void read() {
         readTitle();
         for (std::string_view line; nextLine(rest_, line);) {
-            const std::string word = lowerWord(nextWord(line));
+            const std::string word = lowerCase(nextWord(line));
             if (word.empty()) continue;
             if (word == "cell_data") break; // nothing of points follows
             readSection(word, line);
@@ -52,8 +45,8 @@ private:
         nextLine(rest_, line);
         if (!nextLine(rest_, line)) refuse(input_, "truncated within the header");
         const std::string_view kind = nextWord(line);
-        binary_ = lowerWord(kind) == "binary";
-        if (!binary_ && lowerWord(kind) != "ascii")
+        binary_ = lowerCase(kind) == "binary";
+        if (!binary_ && lowerCase(kind) != "ascii")
             refuseLine(input_, line.data(), fmt::format("expected ASCII or BINARY, not {}", inQuotes(kind)));
     }
 
@@ -73,7 +66,7 @@ private:
 
     void checkDataSet(std::string_view line) {
         const std::string_view kind = nextWord(line);
-        const std::string lower = lowerWord(kind);
+        const std::string lower = lowerCase(kind);
         if (lower != "polydata" && lower != "unstructured_grid" && lower != "structured_grid")
             refuseLine(input_, line.data(), fmt::format("data set {} has no points of its own", inQuotes(kind)));
     }
@@ -88,7 +81,7 @@ private:
         const std::uint64_t cells = count(line), values = count(line);
         std::string_view after = rest_, next;
         nextLine(after, next);
-        if (lowerWord(nextWord(next)) == "offsets") return readOffsets(cells, values, are_polygons);
+        if (lowerCase(nextWord(next)) == "offsets") return readOffsets(cells, values, are_polygons);
         const FieldArray list = takeArray("", Scalar::kI32, values, 1);
         for (std::uint64_t at = 0; at < values && are_polygons;) {
             const double length = valueAt(list, at++);
@@ -115,7 +108,7 @@ private:
     FieldArray takeNamedArray(std::string_view name, std::uint64_t values) {
         std::string_view line;
         while (nextLine(rest_, line)) {
-            const std::string word = lowerWord(nextWord(line));
+            const std::string word = lowerCase(nextWord(line));
             if (word.empty()) continue;
             if (word == name) return takeArray("", typeOf(line), values, 1);
             break;
@@ -170,7 +163,7 @@ private:
 
     void skipTableName() {
         std::string_view after = rest_, line;
-        if (nextLine(after, line) && lowerWord(nextWord(line)) == "lookup_table") rest_ = after;
+        if (nextLine(after, line) && lowerCase(nextWord(line)) == "lookup_table") rest_ = after;
     }
 
     void skipParagraph() {
@@ -195,7 +188,7 @@ private:
 
     Scalar typeOf(std::string_view& line) const {
         const std::string_view word = nextWord(line);
-        const std::string lower = lowerWord(word);
+        const std::string lower = lowerCase(word);
         for (const VtkType& type : kVtkTypes)
             if (type.name == lower) return type.scalar;
         refuseLine(input_, word.data(), fmt::format("{} is not a type of numbers", inQuotes(word)));
@@ -216,22 +209,8 @@ private:
         if (binary_)
             rest_.remove_prefix(tuples * components * size);
         else
-            array.first = parseWords(type, tuples * components);
+            array.first = piece_.owned.emplace_back(takeNumbers(input_, rest_, type, tuples * components)).data();
         return array;
-    }
-
-    const char* parseWords(Scalar type, std::uint64_t values) {
-        std::string& parsed = piece_.owned.emplace_back(values * scalarSize(type), '\0');
-        for (std::uint64_t i = 0; i < values; ++i) {
-            const std::string_view word = nextWord(rest_);
-            if (storeWord(word, type, parsed.data() + i * scalarSize(type)) == Stored::kNothing)
-                refuseLine(input_, word.data(), fmt::format("{} is not a number", inQuotes(word)));
-        }
-        return parsed.data();
-    }
-
-    static double valueAt(const FieldArray& array, std::uint64_t index) {
-        return loadScalar(array.first + index * array.stride, array.type, array.swapped);
     }
 
     const InputFile& input_;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "preprocess/ingest/field_arrays.h"
+#include "preprocess/ingest/scalar.h"
 #include "preprocess/ingest/sink.h"
 
 namespace pointrt {
@@ -22,6 +23,14 @@ struct VtkPiece {
 
 /// Appends a corner of a polygon. Throws Error if one is not the index of a point.
 void addCorner(const InputFile& input, double index, VtkPiece& piece);
+
+/// A value of an array with one component.
+inline double valueAt(const FieldArray& array, std::uint64_t index) {
+    return loadScalar(array.first + index * array.stride, array.type, array.swapped);
+}
+
+/// Parses numbers at the start of a text, and takes them from it. Throws Error if one is none.
+std::string takeNumbers(const InputFile& input, std::string_view& text, Scalar type, std::uint64_t count);
 
 /// Adds the piece as a scan. Throws Error if it has no positions.
 void addVtkPiece(const InputFile& input, VtkPiece& piece, Emptiness emptiness, Sink& sink);

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "preprocess/ingest/scalar.h"
-#include "preprocess/ingest/typed_word.h"
+#include "preprocess/ingest/text.h"
 #include "preprocess/input/mesh/vtk_piece.h"
 #include "preprocess/input/mesh/vtp_data.h"
 
@@ -144,10 +144,6 @@ private:
         }
     }
 
-    static double valueAt(const FieldArray& array, std::uint64_t index) {
-        return loadScalar(array.first + index * array.stride, array.type, array.swapped);
-    }
-
     void readArray(const Tag& tag) {
         std::uint64_t components = 1;
         const std::string_view written = tag.value("NumberOfComponents");
@@ -217,13 +213,7 @@ private:
     std::string parseWords(std::string_view text, Scalar type, std::uint64_t values) const {
         if (values > (text.size() + 1) / 2) // a digit and a blank each
             refuse(input_, fmt::format("an array promises {} numbers in {} bytes of text", values, text.size()));
-        std::string parsed(values * scalarSize(type), '\0');
-        for (std::uint64_t i = 0; i < values; ++i) {
-            const std::string_view word = nextWord(text);
-            if (storeWord(word, type, parsed.data() + i * scalarSize(type)) == Stored::kNothing)
-                refuseLine(input_, word.data(), fmt::format("{} is not a number", inQuotes(word)));
-        }
-        return parsed;
+        return takeNumbers(input_, text, type, values);
     }
 
     const InputFile& input_;

@@ -8,12 +8,10 @@
 #include <zlib.h>
 
 #include "preprocess/ingest/text.h"
+#include "preprocess/ingest/unpack_limit.h"
 
 namespace pointrt {
 namespace {
-
-/// The limits of unpackGzip.
-constexpr std::uint64_t kArrayAtLeast = std::uint64_t{64} << 20, kArrayPerByte = 100;
 
 int sixBits(char letter) {
     if (letter >= 'A' && letter <= 'Z') return letter - 'A';
@@ -117,8 +115,7 @@ std::string decodeVtpData(const InputFile& input, const VtpEncoding& encoding, s
     if (!encoding.compressor.empty() && !unpacks)
         refuse(input, fmt::format("is compressed with {}; save it with zlib or without compression",
                                   inQuotes(encoding.compressor)));
-    if (size > kArrayAtLeast + kArrayPerByte * input.bytes.size())
-        refuse(input, fmt::format("an array promises {} bytes", size));
+    if (size > mostUnpacked(input.bytes.size())) refuse(input, fmt::format("an array promises {} bytes", size));
     StoredBytes bytes(input, stored, base64);
     if (unpacks) return unpackBlocks(input, encoding, bytes, size);
     const std::uint64_t length = takeLength(bytes, encoding.long_lengths);

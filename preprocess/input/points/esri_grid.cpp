@@ -6,6 +6,7 @@
 
 #include "preprocess/ingest/formats.h"
 #include "preprocess/ingest/text.h"
+#include "preprocess/input/points/height_grid.h"
 
 namespace pointrt {
 namespace {
@@ -19,12 +20,6 @@ struct GridHeader {
 
     double cells() const { return static_cast<double>(columns) * static_cast<double>(rows); }
 };
-
-std::string lowerCase(std::string_view word) {
-    std::string lower;
-    for (const char letter : word) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    return lower;
-}
 
 /// Takes one line of the header; false if it is not one.
 bool takeEntry(const InputFile& input, std::string_view line, GridHeader& header, bool& corner_x, bool& corner_y) {
@@ -106,14 +101,7 @@ void readEsriGrid(const InputFile& input, Sink& sink) {
     traits.vertices = std::min<std::uint64_t>(header.columns * header.rows, header.body.size());
     sink.beginScan(input, traits);
     const std::uint64_t missing = addCells(input, header, sink);
-    if (missing > 0)
-        sink.note(input,
-                  fmt::format("{} of {} cells have no data and are left out", missing, header.columns * header.rows));
-    sink.finishScan(input);
-    WorldFrame frame;
-    frame.up = Vec3d::UnitZ();
-    frame.from_above = true; // heights show surfaces from above, whatever measured them
-    sink.setWorldFrame(input, frame);
+    finishHeights(input, missing, header.columns * header.rows, {}, sink);
 }
 
 } // namespace

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // GeoTIFF: heights of square cells in a coordinate system (OGC GeoTIFF Standard 1.1).
 #include <cmath>
+#include <utility>
 
 #include "format/pointio/las_crs.h"
 #include "preprocess/ingest/formats.h"
 #include "preprocess/ingest/scalar.h"
 #include "preprocess/ingest/text.h"
+#include "preprocess/ingest/unpack_limit.h"
+#include "preprocess/input/points/height_grid.h"
 #include "preprocess/input/points/tiff_file.h"
 
 namespace pointrt {
@@ -152,8 +155,7 @@ std::uint64_t addCells(const InputFile& input, const TiffFile& tiff, const Heigh
     const tmsize_t size = tiled ? TIFFTileSize(tiff.get()) : TIFFStripSize(tiff.get());
     const bool separate = tiff.number(TIFFTAG_PLANARCONFIG) == PLANARCONFIG_SEPARATE;
     const std::uint32_t samples = separate ? 1 : image.samples;
-    constexpr tmsize_t kAtLeast = 64 << 20, kPerByte = 100;
-    if (size <= 0 || size > kAtLeast + kPerByte * static_cast<tmsize_t>(input.bytes.size()))
+    if (size <= 0 || static_cast<std::uint64_t>(size) > mostUnpacked(input.bytes.size()))
         tiff.fail("the size of its strips or tiles");
     std::vector<char> pixels(static_cast<std::size_t>(size));
     std::uint64_t missing = 0;
@@ -187,14 +189,10 @@ void readGeoTiff(const InputFile& input, Sink& sink) {
     traits.vertices = cells;
     sink.beginScan(input, traits);
     const std::uint64_t missing = addCells(input, tiff, image, sink);
-    if (missing > 0) sink.note(input, fmt::format("{} of {} cells have no data and are left out", missing, cells));
-    sink.finishScan(input);
     WorldFrame frame;
-    frame.up = Vec3d::UnitZ();
-    frame.from_above = true; // heights show surfaces from above, whatever measured them
     frame.crs = image.crs.name;
     frame.metres_per_unit = image.crs.metres_per_unit;
-    sink.setWorldFrame(input, frame);
+    finishHeights(input, missing, cells, std::move(frame), sink);
     if (image.crs.kind == LasCrs::Kind::kGeographic) sink.addDegrees(input);
 }
 

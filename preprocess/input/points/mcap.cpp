@@ -21,7 +21,7 @@ struct McapChannel {
 
 class McapReader {
 public:
-    McapReader(const InputFile& input, Sink& sink) : input_(input), sink_(sink), clouds_(input, sink) {}
+    McapReader(const InputFile& input, Sink& sink) : input_(input), clouds_(input, sink) {}
 
     void read() {
         readRecords(input_.bytes.substr(kMcapMark.size()), false);
@@ -35,10 +35,7 @@ private:
             if (!in_chunk) clouds_.reportLeft(cursor.rest.size());
             const auto kind = cursor.take<std::uint8_t>();
             const auto size = cursor.take<std::uint64_t>();
-            if (size > cursor.rest.size()) {
-                cutShort();
-                return;
-            }
+            if (size > cursor.rest.size()) return clouds_.cutShort();
             ByteCursor record{input_, cursor.takeBytes(size)};
             if (kind == kDataEnd || kind == kFooter) return; // what follows repeats schemas and channels
             readRecord(kind, record, in_chunk);
@@ -86,13 +83,7 @@ private:
         readRecords(unpackChunk(input_, compression, packed, size), true);
     }
 
-    void cutShort() {
-        if (!sink_.salvages) refuse(input_, "truncated: it ends within a record; --salvage reads the clouds before it");
-        sink_.note(input_, "truncated: the clouds before its end are read");
-    }
-
     const InputFile& input_;
-    Sink& sink_;
     RosClouds clouds_;
     std::unordered_map<std::uint16_t, std::string> type_of_schema_;
     std::unordered_map<std::uint16_t, McapChannel> channels_;

@@ -218,8 +218,7 @@ const NamedArray* soleArray(const std::vector<NamedArray>& arrays) {
 
 std::string namesOf(const std::vector<NamedArray>& arrays) {
     std::string names;
-    for (const NamedArray& each : arrays)
-        if (names.size() < 80) names += (names.empty() ? "" : ", ") + inQuotes(each.name); // about one line
+    for (const NamedArray& each : arrays) addQuoted(each.name, names);
     return names;
 }
 
@@ -230,8 +229,10 @@ void readArchive(const InputFile& input, Sink& sink) {
     std::string unread;
     for (const NamedArray& each : arrays) {
         const auto field = fieldFor(each, points);
-        if (field) fields.push_back(*field);
-        if (!field && unread.size() < 80) unread += (unread.empty() ? "" : ", ") + inQuotes(each.name); // one line
+        if (field)
+            fields.push_back(*field);
+        else
+            addQuoted(each.name, unread);
     }
     findDimensions(fields);
     if (!hasPositions(fields)) {

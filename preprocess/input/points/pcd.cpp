@@ -11,12 +11,6 @@
 namespace pointrt {
 namespace {
 
-void setPackedColor(Row& row, std::uint32_t rgb) {
-    row[kRed] = rgb >> 16 & 255;
-    row[kGreen] = rgb >> 8 & 255;
-    row[kBlue] = rgb & 255;
-}
-
 /// Packed colours in text are the 32 bits written as a float or, by newer writers and whatever the TYPE, as an integer,
 /// which has neither decimal point nor exponent.
 std::uint32_t packedColor(std::string_view word, char type, double value) {

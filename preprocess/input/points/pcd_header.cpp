@@ -130,8 +130,8 @@ void settleAttributes(PcdHeader& header) {
             field.place = header.packed_size;
             header.columns.push_back({*name, field.scalar, static_cast<std::uint32_t>(field.count)});
             header.packed_size += field.size * field.count;
-        } else if (header.unread.size() < 80) { // about one line
-            header.unread += (header.unread.empty() ? "" : ", ") + inQuotes(field.name);
+        } else {
+            addQuoted(field.name, header.unread);
         }
     }
 }

@@ -9,6 +9,7 @@
 #include "preprocess/ingest/formats.h"
 #include "preprocess/ingest/json_value.h"
 #include "preprocess/ingest/scalar.h"
+#include "preprocess/ingest/unpack_limit.h"
 #include "preprocess/input/points/octree_folder.h"
 #include "preprocess/input/points/potree_brotli.h"
 
@@ -187,9 +188,8 @@ InputFile openSibling(const InputFile& input, const char* name) {
 /// Brotli, more than a gzipped scan may unpack to.
 std::uint64_t pointsOf(const PotreeMeta& meta, const InputFile& hierarchy, const InputFile& octree,
                        const std::vector<PotreeRun>& runs) {
-    constexpr std::uint64_t kUnpackedAtLeast = std::uint64_t{64} << 20, kUnpackedPerByte = 100;
     const std::uint64_t size = octree.bytes.size();
-    const std::uint64_t unpacked = meta.is_brotli ? kUnpackedAtLeast + kUnpackedPerByte * size : size;
+    const std::uint64_t unpacked = meta.is_brotli ? mostUnpacked(size) : size;
     const std::uint64_t room = unpacked / meta.record_bytes;
     std::uint64_t points = 0;
     for (const PotreeRun& run : runs) {

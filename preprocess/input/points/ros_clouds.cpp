@@ -2,10 +2,10 @@
 #include "preprocess/input/points/ros_clouds.h"
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 
 #include "preprocess/ingest/field_arrays.h"
+#include "preprocess/ingest/text.h"
 #include "preprocess/input/points/byte_cursor.h"
 
 namespace pointrt {
@@ -121,8 +121,7 @@ RosCloud takeCloud(const InputFile& input, RosEncoding encoding, std::string_vie
 
 /// Whether a frame stays where it is while its scanner moves, by its usual names (REP 105).
 bool isFixedFrame(std::string_view frame) {
-    std::string lower;
-    for (const char letter : frame) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    const std::string lower = lowerCase(frame);
     for (const std::string_view word : {"map", "odom", "world", "earth", "utm", "global"})
         if (lower.find(word) != std::string::npos) return true;
     return false;
@@ -157,6 +156,11 @@ void RosClouds::add(const std::string& topic, RosEncoding encoding, std::string_
     sink_.finishScan(input_, fmt::format("{} {}", topic, its.clouds), Emptiness::kAllowed);
     ++clouds_;
     points_ += count;
+}
+
+void RosClouds::cutShort() {
+    if (!sink_.salvages) refuse(input_, "truncated: it ends within a record; --salvage reads the clouds before it");
+    sink_.note(input_, "truncated: the clouds before its end are read");
 }
 
 std::string RosClouds::otherTopics() const {

@@ -34,6 +34,8 @@ public:
     void addTopic(const std::string& topic, const std::string& type) { topics_[topic].type = type; }
     /// Throws Error if the message is malformed.
     void add(const std::string& topic, RosEncoding encoding, std::string_view message);
+    /// Notes that the recording ends within a record. Throws Error unless the sink salvages.
+    void cutShort();
     /// Notes what was read of which topics and sets the frame. Throws Error if no topic had a point.
     void finish();
 

@@ -43,7 +43,7 @@ private:
 
 class BagReader {
 public:
-    BagReader(const InputFile& input, Sink& sink) : input_(input), sink_(sink), clouds_(input, sink) {}
+    BagReader(const InputFile& input, Sink& sink) : input_(input), clouds_(input, sink) {}
 
     void read() {
         readRecords(input_.bytes.substr(kBagMark.size()), false);
@@ -56,12 +56,7 @@ private:
         while (!cursor.rest.empty()) {
             if (!in_chunk) clouds_.reportLeft(cursor.rest.size());
             std::string_view header, data;
-            if (!takePart(cursor, header) || !takePart(cursor, data)) {
-                if (!sink_.salvages)
-                    refuse(input_, "truncated: it ends within a record; --salvage reads the clouds before it");
-                sink_.note(input_, "truncated: the clouds before its end are read");
-                return;
-            }
+            if (!takePart(cursor, header) || !takePart(cursor, data)) return clouds_.cutShort();
             readRecord(BagHeader(input_, header), data, in_chunk);
         }
     }
@@ -101,7 +96,6 @@ private:
     }
 
     const InputFile& input_;
-    Sink& sink_;
     RosClouds clouds_;
     std::unordered_map<std::uint32_t, std::string> topic_of_connection_; ///< those with clouds
 };

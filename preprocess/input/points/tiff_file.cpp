@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/input/points/tiff_file.h"
+#include "preprocess/ingest/unpack_limit.h"
 
 #include <algorithm>
 #include <cstdarg>
@@ -8,9 +9,6 @@
 
 namespace pointrt {
 namespace {
-
-/// What libtiff may allocate at once: a strip or tile, or a list of their places. The limit of unpackGzip.
-constexpr std::uint64_t kLargestBlockAtLeast = std::uint64_t{64} << 20, kLargestBlockPerByte = 100;
 
 tmsize_t writeNothing(thandle_t, void*, tmsize_t) { return 0; }
 int closeNothing(thandle_t) { return 0; }
@@ -42,7 +40,7 @@ int TiffFile::keepError(TIFF*, void* stream, const char*, const char* format, va
 
 TiffFile::TiffFile(const InputFile& input)
     : input_(input), stream_(std::make_unique<Stream>(Stream{input.bytes, 0, {}})) {
-    const std::uint64_t largest = kLargestBlockAtLeast + kLargestBlockPerByte * input.bytes.size();
+    const std::uint64_t largest = mostUnpacked(input.bytes.size()); // a strip or tile, or a list of their places
     const std::unique_ptr<TIFFOpenOptions, decltype(&TIFFOpenOptionsFree)> options(TIFFOpenOptionsAlloc(),
                                                                                    TIFFOpenOptionsFree);
     TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), static_cast<tmsize_t>(largest));

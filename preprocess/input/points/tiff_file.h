@@ -15,7 +15,7 @@ namespace pointrt {
 
 class TiffFile {
 public:
-    /// Opens the first image. Throws Error if there is none. The input must outlive the TiffFile.
+    /// Opens the first image of the file. Throws Error if the file has no image. The input must outlive the TiffFile.
     explicit TiffFile(const InputFile& input);
     TiffFile(const TiffFile&) = delete;
     TiffFile& operator=(const TiffFile&) = delete;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/input/points/unpack_chunk.h"
+#include "preprocess/ingest/unpack_limit.h"
 
 #include <lz4frame.h>
 #include <memory>
@@ -7,9 +8,6 @@
 
 namespace pointrt {
 namespace {
-
-/// The limits of unpackGzip.
-constexpr std::uint64_t kChunkAtLeast = std::uint64_t{64} << 20, kChunkPerByte = 100;
 
 bool unpackLz4(std::string_view packed, std::string& unpacked) {
     LZ4F_dctx* made = nullptr;
@@ -37,7 +35,7 @@ std::string unpackChunk(const InputFile& input, std::string_view compression, st
         refuse(input, fmt::format("has chunks compressed with {}; this build reads lz4 and zstd: recompress it, for "
                                   "example with 'rosbag compress --lz4' or 'mcap compress'",
                                   inQuotes(compression)));
-    if (size > kChunkAtLeast + kChunkPerByte * packed.size())
+    if (size > mostUnpacked(packed.size()))
         refuse(input, fmt::format("a chunk of {} bytes promises {} unpacked ones", packed.size(), size));
     std::string unpacked(size, '\0');
     const bool good = compression == "lz4"

@@ -199,7 +199,7 @@ void nameAttributes(const InputFile& input, Layout& layout, Sink& sink) {
         const bool is_word = fields.next(field) && !field.empty() && !isAnyNumber(field);
         if (layout.dimensions[i] != kIgnored) continue;
         if (!is_word && addAttribute(layout, i, fullName(layout.names[i]), names)) continue;
-        if (unread.size() < 80) unread += (unread.empty() ? "" : ", ") + inQuotes(layout.names[i]); // about one line
+        addQuoted(layout.names[i], unread);
     }
     if (!unread.empty()) sink.note(input, "columns of words and columns without a unique name are not read: " + unread);
     if (fields.next(field) && !field.empty())
