@@ -49,11 +49,11 @@ void addValue(CommandLine& app, const std::string& name, const std::string& type
 }
 
 void addStudyOptions(CommandLine& app, StudyOptions& options) {
-    addSceneAndOutput(
-        app, options,
-        "Points with their columns and the results, replacing an existing file: .ply, .las, .laz or .csv; - is PLY "
-        "on standard output",
-        ".ply .las .laz .csv");
+    addSceneAndOutput(app, options,
+                      "Points with their columns and the results, replacing an existing file: .ply, .pcd, .las, .laz, "
+                      ".e57 or .csv; - is "
+                      "PLY on standard output",
+                      ".ply .pcd .las .laz .e57 .csv");
     app.add_option("--points", options.points,
                    "Evaluate these points instead of the scene's: .pro, .proset, .toml, .las, .laz or .ply, or x y z "
                    "[nx ny nz] "
