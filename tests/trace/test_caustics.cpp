@@ -164,7 +164,7 @@ TEST(Caustics, OfAMirrorRingOfSplats) {
 
 // Whole pictures, with photons and without.
 
-struct Case {
+struct BrightScene {
     const char* name;
     SceneDescription scene;
     bool gathers = true; ///< on the floor
@@ -182,7 +182,7 @@ SceneDescription brightScene(std::vector<MaterialDescription> materials, std::ve
     return scene;
 }
 
-std::vector<Case> brightCases() {
+std::vector<BrightScene> brightCases() {
     const SphereLight ball{kLampAt, 2.5, {3, 3, 3}};
     const QuadLight quad{kLampAt, {2, 0, 0}, {0, 0, 2}, {3, 3, 3}};
     const MaterialDescription glass = material(MaterialKind::kGlass);
@@ -196,7 +196,7 @@ std::vector<Case> brightCases() {
     pane.thin = true;
     const ShapeDescription body = ballAt({0, 0, 0}, 1, 1), beside = ballAt({-1.6, kFloor + 0.7, 1}, 0.7, 2);
     const ShapeDescription slab{ShapeKind::kQuad, {0.5, 0.5, 0}, {2, 0, 0}, {0, 0, -2}, {0, 1, 0}, 1};
-    std::vector<Case> cases{
+    std::vector<BrightScene> cases{
         {"sphere lamp", brightScene({glass}, {body}, ball)},
         {"quad lamp", brightScene({glass}, {body}, quad)},
         {"sun", brightScene({glass}, {body}, SunLight{normalize(kLampAt), 15, {3, 3, 3}})},
@@ -212,11 +212,11 @@ std::vector<Case> brightCases() {
         {"two bodies", brightScene({glass}, {body, ballAt({0.8, 2.6, 0.2}, 0.8, 1)}, ball)},
         {"pane", brightScene({pane}, {slab}, ball)},
     };
-    Case room{"in a room", brightScene({glass}, {body}, ball)};
+    BrightScene room{"in a room", brightScene({glass}, {body}, ball)};
     room.scene.shapes.push_back({ShapeKind::kBox, {0, 4, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 10}, 0});
     cases.push_back(room);
     // metal reflects light by its direction, which photons do not store
-    Case shiny{"on metal", brightScene({glass}, {body}, ball), false};
+    BrightScene shiny{"on metal", brightScene({glass}, {body}, ball), false};
     shiny.scene.materials[0] = metal;
     cases.push_back(shiny);
     return cases;
@@ -226,7 +226,7 @@ class CausticScene : public testing::TestWithParam<std::size_t> {};
 
 /// Compares the mean light of the picture and of its quarters with and without photons.
 TEST_P(CausticScene, CountsAllLightOnce) {
-    const Case each = brightCases().at(GetParam());
+    const BrightScene each = brightCases().at(GetParam());
     const auto all = [](Vec3) { return true; };
     const Film on = renderScene(each.scene, view(Integrator::kPath, 32)).film;
     const Film off = renderScene(each.scene, view(Integrator::kPath, 256, false)).film;

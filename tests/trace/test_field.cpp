@@ -35,8 +35,8 @@ double shareOff(const Splats& scene) {
     const std::string path = temporaryPath("rough.pro");
     writeScene(path, scene, {});
     const std::vector<CubeSplat> splats = loadCubeSplats(path);
-    constexpr std::size_t kRays = 3000;
-    const std::vector<Ray> rays = grazingRays(splats, kRays, 3);
+    constexpr std::size_t ray_count = 3000;
+    const std::vector<Ray> rays = grazingRays(splats, ray_count, 3);
     const std::vector<CastHit> hits = RayCaster(path).cast(rays);
     const Reference reference = loadReference(path);
     const pro_info info = infoOf(path);
@@ -51,7 +51,7 @@ double shareOff(const Splats& scene) {
         const double radius = splats[hits[i].splat].radius;
         off += std::abs(hits[i].t_blended - expected->t / info.scale) > 0.01 * radius;
     }
-    EXPECT_GT(compared, kRays * 9 / 10);
+    EXPECT_GT(compared, ray_count * 9 / 10);
     return static_cast<double>(off) / static_cast<double>(compared);
 }
 

@@ -90,11 +90,12 @@ TEST(Glass, LightLeavesTheBallBySnellsLaw) {
     EXPECT_LT(exact.p99, 0.02);
     EXPECT_GT(shape.errors.size(), shape.pixels * 8 / 10);
     // degrees, 1.5 times what was measured
-    struct Case {
+    struct RefractionLimits {
         std::size_t splats;
         double mean, p99;
     };
-    for (const Case& each : {Case{20000, 0.48, 3}, Case{100000, 0.22, 1.35}, Case{500000, 0.1, 0.6}}) {
+    for (const RefractionLimits& each :
+         {RefractionLimits{20000, 0.48, 3}, RefractionLimits{100000, 0.22, 1.35}, RefractionLimits{500000, 0.1, 0.6}}) {
         const SphereFile file(each.splats);
         const WayErrors found = wayErrors(splatBody(file.path, clearGlass()), sky);
         const Spread spread = spreadOf(found.errors);

@@ -137,10 +137,10 @@ TEST(Rims, InsidesOfBowlsRemainBacks) {
 
 /// A sheet scanned from both sides, three spacings thick; the upper side has an opening.
 TEST(Rims, FarSidesOfThinSheetsRemainBacks) {
-    constexpr std::size_t kSide = 100;
-    const float spacing = 2.0f / kSide, thick = 3 * spacing, factor = 1.5f;
-    const Splats top = squareSplats(kSide, Vec3f(0, 0, thick), Vec3f(1, 0, 0), Vec3f(0, 1, 0), factor);
-    Splats sheet = squareSplats(kSide, Vec3f(0, 0, 0), Vec3f(0, 1, 0), Vec3f(1, 0, 0), factor);
+    constexpr std::size_t kPointsAlongEdge = 100;
+    const float spacing = 2.0f / kPointsAlongEdge, thick = 3 * spacing, factor = 1.5f;
+    const Splats top = squareSplats(kPointsAlongEdge, Vec3f(0, 0, thick), Vec3f(1, 0, 0), Vec3f(0, 1, 0), factor);
+    Splats sheet = squareSplats(kPointsAlongEdge, Vec3f(0, 0, 0), Vec3f(0, 1, 0), Vec3f(1, 0, 0), factor);
     for (std::size_t i = 0; i < top.positions.size(); ++i) {
         if (std::abs(top.positions[i].x()) < 0.5f && std::abs(top.positions[i].y()) < 0.5f) continue;
         sheet.input_index.push_back(static_cast<std::uint32_t>(sheet.positions.size()));

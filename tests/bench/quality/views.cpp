@@ -10,10 +10,10 @@ namespace pointrt::quality {
 
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kNothingHit = std::numeric_limits<float>::infinity();
 
 PixelHits castPixel(const Tracing& truth, const Tracing& splats, const Vec3f& origin, const Vec3f& direction) {
-    PixelHits pixel{kInfinity, kInfinity, 0, kInfinity};
+    PixelHits pixel{kNothingHit, kNothingHit, 0, kNothingHit};
     if (const auto hit = truth.firstHit(origin, direction)) {
         pixel.mesh_t = hit->t;
         pixel.mesh_cos = std::abs(hit->normal.normalized().dot(direction));
