@@ -94,13 +94,18 @@ bool isSheet(const Candidate& each) { return each.below.height < 0.02; }
 /// Never x: walls scanned alone would qualify.
 bool mayBeGround(const Candidate& each) { return !(each.is_axis && std::abs(each.up.x()) > 0.5); }
 
+/// Has a floor on one side and a ceiling on the other.
+bool isRoom(const Candidate& each) { return each.below.floor >= 0.3 && each.above.floor >= 0.3; }
+
+/// A room is not decided here: of a scan from within, its ceiling may be more complete than its floor.
 Answer fromGround(const Evidence& evidence) {
     for (const Candidate& each : evidence.candidates) {
         const Footprint &below = each.below, &above = each.above;
         const bool one_sided = below.level - above.level >= 0.25 || below.floor - above.floor >= 0.3;
         // a tower may be flat on top, but is not ground
         const bool flat = below.height < 0.5 || (below.height < 1 && below.floor >= 0.3);
-        if (!mayBeGround(each) || !(below.level >= 0.6) || !one_sided || !flat || isSheet(each)) continue;
+        if (!mayBeGround(each) || isRoom(each) || !(below.level >= 0.6) || !one_sided || !flat || isSheet(each))
+            continue;
         if (mostAcross(evidence, each.up, [](const Candidate& other) { return other.below.level; }) > below.level - 0.2)
             continue;
         return each.up;
@@ -112,7 +117,7 @@ Answer fromGround(const Evidence& evidence) {
 Answer fromRoom(const Evidence& evidence) {
     constexpr double kShelves = 0.03, kMoreLevel = 1.4, kAsMuch = 0.02;
     for (const Candidate& each : evidence.candidates) {
-        if (each.below.floor < 0.3 || each.above.floor < 0.3 || each.below.shelves < kShelves) continue;
+        if (!isRoom(each) || each.below.shelves < kShelves) continue;
         if (mostAcross(evidence, each.up, [](const Candidate& other) { return other.along; }) * kMoreLevel > each.along)
             continue;
         const bool turned = each.below.middle > 0.5 + kAsMuch;

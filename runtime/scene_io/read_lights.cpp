@@ -32,7 +32,7 @@ Color strengthOrPower(const SceneValue& table, std::string_view key, double watt
 double unixSecondsOf(const SceneValue& value) {
     const auto* moment = value.node->as_date_time();
     if (!moment || !moment->get().offset)
-        refuse(value, "must be a date and time with the offset from UTC, such as 2026-06-21T18:30:00+02:00");
+        refuse(value, "must be a date and time with the offset from UTC, without quotes: 2026-06-21T18:30:00+02:00");
     const auto& [date, time, offset] = moment->get();
     if (date.year < 1900 || date.year > 2100) refuse(value, "must be from 1900 to 2100");
     const std::chrono::sys_days day = std::chrono::year{date.year} / date.month / date.day;

@@ -85,7 +85,7 @@ seedsOf trajectory '*path*.csv' '*trajectory*.csv' '*flight*.csv' '*poses*'
 seedsOf beams '*beams*.csv'
 seedsOf sensor '*.toml'
 for file in "$root"/docs/sensors/*.toml; do seed sensor "$(basename "$file")" <"$file"; done
-for file in "$root"/docs/*.toml "$root"/docs/pictures/*.toml; do seed scene "$(basename "$file")" <"$file"; done
+for file in "$root"/docs/*.toml "$root"/docs/gallery/*.toml; do seed scene "$(basename "$file")" <"$file"; done
 for file in "$here"/seeds/*/*; do seed "$(basename "$(dirname "$file")")" "$(basename "$file")" <"$file"; done
 for kind in bin txt; do
     for file in "$work"/kept/*images.$kind; do

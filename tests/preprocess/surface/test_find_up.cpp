@@ -119,6 +119,19 @@ TEST(FindUp, RoomsStandOnTheirFloor) {
     EXPECT_EQ(findUp(turned(room(), kYUp.transpose()), {}).up, -Vec3d::UnitY()) << "as in camera frames";
 }
 
+TEST(FindUp, ACeilingIsNoGround) {
+    // what stands in a room hides its floor, but not its ceiling
+    Scene scene;
+    scene.addRectangle({0, 0, 2.5}, {6, 0, 0}, {0, 4, 0});
+    scene.addRectangle({0, 0, 0}, {6, 0, 0}, {0, 1.9, 0});
+    for (const double x : {0.0, 2.4, 4.8}) scene.addRectangle({x, 0.1 * x, 0}, {1, 0, 0}, {0, 0, 2.5}); // the wall
+    scene.addBox({1, 1, 0}, {1.6, 0.8, 0.75});
+    for (const double x : {0.2, 2.2, 4.2}) scene.addBox({x, 2.2, 0}, {1.4, 2.4, 0.5});
+    const FoundUp found = findUp(scene.splats, {});
+    EXPECT_EQ(found.up, Vec3d::UnitZ()) << found.up.transpose();
+    EXPECT_EQ(found.reason, "floor and ceiling");
+}
+
 TEST(FindUp, TiltedScenesStandOnTheirGround) {
     for (const Splats& scene : {room(), groundWithBoxes()}) {
         const FoundUp found = findUp(turned(scene, kTilted), {});
