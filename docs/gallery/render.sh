@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Renders the pictures of README and docs/GALLERY.md: docs/gallery/render.sh DATA [NAME...]. DATA holds, from public sources:
 #   dragon/dragonStandRight.conf, happy/happyStandRight.conf   range scans, Stanford 3D Scanning Repository
-#   stadium.laz        airborne lidar, PDAL/data (entwine/data/binary), CC BY 4.0
+#   autzen.laz         airborne lidar, 3.8 M points, PDAL/data (entwine/data/binary), CC BY 4.0
 #   lion.ply           stone lion, potree/potree (pointclouds/lion_takanawa)
 #   nefertiti.obj      bust, alecjacobson/common-3d-test-models (data)
 #   room_scan1.pcd     room, PointCloudLibrary/data (tutorials), BSD-3
@@ -43,7 +43,7 @@ for picture in "$@"; do
         view statue statue.toml --size 1280x800 --spp 48
         ;;
     evening)
-        bake stadium.laz stadium
+        bake autzen.laz autzen
         view evening evening.toml --size 1280x800 --spp 32
         ;;
     lion)
