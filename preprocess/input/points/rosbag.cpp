@@ -62,17 +62,20 @@ private:
     bool mayHavePoses() const {
         ByteCursor cursor{input_, records()};
         std::string_view header, data;
-        if (!takePart(cursor, header) || BagHeader(input_, header).text("op") != std::string_view("\3", 1)) return true;
-        const auto index = BagHeader(input_, header).number<std::uint64_t>("index_pos");
+        if (!takePart(cursor, header)) return true;
+        std::uint64_t index = 0;
+        const BagHeader first(input_, header);
+        if (const std::string_view place = first.text("index_pos"); place.size() == sizeof index)
+            std::memcpy(&index, place.data(), sizeof index);
         if (index < kBagMark.size() || index >= input_.bytes.size()) return true;
         cursor.rest = input_.bytes.substr(index);
-        bool indexed = false;
+        bool is_indexed = false;
         while (takePart(cursor, header) && takePart(cursor, data)) {
-            if (BagHeader(input_, header).text("op") != std::string_view("\7", 1)) continue;
+            if (BagHeader(input_, header).number<std::uint8_t>("op") != kConnection) continue;
             if (RosPoses::hasPoses(BagHeader(input_, data).text("type"))) return true;
-            indexed = true;
+            is_indexed = true;
         }
-        return !indexed;
+        return !is_indexed;
     }
 
     void readRecords(std::string_view bytes, bool in_chunk) {
