@@ -50,6 +50,7 @@ public:
             clouds_.beginPoses();
             readRecords(records(), false);
         }
+        topic_of_connection_.clear();
         clouds_.beginClouds();
         readRecords(records(), false);
         clouds_.finish();

@@ -134,6 +134,7 @@ Layout readPrologue(const InputFile& input) {
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
     Layout layout;
     std::optional<char> separator;
+    bool rows_are_numbered = false;
     std::string_view rest = input.bytes, line;
     if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
     const auto next = [&] { return nextRecord(rest, line, layout.named() ? layout.delimiter : ' '); };
@@ -150,8 +151,15 @@ Layout readPrologue(const InputFile& input) {
             continue;
         }
         const char delimiter = separator.value_or(delimiterOf(line));
-        if (!layout.named() && delimiter == ',' && numbersColumns(line, rest.substr(0, rest.find('\n')))) continue;
-        const LineShape shape = shapeOf(line, delimiter);
+        if (!layout.named() && delimiter == ',' && numbersColumns(line, rest.substr(0, rest.find('\n')))) {
+            rows_are_numbered = line.starts_with(',');
+            continue;
+        }
+        LineShape shape = shapeOf(line, delimiter);
+        if (rows_are_numbered && shape.numbers > 3) {
+            ++shape.first;
+            --shape.numbers;
+        }
         if (isCount(shape)) {
             takeCount(input, line, layout);
         } else if (takeHeader(line, delimiter, layout)) {

@@ -124,8 +124,10 @@ def of_ros1(types):
 
 def write_moving_bag(cloud, files):
     from rosbags.rosbag1 import Writer
-    from rosbags.typesys import Stores, get_typestore
+    from rosbags.typesys import Stores, get_types_from_msg, get_typestore
     store = get_typestore(Stores.ROS1_NOETIC)
+    if "tf2_msgs/msg/TFMessage" not in store.types:
+        store.register(get_types_from_msg("geometry_msgs/TransformStamped[] transforms", "tf2_msgs/msg/TFMessage"))
     header, vector, quaternion = of_ros1(store.types)
     message = point_cloud2(cloud, store.types, header(1, "velodyne"))
     with Writer(files.path("poses.bag", times=2, intensity=True, ring=True, shift=SHIFT)) as writer:
