@@ -87,40 +87,41 @@ void RosClouds::cutShort() {
 std::string RosClouds::otherTopics() const {
     std::string others;
     for (const auto& [name, topic] : topics_)
-        if (!isRosCloud(topic.type) && !RosPoses::hasPoses(topic.type) && others.size() < 80) // about one line
-            others += fmt::format("{}{} ({})", others.empty() ? "" : ", ", name, topic.type);
+        if (!isRosCloud(topic.type) && !RosPoses::hasPoses(topic.type))
+            addQuoted(fmt::format("{} ({})", name, topic.type), others);
     return others;
 }
 
 /// Says which topics are placed where, and which are not.
 void RosClouds::notePlaces() {
-    std::string placed, as_they_are;
-    std::uint64_t unplaced = 0;
+    std::string placed, as_they_are, roots;
+    std::uint64_t unplaced = 0, clouds = 0;
     for (const auto& [name, topic] : topics_) {
         if (topic.clouds == 0) continue;
-        std::string& list = topic.is_placed ? placed : as_they_are;
-        const std::string to = topic.is_placed ? fmt::format(", placed in {}", topic.root) : "";
-        list += fmt::format("{}{} ({} in frame {}{})", list.empty() ? "" : ", ", name, topic.clouds, topic.frame, to);
+        addQuoted(fmt::format("{} ({} in frame {})", name, topic.clouds, topic.frame),
+                  topic.is_placed ? placed : as_they_are);
+        if (topic.is_placed && roots.find(topic.root) == roots.npos) addQuoted(topic.root, roots);
         unplaced += topic.unplaced;
+        clouds += topic.clouds;
     }
     if (!placed.empty())
-        sink_.note(input_, fmt::format("clouds are placed by the {} of the recording: {}",
-                                       moves_ ? "poses" : "transforms, none of which moves,", inQuotes(placed)));
+        sink_.note(input_, fmt::format("clouds are placed in frame {} by the {} of the recording: {}", roots,
+                                       moves_ ? "poses" : "transforms, none of which moves,", placed));
     if (!as_they_are.empty())
-        sink_.note(input_, fmt::format("clouds are read as they are, without poses of a moving scanner: {}",
-                                       inQuotes(as_they_are)));
-    if (unplaced > 0)
         sink_.note(input_,
-                   fmt::format("{} clouds from before the first pose or after the last are left out", unplaced));
+                   fmt::format("clouds are read as they are, without poses of a moving scanner: {}", as_they_are));
+    if (unplaced > 0)
+        sink_.note(input_, fmt::format("{} of {} clouds are from before the first pose or after the last, and left out",
+                                       unplaced, clouds));
 }
 
 void RosClouds::finish() {
     if (clouds_ == 0)
         refuse(input_, fmt::format("has no clouds of type sensor_msgs/PointCloud2; its topics are {}",
-                                   topics_.empty() ? "none" : inQuotes(otherTopics())));
+                                   topics_.empty() ? "none" : otherTopics()));
     notePlaces();
     if (const std::string others = otherTopics(); !others.empty())
-        sink_.note(input_, fmt::format("topics without clouds are not read: {}", inQuotes(others)));
+        sink_.note(input_, fmt::format("topics without clouds are not read: {}", others));
     WorldFrame frame;
     frame.up = Vec3d::UnitZ(); // of vehicles and maps alike (REP 103)
     frame.up_by_custom = true;

@@ -208,8 +208,8 @@ TEST_F(RosTest, TransformsPlaceCloudsAtTheirTimes) {
     const double half = std::sqrt(0.5); // turned by 45 degrees: (1, 2) becomes (1 - 2, 1 + 2) * half
     expectNear(world(cloud, 0), {10 - half, 3 * half, 4});
     expectNear(*cloud.scans[0].sensor, {10, 0, 1});
-    EXPECT_HAS(notesOf(cloud), "placed in odom");
-    EXPECT_HAS(notesOf(cloud), "1 clouds");
+    EXPECT_HAS(notesOf(cloud), "placed in frame 'odom'");
+    EXPECT_HAS(notesOf(cloud), "1 of 2 clouds");
 }
 
 TEST_F(RosTest, McapPosesPlaceClouds) {
@@ -229,7 +229,7 @@ TEST_F(RosTest, McapPosesPlaceClouds) {
     const Cloud cloud = readText("a.mcap", mcap(mcapRecords(1) + poses));
     ASSERT_EQ(cloud.positions.size(), 1u);
     expectNear(world(cloud, 0), {102, 2, 4});
-    EXPECT_HAS(notesOf(cloud), "placed in map");
+    EXPECT_HAS(notesOf(cloud), "placed in frame 'map'");
 }
 
 TEST_F(RosTest, OdometryMovesWhatTransformsOnlyMount) {
