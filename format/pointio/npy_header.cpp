@@ -16,6 +16,7 @@ bool isBlank(char letter) { return letter == ' ' || letter == '\t' || letter == 
 /// Takes the literals of Python that headers consist of.
 struct Literals {
     std::string_view rest;
+    std::string key = {}; ///< whose value is taken, for messages
 
     bool take(char mark) {
         while (!rest.empty() && isBlank(rest.front())) rest.remove_prefix(1);
@@ -60,8 +61,8 @@ struct Literals {
         fail("expected True or False");
     }
     [[noreturn]] void fail(const std::string& reason) const {
-        throw std::invalid_argument("the NumPy header is malformed: " + reason + " at '" +
-                                    printable(rest.substr(0, 20)) + "'");
+        throw std::invalid_argument(key + (key.empty() ? "" : ": ") + reason + " at '" + printable(rest.substr(0, 20)) +
+                                    "' in the NumPy header");
     }
 };
 
@@ -118,8 +119,10 @@ NpyHeader parseNpyHeader(std::string_view text) {
     Literals literals{text};
     literals.require('{');
     do {
+        literals.key.clear();
         const std::string key = literals.text();
         literals.require(':');
+        literals.key = printable(key);
         if (key == "descr")
             header.fields = takeDescription(literals);
         else if (key == "fortran_order")
@@ -127,7 +130,7 @@ NpyHeader parseNpyHeader(std::string_view text) {
         else if (key == "shape")
             header.shape = takeShape(literals);
         else
-            literals.fail("unknown key '" + printable(key) + "'");
+            literals.fail("unknown key");
         has_order = has_order || key == "fortran_order";
         has_shape = has_shape || key == "shape";
     } while (literals.takeNext('}'));
