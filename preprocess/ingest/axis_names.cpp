@@ -18,11 +18,12 @@ struct AxisNames {
 constexpr AxisNames kAxisNames[] = {
     {"x", "y"},
     {"easting east eastings e", "northing north northings n"},
-    {"rechtswert rechts rw ostwert ost", "hochwert hoch hw nordwert nord"},
+    {"rechtswert rechts rw ostwert ost est este", "hochwert hoch hw nordwert nord norte"},
     {"longitude lon long lng", "latitude lat", true},
+    {"points0", "points1"}, // ParaView: "Points:0" or "Points_0"
 };
 /// Heights are named the same whatever x and y are.
-constexpr std::string_view kHeights = "z height elevation elev altitude alt h hoehe höhe up";
+constexpr std::string_view kHeights = "z height elevation elev altitude alt h hoehe höhe cota quota up points2";
 
 bool isWordOf(std::string_view words, std::string_view wanted) {
     while (!words.empty()) {
@@ -53,9 +54,11 @@ std::string essence(std::string_view written) {
     for (const char letter : written)
         if (static_cast<unsigned char>(letter) >= 0x80 || std::isalnum(static_cast<unsigned char>(letter)))
             name += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    if (name.size() == 7 && name.starts_with("points") && std::isdigit(static_cast<unsigned char>(name.back())))
+        return name;
     constexpr std::string_view kAdded[] = {"coordinates", "coordinate", "coords",  "coord", "position", "pos",
                                            "points",      "point",      "degrees", "deg",   "metres",   "meters",
-                                           "metre",       "meter",      "feet",    "utm"};
+                                           "metre",       "meter",      "feet",    "utm",   "world",    "cartesian"};
     for (const std::string_view word : kAdded)
         if (strip(name, word)) break;
     return name;

@@ -97,19 +97,23 @@ bool nextRecord(std::string_view& rest, std::string_view& record, char delimiter
 
 char delimiterOf(std::string_view line) {
     bool quoted = false, has_comma = false, has_tab = false;
+    int bars = 0;
     for (const char letter : line) {
         if (letter == '"') quoted = !quoted;
         if (quoted) continue;
         if (letter == ';') return ';';
+        bars += letter == '|';
         has_comma = has_comma || letter == ',';
         has_tab = has_tab || letter == '\t';
     }
+    if (bars >= 2) return '|'; // one may be a mark before a remark
     if (has_comma && !hasCommasInNumbers(line)) return ',';
     return has_tab && hasTabFields(line) ? '\t' : ' ';
 }
 
 bool isMissingNumber(std::string_view field) {
-    constexpr std::string_view kWords[] = {"", "na", "n/a", "#n/a", "null", "none", "nil", "nodata", "-", "--", "?"};
+    constexpr std::string_view kWords[] = {"",    "na",     "n/a", "#n/a", "null", "none",
+                                           "nil", "nodata", "-",   "--",   "?",    "*"};
     constexpr std::size_t kLongest = 6;
     if (field.size() > kLongest) return false;
     return std::find(std::begin(kWords), std::end(kWords), lowerCase(field)) != std::end(kWords);

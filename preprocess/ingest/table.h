@@ -10,8 +10,8 @@
 
 namespace pointrt {
 
-/// The fields of one record. The delimiter is a comma, a semicolon, a tab or, as ' ', any run of blanks. A field in
-/// double quotes may contain delimiters (RFC 4180); doubled quotes in it stay doubled.
+/// The fields of one record. The delimiter is a comma, a semicolon, a bar, a tab or, as ' ', any run of blanks. A field
+/// in double quotes may contain delimiters (RFC 4180); doubled quotes in it stay doubled.
 struct Fields {
     std::string_view rest;
     char delimiter;
@@ -30,9 +30,9 @@ struct Fields {
 /// Takes the next line from rest; a quoted field that its end leaves open continues on the next lines, at most 16.
 bool nextRecord(std::string_view& rest, std::string_view& record, char delimiter);
 
-/// Semicolons outside quotes delimit fields, else commas, else tabs, else blanks. Commas between digits in words that
-/// are all numbers separate decimals or thousands, and tabs in a line that starts with one, or repeats them, are
-/// blanks.
+/// Semicolons outside quotes delimit fields, else two bars or more, else commas, else tabs, else blanks. Commas between
+/// digits in words that are all numbers separate decimals or thousands, and tabs in a line that starts with one, or
+/// repeats them, are blanks.
 char delimiterOf(std::string_view line);
 
 /// Whether a field marks a missing number: empty, NA, null and the like.
@@ -54,7 +54,7 @@ inline std::string_view trimmedRecord(std::string_view record, char delimiter) {
 inline std::optional<std::string_view> commentText(std::string_view line) {
     if (line.starts_with("#N/A")) return std::nullopt;
     if (line.starts_with("//")) return line.substr(2);
-    if (line.starts_with("#")) return line.substr(1);
+    if (line.starts_with("#") || line.starts_with("%")) return line.substr(1); // MATLAB's is %
     return std::nullopt;
 }
 

@@ -10,6 +10,9 @@ namespace {
 /// Advice for files that are not supported.
 constexpr std::string_view kUnpack = "unpack it first";
 constexpr std::string_view kConvertScan = "convert it first, with CloudCompare or 'pdal translate'";
+constexpr std::string_view kExportClouds = "save its clouds as LAS or PLY from CloudCompare, or with "
+                                           "'CloudCompare -SILENT -O FILE.bin -C_EXPORT_FMT LAS -SAVE_CLOUDS'";
+constexpr std::string_view kConvertGrid = "convert it first, with 'gdal_translate -of AAIGrid'";
 constexpr std::string_view kConvertMesh =
     "convert it to PLY or OBJ first, with MeshLab or Blender; --sample N samples points";
 constexpr std::string_view kConvertSplats = "export it as PLY, SPZ or SOG, for example from SuperSplat";
@@ -23,12 +26,21 @@ struct Foreign {
 };
 
 /// Scans and models in unsupported formats.
+// clang-format off
 constexpr Foreign kUnreadStarts[] = {
     {"[Expe/PointSet", "is an Expe point set", kConvertScan},
     {"\x89HDF", "is an HDF5 file", kConvertScan},
+    {"CCB0", "is a CloudCompare project", kExportClouds}, // the digit: whether numbers are floats or doubles
+    {"CCB1", "is a CloudCompare project", kExportClouds},
+    {"CCB2", "is a CloudCompare project", kExportClouds},
+    {"CCB3", "is a CloudCompare project", kExportClouds},
+    {"DSAA", "is a Surfer grid", kConvertGrid},
+    {"DSBB", "is a Surfer grid", kConvertGrid},
+    {"DSRB", "is a Surfer grid", kConvertGrid},
     {"Kaydara FBX", "is an FBX model", kConvertMesh},
     {"BLENDER", "is a Blender file", kConvertMesh},
 };
+// clang-format on
 /// The same, recognised by suffix: text, or bytes without a signature.
 constexpr Foreign kUnreadSuffixes[] = {
     {"ksplat lcc", "is a file of Gaussian splats", kConvertSplats},

@@ -2,72 +2,18 @@
 #include "runtime/rays/npy_header.h"
 
 #include <algorithm>
-#include <charconv>
 #include <stdexcept>
 
 #include "format/base/error.h"
 
 namespace pointrt {
 
-const std::string kNpyMagic = "\x93NUMPY";
-
 namespace {
 
 constexpr std::size_t kAlignment = 64;          // of the first number, as in NumPy
 constexpr std::uint32_t kLongestHeader = 65536; // ours have 128 bytes, structured arrays more
 
-[[noreturn]] void fail(const std::string& reason) { throw std::invalid_argument(reason); }
-
-/// The text after 'key': in the dict.
-std::string_view valueOf(std::string_view text, const std::string& key) {
-    for (const char quote : {'\'', '"'}) {
-        const std::string name = quote + key + quote;
-        const std::size_t at = text.find(name);
-        if (at == text.npos) continue;
-        std::string_view rest = text.substr(at + name.size());
-        const std::size_t start = rest.find_first_not_of(" :");
-        if (start != rest.npos) return rest.substr(start);
-    }
-    fail("the header lacks " + key);
-}
-
-/// A plain type, or the start of a structured type, which matches none of ours.
-std::string parseDescr(std::string_view value) {
-    const char quote = value.front();
-    if (quote != '\'' && quote != '"') return std::string(value.substr(0, value.find('\'')));
-    const std::size_t end = value.find(quote, 1);
-    if (end == value.npos) fail("truncated header");
-    return std::string(value.substr(1, end - 1));
-}
-
-std::vector<std::uint64_t> parseShape(std::string_view value) {
-    const std::size_t end = value.find(')');
-    if (value.front() != '(' || end == value.npos) fail("invalid shape in the header");
-    value = value.substr(1, end - 1);
-    std::vector<std::uint64_t> shape;
-    while (true) {
-        const std::size_t start = value.find_first_not_of(" ,L"); // Python 2 wrote 3L
-        if (start == value.npos) return shape;
-        value.remove_prefix(start);
-        std::uint64_t size = 0;
-        const auto [rest, error] = std::from_chars(value.data(), value.data() + value.size(), size);
-        if (error != std::errc()) fail("invalid shape in the header");
-        shape.push_back(size);
-        value.remove_prefix(static_cast<std::size_t>(rest - value.data()));
-    }
-}
-
 } // namespace
-
-NpyHeader parseNpyHeader(std::string_view text) {
-    NpyHeader header;
-    header.descr = parseDescr(valueOf(text, "descr"));
-    const std::string_view order = valueOf(text, "fortran_order");
-    if (!order.starts_with("True") && !order.starts_with("False")) fail("invalid fortran_order in the header");
-    header.fortran_order = order.starts_with("True");
-    header.shape = parseShape(valueOf(text, "shape"));
-    return header;
-}
 
 NpyHeader readNpyHeader(ByteInput& input) {
     const auto wrong = [&](const std::string& reason) {
@@ -100,7 +46,8 @@ std::string npyHeader(const std::string& descr, const std::string& shape, std::s
     text.resize(bytes - fixed - 1, ' ');
     text += '\n';
     const std::size_t size = text.size();
-    return kNpyMagic + '\x01' + '\0' + static_cast<char>(size & 0xFF) + static_cast<char>(size >> 8) + text;
+    return std::string(kNpyMagic) + '\x01' + '\0' + static_cast<char>(size & 0xFF) + static_cast<char>(size >> 8) +
+           text;
 }
 
 } // namespace pointrt

@@ -22,8 +22,9 @@ std::string shapeText(const std::vector<std::uint64_t>& shape) {
 
 /// Why the array does not hold rays; empty if it does.
 std::string refusalOf(const NpyHeader& header, const RowKind& kind) {
-    if (header.descr != "<f4" && header.descr != "<f8")
-        return "the type is '" + printable(header.descr) + "', but " + kind.rows +
+    const std::string& type = header.fields.front().type;
+    if (!header.isPlain() || (type != "<f4" && type != "<f8"))
+        return "the type is " + (header.isPlain() ? "'" + printable(type) + "'" : "structured") + ", but " + kind.rows +
                " are float32 ('<f4') or float64 ('<f8')";
     if (header.shape.size() != 2 ||
         std::find(kind.widths.begin(), kind.widths.end(), header.shape[1]) == kind.widths.end())
@@ -43,7 +44,7 @@ public:
     bool next(RayBlock& block) override {
         const auto rays = static_cast<std::size_t>(std::min<std::uint64_t>(RayBlock::kRays, header_.shape[0] - done_));
         block.first = done_;
-        if (header_.descr == "<f4")
+        if (header_.fields.front().type == "<f4")
             read(block.floats, rays);
         else
             read(block.doubles, rays);

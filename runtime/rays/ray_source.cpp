@@ -14,7 +14,7 @@ const RowKind kRayRows{"ray", "rays", {6}, "6: origin and direction", "(N, 6): o
 
 std::unique_ptr<RaySource> openRays(const std::string& path, const RowKind& kind) {
     auto input = std::make_unique<ByteInput>(path);
-    const bool is_array = input->beginsWith(kNpyMagic);
+    const bool is_array = input->beginsWith(std::string(kNpyMagic));
     return is_array ? npyRays(std::move(input), kind) : csvRays(std::move(input), kind);
 }
 

@@ -49,12 +49,12 @@ public:
         Lines lines{file.bytes, true};
         ObjMaterial* material = nullptr;
         for (std::string_view line; lines.next(line);) {
-            const std::string_view keyword = nextWord(line);
+            const std::string keyword = lowerCase(nextWord(line)); // some programs write them in capitals
             if (keyword == "newmtl" && materials_.by_name.size() < kMostMaterials)
                 material = &materials_.by_name[std::string(withoutBlanks(line))];
-            else if (keyword == "Kd" && material && material->picture == FacePaint::kNone)
+            else if (keyword == "kd" && material && material->picture == FacePaint::kNone)
                 material->picture = takeColor(line, material->color) ? FacePaint::kPlain : FacePaint::kNone;
-            else if ((keyword == "map_Kd" || keyword == "map_kd") && material)
+            else if (keyword == "map_kd" && material)
                 takeTexture(textureName(line), *material);
         }
     }

@@ -15,7 +15,7 @@ struct GridHeader {
     std::uint64_t columns = 0, rows = 0;
     double x = 0, y = 0;          ///< centre of the lower left cell
     double width = 0, height = 0; ///< of a cell
-    std::optional<double> no_data;
+    double no_data = -9999;       ///< what ESRI says if the header does not
     std::string_view body;
 
     double cells() const { return static_cast<double>(columns) * static_cast<double>(rows); }

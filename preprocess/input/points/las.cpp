@@ -156,6 +156,10 @@ bool isBeyondHeader(const LasFile& file, const Sink& sink) {
     if (header.packed || fits || sink.transform.world_from_input) return false;
     constexpr std::size_t kMaxX = 179; // then min x, max y, min y, max z, min z
     const ScanBox box = sink.lastScanBox();
+    // Any bytes as coordinates: no scan needs more than half of what 32 bits can tell, along all axes
+    constexpr double kHalfOfAll = 2147483648.0;
+    if ((box.size.array() > kHalfOfAll * Eigen::Map<const Eigen::Array3d>(header.scale.data()).abs()).all())
+        return true;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto high = loadAt<double>(file.bytes, kMaxX + 16 * axis),
                    low = loadAt<double>(file.bytes, kMaxX + 8 + 16 * axis);

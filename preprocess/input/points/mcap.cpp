@@ -16,7 +16,7 @@ enum McapRecord : std::uint8_t { kFooter = 2, kSchema = 3, kChannel = 4, kMessag
 struct McapChannel {
     std::string topic;
     RosEncoding encoding = RosEncoding::kCdr;
-    bool has_clouds = false;
+    bool is_wanted = false;
 };
 
 class McapReader {
@@ -24,11 +24,40 @@ public:
     McapReader(const InputFile& input, Sink& sink) : input_(input), clouds_(input, sink) {}
 
     void read() {
-        readRecords(input_.bytes.substr(kMcapMark.size()), false);
+        if (mayHavePoses()) {
+            clouds_.beginPoses();
+            readRecords(records(), false);
+        }
+        clouds_.beginClouds();
+        readRecords(records(), false);
         clouds_.finish();
     }
 
 private:
+    std::string_view records() const { return input_.bytes.substr(kMcapMark.size()); }
+
+    /// Whether the summary has a schema with poses. A recording without a summary may have any.
+    bool mayHavePoses() const {
+        constexpr std::size_t kFooterBytes = 8 + 8 + 4, kEndBytes = kFooterBytes + 8; // footer, mark
+        if (input_.bytes.size() < kMcapMark.size() + kEndBytes || !input_.bytes.ends_with(kMcapMark)) return true;
+        ByteCursor footer{input_, input_.bytes.substr(input_.bytes.size() - kEndBytes)};
+        const auto summary = footer.take<std::uint64_t>();
+        if (summary < kMcapMark.size() || summary >= input_.bytes.size()) return true;
+        ByteCursor cursor{input_, input_.bytes.substr(summary)};
+        bool has_schemas = false;
+        while (cursor.rest.size() > 1 + 8) { // kind and length
+            const auto kind = cursor.take<std::uint8_t>();
+            const auto size = cursor.take<std::uint64_t>();
+            if (kind == kFooter || size > cursor.rest.size()) break;
+            ByteCursor record{input_, cursor.takeBytes(size)};
+            if (kind != kSchema) continue;
+            record.take<std::uint16_t>(); // its number
+            if (RosPoses::hasPoses(record.takeText())) return true;
+            has_schemas = true;
+        }
+        return !has_schemas;
+    }
+
     void readRecords(std::string_view bytes, bool in_chunk) {
         ByteCursor cursor{input_, bytes};
         while (!cursor.rest.empty() && !(cursor.rest == kMcapMark && !in_chunk)) {
@@ -61,7 +90,7 @@ private:
         const std::string_view encoding = record.takeText();
         const std::string& type = type_of_schema_[schema];
         channel.encoding = encoding == "ros1" ? RosEncoding::kRos1 : RosEncoding::kCdr;
-        channel.has_clouds = isRosCloud(type) && (encoding == "ros1" || encoding == "cdr");
+        channel.is_wanted = clouds_.wants(type) && (encoding == "ros1" || encoding == "cdr");
         clouds_.addTopic(channel.topic, type);
     }
 
@@ -69,7 +98,7 @@ private:
         const auto id = record.take<std::uint16_t>();
         record.takeBytes(4 + 8 + 8); // sequence, times of logging and publishing
         const auto channel = channels_.find(id);
-        if (channel == channels_.end() || !channel->second.has_clouds) return;
+        if (channel == channels_.end() || !channel->second.is_wanted) return;
         clouds_.add(channel->second.topic, channel->second.encoding, record.rest);
     }
 

@@ -2,122 +2,12 @@
 #include "preprocess/input/points/ros_clouds.h"
 
 #include <algorithm>
-#include <optional>
 
-#include "preprocess/ingest/field_arrays.h"
 #include "preprocess/ingest/text.h"
-#include "preprocess/input/points/byte_cursor.h"
+#include "preprocess/input/points/ros_cloud.h"
 
 namespace pointrt {
 namespace {
-
-/// Takes the members of a message. CDR aligns numbers to their size, counted from behind its header of 4 bytes.
-struct RosMessage {
-    ByteCursor bytes;
-    RosEncoding encoding;
-    std::size_t size;
-
-    RosMessage(const InputFile& input, RosEncoding how, std::string_view message)
-        : bytes{input, message}, encoding(how), size(message.size()) {
-        if (how != RosEncoding::kCdr) return;
-        const std::string_view header = bytes.takeBytes(4);
-        if (header[1] != '\1' && header[1] != '\0') refuse(input, "has messages in an encoding other than plain CDR");
-        if (header[1] == '\0') refuse(input, "has big-endian messages, which this build does not read");
-        size -= 4;
-    }
-    template <typename Value>
-    Value take() {
-        const std::size_t done = size - bytes.rest.size();
-        if (encoding == RosEncoding::kCdr) bytes.takeBytes((sizeof(Value) - done % sizeof(Value)) % sizeof(Value));
-        return bytes.take<Value>();
-    }
-    std::string_view text() {
-        std::string_view text = bytes.takeBytes(take<std::uint32_t>());
-        while (!text.empty() && text.back() == '\0') text.remove_suffix(1); // CDR ends texts with a 0
-        return text;
-    }
-};
-
-/// PointField's datatype.
-std::optional<Scalar> scalarOfField(std::uint8_t type) {
-    constexpr Scalar kTypes[] = {Scalar::kI8,  Scalar::kU8,  Scalar::kI16, Scalar::kU16,
-                                 Scalar::kI32, Scalar::kU32, Scalar::kF32, Scalar::kF64};
-    return type >= 1 && type <= std::size(kTypes) ? std::optional(kTypes[type - 1]) : std::nullopt;
-}
-
-struct RosCloud {
-    std::string frame;
-    std::uint32_t height = 0, width = 0, point_step = 0, row_step = 0;
-    std::vector<FieldArray> fields; ///< `first` is null
-    std::vector<std::size_t> offsets;
-    bool swapped = false;
-    std::string_view data;
-    std::string packed; ///< the data, if its rows had padding
-};
-
-void takeFields(RosMessage& message, RosCloud& cloud) {
-    const InputFile& input = message.bytes.input;
-    const auto count = message.take<std::uint32_t>();
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const std::string name(message.text());
-        const auto offset = message.take<std::uint32_t>();
-        const auto type = scalarOfField(message.take<std::uint8_t>());
-        const auto components = std::max<std::uint32_t>(1, message.take<std::uint32_t>());
-        if (!type) refuse(input, fmt::format("field {} has an unknown type", inQuotes(name)));
-        cloud.fields.push_back(denseField(name, *type, components, nullptr));
-        cloud.offsets.push_back(offset);
-    }
-}
-
-/// Rows without the padding between them.
-void dropPadding(RosCloud& cloud) {
-    const std::size_t row = std::size_t{cloud.width} * cloud.point_step;
-    if (cloud.height <= 1 || cloud.row_step == row) return;
-    for (std::uint32_t j = 0; j < cloud.height; ++j)
-        cloud.packed += cloud.data.substr(std::size_t{j} * cloud.row_step, row);
-    cloud.data = cloud.packed;
-}
-
-void placeFields(const InputFile& input, RosCloud& cloud) {
-    for (std::size_t i = 0; i < cloud.fields.size(); ++i) {
-        FieldArray& field = cloud.fields[i];
-        if (cloud.offsets[i] + scalarSize(field.type) * std::uint64_t{field.components} > cloud.point_step)
-            refuse(input,
-                   fmt::format("field {} lies outside its point of {} bytes", inQuotes(field.name), cloud.point_step));
-        field.first = cloud.data.data() + cloud.offsets[i];
-        field.stride = cloud.point_step;
-        field.swapped = cloud.swapped;
-    }
-}
-
-/// Whether the data is as long as the sizes say.
-bool holdsPoints(const RosCloud& cloud) {
-    if (cloud.height == 0 || cloud.width == 0) return true;
-    const std::uint64_t row = std::uint64_t{cloud.width} * cloud.point_step,
-                        step = cloud.height > 1 ? cloud.row_step : row;
-    return cloud.point_step > 0 && step >= row && row <= cloud.data.size() &&
-           cloud.height - 1 <= (cloud.data.size() - row) / step;
-}
-
-RosCloud takeCloud(const InputFile& input, RosEncoding encoding, std::string_view bytes) {
-    RosMessage message(input, encoding, bytes);
-    RosCloud cloud;
-    if (encoding == RosEncoding::kRos1) message.take<std::uint32_t>(); // seq
-    message.take<std::uint32_t>();                                     // stamp: seconds and nanoseconds
-    message.take<std::uint32_t>();
-    cloud.frame = message.text();
-    cloud.height = message.take<std::uint32_t>();
-    cloud.width = message.take<std::uint32_t>();
-    takeFields(message, cloud);
-    cloud.swapped = message.take<std::uint8_t>() != 0;
-    cloud.point_step = message.take<std::uint32_t>();
-    cloud.row_step = message.take<std::uint32_t>();
-    cloud.data = message.bytes.takeBytes(message.take<std::uint32_t>());
-    if (!holdsPoints(cloud))
-        refuse(input, fmt::format("a cloud promises {} x {} points of {} bytes, but has {} bytes", cloud.height,
-                                  cloud.width, cloud.point_step, cloud.data.size()));
-    return cloud;
-}
 
 /// Whether a frame stays where it is while its scanner moves, by its usual names (REP 105).
 bool isFixedFrame(std::string_view frame) {
@@ -135,30 +25,61 @@ bool isRosCloud(std::string_view type) {
 
 void RosClouds::reportLeft(std::size_t bytes) {
     const std::size_t done = input_.bytes.size() - bytes;
-    if (progress_) progress_(static_cast<double>(done) / static_cast<double>(input_.bytes.size()));
+    const double share = static_cast<double>(done) / static_cast<double>(input_.bytes.size());
+    if (progress_) progress_(looks_for_poses_ ? share / 2 : (poses_looked_for_ ? (1 + share) / 2 : share));
     release_pages_(done);
 }
 
+bool RosClouds::wants(std::string_view type) const {
+    return isRosCloud(type) || (looks_for_poses_ && RosPoses::hasPoses(type));
+}
+
+void RosClouds::beginPoses() { looks_for_poses_ = poses_looked_for_ = true; }
+
+void RosClouds::beginClouds() {
+    looks_for_poses_ = false;
+    release_pages_.kept_from = 0;
+    poses_.sort();
+    for (auto& [name, topic] : topics_) {
+        topic.is_placed = std::any_of(topic.headers.begin(), topic.headers.end(), [&](const RosHeader& header) {
+            return poses_.place(header.frame, header.time_ns).has_value();
+        });
+        topic.headers = {};
+    }
+}
+
 void RosClouds::add(const std::string& topic, RosEncoding encoding, std::string_view message) {
-    RosCloud cloud = takeCloud(input_, encoding, message);
     Topic& its = topics_[topic];
-    its.frame = cloud.frame;
-    ++its.clouds;
+    if (!looks_for_poses_) return addCloud(topic, its, takeRosCloud(input_, encoding, message));
+    if (!isRosCloud(its.type)) return poses_.add(input_, topic, its.type, encoding, message);
+    RosMessage start(input_, encoding, message);
+    its.headers.emplace_back(start);
+}
+
+void RosClouds::addCloud(const std::string& name, Topic& topic, RosCloud cloud) {
+    topic.frame = cloud.header.frame;
+    ++topic.clouds;
     const std::uint64_t count = std::uint64_t{cloud.height} * cloud.width;
     if (count == 0) return;
-    dropPadding(cloud);
+    const auto placement = topic.is_placed ? poses_.place(topic.frame, cloud.header.time_ns) : std::nullopt;
+    if (topic.is_placed && !placement) return void(++topic.unplaced);
     placeFields(input_, cloud);
-    findDimensions(cloud.fields);
     if (!hasPositions(cloud.fields))
-        refuse(input_, fmt::format("a cloud of topic {} has no fields x, y and z", inQuotes(topic)));
+        refuse(input_, fmt::format("a cloud of topic {} has no fields x, y and z", inQuotes(name)));
+    if (placement) {
+        sink_.transform.input_from_scan = placement->root_from_frame;
+        topic.root = placement->root;
+        moves_ = moves_ || placement->moves;
+    }
     addFieldPoints(input_, cloud.fields, count, sink_);
-    if (!isFixedFrame(cloud.frame)) sink_.setScanSensor(Vec3d::Zero());
-    sink_.finishScan(input_, fmt::format("{} {}", topic, its.clouds), Emptiness::kAllowed);
+    if (!isFixedFrame(cloud.header.frame)) sink_.setScanSensor(Vec3d::Zero());
+    sink_.finishScan(input_, fmt::format("{} {}", name, topic.clouds), Emptiness::kAllowed);
+    sink_.transform.input_from_scan.reset();
     ++clouds_;
-    points_ += count;
 }
 
 void RosClouds::cutShort() {
+    if (looks_for_poses_) return; // the next pass finds it too
     if (!sink_.salvages) refuse(input_, "truncated: it ends within a record; --salvage reads the clouds before it");
     sink_.note(input_, "truncated: the clouds before its end are read");
 }
@@ -166,23 +87,41 @@ void RosClouds::cutShort() {
 std::string RosClouds::otherTopics() const {
     std::string others;
     for (const auto& [name, topic] : topics_)
-        if (!isRosCloud(topic.type) && others.size() < 80) // about one line
-            others += fmt::format("{}{} ({})", others.empty() ? "" : ", ", name, topic.type);
+        if (!isRosCloud(topic.type) && !RosPoses::hasPoses(topic.type))
+            addQuoted(fmt::format("{} ({})", name, topic.type), others);
     return others;
+}
+
+/// Says which topics are placed where, and which are not.
+void RosClouds::notePlaces() {
+    std::string placed, as_they_are, roots;
+    std::uint64_t unplaced = 0, clouds = 0;
+    for (const auto& [name, topic] : topics_) {
+        if (topic.clouds == 0) continue;
+        addQuoted(fmt::format("{} ({} in frame {})", name, topic.clouds, topic.frame),
+                  topic.is_placed ? placed : as_they_are);
+        if (topic.is_placed && roots.find(topic.root) == roots.npos) addQuoted(topic.root, roots);
+        unplaced += topic.unplaced;
+        clouds += topic.clouds;
+    }
+    if (!placed.empty())
+        sink_.note(input_, fmt::format("clouds are placed in frame {} by the {} of the recording: {}", roots,
+                                       moves_ ? "poses" : "transforms, none of which moves,", placed));
+    if (!as_they_are.empty())
+        sink_.note(input_,
+                   fmt::format("clouds are read as they are, without poses of a moving scanner: {}", as_they_are));
+    if (unplaced > 0)
+        sink_.note(input_, fmt::format("{} of {} clouds are from before the first pose or after the last, and left out",
+                                       unplaced, clouds));
 }
 
 void RosClouds::finish() {
     if (clouds_ == 0)
         refuse(input_, fmt::format("has no clouds of type sensor_msgs/PointCloud2; its topics are {}",
-                                   topics_.empty() ? "none" : inQuotes(otherTopics())));
-    std::string read;
-    for (const auto& [name, topic] : topics_)
-        if (topic.clouds > 0)
-            read += fmt::format("{}{} ({} in frame {})", read.empty() ? "" : ", ", name, topic.clouds, topic.frame);
-    sink_.note(input_,
-               fmt::format("clouds are read as they are, without poses of a moving scanner: {}", inQuotes(read)));
+                                   topics_.empty() ? "none" : otherTopics()));
+    notePlaces();
     if (const std::string others = otherTopics(); !others.empty())
-        sink_.note(input_, fmt::format("topics without clouds are not read: {}", inQuotes(others)));
+        sink_.note(input_, fmt::format("topics without clouds are not read: {}", others));
     WorldFrame frame;
     frame.up = Vec3d::UnitZ(); // of vehicles and maps alike (REP 103)
     frame.up_by_custom = true;

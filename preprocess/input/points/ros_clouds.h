@@ -9,16 +9,18 @@
 #include <utility>
 
 #include "preprocess/ingest/formats.h"
+#include "preprocess/input/points/ros_message.h"
+#include "preprocess/input/points/ros_poses.h"
 
 namespace pointrt {
-
-/// How a message is written: by ROS 1, without padding, or by ROS 2, as CDR.
-enum class RosEncoding { kRos1, kCdr };
 
 /// Whether a type is PointCloud2, as ROS 1 and ROS 2 spell it.
 bool isRosCloud(std::string_view type);
 
-/// Receives the messages of one recording and adds each as a scan.
+struct RosCloud;
+
+/// Receives the messages of one recording and adds each cloud as a scan. A recording with poses is read twice: a cloud
+/// may come before the pose that follows it in time.
 class RosClouds {
 public:
     RosClouds(const InputFile& input, Sink& sink)
@@ -30,8 +32,15 @@ public:
     /// Reports how much of the file is read, and releases the memory of that.
     void reportLeft(std::size_t bytes);
 
+    /// Starts a pass over the messages that gathers poses; none if the recording has no topic with poses.
+    void beginPoses();
+    /// Starts the pass that adds the clouds.
+    void beginClouds();
+
     /// A topic of the recording, with clouds or something else.
     void addTopic(const std::string& topic, const std::string& type) { topics_[topic].type = type; }
+    /// Whether add() takes messages of a type in this pass.
+    bool wants(std::string_view type) const;
     /// Throws Error if the message is malformed.
     void add(const std::string& topic, RosEncoding encoding, std::string_view message);
     /// Notes that the recording ends within a record. Throws Error unless the sink salvages.
@@ -41,9 +50,13 @@ public:
 
 private:
     struct Topic {
-        std::string type, frame;
-        std::uint64_t clouds = 0;
+        std::string type, frame, root;
+        std::uint64_t clouds = 0, unplaced = 0;
+        bool is_placed = false;         ///< a pose is known at the time of some cloud
+        std::vector<RosHeader> headers; ///< of its clouds, until the poses are known
     };
+    void addCloud(const std::string& name, Topic& topic, RosCloud cloud);
+    void notePlaces();
     std::string otherTopics() const;
 
     const InputFile& input_;
@@ -51,7 +64,9 @@ private:
     std::function<void(double)> progress_; ///< of the file: the sink would report that of each cloud
     ReleasePagesBehind release_pages_;
     std::map<std::string, Topic> topics_;
-    std::uint64_t clouds_ = 0, points_ = 0;
+    RosPoses poses_;
+    std::uint64_t clouds_ = 0;
+    bool looks_for_poses_ = false, poses_looked_for_ = false, moves_ = false;
 };
 
 } // namespace pointrt

@@ -46,11 +46,39 @@ public:
     BagReader(const InputFile& input, Sink& sink) : input_(input), clouds_(input, sink) {}
 
     void read() {
-        readRecords(input_.bytes.substr(kBagMark.size()), false);
+        if (mayHavePoses()) {
+            clouds_.beginPoses();
+            readRecords(records(), false);
+        }
+        topic_of_connection_.clear();
+        clouds_.beginClouds();
+        readRecords(records(), false);
         clouds_.finish();
     }
 
 private:
+    std::string_view records() const { return input_.bytes.substr(kBagMark.size()); }
+
+    /// Whether a topic of the index has poses. A bag without an index may have any.
+    bool mayHavePoses() const {
+        ByteCursor cursor{input_, records()};
+        std::string_view header, data;
+        if (!takePart(cursor, header)) return true;
+        std::uint64_t index = 0;
+        const BagHeader first(input_, header);
+        if (const std::string_view place = first.text("index_pos"); place.size() == sizeof index)
+            std::memcpy(&index, place.data(), sizeof index);
+        if (index < kBagMark.size() || index >= input_.bytes.size()) return true;
+        cursor.rest = input_.bytes.substr(index);
+        bool is_indexed = false;
+        while (takePart(cursor, header) && takePart(cursor, data)) {
+            if (BagHeader(input_, header).number<std::uint8_t>("op") != kConnection) continue;
+            if (RosPoses::hasPoses(BagHeader(input_, data).text("type"))) return true;
+            is_indexed = true;
+        }
+        return !is_indexed;
+    }
+
     void readRecords(std::string_view bytes, bool in_chunk) {
         ByteCursor cursor{input_, bytes};
         while (!cursor.rest.empty()) {
@@ -81,7 +109,7 @@ private:
     void addConnection(const BagHeader& header, std::string_view data) {
         const std::string topic(header.text("topic")), type(BagHeader(input_, data).text("type"));
         clouds_.addTopic(topic, type);
-        if (isRosCloud(type)) topic_of_connection_[header.number<std::uint32_t>("conn")] = topic;
+        if (clouds_.wants(type)) topic_of_connection_[header.number<std::uint32_t>("conn")] = topic;
     }
 
     void addMessage(const BagHeader& header, std::string_view data) {
@@ -97,7 +125,7 @@ private:
 
     const InputFile& input_;
     RosClouds clouds_;
-    std::unordered_map<std::uint32_t, std::string> topic_of_connection_; ///< those with clouds
+    std::unordered_map<std::uint32_t, std::string> topic_of_connection_; ///< those that are read
 };
 
 bool isRosbag(std::string_view bytes) { return bytes.starts_with("#ROSBAG V"); }

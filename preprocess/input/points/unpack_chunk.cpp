@@ -2,6 +2,8 @@
 #include "preprocess/input/points/unpack_chunk.h"
 #include "preprocess/ingest/unpack_limit.h"
 
+#include <algorithm>
+#include <bzlib.h>
 #include <lz4frame.h>
 #include <memory>
 #include <zstd.h>
@@ -27,21 +29,37 @@ bool unpackLz4(std::string_view packed, std::string& unpacked) {
     return done == unpacked.size();
 }
 
+bool unpackBzip2(std::string_view packed, std::string& unpacked) {
+    auto size = static_cast<unsigned>(unpacked.size()); // of a chunk of a bag: 32 bits
+    const int code = BZ2_bzBuffToBuffDecompress(unpacked.data(), &size, const_cast<char*>(packed.data()),
+                                                static_cast<unsigned>(packed.size()), 0, 0);
+    return code == BZ_OK && size == unpacked.size();
+}
+
+bool unpackZstd(std::string_view packed, std::string& unpacked) {
+    return ZSTD_decompress(unpacked.data(), unpacked.size(), packed.data(), packed.size()) == unpacked.size();
+}
+
+constexpr struct {
+    std::string_view name;
+    bool (*unpack)(std::string_view packed, std::string& unpacked);
+} kCompressions[] = {{"lz4", unpackLz4}, {"zstd", unpackZstd}, {"bz2", unpackBzip2}};
+
 } // namespace
 
 std::string unpackChunk(const InputFile& input, std::string_view compression, std::string_view packed,
                         std::uint64_t size) {
-    if (compression != "lz4" && compression != "zstd")
-        refuse(input, fmt::format("has chunks compressed with {}; this build reads lz4 and zstd: recompress it, for "
-                                  "example with 'rosbag compress --lz4' or 'mcap compress'",
-                                  inQuotes(compression)));
+    const auto* const known = std::find_if(std::begin(kCompressions), std::end(kCompressions),
+                                           [&](const auto& each) { return each.name == compression; });
+    if (known == std::end(kCompressions))
+        refuse(input,
+               fmt::format("has chunks compressed with {}; this build reads lz4, zstd and bz2: recompress it, for "
+                           "example with 'rosbag compress --lz4' or 'mcap compress'",
+                           inQuotes(compression)));
     if (size > mostUnpacked(packed.size()))
         refuse(input, fmt::format("a chunk of {} bytes promises {} unpacked ones", packed.size(), size));
     std::string unpacked(size, '\0');
-    const bool good = compression == "lz4"
-                          ? unpackLz4(packed, unpacked)
-                          : ZSTD_decompress(unpacked.data(), size, packed.data(), packed.size()) == size;
-    if (!good) refuse(input, fmt::format("the {} data of a chunk is invalid", compression));
+    if (!known->unpack(packed, unpacked)) refuse(input, fmt::format("the {} data of a chunk is invalid", compression));
     return unpacked;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Chunks compressed with LZ4 (frames) or zstd.
+// Chunks compressed with LZ4 (frames), zstd or bzip2.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace pointrt {
 
 /// Unpacks a chunk to `size` bytes. Throws Error if the data is invalid or has another size, if that is more than a
-/// gzipped scan may unpack to, or if the compression is neither "lz4" nor "zstd".
+/// gzipped scan may unpack to, or if the compression is not "lz4", "zstd" or "bz2".
 std::string unpackChunk(const InputFile& input, std::string_view compression, std::string_view packed,
                         std::uint64_t size);
 

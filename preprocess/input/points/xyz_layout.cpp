@@ -37,6 +37,9 @@ bool takeHeader(std::string_view line, char delimiter, Layout& layout) {
     return true;
 }
 
+/// Whether a field says that its number is missing: the first point of a grid often lacks its height.
+bool isMissingWord(std::string_view field) { return !field.empty() && isMissingNumber(field); }
+
 /// Number of fields in a line; its first run of numbers.
 struct LineShape {
     std::size_t fields = 0, first = 0, numbers = 0;
@@ -50,7 +53,9 @@ LineShape shapeOf(std::string_view line, char delimiter) {
         std::uint64_t count = 0;
         if (shape.fields == 0) shape.whole = wholeInteger(field, count);
         if (shape.numbers == 0) shape.first = shape.fields;
-        if (shape.first + shape.numbers == shape.fields && isAnyNumber(field)) ++shape.numbers;
+        if (shape.first + shape.numbers != shape.fields) continue;
+        const bool is_number = isAnyNumber(field), is_missing = shape.numbers >= 2 && isMissingWord(field);
+        shape.numbers += is_number || is_missing;
     }
     return shape;
 }
@@ -63,8 +68,23 @@ bool isPoint(const LineShape& shape) {
 
 /// The delimiter that the first line of a file may set for spreadsheets: "sep=;".
 std::optional<char> separatorOf(std::string_view line) {
+    if (line.ends_with('\r')) line.remove_suffix(1);
     if (line.size() != 5 || (!line.starts_with("sep=") && !line.starts_with("SEP="))) return std::nullopt;
-    return line.back() == ',' || line.back() == ';' ? std::optional(line.back()) : std::nullopt;
+    constexpr std::string_view kSeparators = ",;|\t";
+    return kSeparators.find(line.back()) != kSeparators.npos ? std::optional(line.back()) : std::nullopt;
+}
+
+/// Whether a line numbers the columns from 0, perhaps after an empty field over the rows' numbers: pandas writes this
+/// header for arrays. next: the line after it, which has decimals
+bool numbersColumns(std::string_view line, std::string_view next) {
+    std::size_t count = 0;
+    Fields fields{line, ','};
+    for (std::string_view field; fields.next(field);) {
+        if (field.empty() && count == 0 && line.starts_with(',')) continue;
+        std::size_t number = 0;
+        if (!wholeInteger(field, number) || number != count++) return false;
+    }
+    return count >= 3 && next.find('.') != next.npos;
 }
 
 bool isCount(const LineShape& shape) { return shape.fields == 1 && shape.whole; }
@@ -114,6 +134,7 @@ Layout readPrologue(const InputFile& input) {
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
     Layout layout;
     std::optional<char> separator;
+    bool rows_are_numbered = false;
     std::string_view rest = input.bytes, line;
     if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
     const auto next = [&] { return nextRecord(rest, line, layout.named() ? layout.delimiter : ' '); };
@@ -125,12 +146,20 @@ Layout readPrologue(const InputFile& input) {
             if (!layout.named()) takeHeader(*comment, delimiterOf(*comment), layout);
             continue;
         }
-        if (const auto found = separatorOf(line)) {
+        if (const auto found = separatorOf(untrimmed)) {
             separator = found;
             continue;
         }
         const char delimiter = separator.value_or(delimiterOf(line));
-        const LineShape shape = shapeOf(line, delimiter);
+        if (!layout.named() && delimiter == ',' && numbersColumns(line, rest.substr(0, rest.find('\n')))) {
+            rows_are_numbered = line.starts_with(',');
+            continue;
+        }
+        LineShape shape = shapeOf(line, delimiter);
+        if (rows_are_numbered && shape.numbers > 3) {
+            ++shape.first;
+            --shape.numbers;
+        }
         if (isCount(shape)) {
             takeCount(input, line, layout);
         } else if (takeHeader(line, delimiter, layout)) {

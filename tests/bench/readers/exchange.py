@@ -104,13 +104,49 @@ def point_cloud2(cloud, types, header):
     return message(header, 1, cloud.count, fields, False, 24, 24 * cloud.count, data, True)
 
 
+SHIFT = 5.0  # of moved clouds along x: halfway between the poses
+
+
+def transforms(types, header, vector, quaternion):
+    """tf's message: the scanner moves from 0 to twice the shift in 2 s, around the clouds' time."""
+    transform, message, stamped = (types[name] for name in (
+        "geometry_msgs/msg/Transform", "tf2_msgs/msg/TFMessage", "geometry_msgs/msg/TransformStamped"))
+    return [message([stamped(header(seconds, "odom"), "velodyne", transform(vector(x, 0.0, 0.0), quaternion))])
+            for seconds, x in ((0, 0.0), (2, 2 * SHIFT))]
+
+
+def of_ros1(types):
+    def header(seconds, frame):
+        return types["std_msgs/msg/Header"](0, types["builtin_interfaces/msg/Time"](seconds, 2), frame)
+
+    return header, types["geometry_msgs/msg/Vector3"], types["geometry_msgs/msg/Quaternion"](0.0, 0.0, 0.0, 1.0)
+
+
+def write_moving_bag(cloud, files):
+    from rosbags.rosbag1 import Writer
+    from rosbags.typesys import Stores, get_types_from_msg, get_typestore
+    store = get_typestore(Stores.ROS1_NOETIC)
+    if "tf2_msgs/msg/TFMessage" not in store.types:
+        store.register(get_types_from_msg("geometry_msgs/TransformStamped[] transforms", "tf2_msgs/msg/TFMessage"))
+    header, vector, quaternion = of_ros1(store.types)
+    message = point_cloud2(cloud, store.types, header(1, "velodyne"))
+    with Writer(files.path("poses.bag", times=2, intensity=True, ring=True, shift=SHIFT)) as writer:
+        points = writer.add_connection("/velodyne_points", "sensor_msgs/msg/PointCloud2", typestore=store)
+        tf = writer.add_connection("/tf", "tf2_msgs/msg/TFMessage", typestore=store)
+        for stamp in (0, 10):
+            writer.write(points, stamp, store.serialize_ros1(message, "sensor_msgs/msg/PointCloud2"))
+        for pose in transforms(store.types, header, vector, quaternion):
+            writer.write(tf, 20, store.serialize_ros1(pose, "tf2_msgs/msg/TFMessage"))
+
+
 def write_bags(cloud, files):
     from rosbags.rosbag1 import Writer
     from rosbags.typesys import Stores, get_typestore
     store = get_typestore(Stores.ROS1_NOETIC)
     time = store.types["builtin_interfaces/msg/Time"](1, 2)
     message = point_cloud2(cloud, store.types, store.types["std_msgs/msg/Header"](0, time, "velodyne"))
-    for name, compression in (("none", None), ("lz4", Writer.CompressionFormat.LZ4)):
+    for name, compression in (("none", None), ("lz4", Writer.CompressionFormat.LZ4),
+                              ("bz2", Writer.CompressionFormat.BZ2)):
         writer = Writer(files.path(name + ".bag", times=2, intensity=True, ring=True))
         if compression:
             writer.set_compression(compression)
@@ -198,13 +234,15 @@ def write_pnts(cloud, files):
     files.write("draco.pnts", pnts(features, packed), rgb=0, tolerance=1e-3)
 
 
-def disagreements(cloud, ours, points=None, times=1, faces=0, rgb=None, normals=False, z=None, tolerance=2e-6, **names):
+def disagreements(cloud, ours, points=None, times=1, faces=0, rgb=None, normals=False, z=None, tolerance=2e-6,
+                  shift=0.0, **names):
     count = (points or cloud.count) * times
     if ours["kept"] != count:
         yield f"{ours['kept']} points, not {count}"
     if ours["faces"] != faces:
         yield f"{ours['faces']} faces, not {faces}"
-    expected = [(c.min(), c.max(), times * c.sum()) for c in cloud.xyz.T] if points is None else [None, None, z]
+    placed = cloud.xyz + [shift, 0, 0]
+    expected = [(c.min(), c.max(), times * c.sum()) for c in placed.T] if points is None else [None, None, z]
     for axis, wanted in enumerate(expected):
         own = ours["positions"][axis]
         if wanted and not np.allclose([own["min"], own["max"], own["sum"] / count],
@@ -230,7 +268,7 @@ def main():
     cloud, wrong = Cloud(options.points), 0
     with tempfile.TemporaryDirectory() as folder:
         files = Files(folder)
-        for write in (write_numpy, write_tiff, write_stl, write_bags, write_mcaps, write_vtk, write_pnts):
+        for write in (write_numpy, write_tiff, write_stl, write_bags, write_moving_bag, write_mcaps, write_vtk, write_pnts):
             write(cloud, files)
         for path, expected in files.expected.items():
             done = subprocess.run([os.path.join(options.bin_dir, "read_scan"), "--content", path], capture_output=True,

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Reads scans with other readers, with results like those of read_scan."""
+import concurrent.futures
 import os
 
 import numpy as np
@@ -132,7 +133,26 @@ def read_ply(path):
     return theirs
 
 
-READERS = {".las": read_las, ".laz": read_las, ".e57": read_e57, ".ply": read_ply}
+def pcd_in_this_process(path):
+    import open3d
+    points = open3d.t.io.read_point_cloud(path).point
+    names = {"intensity", "curvature", "label", "ring"} & set(points)  # as they are; colours and normals are renamed
+    if "positions" not in points:
+        raise ValueError("no points")
+    positions = points["positions"].numpy()
+    theirs = with_extents("open3d", positions.astype(np.float64), {name: points[name].numpy() for name in names})
+    # text becomes floats if the header says so, where ours stays as precise as written
+    theirs["relative_step"] = float(np.finfo(positions.dtype).eps)
+    return theirs
+
+
+def read_pcd(path):
+    """In a process of its own, which some files end."""
+    with concurrent.futures.ProcessPoolExecutor(1) as pool:
+        return pool.submit(pcd_in_this_process, path).result()
+
+
+READERS = {".pcd": read_pcd, ".las": read_las, ".laz": read_las, ".e57": read_e57, ".ply": read_ply}
 
 
 def read(path):

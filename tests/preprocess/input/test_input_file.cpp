@@ -47,6 +47,8 @@ TEST_F(InputFileTest, FormatsOfScannerMakersNameTheProgramThatExports) {
 
 TEST_F(InputFileTest, ForeignFormatsAreNamed) {
     EXPECT_HAS(reasonOfText("a.fbx", "Kaydara FBX Binary"), "FBX *reads PLY");
+    EXPECT_HAS(reasonOfText("a.grd", "DSAA\n2 2\n0 1\n0 1\n0 1\n"), "Surfer *gdal_translate");
+    EXPECT_HAS(reasonOfText("a.bin", "CCB2\x34"), "CloudCompare *LAS");
     EXPECT_HAS(reasonOfText("a.ply", "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n"), "Git LFS");
     EXPECT_HAS(reasonOfText("a.zip", "PK\3\4rest"), " zip ");
     EXPECT_HAS(reasonOfText("a.dat", std::string("\0\1\2\3", 4)), "unknown format");

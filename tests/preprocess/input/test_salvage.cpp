@@ -217,6 +217,8 @@ TEST_F(SalvageTest, LasDamagedInTextModeIsNoted) {
         damaged += byte;
     }
     EXPECT_HAS(notesOf(readText("bad.las", damaged)), "bad.las: *text mode");
+    for (int axis = 0; axis < 6; ++axis) test::put(damaged, 179 + 8 * axis, 0.0); // no bounds to tell by
+    EXPECT_HAS(notesOf(readText("worse.las", damaged)), "worse.las: *text mode");
 }
 
 TEST_F(SalvageTest, FramesOfDrivingDatasets) {

@@ -152,7 +152,7 @@ TEST_F(PaintTest, MaterialsOfObj) {
 }
 
 TEST_F(PaintTest, TexturesAreSampledOntoFaces) {
-    write("a.mtl", "newmtl m\nmap_Kd a.png\n");
+    write("a.mtl", "NEWMTL m\nMAP_KD a.png\n"); // as some programs write them
     write("a.png", pngOf(kPixels, 2, 2));
     const std::string path = write("a.obj", std::string("mtllib a.mtl\n") + kSquares + "usemtl m\nf 1/1 2/2 3/3 4/4\n");
     const Cloud cloud = sampled(path);

@@ -47,6 +47,7 @@ TEST_F(TableTest, DecimalCommasAreRead) {
     expectPoints("1,5 2,25 3,0\n4 5,5 6,75\n", points);
     expectPoints("1,5\t2,25\t3\n4\t5,5\t6,75\n", points);
     expectPoints("sep=;\nx;y;z\n1,5;2,25;3\n4;5,5;6,75\n", points);
+    expectPoints("sep=\t\r\nx\ty\tz\r\n1,5\t2,25\t3\r\n4\t5,5\t6,75\r\n", points);
     expectPoints("1, 2, 3\n4, 5, 6\n", {{1, 2, 3}, {4, 5, 6}});
 }
 
@@ -93,7 +94,7 @@ TEST_F(TableTest, CommasThatMayBeEitherAreSaid) {
 }
 
 TEST_F(TableTest, MissingCoordinatesLeaveThePointOut) {
-    for (const char* missing : {"", "NA", "n/a", "null", "-", "#N/A", "NaN", "None"}) {
+    for (const char* missing : {"", "NA", "n/a", "null", "-", "#N/A", "NaN", "None", "*"}) {
         const Cloud cloud = readText(
             "a.csv", fmt::format("x,y,z,w\n1,2,{},4\n5,6,7,8\n{},2,3,4\n1,{},3,4\n", missing, missing, missing));
         ASSERT_EQ(cloud.positions.size(), 1u) << missing;
@@ -102,6 +103,8 @@ TEST_F(TableTest, MissingCoordinatesLeaveThePointOut) {
         EXPECT_EQ(cloud.points_non_finite, 3u);
     }
     EXPECT_HAS(notesOf(readText("a.csv", "x,y,z\n1,2,\n5,6,7\n")), "1 point*left out");
+    for (const char* missing : {"NoData", "-", "#N/A", "*"}) // where the file starts
+        expectPoints(fmt::format("1 2 {}\n5 6 7\n", missing), {{5, 6, 7}});
     expectPoints("x\ty\tz\n\t2\t3\n1\t\t3\n5\t6\t7\n", {{5, 6, 7}});
     EXPECT_HAS(reasonOfText("a.csv", "x,y,z\n1,2,three\n"), "a.csv:2: column 3");
     EXPECT_HAS(reasonOfText("a.csv", "x,y,z\n1,2\n"), "a.csv:2: *2 columns");
@@ -111,7 +114,9 @@ TEST_F(TableTest, AxesHaveManyNames) {
     for (const char* header :
          {"Easting,Northing,Elevation", "E,N,Z", "east,north,height", "X_coord,Y_coord,Z_coord", "pos_x,pos_y,pos_z",
           "Point X,Point Y,Point Z", "x_m,y_m,alt", "Rechtswert,Hochwert,Höhe", "coordX,coordY,coordZ",
-          "X (metres),Y (metres),Z (metres)", "utm_easting,utm_northing,H", "x,y,h"})
+          "X (metres),Y (metres),Z (metres)", "utm_easting,utm_northing,H", "x,y,h", "world_x,world_y,world_z",
+          "Points:0,Points:1,Points:2", "Points_0,Points_1,Points_2", "Este,Norte,Cota",
+          "cartesianX,cartesianY,cartesianZ"})
         expectPoints(std::string(header) + "\n1,2,3\n", {{1, 2, 3}});
     expectPoints("P,N,E,Z,D\n1,20,10,5,tree\n2,21,11,6,kerb\n", {{10, 20, 5}, {11, 21, 6}});
     expectPoints("Point Number,Northing,Easting,Elevation,Description\nA1,20,10,5,\"tree, old\"\n", {{10, 20, 5}});
@@ -119,6 +124,19 @@ TEST_F(TableTest, AxesHaveManyNames) {
     expectPoints("height,e,n,x,y,z\n9,9,9,1,2,3\n", {{1, 2, 3}});
     expectPoints("lat,lon,x,y,z\n9,9,1,2,3\n", {{1, 2, 3}});
     EXPECT_HAS(reasonOfText("a.csv", "a,b,c\n1,2,3\n"), "a.csv:1: *header");
+}
+
+TEST_F(TableTest, BarsAndPercentSignsAreRead) {
+    expectPoints("x|y|z\n1|2|3\n4|5|6\n", {{1, 2, 3}, {4, 5, 6}});
+    expectPoints("1 2 3 | a remark\n4 5 6 | another\n", {{1, 2, 3}, {4, 5, 6}});
+    expectPoints("% written by a program\n% z y x\n3 2 1\n", {{1, 2, 3}});
+}
+
+TEST_F(TableTest, ColumnNumbersArePandasHeader) {
+    expectPoints("0,1,2\n1.5,2,3\n", {{1.5, 2, 3}});
+    expectPoints(",0,1,2\n0,1.5,2,3\n", {{1.5, 2, 3}});
+    expectPoints("0,1,2\n1,2,3\n", {{0, 1, 2}, {1, 2, 3}}); // whole numbers, as the others
+    expectPoints("0,1,3\n1.5,2,3\n", {{0, 1, 3}, {1.5, 2, 3}});
 }
 
 TEST_F(TableTest, LongitudesAndLatitudesAreDegrees) {
