@@ -5,6 +5,7 @@
 // POINTRT_LAYER_LIMITS=NAME=N,...            smaller limits: members of VkPhysicalDeviceLimits (setLimit)
 // POINTRT_LAYER_SUBMIT_US=N, POINTRT_LAYER_ALLOCATE_US=N    latency added to each submission and allocation
 // POINTRT_LAYER_LOST_AT=N                    the N-th submission and all after it lose the device
+// POINTRT_LAYER_BUDGET=N                     bytes of the heap that VK_EXT_memory_budget allows; half are in use
 // POINTRT_LAYER_COUNTS=FILE                  the counts as JSON, written as the instance is destroyed
 // pointrtLayerCount gives a process the counts while it runs. One instance and one device at a time.
 //
@@ -109,6 +110,18 @@ void pretendMemory(VkPhysicalDeviceMemoryProperties& memory) {
         memory.memoryTypes[i] = {table->types[i], table->types[i] & kLocal ? 0u : 1u};
 }
 
+/// Takes VK_EXT_memory_budget's structure out of the chain, which the driver may not know.
+VkPhysicalDeviceMemoryBudgetPropertiesEXT* takeBudget(VkPhysicalDeviceMemoryProperties2& properties) {
+    auto* before = reinterpret_cast<VkBaseOutStructure*>(&properties);
+    for (; before->pNext; before = before->pNext) {
+        if (before->pNext->sType != VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MEMORY_BUDGET_PROPERTIES_EXT) continue;
+        auto* budget = reinterpret_cast<VkPhysicalDeviceMemoryBudgetPropertiesEXT*>(before->pNext);
+        before->pNext = before->pNext->pNext;
+        return budget;
+    }
+    return nullptr;
+}
+
 std::uint32_t allTypes() { return (1u << memoryTable()->types.size()) - 1; }
 
 void setLimit(VkPhysicalDeviceLimits& limits, std::string_view name, std::uint32_t value) {
@@ -152,6 +165,7 @@ VkInstance the_instance = VK_NULL_HANDLE;
 /// answer with the topmost layer's, which may be this one's.
 #define LAYER_INSTANCE_FUNCTIONS(X)                                                                                    \
     X(vkDestroyInstance)                                                                                               \
+    X(vkEnumerateDeviceExtensionProperties)                                                                            \
     X(vkGetPhysicalDeviceProperties)                                                                                   \
     X(vkGetPhysicalDeviceProperties2)                                                                                  \
     X(vkGetPhysicalDeviceMemoryProperties)                                                                             \
@@ -370,8 +384,24 @@ VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceMemoryProperties(VkPhysicalDevice de
 }
 VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceMemoryProperties2(VkPhysicalDevice device,
                                                               VkPhysicalDeviceMemoryProperties2* out) {
+    VkPhysicalDeviceMemoryBudgetPropertiesEXT* const budget =
+        number("POINTRT_LAYER_BUDGET") ? takeBudget(*out) : nullptr;
     driver.vkGetPhysicalDeviceMemoryProperties2(device, out);
     pretendMemory(out->memoryProperties);
+    if (!budget) return;
+    budget->heapBudget[0] = number("POINTRT_LAYER_BUDGET");
+    budget->heapUsage[0] = budget->heapBudget[0] / 2;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL EnumerateDeviceExtensionProperties(VkPhysicalDevice device, const char* layer,
+                                                                  std::uint32_t* n, VkExtensionProperties* out) {
+    const std::uint32_t room = *n;
+    const VkResult result = driver.vkEnumerateDeviceExtensionProperties(device, layer, n, out);
+    if (layer || !number("POINTRT_LAYER_BUDGET") || result != VK_SUCCESS) return result;
+    if (out && *n >= room) return VK_INCOMPLETE;
+    if (out) out[*n] = {VK_EXT_MEMORY_BUDGET_EXTENSION_NAME, 1};
+    ++*n;
+    return VK_SUCCESS;
 }
 
 /// The link to the next layer in a chain of create infos; advances it.
@@ -439,6 +469,7 @@ PFN_vkVoidFunction hookOf(std::string_view name) {
                                   LAYER_HOOK(CreateDevice),
                                   LAYER_HOOK(GetInstanceProcAddr),
                                   LAYER_HOOK(GetDeviceProcAddr),
+                                  LAYER_HOOK(EnumerateDeviceExtensionProperties),
                                   LAYER_HOOK(GetPhysicalDeviceProperties),
                                   LAYER_HOOK(GetPhysicalDeviceProperties2),
                                   LAYER_HOOK(GetPhysicalDeviceMemoryProperties),
