@@ -11,10 +11,9 @@ namespace {
 constexpr std::uint64_t kGivenBytes = 6 * sizeof(double);
 
 /// Texels in host memory, which all devices can access: each ray is read once and each hit written once.
-Buffer hostTexels(Device& device, const char* what, std::uint64_t row_bytes, VkFormat format) {
-    Buffer buffer =
-        createBuffer(device, what, CastSlot::kRays * row_bytes,
-                     VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, MemoryHome::kHost);
+Buffer hostTexels(Device& device, const char* what, std::uint64_t row_bytes, VkFormat format, MemoryHome home) {
+    Buffer buffer = createBuffer(device, what, CastSlot::kRays * row_bytes,
+                                 VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, home);
     createTexelView(device, what, buffer, format);
     return buffer;
 }
@@ -68,9 +67,11 @@ CastSlot createSlot(Device& device) {
     slot.device = workerDevice(device);
     slot.starts.resize(CastSlot::kRays);
     static_assert(sizeof(gpu::CastRay) <= kGivenBytes && sizeof(gpu::GivenHit) == sizeof(gpu::CastHit));
-    slot.rays = hostTexels(slot.device, "ray buffer", kGivenBytes, VK_FORMAT_R32G32B32A32_UINT);
-    slot.hits = hostTexels(slot.device, "hit buffer", sizeof(gpu::CastHit), VK_FORMAT_R32G32B32A32_UINT);
-    slot.occluded = hostTexels(slot.device, "occlusion buffer", sizeof(std::uint32_t), VK_FORMAT_R32_UINT);
+    slot.rays = hostTexels(slot.device, "ray buffer", kGivenBytes, VK_FORMAT_R32G32B32A32_UINT, MemoryHome::kUpload);
+    slot.hits =
+        hostTexels(slot.device, "hit buffer", sizeof(gpu::CastHit), VK_FORMAT_R32G32B32A32_UINT, MemoryHome::kReadback);
+    slot.occluded =
+        hostTexels(slot.device, "occlusion buffer", sizeof(std::uint32_t), VK_FORMAT_R32_UINT, MemoryHome::kReadback);
     return slot;
 }
 
@@ -90,6 +91,7 @@ void traceRows(CastSlot& slot, CastPrograms& programs, const ResidentInstance& i
                    bind(slot, rays, pool.handle, instance, pair.first_hit), pushBytes(push), groupsOf(push.rays));
     recordBarrier(commands);
     submitAndWait(slot.device, commands);
+    hostBytes(slot.device, any_hit ? slot.occluded : slot.hits);
 }
 
 void traceSlot(CastSlot& slot, CastPrograms& programs, std::span<const CastRun> runs, bool any_hit) {
@@ -104,6 +106,7 @@ void traceSlot(CastSlot& slot, CastPrograms& programs, std::span<const CastRun> 
     }
     recordBarrier(commands);
     submitAndWait(slot.device, commands);
+    hostBytes(slot.device, any_hit ? slot.occluded : slot.hits);
 }
 
 } // namespace pointrt

@@ -37,6 +37,7 @@ void putMisses(CastSlot& slot, std::size_t count, bool any_hit) {
         std::fill_n(static_cast<std::uint32_t*>(slot.occluded.mapped), count, 0u);
     else
         std::fill_n(static_cast<gpu::GivenHit*>(slot.hits.mapped), count, kMiss);
+    flushBuffer(slot.device, any_hit ? slot.occluded : slot.hits);
 }
 
 } // namespace

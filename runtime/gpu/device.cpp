@@ -11,7 +11,9 @@
 
 #include "format/base/error.h"
 #include "runtime/gpu/device_choice.h"
+#include "runtime/gpu/memory_pool.h"
 #include "runtime/gpu/program_store.h"
+#include "runtime/gpu/staging.h"
 #include "runtime/util/on_error.h"
 
 namespace pointrt {
@@ -152,13 +154,37 @@ std::vector<const char*> deviceExtensions(const Device& device, const DeviceRequ
     return extensions;
 }
 
-void createPoolAndFence(Device& device) {
+/// What each thread has of its own.
+void createThreadObjects(Device& device) {
     VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
     pool.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
     pool.queueFamilyIndex = device.queue_family;
     check(vkCreateCommandPool(device.handle, &pool, nullptr, &device.command_pool), "create a command pool");
-    const VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
-    check(vkCreateFence(device.handle, &fence, nullptr, &device.fence), "create a fence");
+    device.staging = std::make_shared<Staging>();
+}
+
+/// Waits for its submissions, unless the device is lost.
+void destroyThreadObjects(Device& device) {
+    if (!device.command_pool) return;
+    if (!device.in_flight.empty()) {
+        VkSemaphoreWaitInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO};
+        info.semaphoreCount = 1;
+        info.pSemaphores = &device.timeline->semaphore;
+        info.pValues = &device.in_flight.back().number;
+        vkWaitSemaphores(device.handle, &info, UINT64_MAX);
+    }
+    device.in_flight.clear();
+    if (device.staging) device.staging->clear(device);
+    vkDestroyCommandPool(device.handle, device.command_pool, nullptr);
+    device.command_pool = VK_NULL_HANDLE;
+}
+
+void createTimeline(Device& device) {
+    device.timeline = std::make_shared<Timeline>();
+    VkSemaphoreTypeCreateInfo type{VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO};
+    type.semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE;
+    const VkSemaphoreCreateInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO, &type, 0};
+    check(vkCreateSemaphore(device.handle, &info, nullptr, &device.timeline->semaphore), "create a semaphore");
 }
 
 void createLogicalDevice(Device& device, const DeviceRequest& request) {
@@ -170,7 +196,10 @@ void createLogicalDevice(Device& device, const DeviceRequest& request) {
     const std::vector<const char*> extensions = deviceExtensions(device, request);
     VkPhysicalDeviceFeatures features{};
     features.shaderFloat64 = device.doubles;
-    VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
+    // every device of Vulkan 1.2 has them
+    VkPhysicalDeviceTimelineSemaphoreFeatures timelines{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_TIMELINE_SEMAPHORE_FEATURES};
+    timelines.timelineSemaphore = VK_TRUE;
+    VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &timelines};
     info.pEnabledFeatures = &features;
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queue;
@@ -186,12 +215,9 @@ void createLogicalDevice(Device& device, const DeviceRequest& request) {
         device.setObjectName = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
             vkGetInstanceProcAddr(device.instance, "vkSetDebugUtilsObjectNameEXT"));
     device.queue_mutex = std::make_shared<std::mutex>();
-    createPoolAndFence(device);
-}
-
-void destroyPoolAndFence(Device& device) {
-    vkDestroyFence(device.handle, device.fence, nullptr);
-    vkDestroyCommandPool(device.handle, device.command_pool, nullptr);
+    device.memory_pool = std::make_shared<MemoryPool>();
+    createTimeline(device);
+    createThreadObjects(device);
 }
 
 QueueNeeds queueNeeds(const Device& device, const DeviceRequest& request) {
@@ -237,7 +263,9 @@ void destroyDevice(Device& device) {
     if (device.handle) {
         vkDeviceWaitIdle(device.handle);
         if (device.programs) device.programs->clear(device);
-        destroyPoolAndFence(device);
+        destroyThreadObjects(device);
+        if (device.memory_pool) device.memory_pool->clear(device);
+        if (device.timeline) vkDestroySemaphore(device.handle, device.timeline->semaphore, nullptr);
         vkDestroyDevice(device.handle, nullptr);
     }
     if (device.messenger) {
@@ -252,18 +280,17 @@ void destroyDevice(Device& device) {
 Device workerDevice(const Device& device) {
     Device worker = device;
     worker.command_pool = VK_NULL_HANDLE;
-    worker.fence = VK_NULL_HANDLE;
+    worker.in_flight.clear();
+    worker.staging.reset();
     const OnError undo([&] { destroyWorkerDevice(worker); });
-    createPoolAndFence(worker);
+    createThreadObjects(worker);
     return worker;
 }
 
 void destroyWorkerDevice(Device& worker) {
-    if (worker.handle) destroyPoolAndFence(worker);
+    if (worker.handle) destroyThreadObjects(worker);
     worker = {};
 }
-
-std::unique_lock<std::mutex> lockQueue(Device& device) { return std::unique_lock(*device.queue_mutex); }
 
 std::string listDevices() {
     const VkInstance instance = createInstance({});
@@ -280,40 +307,5 @@ std::string listDevices() {
 }
 
 std::uint64_t validationMessages() { return validation_messages; }
-
-VkCommandBuffer beginCommands(Device& device, const char* name) {
-    VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
-    allocate.commandPool = device.command_pool;
-    allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-    allocate.commandBufferCount = 1;
-    VkCommandBuffer commands = VK_NULL_HANDLE;
-    check(vkAllocateCommandBuffers(device.handle, &allocate, &commands), "allocate a command buffer");
-    nameObject(device, VK_OBJECT_TYPE_COMMAND_BUFFER, commands, name);
-    VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
-    begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-    check(vkBeginCommandBuffer(commands, &begin), "begin a command buffer");
-    return commands;
-}
-
-void submitAndWait(Device& device, VkCommandBuffer commands) {
-    // the fence signals completion; it takes a barrier to make the writes visible to the host and to later commands
-    VkMemoryBarrier barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER};
-    barrier.srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT;
-    barrier.dstAccessMask = VK_ACCESS_HOST_READ_BIT | VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT;
-    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT,
-                         VK_PIPELINE_STAGE_HOST_BIT | VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 1, &barrier, 0, nullptr, 0,
-                         nullptr);
-    check(vkEndCommandBuffer(commands), "record commands");
-    VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
-    submit.commandBufferCount = 1;
-    submit.pCommandBuffers = &commands;
-    {
-        const auto lock = lockQueue(device);
-        check(vkQueueSubmit(device.queue, 1, &submit, device.fence), "submit work to the device");
-    }
-    check(vkWaitForFences(device.handle, 1, &device.fence, VK_TRUE, UINT64_MAX), "wait for the device");
-    check(vkResetFences(device.handle, 1, &device.fence), "reset a fence");
-    vkFreeCommandBuffers(device.handle, device.command_pool, 1, &commands);
-}
 
 } // namespace pointrt

@@ -13,7 +13,9 @@
 
 namespace pointrt {
 
+class MemoryPool;
 class ProgramStore;
+class Staging;
 
 struct DeviceRequest {
     std::string selector; ///< "" for the best device, an index in listDevices, or part of a name, ignoring case
@@ -27,6 +29,19 @@ struct DeviceRequest {
     std::uint32_t page_bits_most = 31; ///< limit for Device::page_bits: tests get many pages from small scenes
 };
 
+/// The submissions to a queue, numbered from 1 in their order: the semaphore's value is the number of the last one
+/// done.
+struct Timeline {
+    VkSemaphore semaphore = VK_NULL_HANDLE;
+    std::uint64_t submitted = 0; ///< guarded by the queue's mutex
+};
+
+/// Commands that the device may still be running.
+struct SubmittedCommands {
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    std::uint64_t number = 0; ///< of the submission
+};
+
 /// A logical device with one compute queue. Free it with destroyDevice after everything made from it.
 struct Device {
     VkInstance instance = VK_NULL_HANDLE;
@@ -36,8 +51,9 @@ struct Device {
     VkQueue queue = VK_NULL_HANDLE;
     std::shared_ptr<std::mutex> queue_mutex; ///< shared with workers
     std::uint32_t queue_family = 0;
+    std::shared_ptr<Timeline> timeline; ///< shared with workers
     VkCommandPool command_pool = VK_NULL_HANDLE;
-    VkFence fence = VK_NULL_HANDLE;
+    std::vector<SubmittedCommands> in_flight; ///< oldest first; of this thread
 
     std::string name;
     VkPhysicalDeviceType type = VK_PHYSICAL_DEVICE_TYPE_OTHER;
@@ -52,6 +68,8 @@ struct Device {
     std::uint64_t host_import_alignment = 0; ///< bytes, for pointers and sizes given to importHostBuffer
     PFN_vkGetMemoryHostPointerPropertiesEXT getMemoryHostPointerProperties = nullptr;
     PFN_vkSetDebugUtilsObjectNameEXT setObjectName = nullptr; ///< null unless debug names are on (nameObject)
+    std::shared_ptr<MemoryPool> memory_pool;                  ///< of all buffers, shared with workers
+    std::shared_ptr<Staging> staging;                         ///< of this thread
     std::shared_ptr<ProgramStore> programs; ///< programs that createProgram built, shared with workers
     bool verbose = false;
 };
@@ -62,7 +80,7 @@ struct Device {
 Device createDevice(const DeviceRequest& request);
 void destroyDevice(Device& device);
 
-/// The same device for another thread: it shares the queue, under a mutex, and has its own command pool and fence.
+/// The same device for another thread: it shares the queue, under a mutex, and has its own command pool and staging.
 /// Objects created through one may be used and freed through the other. Free it with destroyWorkerDevice before device.
 Device workerDevice(const Device& device);
 void destroyWorkerDevice(Device& worker);
@@ -89,11 +107,16 @@ void nameObject(const Device& device, VkObjectType type, Handle handle, const ch
     device.setObjectName(device.handle, &info); // only runs out of memory, which the next call reports
 }
 
-/// A command buffer in the recording state, for submitAndWait or freed with the device's command pool.
+/// A command buffer in the recording state, for submit.
 /// @param name for debuggers
 VkCommandBuffer beginCommands(Device& device, const char* name = "commands");
-/// Ends, submits and frees commands. Returns when the device is done and its writes are visible to the host and to
-/// later commands. Throws Error kCannotRun (device lost).
+/// Ends and submits commands, which run after all earlier submissions. When they are done, their writes are visible to
+/// the host and to later commands. Returns the number of the submission. Throws Error kCannotRun (device lost).
+std::uint64_t submit(Device& device, VkCommandBuffer commands);
+/// Whether a submission is done.
+bool isDone(const Device& device, std::uint64_t submission);
+/// Waits for a submission; returns at once for 0. Throws Error kCannotRun (device lost).
+void waitFor(const Device& device, std::uint64_t submission);
 void submitAndWait(Device& device, VkCommandBuffer commands);
 
 } // namespace pointrt

@@ -14,8 +14,6 @@ namespace {
 
 // A scene of a million splats has some three million texels of near splats; entry grids have up to 2^24 words.
 constexpr std::uint32_t kMinTexels = 1u << 24;
-/// Storage texel buffers of shaders/lib/bindings.glsl; Vulkan guarantees 4.
-constexpr std::uint32_t kStorageImages = 5;
 constexpr VkSubgroupFeatureFlags kSubgroupOperations = VK_SUBGROUP_FEATURE_BASIC_BIT | VK_SUBGROUP_FEATURE_VOTE_BIT |
                                                        VK_SUBGROUP_FEATURE_ARITHMETIC_BIT |
                                                        VK_SUBGROUP_FEATURE_BALLOT_BIT;
@@ -153,6 +151,23 @@ Candidate inspect(VkPhysicalDevice physical, const QueueNeeds& needs) {
     return candidate;
 }
 
+/// The kind of descriptor of which programs may have too few, or nothing.
+std::string missingDescriptors(const VkPhysicalDeviceLimits& limits) {
+    const struct {
+        const char* what;
+        std::uint32_t limit, needed;
+    } kinds[] = {
+        {"storage texel buffers", limits.maxPerStageDescriptorStorageImages, kRenderDescriptors.storage_texel_buffers},
+        {"uniform texel buffers", limits.maxPerStageDescriptorSampledImages, kRenderDescriptors.uniform_texel_buffers},
+        {"storage buffers", limits.maxPerStageDescriptorStorageBuffers, kRenderDescriptors.storage_buffers},
+        {"uniform buffers", limits.maxPerStageDescriptorUniformBuffers, kRenderDescriptors.uniform_buffers}};
+    for (const auto& each : kinds)
+        if (each.limit < each.needed)
+            return "programs may bind " + std::to_string(each.limit) + " " + each.what + ", " +
+                   std::to_string(each.needed) + " are needed";
+    return {};
+}
+
 } // namespace
 
 std::string refusalOf(const Candidate& candidate) {
@@ -168,9 +183,7 @@ std::string refusalOf(const Candidate& candidate) {
         return "no subgroup operations in compute shaders";
     if ((candidate.subgroup.supportedOperations & kSubgroupOperations) != kSubgroupOperations)
         return "subgroup basic, vote, arithmetic and ballot operations are needed";
-    if (properties.limits.maxPerStageDescriptorStorageImages < kStorageImages)
-        return "programs read " + std::to_string(properties.limits.maxPerStageDescriptorStorageImages) +
-               " images of buffers, " + std::to_string(kStorageImages) + " are needed";
+    if (const std::string few = missingDescriptors(properties.limits); !few.empty()) return few;
     if (!candidate.reads_texels) return "it cannot read texel buffers of 32-bit elements";
     return {};
 }

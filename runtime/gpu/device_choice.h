@@ -13,6 +13,14 @@
 
 namespace pointrt {
 
+/// Descriptors of each kind that a program declares.
+struct DescriptorCounts {
+    std::uint32_t storage_texel_buffers = 0, uniform_texel_buffers = 0, storage_buffers = 0, uniform_buffers = 0;
+};
+/// The most of any program that renders, without further pages. Vulkan guarantees 4, 16, 4 and 12. Programs that cast a
+/// caller's rays, and those of paged scans, have more; createProgram checks these.
+constexpr DescriptorCounts kRenderDescriptors{7, 18, 12, 3};
+
 /// What the queue must support besides compute.
 struct QueueNeeds {
     bool graphics = false;

@@ -48,19 +48,33 @@ std::uint32_t setCount(const Program& program) {
     return bindings.empty() ? 1 : bindings.back().set + 1;
 }
 
-/// Only arrays of pages come near the limit.
-void requireFewTexelBuffers(const Device& device, const Program& program) {
+std::uint32_t countOf(const Program& program, VkDescriptorType type) {
     std::uint32_t count = 0;
     for (const ShaderBinding& binding : program.shader.bindings)
-        if (binding.type == VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER) count += binding.count;
-    if (setCount(program) > 1 && count > device.limits.maxPerStageDescriptorSampledImages)
-        throw Error{ExitCode::kCannotRun, program.name + ": a scene of this size needs " + std::to_string(count) +
-                                              " texel buffers, the limit of the device is " +
-                                              std::to_string(device.limits.maxPerStageDescriptorSampledImages)};
+        if (binding.type == type) count += binding.count;
+    return count;
+}
+
+void requireDescriptors(const Device& device, const Program& program) {
+    const VkPhysicalDeviceLimits& limits = device.limits;
+    const struct {
+        VkDescriptorType type;
+        const char* what;
+        std::uint32_t limit;
+    } kinds[] = {
+        {VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER, "storage texel buffers", limits.maxPerStageDescriptorStorageImages},
+        {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, "texel buffers", limits.maxPerStageDescriptorSampledImages},
+        {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, "storage buffers", limits.maxPerStageDescriptorStorageBuffers},
+        {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, "uniform buffers", limits.maxPerStageDescriptorUniformBuffers}};
+    const char* needs = setCount(program) > 1 ? ": a scene of this size needs " : ": the program needs ";
+    for (const auto& each : kinds)
+        if (const std::uint32_t count = countOf(program, each.type); count > each.limit)
+            throw Error{ExitCode::kCannotRun, program.name + needs + std::to_string(count) + " " + each.what +
+                                                  ", the limit of the device is " + std::to_string(each.limit)};
 }
 
 void createLayouts(Device& device, Program& program) {
-    requireFewTexelBuffers(device, program);
+    requireDescriptors(device, program);
     for (std::uint32_t set = 0; set < setCount(program); ++set)
         createSetLayout(device, bindingsOf(program, set), program.set_layouts[set]);
     const VkPushConstantRange push{VK_SHADER_STAGE_COMPUTE_BIT, 0, program.shader.push_bytes};
@@ -306,7 +320,7 @@ void recordDispatchIndirect(VkCommandBuffer commands, const Program& program, co
 void recordBarrier(VkCommandBuffer commands) {
     VkMemoryBarrier barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER};
     barrier.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT;
-    barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT |
+    barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_UNIFORM_READ_BIT |
                             VK_ACCESS_INDIRECT_COMMAND_READ_BIT | VK_ACCESS_TRANSFER_READ_BIT |
                             VK_ACCESS_TRANSFER_WRITE_BIT;
     const VkPipelineStageFlags writers = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_TRANSFER_BIT;

@@ -2,12 +2,13 @@
 #include "runtime/gpu/resources.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <bit>
 #include <cstring>
-#include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "format/base/error.h"
+#include "runtime/gpu/staging.h"
 #include "runtime/util/available_memory.h"
 #include "runtime/util/on_error.h"
 
@@ -16,32 +17,7 @@ namespace {
 
 // Vulkan has no empty buffers, scenes have empty sections. 16 bytes: the largest texel.
 constexpr std::uint64_t kMinBufferBytes = 16;
-// Large enough to hide the cost of a submission, small enough for a driver's pinned memory.
-constexpr std::uint64_t kStagingBytes = 64ull << 20;
-
 constexpr VkBufferUsageFlags kTransfer = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-constexpr VkMemoryPropertyFlags kReachable = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-
-/// The first memory type among allowed (a bit mask) with all wanted properties.
-std::optional<std::uint32_t> memoryType(const Device& device, std::uint32_t allowed, VkMemoryPropertyFlags wanted) {
-    for (std::uint32_t i = 0; i < device.memory.memoryTypeCount; ++i)
-        if ((allowed >> i & 1u) && (device.memory.memoryTypes[i].propertyFlags & wanted) == wanted) return i;
-    return {};
-}
-
-/// Prefers cached host memory, which reads back fast, and on unified memory a host-visible device type.
-std::optional<std::uint32_t> memoryTypeFor(const Device& device, std::uint32_t allowed, MemoryHome home) {
-    const VkMemoryPropertyFlags local = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
-    const VkMemoryPropertyFlags cached = kReachable | VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
-    if (home == MemoryHome::kHost) {
-        const auto found = memoryType(device, allowed, cached);
-        return found ? found : memoryType(device, allowed, kReachable);
-    }
-    if (device.unified_memory)
-        if (const auto found = memoryType(device, allowed, local | kReachable)) return found;
-    const auto found = memoryType(device, allowed, local);
-    return found ? found : memoryType(device, allowed, 0);
-}
 
 void createHandle(Device& device, const char* what, Buffer& buffer, VkBufferUsageFlags usage) {
     VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
@@ -55,19 +31,15 @@ void createHandle(Device& device, const char* what, Buffer& buffer, VkBufferUsag
 void allocateMemory(Device& device, const char* what, Buffer& buffer, MemoryHome home) {
     VkMemoryRequirements requirements;
     vkGetBufferMemoryRequirements(device.handle, buffer.handle, &requirements);
-    const auto type = memoryTypeFor(device, requirements.memoryTypeBits, home);
+    const auto type = chooseMemoryType(device.memory, requirements.memoryTypeBits, home, device.unified_memory);
     if (!type) throw Error{ExitCode::kCannotRun, std::string("cannot allocate ") + what + ": no suitable memory type"};
-    VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
-    info.allocationSize = requirements.size;
-    info.memoryTypeIndex = *type;
-    const std::string action = std::string("allocate ") + what + " (" + mebibytes(buffer.bytes) + ")";
-    check(vkAllocateMemory(device.handle, &info, nullptr, &buffer.memory), action.c_str());
-    nameObject(device, VK_OBJECT_TYPE_DEVICE_MEMORY, buffer.memory, what);
-    check(vkBindBufferMemory(device.handle, buffer.handle, buffer.memory, 0), action.c_str());
-    const bool map = home == MemoryHome::kHost || device.unified_memory;
     const VkMemoryPropertyFlags properties = device.memory.memoryTypes[*type].propertyFlags;
-    if (map && (properties & kReachable) == kReachable)
-        check(vkMapMemory(device.handle, buffer.memory, 0, VK_WHOLE_SIZE, 0, &buffer.mapped), action.c_str());
+    const std::string action = std::string("allocate ") + what + " (" + mebibytes(buffer.bytes) + ")";
+    buffer.range = device.memory_pool->allocate(device, requirements, *type,
+                                                isMapped(properties, home, device.unified_memory), action.c_str());
+    check(vkBindBufferMemory(device.handle, buffer.handle, buffer.range.memory, buffer.range.offset), action.c_str());
+    buffer.mapped = buffer.range.mapped;
+    buffer.coherent = (properties & VK_MEMORY_PROPERTY_HOST_COHERENT_BIT) != 0;
 }
 
 /// The memory types that host memory at data can be imported as; 0: none.
@@ -82,16 +54,16 @@ std::uint32_t importableTypes(Device& device, const void* data) {
 bool importMemory(Device& device, const void* data, std::uint64_t bytes, Buffer& buffer) {
     VkMemoryRequirements requirements;
     vkGetBufferMemoryRequirements(device.handle, buffer.handle, &requirements);
-    const auto type = memoryType(device, requirements.memoryTypeBits & importableTypes(device, data), 0);
-    if (!type || requirements.size > bytes) return false;
+    const std::uint32_t types = requirements.memoryTypeBits & importableTypes(device, data);
+    if (types == 0 || requirements.size > bytes) return false;
     VkImportMemoryHostPointerInfoEXT import{VK_STRUCTURE_TYPE_IMPORT_MEMORY_HOST_POINTER_INFO_EXT};
     import.handleType = VK_EXTERNAL_MEMORY_HANDLE_TYPE_HOST_ALLOCATION_BIT_EXT;
     import.pHostPointer = const_cast<void*>(data);
     VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, &import};
     info.allocationSize = bytes;
-    info.memoryTypeIndex = *type;
-    return vkAllocateMemory(device.handle, &info, nullptr, &buffer.memory) == VK_SUCCESS &&
-           vkBindBufferMemory(device.handle, buffer.handle, buffer.memory, 0) == VK_SUCCESS;
+    info.memoryTypeIndex = static_cast<std::uint32_t>(std::countr_zero(types));
+    return vkAllocateMemory(device.handle, &info, nullptr, &buffer.range.memory) == VK_SUCCESS &&
+           vkBindBufferMemory(device.handle, buffer.handle, buffer.range.memory, 0) == VK_SUCCESS;
 }
 
 void copyAndWait(Device& device, const Buffer& from, const Buffer& to, VkBufferCopy region) {
@@ -104,18 +76,22 @@ void requireInside(const Buffer& buffer, std::uint64_t bytes, std::uint64_t offs
     if (offset > buffer.bytes || bytes > buffer.bytes - offset) throw std::logic_error("copy outside of a buffer");
 }
 
-/// Calls copy(staging buffer, offset, size) for each chunk of [0, bytes).
-template <typename Copy>
-void forEachChunk(Device& device, std::uint64_t bytes, Copy&& copy) {
-    Buffer staging = createBuffer(device, "staging buffer", std::min(bytes, kStagingBytes), 0, MemoryHome::kHost);
+/// The whole range: offsets and sizes of parts would have to be multiples of an atom.
+VkMappedMemoryRange mappedRange(const Buffer& buffer) {
+    VkMappedMemoryRange range{VK_STRUCTURE_TYPE_MAPPED_MEMORY_RANGE};
+    range.memory = buffer.range.memory;
+    range.offset = buffer.range.offset;
+    range.size = buffer.range.bytes;
+    return range;
+}
+
+/// A device that is lost runs nothing any more.
+void waitForUpload(const Device& device, const Buffer& buffer) {
+    if (buffer.uploaded == 0) return;
     try {
-        for (std::uint64_t start = 0; start < bytes; start += kStagingBytes)
-            copy(staging, start, std::min(bytes - start, kStagingBytes));
-    } catch (...) {
-        destroyBuffer(device, staging);
-        throw;
+        waitFor(device, buffer.uploaded);
+    } catch (const Error&) {
     }
-    destroyBuffer(device, staging);
 }
 
 void addView(Device& device, const char* what, Buffer& buffer, VkFormat format) {
@@ -153,9 +129,13 @@ Buffer createBuffer(Device& device, const char* what, std::uint64_t bytes, VkBuf
 }
 
 void destroyBuffer(Device& device, Buffer& buffer) {
+    waitForUpload(device, buffer);
     if (buffer.view) vkDestroyBufferView(device.handle, buffer.view, nullptr);
     if (buffer.handle) vkDestroyBuffer(device.handle, buffer.handle, nullptr);
-    if (buffer.memory) vkFreeMemory(device.handle, buffer.memory, nullptr);
+    if (buffer.imported && buffer.range.memory)
+        vkFreeMemory(device.handle, buffer.range.memory, nullptr);
+    else if (buffer.range.memory)
+        device.memory_pool->free(device, buffer.range);
     buffer = {};
 }
 
@@ -212,14 +192,12 @@ void createTexelView(Device& device, const char* what, Buffer& buffer, VkFormat 
 void uploadBuffer(Device& device, Buffer& buffer, const void* data, std::uint64_t bytes, std::uint64_t offset) {
     requireInside(buffer, bytes, offset);
     if (bytes == 0) return;
-    if (buffer.mapped) {
-        std::memcpy(static_cast<std::byte*>(buffer.mapped) + offset, data, bytes);
+    if (!buffer.mapped) {
+        buffer.uploaded = device.staging->upload(device, buffer, data, bytes, offset);
         return;
     }
-    forEachChunk(device, bytes, [&](Buffer& staging, std::uint64_t start, std::uint64_t count) {
-        std::memcpy(staging.mapped, static_cast<const std::byte*>(data) + start, count);
-        copyAndWait(device, staging, buffer, {0, offset + start, count});
-    });
+    std::memcpy(static_cast<std::byte*>(buffer.mapped) + offset, data, bytes);
+    flushBuffer(device, buffer);
 }
 
 void copyBuffer(Device& device, const Buffer& from, Buffer& to, std::uint64_t bytes) {
@@ -231,14 +209,21 @@ void copyBuffer(Device& device, const Buffer& from, Buffer& to, std::uint64_t by
 void downloadBuffer(Device& device, const Buffer& buffer, void* data, std::uint64_t bytes, std::uint64_t offset) {
     requireInside(buffer, bytes, offset);
     if (bytes == 0) return;
-    if (buffer.mapped) {
-        std::memcpy(data, static_cast<const std::byte*>(buffer.mapped) + offset, bytes);
-        return;
-    }
-    forEachChunk(device, bytes, [&](Buffer& staging, std::uint64_t start, std::uint64_t count) {
-        copyAndWait(device, buffer, staging, {offset + start, 0, count});
-        std::memcpy(static_cast<std::byte*>(data) + start, staging.mapped, count);
-    });
+    if (buffer.mapped)
+        std::memcpy(data, hostBytes(device, buffer) + offset, bytes);
+    else
+        device.staging->download(device, buffer, data, bytes, offset);
+}
+
+const std::byte* hostBytes(const Device& device, const Buffer& buffer) {
+    const VkMappedMemoryRange range = mappedRange(buffer);
+    if (!buffer.coherent) check(vkInvalidateMappedMemoryRanges(device.handle, 1, &range), "read what the device wrote");
+    return static_cast<const std::byte*>(buffer.mapped);
+}
+
+void flushBuffer(const Device& device, const Buffer& buffer) {
+    const VkMappedMemoryRange range = mappedRange(buffer);
+    if (!buffer.coherent) check(vkFlushMappedMemoryRanges(device.handle, 1, &range), "write for the device");
 }
 
 } // namespace pointrt

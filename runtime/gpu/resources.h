@@ -7,21 +7,22 @@
 #include <vector>
 
 #include "runtime/gpu/device.h"
+#include "runtime/gpu/memory_pool.h"
+#include "runtime/gpu/memory_types.h"
 
 namespace pointrt {
 
-/// A buffer with its own memory. Plain data: free it with destroyBuffer, once.
+/// A buffer. Plain data: free it with destroyBuffer, once.
 struct Buffer {
     VkBuffer handle = VK_NULL_HANDLE;
-    VkDeviceMemory memory = VK_NULL_HANDLE;
+    MemoryRange range;
     VkBufferView view = VK_NULL_HANDLE; ///< set by createTexelView
     std::uint64_t bytes = 0;            ///< as requested; at least 16 are allocated
-    void* mapped = nullptr;             ///< host-coherent; null if the host cannot access the memory
+    void* mapped = nullptr;             ///< null if the host has no fast access to the memory (memory_types.h)
+    bool coherent = true;               ///< if not, hostBytes and flushBuffer keep mapped up to date
     bool imported = false;              ///< the memory is the caller's
+    std::uint64_t uploaded = 0;         ///< the submission of the last upload
 };
-
-/// kHost memory is mapped and coherent. kDevice memory is mapped only where device.unified_memory is set.
-enum class MemoryHome { kDevice, kHost };
 
 /// @param what names the buffer in messages and debuggers ("image buffer")
 /// @param usage the transfer bits are added
@@ -60,11 +61,17 @@ Buffer createTexelRows(Device& device, const char* what, std::vector<Row> rows, 
     return buffer;
 }
 
-/// Copies bytes from data to buffer at offset, and waits for the copy. Offset and bytes are multiples of 4.
+/// Copies bytes from data to buffer at offset, both multiples of 4, before all later submissions. No earlier
+/// submission that uses the buffer may still be running.
 void uploadBuffer(Device& device, Buffer& buffer, const void* data, std::uint64_t bytes, std::uint64_t offset = 0);
 /// Copies the first bytes of a buffer to the start of another, and waits.
 void copyBuffer(Device& device, const Buffer& from, Buffer& to, std::uint64_t bytes);
-/// Copies bytes at offset of buffer to data, and waits for the copy only.
+/// Copies bytes at offset of buffer to data, after all earlier submissions.
 void downloadBuffer(Device& device, const Buffer& buffer, void* data, std::uint64_t bytes, std::uint64_t offset = 0);
+
+/// The mapped bytes of a buffer as the device's submissions left them, which must be done.
+const std::byte* hostBytes(const Device& device, const Buffer& buffer);
+/// Makes what the host wrote to the mapped bytes visible to later submissions.
+void flushBuffer(const Device& device, const Buffer& buffer);
 
 } // namespace pointrt

@@ -88,6 +88,7 @@ namespace pointrt {
     X(vkEnumerateInstanceLayerProperties)                                                                              \
     X(vkEnumerateInstanceVersion)                                                                                      \
     X(vkEnumeratePhysicalDevices)                                                                                      \
+    X(vkFlushMappedMemoryRanges)                                                                                       \
     X(vkFreeCommandBuffers)                                                                                            \
     X(vkFreeMemory)                                                                                                    \
     X(vkGetBufferMemoryRequirements)                                                                                   \
@@ -98,17 +99,21 @@ namespace pointrt {
     X(vkGetPhysicalDeviceFeatures)                                                                                     \
     X(vkGetPhysicalDeviceFormatProperties)                                                                             \
     X(vkGetPhysicalDeviceMemoryProperties)                                                                             \
+    X(vkGetPhysicalDeviceMemoryProperties2)                                                                            \
     X(vkGetPhysicalDeviceProperties)                                                                                   \
     X(vkGetPhysicalDeviceProperties2)                                                                                  \
     X(vkGetPhysicalDeviceQueueFamilyProperties)                                                                        \
     X(vkGetQueryPoolResults)                                                                                           \
+    X(vkGetSemaphoreCounterValue)                                                                                      \
+    X(vkInvalidateMappedMemoryRanges)                                                                                  \
     X(vkMapMemory)                                                                                                     \
     X(vkQueueSubmit)                                                                                                   \
     X(vkQueueWaitIdle)                                                                                                 \
     X(vkResetCommandBuffer)                                                                                            \
     X(vkResetFences)                                                                                                   \
     X(vkUpdateDescriptorSets)                                                                                          \
-    X(vkWaitForFences)
+    X(vkWaitForFences)                                                                                                 \
+    X(vkWaitSemaphores)
 
 /// Functions that a window needs besides; null before loadWindowFunctions.
 #define POINTRT_VULKAN_WINDOW_FUNCTIONS(X)                                                                             \

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/render/band_tracer.h"
 
+#include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "runtime/render/frame_params.h"
@@ -37,6 +39,45 @@ bool traceLaterMap(Device& device, BandTracer& tracer, std::uint32_t number) {
     maps.shows_later = true;
     rebind(device, tracer);
     return true;
+}
+
+/// The sample in parts that the tracer has lanes for.
+std::vector<BandSample> partsOf(const BandTracer& tracer, const BandSample& sample) {
+    if (lanesOf(sample.width, sample.rows) <= tracer.buffers.lanes) return {sample};
+    std::vector<BandSample> parts;
+    const std::uint32_t most = fittingRows(tracer, sample.width);
+    for (std::uint32_t row = 0; row < sample.rows; row += most) {
+        BandSample& part = parts.emplace_back(sample);
+        part.rows = part.params.rows = std::min(most, sample.rows - row);
+        part.params.first_row += row;
+        part.params.film_first += row * sample.width;
+    }
+    return parts;
+}
+
+void recordPasses(PassCommands& commands, const BandTracer& tracer, BandSample& sample, std::uint32_t passes) {
+    commands.beginSample(tilesOf(sample.width, sample.rows));
+    SampleRecorder recorder(commands, tracer, sample);
+    if (sample.pass == 0) {
+        commands.setParams(tracer.buffers.params, sample.params);
+        if ((sample.first_hits && !sample.at_listed_pixels) || sample.only_first_hits) recorder.firstHits();
+        if (!sample.only_first_hits) recorder.begin();
+        sample.pass = 1;
+    }
+    if (!sample.only_first_hits && tracer.programs.has_secondary_rays)
+        for (std::uint32_t i = 0; i < passes; ++i) recorder.pass(sample.pass++);
+    commands.endSample();
+}
+
+/// Whether no path is left.
+bool hasEnded(const gpu::Control& control) { return control.queued[0] + control.queued[1] == 0; }
+
+void addRays(const gpu::Control& control, RayCounts& counts) {
+    // 32-bit counters on the device, reset for each sample
+    counts.primary += control.primary_rays;
+    counts.shadow += control.shadow_rays;
+    counts.secondary += control.secondary_rays;
+    counts.cut += control.cut_rays;
 }
 
 } // namespace
@@ -122,50 +163,51 @@ std::uint64_t deviceBytes(const BandTracer& tracer) {
            deviceBytes(tracer.caustics);
 }
 
-void openBand(Device& device, BandTracer& tracer, const RenderSettings& settings, const Camera& camera, Band band,
-              FilmPlace film) {
-    gpu::FrameParams params = makeFrameParams(*tracer.scene, settings, camera, band.first_row, band.rows);
-    params.film_pixels = film.pixels;
-    params.film_first = film.first_pixel;
-    params.caustics = shownMap(tracer.caustics).frame;
-    const HostSpan span(tracer.profile, "parameters");
-    uploadBuffer(device, tracer.buffers.params, &params, sizeof params);
-}
-
-BandSample openPixelList(Device& device, BandTracer& tracer, const RenderSettings& settings, const Camera& camera,
-                         std::uint32_t count, FilmPlace film) {
-    const std::uint32_t rows = (count + kPixelListWidth - 1) / kPixelListWidth;
-    gpu::FrameParams params = makeFrameParams(*tracer.scene, settings, camera, 0, rows);
-    params.width = kPixelListWidth;
-    params.film_pixels = film.pixels;
-    params.film_first = film.first_pixel;
-    params.caustics = shownMap(tracer.caustics).frame;
-    uploadBuffer(device, tracer.buffers.params, &params, sizeof params);
-    BandSample sample{kPixelListWidth, rows, 0, true};
-    sample.first_hits = sample.at_listed_pixels = true;
+BandSample openBand(const BandTracer& tracer, const RenderSettings& settings, const Camera& camera, Band band,
+                    FilmPlace film) {
+    BandSample sample;
+    sample.params = makeFrameParams(*tracer.scene, settings, camera, band.first_row, band.rows);
+    sample.params.film_pixels = film.pixels;
+    sample.params.film_first = film.first_pixel;
+    sample.params.caustics = shownMap(tracer.caustics).frame;
+    sample.width = settings.width;
+    sample.rows = band.rows;
     return sample;
 }
 
-void tracePasses(Device& device, const BandTracer& tracer, BandSample& sample, std::uint32_t passes,
-                 RayCounts& counts) {
-    PassCommands commands(device, tracer.buffers.control, tilesOf(sample.width, sample.rows), tracer.profile);
-    SampleRecorder recorder(commands, tracer, sample);
-    if (sample.pass == 0) {
-        if ((sample.first_hits && !sample.at_listed_pixels) || sample.only_first_hits) recorder.firstHits();
-        if (!sample.only_first_hits) recorder.begin();
-        sample.pass = 1;
+BandSample openPixelList(const BandTracer& tracer, const RenderSettings& settings, const Camera& camera,
+                         std::uint32_t count, FilmPlace film) {
+    const std::uint32_t rows = (count + kPixelListWidth - 1) / kPixelListWidth;
+    BandSample sample = openBand(tracer, settings, camera, {0, rows}, film);
+    sample.params.width = sample.width = kPixelListWidth;
+    sample.at_centers = sample.first_hits = sample.at_listed_pixels = true;
+    return sample;
+}
+
+void tracePasses(Device& device, const BandTracer& tracer, BandSample& sample, std::uint32_t passes, RayCounts& counts,
+                 const std::function<void(VkCommandBuffer)>& then) {
+    PassCommands commands(device, tracer.buffers.control, tracer.buffers.control_read, tracer.profile);
+    const std::uint32_t first_pass = sample.pass;
+    for (BandSample part : partsOf(tracer, sample)) {
+        recordPasses(commands, tracer, part, passes);
+        sample.pass = part.pass;
     }
-    if (!sample.only_first_hits && tracer.programs.has_secondary_rays)
-        for (std::uint32_t i = 0; i < passes; ++i) recorder.pass(sample.pass++);
-    const gpu::Control control = commands.finish();
-    // deferred rays of surfaces that reflect and refract take more passes than a path has bounces
-    sample.done = control.queued[0] + control.queued[1] == 0;
+    if (then) commands.record(then);
+    const std::vector<gpu::Control> parts = commands.finish();
+    sample.done = std::all_of(parts.begin(), parts.end(), hasEnded);
+    if (parts.size() > 1 && (!sample.done || first_pass > 0))
+        throw std::logic_error("a sample of more lanes than the tracer has was not traced at once");
     if (!sample.done) return;
-    // 32-bit counters on the device, reset for each sample
-    counts.primary += control.primary_rays;
-    counts.shadow += control.shadow_rays;
-    counts.secondary += control.secondary_rays;
-    counts.cut += control.cut_rays;
+    for (const gpu::Control& part : parts) addRays(part, counts);
+}
+
+bool endsIn(const BandTracer& tracer, const RenderSettings& settings, std::uint32_t passes) {
+    const Programs& programs = tracer.programs;
+    return !programs.has_secondary_rays || (!programs.defers_rays && passes >= settings.bounces);
+}
+
+std::uint32_t fittingRows(const BandTracer& tracer, std::uint32_t width) {
+    return std::max(tracer.buffers.lanes / lanesOf(width, TILE_SIDE), 1u) * TILE_SIDE;
 }
 
 } // namespace pointrt

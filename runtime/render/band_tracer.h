@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "runtime/device_scene/device_scene.h"
@@ -62,12 +63,9 @@ void rebind(Device& device, BandTracer& tracer);
 /// Device memory of its buffers in bytes, without those of the scene.
 std::uint64_t deviceBytes(const BandTracer& tracer);
 
-/// Uploads camera and settings for a band. film: position of its pixels in the film.
-void openBand(Device& device, BandTracer& tracer, const RenderSettings& settings, const Camera& camera, Band band,
-              FilmPlace film);
-
-/// A sample of the open band in progress.
+/// A sample of a band in progress.
 struct BandSample {
+    gpu::FrameParams params{};         ///< camera and settings
     std::uint32_t width = 0, rows = 0; ///< of the band, pixels
     std::uint32_t number = 0;          ///< 0: clears the film
     bool at_centers = false;           ///< rays go through pixel centres
@@ -79,15 +77,28 @@ struct BandSample {
     bool done = false;
 };
 
+/// A sample of a band for these settings. film: position of its pixels in the film. The band may have more lanes than
+/// the tracer if endsIn(its passes) and it is not at listed pixels.
+BandSample openBand(const BandTracer& tracer, const RenderSettings& settings, const Camera& camera, Band band,
+                    FilmPlace film);
+
 /// Width in pixels of the band that traces a pixel list (FrameBuffers::pixel_list).
 constexpr std::uint32_t kPixelListWidth = TILE_SIDE;
 
-/// openBand for the first count pixels of the pixel list, in rows of kPixelListWidth. Returns their sample.
-BandSample openPixelList(Device& device, BandTracer& tracer, const RenderSettings& settings, const Camera& camera,
+/// openBand for the first count pixels of the pixel list, in rows of kPixelListWidth.
+BandSample openPixelList(const BandTracer& tracer, const RenderSettings& settings, const Camera& camera,
                          std::uint32_t count, FilmPlace film);
 
 /// Traces further passes of a sample in one submission: the camera rays if pass is 0, then `passes` bounces. If no path
 /// is left, sets sample.done and adds the rays of the sample to counts.
-void tracePasses(Device& device, const BandTracer& tracer, BandSample& sample, std::uint32_t passes, RayCounts& counts);
+/// @param then records commands to run after the passes in the same submission
+void tracePasses(Device& device, const BandTracer& tracer, BandSample& sample, std::uint32_t passes, RayCounts& counts,
+                 const std::function<void(VkCommandBuffer)>& then = {});
+
+/// Whether a sample is known to be done after its camera rays and this many bounces. Deferred rays, of surfaces that
+/// reflect and refract, take more.
+bool endsIn(const BandTracer& tracer, const RenderSettings& settings, std::uint32_t passes);
+/// The most rows of this width that the tracer has lanes for.
+std::uint32_t fittingRows(const BandTracer& tracer, std::uint32_t width);
 
 } // namespace pointrt

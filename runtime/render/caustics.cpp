@@ -109,9 +109,10 @@ public:
     /// Traces to the next hits, in a submission of its own, so that a window sharing the queue can draw in between.
     /// False once no photon of the batch is in flight.
     bool pass() {
-        PassCommands commands(device_, buffers_.control, kBatch / TILE_PIXELS, nullptr);
+        PassCommands commands(device_, buffers_.control, buffers_.control_read, nullptr);
         record(commands, pass_++);
-        const gpu::Control control = commands.finish();
+        commands.endSample();
+        const gpu::Control control = commands.finish().front();
         return pass_ <= kPhotonBounces + 1 && control.queued[0] + control.queued[1] > 0;
     }
 
@@ -155,12 +156,13 @@ private:
         };
         commands.run({programs_.queued.intersect_shapes, instances_.sets, pushBytes(push), queue});
         prepare(STEP_LIST);
+        bool is_first = true;
         const InstanceRayList rays{LIST_INSTANCE_RAYS, &CullPrograms::closest, push};
         intersectInstances(commands, programs_, instances_, rays, [&](const TracedInstance& each, std::uint32_t list) {
+            if (!std::exchange(is_first, false)) prepare(STEP_HITS);
             gpu::PushParams of_list = push;
             of_list.list = list;
             commands.run({each.programs->intersect_closest, each.sets, pushBytes(of_list), PassLanes::kList, 0, list});
-            prepare(STEP_HITS);
             commands.run({each.programs->surface, each.sets, pushBytes(push), PassLanes::kHits});
         });
         commands.run({programs_.photon, instances_.sets, pushBytes(push), queue});

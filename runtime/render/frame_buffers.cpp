@@ -40,6 +40,9 @@ FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, FilmRo
     const OnError undo([&] { destroyFrameBuffers(device, buffers); });
     buffers.params = storage("frame parameters", sizeof(gpu::FrameParams), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     buffers.control = storage("control buffer", sizeof(gpu::Control), VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
+    buffers.lanes = lane_count;
+    buffers.control_read =
+        createBuffer(device, "control readback", kSamplesAtOnce * sizeof(gpu::Control), 0, MemoryHome::kReadback);
     // words per lane, see shaders/lib/bindings.glsl
     constexpr std::uint64_t kQueueWords = 5 + SHADOW_RAYS_PER_PATH, kCullWords = SHADOW_RAYS_PER_PATH + CULLED_ENTRIES;
     const std::uint64_t queue_words = kQueueWords + (culls ? kCullWords : 0);
@@ -91,7 +94,7 @@ void destroyFrameBuffers(Device& device, FrameBuffers& buffers) {
     for (Buffer* buffer :
          {&buffers.params, &buffers.control, &buffers.queues, &buffers.paths, &buffers.hits, &buffers.surfaces,
           &buffers.light_queries, &buffers.light_masks, &buffers.deferred, &buffers.film, &buffers.first_hits,
-          &buffers.beams, &buffers.pixel_list, &buffers.gaussian_light, &buffers.no_cull_boxes})
+          &buffers.beams, &buffers.pixel_list, &buffers.gaussian_light, &buffers.no_cull_boxes, &buffers.control_read})
         destroyBuffer(device, *buffer);
     buffers = {};
 }

@@ -14,10 +14,15 @@ struct FrameBuffers {
     Buffer params, control, queues, paths, hits, surfaces, light_queries, light_masks, deferred, film, first_hits,
         beams, pixel_list, gaussian_light;
     Buffer no_cull_boxes; ///< for programs that cull nothing
+    Buffer control_read;  ///< for the host: the control buffer after each of kSamplesAtOnce samples
+    std::uint32_t lanes = 0;
     std::uint64_t film_pixels = 0;
     std::uint32_t film_layers = 0; ///< filmLayers of the most samples that the film has room for
     std::uint64_t device_bytes = 0;
 };
+
+/// Most samples of parts of a band in one submission.
+constexpr std::uint32_t kSamplesAtOnce = 64;
 
 /// Number of tiles of TILE_SIDE x TILE_SIDE pixels, the last ones padded, and of their lanes.
 std::uint32_t tilesOf(std::uint32_t width, std::uint32_t rows);

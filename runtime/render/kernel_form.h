@@ -8,7 +8,8 @@ namespace pointrt {
 
 enum class KernelForm {
     kWavefront,  ///< one program per step; path states go through queues in memory between them
-    kMegakernel, ///< one program loops over the hits of a path, with its state in registers, until it needs instances
+    kMegakernel, ///< one program shades a hit and follows the path, with its state in registers, to where it needs
+                 ///< instances; GPUs stop after one bounce
 };
 
 /// A form to use whatever the device; none: the one that suits the device.

@@ -3,9 +3,8 @@
 
 namespace pointrt {
 
-KernelForm kernelFormFor(VkPhysicalDeviceType device, Integrator integrator, FormRequest request) {
-    if (!usesLights(integrator)) return KernelForm::kWavefront;
-    return request.value_or(device == VK_PHYSICAL_DEVICE_TYPE_CPU ? KernelForm::kMegakernel : KernelForm::kWavefront);
+KernelForm kernelFormFor(Integrator integrator, FormRequest request) {
+    return usesLights(integrator) ? request.value_or(KernelForm::kMegakernel) : KernelForm::kWavefront;
 }
 
 } // namespace pointrt

@@ -2,15 +2,14 @@
 // Choice between megakernel and wavefront kernels. Both trace the same rays; their pictures differ by rounding only.
 #pragma once
 
-#include "runtime/gpu/vulkan.h"
 #include "runtime/render/kernel_form.h"
 #include "runtime/scene/integrator.h"
 
 namespace pointrt {
 
-/// The requested form, or else the megakernel on CPUs, where every vector that goes through memory costs time, and
-/// wavefront kernels on GPUs, which have threads enough to hide that and fewer registers. Integrators that use no
-/// lights have wavefront kernels only.
-KernelForm kernelFormFor(VkPhysicalDeviceType device, Integrator integrator, FormRequest request);
+/// The requested form, or else the megakernel, which moves less through memory: on CPUs a loop over a path's bounces,
+/// on GPUs one bounce per dispatch (SPEC_ONE_BOUNCE), with half the registers and a third more traffic. Integrators
+/// that use no lights have wavefront kernels only.
+KernelForm kernelFormFor(Integrator integrator, FormRequest request);
 
 } // namespace pointrt

@@ -2,6 +2,7 @@
 #include "runtime/render/pass_commands.h"
 
 #include <ctime>
+#include <utility>
 
 #include "runtime/util/clock.h"
 
@@ -27,14 +28,23 @@ std::size_t groupsOf(PassLanes lanes, std::uint32_t list) {
 
 } // namespace
 
-PassCommands::PassCommands(Device& device, const Buffer& control, std::uint32_t tiles, PassProfile* profile)
-    : device_(device), control_(control), tiles_(tiles), profile_(profile) {
+PassCommands::PassCommands(Device& device, const Buffer& control, const Buffer& read, PassProfile* profile)
+    : device_(device), control_(control), read_(read), profile_(profile) {
     if (!profile_) {
-        commands_ = beginCommands(device_);
+        commands_ = beginCommands(device_, "samples");
         return;
     }
     const HostSpan span(profile_, kReadSpan);
     counters_ = readControl();
+}
+
+void PassCommands::setParams(const Buffer& buffer, const gpu::FrameParams& params) {
+    static_assert(sizeof params <= 65536 && sizeof params % 4 == 0, "limits of vkCmdUpdateBuffer");
+    if (profile_) commands_ = beginCommands(device_);
+    vkCmdUpdateBuffer(commands_, buffer.handle, 0, sizeof params, &params);
+    recordBarrier(commands_);
+    const HostSpan span(profile_, "parameters");
+    if (profile_) submitAndWait(device_, commands_);
 }
 
 void PassCommands::run(const Pass& pass) {
@@ -45,16 +55,32 @@ void PassCommands::run(const Pass& pass) {
 }
 
 void PassCommands::copyHitCount(const Buffer& counts, std::size_t place) {
-    if (!commands_) return;
+    if (profile_) return;
     const VkBufferCopy copy{offsetof(gpu::Control, hit_count), place * sizeof(std::uint32_t), sizeof(std::uint32_t)};
     vkCmdCopyBuffer(commands_, control_.handle, counts.handle, 1, &copy);
     recordBarrier(commands_);
 }
 
-gpu::Control PassCommands::finish() {
-    if (profile_) return counters_;
+void PassCommands::endSample() {
+    if (profile_) {
+        ended_.push_back(counters_);
+        return;
+    }
+    const VkBufferCopy copy{0, samples_++ * sizeof(gpu::Control), sizeof(gpu::Control)};
+    vkCmdCopyBuffer(commands_, control_.handle, read_.handle, 1, &copy);
+}
+
+void PassCommands::record(const std::function<void(VkCommandBuffer)>& commands) {
+    if (profile_) commands_ = beginCommands(device_);
+    commands(commands_);
+    if (profile_) submitAndWait(device_, commands_);
+}
+
+std::vector<gpu::Control> PassCommands::finish() {
+    if (profile_) return std::move(ended_);
     submitAndWait(device_, commands_);
-    return readControl();
+    const auto* read = reinterpret_cast<const gpu::Control*>(hostBytes(device_, read_));
+    return {read, read + samples_};
 }
 
 void PassCommands::record(const Pass& pass) {

@@ -4,7 +4,9 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <span>
+#include <vector>
 
 #include "runtime/gpu/program.h"
 #include "runtime/render/pass_profile.h"
@@ -23,15 +25,25 @@ struct Pass {
 
 class PassCommands {
 public:
-    /// tiles: of the band. profile may be null; it and control must outlive this.
-    PassCommands(Device& device, const Buffer& control, std::uint32_t tiles, PassProfile* profile);
+    /// Of samples whose counters, gpu::Control, are in control. profile may be null; it and the buffers must outlive
+    /// this.
+    /// @param read room for the counters of samples, host-readable
+    PassCommands(Device& device, const Buffer& control, const Buffer& read, PassProfile* profile);
 
+    /// Starts a sample or its next passes. tiles: of the band.
+    void beginSample(std::uint32_t tiles) { tiles_ = tiles; }
+    /// Sets the parameters of later passes.
+    void setParams(const Buffer& buffer, const gpu::FrameParams& params);
     /// Its writes are visible to later passes.
     void run(const Pass& pass);
     /// Copies the length of the hit list to counts[place]; not while profiling.
     void copyHitCount(const Buffer& counts, std::size_t place);
-    /// Waits for all passes and returns the counters after the last one.
-    gpu::Control finish();
+    /// Keeps the counters as they are after the passes so far. At most `samples` times.
+    void endSample();
+    /// Records commands that are not passes, after all passes so far.
+    void record(const std::function<void(VkCommandBuffer)>& commands);
+    /// Waits for all passes and returns the counters that endSample kept.
+    std::vector<gpu::Control> finish();
 
 private:
     void record(const Pass& pass);
@@ -39,11 +51,13 @@ private:
     gpu::Control readControl();
 
     Device& device_;
-    const Buffer& control_;
-    std::uint32_t tiles_;
+    const Buffer &control_, &read_;
+    std::uint32_t tiles_ = 0;
     PassProfile* profile_;
     VkCommandBuffer commands_ = VK_NULL_HANDLE; ///< when not profiling
+    std::uint32_t samples_ = 0;                 ///< ended
     gpu::Control counters_{};                   ///< when profiling: after the last pass
+    std::vector<gpu::Control> ended_;           ///< when profiling
 };
 
 } // namespace pointrt

@@ -79,7 +79,7 @@ Appended appendedBy(const PassRun& run, const PassBytes& each_has) {
         add(before.compacted, after.compacted, 0);
     };
     for (std::uint32_t list = 0; list < LISTS; ++list) in_list(list);
-    add(run.before.hits_appended, run.after.hits_appended, kHit);
+    add(run.before.hit_count, run.after.hit_count, kHit);
     add(run.before.tile_count, run.after.tile_count, 0);
     return sum;
 }

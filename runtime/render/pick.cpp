@@ -10,8 +10,7 @@ namespace pointrt {
 std::optional<Pick> pickPixel(Device& device, BandTracer& tracer, const RenderSettings& settings, const Camera& camera,
                               std::uint32_t x, std::uint32_t y) {
     const std::uint32_t first = settings.width * y;
-    openBand(device, tracer, settings, camera, {y, 1}, {settings.width * settings.height, first});
-    BandSample sample{settings.width, 1};
+    BandSample sample = openBand(tracer, settings, camera, {y, 1}, {settings.width * settings.height, first});
     sample.only_first_hits = true;
     RayCounts rays;
     tracePasses(device, tracer, sample, 0, rays);

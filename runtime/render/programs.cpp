@@ -56,7 +56,7 @@ namespace {
 struct Constants {
     InstanceTraits instance;
     std::uint32_t sky_image = 0, integrator = 0, features = 0, camera_pass = 0, gathers_photons = 0, shape_kinds = 0;
-    std::uint32_t cull_boxes = 0;
+    std::uint32_t cull_boxes = 0, one_bounce = 0;
 };
 
 std::vector<SpecConstant> listed(const Constants& c) {
@@ -67,7 +67,8 @@ std::vector<SpecConstant> listed(const Constants& c) {
                                  {SPEC_CAMERA_PASS, c.camera_pass},
                                  {SPEC_GATHERS_PHOTONS, c.gathers_photons},
                                  {SPEC_SHAPE_KINDS, c.shape_kinds},
-                                 {SPEC_CULL_BOXES, c.cull_boxes}});
+                                 {SPEC_CULL_BOXES, c.cull_boxes},
+                                 {SPEC_ONE_BOUNCE, c.one_bounce}});
     return values;
 }
 
@@ -84,8 +85,9 @@ void build(Device& device, const Order& order) {
         createProgram(device, order.name, order.spirv, std::span<const SpecConstant>(listed(order.constants)));
 }
 
-Constants constantsFor(const DeviceScene& scene, const RenderSettings& settings) {
+Constants constantsFor(const Device& device, const DeviceScene& scene, const RenderSettings& settings) {
     Constants constants;
+    constants.one_bounce = device.type != VK_PHYSICAL_DEVICE_TYPE_CPU;
     constants.sky_image = scene.sky_light != NO_LIGHT;
     constants.integrator = static_cast<std::uint32_t>(settings.integrator);
     constants.features = scene.features;
@@ -94,6 +96,16 @@ Constants constantsFor(const DeviceScene& scene, const RenderSettings& settings)
     // beam is shared by all instances; for whole files the core is the whole grid
     constants.instance.clips_to_core = !scene.sets.empty();
     return constants;
+}
+
+#define POINTRT_REFRACTS(number, NAME, Name, word, label, lobes, traits)                                               \
+    | (((traits)&MATERIAL_REFRACTS) != 0u ? FEATURE_MATERIAL(number) : 0u)
+constexpr std::uint32_t kRefracts = 0u MATERIALS(POINTRT_REFRACTS);
+#undef POINTRT_REFRACTS
+
+/// As kMayDefer in shaders/shade/continue_path.glsl.
+bool mayDefer(const DeviceScene& scene, Integrator integrator) {
+    return (scene.features & kRefracts) != 0 && !hasTrait(integrator, INTEGRATOR_IS_STOCHASTIC);
 }
 
 /// Megakernels that sample one light store shadow rays with their contributions.
@@ -258,22 +270,23 @@ void buildAll(Device& device, std::vector<Order> orders) {
 
 Programs createPrograms(Device& device, const DeviceScene& scene, const RenderSettings& settings, FormRequest form) {
     Programs programs;
-    programs.form = kernelFormFor(device.type, settings.integrator, form);
+    programs.form = kernelFormFor(settings.integrator, form);
     programs.has_secondary_rays = (scene.features & FEATURE_SECONDARY_RAYS) != 0;
     programs.has_direct_lighting = usesLights(settings.integrator);
     programs.samples_one_light = samplesOneLight(settings.integrator);
+    programs.defers_rays = mayDefer(scene, settings.integrator);
     programs.inline_nee = (scene.features & FEATURE_INLINE_NEE) != 0;
     programs.relights = (scene.features & FEATURE_RELIGHT) != 0;
     programs.catches_shadows = hasGaussians(scene) && programs.has_direct_lighting;
     const OnError undo([&] { destroyPrograms(device, programs); });
-    buildAll(device, orderAll(scene, constantsFor(scene, settings), programs));
+    buildAll(device, orderAll(scene, constantsFor(device, scene, settings), programs));
     return programs;
 }
 
 void addPrograms(Device& device, const DeviceScene& scene, const RenderSettings& settings, Programs& programs) {
     std::vector<Order> orders;
-    orderInstances(scene, constantsFor(scene, settings), programs, orders);
-    orderCulling(scene, constantsFor(scene, settings), programs, orders);
+    orderInstances(scene, constantsFor(device, scene, settings), programs, orders);
+    orderCulling(scene, constantsFor(device, scene, settings), programs, orders);
     buildAll(device, std::move(orders));
 }
 

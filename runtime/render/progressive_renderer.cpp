@@ -56,9 +56,10 @@ bool ProgressiveRenderer::openStrip(std::uint32_t most_rows) {
     const RenderSettings& settings = plan_.settings;
     const Band& band = open_->band;
     const std::uint32_t rows = stripRows(rows_done_, most_rows, band.rows);
-    openBand(device_, tracer_, settings, plan_.camera, {band.first_row + rows_done_, rows},
-             {settings.width * band.rows, settings.width * rows_done_});
-    BandSample sample{settings.width, rows, open_->samples, plan_.preview || settings.spp == 1};
+    BandSample sample = openBand(tracer_, settings, plan_.camera, {band.first_row + rows_done_, rows},
+                                 {settings.width * band.rows, settings.width * rows_done_});
+    sample.number = open_->samples;
+    sample.at_centers = plan_.preview || settings.spp == 1;
     sample.preview = plan_.preview;
     sample.first_hits = traces_hits_ && open_->samples == 0;
     strip_ = Strip{rows_done_, sample};
@@ -80,8 +81,8 @@ bool ProgressiveRenderer::openNextBand() {
     return true;
 }
 
-bool ProgressiveRenderer::traceStrip(std::uint32_t bounces) {
-    tracePasses(device_, tracer_, strip_->sample, bounces, rays_);
+bool ProgressiveRenderer::traceStrip(std::uint32_t bounces, const std::function<void(VkCommandBuffer)>& then) {
+    tracePasses(device_, tracer_, strip_->sample, bounces, rays_, then);
     if (!strip_->sample.done) return false;
     const std::uint32_t rows = strip_->sample.rows;
     strip_.reset();
@@ -92,7 +93,7 @@ bool ProgressiveRenderer::traceStrip(std::uint32_t bounces) {
 }
 
 FrameState ProgressiveRenderer::run() {
-    StripPace pace(splatsPerCell(*tracer_.scene));
+    StripPace pace(splatsPerCell(*tracer_.scene), device_.type);
     const std::uint32_t width = plan_.settings.width, most = plan_.tiling.strip_rows;
     while (openStrip(may_abort_ ? pace.rowsFor(width, most) : most)) {
         const double start = steadySeconds();

@@ -47,7 +47,8 @@ public:
     /// done, interrupted or late.
     bool openStrip(std::uint32_t rows);
     /// Traces the strip further in one submission: the camera rays, and `bounces` bounces. True once it is complete.
-    bool traceStrip(std::uint32_t bounces);
+    /// @param then records commands to run in the same submission
+    bool traceStrip(std::uint32_t bounces, const std::function<void(VkCommandBuffer)>& then = {});
     /// Completes the job, in strips of the plan's rows, or fewer if those take long (strip_pace.h) and the frame may be
     /// aborted. The film is then on the host, or was handed to take_rows. If aborted, some rows have one more sample.
     FrameState run();

@@ -64,17 +64,20 @@ void SampleRecorder::intersectCamera(std::uint32_t bits) {
         run(tracer_.programs.beam, instance.sets, bits, PassLanes::kTiles,
             (tiles_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE);
         run(instance.programs->intersect_camera, instance.sets, bits, PassLanes::kTilesLeft);
-        surface(instance.programs->camera_surface, instance.sets, bits);
+        run(instance.programs->camera_surface, instance.sets, bits, PassLanes::kHits);
     }
 }
 
-/// Closest hits on all instances of the rays listed for them.
+/// Closest hits on all instances of the rays listed for them, and their surface interactions, which a nearer hit on a
+/// later instance overwrites.
 void SampleRecorder::intersectClosest(std::uint32_t bits) {
     const TracedInstance* const first = tracer_.instances.each.data();
+    bool is_first = true;
     intersectAll(LIST_INSTANCE_RAYS, &CullPrograms::closest, bits,
                  [&](const TracedInstance& instance, std::uint32_t list) {
+                     if (!std::exchange(is_first, false)) prepare(bits | STEP_HITS);
                      runOver(list, instance.programs->intersect_closest, instance.sets, bits);
-                     surface(instance.programs->surface, instance.sets, bits);
+                     run(instance.programs->surface, instance.sets, bits, PassLanes::kHits);
                      if (tracer_.hit_counts)
                          commands_.copyHitCount(*tracer_.hit_counts, static_cast<std::size_t>(&instance - first));
                  });
@@ -123,12 +126,6 @@ void SampleRecorder::attenuateShadows(std::uint32_t list, Program InstanceProgra
         if (instance.is_gaussian) runOver(list, instance.programs->*program, instance.sets, bits);
 }
 
-/// Surface interactions of the hits on one instance. A nearer hit on a later instance overwrites them.
-void SampleRecorder::surface(const Program& program, const DescriptorSets& sets, std::uint32_t bits) {
-    prepare(bits | STEP_HITS);
-    run(program, sets, bits, PassLanes::kHits);
-}
-
 void SampleRecorder::shadeSurface(const Program& program, std::uint32_t bits) {
     run(program, tracer_.instances.sets, bits, rays_);
     prepare(bits);
@@ -140,7 +137,6 @@ void SampleRecorder::megakernel(const Program& program, std::uint32_t bits) {
     const Programs& programs = tracer_.programs;
     run(program, tracer_.instances.sets, bits, rays_);
     prepare(bits);
-    closeList(LIST_INSTANCE_RAYS, bits);
     if (!programs.inline_nee) return directLight(bits);
     if (!tracer_.shadows || tracer_.instances.each.empty()) return;
     if (programs.samples_one_light) return intersectShadowRay(bits);
@@ -165,12 +161,13 @@ void SampleRecorder::directLight(std::uint32_t bits) {
 void SampleRecorder::shadows(std::uint32_t first, std::uint32_t bits, Attenuation attenuation) {
     first_light_sample_ = first;
     runOver(LIST_DIRECT_LIGHT, tracer_.programs.intersect_shadow_shapes, tracer_.instances.sets, bits);
-    if (tracer_.shadows) intersectShadow(bits, attenuation);
+    if (!tracer_.shadows) return;
+    closeList(LIST_SHADOW_RAYS, bits);
+    intersectShadow(bits, attenuation);
 }
 
 /// Occlusion by instances of the queued shadow rays.
 void SampleRecorder::intersectShadow(std::uint32_t bits, Attenuation attenuation) {
-    closeList(LIST_SHADOW_RAYS, bits);
     if (attenuation == Attenuation::kByGaussians)
         attenuateShadows(LIST_SHADOW_RAYS, &InstancePrograms::attenuate_shadow, bits);
     intersectAll(LIST_SHADOW_RAYS, &CullPrograms::shadow, bits,

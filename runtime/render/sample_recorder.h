@@ -27,7 +27,6 @@ private:
     void compositeGaussians(Program InstancePrograms::*program, std::uint32_t bits);
     void catchShadows(const Program& query, std::uint32_t bits);
     void attenuateShadows(std::uint32_t list, Program InstancePrograms::*program, std::uint32_t bits);
-    void surface(const Program& program, const DescriptorSets& sets, std::uint32_t bits);
     void shadeSurface(const Program& program, std::uint32_t bits);
     void megakernel(const Program& program, std::uint32_t bits);
     void directLight(std::uint32_t bits);

@@ -7,10 +7,15 @@ namespace pointrt {
 namespace {
 
 /// Four times the time of the largest strips of usual scans on two cores: those are never split.
-constexpr double kStripSeconds = 1;
+constexpr double kCpuStripSeconds = 1;
+/// A GPU draws the desktop too, and does not between the dispatches of a submission: 25 frames per second are left.
+constexpr double kGpuStripSeconds = 0.04;
 /// Seconds per pixel that shows the scan and per splat that a cell lists: twice the time of two cores at 7000 splats
 /// per cell. From 76 splats per cell on, the first strip is smaller than the largest (frame_tiling.cpp).
-constexpr double kSecondsPerListed = 50e-9;
+constexpr double kCpuSecondsPerListed = 50e-9;
+/// The same for the slowest GPUs: by the instructions of the walk, 24 execution units of Intel take 0.3 ns for each
+/// bounce, and few paths have ten.
+constexpr double kGpuSecondsPerListed = 3e-9;
 /// Weight of a new measurement that is faster; slower ones count fully.
 constexpr double kShareOfFaster = 0.3;
 
@@ -27,10 +32,13 @@ double splatsPerCell(const DeviceScene& scene) {
     return most;
 }
 
-StripPace::StripPace(double splats_per_cell) : least_(kSecondsPerListed * splats_per_cell), seconds_(least_) {}
+StripPace::StripPace(double splats_per_cell, VkPhysicalDeviceType device)
+    : strip_seconds_(device == VK_PHYSICAL_DEVICE_TYPE_CPU ? kCpuStripSeconds : kGpuStripSeconds),
+      least_(splats_per_cell * (device == VK_PHYSICAL_DEVICE_TYPE_CPU ? kCpuSecondsPerListed : kGpuSecondsPerListed)),
+      seconds_(least_) {}
 
 std::uint32_t StripPace::rowsFor(std::uint32_t width, std::uint32_t most) const {
-    const double rows = kStripSeconds / (std::max(seconds_, least_) * width);
+    const double rows = strip_seconds_ / (std::max(seconds_, least_) * width);
     if (!(rows < most)) return most;
     return std::max(static_cast<std::uint32_t>(rows), 1u);
 }

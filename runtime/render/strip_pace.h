@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows to trace per submission, so that a frame can be aborted within about a second whatever the scene.
+// Rows to trace per submission, so that a frame can be aborted soon, and a desktop on the same GPU stays alive,
+// whatever the scene.
 #pragma once
 
 #include <cstdint>
@@ -15,15 +16,15 @@ double splatsPerCell(const DeviceScene& scene);
 /// Predicts the time of strips of a scene from the earlier ones, and at first from the number of splats per cell.
 class StripPace {
 public:
-    explicit StripPace(double splats_per_cell);
+    StripPace(double splats_per_cell, VkPhysicalDeviceType device);
 
-    /// Number of rows of `width` pixels that take about a second, 1 to most.
+    /// Number of rows of `width` pixels that take about as long as a strip may, 1 to most.
     std::uint32_t rowsFor(std::uint32_t width, std::uint32_t most) const;
     /// Reports the time that one sample of each of `pixels` pixels took.
     void update(std::uint64_t pixels, double seconds);
 
 private:
-    double least_, seconds_; ///< per pixel: lower bound from the scene, and as measured
+    double strip_seconds_, least_, seconds_; ///< of a strip; per pixel: lower bound from the scene, and as measured
 };
 
 } // namespace pointrt

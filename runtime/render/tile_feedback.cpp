@@ -37,8 +37,9 @@ public:
 
     /// Renders a picture and adds to sums the secondary rays that hit each of the tracer's instances.
     void addPicture(const RenderSettings& settings, const Camera& camera, std::vector<std::uint64_t>& sums) {
-        openBand(device_, tracer_, settings, camera, {0, settings.height}, {settings.width * settings.height, 0});
-        BandSample sample{settings.width, settings.height, 0, true};
+        BandSample sample =
+            openBand(tracer_, settings, camera, {0, settings.height}, {settings.width * settings.height, 0});
+        sample.at_centers = true;
         RayCounts rays;
         tracePasses(device_, tracer_, sample, 0, rays);
         while (!sample.done) {

@@ -10,7 +10,11 @@
 #define APPEND_HIT (LISTS + 1u) // the hit list
 
 uint addToCount(uint list, uint more) {
-    if (list == APPEND_HIT) return atomicAdd(control.hits_appended, more);
+    if (list == APPEND_HIT) {
+        uint start = atomicAdd(control.hit_count, more);
+        atomicMax(control.hit_groups.x, (start + more + WORKGROUP_SIZE - 1u) / WORKGROUP_SIZE);
+        return start;
+    }
     if (list == APPEND_RAY) return atomicAdd(control.queued[hasStep(STEP_QUEUE_ONE) ? 0 : 1], more);
     return atomicAdd(control.lists[list].appended, more);
 }

@@ -25,6 +25,10 @@ layout(constant_id = SPEC_CAMERA_PASS) const bool kCameraPass = false;
 // Whether the megakernel gathers photons. In the wavefront form the program caustic does.
 layout(constant_id = SPEC_GATHERS_PHOTONS) const bool kGathersPhotons = false;
 
+// Whether each dispatch of the megakernel traces one bounce. GPUs hold more paths at once with the registers that the
+// loop would take, and their lanes need not wait for the longest path.
+layout(constant_id = SPEC_ONE_BOUNCE) const bool kOneBounce = false;
+
 #define mayHaveLight(kind) ((kFeatures & FEATURE_LIGHT(kind)) != 0u)
 const bool kHasGaussians = (kFeatures & FEATURE_GAUSSIANS) != 0u;
 const bool kRelights = (kFeatures & FEATURE_RELIGHT) != 0u;

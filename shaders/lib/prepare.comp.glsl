@@ -16,15 +16,18 @@ void setList(uint list, uint start, uint count) {
     control.lists[list].compacted = 0u;
 }
 
+void emptyHits() {
+    control.hit_groups = groupsFor(0u);
+    control.hit_count = 0u;
+}
+
 void reset() {
     control.queued[0] = 0u;
     control.queued[1] = 0u;
     control.ray_groups = groupsFor(bandLanes());
     control.tile_groups = groupsFor(0u);
     control.tile_count = 0u;
-    control.hit_groups = groupsFor(0u);
-    control.hit_count = 0u;
-    control.hits_appended = 0u;
+    emptyHits();
     for (uint list = 0u; list < LISTS; list++) setList(list, 0u, 0u);
     control.primary_rays = params.width * params.rows;
     control.shadow_rays = 0u;
@@ -34,7 +37,8 @@ void reset() {
 
 void closeList(uint list) { setList(list, listStart(list), control.lists[list].appended); }
 
-// Empties the ray queue just shaded; the other one holds the next rays.
+// Empties the ray queue just shaded; the other one holds the next rays. The lists that shading has appended to are
+// complete.
 void swapQueues() {
     bool second = hasStep(STEP_QUEUE_ONE);
     uint next = control.queued[second ? 0 : 1];
@@ -42,6 +46,9 @@ void swapQueues() {
     control.queued[second ? 1 : 0] = 0u;
     control.ray_groups = groupsFor(next);
     closeList(LIST_DIRECT_LIGHT);
+    closeList(LIST_INSTANCE_RAYS);
+    closeList(LIST_SHADOW_RAYS);
+    emptyHits();
 }
 
 // Allocates the culled lists of a cull group one after the other. An instance whose list does not fit gets all entries
@@ -64,9 +71,7 @@ void main() {
     } else if (hasStep(STEP_CULLED)) {
         allocateCulledLists(push.list);
     } else if (hasStep(STEP_HITS)) {
-        control.hit_groups = groupsFor(control.hits_appended);
-        control.hit_count = control.hits_appended;
-        control.hits_appended = 0u;
+        emptyHits();
     } else {
         swapQueues();
     }

@@ -2,7 +2,7 @@
 // The megakernel: shade_surface, intersect_shadow_shapes, shade_shadow and intersect_shapes in a loop, with the path
 // state in registers. A path leaves the loop when instances may occlude its shadow ray or be hit by its next ray; such
 // rays are queued for the programs that traverse instances. If paths continue and the integrator samples every light,
-// the points that need direct light are queued too.
+// the points that need direct light are queued too. With kOneBounce every path leaves the loop after its first bounce.
 //
 // A path's light is accumulated in the same order whatever lanes share its subgroup, so pictures are reproducible to
 // the bit.
@@ -112,7 +112,7 @@ void main() {
     do {
         shadeBounce(loop, interactionOf(loop, splats), index);
         bounces++;
-    } while (continuesLoop(loop, bounces));
+    } while (!kOneBounce && continuesLoop(loop, bounces));
 
     if (live) storeSums(index, 0u, loop.sums);
     bool queued = loop.queued || loop.running;

@@ -106,17 +106,17 @@ struct RayList {
 struct Control {
     uvec3 ray_groups; // intersect_shapes, shade_surface
     uint unused_0;
-    uvec3 hit_groups; // surface
-    uint hit_count;
-    uvec3 tile_groups;  // intersect_camera
-    uint tile_count;    // in queue 0
-    uint queued[2];     // paths in the two ray queues
-    uint hits_appended; // to the hit list, which surface reads next
-    uint primary_rays;  // rays of this sample, by kind
+    uvec3 hit_groups;  // surface
+    uint hit_count;    // in the hit list
+    uvec3 tile_groups; // intersect_camera
+    uint tile_count;   // in queue 0
+    uint queued[2];    // paths in the two ray queues
+    uint unused_1;
+    uint primary_rays; // rays of this sample, by kind
     uint shadow_rays;
     uint secondary_rays;
     uint cut_rays; // ended before all Gaussians along them were tested
-    uint unused_1;
+    uint unused_2;
     RayList lists[LISTS];
 };
 
@@ -253,7 +253,7 @@ struct PushParams {
 #define STEP_QUEUE_ONE 8u    // rays are read from queue 1 and appended to queue 0
 #define STEP_PREVIEW 16u     // sample lights at their centres, and trace shadow rays to the first only: no noise
 #define STEP_LIST 32u        // prepare: the list is complete
-#define STEP_HITS 64u        // prepare: the hit list of an instance is complete
+#define STEP_HITS 64u        // prepare: empty the hit list for the next instance
 #define STEP_LAST 128u       // intersect_shadow_ray, composite_gaussians: this is the last instance
 #define STEP_PIXEL_LIST 256u // rays go through the pixels of the pixel list, one per lane
 #define STEP_CULLED 512u     // prepare: the entries of the culled lists have been counted

@@ -46,6 +46,8 @@ enum class SpecId : std::uint32_t {};
 #define SPEC_HAS_BALLS POINTRT_SPEC(23)
 // Degree of the harmonics of an instance's Gaussians (shaders/shade/harmonics.glsl).
 #define SPEC_HARMONICS POINTRT_SPEC(24)
+// Whether the megakernel leaves its loop after one bounce.
+#define SPEC_ONE_BOUNCE POINTRT_SPEC(25)
 // Display pipeline and denoiser.
 #define SPEC_HAS_FIRST_HITS POINTRT_SPEC(14)
 #define SPEC_KNOWS_VARIANCE POINTRT_SPEC(15)

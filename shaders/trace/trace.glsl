@@ -247,13 +247,33 @@ TraceRay secondaryRay(vec3 origin, vec3 direction, float t_max, vec3 self_normal
                     is_self ? self_t * cubeScale() : 0.0);
 }
 
+// Most steps of a walk: as many iterations as lavapipe allows all loops. A GPU would go on for ever, and hang.
+const uint kMostSteps = 65535u;
+
+// Whether all components are finite, by their bits: compilers may assume that arithmetic yields numbers.
+bool isFinite(vec3 v) {
+    const uint kExponent = 0x7F800000u;
+    return all(notEqual(floatBitsToUint(v) & kExponent, uvec3(kExponent)));
+}
+
+// The ray, or one that meets nothing if it is invalid.
+TraceRay validRay(TraceRay ray) {
+    bool valid = isFinite(ray.origin) && isFinite(ray.direction);
+    ray.origin = valid ? ray.origin : vec3(0.0);
+    ray.direction = valid ? ray.direction : vec3(1.0, 0.0, 0.0);
+    ray.t_max = valid ? ray.t_max : -1.0;
+    return ray;
+}
+
 // The closest hit; with ANY_HIT, some hit.
-TraceHit trace(TraceRay ray) {
+TraceHit trace(TraceRay given) {
+    TraceRay ray = validRay(given);
     Grid grid = loadGridFrame();
     float t_start;
     Walk walk = startWalk(ray, t_start);
     TraceHit hit = TraceHit(ray.t_max - t_start, NO_INDEX, NO_INDEX);
     float t_end = hit.t < walk.t_end ? hit.t : walk.t_end; // not min: a NaN must end the walk
+    uint steps = 0u;
     do {
         Visit visit = nextVisit(walk, grid, t_end);
         testCell(walk, visit, ray, t_start, hit);
@@ -261,7 +281,8 @@ TraceHit trace(TraceRay ray) {
 #ifdef ANY_HIT
         t_end = hit.disc != NO_INDEX ? -1.0 : t_end;
 #endif
-    } while (walk.t < t_end);
+        steps++;
+    } while (walk.t < t_end && steps < kMostSteps);
     hit.t += t_start;
     return hit;
 }

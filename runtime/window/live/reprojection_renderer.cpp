@@ -170,7 +170,7 @@ std::vector<TracedPixel> ReprojectionRenderer::trace(const ReprojectionView& vie
     RenderSettings settings = view.settings;
     settings.seed += frame_; // new random numbers in each frame
     const auto count = static_cast<std::uint32_t>(numbers.size());
-    BandSample sample = openPixelList(device_, tracer_, settings, view.camera, count, {kMaxListedPixels, 0});
+    BandSample sample = openPixelList(tracer_, settings, view.camera, count, {kMaxListedPixels, 0});
     RayCounts rays;
     while (!sample.done) tracePasses(device_, tracer_, sample, std::max(settings.bounces, 1u), rays);
     std::vector<TracedPixel> traced = readHits(numbers, 0);
@@ -190,7 +190,7 @@ bool ReprojectionRenderer::fillCache(const ReprojectionView& view) {
     uploadPixelList(numbers);
     const std::uint32_t beyond = size.width * size.height; // first_hits holds those of the film before
     const auto count = static_cast<std::uint32_t>(numbers.size());
-    BandSample sample = openPixelList(device_, tracer_, view.settings, view.camera, count, {kMaxListedPixels, beyond});
+    BandSample sample = openPixelList(tracer_, view.settings, view.camera, count, {kMaxListedPixels, beyond});
     sample.only_first_hits = true;
     RayCounts rays;
     tracePasses(device_, tracer_, sample, 0, rays);

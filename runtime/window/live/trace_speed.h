@@ -18,6 +18,9 @@ public:
     /// Records that one sample of each of pixels took this long.
     void addMeasurement(std::uint64_t pixels, double seconds);
 
+    /// Whether anything has been measured.
+    bool isKnown() const { return known_; }
+
     /// The cost of a pixel has changed by this factor, because the scene has.
     void scaleCost(double times) { seconds_per_pixel_ *= times; }
 

@@ -261,12 +261,23 @@ void ViewportRenderer::traceSlice(double seconds_left) {
     const Strip strip = *renderer_.strip();
     // what does not fit in one submission is submitted bounce by bounce
     const bool fits = speed().secondsFor(std::uint64_t{size_.width} * strip.sample.rows) <= seconds_left;
-    const std::uint32_t bounces = std::max(view_.settings.bounces, 1u);
-    const bool done = renderer_.traceStrip(fits || stage_ == Stage::kInteractive ? bounces
-                                           : strip.sample.pass == 0              ? 0
-                                                                                 : 1);
+    const bool is_whole = fits || stage_ == Stage::kInteractive;
+    const std::uint32_t passes = is_whole ? bounces() : strip.sample.pass == 0 ? 0 : 1;
+    const bool shows = showsAfter(strip) && is_whole && endsIn(tracer_, view_.settings, passes);
+    const auto show = [&](VkCommandBuffer commands) {
+        recordRows(commands, strip.first_row, strip.sample.rows, strip.sample.number + 1);
+    };
+    const bool done = renderer_.traceStrip(passes, shows ? show : std::function<void(VkCommandBuffer)>());
     slice_seconds_ += since(start);
-    if (done) finishSlice(strip);
+    if (done) finishSlice(strip, shows);
+}
+
+/// Passes after the camera's that complete a sample.
+std::uint32_t ViewportRenderer::bounces() const { return std::max(view_.settings.bounces, 1u); }
+
+/// Whether a strip is shown once it is traced. With the denoiser on, its last picture stays until the next.
+bool ViewportRenderer::showsAfter(const Strip& strip) const {
+    return strip.sample.number == 0 || !showsDenoised() || strip.sample.number >= kCleanSamplesOfLight;
 }
 
 /// The cache is filled once there is a picture, so that the next movement can reproject it.
@@ -289,17 +300,22 @@ void ViewportRenderer::fillCache() {
 std::uint32_t ViewportRenderer::sliceRows(double seconds_left) const {
     std::uint32_t rows = size_.height;
     if (stage_ != Stage::kInteractive) rows = std::min(rows, speed().rowsFor(kPlanned * seconds_left, size_.width));
-    return std::min(rows, std::max(kSliceLanes / (size_.width + TILE_SIDE) / TILE_SIDE, 1u) * TILE_SIDE);
+    // what is known to fit in the time is traced in one submission, part by part
+    const bool is_known = stage_ == Stage::kInteractive || speed().isKnown();
+    const std::uint32_t parts = is_known && endsIn(tracer_, view_.settings, bounces()) ? kSamplesAtOnce : 1;
+    return std::min(rows, parts * fittingRows(tracer_, size_.width));
 }
 
-void ViewportRenderer::finishSlice(const Strip& strip) {
+void ViewportRenderer::finishSlice(const Strip& strip, bool is_drawn) {
     const std::uint32_t rows = strip.sample.rows, sample = strip.sample.number;
     if (!strip.sample.first_hits) speed().addMeasurement(std::uint64_t{size_.width} * rows, slice_seconds_);
     traced_seconds_ += slice_seconds_;
     const RayCounts rays = renderer_.takeRays();
     rays_ += rays.primary + rays.shadow + rays.secondary;
-    // with the denoiser on, its last picture stays until the next
-    if (sample == 0 || !showsDenoised() || sample >= kCleanSamplesOfLight) showRows(strip.first_row, rows, sample + 1);
+    if (is_drawn)
+        reportRows(strip.first_row, rows, sample + 1);
+    else if (showsAfter(strip))
+        showRows(strip.first_row, rows, sample + 1);
     if (renderer_.rowsDone() == 0) finishSample();
 }
 
@@ -319,11 +335,22 @@ FilmRange ViewportRenderer::rangeOf(std::uint32_t first_row, std::uint32_t rows,
 }
 
 void ViewportRenderer::showRows(std::uint32_t first_row, std::uint32_t rows, std::uint32_t samples) {
-    const FilmRange range = rangeOf(first_row, rows, samples);
     const VkCommandBuffer commands = beginCommands(device_);
+    recordRows(commands, first_row, rows, samples);
+    submitAndWait(device_, commands);
+    reportRows(first_row, rows, samples);
+}
+
+void ViewportRenderer::recordRows(VkCommandBuffer commands, std::uint32_t first_row, std::uint32_t rows,
+                                  std::uint32_t samples) const {
+    const FilmRange range = rangeOf(first_row, rows, samples);
     recordResolve(commands, display_, range, view_.look, false);
     recordTonemap(commands, display_, range, view_.look, false);
-    submitAndWait(device_, commands);
+}
+
+/// Rows have been drawn to the pixels.
+void ViewportRenderer::reportRows(std::uint32_t first_row, std::uint32_t rows, std::uint32_t samples) {
+    const FilmRange range = rangeOf(first_row, rows, samples);
     const float share = shareShown(samples);
     if (share < 1) reprojector_->blendWithReprojection(range.first, range.count, share);
     shows_full_frame_ =

@@ -111,13 +111,17 @@ private:
     void next();
     void traceSlice(double seconds_left);
     std::uint32_t sliceRows(double seconds_left) const;
-    void finishSlice(const Strip& strip);
+    std::uint32_t bounces() const;
+    bool showsAfter(const Strip& strip) const;
+    void finishSlice(const Strip& strip, bool is_drawn);
     void finishSample();
     void continueDenoising();
     bool isFullSize() const;
     bool showsDenoised() const;
     void showFilm();
     void showRows(std::uint32_t first_row, std::uint32_t rows, std::uint32_t samples);
+    void recordRows(VkCommandBuffer commands, std::uint32_t first_row, std::uint32_t rows, std::uint32_t samples) const;
+    void reportRows(std::uint32_t first_row, std::uint32_t rows, std::uint32_t samples);
     void showDenoised();
     bool needsHits() const;
     bool denoisesNow() const;

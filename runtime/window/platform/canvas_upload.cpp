@@ -21,7 +21,7 @@ void upscaleOnHost(Device& device, Presenter& presenter, VkCommandBuffer command
     const std::uint64_t bytes = std::uint64_t(canvas.width) * canvas.height * 4;
     if (presenter.host_upscaled.bytes != bytes) {
         destroyBuffer(device, presenter.host_upscaled);
-        presenter.host_upscaled = createBuffer(device, "upscaled picture", bytes, 0, MemoryHome::kHost);
+        presenter.host_upscaled = createBuffer(device, "upscaled picture", bytes, 0, MemoryHome::kUpload);
     }
     upscale(static_cast<const std::uint32_t*>(pixels.mapped), size,
             static_cast<std::uint32_t*>(presenter.host_upscaled.mapped), {canvas.width, canvas.height});

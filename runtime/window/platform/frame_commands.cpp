@@ -15,10 +15,10 @@ VkOffset3D cornerOf(VkExtent2D extent) {
 
 bool sameSize(VkExtent2D a, VkExtent2D b) { return a.width == b.width && a.height == b.height; }
 
-Image8 rgbOf(const Buffer& pixels, VkFormat format, VkExtent2D extent) {
+Image8 rgbOf(const std::byte* pixels, VkFormat format, VkExtent2D extent) {
     Image8 image{extent.width, extent.height, 3, {}};
     const std::size_t red = format == VK_FORMAT_B8G8R8A8_UNORM ? 2 : 0;
-    const auto* from = static_cast<const std::uint8_t*>(pixels.mapped);
+    const auto* from = reinterpret_cast<const std::uint8_t*>(pixels);
     const std::size_t count = std::size_t(extent.width) * extent.height;
     image.pixels.resize(count * 3);
     for (std::size_t i = 0; i < count; ++i) {
@@ -79,12 +79,12 @@ VkBufferImageCopy rectangleCopy(VkOffset2D from, std::uint32_t pitch, VkOffset2D
 Image8 readImage(Device& device, VkCommandBuffer commands, const Image& image) {
     const VkExtent2D extent = image.extent;
     Buffer pixels =
-        createBuffer(device, "screenshot", std::uint64_t(extent.width) * extent.height * 4, 0, MemoryHome::kHost);
+        createBuffer(device, "screenshot", std::uint64_t(extent.width) * extent.height * 4, 0, MemoryHome::kReadback);
     recordBarrier(commands);
     const VkBufferImageCopy region = rectangleCopy({}, extent.width, {}, extent);
     vkCmdCopyImageToBuffer(commands, image.handle, kTransferSrc.layout, pixels.handle, 1, &region);
     submitAndWait(device, commands);
-    Image8 read = rgbOf(pixels, image.format, extent);
+    Image8 read = rgbOf(hostBytes(device, pixels), image.format, extent);
     destroyBuffer(device, pixels);
     return read;
 }

@@ -17,7 +17,7 @@ namespace {
 void reserve(Device& device, Buffer& buffer, const char* what, std::uint64_t bytes, VkBufferUsageFlags usage) {
     if (buffer.bytes >= bytes) return;
     destroyBuffer(device, buffer);
-    buffer = createBuffer(device, what, bytes + bytes / 2, usage, MemoryHome::kHost);
+    buffer = createBuffer(device, what, bytes + bytes / 2, usage, MemoryHome::kUpload);
 }
 
 void fillBuffers(Device& device, UiRenderer& ui, const ImDrawData& data) {
@@ -89,7 +89,7 @@ void recordTriangles(VkCommandBuffer commands, VkExtent2D extent, const ImDrawDa
 void uploadCoverage(Device& device, UiRenderer& ui, const void* coverage) {
     const VkExtent2D extent = ui.font.extent;
     const std::uint64_t bytes = std::uint64_t(extent.width) * extent.height;
-    Buffer staging = createBuffer(device, "font buffer", bytes, 0, MemoryHome::kHost);
+    Buffer staging = createBuffer(device, "font buffer", bytes, 0, MemoryHome::kUpload);
     std::memcpy(staging.mapped, coverage, bytes);
     const VkCommandBuffer commands = beginCommands(device);
     recordImageBarrier(commands, ui.font.handle, discarded(kTransferDst), kTransferDst);

@@ -5,6 +5,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <numeric>
@@ -250,6 +251,55 @@ TEST(Validation, CountsAMessage) {
     destroyDevice(device);
 }
 
+// Buffers share allocations, also those that come and go, and large ones have their own.
+TEST_F(DeviceTest, Buffers_ShareAllocations) {
+    const std::size_t before = device.memory_pool->size();
+    std::vector<Buffer> buffers;
+    const auto make = [&](std::uint64_t bytes) {
+        buffers.push_back(createBuffer(device, "words", bytes, kStorageBuffer));
+    };
+    for (int i = 0; i < 100; ++i) make(1000);
+    EXPECT_EQ(device.memory_pool->size(), before + 1);
+    const auto word = [&](const Buffer& buffer) { return static_cast<std::uint32_t*>(buffer.mapped); };
+    if (buffers[0].mapped) {
+        for (std::uint32_t i = 0; i < 100; ++i) std::fill_n(word(buffers[i]), 250, i);
+        for (std::uint32_t i = 0; i < 100; ++i) EXPECT_EQ(std::count(word(buffers[i]), word(buffers[i]) + 250, i), 250);
+    }
+    make(20u << 20);
+    EXPECT_EQ(device.memory_pool->size(), before + 2);
+    for (Buffer& buffer : buffers) destroyBuffer(device, buffer);
+    EXPECT_LE(device.memory_pool->size(), before + 1) << "one shared allocation stays for the next buffers";
+    buffers.clear();
+    make(1000);
+    EXPECT_LE(device.memory_pool->size(), before + 1);
+    destroyBuffer(device, buffers[0]);
+}
+
+// Uploads are not waited for: the data may change at once, and the buffer go.
+TEST_F(DeviceTest, Uploads_KeepTheirOrder) {
+    device.unified_memory = false;
+    Buffer buffer = createBuffer(device, "words", 40u << 20, kStorageBuffer);
+    std::vector<std::uint32_t> words(buffer.bytes / 4);
+    for (const std::uint32_t value : {1u, 2u, 3u}) {
+        std::fill(words.begin(), words.end(), value);
+        uploadBuffer(device, buffer, words.data(), buffer.bytes);
+        uploadBuffer(device, buffer, &value, 4, 4 * value);
+    }
+    words.assign(words.size(), 0);
+    EXPECT_EQ(download(buffer), std::vector<std::uint32_t>(words.size(), 3));
+    uploadBuffer(device, buffer, words.data(), buffer.bytes);
+    destroyBuffer(device, buffer);
+}
+
+TEST_F(DeviceTest, Submissions_AreNumbered) {
+    EXPECT_TRUE(isDone(device, 0));
+    const std::uint64_t first = submit(device, beginCommands(device)), second = submit(device, beginCommands(device));
+    EXPECT_EQ(second, first + 1);
+    waitFor(device, second);
+    EXPECT_TRUE(isDone(device, first));
+    EXPECT_FALSE(isDone(device, second + 1));
+}
+
 /// A usable candidate.
 Candidate goodCandidate(const char* name, VkPhysicalDeviceType type) {
     Candidate candidate;
@@ -258,6 +308,9 @@ Candidate goodCandidate(const char* name, VkPhysicalDeviceType type) {
     candidate.properties.deviceType = type;
     candidate.properties.limits.maxTexelBufferElements = 1u << 27;
     candidate.properties.limits.maxPerStageDescriptorStorageImages = 8;
+    candidate.properties.limits.maxPerStageDescriptorSampledImages = 128;
+    candidate.properties.limits.maxPerStageDescriptorStorageBuffers = 16;
+    candidate.properties.limits.maxPerStageDescriptorUniformBuffers = 15;
     candidate.subgroup.supportedStages = VK_SHADER_STAGE_COMPUTE_BIT;
     candidate.subgroup.supportedOperations = ~0u;
     candidate.queue_family = 0;
@@ -299,6 +352,20 @@ TEST(DeviceChoice, RefusesWithReasons) {
     EXPECT_NE(refusalOf(graphics).find("compute shaders"), std::string::npos);
     blind.reads_texels = false;
     EXPECT_NE(refusalOf(blind).find("texel"), std::string::npos);
+}
+
+// Limits of real drivers: V3D of a Raspberry Pi has 4 storage texel and 8 storage buffers.
+TEST(DeviceChoice, RefusesTooFewDescriptorsOfAnyKind) {
+    const Candidate good = goodCandidate("GPU", VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU);
+    const auto refusalWith = [&](std::uint32_t VkPhysicalDeviceLimits::*limit, std::uint32_t value) {
+        Candidate candidate = good;
+        candidate.properties.limits.*limit = value;
+        return refusalOf(candidate);
+    };
+    EXPECT_SAYS(refusalWith(&VkPhysicalDeviceLimits::maxPerStageDescriptorStorageImages, 4), "*4 storage texel*");
+    EXPECT_SAYS(refusalWith(&VkPhysicalDeviceLimits::maxPerStageDescriptorSampledImages, 16), "*16 uniform texel*");
+    EXPECT_SAYS(refusalWith(&VkPhysicalDeviceLimits::maxPerStageDescriptorStorageBuffers, 8), "*8 storage buffers*");
+    EXPECT_SAYS(refusalWith(&VkPhysicalDeviceLimits::maxPerStageDescriptorUniformBuffers, 1), "*1 uniform buffers*");
 }
 
 TEST(DeviceChoice, PrefersTheFastestKind) {

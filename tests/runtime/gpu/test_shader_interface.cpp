@@ -3,6 +3,7 @@
 // read from their SPIR-V, match those headers exactly, and no number has two names.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -12,7 +13,9 @@
 #include <string>
 #include <vector>
 
+#include "runtime/gpu/device_choice.h"
 #include "runtime/gpu/spirv.h"
+#include "shaders/shared/bindings.h"
 
 namespace pointrt {
 namespace {
@@ -76,6 +79,30 @@ TEST(ShaderInterface, Bindings_MatchTheirNames) {
 
 TEST(ShaderInterface, SpecializationConstants_MatchTheirNames) {
     expectSame(namesIn("spec_constants.h", "SPEC_\\w+"), declaredByAll().constants);
+}
+
+/// Descriptors of a kind in the programs that render, at most.
+std::uint32_t mostDeclared(VkDescriptorType type) {
+    std::uint32_t most = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(POINTRT_PROGRAMS)) {
+        const std::string name = entry.path().stem().string();
+        if (entry.path().extension() != ".spv" || name.starts_with("ui_")) continue;
+        const ShaderInterface shader = reflectShader(wordsOf(entry.path()));
+        const bool casts = std::any_of(shader.bindings.begin(), shader.bindings.end(),
+                                       [](const ShaderBinding& each) { return each.slot == BINDING_CAST_RAYS; });
+        std::uint32_t count = 0;
+        for (const ShaderBinding& each : shader.bindings) count += each.set == 0 && each.type == type;
+        if (!casts) most = std::max(most, count);
+    }
+    return most;
+}
+
+// A device that has fewer is refused before anything is built for it; one that has as many is not.
+TEST(ShaderInterface, Descriptors_AreAsManyAsDevicesMustHave) {
+    EXPECT_EQ(mostDeclared(VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER), kRenderDescriptors.storage_texel_buffers);
+    EXPECT_EQ(mostDeclared(VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER), kRenderDescriptors.uniform_texel_buffers);
+    EXPECT_EQ(mostDeclared(VK_DESCRIPTOR_TYPE_STORAGE_BUFFER), kRenderDescriptors.storage_buffers);
+    EXPECT_EQ(mostDeclared(VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER), kRenderDescriptors.uniform_buffers);
 }
 
 } // namespace

@@ -102,8 +102,8 @@ TEST(PassProfile, CountsBytesByLanesAndEntries) {
     PassProfile profile;
     PassRun run{"intersect_closest", PassLanes::kList, 4, {}, {}, 3, 6, 2, LIST_INSTANCE_RAYS};
     run.before.lists[LIST_INSTANCE_RAYS].count = run.after.lists[LIST_INSTANCE_RAYS].count = 100;
-    run.before.hits_appended = 5;
-    run.after.hits_appended = 15;
+    run.before.hit_count = 5;
+    run.after.hit_count = 15;
     addRun(profile, run);
     ASSERT_EQ(profile.passes.size(), 1u);
     const PassTally& trace = profile.passes.front();

@@ -347,25 +347,35 @@ TEST_F(LoadScene, ReportsItsStagesAndCanBeCancelled) {
     EXPECT_THROW(loadScene(device, device, testRequest(), stage), Enough);
 }
 
+constexpr VkPhysicalDeviceType kCpu = VK_PHYSICAL_DEVICE_TYPE_CPU, kGpu = VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU;
+
 TEST(StripPace, UsualScansUseTheLargestStrips) {
-    EXPECT_EQ(StripPace(40).rowsFor(512, 512), 512u);
-    EXPECT_EQ(StripPace(0).rowsFor(16384, 16), 16u);
-    StripPace pace(40);
+    EXPECT_EQ(StripPace(40, kCpu).rowsFor(512, 512), 512u);
+    EXPECT_EQ(StripPace(0, kCpu).rowsFor(16384, 16), 16u);
+    StripPace pace(40, kCpu);
     pace.update(512 * 512, 0.8);
     EXPECT_EQ(pace.rowsFor(512, 512), 512u);
 }
 
 TEST(StripPace, SlowScenesUseFewRows) {
-    StripPace crowded(7000);
+    StripPace crowded(7000, kCpu);
     EXPECT_EQ(crowded.rowsFor(512, 512), 5u);
     EXPECT_EQ(crowded.rowsFor(16384, 16), 1u);
     crowded.update(512 * 5, 1e-4);
     EXPECT_EQ(crowded.rowsFor(512, 512), 5u) << "a fast strip may have been empty, and the next one crowded";
-    StripPace slow(20);
+    StripPace slow(20, kCpu);
     slow.update(512 * 512, 10);
     EXPECT_EQ(slow.rowsFor(512, 512), 51u) << "about a second";
     slow.update(512 * 51, 0.01);
     EXPECT_GT(slow.rowsFor(512, 512), 51u);
+}
+
+TEST(StripPace, GpusAreFreeForTheDesktopTwentyFiveTimesASecond) {
+    StripPace pace(40, kGpu);
+    EXPECT_EQ(pace.rowsFor(512, 512), 512u) << "the first strip is as large as on a CPU";
+    pace.update(512 * 512, 0.4);
+    EXPECT_EQ(pace.rowsFor(512, 512), 51u);
+    EXPECT_LT(StripPace(7000, kGpu).rowsFor(512, 512), 8u);
 }
 
 TEST(FrameTiling, StripsEndAtTiles) {

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+// Devices that a layer pretends on the one that is here (layer.cpp): their pictures are the CPU's to the bit, what they
+// are asked to do is counted, and those that lack something are refused.
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "format/base/error.h"
+#include "runtime/device_scene/scene_tiles.h"
+#include "runtime/gpu/memory_budget.h"
+#include "runtime/render/loaded_scene.h"
+#include "runtime/render/progressive_renderer.h"
+#include "tests/support/says.h"
+#include "tests/support/validated_device.h"
+#include "tests/trace/render_helper.h"
+
+namespace pointrt::test {
+namespace {
+
+constexpr std::uint32_t kSide = 48;
+constexpr std::uint32_t kBounces = 4;
+
+/// Variables of the environment while it lives.
+class Environment {
+public:
+    explicit Environment(std::map<std::string, std::string> variables) : variables_(std::move(variables)) {
+        for (const auto& [name, value] : variables_) setenv(name.c_str(), value.c_str(), 1);
+    }
+    ~Environment() {
+        for (const auto& [name, value] : variables_) unsetenv(name.c_str());
+    }
+    Environment(const Environment&) = delete;
+    Environment& operator=(const Environment&) = delete;
+
+private:
+    std::map<std::string, std::string> variables_;
+};
+
+/// With the layer, beside others that are installed.
+std::map<std::string, std::string> layered(std::map<std::string, std::string> more = {}) {
+    more["VK_ADD_LAYER_PATH"] = POINTRT_LAYER_FOLDER;
+    more["VK_INSTANCE_LAYERS"] = "VK_LAYER_POINTRT_pretend";
+    return more;
+}
+
+/// The layer's count of that name.
+std::uint64_t counted(const char* name) {
+    static const auto count = reinterpret_cast<std::uint64_t (*)(const char*)>(
+        dlsym(dlopen(POINTRT_LAYER_FOLDER "/libpointrt_pretend.so", RTLD_NOW), "pointrtLayerCount"));
+    return count ? count(name) : 0;
+}
+
+/// What the device is asked to do from now on.
+class Counts {
+public:
+    std::uint64_t of(const char* name) const { return counted(name) - before_.at(name); }
+
+private:
+    std::map<std::string, std::uint64_t> before_{{"submits", counted("submits")},
+                                                 {"waits", counted("waits")},
+                                                 {"allocations", counted("allocations")},
+                                                 {"dispatches", counted("dispatches")},
+                                                 {"barriers", counted("barriers")}};
+};
+
+RenderSettings pathSettings() {
+    RenderSettings settings = square(kSide);
+    settings.integrator = Integrator::kPath;
+    settings.bounces = kBounces;
+    settings.room = Room::kMatte;
+    settings.spp = 2;
+    settings.first_hits = true;
+    return settings;
+}
+
+std::unique_ptr<LoadedScene> loadBall(Device& device, const SphereFile& ball) {
+    LoadRequest request;
+    request.scene.instances.push_back({ball.path, {}, {}, {}});
+    request.settings = pathSettings();
+    return loadScene(device, device, request, {});
+}
+
+Film render(Device& device, const SphereFile& ball) {
+    const std::unique_ptr<LoadedScene> loaded = loadBall(device, ball);
+    ProgressiveRenderer renderer(device, loaded->tracer);
+    FrameJob job;
+    job.samples = pathSettings().spp;
+    renderer.begin({pathSettings(), loaded->camera, tilingFor(device, kSide, kSide)}, job);
+    renderer.run();
+    return renderer.takeFilm();
+}
+
+Film renderOn(const std::map<std::string, std::string>& variables, const SphereFile& ball) {
+    const Environment environment(variables);
+    ValidatedDevice validated;
+    return render(validated.device, ball);
+}
+
+/// A device's type and memory as the layer pretends them.
+struct Pretended {
+    const char *type, *memory;
+};
+
+class PretendedDevices : public testing::Test {
+protected:
+    SphereFile ball{3000};
+};
+
+TEST_F(PretendedDevices, RenderTheSamePicture) {
+    const Film expected = renderOn({}, ball);
+    for (const Pretended& each :
+         {Pretended{"discrete", "discrete"}, {"integrated", "write_combined"}, {"integrated", "incoherent"}}) {
+        SCOPED_TRACE(each.memory);
+        const Film film =
+            renderOn(layered({{"POINTRT_LAYER_TYPE", each.type}, {"POINTRT_LAYER_MEMORY", each.memory}}), ball);
+        EXPECT_EQ(film.rgba, expected.rgba);
+        EXPECT_EQ(film.variance, expected.variance);
+        EXPECT_EQ(film.depth, expected.depth);
+    }
+}
+
+// A submission for each sample, however many parts its rows have, and nothing allocated.
+TEST_F(PretendedDevices, TraceASampleInOneSubmission) {
+    const Environment environment(layered({{"POINTRT_LAYER_TYPE", "discrete"}, {"POINTRT_LAYER_MEMORY", "discrete"}}));
+    ValidatedDevice validated;
+    Device& device = validated.device;
+    const std::unique_ptr<LoadedScene> loaded = loadBall(device, ball);
+    const RenderSettings settings = pathSettings();
+    ASSERT_TRUE(endsIn(loaded->tracer, settings, kBounces));
+    std::vector<float> films[2];
+    for (const std::uint32_t parts : {1u, 3u}) {
+        loaded->tracer.buffers.lanes = kSide * kSide / parts;
+        RayCounts rays;
+        BandSample sample = openBand(loaded->tracer, settings, loaded->camera, {0, kSide}, {kSide * kSide, 0});
+        const Counts counts;
+        tracePasses(device, loaded->tracer, sample, kBounces, rays);
+        EXPECT_TRUE(sample.done);
+        EXPECT_EQ(rays.primary, kSide * kSide);
+        EXPECT_EQ(counts.of("submits"), 1u);
+        EXPECT_EQ(counts.of("waits"), 1u);
+        EXPECT_EQ(counts.of("allocations"), 0u);
+        EXPECT_LE(counts.of("dispatches"), 30 * parts);
+        EXPECT_LE(counts.of("barriers"), 32 * parts);
+        films[parts / 2].resize(loaded->tracer.buffers.film.bytes / sizeof(float));
+        downloadBuffer(device, loaded->tracer.buffers.film, films[parts / 2].data(), loaded->tracer.buffers.film.bytes);
+    }
+    EXPECT_EQ(films[0], films[1]);
+}
+
+TEST_F(PretendedDevices, ThatAreLost_EndWithAnError) {
+    for (const std::uint64_t after : {1, 4}) {
+        const std::string number = std::to_string(counted("submits") + after);
+        const Environment environment(layered({{"POINTRT_LAYER_TYPE", "discrete"},
+                                               {"POINTRT_LAYER_MEMORY", "discrete"},
+                                               {"POINTRT_LAYER_LOST_AT", number}}));
+        ValidatedDevice validated;
+        try {
+            render(validated.device, ball);
+            FAIL() << "no error";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code, ExitCode::kCannotRun);
+            EXPECT_SAYS(error.what(), "*VK_ERROR_DEVICE_LOST*");
+        }
+    }
+}
+
+// What other programs use of the device's memory is not for tiles.
+TEST_F(PretendedDevices, LeaveTilesTheirBudget) {
+    constexpr std::uint64_t kGibibyte = 1ull << 30;
+    auto variables = layered({{"POINTRT_LAYER_TYPE", "discrete"}, {"POINTRT_LAYER_MEMORY", "discrete"}});
+    std::uint64_t whole = 0;
+    {
+        const Environment environment(variables);
+        ValidatedDevice validated;
+        whole = availableDeviceMemory(validated.device);
+        EXPECT_EQ(whole, validated.device.memory.memoryHeaps[0].size);
+    }
+    variables["POINTRT_LAYER_BUDGET"] = std::to_string(kGibibyte); // half of it is in use
+    const Environment environment(variables);
+    ValidatedDevice validated;
+    EXPECT_EQ(availableDeviceMemory(validated.device), kGibibyte / 2);
+    EXPECT_LT(tileMemory(validated.device, 4 * kGibibyte), kGibibyte / 2);
+}
+
+TEST_F(PretendedDevices, ThatLackDescriptors_AreRefused) {
+    const Environment environment(layered({{"POINTRT_LAYER_LIMITS", "maxPerStageDescriptorStorageBuffers=8"}}));
+    EXPECT_SAYS(listDevices(), "*unusable: *8 storage buffers*");
+    EXPECT_THROW(createDevice({}), Error);
+}
+
+} // namespace
+} // namespace pointrt::test
