@@ -53,8 +53,9 @@ struct GaussianValues {
         color = find(kGaussianColor);
         fraction = find(kGaussianFraction);
         for (int h = 1; h <= kMostGaussianHarmonics; ++h) {
-            harmonics.push_back(find(gaussianHarmonicName(h)));
-            if (harmonics.back().empty()) return harmonics.pop_back();
+            Floats values = find(gaussianHarmonicName(h));
+            if (values.empty()) break;
+            harmonics.push_back(std::move(values));
         }
     }
 };

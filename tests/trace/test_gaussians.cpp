@@ -12,48 +12,17 @@
 
 #include "tests/gaussians/nasty_gaussians.h"
 #include "tests/gaussians/srgb.h"
+#include "tests/trace/gaussian_picture.h"
 #include "tests/trace/gaussian_file.h"
 #include "tests/trace/render_helper.h"
 
 namespace pointrt::test {
 namespace {
 
-constexpr std::uint32_t kGaussianPixels = 48;
-
-RenderSettings lookingFrom(Vec3 eye, Vec3 target, std::uint32_t size = kGaussianPixels) {
-    RenderSettings settings = square(size);
-    settings.camera.eye = eye;
-    settings.camera.target = target;
-    settings.camera.fov_deg = 40;
-    settings.lights = 0;
-    settings.background = Background{};
-    return settings;
-}
-
 SceneDescription sceneOf(const std::string& path) {
     SceneDescription scene;
     scene.instances.push_back({path, {}, {}, {}});
     return scene;
-}
-
-/// A square facing z, 10 units long.
-ShapeDescription screenAt(double z) { return {ShapeKind::kQuad, {0, 0, z}, {5, 0, 0}, {0, 5, 0}, {0, 0, 1}, 0}; }
-
-/// Peak signal to noise, dB, of display-encoded colours.
-/// @param expected the linear light of the pixel through which a ray of this direction goes
-template <typename Expected>
-double psnrAgainst(const Rendered& rendered, const RenderSettings& settings, const Expected& expected) {
-    double squares = 0;
-    for (std::uint32_t y = 0; y < settings.height; ++y)
-        for (std::uint32_t x = 0; x < settings.width; ++x) {
-            const Color truth = expected(centerRayDirection(settings, rendered.camera, x, y));
-            for (int c = 0; c < 3; ++c) {
-                const double off =
-                    srgbFromLinear(pixel(rendered.film, x, y, c)) - srgbFromLinear(truth[static_cast<std::size_t>(c)]);
-                squares += off * off;
-            }
-        }
-    return -10 * std::log10(squares / (3.0 * settings.width * settings.height) + 1e-20);
 }
 
 class GaussianKinds : public testing::TestWithParam<std::string> {};
@@ -94,7 +63,7 @@ TEST(Gaussians, AreSeenInMirrors) {
     scene.materials.resize(1);
     scene.materials[0].kind = MaterialKind::kMirror;
     scene.materials[0].color = {1, 1, 1};
-    scene.shapes = {screenAt(5)};
+    scene.shapes = {screenAt(5, 0)};
     RenderSettings settings = lookingFrom({0, 0, 3}, {0, 0, 5});
     settings.integrator = Integrator::kWhitted;
     for (const KernelForm form : {KernelForm::kWavefront, KernelForm::kMegakernel}) {
@@ -116,7 +85,7 @@ TEST(Gaussians, HideSurfacesAsFarAsTheyAreOpaque) {
     scene.materials[0].color = {0, 0, 0};
     scene.materials[0].emission = {0.2f, 0.5f, 0.7f};
     const double plane = 0.1; // among them
-    scene.shapes = {screenAt(plane)};
+    scene.shapes = {screenAt(plane, 0)};
     const RenderSettings settings = lookingFrom({0, 0, 4}, {0, 0, 0});
     const Rendered rendered = renderScene(scene, settings);
     EXPECT_GT(psnrAgainst(rendered, settings,
