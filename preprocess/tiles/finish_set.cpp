@@ -38,7 +38,9 @@ public:
         }
         set.colors = colors_;
         set.noise = median();
-        std::erase_if(attributes_, [](const SetAttribute& each) { return isGaussianAttribute(each.name) || each.name == kGaussianFraction; });
+        std::erase_if(attributes_, [](const SetAttribute& each) {
+            return isGaussianAttribute(each.name) || each.name == kGaussianFraction;
+        });
         set.attributes = attributes_;
     }
 

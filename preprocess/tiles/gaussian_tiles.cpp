@@ -64,9 +64,9 @@ bool holdsGaussians(const std::vector<Attribute>& attributes) {
 }
 
 bool holdsGaussians(const SetPlan& plan) {
-    return std::any_of(
-        plan.schema.attributes.begin(), plan.schema.attributes.end(),
-        [](const PlanAttribute& each) { return isRotation({each.name, each.type, each.components, {}}); });
+    return std::any_of(plan.schema.attributes.begin(), plan.schema.attributes.end(), [](const PlanAttribute& each) {
+        return isRotation({each.name, each.type, each.components, {}});
+    });
 }
 
 TileSplats gaussiansOfTile(const SetPlan& plan, std::uint32_t number) {

@@ -170,8 +170,8 @@ void orient(const SetRequest& request, const Survey& survey, bool is_mesh, SetPl
 void orientGaussians(const Survey& survey, SetPlan& plan) {
     plan.orient = OrientMode::kNone;
     if (plan.up_from == "option" || plan.up_from == "file") return;
-    const FoundUp found = findUp(survey.gaussians.surface(plan.lattice_origin), scansWithSensors(plan),
-                                 {plan.world.up, false});
+    const FoundUp found =
+        findUp(survey.gaussians.surface(plan.lattice_origin), scansWithSensors(plan), {plan.world.up, false});
     if (found.up.isZero()) return;
     plan.world.up = found.up;
     plan.up_from = nameOf(found.basis == UpBasis::kCustom ? UpBasis::kGuess : found.basis);

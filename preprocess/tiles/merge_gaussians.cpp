@@ -129,8 +129,8 @@ private:
         const MergeSource& source = input_.sources[i];
         const MergeChild& child = children_[source.tile];
         GaussianMoments moments;
-        moments.mean = meanOf(parent_, child.tile, child.splats.positions[source.splat],
-                              vectorAt(values_.fraction, source));
+        moments.mean =
+            meanOf(parent_, child.tile, child.splats.positions[source.splat], vectorAt(values_.fraction, source));
         const float* const turn = values_.rotation[source.tile] + 4 * std::size_t{source.splat};
         const Eigen::Matrix3d axes =
             Eigen::Quaterniond(turn[0], turn[1], turn[2], turn[3]).normalized().toRotationMatrix();
@@ -191,9 +191,7 @@ private:
     }
 
     /// The mean, kept within the core.
-    Vec3d inCore(std::size_t g) const {
-        return merged_[g].mean.cwiseMax(0).cwiseMin(1 - 0.5 / kCoreSteps);
-    }
+    Vec3d inCore(std::size_t g) const { return merged_[g].mean.cwiseMax(0).cwiseMin(1 - 0.5 / kCoreSteps); }
 
     double commonError() const {
         std::vector<std::pair<double, double>> errors; // and areas

@@ -53,7 +53,8 @@ void copyValues(const Splats& splats, const std::vector<Attribute>& attributes, 
 
 std::vector<std::uint32_t> orderAlongCurve(const std::vector<PositionCode>& codes) {
     std::vector<CurveKey> keys(codes.size());
-    for (std::size_t i = 0; i < codes.size(); ++i) keys[i] = {curveCode(codes[i]), static_cast<std::uint32_t>(i), false};
+    for (std::size_t i = 0; i < codes.size(); ++i)
+        keys[i] = {curveCode(codes[i]), static_cast<std::uint32_t>(i), false};
     tbb::parallel_sort(keys);
     std::vector<std::uint32_t> order;
     for (const CurveKey& key : keys) order.push_back(key.index);

@@ -56,8 +56,8 @@ FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, FilmRo
     buffers.no_cull_boxes = storage("blank cull boxes", sizeof(gpu::CullBoxes), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     buffers.light_masks = storage("light mask buffer", lanes * sizeof(std::uint32_t));
     buffers.deferred = storage("deferred ray buffer", lanes * MAX_DEFERRED * sizeof(gpu::PathState));
-    buffers.gaussian_light = storage("Gaussian light buffer", (gaussians != GaussianRoom::kNone ? lanes : 1) *
-                                                                  sizeof(gpu::GaussianLight));
+    buffers.gaussian_light =
+        storage("Gaussian light buffer", (gaussians != GaussianRoom::kNone ? lanes : 1) * sizeof(gpu::GaussianLight));
     buffers.waiting_gaussians = storage("waiting Gaussian buffer", (gaussians == GaussianRoom::kSeveral ? lanes : 1) *
                                                                        sizeof(gpu::WaitingGaussians));
     createFilm(device, buffers, film);
@@ -91,10 +91,10 @@ bool extendFilm(Device& device, FrameBuffers& buffers, std::uint32_t samples) {
 }
 
 void destroyFrameBuffers(Device& device, FrameBuffers& buffers) {
-    for (Buffer* buffer :
-         {&buffers.params, &buffers.control, &buffers.queues, &buffers.paths, &buffers.hits, &buffers.surfaces,
-          &buffers.light_queries, &buffers.light_masks, &buffers.deferred, &buffers.film, &buffers.first_hits,
-          &buffers.beams, &buffers.pixel_list, &buffers.gaussian_light, &buffers.waiting_gaussians, &buffers.no_cull_boxes})
+    for (Buffer* buffer : {&buffers.params, &buffers.control, &buffers.queues, &buffers.paths, &buffers.hits,
+                           &buffers.surfaces, &buffers.light_queries, &buffers.light_masks, &buffers.deferred,
+                           &buffers.film, &buffers.first_hits, &buffers.beams, &buffers.pixel_list,
+                           &buffers.gaussian_light, &buffers.waiting_gaussians, &buffers.no_cull_boxes})
         destroyBuffer(device, *buffer);
     buffers = {};
 }

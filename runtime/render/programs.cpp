@@ -303,20 +303,35 @@ void addPrograms(Device& device, const DeviceScene& scene, const RenderSettings&
 }
 
 void destroyPrograms(Device& device, Programs& programs) {
-    for (Program* program :
-         {&programs.prepare, &programs.first_hits, &programs.beam, &programs.intersect_shadow_shapes,
-          &programs.shade_shadow, &programs.photon, &programs.caustic, &programs.fold_film,
-          &programs.camera.intersect_shapes, &programs.camera.query_shadow_catcher,
-          &programs.queued.query_shadow_catcher, &programs.shade_shadow_catcher, &programs.blend_first_hits,
-          &programs.camera.blend_gaussians, &programs.queued.blend_gaussians, &programs.camera.shade_surface,
-          &programs.camera.megakernel, &programs.queued.intersect_shapes, &programs.queued.shade_surface,
-          &programs.queued.megakernel, &programs.compact, &programs.accumulate_shadow})
+    for (Program* program : {&programs.prepare,
+                             &programs.first_hits,
+                             &programs.beam,
+                             &programs.intersect_shadow_shapes,
+                             &programs.shade_shadow,
+                             &programs.photon,
+                             &programs.caustic,
+                             &programs.fold_film,
+                             &programs.camera.intersect_shapes,
+                             &programs.camera.query_shadow_catcher,
+                             &programs.queued.query_shadow_catcher,
+                             &programs.shade_shadow_catcher,
+                             &programs.blend_first_hits,
+                             &programs.camera.blend_gaussians,
+                             &programs.queued.blend_gaussians,
+                             &programs.camera.shade_surface,
+                             &programs.camera.megakernel,
+                             &programs.queued.intersect_shapes,
+                             &programs.queued.shade_surface,
+                             &programs.queued.megakernel,
+                             &programs.compact,
+                             &programs.accumulate_shadow})
         destroyProgram(device, *program);
     for (auto& [traits, variant] : programs.variants)
         for (Program* program :
              {&variant.intersect_closest, &variant.intersect_camera, &variant.camera_surface, &variant.surface,
               &variant.intersect_shadow, &variant.intersect_shadow_ray, &variant.composite_camera, &variant.composite,
-              &variant.gaussian_first_hits, &variant.gather_camera, &variant.gather, &variant.attenuate_shadow, &variant.attenuate_shadow_ray})
+              &variant.gaussian_first_hits, &variant.gather_camera, &variant.gather, &variant.attenuate_shadow,
+              &variant.attenuate_shadow_ray})
             destroyProgram(device, *program);
     programs.variants.clear();
     for (auto& [boxes, cull] : programs.cull)

@@ -21,8 +21,8 @@ struct InstancePrograms {
     Program intersect_shadow,
         intersect_shadow_ray; ///< queued shadow rays, the megakernel's stored ones, or both
     Program composite_camera, composite, gaussian_first_hits; ///< of Gaussians, which have these in place of the above
-    Program gather_camera, gather; ///< or these, where there are several instances of Gaussians
-    Program attenuate_shadow, attenuate_shadow_ray;           ///< one of them, as above
+    Program gather_camera, gather;                  ///< or these, where there are several instances of Gaussians
+    Program attenuate_shadow, attenuate_shadow_ray; ///< one of them, as above
 };
 
 /// Programs with one variant for camera rays and one for queued rays (shaders/lib/features.glsl).

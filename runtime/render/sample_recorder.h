@@ -24,7 +24,8 @@ public:
 private:
     void intersectCamera(std::uint32_t bits);
     void intersectClosest(std::uint32_t bits);
-    /// The programs of a composite of Gaussians: of each instance if there is one, of all instances if there are several.
+    /// The programs of a composite of Gaussians: of each instance if there is one, of all instances if there are
+    /// several.
     struct GaussianPass {
         Program InstancePrograms::*composite;
         Program InstancePrograms::*gather;

@@ -133,10 +133,11 @@ struct GaussianLight {
 struct WaitingGaussian {
     float t; // of its peak, render units
     uint gaussian;
-    uint instance;     // its place among the scene's instances, and above it a half float: radiusOf it, render units
-    uint red_green;    // half floats; of first hits owner and tile
-    uint blue_opacity; // half float, and above it the opacity along the ray, 16 bits; of first hits material and opacity
-    uint normal;       // normalWord in render space
+    uint instance;  // its place among the scene's instances, and above it a half float: radiusOf it, render units
+    uint red_green; // half floats; of first hits owner and tile
+    uint
+        blue_opacity; // half float, and above it the opacity along the ray, 16 bits; of first hits material and opacity
+    uint normal;      // normalWord in render space
 };
 // So many Gaussians of a ray wait at most: as many as let the buffer of 2^19 paths fit in 128 MiB.
 #define WAITING_GAUSSIANS 10u
@@ -278,8 +279,9 @@ struct PushParams {
 #define STEP_PIXEL_LIST 256u // rays go through the pixels of the pixel list, one per lane
 #define STEP_CULLED 512u     // prepare: the entries of the culled lists have been counted
 #define STEP_FIRST 1024u     // composite_gaussians, gather_gaussians: this is the first instance
-#define STEP_RESUME 2048u    // composite_gaussians: rays that the run before has cut go on; gather_, blend_gaussians: rays of a list
-#define STEP_FINAL 4096u     // composite_gaussians: no run of this instance follows; blend_gaussians: no round follows
+#define STEP_RESUME                                                                                                    \
+    2048u // composite_gaussians: rays that the run before has cut go on; gather_, blend_gaussians: rays of a list
+#define STEP_FINAL 4096u      // composite_gaussians: no run of this instance follows; blend_gaussians: no round follows
 #define STEP_FIRST_HITS 8192u // gather_gaussians: for first hits, not for light
 
 // An entry of LIST_SHADOW_RAYS: the path, and above it the index of its light sample.

@@ -76,8 +76,7 @@ TEST(GaussianOrder, HoldsInMirrorsAndBeforeAndBehindSurfaces) {
         const double psnr_db = psnrAgainst(rendered, settings, [&](Vec3 direction) {
             const Vec3 eye{rendered.camera.eye.x, rendered.camera.eye.y, 2 * mirror - rendered.camera.eye.z};
             const Vec3 mirrored{direction.x, direction.y, -direction.z};
-            const OracleComposite before =
-                compositeAlong(files.scene, eye, mirrored, (plane - eye.z) / mirrored.z);
+            const OracleComposite before = compositeAlong(files.scene, eye, mirrored, (plane - eye.z) / mirrored.z);
             Color light = lightBefore(before);
             for (std::size_t c = 0; c < 3; ++c)
                 light[c] += static_cast<float>(before.transmittance) * scene.materials[1].emission[c];
@@ -115,11 +114,10 @@ TEST(GaussianOrder, HoldsOfPlacedCaptures) {
     const OracleScene truth = oracleScene(all);
     const RenderSettings settings = lookingFrom({0.3, 0.2, 4}, {0, 0, 0});
     const Rendered rendered = renderScene(scene, settings);
-    EXPECT_GT(psnrAgainst(rendered, settings,
-                          [&](Vec3 direction) {
-                              return lightOf(compositeAlong(truth, rendered.camera.eye, direction));
-                          }),
-              50); // of the input: the files round parameters
+    EXPECT_GT(
+        psnrAgainst(rendered, settings,
+                    [&](Vec3 direction) { return lightOf(compositeAlong(truth, rendered.camera.eye, direction)); }),
+        50); // of the input: the files round parameters
 }
 
 /// First hits of a picture that are not those of the truth, and all.
@@ -132,8 +130,7 @@ FirstHitCounts countFirstHits(const TwoFiles& files, const Rendered& rendered, c
     const Vec3 eye = rendered.camera.eye;
     const auto evens = static_cast<std::uint32_t>(files.even.scene.gaussians.size());
     for (std::uint32_t i = 0; i < settings.width * settings.height; ++i) {
-        const Vec3 direction =
-            centerRayDirection(settings, rendered.camera, i % settings.width, i / settings.width);
+        const Vec3 direction = centerRayDirection(settings, rendered.camera, i % settings.width, i / settings.width);
         const double depth = compositeAlong(files.scene, eye, direction).depth;
         const bool is_hit = std::isfinite(depth);
         counts.hits += is_hit;

@@ -28,11 +28,10 @@ TEST_P(GaussianSets, EqualBruteForce) {
         settings.detail = 0; // original tiles
         const Rendered rendered = renderFile(folder.file("capture.proset"), settings);
         EXPECT_EQ(rendered.rays.cut, 0u);
-        EXPECT_GT(psnrAgainst(rendered, settings,
-                              [&](Vec3 direction) {
-                                  return lightOf(compositeAlong(truth, rendered.camera.eye, direction));
-                              }),
-                  45)
+        EXPECT_GT(
+            psnrAgainst(rendered, settings,
+                        [&](Vec3 direction) { return lightOf(compositeAlong(truth, rendered.camera.eye, direction)); }),
+            45)
             << eye.x; // of the input: tiles round parameters
     }
 }
@@ -49,11 +48,10 @@ TEST(GaussianSets, CoarserTilesLookAlike) {
     settings.camera.fov_deg = 6;
     settings.detail = 16384; // the root alone
     const Rendered rendered = renderFile(folder.file("capture.proset"), settings);
-    EXPECT_GT(psnrAgainst(rendered, settings,
-                          [&](Vec3 direction) {
-                              return lightOf(compositeAlong(truth, rendered.camera.eye, direction));
-                          }),
-              20);
+    EXPECT_GT(
+        psnrAgainst(rendered, settings,
+                    [&](Vec3 direction) { return lightOf(compositeAlong(truth, rendered.camera.eye, direction)); }),
+        20);
 }
 
 } // namespace

@@ -12,8 +12,8 @@
 
 #include "tests/gaussians/nasty_gaussians.h"
 #include "tests/gaussians/srgb.h"
-#include "tests/trace/gaussian_picture.h"
 #include "tests/trace/gaussian_file.h"
+#include "tests/trace/gaussian_picture.h"
 #include "tests/trace/render_helper.h"
 
 namespace pointrt::test {
@@ -173,9 +173,26 @@ TEST(Gaussians, AlphaIsTheirOpacity) {
 /// What lies under a lamp, with something between them.
 enum class Lit { kGaussian, kSurface };
 enum class Between { kNothing, kBall, kFog };
+enum class Seen { kDirectly, kInMirror, kThroughGlass };
+
+/// Puts a mirror before the camera, and turns that to it, or a pane of glass.
+void lookThrough(Seen seen, SceneDescription& scene, RenderSettings& settings) {
+    if (seen == Seen::kDirectly) return;
+    const auto material = static_cast<std::uint32_t>(scene.materials.size());
+    scene.materials.emplace_back().color = {1, 1, 1};
+    scene.materials.back().kind = seen == Seen::kInMirror ? MaterialKind::kMirror : MaterialKind::kGlass;
+    settings.bounces = 4; // through both faces of the pane
+    if (seen == Seen::kInMirror) {
+        scene.shapes.push_back(screenAt(2, material));
+        settings.camera.target = {0, 0, 4}; // where the mirror shows the origin
+    } else {
+        const Vec3 middle{1.5, 0.25, 0};
+        scene.shapes.push_back({ShapeKind::kBox, middle, {0.05, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}, material});
+    }
+}
 
 /// The light of a grey surface, or of a flat and nearly opaque Gaussian.
-double litLight(Lit lit, Between between, Integrator integrator, KernelForm form) {
+double litLight(Lit lit, Between between, Integrator integrator, KernelForm form, Seen seen = Seen::kDirectly) {
     OracleGaussian flat = roundGaussian({0, 0, 0}, 0.1, 0.99, {0.8, 0.8, 0.8});
     flat.deviation[1] = 0.001;
     // a fifth of a unit wide, 3 above the lamp if it shall hide nothing
@@ -196,6 +213,7 @@ double litLight(Lit lit, Between between, Integrator integrator, KernelForm form
     settings.relight = true;
     settings.bounces = 0;
     settings.integrator = integrator;
+    lookThrough(seen, scene, settings);
     const Rendered rendered = renderScene(scene, settings, {form});
     double sum = 0;
     for (std::uint32_t i = 0; i < 64; ++i) sum += pixel(rendered.film, i % 8, i / 8, 0);
@@ -211,6 +229,19 @@ TEST(Gaussians, AreLitAsMatteSurfaces) {
             EXPECT_LT(litLight(Lit::kGaussian, Between::kBall, integrator, form), 0.01);
             // shadow rays pass or not at random, as of ShadowsAreAsDarkAsTheyAreOpaque
             EXPECT_NEAR(litLight(Lit::kGaussian, Between::kFog, integrator, form) / truth, 0.4, 0.06);
+        }
+}
+
+TEST(Gaussians, AreLitInMirrorsAndThroughGlass) {
+    for (const KernelForm form : {KernelForm::kWavefront, KernelForm::kMegakernel})
+        for (const Seen seen : {Seen::kInMirror, Seen::kThroughGlass}) {
+            const auto light = [&](Lit lit, Between between) {
+                return litLight(lit, between, Integrator::kWhitted, form, seen);
+            };
+            const double truth = light(Lit::kSurface, Between::kNothing);
+            EXPECT_GT(truth, 0.1);
+            EXPECT_NEAR(light(Lit::kGaussian, Between::kNothing) / truth, 0.99, 0.01);
+            EXPECT_LT(light(Lit::kGaussian, Between::kBall), 0.01);
         }
 }
 
