@@ -108,6 +108,8 @@ void requireContent(const TileSet& set, const ProFile& file, const std::string& 
     const auto is = [&](std::uint32_t flag) { return (file.info().flags & flag) != 0; };
     if (is(PRO_FLAG_COLOR) != set.colors || is(PRO_FLAG_ORIENTED) != set.oriented)
         refuse(path, "belongs to another set (colours or orientation differ from set.json)");
+    if ((file.gaussians() != nullptr) != set.gaussians)
+        refuse(path, "belongs to another set (only one of them holds Gaussians)");
     if (!hasAttributesOf(set, file)) refuse(path, "belongs to another set (attributes differ from set.json)");
 }
 

@@ -64,6 +64,7 @@ struct TileSet {
     std::uint64_t input_points = 0;                   ///< 0 if unknown
     std::uint64_t splats = 0;                         ///< original splats
     bool colors = false, oriented = false;            ///< as the flags in headers
+    bool gaussians = false;                           ///< all tiles hold Gaussians, each in one original tile
     double noise = 0;                                 ///< median of the original splats, input units
     std::vector<SetLevel> levels;                     ///< finest first, at least one
     std::vector<SetAttribute> attributes;             ///< of every tile, in this order

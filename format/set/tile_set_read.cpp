@@ -29,7 +29,7 @@ constexpr std::size_t kValuesMax = std::size_t{1} << 20, kObjectsMax = 256;
 
 constexpr std::string_view kKeys[] = {"format", "version",  "splats",  "input_points", "lattice",  "bounds",
                                       "up",     "metres",   "crs",     "colors",       "oriented", "noise",
-                                      "levels", "settings", "sensors", "attributes",   "tiles"};
+                                      "levels", "settings", "sensors", "attributes",   "tiles",    "gaussians"};
 
 const Json& memberOf(const Json& object, const char* key) {
     if (!object.is_object()) throw SetFault("is not an object");
@@ -238,6 +238,7 @@ void readHead(const Json& json, TileSet& set) {
     set.crs = wordOf(json, "crs");
     set.colors = flagOf(json, "colors");
     set.oriented = flagOf(json, "oriented");
+    if (json.contains("gaussians")) set.gaussians = flagOf(json, "gaussians");
     set.noise = numberOf(json, "noise");
     set.settings = memberOf(json, "settings").dump();
 }

@@ -193,6 +193,16 @@ void checkRepeats(Tile& tile, const ProFile& file) {
         tile.add("its core holds " + std::to_string(own) + " splats, not " + std::to_string(tile.tile.splats));
 }
 
+/// Each Gaussian is in one tile: there are no copies.
+void checkGaussians(Tile& tile, const ProFile& file) {
+    std::uint64_t own = 0;
+    for (std::size_t i = 0; i < file.info().splat_count; ++i) own += offsetOf(codeOf(wordsOf(file, i))) == Offset{};
+    if (own != file.info().splat_count)
+        tile.add(std::to_string(file.info().splat_count - own) + " of its Gaussians lie outside its core");
+    if (own != tile.tile.splats)
+        tile.add("its core holds " + std::to_string(own) + " Gaussians, not " + std::to_string(tile.tile.splats));
+}
+
 /// Ranges in set.json, which hold for merged splats, too, as these are means of original ones.
 void checkRanges(Tile& tile, const ProFile& file) {
     for (std::size_t i = 0; i < file.attributes().size(); ++i) {
@@ -235,7 +245,10 @@ std::vector<TileFinding> verifyTile(const TileSet& set, const std::string& folde
         checkPro(pro_verify(path.c_str(), addFinding, &tile.findings, &count, &message), path, message);
         if (count == 0) {
             const ProFile file = openTile(set, tile.tile, folder, PRO_OPEN_SKIP_CHECKSUMS);
-            checkRepeats(tile, file);
+            if (set.gaussians)
+                checkGaussians(tile, file);
+            else
+                checkRepeats(tile, file);
             checkRanges(tile, file);
         }
     } catch (const Error& error) {

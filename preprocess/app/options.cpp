@@ -300,10 +300,7 @@ void checkOutputName(const BakeOptions& options) {
 void checkTileSetOptions(const CommandLine& app, BakeOptions& options) {
     const std::string slashed = ".proset/"; // as shells complete folder names
     if (options.output.ends_with(slashed)) options.output.pop_back();
-    if (options.isTileSet()) {
-        options.read.gaussians_as_discs = true; // tiles have no sections for Gaussians
-        return;
-    }
+    if (options.isTileSet()) return;
     for (const char* name : {"--max-memory", "--tile-splats", "--step", "--keep-work"})
         if (app.count(name) > 0) refuseUsage(std::string(name) + " applies only to tile sets (-o NAME.proset)");
 }

@@ -10,6 +10,7 @@
 #include "preprocess/surface/estimate.h"
 #include "preprocess/surface/neighbors.h"
 #include "preprocess/tiles/buckets.h"
+#include "preprocess/tiles/gaussian_tiles.h"
 #include "preprocess/tiles/halo.h"
 #include "preprocess/tiles/select_splats.h"
 #include "preprocess/tiles/splat_file.h"
@@ -144,6 +145,7 @@ TileSet latticeOf(const SetPlan& plan) {
     set.input_points = plan.points_read;
     set.settings = plan.settings;
     set.oriented = plan.orient != OrientMode::kNone;
+    set.gaussians = holdsGaussians(plan);
     for (const PlanScan& scan : plan.scans) {
         const Vec3d place = scan.sensor.value_or(Vec3d::Zero());
         set.sensors.push_back({place.x(), place.y(), place.z(), scan.sensor ? 1.0 : 0.0});
@@ -162,6 +164,11 @@ TileTree treeOf(const SetPlan& plan) {
 TileSplats bakeTile(const SetPlan& plan, const TileTree& tree, std::uint32_t number, PointBudget& budget,
                     TileCounts& counts) {
     const PlanTile& tile = plan.tiles.at(number);
+    if (holdsGaussians(plan)) {
+        counts.points += tile.points;
+        counts.splats += tile.points;
+        return gaussiansOfTile(plan, number);
+    }
     TilePoints read = readWithHalo(plan, number, budget);
     BoxPoints& points = read.box;
     counts.points += tile.points;

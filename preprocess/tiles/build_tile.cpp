@@ -10,6 +10,7 @@
 #include "preprocess/octree/splat_attributes.h"
 #include "preprocess/octree/write.h"
 #include "preprocess/tiles/collect_splats.h"
+#include "preprocess/tiles/gaussian_tiles.h"
 #include "preprocess/tiles/pack_tile.h"
 #include "preprocess/tiles/splat_file.h"
 
@@ -27,6 +28,7 @@ CollectedSplats gatherAll(const TileSet& set, const TileTree& tree, const TileKe
     const double edge = edgeOf(set, tile.level);
     for (const TileKey& source : inputTilesOf(tree, tile)) {
         const SplatFile file(folder, source, widest);
+        if (source != tile && holdsGaussians(file.schema())) continue; // nor copies of its neighbours' Gaussians
         if (gathered.splats.attributes.empty()) gathered.splats.attributes = file.schema();
         if (gathered.splats.attributes.size() != file.schema().size())
             throw Error(ExitCode::kBadInput,
@@ -60,6 +62,19 @@ ProContent contentOf(const TileSet& set, const TileOptions& options, const TileK
     content.metadata = metadataOf(options, tile, gathered);
     content.pruned = options.prune;
     return content;
+}
+
+/// Gaussians as they are, in an octree of their own.
+void writeGaussians(const std::string& path, const TileSet& set, const TileKey& tile, const TileOptions& options,
+                    CollectedSplats& gathered, PackedSplats& packed) {
+    const GaussianCloud cloud = takeGaussians(set, tile, gathered.splats);
+    const GaussianSections gaussians = packGaussians(cloud, packed);
+    ProContent content = contentOf(set, options, tile, gathered, packed);
+    content.pruned = false;
+    const Octree octree = buildCenterOctree(packed);
+    ProSections sections = makeSections(packed, octree, content);
+    sections.view.order = nullptr; // points are not numbered in a set
+    writePro(path, true, sections, nullptr, &gaussians.view);
 }
 
 Octree growOctree(const PackedSplats& packed, const TileOptions& options) {
@@ -100,6 +115,10 @@ std::optional<SetTile> buildTile(const TileSet& set, const TileTree& tree, const
     CollectedSplats gathered = gatherAll(set, tree, tile, folders.splats, options.widest);
     if (gathered.own == 0) return std::nullopt;
     PackedSplats packed = packTile(set, tile, codings.at(tile.level), gathered.splats);
+    if (holdsGaussians(gathered.splats.attributes)) {
+        writeGaussians(pathOf(folders, tile), set, tile, options, gathered, packed);
+        return findTileRow(folders, tile);
+    }
     const ProContent content = contentOf(set, options, tile, gathered, packed);
     gathered = {};
     const Octree octree = growOctree(packed, options);

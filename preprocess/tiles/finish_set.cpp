@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "preprocess/tiles/gaussian_tiles.h"
 #include "preprocess/tiles/splat_file.h"
 
 namespace pointrt {
@@ -37,6 +38,9 @@ public:
         }
         set.colors = colors_;
         set.noise = median();
+        std::erase_if(attributes_, [](const SetAttribute& each) {
+            return isGaussianAttribute(each.name) || each.name == kGaussianFraction;
+        });
         set.attributes = attributes_;
     }
 

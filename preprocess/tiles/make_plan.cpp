@@ -10,6 +10,7 @@
 #include "preprocess/surface/estimate.h"
 #include "preprocess/surface/find_up.h"
 #include "preprocess/tiles/choose_tiles.h"
+#include "preprocess/tiles/gaussian_tiles.h"
 #include "preprocess/tiles/grid_priors.h"
 #include "preprocess/tiles/input_state.h"
 #include "preprocess/tiles/sample.h"
@@ -34,6 +35,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 struct Survey {
     CountGrid counts;
     Sample sample{kSamplePoints};
+    GaussianSample gaussians;
     Eigen::AlignedBox3d bounds;
     std::vector<ValueSurvey> values; ///< [attributes of the cloud]
     bool normals = false, radii = false;
@@ -45,6 +47,7 @@ struct Survey {
 
     void add(const PointBatch& batch) {
         const Cloud& cloud = batch.cloud;
+        gaussians.add(cloud, batch.positions);
         for (const Vec3d& position : batch.positions) bounds.extend(position);
         values.resize(std::max(values.size(), cloud.attributes.size()));
         for (std::size_t i = 0; i < cloud.attributes.size(); ++i)
@@ -163,6 +166,25 @@ void orient(const SetRequest& request, const Survey& survey, bool is_mesh, SetPl
         plan.sides.positions.emplace_back(splats.origin + position.cast<double>());
 }
 
+/// Finds up in what is opaque of Gaussians; the custom of their formats is a guess. They have no sides.
+void orientGaussians(const Survey& survey, SetPlan& plan) {
+    plan.orient = OrientMode::kNone;
+    if (plan.up_from == "option" || plan.up_from == "file") return;
+    const FoundUp found =
+        findUp(survey.gaussians.surface(plan.lattice_origin), scansWithSensors(plan), {plan.world.up, false});
+    if (found.up.isZero()) return;
+    plan.world.up = found.up;
+    plan.up_from = nameOf(found.basis == UpBasis::kCustom ? UpBasis::kGuess : found.basis);
+    plan.up_reason = found.reason;
+}
+
+void requireOneKind(const Survey& survey) {
+    const std::uint64_t gaussians = survey.gaussians.gaussians();
+    if (gaussians > 0 && gaussians < survey.kept)
+        throw Error(ExitCode::kBadInput, "some inputs hold Gaussians and some points: bake them separately and show "
+                                         "them together, or bake the Gaussians as discs with --splat disc");
+}
+
 void takeFindings(const SetRequest& request, StreamFindings& found, SetPlan& plan) {
     plan.points_read = found.cloud.points_read;
     plan.points_non_finite = found.cloud.points_non_finite;
@@ -274,15 +296,19 @@ SetPlan makePlan(const SetRequest& request, const ReadProgress& progress) {
     TileChoice choice;
     choice.points_per_tile = request.points_per_tile;
     choice.most_points = mostPointsAtOnce(request.bake.max_memory) / 2; // leaves as much for the halo
-    choice.leaves_out_strays = request.bake.surface.remove_outliers;
+    choice.leaves_out_strays = request.bake.surface.remove_outliers && !holdsGaussians(plan);
     if (survey.kept > choice.most_points && choice.points_per_tile > choice.most_points)
         plan.notes.push_back(
             {"--tile-splats", fmt::format("{} points do not fit in a tile with this --max-memory; at most {} do",
                                           choice.points_per_tile, choice.most_points)});
     named(request, [&] {
+        requireOneKind(survey);
         chooseTiles(survey.counts.cells(), survey.counts.edge(), choice, plan);
         takeBounds(survey, plan);
-        orient(request, survey, areMeshes(found.files), plan);
+        if (holdsGaussians(plan))
+            orientGaussians(survey, plan);
+        else
+            orient(request, survey, areMeshes(found.files), plan);
     });
     return plan;
 }

@@ -8,78 +8,16 @@
 #include <cmath>
 #include <memory>
 
-#include "preprocess/cloud/morton.h"
+#include "preprocess/tiles/gaussian_tiles.h"
 #include "preprocess/tiles/level_coding.h"
 #include "preprocess/tiles/merge_cells.h"
+#include "preprocess/tiles/merge_gaussians.h"
+#include "preprocess/tiles/merge_input.h"
 #include "preprocess/tiles/merge_values.h"
 
 namespace pointrt {
 
 namespace {
-
-/// Position of a child's splat in the parent's core, [0, 1) on each axis: exact, as a child has one bit more than the
-/// parent and floats have three. Clamps splats that cleaning moved outside to the border.
-Vec3f placeOf(const TileKey& parent, const TileKey& child, const PositionCode& code) {
-    Vec3f place;
-    constexpr float kSteps = 2 * kCoreSteps; // steps of the child's level
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::int64_t corner = child.cell[axis] - 2 * std::int64_t{parent.cell[axis]};
-        const float step = static_cast<float>(corner * kCoreSteps + code[axis]) + 0.5f;
-        place[static_cast<int>(axis)] = std::clamp(step, 0.5f, kSteps - 0.5f) / kSteps;
-    }
-    return place;
-}
-
-struct Input {
-    std::vector<MergeSource> sources; ///< along a Morton curve
-    MergeDiscs discs;                 ///< the same splats, in units of the parent's edge
-};
-
-struct Keyed {
-    std::uint64_t curve;
-    MergeSource source;
-    bool operator<(const Keyed& other) const {
-        if (curve != other.curve) return curve < other.curve;
-        if (source.tile != other.source.tile) return source.tile < other.source.tile;
-        return source.splat < other.source.splat;
-    }
-};
-
-std::uint64_t curveCode(const Vec3f& place) {
-    constexpr float kSteps = 1 << kMortonBits;
-    const auto step = [](float each) { return static_cast<std::uint64_t>(each * kSteps); };
-    return mortonCode(step(place.x()), step(place.y()), step(place.z()));
-}
-
-Input takeInput(const TileKey& parent, const std::vector<MergeChild>& children, double edge) {
-    std::vector<Keyed> keys;
-    for (std::uint32_t c = 0; c < children.size(); ++c)
-        for (std::uint32_t i = 0; i < children[c].splats.positions.size(); ++i)
-            keys.push_back({curveCode(placeOf(parent, children[c].tile, children[c].splats.positions[i])), {c, i}});
-    tbb::parallel_sort(keys);
-    Input input;
-    input.sources.resize(keys.size());
-    input.discs.positions.resize(keys.size());
-    input.discs.normals.resize(keys.size());
-    input.discs.radii.resize(keys.size());
-    tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t k) {
-        const MergeSource source = input.sources[k] = keys[k].source;
-        const MergeChild& child = children[source.tile];
-        input.discs.positions[k] = placeOf(parent, child.tile, child.splats.positions[source.splat]);
-        input.discs.normals[k] = normalOf(child.splats.normals[source.splat]);
-        input.discs.radii[k] = static_cast<float>(child.splats.radius(source.splat) / edge);
-    });
-    return input;
-}
-
-PositionCode codeAt(const Vec3f& place) {
-    PositionCode code;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const float step = place[static_cast<int>(axis)] * static_cast<float>(kCoreSteps);
-        code[axis] = std::clamp(static_cast<std::int32_t>(step), 0, kCoreSteps - 1);
-    }
-    return code;
-}
 
 /// The error that 95% of the area does not exceed, in units of the discs. The rest, strays and small fragments, would
 /// force finer tiles without a visible difference.
@@ -97,7 +35,7 @@ class Merger {
 public:
     Merger(const TileKey& parent, const std::vector<MergeChild>& children, const std::vector<Attribute>& schema,
            double edge, double share, bool oriented)
-        : input_(takeInput(parent, children, edge)), groups_(findMergeGroups(input_.discs, share, oriented)),
+        : input_(takeMergeInput(parent, children, edge)), groups_(findMergeGroups(input_.discs, share, oriented)),
           edge_(edge) {
         for (const MergeChild& child : children) views_.push_back(child.splats);
         discs_.resize(groups_.first.size() - 1);
@@ -158,7 +96,7 @@ private:
         }
     }
 
-    Input input_;
+    MergeInput input_;
     MergeGroups groups_;
     double edge_;
     std::vector<SplatsView> views_;
@@ -192,8 +130,10 @@ void mergeTile(const std::string& folder, const TileKey& parent, const std::vect
         files.push_back(std::make_unique<SplatFile>(folder, child, widest));
         merged.push_back({child, files.back()->splats(), files.back()->head().error});
     }
+    const std::vector<Attribute>& schema = files.front()->schema();
     writeSplats(folder, parent,
-                mergeSplats(parent, std::move(merged), files.front()->schema(), edge, tile_splats, oriented));
+                holdsGaussians(schema) ? mergeGaussians(parent, std::move(merged), schema, edge, tile_splats)
+                                       : mergeSplats(parent, std::move(merged), schema, edge, tile_splats, oriented));
 }
 
 } // namespace pointrt

@@ -51,6 +51,16 @@ void copyValues(const Splats& splats, const std::vector<Attribute>& attributes, 
 
 } // namespace
 
+std::vector<std::uint32_t> orderAlongCurve(const std::vector<PositionCode>& codes) {
+    std::vector<CurveKey> keys(codes.size());
+    for (std::size_t i = 0; i < codes.size(); ++i)
+        keys[i] = {curveCode(codes[i]), static_cast<std::uint32_t>(i), false};
+    tbb::parallel_sort(keys);
+    std::vector<std::uint32_t> order;
+    for (const CurveKey& key : keys) order.push_back(key.index);
+    return order;
+}
+
 std::vector<PositionCode> codesOf(const TileSet& set, const TileKey& tile, const Splats& splats) {
     std::vector<PositionCode> codes(splats.positions.size());
     tbb::parallel_for(std::size_t{0}, codes.size(), [&](std::size_t i) {

@@ -13,6 +13,9 @@ namespace pointrt {
 TileSplats selectSplats(const Splats& splats, const std::vector<Attribute>& attributes,
                         const std::vector<PositionCode>& codes, const std::vector<std::uint8_t>& kept, double edge);
 
+/// Indices of the codes along the same curve; none is left out.
+std::vector<std::uint32_t> orderAlongCurve(const std::vector<PositionCode>& codes);
+
 /// [splats]
 std::vector<PositionCode> codesOf(const TileSet& set, const TileKey& tile, const Splats& splats);
 

@@ -12,6 +12,7 @@
 #include "format/base/error.h"
 #include "format/base/json_integer.h"
 #include "preprocess/tiles/bucket_writer.h"
+#include "preprocess/tiles/gaussian_tiles.h"
 #include "preprocess/tiles/measure_statistics.h"
 
 namespace pointrt {
@@ -130,7 +131,7 @@ void splitPoints(const SetPlan& plan, const SetRequest& request, const ReadProgr
             progress);
     requireCounts(plan, writer.counts());
     writer.finish();
-    writeStatistics(plan, measureStatistics(plan));
+    writeStatistics(plan, holdsGaussians(plan) ? CloudStatistics() : measureStatistics(plan));
     writeJson(splitMark(plan), {{"points", plan.points}});
     std::error_code failure;
     std::filesystem::remove(markFile(plan), failure);

@@ -32,6 +32,9 @@ InstanceSet openInstanceSet(const std::string& folder) {
     InstanceSet opened;
     opened.folder = folder;
     opened.set = readTileSet(folder);
+    if (opened.set.gaussians)
+        throw Error(ExitCode::kBadInput, folder + ": rays cannot be cast at tile sets of Gaussians; bake the capture "
+                                                  "into one .pro file, or with --splat disc");
     const std::vector<std::vector<std::uint32_t>> children = childrenOf(opened.set);
     std::vector<bool> original(children.size());
     for (std::uint32_t tile = 0; tile < children.size(); ++tile) original[tile] = children[tile].empty();

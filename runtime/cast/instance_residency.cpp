@@ -166,6 +166,11 @@ void InstanceResidency::loadFiles(const std::vector<std::uint32_t>& files) {
 }
 
 void InstanceResidency::add(std::uint32_t number, DeviceScan scan) {
+    if (isTile(number) && scan.is_gaussian) {
+        destroyScan(device_, scan);
+        throw Error(ExitCode::kBadInput,
+                    list_.files[number].path + ": belongs to another set (only one of them holds Gaussians)");
+    }
     const std::uint64_t declared = list_.files[number].bytes, device_bytes = scan.device_bytes;
     const std::uint64_t bytes = std::max(declared, device_bytes);
     if (isTile(number) && bytes > memory_) {

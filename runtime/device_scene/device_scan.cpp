@@ -137,10 +137,10 @@ void uploadGaussians(Device& device, DeviceScan& scan, const pro_gaussians& gaus
         uploadTexels(device, scan, unused, std::vector<std::uint32_t>());
     scan.grid_words = createTexelBuffer(device, "blank buffer", kBlank, kTexelBytes, VK_FORMAT_R32_UINT);
     scan.noise = createTexelBuffer(device, "blank buffer", kBlank, kTexelBytes, VK_FORMAT_R32G32B32A32_UINT);
-    scan.is_gaussian = true;
     scan.most_listed = buffers.most_listed;
     scan.gaussian_box = buffers.box;
-    scan.reaches_out = buffers.nodes.front().count > 0;
+    for (std::size_t i = 0; i < 3; ++i) scan.reaches_out |= buffers.box.low[i] < 0 || buffers.box.high[i] >= 1;
+    scan.enlargement = buffers.enlargement;
     scan.harmonics_degree = gaussians.degree;
     std::copy_n(gaussians.harmonic_max, 3, scan.harmonics_max.begin());
 }
@@ -180,6 +180,8 @@ DeviceScan mapScan(const std::string& path) {
     if (result != PRO_OK) throw Error(exitCodeOf(result), path + ": " + message.text);
     pro_get_info(scan.file, &scan.info);
     pro_get_view(scan.file, &scan.view);
+    pro_gaussians gaussians;
+    scan.is_gaussian = pro_get_gaussians(scan.file, &gaussians) == 1;
     return scan;
 }
 

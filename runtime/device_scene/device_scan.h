@@ -40,6 +40,7 @@ struct DeviceScan {
     bool is_gaussian = false; ///< holds Gaussians: the buffers have the contents of gaussian_layout.h, and no index
     bool reaches_out = false; ///< some Gaussians reach out of the cube
     CubeBox gaussian_box;     ///< around them
+    double enlargement = 1;   ///< of GaussianBuffers
     std::uint32_t harmonics_degree = 0;   ///< of the Gaussians' colours
     std::array<float, 3> harmonics_max{}; ///< their largest coefficients by degree
     std::uint64_t device_bytes = 0;

@@ -192,6 +192,13 @@ void uploadSceneRows(Device& device, DeviceScene& scene, const SceneDescription&
     uploadRows(device, scene, std::move(rows));
 }
 
+bool mergesGaussians(const DeviceScene& scene) {
+    std::size_t count = 0;
+    for (const Instance& each : scene.instances)
+        if (scene.files[each.file].is_gaussian) count += each.tile ? 2 : 1; // its set may show further tiles
+    return count > 1;
+}
+
 bool hasGaussians(const DeviceScene& scene) {
     return std::any_of(scene.instances.begin(), scene.instances.end(),
                        [&](const Instance& each) { return scene.files[each.file].is_gaussian; });

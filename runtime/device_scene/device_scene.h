@@ -91,6 +91,9 @@ bool haveSamePlacements(const SceneDescription& a, const SceneDescription& b);
 /// Whether some instance holds Gaussians.
 bool hasGaussians(const DeviceScene& scene);
 
+/// Whether rays may meet the Gaussians of several instances, which they must composite in the order of all.
+bool mergesGaussians(const DeviceScene& scene);
+
 /// Whether there are lights and anything that casts caustics.
 bool castsCaustics(const DeviceScene& scene);
 

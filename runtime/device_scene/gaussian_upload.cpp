@@ -21,11 +21,10 @@ gpu::vec4 rowOf(const std::array<float, 3>& half_axis, double mean) {
     return {half_axis[0] * inverse, half_axis[1] * inverse, half_axis[2] * inverse, static_cast<float>(mean)};
 }
 
-gpu::GaussianRows rowsOf(const pro_gaussian& gaussian, const GaussianEllipsoid& ellipsoid) {
-    return {rowOf(ellipsoid.half_axes[0], ellipsoid.center[0]),
-            rowOf(ellipsoid.half_axes[1], ellipsoid.center[1]),
-            rowOf(ellipsoid.half_axes[2], ellipsoid.center[2]),
-            {gaussian.opacity, gaussian.color[0], gaussian.color[1], gaussian.color[2]}};
+void setRows(const GaussianEllipsoid& ellipsoid, gpu::GaussianRows& rows) {
+    rows.row_x = rowOf(ellipsoid.half_axes[0], ellipsoid.center[0]);
+    rows.row_y = rowOf(ellipsoid.half_axes[1], ellipsoid.center[1]);
+    rows.row_z = rowOf(ellipsoid.half_axes[2], ellipsoid.center[2]);
 }
 
 /// The bytes of three coefficients of a Gaussian to a word each.
@@ -78,6 +77,34 @@ CubeBox boxAround(const std::vector<GaussianEllipsoid>& ellipsoids) {
     return box.low[0] <= box.high[0] ? box : CubeBox{{0, 0, 0}, {1, 1, 1}};
 }
 
+/// Every ray tests what reaches out of the cube: if those are many, as of skies and of the tiles of a set, the cube is
+/// enlarged, by powers of two. Floats leave 2^-24 of its edge to a mean, so not further than by 8.
+constexpr std::size_t kMostOutside = 64;
+constexpr double kMostEnlargement = 8;
+
+double enlargementFor(const std::vector<GaussianEllipsoid>& ellipsoids) {
+    std::array<std::size_t, 4> outside{}; // of the cube, of one twice as wide, and so on
+    for (const GaussianEllipsoid& each : ellipsoids) {
+        double farthest = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            double squared = 0;
+            for (const auto& axis : each.half_axes) squared += double{axis[i]} * axis[i];
+            farthest = std::max(farthest, 2 * (std::abs(each.center[i] - 0.5) + std::sqrt(squared)));
+        }
+        for (std::size_t k = 0; k < outside.size(); ++k) outside[k] += farthest > std::exp2(k);
+    }
+    double enlargement = 1;
+    for (std::size_t k = 0; outside[k] > kMostOutside && enlargement < kMostEnlargement; ++k) enlargement *= 2;
+    return enlargement;
+}
+
+GaussianEllipsoid enlarged(GaussianEllipsoid ellipsoid, double enlargement) {
+    for (double& each : ellipsoid.center) each = (each - 0.5) / enlargement + 0.5;
+    for (auto& axis : ellipsoid.half_axes)
+        for (float& each : axis) each /= static_cast<float>(enlargement);
+    return ellipsoid;
+}
+
 } // namespace
 
 GaussianBuffers decodeGaussians(const pro_gaussians& gaussians, const std::uint32_t* splats, std::uint32_t count) {
@@ -94,12 +121,17 @@ GaussianBuffers decodeGaussians(const pro_gaussians& gaussians, const std::uint3
             pro_gaussian_decode(&gaussians, splats + k * PRO_SPLAT_WORDS, gaussians.words + k * PRO_GAUSSIAN_WORDS,
                                 &gaussian);
             ellipsoids[k] = ellipsoidOf(gaussian);
-            buffers.rows[k] = rowsOf(gaussian, ellipsoids[k]);
+            buffers.rows[k].look = {gaussian.opacity, gaussian.color[0], gaussian.color[1], gaussian.color[2]};
             if (coefficients > 0)
                 packHarmonics(gaussians.harmonics + 3 * coefficients * k, coefficients, &buffers.harmonics[words * k]);
         }
     });
     buffers.box = boxAround(ellipsoids);
+    buffers.enlargement = enlargementFor(ellipsoids);
+    for (std::size_t k = 0; k < count; ++k) {
+        ellipsoids[k] = enlarged(ellipsoids[k], buffers.enlargement);
+        setRows(ellipsoids[k], buffers.rows[k]);
+    }
     GaussianTree tree = buildGaussianTree(ellipsoids, kTracedFineness);
     buffers.nodes = nodesOf(tree);
     buffers.most_listed = mostListed(buffers.nodes);

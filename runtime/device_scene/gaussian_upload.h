@@ -24,6 +24,7 @@ struct GaussianBuffers {
     std::vector<std::uint32_t> harmonics; ///< HARMONIC_TEXELS words of 4 per Gaussian
     std::uint32_t most_listed = 0;        ///< in the nodes from the root to any leaf, together
     CubeBox box;                          ///< around all that count, which may reach out of the cube
+    double enlargement = 1;               ///< edge of the cube that rows and nodes are in, around the file's cube
 };
 
 /// Decodes the sections of a file.

@@ -40,6 +40,9 @@ constexpr float kMergedSelfShare = 0.5f;
 /// A constant, whatever is resident: the same command must choose the same tiles.
 constexpr std::uint32_t kBuiltIndexBytes = 82;
 
+/// Bytes per Gaussian on the device in addition to its file: rows, and lists of the finer tree (kTracedFineness).
+constexpr std::uint32_t kGaussianBytes = 190;
+
 std::unordered_map<std::string, std::uint32_t> slotsByPath(const ResidentFiles& files) {
     std::unordered_map<std::string, std::uint32_t> slots;
     for (const std::uint32_t slot : files.slots()) slots.emplace(files[slot].path, slot);
@@ -81,6 +84,7 @@ private:
         instance.oriented = (scene_.files[file].info.flags & PRO_FLAG_ORIENTED) != 0;
         instance.params = makeInstanceParams(scene_.space, scene_.files[file],
                                              scene_.description.instances[number].placement, number);
+        instance.params.grid_size.w = static_cast<std::uint32_t>(instance.place);
         instance.params_buffer =
             createBuffer(device_, "instance parameters", sizeof instance.params, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
         scene_.instances.push_back(instance);
@@ -140,7 +144,11 @@ struct TileFile {
 void openTile(const OpenedSet& set, TileFile& file) {
     try {
         requireTile(set.set, set.set.tiles[file.tile], set.folder);
-        file.scan = mapTracedScan(tilePath(set, file.tile));
+        const std::string path = tilePath(set, file.tile);
+        file.scan = mapTracedScan(path);
+        // programs and buffers are chosen by what the set holds
+        if (file.scan.is_gaussian != set.set.gaussians)
+            throw Error(ExitCode::kBadInput, path + ": belongs to another set (only one of them holds Gaussians)");
     } catch (...) {
         file.failure = std::current_exception();
     }
@@ -218,8 +226,11 @@ CutRequest cutRequest(const DeviceScene& scene, const SceneSet& set, const TileR
     cut.detail = request.detail;
     cut.memory = request.memory / scene.sets.size();
     cut.splat_bytes = request.painted ? PRO_SPLAT_WORDS * sizeof(std::uint32_t) : 0;
-    pro_index index;
-    if (pro_get_index(set.root.file, &index) == 0) cut.splat_bytes += kBuiltIndexBytes; // all tiles of a bake are alike
+    pro_index index; // all tiles of a bake are alike
+    if (set.opened.set.gaussians)
+        cut.splat_bytes += kGaussianBytes;
+    else if (pro_get_index(set.root.file, &index) == 0)
+        cut.splat_bytes += kBuiltIndexBytes;
     return cut;
 }
 
@@ -234,11 +245,19 @@ void reportCoarse(SceneSet& set, double detail, std::uint64_t memory) {
                  shown.limit.c_str(), opened.full_cut.tiles.size(), shown.size.c_str());
 }
 
+/// The frame of a file, with the cube that its Gaussians are traced in.
+pro_info tracedFrame(const DeviceScan& file) {
+    pro_info frame = file.info;
+    for (double& each : frame.origin) each -= 0.5 * (file.enlargement - 1) * frame.scale;
+    frame.scale *= file.enlargement;
+    return frame;
+}
+
 } // namespace
 
 gpu::InstanceParams makeInstanceParams(const RenderSpace& space, const DeviceScan& file, const Placement& placement,
                                        std::uint32_t number) {
-    const std::array<gpu::vec4, 3> rows = cubeFromRender(space, placement, file.info);
+    const std::array<gpu::vec4, 3> rows = cubeFromRender(space, placement, tracedFrame(file));
     const pro_index& grid = file.index;
     const float cells = std::ldexp(1.0f, static_cast<int>(PRO_POSITION_BITS - grid.shift));
     gpu::InstanceParams params{};

@@ -14,6 +14,11 @@
 namespace pointrt {
 namespace {
 
+GaussianRoom gaussianRoom(const DeviceScene& scene) {
+    if (!hasGaussians(scene)) return GaussianRoom::kNone;
+    return mergesGaussians(scene) ? GaussianRoom::kSeveral : GaussianRoom::kOne;
+}
+
 void bind(Device& device, BandTracer& tracer) {
     tracer.instances =
         bindTracedInstances(device, tracer.programs, *tracer.scene, tracer.buffers, shownMap(tracer.caustics));
@@ -88,7 +93,7 @@ void createBandTracer(Device& device, BandTracer& tracer, const DeviceScene& sce
     tracer.shadows = settings.shadows;
     const OnError undo([&] { destroyBandTracer(device, tracer); });
     tracer.buffers =
-        createFrameBuffers(device, lanes, {film_pixels, settings.spp}, mayCull(scene), hasGaussians(scene));
+        createFrameBuffers(device, lanes, {film_pixels, settings.spp}, mayCull(scene), gaussianRoom(scene));
     tracer.programs = createPrograms(device, scene, settings, form);
     tracer.caustics.first = emptyCaustics(device);
     bind(device, tracer);

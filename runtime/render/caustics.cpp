@@ -78,7 +78,7 @@ public:
     PhotonTracer(Device& device, const DeviceScene& scene, const Programs& programs, std::uint32_t seed)
         : device_(device), scene_(scene), programs_(programs) {
         const OnError undo([&] { release(); });
-        buffers_ = createFrameBuffers(device, kBatch, {kBatch}, mayCull(scene), false);
+        buffers_ = createFrameBuffers(device, kBatch, {kBatch}, mayCull(scene), GaussianRoom::kNone);
         map_ = emptyCaustics(device);
         destroyBuffer(device, map_.traced);
         map_.traced = createBuffer(device, "traced photon buffer", kBatch * sizeof(gpu::Photon),

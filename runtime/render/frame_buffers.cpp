@@ -24,7 +24,7 @@ std::uint32_t lanesOf(std::uint32_t width, std::uint32_t rows) { return tilesOf(
 std::uint32_t filmLayers(std::uint32_t samples) { return samples > FILM_BATCH ? 2 * FILM_LAYERS : FILM_LAYERS; }
 
 FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, FilmRoom film, bool culls,
-                                bool has_gaussians) {
+                                GaussianRoom gaussians) {
     const std::uint64_t lanes = lane_count;
     FrameBuffers buffers;
     const auto storage = [&](const char* what, std::uint64_t bytes, VkBufferUsageFlags more = 0) {
@@ -59,7 +59,10 @@ FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, FilmRo
     buffers.no_cull_boxes = storage("blank cull boxes", sizeof(gpu::CullBoxes), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     buffers.light_masks = storage("light mask buffer", lanes * sizeof(std::uint32_t));
     buffers.deferred = storage("deferred ray buffer", lanes * MAX_DEFERRED * sizeof(gpu::PathState));
-    buffers.gaussian_light = storage("Gaussian light buffer", (has_gaussians ? lanes : 1) * sizeof(gpu::GaussianLight));
+    buffers.gaussian_light =
+        storage("Gaussian light buffer", (gaussians != GaussianRoom::kNone ? lanes : 1) * sizeof(gpu::GaussianLight));
+    buffers.waiting_gaussians = storage("waiting Gaussian buffer", (gaussians == GaussianRoom::kSeveral ? lanes : 1) *
+                                                                       sizeof(gpu::WaitingGaussians));
     createFilm(device, buffers, film);
     return buffers;
 }
@@ -94,7 +97,8 @@ void destroyFrameBuffers(Device& device, FrameBuffers& buffers) {
     for (Buffer* buffer :
          {&buffers.params, &buffers.control, &buffers.queues, &buffers.paths, &buffers.hits, &buffers.surfaces,
           &buffers.light_queries, &buffers.light_masks, &buffers.deferred, &buffers.film, &buffers.first_hits,
-          &buffers.beams, &buffers.pixel_list, &buffers.gaussian_light, &buffers.no_cull_boxes, &buffers.control_read})
+          &buffers.beams, &buffers.pixel_list, &buffers.gaussian_light, &buffers.waiting_gaussians,
+          &buffers.no_cull_boxes, &buffers.control_read})
         destroyBuffer(device, *buffer);
     buffers = {};
 }
@@ -119,6 +123,7 @@ std::vector<BufferBinding> frameBindings(const FrameBuffers& buffers) {
             {BINDING_DEFERRED, &buffers.deferred},
             {BINDING_PIXEL_LIST, &buffers.pixel_list},
             {BINDING_GAUSSIAN_LIGHT, &buffers.gaussian_light},
+            {BINDING_WAITING_GAUSSIANS, &buffers.waiting_gaussians},
             {BINDING_SHADOW_RAYS, &buffers.light_queries},
             {BINDING_SHADOW_RAYS_TEXELS, &buffers.light_queries}};
 }

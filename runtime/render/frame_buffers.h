@@ -12,7 +12,7 @@ namespace pointrt {
 
 struct FrameBuffers {
     Buffer params, control, queues, paths, hits, surfaces, light_queries, light_masks, deferred, film, first_hits,
-        beams, pixel_list, gaussian_light;
+        beams, pixel_list, gaussian_light, waiting_gaussians;
     Buffer no_cull_boxes; ///< for programs that cull nothing
     Buffer control_read;  ///< for the host: the control buffer after each of kSamplesAtOnce samples
     std::uint32_t lanes = 0;
@@ -48,9 +48,11 @@ struct FilmRoom {
 /// Layers of a film: those of a batch of samples, twice if there may be earlier batches.
 std::uint32_t filmLayers(std::uint32_t samples);
 
-/// Buffers for bands of up to `lanes` lanes. culls: with room for culled lists. has_gaussians: with
-/// room for their light.
-FrameBuffers createFrameBuffers(Device& device, std::uint32_t lanes, FilmRoom film, bool culls, bool has_gaussians);
+/// What rays meet of Gaussians: none, those of one instance, or of several.
+enum class GaussianRoom { kNone, kOne, kSeveral };
+
+/// Buffers for bands of up to `lanes` lanes. culls: with room for culled lists.
+FrameBuffers createFrameBuffers(Device& device, std::uint32_t lanes, FilmRoom film, bool culls, GaussianRoom gaussians);
 /// Reallocates the film and the first hits.
 void createFilm(Device& device, FrameBuffers& buffers, FilmRoom film);
 /// Reallocates the film, with what it holds, if it lacks room for so many samples. Whether it did.

@@ -13,6 +13,8 @@ constexpr std::uint64_t kWord = sizeof(std::uint32_t), kVector = sizeof(gpu::vec
 constexpr std::uint64_t kPath = sizeof(gpu::PathState), kQuery = sizeof(gpu::DirectLightQuery);
 constexpr std::uint64_t kSurface = sizeof(gpu::SurfaceInteraction);
 constexpr std::uint64_t kShadowRay = sizeof(gpu::ShadowRay);
+/// Two of the Gaussians that wait, stored or loaded.
+constexpr std::uint64_t kWaiting = 2 * sizeof(gpu::WaitingGaussian);
 /// Film traffic of accumulating light: rgb of one layer and the luminance, read and written.
 constexpr std::uint64_t kAddedLight = 2 * (3 * kWord + kWord);
 
@@ -35,6 +37,12 @@ constexpr PassBytes kPassBytes[] = {
     {"composite_gaussians (camera)", kHit + kVector},
     {"composite_gaussians", kWord + kPath + kHit + kVector},
     {"gaussian_first_hits", 2 * FIRST_HIT_VECTORS* kVector},
+    {"gather_gaussians (camera)", kHit + kWaiting},
+    {"gather_gaussians", kWord + kPath + kHit + kWaiting},
+    // rays that go on are appended to LIST_DIRECT_LIGHT without a query
+    {"blend_gaussians (camera)", kHit + kWaiting + kVector, kPath, 0},
+    {"blend_gaussians", kWord + kHit + kWaiting + kVector, kPath, 0},
+    {"blend_first_hits", kWaiting + FIRST_HIT_VECTORS* kVector, kPath, 0},
     {"query_shadow_catcher (camera)", kVector + kQuery},
     {"query_shadow_catcher", kWord + kPath + kVector + kQuery},
     {"shade_shadow_catcher", kWord + kQuery + 2 * kVector},

@@ -17,6 +17,8 @@
 #include "shaders/attenuate_shadow_ray.spv.h"
 #include "shaders/attenuate_shadow_ray_paged.spv.h"
 #include "shaders/beam.spv.h"
+#include "shaders/blend_first_hits.spv.h"
+#include "shaders/blend_gaussians.spv.h"
 #include "shaders/caustic.spv.h"
 #include "shaders/compact.spv.h"
 #include "shaders/composite_gaussians.spv.h"
@@ -26,6 +28,8 @@
 #include "shaders/cull_shadow_ray.spv.h"
 #include "shaders/first_hits.spv.h"
 #include "shaders/fold_film.spv.h"
+#include "shaders/gather_gaussians.spv.h"
+#include "shaders/gather_gaussians_paged.spv.h"
 #include "shaders/gaussian_first_hits.spv.h"
 #include "shaders/gaussian_first_hits_paged.spv.h"
 #include "shaders/intersect_camera.spv.h"
@@ -125,18 +129,28 @@ void orderFor(const InstanceTraits& instance, Constants constants, const Program
         constants.camera_pass = of_camera;
         orders.push_back({&program, name, paged ? with_pages : plain, constants});
     };
-    if (instance.is_gaussian) {
+    const auto orderComposite = [&] {
+        if (all.merges_gaussians) {
+            order(programs.gather_camera, "gather_gaussians (camera)", gather_gaussians_spv, gather_gaussians_paged_spv,
+                  true);
+            if (all.has_secondary_rays)
+                order(programs.gather, "gather_gaussians", gather_gaussians_spv, gather_gaussians_paged_spv);
+            return;
+        }
         order(programs.composite_camera, "composite_gaussians (camera)", composite_gaussians_spv,
               composite_gaussians_paged_spv, true);
         order(programs.gaussian_first_hits, "gaussian_first_hits", gaussian_first_hits_spv,
               gaussian_first_hits_paged_spv, true);
+        if (all.has_secondary_rays)
+            order(programs.composite, "composite_gaussians", composite_gaussians_spv, composite_gaussians_paged_spv);
+    };
+    if (instance.is_gaussian) {
+        orderComposite();
         if (storesShadowRays(all))
             order(programs.attenuate_shadow_ray, "attenuate_shadow_ray", attenuate_shadow_ray_spv,
                   attenuate_shadow_ray_paged_spv);
         if (all.has_direct_lighting && (all.relights || !storesShadowRays(all)))
             order(programs.attenuate_shadow, "attenuate_shadow", attenuate_shadow_spv, attenuate_shadow_paged_spv);
-        if (all.has_secondary_rays)
-            order(programs.composite, "composite_gaussians", composite_gaussians_spv, composite_gaussians_paged_spv);
         return;
     }
     order(programs.intersect_camera, "intersect_camera", intersect_camera_spv, intersect_camera_paged_spv);
@@ -165,6 +179,15 @@ void orderShadowCatcher(const Constants& constants, const Constants& of_camera, 
             {&programs.queued.query_shadow_catcher, "query_shadow_catcher", query_shadow_catcher_spv, constants});
     orders.push_back(intersectShadowShapes(constants, programs));
     orders.push_back({&programs.shade_shadow_catcher, "shade_shadow_catcher", shade_shadow_catcher_spv, constants});
+}
+
+/// Programs that composite Gaussians of several instances.
+void orderBlending(const Constants& constants, const Constants& of_camera, Programs& programs,
+                   std::vector<Order>& orders) {
+    orders.push_back({&programs.blend_first_hits, "blend_first_hits", blend_first_hits_spv, of_camera});
+    orders.push_back({&programs.camera.blend_gaussians, "blend_gaussians (camera)", blend_gaussians_spv, of_camera});
+    if (programs.has_secondary_rays)
+        orders.push_back({&programs.queued.blend_gaussians, "blend_gaussians", blend_gaussians_spv, constants});
 }
 
 /// Programs for the queries of LIST_DIRECT_LIGHT.
@@ -253,6 +276,7 @@ std::vector<Order> orderAll(const DeviceScene& scene, const Constants& constants
     if (programs.has_secondary_rays && (programs.form == KernelForm::kWavefront || constants.gathers_photons))
         orders.push_back({&programs.queued.intersect_shapes, "intersect_shapes", intersect_shapes_spv, constants});
     if (constants.gathers_photons) orders.push_back({&programs.photon, "photon", photon_spv, constants});
+    if (programs.merges_gaussians) orderBlending(constants, of_camera, programs, orders);
     if (programs.catches_shadows) orderShadowCatcher(constants, of_camera, programs, orders);
     orderInstances(scene, constants, programs, orders);
     orderCulling(scene, constants, programs, orders);
@@ -277,6 +301,7 @@ Programs createPrograms(Device& device, const DeviceScene& scene, const RenderSe
     programs.defers_rays = mayDefer(scene, settings.integrator);
     programs.inline_nee = (scene.features & FEATURE_INLINE_NEE) != 0;
     programs.relights = (scene.features & FEATURE_RELIGHT) != 0;
+    programs.merges_gaussians = mergesGaussians(scene);
     programs.catches_shadows = hasGaussians(scene) && programs.has_direct_lighting;
     const OnError undo([&] { destroyPrograms(device, programs); });
     buildAll(device, orderAll(scene, constantsFor(device, scene, settings), programs));
@@ -291,19 +316,35 @@ void addPrograms(Device& device, const DeviceScene& scene, const RenderSettings&
 }
 
 void destroyPrograms(Device& device, Programs& programs) {
-    for (Program* program :
-         {&programs.prepare, &programs.first_hits, &programs.beam, &programs.intersect_shadow_shapes,
-          &programs.shade_shadow, &programs.photon, &programs.caustic, &programs.fold_film,
-          &programs.camera.intersect_shapes, &programs.camera.query_shadow_catcher,
-          &programs.queued.query_shadow_catcher, &programs.shade_shadow_catcher, &programs.camera.shade_surface,
-          &programs.camera.megakernel, &programs.queued.intersect_shapes, &programs.queued.shade_surface,
-          &programs.queued.megakernel, &programs.compact, &programs.accumulate_shadow})
+    for (Program* program : {&programs.prepare,
+                             &programs.first_hits,
+                             &programs.beam,
+                             &programs.intersect_shadow_shapes,
+                             &programs.shade_shadow,
+                             &programs.photon,
+                             &programs.caustic,
+                             &programs.fold_film,
+                             &programs.camera.intersect_shapes,
+                             &programs.camera.query_shadow_catcher,
+                             &programs.queued.query_shadow_catcher,
+                             &programs.shade_shadow_catcher,
+                             &programs.blend_first_hits,
+                             &programs.camera.blend_gaussians,
+                             &programs.queued.blend_gaussians,
+                             &programs.camera.shade_surface,
+                             &programs.camera.megakernel,
+                             &programs.queued.intersect_shapes,
+                             &programs.queued.shade_surface,
+                             &programs.queued.megakernel,
+                             &programs.compact,
+                             &programs.accumulate_shadow})
         destroyProgram(device, *program);
     for (auto& [traits, variant] : programs.variants)
         for (Program* program :
              {&variant.intersect_closest, &variant.intersect_camera, &variant.camera_surface, &variant.surface,
               &variant.intersect_shadow, &variant.intersect_shadow_ray, &variant.composite_camera, &variant.composite,
-              &variant.gaussian_first_hits, &variant.attenuate_shadow, &variant.attenuate_shadow_ray})
+              &variant.gaussian_first_hits, &variant.gather_camera, &variant.gather, &variant.attenuate_shadow,
+              &variant.attenuate_shadow_ray})
             destroyProgram(device, *program);
     programs.variants.clear();
     for (auto& [boxes, cull] : programs.cull)
@@ -325,8 +366,9 @@ DescriptorSets bindInstance(Device& device, VkDescriptorPool pool, const Program
     const DeviceScan& file = scene.files[instance.file];
     const VkDescriptorSet common = createDescriptorSet(device, pool, programs.prepare, bindings);
     if (!isPaged(file.pages)) return common;
-    const Program& tracing = file.is_gaussian ? programsFor(programs, scene, instance).composite_camera
-                                              : programsFor(programs, scene, instance).intersect_camera;
+    const InstancePrograms& own = programsFor(programs, scene, instance);
+    const Program& composite = programs.merges_gaussians ? own.gather_camera : own.composite_camera;
+    const Program& tracing = file.is_gaussian ? composite : own.intersect_camera;
     return {common,
             createDescriptorSet(device, pool, tracing, pageBindings(instancePages(scene, instance)), SET_PAGES)};
 }

@@ -21,7 +21,8 @@ struct InstancePrograms {
     Program intersect_shadow,
         intersect_shadow_ray; ///< queued shadow rays, the megakernel's stored ones, or both
     Program composite_camera, composite, gaussian_first_hits; ///< of Gaussians, which have these in place of the above
-    Program attenuate_shadow, attenuate_shadow_ray;           ///< one of them, as above
+    Program gather_camera, gather;                  ///< or these, where there are several instances of Gaussians
+    Program attenuate_shadow, attenuate_shadow_ray; ///< one of them, as above
 };
 
 /// Programs with one variant for camera rays and one for queued rays (shaders/lib/features.glsl).
@@ -29,6 +30,7 @@ struct PassPrograms {
     Program intersect_shapes, shade_surface;
     Program megakernel;           ///< in place of shade_surface
     Program query_shadow_catcher; ///< if Gaussians catch shadows
+    Program blend_gaussians;      ///< if there are several instances of Gaussians
 };
 
 /// Culling programs (shaders/trace/cull.glsl), named after the programs whose input lists they cull.
@@ -45,8 +47,9 @@ struct Programs {
     bool inline_nee = false;                                    ///< see FEATURE_INLINE_NEE
     bool relights = false;                                      ///< Gaussians are lit: what catches shadows shades them
     bool catches_shadows = false;                               ///< Gaussians do, of the objects among them
+    bool merges_gaussians = false;                              ///< of several instances
     Program prepare, first_hits, beam, intersect_shadow_shapes, shade_shadow, photon, caustic, fold_film;
-    Program shade_shadow_catcher;
+    Program shade_shadow_catcher, blend_first_hits;
     PassPrograms camera, queued;
     std::map<InstanceTraits, InstancePrograms> variants;
     std::map<std::uint32_t, CullPrograms> cull; ///< by the number of boxes (cullProgramSize)

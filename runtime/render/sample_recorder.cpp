@@ -5,6 +5,13 @@
 #include <utility>
 
 namespace pointrt {
+namespace {
+
+/// Rounds that composite several instances of Gaussians. Hardly a ray lets light pass behind 640 Gaussians, which is
+/// what so many rounds of WAITING_GAUSSIANS composite.
+constexpr std::uint32_t kMostRounds = 64;
+
+} // namespace
 
 SampleRecorder::SampleRecorder(PassCommands& commands, const BandTracer& tracer, const BandSample& sample)
     : commands_(commands), tracer_(tracer), tiles_(tilesOf(sample.width, sample.rows)), sample_(sample.number),
@@ -17,7 +24,7 @@ void SampleRecorder::firstHits() {
     prepare(bits | STEP_RESET);
     intersectCamera(bits);
     run(tracer_.programs.first_hits, tracer_.instances.sets, bits, rays_);
-    compositeGaussians(&InstancePrograms::gaussian_first_hits, bits);
+    gaussianFirstHits(bits);
 }
 
 void SampleRecorder::begin() {
@@ -26,9 +33,9 @@ void SampleRecorder::begin() {
     intersectCamera(center_);
     if (stores_first_hits_) {
         run(tracer_.programs.first_hits, tracer_.instances.sets, center_, rays_);
-        compositeGaussians(&InstancePrograms::gaussian_first_hits, center_);
+        gaussianFirstHits(center_);
     }
-    compositeGaussians(&InstancePrograms::composite_camera, center_);
+    compositeCamera(center_);
     catchShadows(tracer_.programs.camera.query_shadow_catcher, center_);
     if (tracer_.programs.form == KernelForm::kMegakernel)
         megakernel(tracer_.programs.camera.megakernel, center_);
@@ -42,14 +49,14 @@ void SampleRecorder::pass(std::uint32_t index) {
     const PassPrograms& programs = tracer_.programs.queued;
     if (tracer_.programs.form == KernelForm::kMegakernel) {
         intersectClosest(queue);
-        compositeGaussians(&InstancePrograms::composite, queue);
+        compositeQueued(queue);
         catchShadows(programs.query_shadow_catcher, queue);
         return megakernel(programs.megakernel, queue);
     }
     run(programs.intersect_shapes, tracer_.instances.sets, queue, rays_);
     closeList(LIST_INSTANCE_RAYS, queue);
     intersectClosest(queue);
-    compositeGaussians(&InstancePrograms::composite, queue);
+    compositeQueued(queue);
     catchShadows(programs.query_shadow_catcher, queue);
     shadeSurface(programs.shade_surface, queue);
 }
@@ -83,22 +90,52 @@ void SampleRecorder::intersectClosest(std::uint32_t bits) {
                  });
 }
 
-/// Runs a program over the current rays for each instance of Gaussians: their light in front of the closest hits, or
-/// their first hits.
-void SampleRecorder::compositeGaussians(Program InstancePrograms::*program, std::uint32_t bits) {
+void SampleRecorder::gaussianFirstHits(std::uint32_t bits) {
+    const Program& blend = tracer_.programs.blend_first_hits;
+    compositeGaussians(
+        {&InstancePrograms::gaussian_first_hits, &InstancePrograms::gather_camera, blend, STEP_FIRST_HITS}, bits);
+}
+
+void SampleRecorder::compositeCamera(std::uint32_t bits) {
+    const Program& blend = tracer_.programs.camera.blend_gaussians;
+    compositeGaussians({&InstancePrograms::composite_camera, &InstancePrograms::gather_camera, blend}, bits);
+}
+
+void SampleRecorder::compositeQueued(std::uint32_t bits) {
+    const Program& blend = tracer_.programs.queued.blend_gaussians;
+    compositeGaussians({&InstancePrograms::composite, &InstancePrograms::gather, blend}, bits);
+}
+
+/// The light of Gaussians in front of the closest hits of the current rays, or first hits among them. Those of a single
+/// instance are composited along its walk, those of several in rounds.
+void SampleRecorder::compositeGaussians(const GaussianPass& pass, std::uint32_t bits) {
     if (!has_gaussians_) return;
-    const TracedInstance *first = nullptr, *last = nullptr;
-    for (const TracedInstance& instance : tracer_.instances.each) {
-        if (!instance.is_gaussian) continue;
-        first = first ? first : &instance;
-        last = &instance;
+    if (tracer_.programs.merges_gaussians) {
+        for (std::uint32_t round = 0; round < kMostRounds; ++round) gatherRound(pass, round, bits);
+        return;
     }
     for (const TracedInstance& instance : tracer_.instances.each)
         for (std::uint32_t k = 0; instance.is_gaussian && k < instance.gaussian_runs; ++k)
-            run(instance.programs->*program, instance.sets,
-                bits | (&instance == first ? STEP_FIRST : 0u) | (&instance == last ? STEP_LAST : 0u) |
-                    (k > 0 ? STEP_RESUME : 0u) | (k + 1 == instance.gaussian_runs ? STEP_FINAL : 0u),
+            run(instance.programs->*pass.composite, instance.sets,
+                bits | STEP_FIRST | STEP_LAST | (k > 0 ? STEP_RESUME : 0u) |
+                    (k + 1 == instance.gaussian_runs ? STEP_FINAL : 0u),
                 rays_);
+}
+
+/// A round of all instances: the current rays, and then those that the round before has listed.
+void SampleRecorder::gatherRound(const GaussianPass& pass, std::uint32_t round, std::uint32_t bits) {
+    const std::uint32_t lists[] = {LIST_SHADOW_RAYS, LIST_DIRECT_LIGHT}, list = lists[round % 2];
+    const auto trace = [&](const Program& program, const DescriptorSets& sets, std::uint32_t more) {
+        const gpu::PushParams params = pushed(bits | more | (round > 0 ? STEP_RESUME : 0u), list);
+        commands_.run({program, sets, pushBytes(params), round > 0 ? PassLanes::kList : rays_, 0, list});
+    };
+    bool is_first = true;
+    for (const TracedInstance& instance : tracer_.instances.each)
+        if (instance.is_gaussian)
+            trace(instance.programs->*pass.gather, instance.sets,
+                  pass.bits | (std::exchange(is_first, false) ? STEP_FIRST : 0u));
+    trace(pass.blend, tracer_.instances.sets, round + 1 == kMostRounds ? STEP_FINAL : 0u);
+    closeList(lists[(round + 1) % 2], bits);
 }
 
 /// Shadows of surfaces on what Gaussians have captured. The shadows among Gaussians are part of that, unless they are

@@ -24,7 +24,19 @@ public:
 private:
     void intersectCamera(std::uint32_t bits);
     void intersectClosest(std::uint32_t bits);
-    void compositeGaussians(Program InstancePrograms::*program, std::uint32_t bits);
+    /// The programs of a composite of Gaussians: of each instance if there is one, of all instances if there are
+    /// several.
+    struct GaussianPass {
+        Program InstancePrograms::*composite;
+        Program InstancePrograms::*gather;
+        const Program& blend;
+        std::uint32_t bits = 0; ///< of gather
+    };
+    void gaussianFirstHits(std::uint32_t bits);
+    void compositeCamera(std::uint32_t bits);
+    void compositeQueued(std::uint32_t bits);
+    void compositeGaussians(const GaussianPass& pass, std::uint32_t bits);
+    void gatherRound(const GaussianPass& pass, std::uint32_t round, std::uint32_t bits);
     void catchShadows(const Program& query, std::uint32_t bits);
     void attenuateShadows(std::uint32_t list, Program InstancePrograms::*program, std::uint32_t bits);
     void shadeSurface(const Program& program, std::uint32_t bits);

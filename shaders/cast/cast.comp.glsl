@@ -3,7 +3,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/cast/cast_rays.glsl"
-#include "shaders/cast/normal_word.glsl"
+#include "shaders/lib/normal_word.glsl"
 
 void main() {
     uint row = castRow();

@@ -4,7 +4,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/cast/cast_rays.glsl"
-#include "shaders/cast/normal_word.glsl"
+#include "shaders/lib/normal_word.glsl"
 #include "shaders/trace/gaussian_first_hit.glsl"
 
 void main() {

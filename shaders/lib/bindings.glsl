@@ -51,6 +51,10 @@ layout(binding = BINDING_PIXEL_LIST) uniform usamplerBuffer pixel_list_words;
 layout(std140, binding = BINDING_CULL_BOXES) uniform CullBuffer { CullBoxes cull; };
 // per path: what Gaussians add in front of its hit, linear; w: the share that passes. In scenes without them one vector
 layout(std430, binding = BINDING_GAUSSIAN_LIGHT) buffer GaussianLightBuffer { GaussianLight gaussian_light[]; };
+// per path; one in scenes whose Gaussians are all of one instance
+layout(std430, binding = BINDING_WAITING_GAUSSIANS) buffer WaitingGaussianBuffer {
+    WaitingGaussians waiting_gaussians[];
+};
 layout(push_constant) uniform Push { PushParams push; };
 
 #define loadPhoton(photon, member) uintBitsToFloat(texelFetch(photon_texels, int(photon) * PHOTON_VECTORS + (member)))

@@ -15,6 +15,8 @@ void main() {
     if (!live) return;
     uint path = pathOfEntry(entry), number = lightSampleOfEntry(entry);
     uint pair = dimensionPair(light_queries[path].bounce, PAIR_LIGHT_CHOICE) + PAIRS_PER_BOUNCE * number;
-    float u = hasStep(STEP_PREVIEW) ? 0.5 : sample2(imagePixel(path), push.sample_index, pair, ~params.seed).x;
+    // a number for each instance, so that the chances of all multiply; odd multiples of this constant differ
+    uint seed = ~params.seed ^ instance.grid_size.w * 0x9E3779B9u;
+    float u = hasStep(STEP_PREVIEW) ? 0.5 : sample2(imagePixel(path), push.sample_index, pair, seed).x;
     if (u >= passes) atomicOr(light_masks[path], 1u << number);
 }

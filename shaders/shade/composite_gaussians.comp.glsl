@@ -10,11 +10,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/path.glsl"
-#include "shaders/shade/sky.glsl"
-#include "shaders/lib/color.glsl"
-#include "shaders/shared/tone_curve.h"
-#include "shaders/trace/gaussian_first_hit.glsl"
-#include "shaders/shade/harmonics.glsl"
+#include "shaders/shade/gaussian_composite.glsl"
 
 // Light in front of a ray's hit, display-encoded, and the share that passes.
 struct Composite {
@@ -29,7 +25,7 @@ void addGaussian(inout Composite sum, GaussianHit hit, vec3 direction) {
     bool is_hit = hit.gaussian != NO_INDEX;
     uint gaussian = is_hit ? hit.gaussian : 0u;
     vec4 look = loadGaussianRow(gaussian, 3u);
-    vec3 color = max(kRelights ? look.yzw : look.yzw + harmonicsAlong(gaussian, direction), vec3(0.0));
+    vec3 color = gaussianColor(gaussian, look, direction);
     float alpha = is_hit ? alphaAt(look.x, hit.distance_squared) : 0.0;
     float added = sum.transmittance * alpha;
     sum.light += sum.transmittance * alpha * color;
@@ -40,7 +36,7 @@ void addGaussian(inout Composite sum, GaussianHit hit, vec3 direction) {
     sum.transmittance = passes;
 }
 
-bool isTransparent(Composite sum) { return sum.transmittance >= GAUSSIAN_TRANSMITTANCE_MIN; }
+bool isTransparent(Composite sum) { return passesLight(sum.transmittance); }
 
 // Returns whether lavapipe has cut the loops: they may run 65,535 times together. Then the hits up to hits.last have
 // been added.
@@ -56,42 +52,10 @@ bool compositeAlong(inout GaussianHits hits, bool enters, bool live, inout Compo
     return live && (mayGoOn(hits) || hits.lost.gaussian != NO_INDEX) && isTransparent(sum);
 }
 
-// Linear light, for what lies behind to be added with the share that passes. background: what the ray sees there if it
-// hits nothing.
-vec3 decoded(Composite sum, bool misses) {
-    bool plain = !kSkyImage && params.sky_zenith == params.sky_horizon && params.sky_ground == params.sky_horizon;
-    float behind = sum.transmittance;
-    vec3 background = params.sky_horizon;
-    vec3 over = exactLinearFromSrgb(sum.light + behind * srgbFromLinear(background)) - behind * background;
-    float covered = 1.0 - behind;
-    vec3 alone = covered > 0.0 ? covered * exactLinearFromSrgb(sum.light / covered) : vec3(0.0);
-    return plain && misses && !hasOption(OPTION_TRANSPARENT) && !kRelights ? over : alone;
-}
-
-// The radius by which shadow rays of lit Gaussians are offset (shaders/trace/offset.glsl): about a deviation along the
-// middle axis, which is a third of its half length. A surface is a layer of Gaussians that overlap and do not lie in one
-// plane.
-float radiusOf(uint gaussian) {
-    vec3 x = loadGaussianRow(gaussian, 0u).xyz, y = loadGaussianRow(gaussian, 1u).xyz;
-    vec3 z = loadGaussianRow(gaussian, 2u).xyz;
-    vec3 squares = vec3(dot(x, x), dot(y, y), dot(z, z)); // of the inverse half lengths
-    float middle = max(min(squares.x, squares.y), min(max(squares.x, squares.y), squares.z));
-    return 1.0 / (3.0 * sqrt(middle) * cubeScale());
-}
-
 // As GaussianLight stores it.
 vec4 middleOf(GaussianRay ray, GaussianHit hit) {
     vec3 normal = renderDirection(normalize(gaussianNormal(hit.gaussian, ray.direction)));
     return vec4(normal, (ray.t_start + hit.t) / cubeScale());
-}
-
-// What GaussianLight stores of Gaussians that the scene lights.
-void storeSurface(Composite sum, bool complete, float radius, vec3 light, inout vec4 next, inout vec4 middle) {
-    if (!kRelights) return;
-    float length_squared = dot(sum.normal, sum.normal);
-    middle.xyz = complete && length_squared > 0.0 ? sum.normal * (radius / sqrt(length_squared)) : sum.normal;
-    if (length_squared == 0.0) middle.w = kWalkEnded;
-    next.yzw = complete ? light : vec3(next.y, sum.most, radius);
 }
 
 void main() {
@@ -113,12 +77,12 @@ void main() {
     bool ends = !cut || hasStep(STEP_FINAL);
     if (!isTransparent(sum)) sum.transmittance = 0.0;
     bool complete = hasStep(STEP_LAST) && ends;
-    vec3 light = complete ? decoded(sum, hit.z == NO_INDEX) : sum.light;
+    vec3 light = complete ? decodedLight(sum.light, sum.transmittance, hit.z == NO_INDEX) : sum.light;
     vec4 next = vec4(ends ? kWalkEnded : hits.last.t, uintBitsToFloat(hits.last.gaussian), 0.0, 0.0);
     bool has_middle = sum.middle.gaussian != NO_INDEX;
     vec4 middle = has_middle ? middleOf(ray, sum.middle) : stored.middle;
     float radius = kRelights && has_middle ? radiusOf(sum.middle.gaussian) : stored.last.w;
-    storeSurface(sum, complete, radius, light, next, middle);
+    storeSurface(sum.normal, sum.most, complete, radius, light, next, middle);
     if (live) gaussian_light[index] = GaussianLight(vec4(light, sum.transmittance), next, middle);
     if (cut && ends) atomicAdd(control.cut_rays, 1u);
 }

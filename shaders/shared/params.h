@@ -129,6 +129,26 @@ struct GaussianLight {
     // middle.xyz the sum of normals; then last.yzw is the albedo, and middle.xyz the normal as long as the radius.
 };
 
+// A Gaussian that waits to be composited in the order of all instances.
+struct WaitingGaussian {
+    float t; // of its peak, render units
+    uint gaussian;
+    uint instance;     // its place among the scene's instances; above it, if lit, its radiusOf as a half float
+    uint red_green;    // half floats; for first hits owner and tile
+    uint blue_opacity; // a half float, above it the opacity along the ray; for first hits material and opacity
+    uint normal;       // normalWord in render space
+};
+// So many Gaussians of a ray wait at most: as many as let the buffer of 2^19 paths fit in 128 MiB.
+#define WAITING_GAUSSIANS 10u
+// Per path: the first Gaussians behind those that have been composited.
+struct WaitingGaussians {
+    uint count;
+    float last_t; // of the last Gaussian composited; 0 before the first
+    uint last_instance;
+    uint last_gaussian;
+    WaitingGaussian each[WAITING_GAUSSIANS];
+};
+
 // The boxes of a cull group, which rays are tested against before they are intersected with the instances inside.
 // Coordinates are quantized to steps so that a box takes two words: on lavapipe loads dominate the cost of culling.
 struct CullBoxes {
@@ -247,19 +267,20 @@ struct PushParams {
     uint list;               // LIST_* or a culled list: the program's input
 };
 
-#define STEP_CENTER 1u       // rays go through pixel centres
-#define STEP_FIRST_HIT 2u    // rays for the first-hit AOVs: surroundings are invisible
-#define STEP_RESET 4u        // prepare: start of a sample
-#define STEP_QUEUE_ONE 8u    // rays are read from queue 1 and appended to queue 0
-#define STEP_PREVIEW 16u     // sample lights at their centres, and trace shadow rays to the first only: no noise
-#define STEP_LIST 32u        // prepare: the list is complete
-#define STEP_HITS 64u        // prepare: empty the hit list for the next instance
-#define STEP_LAST 128u       // intersect_shadow_ray, composite_gaussians: this is the last instance
-#define STEP_PIXEL_LIST 256u // rays go through the pixels of the pixel list, one per lane
-#define STEP_CULLED 512u     // prepare: the entries of the culled lists have been counted
-#define STEP_FIRST 1024u     // composite_gaussians: this is the first instance
-#define STEP_RESUME 2048u    // composite_gaussians: rays that the run before has cut go on
-#define STEP_FINAL 4096u     // composite_gaussians: no run of this instance follows
+#define STEP_CENTER 1u        // rays go through pixel centres
+#define STEP_FIRST_HIT 2u     // rays for the first-hit AOVs: surroundings are invisible
+#define STEP_RESET 4u         // prepare: start of a sample
+#define STEP_QUEUE_ONE 8u     // rays are read from queue 1 and appended to queue 0
+#define STEP_PREVIEW 16u      // sample lights at their centres, and trace shadow rays to the first only: no noise
+#define STEP_LIST 32u         // prepare: the list is complete
+#define STEP_HITS 64u         // prepare: empty the hit list for the next instance
+#define STEP_LAST 128u        // intersect_shadow_ray, composite_gaussians: this is the last instance
+#define STEP_PIXEL_LIST 256u  // rays go through the pixels of the pixel list, one per lane
+#define STEP_CULLED 512u      // prepare: the entries of the culled lists have been counted
+#define STEP_FIRST 1024u      // composite_gaussians, gather_gaussians: this is the first instance
+#define STEP_RESUME 2048u     // composite_gaussians: rays that the run before has cut go on; or rays of a list do
+#define STEP_FINAL 4096u      // composite_gaussians: no run of this instance follows; blend_gaussians: no round follows
+#define STEP_FIRST_HITS 8192u // gather_gaussians: for first hits, not for light
 
 // An entry of LIST_SHADOW_RAYS: the path, and above it the index of its light sample.
 #define SHADOW_RAY_LIGHT_SHIFT 27u
@@ -279,6 +300,7 @@ POINTRT_ROWS(Control, 5 + 2 * LISTS);
 POINTRT_ROW(Control, tile_groups);
 POINTRT_ROW(Control, queued);
 POINTRT_ROW(Control, lists);
+static_assert(sizeof(WaitingGaussians) == 256);
 POINTRT_ROWS(CullBoxes, 4 + CULL_INSTANCES / 2);
 POINTRT_ROWS(PathState, PATH_VECTORS);
 POINTRT_ROW(PathState, self_normal);

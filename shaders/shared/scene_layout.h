@@ -49,7 +49,7 @@ struct InstanceParams {
     vec4 splat;        // x: radius_max, y: radius_step, z: blend_slab, w: cube units per render unit
     vec4 grid_scale;   // x: entry grid cells per cube unit, y: one position step in cells
     uvec4 grid_origin; // xyz: lowest cell, in cells from the cube's corner; w: tiles: 1 + number in the set, else 0
-    uvec4 grid_size;   // xyz: cells
+    uvec4 grid_size;   // xyz: cells; w: place among the scene's instances
     uvec4 grid_words;  // x: words per layer, y: index of the last word, z: index of the last brick word
     uvec4 materials; // x: number of this instance, y: first material, z: number of colour ranges, w: 1: casts caustics
     vec4 core_low;   // tiles: corners of the core, grid units; w: margin for rounding of a ray's position

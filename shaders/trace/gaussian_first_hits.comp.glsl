@@ -22,6 +22,7 @@ void main() {
     float t = (ray.t_start + first.middle.t) / cubeScale();
     vec3 normal = gaussianNormal(first.middle.gaussian, ray.direction);
     first_hits[at] = vec4(renderDirection(normalize(normal)), t);
-    uvec3 ids = uvec3(first.strongest.gaussian, instance.materials.xy);
+    uint owner = instance.materials.x | instance.grid_origin.w << HIT_TILE_SHIFT;
+    uvec3 ids = uvec3(first.strongest.gaussian, owner, instance.materials.y);
     first_hits[at + 1u] = vec4(uintBitsToFloat(ids), 1.0);
 }

@@ -95,6 +95,7 @@ struct RayCaster::State {
         buffers.no_cull_boxes = storage("blank cull boxes", sizeof(gpu::CullBoxes), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
         buffers.pixel_list = texels("pixel list", sizeof(std::uint32_t), VK_FORMAT_R32_UINT);
         buffers.gaussian_light = storage("blank Gaussian light buffer", sizeof(gpu::vec4));
+        buffers.waiting_gaussians = storage("blank waiting Gaussian buffer", sizeof(gpu::vec4));
         no_caustics = emptyCaustics(device);
         listInOrder();
     }

@@ -13,47 +13,16 @@
 #include "tests/gaussians/nasty_gaussians.h"
 #include "tests/gaussians/srgb.h"
 #include "tests/trace/gaussian_file.h"
+#include "tests/trace/gaussian_picture.h"
 #include "tests/trace/render_helper.h"
 
 namespace pointrt::test {
 namespace {
 
-constexpr std::uint32_t kGaussianPixels = 48;
-
-RenderSettings lookingFrom(Vec3 eye, Vec3 target, std::uint32_t size = kGaussianPixels) {
-    RenderSettings settings = square(size);
-    settings.camera.eye = eye;
-    settings.camera.target = target;
-    settings.camera.fov_deg = 40;
-    settings.lights = 0;
-    settings.background = Background{};
-    return settings;
-}
-
 SceneDescription sceneOf(const std::string& path) {
     SceneDescription scene;
     scene.instances.push_back({path, {}, {}, {}});
     return scene;
-}
-
-/// A square facing z, 10 units long.
-ShapeDescription screenAt(double z) { return {ShapeKind::kQuad, {0, 0, z}, {5, 0, 0}, {0, 5, 0}, {0, 0, 1}, 0}; }
-
-/// Peak signal to noise, dB, of display-encoded colours.
-/// @param expected the linear light of the pixel through which a ray of this direction goes
-template <typename Expected>
-double psnrAgainst(const Rendered& rendered, const RenderSettings& settings, const Expected& expected) {
-    double squares = 0;
-    for (std::uint32_t y = 0; y < settings.height; ++y)
-        for (std::uint32_t x = 0; x < settings.width; ++x) {
-            const Color truth = expected(centerRayDirection(settings, rendered.camera, x, y));
-            for (int c = 0; c < 3; ++c) {
-                const double off =
-                    srgbFromLinear(pixel(rendered.film, x, y, c)) - srgbFromLinear(truth[static_cast<std::size_t>(c)]);
-                squares += off * off;
-            }
-        }
-    return -10 * std::log10(squares / (3.0 * settings.width * settings.height) + 1e-20);
 }
 
 class GaussianKinds : public testing::TestWithParam<std::string> {};
@@ -94,7 +63,7 @@ TEST(Gaussians, AreSeenInMirrors) {
     scene.materials.resize(1);
     scene.materials[0].kind = MaterialKind::kMirror;
     scene.materials[0].color = {1, 1, 1};
-    scene.shapes = {screenAt(5)};
+    scene.shapes = {screenAt(5, 0)};
     RenderSettings settings = lookingFrom({0, 0, 3}, {0, 0, 5});
     settings.integrator = Integrator::kWhitted;
     for (const KernelForm form : {KernelForm::kWavefront, KernelForm::kMegakernel}) {
@@ -116,7 +85,7 @@ TEST(Gaussians, HideSurfacesAsFarAsTheyAreOpaque) {
     scene.materials[0].color = {0, 0, 0};
     scene.materials[0].emission = {0.2f, 0.5f, 0.7f};
     const double plane = 0.1; // among them
-    scene.shapes = {screenAt(plane)};
+    scene.shapes = {screenAt(plane, 0)};
     const RenderSettings settings = lookingFrom({0, 0, 4}, {0, 0, 0});
     const Rendered rendered = renderScene(scene, settings);
     EXPECT_GT(psnrAgainst(rendered, settings,
@@ -204,9 +173,26 @@ TEST(Gaussians, AlphaIsTheirOpacity) {
 /// What lies under a lamp, with something between them.
 enum class Lit { kGaussian, kSurface };
 enum class Between { kNothing, kBall, kFog };
+enum class Seen { kDirectly, kInMirror, kThroughGlass };
+
+/// Puts a mirror before the camera, and turns that to it, or a pane of glass.
+void lookThrough(Seen seen, SceneDescription& scene, RenderSettings& settings) {
+    if (seen == Seen::kDirectly) return;
+    const auto material = static_cast<std::uint32_t>(scene.materials.size());
+    scene.materials.emplace_back().color = {1, 1, 1};
+    scene.materials.back().kind = seen == Seen::kInMirror ? MaterialKind::kMirror : MaterialKind::kGlass;
+    settings.bounces = 4; // through both faces of the pane
+    if (seen == Seen::kInMirror) {
+        scene.shapes.push_back(screenAt(2, material));
+        settings.camera.target = {0, 0, 4}; // where the mirror shows the origin
+    } else {
+        const Vec3 middle{1.5, 0.25, 0};
+        scene.shapes.push_back({ShapeKind::kBox, middle, {0.05, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}, material});
+    }
+}
 
 /// The light of a grey surface, or of a flat and nearly opaque Gaussian.
-double litLight(Lit lit, Between between, Integrator integrator, KernelForm form) {
+double litLight(Lit lit, Between between, Integrator integrator, KernelForm form, Seen seen = Seen::kDirectly) {
     OracleGaussian flat = roundGaussian({0, 0, 0}, 0.1, 0.99, {0.8, 0.8, 0.8});
     flat.deviation[1] = 0.001;
     // a fifth of a unit wide, 3 above the lamp if it shall hide nothing
@@ -218,8 +204,8 @@ double litLight(Lit lit, Between between, Integrator integrator, KernelForm form
     scene.materials[0].color = {albedo, albedo, albedo};
     const double ball = between == Between::kBall ? 1.5 : 9;
     scene.shapes = {{ShapeKind::kSphere, {0, ball, 0}, {0.3, 0, 0}, {0, 0.3, 0}, {0, 0, 0.3}, 0}};
-    if (lit == Lit::kSurface)
-        scene.shapes.push_back({ShapeKind::kPlane, {0, 0, 0}, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}, 0});
+    if (lit == Lit::kSurface) // so small that no reflection shows it, as none shows the Gaussian
+        scene.shapes.push_back({ShapeKind::kDisc, {0, 0, 0}, {0.05, 0, 0}, {0, 0, -0.05}, {0, 1, 0}, 0});
     scene.lights = {PointLight{{0, 3, 0}, {10, 10, 10}}};
     RenderSettings settings = lookingFrom({3, 0.5, 0}, {0, 0, 0}, 8); // all pixels see the same
     settings.camera.fov_deg = 0.01;
@@ -227,6 +213,7 @@ double litLight(Lit lit, Between between, Integrator integrator, KernelForm form
     settings.relight = true;
     settings.bounces = 0;
     settings.integrator = integrator;
+    lookThrough(seen, scene, settings);
     const Rendered rendered = renderScene(scene, settings, {form});
     double sum = 0;
     for (std::uint32_t i = 0; i < 64; ++i) sum += pixel(rendered.film, i % 8, i / 8, 0);
@@ -243,6 +230,19 @@ TEST(Gaussians, AreLitAsMatteSurfaces) {
             // shadow rays pass or not at random, as of ShadowsAreAsDarkAsTheyAreOpaque
             EXPECT_NEAR(litLight(Lit::kGaussian, Between::kFog, integrator, form) / truth, 0.4, 0.06);
         }
+}
+
+TEST(Gaussians, AreLitInMirrorsAndThroughGlass) {
+    for (const auto& [seen, form] : {std::pair{Seen::kInMirror, KernelForm::kMegakernel},
+                                     std::pair{Seen::kThroughGlass, KernelForm::kWavefront}}) {
+        const auto light = [&, seen = seen, form = form](Lit lit, Between between) {
+            return litLight(lit, between, Integrator::kWhitted, form, seen);
+        };
+        const double truth = light(Lit::kSurface, Between::kNothing);
+        EXPECT_GT(truth, 0.1);
+        EXPECT_NEAR(light(Lit::kGaussian, Between::kNothing) / truth, 0.99, 0.01);
+        EXPECT_LT(light(Lit::kGaussian, Between::kBall), 0.01);
+    }
 }
 
 TEST(Gaussians, FirstHitsAreWhereHalfOfTheLightIsHidden) {

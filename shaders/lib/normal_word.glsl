@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #ifndef POINTRT_SHADERS_NORMAL_WORD_GLSL
 #define POINTRT_SHADERS_NORMAL_WORD_GLSL
+#include "pointrt/pro_layout.h"
 
 // A normal of any length as splats encode theirs: the octahedral map (format/SPEC.md).
 uint normalWord(vec3 normal) {

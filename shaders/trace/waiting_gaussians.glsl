@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// The Gaussians of several instances that wait to be composited along a ray, nearest first.
+#ifndef POINTRT_SHADERS_WAITING_GAUSSIANS_GLSL
+#define POINTRT_SHADERS_WAITING_GAUSSIANS_GLSL
+#include "shaders/lib/path.glsl"
+#include "shaders/trace/gaussian_end.glsl"
+
+// The path of a lane in a round: the current rays, and in later rounds those that are listed.
+PathState pathOfRound(out uint index) {
+    if (!hasStep(STEP_RESUME)) return currentPath(index);
+    index = listEntry(balancedLane());
+    return pathOf(index != NO_INDEX ? index : 0u);
+}
+
+uint placeOf(WaitingGaussian waiting) { return waiting.instance & 0xFFFFu; }
+
+// The order along a ray; where peaks coincide that of instances and of their Gaussians.
+bool isBefore(WaitingGaussian a, WaitingGaussian b) {
+    uint place_a = placeOf(a), place_b = placeOf(b);
+    bool is_lower = place_a != place_b ? place_a < place_b : a.gaussian < b.gaussian;
+    return a.t < b.t || (a.t == b.t && is_lower);
+}
+
+void startRounds(uint path) {
+    waiting_gaussians[path].last_t = 0.0;
+    waiting_gaussians[path].last_instance = 0xFFFFu; // what peaks at the origin of the ray does not count
+    waiting_gaussians[path].last_gaussian = NO_INDEX;
+}
+
+// Its order alone.
+WaitingGaussian lastComposited(uint path) {
+    return WaitingGaussian(waiting_gaussians[path].last_t, waiting_gaussians[path].last_gaussian,
+                           waiting_gaussians[path].last_instance, 0u, 0u, 0u);
+}
+
+void setLastComposited(uint path, WaitingGaussian last) {
+    waiting_gaussians[path].last_t = last.t;
+    waiting_gaussians[path].last_instance = placeOf(last);
+    waiting_gaussians[path].last_gaussian = last.gaussian;
+}
+
+// Inserts a Gaussian if it is among the nearest. Returns the t behind which none can be.
+float insertWaiting(uint path, WaitingGaussian added, bool waits, inout uint count) {
+    const uint last = WAITING_GAUSSIANS - 1u;
+    bool full = count > last;
+    waits = waits && !(full && isBefore(waiting_gaussians[path].each[last], added));
+    uint place = full ? last : count;
+    bool moves;
+    do {
+        uint before = max(place, 1u) - 1u;
+        WaitingGaussian other = waiting_gaussians[path].each[before];
+        moves = waits && place > 0u && isBefore(added, other);
+        if (moves) waiting_gaussians[path].each[place] = other;
+        place = moves ? before : place;
+    } while (moves);
+    if (waits) waiting_gaussians[path].each[place] = added;
+    count += waits && !full ? 1u : 0u;
+    return count > last ? waiting_gaussians[path].each[last].t : kWalkEnded;
+}
+
+#endif
