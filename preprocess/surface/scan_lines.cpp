@@ -16,7 +16,7 @@ constexpr float kLineWidth = 1.0f / 9;
 
 /// Gaps between lines in steps along them. Discs hardly wider than a step close narrower gaps; wider ones are rare in
 /// scans of spinning lidars: with 0.17 degrees along and 0.4 across, the ratio is 1 to 57 on the ground 40 m ato.
-constexpr float kLeastGap = 3, kMostGap = 128;
+constexpr float kLeastGap = 3, kMostGap = 512;
 
 /// Cosine of 30 degrees between the normals on both sides; each is then 15 degrees off the direction across.
 constexpr float kSameSurface = 0.866f, kMostSlope = 0.27f;

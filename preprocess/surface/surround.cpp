@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/surface/surround.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -181,6 +182,7 @@ struct SurroundPlan {
 struct SurroundSearch {
     const NeighborLists& lists;
     const PointSet& points;
+    const NearestSearch& nearest;
     const ThinnedCloud& thinned;
     const std::vector<std::uint32_t>& isolated; ///< ThinnedCloud::findIsolated
     const std::vector<Suspicion>& suspicions;   ///< of the nearest neighbours
@@ -197,7 +199,19 @@ struct SurroundSearch {
     std::optional<Around> surround(std::size_t point);
     std::optional<Around> surroundInNoise(std::size_t point, const SurroundPlan& plan);
     std::optional<Around> acrossGap(std::size_t point, const SurroundPlan& plan);
+    std::optional<std::uint32_t> nearestOther(std::size_t point, const Vec3f& offset, float farthest) const;
+    std::vector<std::uint32_t> straightAcross(std::size_t point, const Vec3f& along, const Around& around) const;
+    void turnAcross(std::size_t point, Around& around) const;
 };
+
+Vec3f longestAxis(const Moments& moments) {
+    const auto& [xx, xy, xz, yy, yz, zz] = moments.covariance;
+    Eigen::Matrix3d matrix;
+    matrix << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    solver.computeDirect(matrix);
+    return solver.eigenvectors().col(2).cast<float>();
+}
 
 /// Other points around a point, without those nearer than `least`, whose directions are noise.
 Around SurroundSearch::examine(std::size_t point, std::span<const std::uint32_t> others, float least) const {
@@ -299,6 +313,59 @@ std::optional<Around> SurroundSearch::acrossGap(std::size_t point, const Surroun
     return {};
 }
 
+/// The point nearest to a place beside a point, if it is another one and near enough to that place.
+std::optional<std::uint32_t> SurroundSearch::nearestOther(std::size_t point, const Vec3f& offset,
+                                                          float farthest) const {
+    std::array<std::uint32_t, 1> other;
+    std::array<float, 1> distance;
+    const std::size_t count =
+        nearest.nearest(points.positions[point] + offset, other, distance, farthest * farthest);
+    if (count == 0 || other[0] == point) return {};
+    return other[0];
+}
+
+/// Points of other lines, straight across from a point: those nearest to where its surroundings are when moved back
+/// along the line. Nearest first, without a second one close to the first.
+std::vector<std::uint32_t> SurroundSearch::straightAcross(std::size_t point, const Vec3f& along,
+                                                          const Around& around) const {
+    constexpr float kStraight = 0.25f; // of the distance across: 14 degrees
+    const Vec3f from = points.positions[point];
+    std::vector<std::uint32_t> found_across;
+    for (const std::uint32_t start : around.near) {
+        Vec3f offset = points.positions[start] - from;
+        Vec3f across = offset - along.dot(offset) * along;
+        const float apart = across.norm();
+        if (apart < std::abs(along.dot(offset)) || apart < lists.radius(points, point)) continue;
+        const auto other = nearestOther(point, across, apart / 2);
+        if (!other) continue;
+        offset = points.positions[*other] - from;
+        across = offset - along.dot(offset) * along;
+        if (std::abs(along.dot(offset)) > kStraight * across.norm() || across.norm() < apart / 2) continue;
+        const bool is_new = std::none_of(found_across.begin(), found_across.end(), [&](std::uint32_t each) {
+            return (points.positions[each] - points.positions[*other]).norm() < kStraight * apart;
+        });
+        if (is_new) found_across.push_back(*other);
+    }
+    return found_across;
+}
+
+/// For a point on a line, replaces the points around by those straight across, and by points of its own line that are
+/// much nearer than those: how the surface bends along the line is known from there, and farther along it may be
+/// another surface.
+void SurroundSearch::turnAcross(std::size_t point, Around& around) const {
+    constexpr std::array<float, 4> kAlong{1.0f / 16, -1.0f / 16, 1.0f / 8, -1.0f / 8}; // of the distance across
+    constexpr std::size_t kMostAcross = 3;
+    const Vec3f along = longestAxis(quickMoments(lists, points, point));
+    std::vector<std::uint32_t> chosen = straightAcross(point, along, around);
+    if (chosen.size() < 2) return;
+    const float gap = distanceBetween(points.positions[point], points.positions[chosen[0]]);
+    chosen.resize(std::min(chosen.size(), kMostAcross));
+    for (const float share : kAlong)
+        if (const auto other = nearestOther(point, share * gap * along, std::abs(share) * gap / 2))
+            chosen.push_back(*other);
+    around.near = std::move(chosen);
+}
+
 /// The points that surround a point, or those at a border; nothing if the nearest neighbours will do.
 std::optional<Around> SurroundSearch::surround(std::size_t point) {
     const SurroundPlan planned = plan(point);
@@ -316,6 +383,7 @@ std::optional<Around> SurroundSearch::surround(std::size_t point) {
     for (std::size_t number = first_level; number < end; ++number) {
         Around around = examineLevel(thinned.level(number), point, least);
         if (!take(around)) continue;
+        if (suspicion == Suspicion::kOnLine) turnAcross(point, around);
         if (!(around.flags & kOpen)) return around;
         if (border) continue;
         border = std::move(around);
@@ -466,8 +534,8 @@ Thinning thinningOf(SurroundCounts counts) {
     return {quantileOf(std::move(counts.reaches), kAllButFew), has_some || is_noisy || has_gaps, is_noisy, has_gaps};
 }
 
-void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, const Thinning& thinning,
-                           const StageShare& share) {
+void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, const NearestSearch& nearest,
+                           const Thinning& thinning, const StageShare& share) {
     if (lists.k < kFewestToSurround || !(thinning.finest_cells > 0)) return share.report(1);
     std::vector<Suspicion> suspicions(points.size());
     const double middle = (share.from + share.to) / 2;
@@ -481,7 +549,7 @@ void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, const T
     const std::vector<std::uint32_t> isolated = thinned.findIsolated();
     const auto replaceLists = [&](std::span<const std::uint8_t> found_before, const StageShare& part) {
         forRanges(points.size(), part, [&](std::size_t begin, std::size_t end) {
-            SurroundSearch search{lists, points, thinned, isolated, suspicions, found_before};
+            SurroundSearch search{lists, points, nearest, thinned, isolated, suspicions, found_before};
             for (std::size_t i = begin; i < end; ++i) {
                 if (!found_before.empty() && found_before[i]) continue;
                 if (const auto around = search.surround(i)) adopt(lists, points, i, *around);

@@ -29,7 +29,7 @@ struct SurroundedShape {
         Thinning thinning = thinningOf(counts);
         if (!thinning.replaces_lists) return;
         thinning.finest_cells = std::ldexp(thinning.finest_cells, -points.scale_exponent);
-        surroundNeighborhoods(lists, points, thinning, {kQuiet, "test"});
+        surroundNeighborhoods(lists, points, search, thinning, {kQuiet, "test"});
     }
     double shareReplaced() const {
         const auto kept = std::count(lists.thinned.begin(), lists.thinned.end(), 0);
