@@ -187,11 +187,12 @@ struct SurroundSearch {
     const std::vector<std::uint32_t>& isolated; ///< ThinnedCloud::findIsolated
     const std::vector<Suspicion>& suspicions;   ///< of the nearest neighbours
     std::span<const std::uint8_t> found_before; ///< NeighborLists::thinned after the first round; empty in that
+    std::vector<std::uint8_t>& hopeless;        ///< [points] set in the first round: at no level is there even a corner
     std::array<std::uint32_t, kExamined> found{};
     std::array<float, kExamined> squared{};
 
-    Around examine(std::size_t point, std::span<const std::uint32_t> others, float least) const;
-    Around examineLevel(const ThinnedLevel& level, std::size_t point, float least);
+    Around examine(std::size_t point, std::span<const std::uint32_t> others, float least, float misfit) const;
+    Around examineLevel(const ThinnedLevel& level, std::size_t point, float least, float misfit);
     std::optional<std::size_t> isolatedLevel(std::size_t point) const;
     bool isBetter(const Around& around, Suspicion suspicion) const;
     bool isAmongFound(std::size_t point, bool maybe) const;
@@ -201,7 +202,7 @@ struct SurroundSearch {
     std::optional<Around> acrossGap(std::size_t point, const SurroundPlan& plan);
     std::optional<std::uint32_t> nearestOther(std::size_t point, const Vec3f& offset, float farthest) const;
     std::vector<std::uint32_t> straightAcross(std::size_t point, const Vec3f& along, const Around& around) const;
-    void turnAcross(std::size_t point, Around& around) const;
+    bool turnAcross(std::size_t point, Around& around) const;
 };
 
 Vec3f longestAxis(const Moments& moments) {
@@ -213,13 +214,15 @@ Vec3f longestAxis(const Moments& moments) {
     return solver.eigenvectors().col(2).cast<float>();
 }
 
-/// Other points around a point, without those nearer than `least`, whose directions are noise.
-Around SurroundSearch::examine(std::size_t point, std::span<const std::uint32_t> others, float least) const {
+/// Other points around a point, without those nearer than `least`, whose directions are noise. None if they do not fit
+/// their plane better than `misfit`: most points of crowns are searched around at all levels, and fit none.
+Around SurroundSearch::examine(std::size_t point, std::span<const std::uint32_t> others, float least,
+                               float misfit) const {
     Around around;
     const Moments moments = momentsOf(points, others, point);
     const PlaneFit plane = fitPlane(moments);
     around.misfit = isElongated(moments, kSureLine) ? std::numeric_limits<float>::infinity() : plane.misfit;
-    if (!std::isfinite(around.misfit)) return around;
+    if (!(around.misfit < misfit)) return around;
     const Vec3f u = plane.normal.unitOrthogonal(), v = plane.normal.cross(u);
     std::vector<Direction> directions;
     for (const std::uint32_t other : others) {
@@ -233,10 +236,10 @@ Around SurroundSearch::examine(std::size_t point, std::span<const std::uint32_t>
 }
 
 /// The representatives of a level around a point.
-Around SurroundSearch::examineLevel(const ThinnedLevel& level, std::size_t point, float least) {
+Around SurroundSearch::examineLevel(const ThinnedLevel& level, std::size_t point, float least, float misfit) {
     const std::size_t count = level.search.nearest(points.positions[point], found, squared);
     for (std::size_t i = 0; i < count; ++i) found[i] = level.points[found[i]];
-    return examine(point, {found.data(), count}, std::max(least, level.edge / 2));
+    return examine(point, {found.data(), count}, std::max(least, level.edge / 2), misfit);
 }
 
 /// The coarsest level at which the point is isolated.
@@ -247,11 +250,13 @@ std::optional<std::size_t> SurroundSearch::isolatedLevel(std::size_t point) cons
     return {};
 }
 
+/// The misfit below which points around are on a surface.
+float flatFor(Suspicion suspicion) { return suspicion == Suspicion::kOnLine ? kFlatAroundLine : kFlatAroundClump; }
+
 /// Whether points around may replace a list.
 bool SurroundSearch::isBetter(const Around& around, Suspicion suspicion) const {
     const bool open = around.flags & kOpen;
-    const float flat = suspicion == Suspicion::kOnLine ? kFlatAroundLine : kFlatAroundClump;
-    if (!open && around.misfit < flat) return true;
+    if (!open && around.misfit < flatFor(suspicion)) return true;
     if (found_before.empty() || !(around.misfit < kCorner)) return false;
     const auto on_surface = std::count_if(around.near.begin(), around.near.end(),
                                           [&](std::uint32_t other) { return found_before[other] != 0; });
@@ -285,7 +290,7 @@ std::optional<Around> SurroundSearch::surroundInNoise(std::size_t point, const S
     std::optional<Around> best;
     const std::size_t end = std::min(thinned.levelCount(), plan.level + kNoiseLevels);
     for (std::size_t number = plan.level; number < end; ++number) {
-        Around around = examineLevel(thinned.level(number), point, plan.least);
+        Around around = examineLevel(thinned.level(number), point, plan.least, kFlatAroundClump);
         around.flags = std::uint8_t(kThinned | kClump | (around.widest_gap < kWidestGap ? 0 : kOpen));
         const float flat = (around.flags & kOpen) ? kInNoPlane : kFlatAroundClump;
         if (around.near.size() < lists.k - lists.denseCount() || !(around.misfit < flat)) continue;
@@ -303,7 +308,7 @@ std::optional<Around> SurroundSearch::surroundInNoise(std::size_t point, const S
 std::optional<Around> SurroundSearch::acrossGap(std::size_t point, const SurroundPlan& plan) {
     const std::size_t end = std::min(thinned.levelCount(), plan.level + kMoreLevels + 1);
     for (std::size_t number = plan.level; number < end; ++number) {
-        Around around = examineLevel(thinned.level(number), point, plan.least);
+        Around around = examineLevel(thinned.level(number), point, plan.least, kFlatAroundLine);
         if (around.near.size() < lists.k - lists.denseCount() || !(around.misfit < kFlatAroundLine) ||
             !(around.widest_gap < kWidestGap))
             continue;
@@ -351,19 +356,22 @@ std::vector<std::uint32_t> SurroundSearch::straightAcross(std::size_t point, con
 
 /// For a point on a line, replaces the points around by those straight across, and by points of its own line that are
 /// much nearer than those: how the surface bends along the line is known from there, and farther along it may be
-/// another surface.
-void SurroundSearch::turnAcross(std::size_t point, Around& around) const {
+/// another surface. Returns false if there is no other line: the arc of a single one lies in the plane of its beam.
+bool SurroundSearch::turnAcross(std::size_t point, Around& around) const {
     constexpr std::array<float, 4> kAlong{1.0f / 16, -1.0f / 16, 1.0f / 8, -1.0f / 8}; // of the distance across
     constexpr std::size_t kMostAcross = 3;
     const Vec3f along = longestAxis(quickMoments(lists, points, point));
     std::vector<std::uint32_t> chosen = straightAcross(point, along, around);
-    if (chosen.size() < 2) return;
+    if (chosen.size() < 2) return !chosen.empty();
     const float gap = distanceBetween(points.positions[point], points.positions[chosen[0]]);
     chosen.resize(std::min(chosen.size(), kMostAcross));
+    const std::size_t across = chosen.size();
     for (const float share : kAlong)
         if (const auto other = nearestOther(point, share * gap * along, std::abs(share) * gap / 2))
             chosen.push_back(*other);
+    if (chosen.size() + 1 >= across + kAlong.size()) around.flags |= kBesideGap;
     around.near = std::move(chosen);
+    return true;
 }
 
 /// The points that surround a point, or those at a border; nothing if the nearest neighbours will do.
@@ -371,19 +379,25 @@ std::optional<Around> SurroundSearch::surround(std::size_t point) {
     const SurroundPlan planned = plan(point);
     const auto [suspicion, first_level, least] = planned;
     if (suspicion == Suspicion::kUnsuspected) return {};
-    if (suspicion == Suspicion::kInNoise) return surroundInNoise(point, planned);
-    if (suspicion == Suspicion::kOnOneSide) return acrossGap(point, planned);
+    const bool searched_before = !found_before.empty(); // these two would find nothing again
+    if (suspicion == Suspicion::kInNoise) return searched_before ? std::nullopt : surroundInNoise(point, planned);
+    if (suspicion == Suspicion::kOnOneSide) return searched_before ? std::nullopt : acrossGap(point, planned);
+    if (searched_before && hopeless[point]) return {};
     const std::uint8_t flags = kThinned | (suspicion >= Suspicion::kInClump ? kClump : 0);
     const auto take = [&, suspicion = suspicion](Around& around) {
         around.flags = std::uint8_t(flags | (around.widest_gap < kWidestGap ? 0 : kOpen));
         return around.near.size() >= lists.k - lists.denseCount() && isBetter(around, suspicion);
     };
+    // In the first round, isBetter takes nothing else; in the second, corners.
+    const float misfit = found_before.empty() ? flatFor(suspicion) : kCorner;
+    hopeless[point] = 1;
     std::optional<Around> border;
     std::size_t end = thinned.levelCount();
     for (std::size_t number = first_level; number < end; ++number) {
-        Around around = examineLevel(thinned.level(number), point, least);
+        Around around = examineLevel(thinned.level(number), point, least, misfit);
+        if (around.misfit < kCorner) hopeless[point] = 0;
         if (!take(around)) continue;
-        if (suspicion == Suspicion::kOnLine) turnAcross(point, around);
+        if (suspicion == Suspicion::kOnLine && !turnAcross(point, around)) continue;
         if (!(around.flags & kOpen)) return around;
         if (border) continue;
         border = std::move(around);
@@ -547,9 +561,10 @@ void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, const N
     });
     const ThinnedCloud thinned(points, thinning.finest_cells);
     const std::vector<std::uint32_t> isolated = thinned.findIsolated();
+    std::vector<std::uint8_t> hopeless(points.size());
     const auto replaceLists = [&](std::span<const std::uint8_t> found_before, const StageShare& part) {
         forRanges(points.size(), part, [&](std::size_t begin, std::size_t end) {
-            SurroundSearch search{lists, points, nearest, thinned, isolated, suspicions, found_before};
+            SurroundSearch search{lists, points, nearest, thinned, isolated, suspicions, found_before, hopeless};
             for (std::size_t i = begin; i < end; ++i) {
                 if (!found_before.empty() && found_before[i]) continue;
                 if (const auto around = search.surround(i)) adopt(lists, points, i, *around);
