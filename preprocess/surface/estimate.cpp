@@ -57,7 +57,7 @@ void surround(PointGraph& graph, const Estimation& job, const StageShare& share)
     if (!job.thinning.replaces_lists) return share.report(1);
     Thinning thinning = job.thinning;
     thinning.finest_cells = *inPoints(graph.points, thinning.finest_cells);
-    surroundNeighborhoods(graph.lists, graph.points, thinning, share);
+    surroundNeighborhoods(graph.lists, graph.points, *graph.search, thinning, share);
 }
 
 /// [points] SurfaceDecisions::inner

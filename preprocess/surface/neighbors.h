@@ -70,6 +70,7 @@ enum ListFlag : std::uint8_t {
     kOpen = 2,  ///< at a border: they leave a side open
     kClump = 4, ///< the nearest are in a clump, not on a line
     kAtGap = 8, ///< the nearest are on one side, the others all around: beyond a gap of the sampling
+    kBesideGap = 16 ///< on a line without gaps of its own, many steps from the next ones
 };
 
 /// The k neighbours of every point, nearest first, without the point itself.

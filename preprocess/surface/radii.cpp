@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <tbb/parallel_for.h>
 
 #include "preprocess/cloud/median.h"
 #include "preprocess/surface/angle_gaps.h"
@@ -205,6 +204,16 @@ bool isInIsolatedGroup(const RadiusJob& job, std::size_t point) {
            apart * job.lists.distance(job.points, point, kGroup - 1);
 }
 
+/// The widest disc of a point on a line whose next lines are far away: as wide as if the points were spread evenly over
+/// the area that they have to themselves, a step long and a gap wide. What that leaves open, fillBetweenLines closes
+/// where one surface joins the lines; discs as wide as the gap would also be as long, and stick out as plates.
+float widestOnLine(const RadiusJob& job, std::size_t point) {
+    if (!(job.lists.thinned[point] & kBesideGap)) return std::numeric_limits<float>::infinity();
+    const float step = 2 * job.lists.completeRadius(job.points, point) / float(job.lists.denseCount());
+    const float gap = kCapSpacings * job.lists.spacings[point];
+    return kOverlap * std::max(std::sqrt(step * gap), step);
+}
+
 float discRadius(const RadiusJob& job, std::size_t point, VoronoiCell& cell, std::vector<float>& scratch) {
     const TangentPlane plane(job.points.positions[point], job.points.normals[point]);
     const float cap = kCapSpacings * clampedSpacing(job.lists, point, scratch);
@@ -220,7 +229,8 @@ float discRadius(const RadiusJob& job, std::size_t point, VoronoiCell& cell, std
     const float radius =
         cell.isOpen() ? least : std::clamp(ridgeDistance(job, point, plane, widest / kOverlap), least, widest);
     const std::vector<float>& planarity = job.points.planarity;
-    const float held = planarity.empty() ? radius : blendScattered(radius, half_way, planarity[point]);
+    const float bounded = std::min(radius, widestOnLine(job, point));
+    const float held = planarity.empty() ? bounded : blendScattered(bounded, half_way, planarity[point]);
     return isInIsolatedGroup(job, point) ? std::min(held, kOverlap * half_way) : held;
 }
 
@@ -256,8 +266,33 @@ bool isSurrounded(const PointGraph& graph, std::size_t point) {
     return gapsBetween(angles).widest < kWidest;
 }
 
+/// Whether a disc is part of a surface: of all points within 2.5 radii, most are hardly off its plane and leave no angle
+/// of 200 degrees empty. At a straight border half a turn is empty, and along an edge half of the points are off the
+/// plane. The arcs that a lidar leaves in a crown lie in a plane, too, that of its beam, but few other points do.
+bool isSupported(const PointGraph& graph, float radius, std::size_t point, std::vector<std::uint32_t>& found) {
+    constexpr float kReach = 2.5f, kOffPlane = 0.25f, kWidest = 2 * std::numbers::pi_v<float> * 200 / 360;
+    constexpr double kMost = 0.5;
+    constexpr std::size_t kManyFound = 4096; // more are a surface of dense parts; a disc this wide joins them
+    found.resize(kManyFound);
+    const float reach = kReach * radius;
+    const TangentPlane plane(graph.points.positions[point], graph.points.normals[point]);
+    const std::size_t count = graph.search->within(plane.origin, reach * reach, found);
+    if (count > kManyFound) return true;
+    std::vector<float> angles;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3f offset = graph.points.positions[found[i]] - plane.origin;
+        const Eigen::Vector2f place = plane.project(offset);
+        if (found[i] != point && std::abs(plane.normal.dot(offset)) <= kOffPlane * radius)
+            angles.push_back(std::atan2(place.y(), place.x()));
+    }
+    if (angles.size() < 3 || double(angles.size()) < kMost * double(count)) return false;
+    std::sort(angles.begin(), angles.end());
+    return gapsBetween(angles).widest < kWidest;
+}
+
 /// The radius of a point, or a smaller one if no plane through its neighbours justifies it.
-float unprovenRadius(const PointGraph& graph, float radius, float sparse_reach, std::size_t point) {
+float unprovenRadius(const PointGraph& graph, float radius, float sparse_reach, std::size_t point,
+                     std::vector<std::uint32_t>& scratch) {
     // Radii are at most 1.65 times the distance to the sixth neighbour for nine in ten points of sparse scans of all
     // kinds, and 3 to 6 times for the plates among them.
     constexpr std::size_t kSixth = 6;
@@ -266,9 +301,11 @@ float unprovenRadius(const PointGraph& graph, float radius, float sparse_reach, 
     // reconstructions.
     constexpr float kSparseHeight = 0.07f;
     const NeighborLists& lists = graph.lists;
-    if (lists.k < kSixth || (lists.thinned[point] & kClump)) return radius; // distances within clumps tell nothing
+    if (lists.k < kSixth) return radius;
     const float sixth = lists.distance(graph.points, point, kSixth - 1), reach = lists.radius(graph.points, point);
     const bool wide = radius > kWide * sixth, sparse = lists.completeRadius(graph.points, point) > sparse_reach;
+    if (lists.thinned[point] & kClump) return radius; // distances within clumps tell nothing
+    if (wide && !isSupported(graph, radius, point, scratch)) return std::max(kOverlap * sixth, kMinRadius);
     if (!wide && !sparse) return radius;
     const float height = heightOver(graph.points, lists, point);
     if (wide && height > std::max(kWideHeight * sixth, kWideUneven * reach)) radius = kOverlap * sixth;
@@ -293,8 +330,12 @@ void computeRadii(PointGraph& graph, bool oriented, const StageShare& share) {
 void shrinkPlates(PointGraph& graph, float sparse_reach) {
     std::vector<float>& radii = graph.points.radii;
     const std::vector<float> before = radii;
-    tbb::parallel_for(std::size_t(0), radii.size(), [&](std::size_t i) {
-        radii[i] = std::min(unevenRadius(graph, before, i), unprovenRadius(graph, before[i], sparse_reach, i));
+    const StageProgress silent;
+    forRanges(radii.size(), {silent, ""}, [&](std::size_t begin, std::size_t end) {
+        std::vector<std::uint32_t> scratch;
+        for (std::size_t i = begin; i < end; ++i)
+            radii[i] =
+                std::min(unevenRadius(graph, before, i), unprovenRadius(graph, before[i], sparse_reach, i, scratch));
     });
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace pointrt::surface {
 namespace {
@@ -14,9 +15,10 @@ constexpr std::size_t kLinePoints = 6;
 /// Largest variance across a line over that along it: a third of the spread.
 constexpr float kLineWidth = 1.0f / 9;
 
-/// Gaps between lines in steps along them. Discs hardly wider than a step close narrower gaps; wider ones are rare in
-/// scans of spinning lidars: with 0.17 degrees along and 0.4 across, the ratio is 1 to 57 on the ground 40 m ato.
-constexpr float kLeastGap = 3, kMostGap = 128;
+/// Gaps between lines in steps along them. Discs hardly wider than a step close narrower gaps. With 0.17 degrees along
+/// and 0.4 across, a spinning lidar's are 57 steps on the ground 40 m away; profiles of a road are 5 mm along and up to
+/// 2.5 m apart, which is 500 steps.
+constexpr float kLeastGap = 3, kMostGap = 512;
 
 /// Cosine of 30 degrees between the normals on both sides; each is then 15 degrees off the direction across.
 constexpr float kSameSurface = 0.866f, kMostSlope = 0.27f;
@@ -95,14 +97,12 @@ bool goesOn(const PointGraph& graph, const LineFrame& frame, float gap) {
     });
 }
 
-} // namespace
-
-std::optional<ScanLine> lineAt(const PointGraph& graph, std::size_t point) {
-    if (graph.lists.k < kLinePoints || (graph.lists.thinned[point] & kClump)) return {};
+/// The line along a point's nearest neighbours, if they lie on one.
+std::optional<ScanLine> lineThrough(const PointGraph& graph, std::size_t point,
+                                    std::span<const std::uint32_t> nearest) {
     const Vec3f origin = graph.points.positions[point], normal = graph.points.normals[point];
     const Vec3f u = normal.unitOrthogonal(), v = normal.cross(u);
     float xx = 0, xy = 0, yy = 0;
-    const auto nearest = graph.lists.of(point).first(kLinePoints);
     for (const std::uint32_t neighbor : nearest) {
         const Vec3f offset = graph.points.positions[neighbor] - origin;
         const float x = u.dot(offset), y = v.dot(offset);
@@ -117,8 +117,19 @@ std::optional<ScanLine> lineAt(const PointGraph& graph, std::size_t point) {
         const float place = line.along.dot(graph.points.positions[neighbor] - origin);
         first = std::min(first, place), last = std::max(last, place);
     }
-    line.step = (last - first) / float(kLinePoints);
+    line.step = (last - first) / float(nearest.size());
     return line;
+}
+
+} // namespace
+
+std::optional<ScanLine> lineAt(const PointGraph& graph, std::size_t point) {
+    const NeighborLists& lists = graph.lists;
+    if (lists.k < kLinePoints || (lists.thinned[point] & kClump)) return {};
+    if (const auto line = lineThrough(graph, point, lists.of(point).first(kLinePoints))) return line;
+    // Noise as wide as a step hides the line from six points, but not from all that are near.
+    if (!lists.thinned[point]) return {};
+    return lineThrough(graph, point, lists.of(point).first(lists.denseCount()));
 }
 
 std::optional<Facing> facingLine(const PointGraph& graph, std::size_t point, const ScanLine& line, float side) {

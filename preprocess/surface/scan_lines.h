@@ -21,10 +21,10 @@ struct Facing {
     Vec3f across = Vec3f::Zero(); ///< from the point on this side to the next line, perpendicular to this line
 };
 
-/// The line through a point, if its six nearest neighbours lie on one.
+/// The line through a point, if its six nearest neighbours lie on one, or the nine nearest of a list on a line.
 std::optional<ScanLine> lineAt(const PointGraph& graph, std::size_t point);
 
-/// The next line on one side (1 or -1) of a point's own, if one surface joins both: 3 to 128 steps away with nothing in
+/// The next line on one side (1 or -1) of a point's own, if one surface joins both: 3 to 512 steps away with nothing in
 /// between; normals within 30 degrees, lines parallel within 25, and the nearest points of both within a tenth of the
 /// gap of a common plane.
 std::optional<Facing> facingLine(const PointGraph& graph, std::size_t point, const ScanLine& line, float side);

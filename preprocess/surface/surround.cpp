@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/surface/surround.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -181,15 +182,17 @@ struct SurroundPlan {
 struct SurroundSearch {
     const NeighborLists& lists;
     const PointSet& points;
+    const NearestSearch& nearest;
     const ThinnedCloud& thinned;
     const std::vector<std::uint32_t>& isolated; ///< ThinnedCloud::findIsolated
     const std::vector<Suspicion>& suspicions;   ///< of the nearest neighbours
     std::span<const std::uint8_t> found_before; ///< NeighborLists::thinned after the first round; empty in that
+    std::vector<std::uint8_t>& hopeless;        ///< [points] set in the first round: at no level is there even a corner
     std::array<std::uint32_t, kExamined> found{};
     std::array<float, kExamined> squared{};
 
-    Around examine(std::size_t point, std::span<const std::uint32_t> others, float least) const;
-    Around examineLevel(const ThinnedLevel& level, std::size_t point, float least);
+    Around examine(std::size_t point, std::span<const std::uint32_t> others, float least, float misfit) const;
+    Around examineLevel(const ThinnedLevel& level, std::size_t point, float least, float misfit);
     std::optional<std::size_t> isolatedLevel(std::size_t point) const;
     bool isBetter(const Around& around, Suspicion suspicion) const;
     bool isAmongFound(std::size_t point, bool maybe) const;
@@ -197,15 +200,29 @@ struct SurroundSearch {
     std::optional<Around> surround(std::size_t point);
     std::optional<Around> surroundInNoise(std::size_t point, const SurroundPlan& plan);
     std::optional<Around> acrossGap(std::size_t point, const SurroundPlan& plan);
+    std::optional<std::uint32_t> nearestOther(std::size_t point, const Vec3f& offset, float farthest) const;
+    std::vector<std::uint32_t> straightAcross(std::size_t point, const Vec3f& along, const Around& around) const;
+    bool turnAcross(std::size_t point, Around& around) const;
 };
 
-/// Other points around a point, without those nearer than `least`, whose directions are noise.
-Around SurroundSearch::examine(std::size_t point, std::span<const std::uint32_t> others, float least) const {
+Vec3f longestAxis(const Moments& moments) {
+    const auto& [xx, xy, xz, yy, yz, zz] = moments.covariance;
+    Eigen::Matrix3d matrix;
+    matrix << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    solver.computeDirect(matrix);
+    return solver.eigenvectors().col(2).cast<float>();
+}
+
+/// Other points around a point, without those nearer than `least`, whose directions are noise. None if they do not fit
+/// their plane better than `misfit`: most points of crowns are searched around at all levels, and fit none.
+Around SurroundSearch::examine(std::size_t point, std::span<const std::uint32_t> others, float least,
+                               float misfit) const {
     Around around;
     const Moments moments = momentsOf(points, others, point);
     const PlaneFit plane = fitPlane(moments);
     around.misfit = isElongated(moments, kSureLine) ? std::numeric_limits<float>::infinity() : plane.misfit;
-    if (!std::isfinite(around.misfit)) return around;
+    if (!(around.misfit < misfit)) return around;
     const Vec3f u = plane.normal.unitOrthogonal(), v = plane.normal.cross(u);
     std::vector<Direction> directions;
     for (const std::uint32_t other : others) {
@@ -219,10 +236,10 @@ Around SurroundSearch::examine(std::size_t point, std::span<const std::uint32_t>
 }
 
 /// The representatives of a level around a point.
-Around SurroundSearch::examineLevel(const ThinnedLevel& level, std::size_t point, float least) {
+Around SurroundSearch::examineLevel(const ThinnedLevel& level, std::size_t point, float least, float misfit) {
     const std::size_t count = level.search.nearest(points.positions[point], found, squared);
     for (std::size_t i = 0; i < count; ++i) found[i] = level.points[found[i]];
-    return examine(point, {found.data(), count}, std::max(least, level.edge / 2));
+    return examine(point, {found.data(), count}, std::max(least, level.edge / 2), misfit);
 }
 
 /// The coarsest level at which the point is isolated.
@@ -233,11 +250,13 @@ std::optional<std::size_t> SurroundSearch::isolatedLevel(std::size_t point) cons
     return {};
 }
 
+/// The misfit below which points around are on a surface.
+float flatFor(Suspicion suspicion) { return suspicion == Suspicion::kOnLine ? kFlatAroundLine : kFlatAroundClump; }
+
 /// Whether points around may replace a list.
 bool SurroundSearch::isBetter(const Around& around, Suspicion suspicion) const {
     const bool open = around.flags & kOpen;
-    const float flat = suspicion == Suspicion::kOnLine ? kFlatAroundLine : kFlatAroundClump;
-    if (!open && around.misfit < flat) return true;
+    if (!open && around.misfit < flatFor(suspicion)) return true;
     if (found_before.empty() || !(around.misfit < kCorner)) return false;
     const auto on_surface = std::count_if(around.near.begin(), around.near.end(),
                                           [&](std::uint32_t other) { return found_before[other] != 0; });
@@ -271,7 +290,7 @@ std::optional<Around> SurroundSearch::surroundInNoise(std::size_t point, const S
     std::optional<Around> best;
     const std::size_t end = std::min(thinned.levelCount(), plan.level + kNoiseLevels);
     for (std::size_t number = plan.level; number < end; ++number) {
-        Around around = examineLevel(thinned.level(number), point, plan.least);
+        Around around = examineLevel(thinned.level(number), point, plan.least, kFlatAroundClump);
         around.flags = std::uint8_t(kThinned | kClump | (around.widest_gap < kWidestGap ? 0 : kOpen));
         const float flat = (around.flags & kOpen) ? kInNoPlane : kFlatAroundClump;
         if (around.near.size() < lists.k - lists.denseCount() || !(around.misfit < flat)) continue;
@@ -289,7 +308,7 @@ std::optional<Around> SurroundSearch::surroundInNoise(std::size_t point, const S
 std::optional<Around> SurroundSearch::acrossGap(std::size_t point, const SurroundPlan& plan) {
     const std::size_t end = std::min(thinned.levelCount(), plan.level + kMoreLevels + 1);
     for (std::size_t number = plan.level; number < end; ++number) {
-        Around around = examineLevel(thinned.level(number), point, plan.least);
+        Around around = examineLevel(thinned.level(number), point, plan.least, kFlatAroundLine);
         if (around.near.size() < lists.k - lists.denseCount() || !(around.misfit < kFlatAroundLine) ||
             !(around.widest_gap < kWidestGap))
             continue;
@@ -299,23 +318,86 @@ std::optional<Around> SurroundSearch::acrossGap(std::size_t point, const Surroun
     return {};
 }
 
+/// The point nearest to a place beside a point, if it is another one and near enough to that place.
+std::optional<std::uint32_t> SurroundSearch::nearestOther(std::size_t point, const Vec3f& offset,
+                                                          float farthest) const {
+    std::array<std::uint32_t, 1> other;
+    std::array<float, 1> distance;
+    const std::size_t count =
+        nearest.nearest(points.positions[point] + offset, other, distance, farthest * farthest);
+    if (count == 0 || other[0] == point) return {};
+    return other[0];
+}
+
+/// Points of other lines, straight across from a point: those nearest to where its surroundings are when moved back
+/// along the line. Nearest first, without a second one close to the first.
+std::vector<std::uint32_t> SurroundSearch::straightAcross(std::size_t point, const Vec3f& along,
+                                                          const Around& around) const {
+    constexpr float kStraight = 0.25f; // of the distance across: 14 degrees
+    const Vec3f from = points.positions[point];
+    std::vector<std::uint32_t> found_across;
+    for (const std::uint32_t start : around.near) {
+        Vec3f offset = points.positions[start] - from;
+        Vec3f across = offset - along.dot(offset) * along;
+        const float apart = across.norm();
+        if (apart < std::abs(along.dot(offset)) || apart < lists.radius(points, point)) continue;
+        const auto other = nearestOther(point, across, apart / 2);
+        if (!other) continue;
+        offset = points.positions[*other] - from;
+        across = offset - along.dot(offset) * along;
+        if (std::abs(along.dot(offset)) > kStraight * across.norm() || across.norm() < apart / 2) continue;
+        const bool is_new = std::none_of(found_across.begin(), found_across.end(), [&](std::uint32_t each) {
+            return (points.positions[each] - points.positions[*other]).norm() < kStraight * apart;
+        });
+        if (is_new) found_across.push_back(*other);
+    }
+    return found_across;
+}
+
+/// For a point on a line, replaces the points around by those straight across, and by points of its own line that are
+/// much nearer than those: how the surface bends along the line is known from there, and farther along it may be
+/// another surface. Returns false if there is no other line: the arc of a single one lies in the plane of its beam.
+bool SurroundSearch::turnAcross(std::size_t point, Around& around) const {
+    constexpr std::array<float, 4> kAlong{1.0f / 16, -1.0f / 16, 1.0f / 8, -1.0f / 8}; // of the distance across
+    constexpr std::size_t kMostAcross = 3;
+    const Vec3f along = longestAxis(quickMoments(lists, points, point));
+    std::vector<std::uint32_t> chosen = straightAcross(point, along, around);
+    if (chosen.size() < 2) return !chosen.empty();
+    const float gap = distanceBetween(points.positions[point], points.positions[chosen[0]]);
+    chosen.resize(std::min(chosen.size(), kMostAcross));
+    const std::size_t across = chosen.size();
+    for (const float share : kAlong)
+        if (const auto other = nearestOther(point, share * gap * along, std::abs(share) * gap / 2))
+            chosen.push_back(*other);
+    if (chosen.size() + 1 >= across + kAlong.size()) around.flags |= kBesideGap;
+    around.near = std::move(chosen);
+    return true;
+}
+
 /// The points that surround a point, or those at a border; nothing if the nearest neighbours will do.
 std::optional<Around> SurroundSearch::surround(std::size_t point) {
     const SurroundPlan planned = plan(point);
     const auto [suspicion, first_level, least] = planned;
     if (suspicion == Suspicion::kUnsuspected) return {};
-    if (suspicion == Suspicion::kInNoise) return surroundInNoise(point, planned);
-    if (suspicion == Suspicion::kOnOneSide) return acrossGap(point, planned);
+    const bool searched_before = !found_before.empty(); // these two would find nothing again
+    if (suspicion == Suspicion::kInNoise) return searched_before ? std::nullopt : surroundInNoise(point, planned);
+    if (suspicion == Suspicion::kOnOneSide) return searched_before ? std::nullopt : acrossGap(point, planned);
+    if (searched_before && hopeless[point]) return {};
     const std::uint8_t flags = kThinned | (suspicion >= Suspicion::kInClump ? kClump : 0);
     const auto take = [&, suspicion = suspicion](Around& around) {
         around.flags = std::uint8_t(flags | (around.widest_gap < kWidestGap ? 0 : kOpen));
         return around.near.size() >= lists.k - lists.denseCount() && isBetter(around, suspicion);
     };
+    // In the first round, isBetter takes nothing else; in the second, corners.
+    const float misfit = found_before.empty() ? flatFor(suspicion) : kCorner;
+    hopeless[point] = 1;
     std::optional<Around> border;
     std::size_t end = thinned.levelCount();
     for (std::size_t number = first_level; number < end; ++number) {
-        Around around = examineLevel(thinned.level(number), point, least);
+        Around around = examineLevel(thinned.level(number), point, least, misfit);
+        if (around.misfit < kCorner) hopeless[point] = 0;
         if (!take(around)) continue;
+        if (suspicion == Suspicion::kOnLine && !turnAcross(point, around)) continue;
         if (!(around.flags & kOpen)) return around;
         if (border) continue;
         border = std::move(around);
@@ -466,8 +548,8 @@ Thinning thinningOf(SurroundCounts counts) {
     return {quantileOf(std::move(counts.reaches), kAllButFew), has_some || is_noisy || has_gaps, is_noisy, has_gaps};
 }
 
-void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, const Thinning& thinning,
-                           const StageShare& share) {
+void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, const NearestSearch& nearest,
+                           const Thinning& thinning, const StageShare& share) {
     if (lists.k < kFewestToSurround || !(thinning.finest_cells > 0)) return share.report(1);
     std::vector<Suspicion> suspicions(points.size());
     const double middle = (share.from + share.to) / 2;
@@ -479,9 +561,10 @@ void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, const T
     });
     const ThinnedCloud thinned(points, thinning.finest_cells);
     const std::vector<std::uint32_t> isolated = thinned.findIsolated();
+    std::vector<std::uint8_t> hopeless(points.size());
     const auto replaceLists = [&](std::span<const std::uint8_t> found_before, const StageShare& part) {
         forRanges(points.size(), part, [&](std::size_t begin, std::size_t end) {
-            SurroundSearch search{lists, points, thinned, isolated, suspicions, found_before};
+            SurroundSearch search{lists, points, nearest, thinned, isolated, suspicions, found_before, hopeless};
             for (std::size_t i = begin; i < end; ++i) {
                 if (!found_before.empty() && found_before[i]) continue;
                 if (const auto around = search.surround(i)) adopt(lists, points, i, *around);

@@ -39,7 +39,7 @@ Thinning thinningOf(SurroundCounts counts);
 /// corners, takes points many of which have such lists. Leaves lists for which there is no plane (a wire), and those at
 /// borders of even samplings. Sets thinned and the spacings of these lists. Does nothing for fewer than 8 neighbours.
 /// @param thinning finest_cells in the unit of the points; 0: replaces no list
-void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, const Thinning& thinning,
-                           const StageShare& share);
+void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, const NearestSearch& nearest,
+                           const Thinning& thinning, const StageShare& share);
 
 } // namespace pointrt::surface

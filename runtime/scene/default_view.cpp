@@ -287,10 +287,45 @@ ViewChoice fullestPlace(const SceneSample& sample, const Ground& ground, const s
     return best;
 }
 
+/// True if a scanner at eye explains the sample: discs, as wide as the spacing, grow with their distance, which varies,
+/// and face the eye.
+bool looksScannedFrom(const SceneSample& sample, Vec3 eye) {
+    // A frame's spacing is proportional to the distance on surfaces of one slope. In seven frames, growth is 0.6 to 1.2
+    // and correlation 0.32 to 0.92. Of 50 other scans, in seven the distances, growth and correlation are as large from
+    // the origin; they reach around it, face away from it, or their scanner is known.
+    constexpr double kLeastGrowth = 0.4, kLeastCorrelation = 0.3, kLeastRange = 1.7, kFacing = 0.75;
+    std::vector<double> distances;
+    double xx = 0, xy = 0, yy = 0, x = 0, y = 0, facing = 0, discs = 0;
+    for (const SampledSplat& splat : sample.splats) {
+        const Vec3 to = splat.position - eye;
+        const double distance = length(to);
+        if (!(distance > 0) || !(splat.radius > 0) || splat.normal == Vec3{}) continue;
+        const double far = std::log(distance), wide = std::log(splat.radius);
+        distances.push_back(distance);
+        x += far, y += wide, xx += far * far, xy += far * wide, yy += wide * wide;
+        facing += dot(splat.normal, to) < 0 ? 1 : 0, discs += 1;
+    }
+    if (discs < double{kEachCounts} || facing < kFacing * discs) return false;
+    const double spread = xx - x * x / discs, joint = xy - x * y / discs, wide_spread = yy - y * y / discs;
+    std::sort(distances.begin(), distances.end());
+    const double near = distances[distances.size() / 20], far = distances[distances.size() * 19 / 20];
+    return far >= kLeastRange * near && joint >= kLeastGrowth * spread &&
+           joint * joint >= kLeastCorrelation * kLeastCorrelation * spread * wide_spread;
+}
+
+/// The scanner of a frame: the only one that is known, or one at the origin of the file's coordinates.
+std::optional<Vec3> scannerOfFrame(const SceneSample& sample) {
+    if (sample.sensors.size() == 1) return sample.sensors[0];
+    const bool is_at_origin = sample.sensors.empty() && sample.zeros.size() == 1 && sample.oriented &&
+                              looksScannedFrom(sample, sample.zeros[0]);
+    return is_at_origin ? std::optional(sample.zeros[0]) : std::nullopt;
+}
+
 /// The view of a single scanner that saw everything in front of it.
 std::optional<ViewChoice> viewOfFrame(const SceneSample& sample) {
-    if (sample.sensors.size() != 1) return {};
-    const Vec3 eye = sample.sensors[0], ahead = centroidOf(sample) - eye;
+    const std::optional<Vec3> scanner = scannerOfFrame(sample);
+    if (!scanner) return {};
+    const Vec3 eye = *scanner, ahead = centroidOf(sample) - eye;
     if (!(length(ahead) > 0) || !isFree(sample, eye)) return {};
     const Vec3 forward = normalize(ahead);
     double within = 0;

@@ -20,7 +20,8 @@ Vec3 sideOf(StandardView view, Vec3 up);
 Vec3 upIn(StandardView view, Vec3 up);
 
 /// The view that shows most of sample, which must have no strays:
-///  - range images: from the single scanner that saw everything in front of it;
+///  - range images: from the single scanner that saw everything in front of it, known, or at the origin of the file's
+///    coordinates if discs grow with their distance from there;
 ///  - rooms, mostly occluded from outside: from a position inside, a scanner's if known;
 ///  - sites, wide and flat or with horizontal ground: from above, slightly right of the front;
 ///  - all else: from the front, or from another side if that shows much more.

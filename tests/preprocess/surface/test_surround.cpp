@@ -29,7 +29,7 @@ struct SurroundedShape {
         Thinning thinning = thinningOf(counts);
         if (!thinning.replaces_lists) return;
         thinning.finest_cells = std::ldexp(thinning.finest_cells, -points.scale_exponent);
-        surroundNeighborhoods(lists, points, thinning, {kQuiet, "test"});
+        surroundNeighborhoods(lists, points, search, thinning, {kQuiet, "test"});
     }
     double shareReplaced() const {
         const auto kept = std::count(lists.thinned.begin(), lists.thinned.end(), 0);
@@ -69,6 +69,33 @@ Shape profiles(double apart, int lines) {
             shape.add(Vec3d(x, apart * line, 0.3 * std::sin(1.3 * x) + 0.003 * gaussian(random)),
                       Vec3d(-slope, 0, 1).normalized());
         }
+    return shape;
+}
+
+/// Profiles over the foot of a slope, a metre apart: z is 0 up to x = 2 and rises from there.
+Shape creasedProfiles() {
+    Random random(35);
+    Shape shape;
+    for (int line = 0; line < 8; ++line)
+        for (int i = 0; i < 800; ++i) {
+            const double x = 0.005 * i, rise = x < 2 ? 0 : 1;
+            shape.add(Vec3d(x, line, rise * (x - 2) + 0.002 * gaussian(random)), Vec3d(-rise, 0, 1).normalized());
+        }
+    return shape;
+}
+
+/// What a spinning lidar in the middle sees: flat ground in rings that are far apart, and arcs of three beams on what is
+/// too thin for others, each in the plane of its beam.
+Shape ringsAndArcs() {
+    Random random(36);
+    Shape shape;
+    const auto addArc = [&](double radius, double z, double from, double to) {
+        for (double angle = from; angle < to; angle += 0.01)
+            shape.add(Vec3d(radius * std::cos(angle), radius * std::sin(angle), z + 0.005 * gaussian(random)),
+                      Vec3d::UnitZ());
+    };
+    for (int ring = 0; ring < 30; ++ring) addArc(1.7 / std::tan(0.43 - 0.013 * ring), -1.7, 0, 6.28);
+    for (int arc = 0; arc < 3; ++arc) addArc(6, 2.5 + 2 * arc, 0.5 + arc, 1.3 + arc);
     return shape;
 }
 
@@ -166,7 +193,7 @@ TEST(Surround, FramesOfAStandingSensorMakeAClosedSurface) {
 }
 
 TEST(Surround, NoisyProfilesMakeAClosedSurface) {
-    for (const double apart : {0.1, 0.25, 0.5}) {
+    for (const double apart : {0.1, 0.25, 0.5, 1.0}) {
         const Shape shape = profiles(apart, 8);
         SurfaceReport report;
         const Splats splats = estimateSplats(shape.cloud(), {}, report);
@@ -174,6 +201,29 @@ TEST(Surround, NoisyProfilesMakeAClosedSurface) {
         EXPECT_GE(shareHit(splats, 0.05f), 0.995) << apart;
         EXPECT_LE(report.filled, shape.positions.size()) << "more is invented than was measured, " << apart;
     }
+}
+
+TEST(Surround, NormalsOfProfilesTurnAtACrease) {
+    const Shape shape = creasedProfiles();
+    const Splats splats = estimate(shape.cloud());
+    double sum = 0, count = 0;
+    for (std::size_t i = 0; i < splats.positions.size(); ++i) {
+        if (splats.input_index[i] >= shape.positions.size()) continue; // filled
+        const double from_crease = std::abs(double(splats.positions[i].x()) - 2);
+        if (from_crease < 0.2 || from_crease > 0.7) continue;
+        const float cosine = std::abs(splats.normals[i].dot(shape.normals[splats.input_index[i]]));
+        sum += std::acos(std::min(cosine, 1.0f)) * 180 / std::numbers::pi, count += 1;
+    }
+    EXPECT_LT(sum / count, 3) << "degrees; the next line is five times as far away as the crease";
+}
+
+TEST(Surround, ArcsOfSingleBeamsAreNoPlates) {
+    const Splats splats = estimate(ringsAndArcs().cloud());
+    float widest = 0;
+    for (std::size_t i = 0; i < splats.positions.size(); ++i)
+        if (splats.positions[i].z() > 0) widest = std::max(widest, splats.radii[i]);
+    EXPECT_GT(widest, 0);
+    EXPECT_LT(widest, 0.5f) << "eight steps";
 }
 
 TEST(Surround, NoiseWiderThanTheSpacingIsSmoothed) {

@@ -448,6 +448,27 @@ TEST(DefaultView, RangeImagesFromTheirScanner) {
     EXPECT_GT(fixed.camera.eye.value().z, 0.5) << "farther back, so that all of it is visible";
 }
 
+/// What a scanner at the origin sees ahead, along x: ground and a wall, with discs as wide as its rays are apart.
+Scene frameFromOrigin() {
+    Scene scene;
+    scene.addRectangle({3, -4, -1.5}, 17.0 * kX, 8.0 * kY, 3000);
+    scene.addRectangle({20, -4, -1.5}, 4.0 * kZ, 8.0 * kY, 1500);
+    for (SampledSplat& splat : scene.sample.splats) splat.radius = 0.005 * length(splat.position);
+    scene.sample.zeros = {{0, 0, 0}};
+    return scene;
+}
+
+TEST(DefaultView, FramesFromAnUnrecordedScannerAtTheOrigin) {
+    Scene frame = frameFromOrigin();
+    EXPECT_EQ(chooseView(frame.sample, kZ).eye, Vec3{});
+    Scene even = frameFromOrigin();
+    for (SampledSplat& splat : even.sample.splats) splat.radius = 0.05;
+    EXPECT_FALSE(chooseView(even.sample, kZ).eye) << "discs of a model do not grow with their distance";
+    Scene turned = frameFromOrigin();
+    for (SampledSplat& splat : turned.sample.splats) splat.normal = -1.0 * splat.normal;
+    EXPECT_FALSE(chooseView(turned.sample, kZ).eye) << "no scanner sees backs";
+}
+
 TEST(Framing, SurvivesOneSplat) {
     Scene scene;
     scene.add({1, 2, 3}, kY);
