@@ -266,18 +266,19 @@ bool isSurrounded(const PointGraph& graph, std::size_t point) {
     return gapsBetween(angles).widest < kWidest;
 }
 
-/// Whether a disc is part of a surface: of all points within 2.5 radii, most are hardly off its plane and leave no angle
-/// of 200 degrees empty. At a straight border half a turn is empty, and along an edge half of the points are off the
-/// plane. The arcs that a lidar leaves in a crown lie in a plane, too, that of its beam, but few other points do.
+/// Whether a disc is part of a surface: of all points within 2.5 radii, many are hardly off its plane and leave no angle
+/// of 200 degrees empty. At a straight border half a turn is empty; along an edge about half of the points are off the
+/// plane, and of points in space 85% are. The arcs that a lidar leaves in a crown lie in a plane, too, that of its beam,
+/// but few other points do.
 bool isSupported(const PointGraph& graph, float radius, std::size_t point, std::vector<std::uint32_t>& found) {
     constexpr float kReach = 2.5f, kOffPlane = 0.25f, kWidest = 2 * std::numbers::pi_v<float> * 200 / 360;
-    constexpr double kMost = 0.5;
-    constexpr std::size_t kManyFound = 4096; // more are a surface of dense parts; a disc this wide joins them
+    constexpr double kMany = 0.35;
+    constexpr std::size_t kManyFound = 4096; // the disc would cover hundreds of others
     found.resize(kManyFound);
     const float reach = kReach * radius;
     const TangentPlane plane(graph.points.positions[point], graph.points.normals[point]);
     const std::size_t count = graph.search->within(plane.origin, reach * reach, found);
-    if (count > kManyFound) return true;
+    if (count > kManyFound) return false;
     std::vector<float> angles;
     for (std::size_t i = 0; i < count; ++i) {
         const Vec3f offset = graph.points.positions[found[i]] - plane.origin;
@@ -285,7 +286,7 @@ bool isSupported(const PointGraph& graph, float radius, std::size_t point, std::
         if (found[i] != point && std::abs(plane.normal.dot(offset)) <= kOffPlane * radius)
             angles.push_back(std::atan2(place.y(), place.x()));
     }
-    if (angles.size() < 3 || double(angles.size()) < kMost * double(count)) return false;
+    if (angles.size() < 3 || double(angles.size()) < kMany * double(count)) return false;
     std::sort(angles.begin(), angles.end());
     return gapsBetween(angles).widest < kWidest;
 }
@@ -304,8 +305,8 @@ float unprovenRadius(const PointGraph& graph, float radius, float sparse_reach, 
     if (lists.k < kSixth) return radius;
     const float sixth = lists.distance(graph.points, point, kSixth - 1), reach = lists.radius(graph.points, point);
     const bool wide = radius > kWide * sixth, sparse = lists.completeRadius(graph.points, point) > sparse_reach;
-    if (lists.thinned[point] & kClump) return radius; // distances within clumps tell nothing
     if (wide && !isSupported(graph, radius, point, scratch)) return std::max(kOverlap * sixth, kMinRadius);
+    if (lists.thinned[point] & kClump) return radius; // distances within clumps tell nothing
     if (!wide && !sparse) return radius;
     const float height = heightOver(graph.points, lists, point);
     if (wide && height > std::max(kWideHeight * sixth, kWideUneven * reach)) radius = kOverlap * sixth;

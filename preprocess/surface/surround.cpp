@@ -202,7 +202,7 @@ struct SurroundSearch {
     std::optional<Around> acrossGap(std::size_t point, const SurroundPlan& plan);
     std::optional<std::uint32_t> nearestOther(std::size_t point, const Vec3f& offset, float farthest) const;
     std::vector<std::uint32_t> straightAcross(std::size_t point, const Vec3f& along, const Around& around) const;
-    bool turnAcross(std::size_t point, Around& around) const;
+    void turnAcross(std::size_t point, Around& around) const;
 };
 
 Vec3f longestAxis(const Moments& moments) {
@@ -356,14 +356,20 @@ std::vector<std::uint32_t> SurroundSearch::straightAcross(std::size_t point, con
 
 /// For a point on a line, replaces the points around by those straight across, and by points of its own line that are
 /// much nearer than those: how the surface bends along the line is known from there, and farther along it may be
-/// another surface. Returns false if there is no other line: the arc of a single one lies in the plane of its beam.
-bool SurroundSearch::turnAcross(std::size_t point, Around& around) const {
+/// another surface. If there is no other line, the distance of the points around does not count as spacing: the arc of a
+/// single line lies in the plane of its beam, which is no surface.
+void SurroundSearch::turnAcross(std::size_t point, Around& around) const {
     constexpr std::array<float, 4> kAlong{1.0f / 16, -1.0f / 16, 1.0f / 8, -1.0f / 8}; // of the distance across
     constexpr std::size_t kMostAcross = 3;
+    // Nearer lines, as of a spinning lidar on walls, are hardly farther away than the points along the own: the points
+    // around in all directions orient normals better.
+    constexpr float kFarLine = 4;
     const Vec3f along = longestAxis(quickMoments(lists, points, point));
     std::vector<std::uint32_t> chosen = straightAcross(point, along, around);
-    if (chosen.size() < 2) return !chosen.empty();
+    around.keeps_spacing = chosen.empty();
+    if (chosen.size() < 2) return;
     const float gap = distanceBetween(points.positions[point], points.positions[chosen[0]]);
+    if (gap < kFarLine * lists.completeRadius(points, point)) return;
     chosen.resize(std::min(chosen.size(), kMostAcross));
     const std::size_t across = chosen.size();
     for (const float share : kAlong)
@@ -371,7 +377,6 @@ bool SurroundSearch::turnAcross(std::size_t point, Around& around) const {
             chosen.push_back(*other);
     if (chosen.size() + 1 >= across + kAlong.size()) around.flags |= kBesideGap;
     around.near = std::move(chosen);
-    return true;
 }
 
 /// The points that surround a point, or those at a border; nothing if the nearest neighbours will do.
@@ -397,7 +402,7 @@ std::optional<Around> SurroundSearch::surround(std::size_t point) {
         Around around = examineLevel(thinned.level(number), point, least, misfit);
         if (around.misfit < kCorner) hopeless[point] = 0;
         if (!take(around)) continue;
-        if (suspicion == Suspicion::kOnLine && !turnAcross(point, around)) continue;
+        if (suspicion == Suspicion::kOnLine) turnAcross(point, around);
         if (!(around.flags & kOpen)) return around;
         if (border) continue;
         border = std::move(around);
