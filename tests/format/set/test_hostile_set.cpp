@@ -77,8 +77,12 @@ TEST_F(HostileSet, UnknownMembersAreIgnored) {
               "");
 }
 
-TEST_F(HostileSet, OtherVersionsAndFormatsAreRefused) {
+TEST_F(HostileSet, GaussiansIsAFlagThatMayBeMissing) {
     EXPECT_SAYS(faultOfChange([](Json& json) { json["gaussians"] = 1; }), "gaussians *true");
+    EXPECT_EQ(faultOfChange([](Json& json) { json["gaussians"] = true; }), "");
+}
+
+TEST_F(HostileSet, OtherVersionsAndFormatsAreRefused) {
     EXPECT_SAYS(faultOfChange([](Json& json) { json["version"] = 2; }), "version 2, *1");
     EXPECT_SAYS(faultOfChange([](Json& json) { json["version"] = 1.5; }), "version *whole number");
     EXPECT_SAYS(faultOfChange([](Json& json) { json["format"] = "3tz"; }), "format *\"pointrt tile set\"");
