@@ -154,6 +154,7 @@ std::string setSummaryText(const std::string& folder, const SetSummary& summary,
          fmt::format("from {}, finest cores of {:.10g} input units", vectorText(set.lattice_origin.data()), set.edge));
     line("colour", set.colors ? "yes" : "no");
     line("oriented", set.oriented ? "yes" : "no");
+    if (set.gaussians) line("Gaussians", "each in one original tile; merged ones in coarser tiles");
     line("up", upText(worldOf(set)));
     line("input unit", unitText(worldOf(set)));
     line("system", set.crs.empty() ? "not known" : printable(set.crs));
@@ -165,31 +166,32 @@ std::string setSummaryText(const std::string& folder, const SetSummary& summary,
 
 std::string setSummaryJson(const SetSummary& summary, const TileSet& set) {
     const SetLevelSummary& all = summary.all;
-    const Json json = {{"format", "tile set"},
-                       {"version", kTileSetVersion},
-                       {"file_bytes", all.bytes},
-                       {"splats", set.splats},
-                       {"merged_splats", all.splats - set.splats},
-                       {"stored_splats", all.stored},
-                       {"bytes_per_splat", share(all.bytes, set.splats)},
-                       {"tiles", all.tiles},
-                       {"original_tiles", all.original_tiles},
-                       {"damaged_tiles", summary.damaged.size()},
-                       {"input_points", set.input_points > 0 ? Json(set.input_points) : Json()},
-                       {"lattice_origin", set.lattice_origin},
-                       {"edge", set.edge},
-                       {"bounds_min", set.bounds_min},
-                       {"bounds_max", set.bounds_max},
-                       {"has_color", set.colors},
-                       {"oriented", set.oriented},
-                       {"up", set.up},
-                       {"metres_per_unit", set.metres},
-                       {"crs", set.crs},
-                       {"noise", set.noise},
-                       {"sensors", sensorsJson(set)},
-                       {"attributes", attributesJson(set)},
-                       {"levels", levelsJson(summary, set)},
-                       {"settings", parseMetadata(set.settings)}};
+    Json json = {{"format", "tile set"},
+                 {"version", kTileSetVersion},
+                 {"file_bytes", all.bytes},
+                 {"splats", set.splats},
+                 {"merged_splats", all.splats - set.splats},
+                 {"stored_splats", all.stored},
+                 {"bytes_per_splat", share(all.bytes, set.splats)},
+                 {"tiles", all.tiles},
+                 {"original_tiles", all.original_tiles},
+                 {"damaged_tiles", summary.damaged.size()},
+                 {"input_points", set.input_points > 0 ? Json(set.input_points) : Json()},
+                 {"lattice_origin", set.lattice_origin},
+                 {"edge", set.edge},
+                 {"bounds_min", set.bounds_min},
+                 {"bounds_max", set.bounds_max},
+                 {"has_color", set.colors},
+                 {"oriented", set.oriented},
+                 {"up", set.up},
+                 {"metres_per_unit", set.metres},
+                 {"crs", set.crs},
+                 {"noise", set.noise},
+                 {"sensors", sensorsJson(set)},
+                 {"attributes", attributesJson(set)},
+                 {"levels", levelsJson(summary, set)},
+                 {"settings", parseMetadata(set.settings)}};
+    if (set.gaussians) json["gaussians"] = true;
     return dumpJson(json, false) + "\n";
 }
 

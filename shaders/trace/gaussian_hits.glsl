@@ -101,16 +101,22 @@ GaussianHit nextPeak(inout GaussianHits hits, bool going) {
     return found;
 }
 
+// No place waits for the comparison of another, as it would if what one gives up went on to the next.
 void insertHit(inout GaussianHits hits, GaussianHit hit) {
+    bool is_nearer[WAITING];
+#define COMPARE(k) is_nearer[k] = isBefore(hit, hits.waiting[k]);
+    FOR_WAITING(COMPARE)
+    GaussianHit dropped = hit;
+    if (is_nearer[WAITING - 1]) dropped = hits.waiting[WAITING - 1];
+    if (isBefore(dropped, hits.lost)) hits.lost = dropped;
 #define PLACE(k)                                                                                                       \
     {                                                                                                                  \
-        GaussianHit other = hits.waiting[k];                                                                           \
-        bool nearer = isBefore(hit, other);                                                                            \
-        if (nearer) hits.waiting[k] = hit;                                                                             \
-        if (nearer) hit = other;                                                                                       \
+        const int from = WAITING - 1 - (k), before = max(from, 1) - 1;                                                 \
+        GaussianHit moved = hit;                                                                                       \
+        if (from > 0 && is_nearer[before]) moved = hits.waiting[before];                                               \
+        if (is_nearer[from]) hits.waiting[from] = moved;                                                               \
     }
     FOR_WAITING(PLACE)
-    if (isBefore(hit, hits.lost)) hits.lost = hit;
 }
 
 // The first waiting hit, once nothing nearer can come; else none.

@@ -186,8 +186,9 @@ void lookThrough(Seen seen, SceneDescription& scene, RenderSettings& settings) {
         scene.shapes.push_back(screenAt(2, material));
         settings.camera.target = {0, 0, 4}; // where the mirror shows the origin
     } else {
-        const Vec3 middle{1.5, 0.25, 0};
-        scene.shapes.push_back({ShapeKind::kBox, middle, {0.05, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}, material});
+        // across the ray, which it does not shift then
+        const Vec3 eye = settings.camera.eye.value(), along = normalize(eye), across = 0.1 * Vec3{-along.y, along.x, 0};
+        scene.shapes.push_back({ShapeKind::kBox, 0.5 * eye, 0.05 * along, across, {0, 0, 0.1}, material});
     }
 }
 
@@ -204,8 +205,10 @@ double litLight(Lit lit, Between between, Integrator integrator, KernelForm form
     scene.materials[0].color = {albedo, albedo, albedo};
     const double ball = between == Between::kBall ? 1.5 : 9;
     scene.shapes = {{ShapeKind::kSphere, {0, ball, 0}, {0.3, 0, 0}, {0, 0.3, 0}, {0, 0, 0.3}, 0}};
-    if (lit == Lit::kSurface) // so small that no reflection shows it, as none shows the Gaussian
-        scene.shapes.push_back({ShapeKind::kDisc, {0, 0, 0}, {0.05, 0, 0}, {0, 0, -0.05}, {0, 1, 0}, 0});
+    // through glass so small that no reflection shows it, as none shows the Gaussian
+    const double reach = seen == Seen::kThroughGlass ? 0.05 : 1;
+    const ShapeKind kind = seen == Seen::kThroughGlass ? ShapeKind::kDisc : ShapeKind::kPlane;
+    if (lit == Lit::kSurface) scene.shapes.push_back({kind, {0, 0, 0}, {reach, 0, 0}, {0, 0, -reach}, {0, 1, 0}, 0});
     scene.lights = {PointLight{{0, 3, 0}, {10, 10, 10}}};
     RenderSettings settings = lookingFrom({3, 0.5, 0}, {0, 0, 0}, 8); // all pixels see the same
     settings.camera.fov_deg = 0.01;

@@ -77,6 +77,11 @@ TEST_F(HostileSet, UnknownMembersAreIgnored) {
               "");
 }
 
+TEST_F(HostileSet, GaussiansIsAFlagThatMayBeMissing) {
+    EXPECT_SAYS(faultOfChange([](Json& json) { json["gaussians"] = 1; }), "gaussians *true");
+    EXPECT_EQ(faultOfChange([](Json& json) { json["gaussians"] = true; }), "");
+}
+
 TEST_F(HostileSet, OtherVersionsAndFormatsAreRefused) {
     EXPECT_SAYS(faultOfChange([](Json& json) { json["version"] = 2; }), "version 2, *1");
     EXPECT_SAYS(faultOfChange([](Json& json) { json["version"] = 1.5; }), "version *whole number");

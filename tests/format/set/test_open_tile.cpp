@@ -103,6 +103,10 @@ TEST_F(OpenTile, RefusesATileOfAnotherSet) {
     set.attributes.clear();
     set.oriented = false;
     EXPECT_THROW(openTile(set, tile, folder.path, 0), Error);
+    set.oriented = true;
+    openTile(set, tile, folder.path, 0);
+    set.gaussians = true;
+    EXPECT_THROW(openTile(set, tile, folder.path, 0), Error);
 }
 
 } // namespace

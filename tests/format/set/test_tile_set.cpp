@@ -32,6 +32,17 @@ TEST(TileSet, RoundTripsToTheSameBytes) {
     EXPECT_EQ(set.tiles[8].cell, (TileCell{1, 1, 1}));
 }
 
+TEST(TileSet, SaysWhetherTilesHoldGaussians) {
+    const test::TemporaryFolder folder;
+    TileSet set = test::smallSet();
+    set.gaussians = true;
+    writeTileSet(set, folder.path);
+    EXPECT_TRUE(readTileSet(folder.path).gaussians);
+    set.gaussians = false;
+    writeTileSet(set, folder.path);
+    EXPECT_FALSE(readTileSet(folder.path).gaussians);
+}
+
 TEST(TileSet, MayHaveThousandsOfTiles) {
     TileSet set;
     set.edge = 1;
