@@ -51,7 +51,7 @@ if(has_rust)
   list(TRANSFORM unused_readers REPLACE "\\.cpp$" "_absent.cpp")
 endif()
 pointrt_room(format/pointio USES format/include/pointrt format/base format/crs format/set EXCLUDE ${unused_readers}
-  PURPOSE "Points with named columns read and written: .pro files and tile sets, PLY, text, LAS, LAZ, E57.")
+  PURPOSE "Points with named columns read and written: .pro, tile sets, PLY, PCD, text, LAS, LAZ, E57, headers of NumPy.")
 target_link_libraries(pointrt_pointio PUBLIC fmt::fmt nlohmann_json::nlohmann_json)
 target_compile_options(pointrt_pointio PRIVATE -Wconversion)
 if(has_rust)

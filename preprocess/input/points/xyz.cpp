@@ -2,6 +2,7 @@
 // Point lists as text: one point per line, in columns.
 #include <algorithm>
 #include <limits>
+#include <memory>
 
 #include "preprocess/ingest/formats.h"
 #include "preprocess/ingest/table.h"
@@ -241,7 +242,7 @@ std::uint64_t addPoints(RowReader& reader, Sink& sink) {
     });
 }
 
-void readXyz(const InputFile& input, Sink& sink) {
+void readTable(const InputFile& input, Sink& sink) {
     Layout layout = readPrologue(input);
     const NumberSurvey numbers = surveyNumbers(layout);
     layout.style = numbers.style();
@@ -270,6 +271,18 @@ void readXyz(const InputFile& input, Sink& sink) {
     if (layout.isPts() || layout.degrees) sink.setWorldFrame(input, frame);
     if (layout.degrees) sink.addDegrees(input);
     sink.finishScan(input);
+}
+
+/// Whether lines end with carriage returns alone, as in "CSV (Macintosh)" of spreadsheets.
+bool hasOnlyReturns(std::string_view text) {
+    return text.find('\n') == text.npos && withoutBlanks(text).find('\r') != text.npos;
+}
+
+void readXyz(const InputFile& input, Sink& sink) {
+    if (!hasOnlyReturns(input.bytes)) return readTable(input, sink);
+    const auto text = std::make_shared<std::string>(input.bytes);
+    std::replace(text->begin(), text->end(), '\r', '\n');
+    readTable({input.name, *text, text}, sink);
 }
 
 } // namespace

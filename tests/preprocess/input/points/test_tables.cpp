@@ -36,6 +36,7 @@ TEST_F(TableTest, QuotedFieldsHoldDelimiters) {
 
 TEST_F(TableTest, QuotedFieldsHoldLineEnds) {
     expectPoints("note,x,y,z\n\"a\nb\",1,2,3\nc,4,5,6\n", {{1, 2, 3}, {4, 5, 6}});
+    expectPoints("x,y,z\r1,2,3\r4,5,6\r", {{1, 2, 3}, {4, 5, 6}}); // "CSV (Macintosh)"
     // a quote that nothing closes does not swallow the points after it
     expectPoints("note,x,y,z\n\"5 inch,1,2,3\nc,4,5,6\n", {{1, 2, 3}, {4, 5, 6}});
 }
