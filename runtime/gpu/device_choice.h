@@ -47,6 +47,8 @@ struct Candidate {
 
 std::vector<Candidate> enumerateCandidates(VkInstance instance, const QueueNeeds& needs = {});
 
+bool hasExtension(VkPhysicalDevice physical, const char* name);
+
 /// Why candidate is unusable; empty if it is usable. Does not read candidate.physical and refusal.
 std::string refusalOf(const Candidate& candidate);
 
