@@ -16,6 +16,7 @@
 #include "format/base/printable.h"
 #include "format/set/open_tile.h"
 #include "runtime/device_scene/core_reach.h"
+#include "runtime/gpu/memory_budget.h"
 #include "runtime/util/available_memory.h"
 #include "runtime/util/on_error.h"
 #include "runtime/util/parse.h"
@@ -296,11 +297,8 @@ void setCoreBox(const DeviceScan& file, const TileBox& box, gpu::InstanceParams&
 
 std::uint64_t tileMemory(const Device& device, std::uint64_t request, std::uint64_t others) {
     if (device.unified_memory) return request - std::min(others, request / 2);
-    std::uint64_t own = 0;
-    for (std::uint32_t i = 0; i < device.memory.memoryHeapCount; ++i)
-        if (device.memory.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT)
-            own = std::max<std::uint64_t>(own, device.memory.memoryHeaps[i].size);
-    return std::min(request, static_cast<std::uint64_t>(kDeviceShare * static_cast<double>(own)));
+    const auto own = static_cast<double>(availableDeviceMemory(device));
+    return std::min(request, static_cast<std::uint64_t>(kDeviceShare * own));
 }
 
 void rebuildInstances(Device& device, DeviceScene& scene) {

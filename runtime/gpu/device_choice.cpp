@@ -18,15 +18,6 @@ constexpr VkSubgroupFeatureFlags kSubgroupOperations = VK_SUBGROUP_FEATURE_BASIC
                                                        VK_SUBGROUP_FEATURE_ARITHMETIC_BIT |
                                                        VK_SUBGROUP_FEATURE_BALLOT_BIT;
 
-bool hasExtension(VkPhysicalDevice physical, const char* name) {
-    std::uint32_t count = 0;
-    check(vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr), "list device extensions");
-    std::vector<VkExtensionProperties> extensions(count);
-    check(vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, extensions.data()), "list device extensions");
-    return std::any_of(extensions.begin(), extensions.end(),
-                       [&](const VkExtensionProperties& e) { return std::strcmp(e.extensionName, name) == 0; });
-}
-
 std::optional<std::uint32_t> queueFamily(VkPhysicalDevice physical, const QueueNeeds& needs) {
     VkQueueFlags wanted = VK_QUEUE_COMPUTE_BIT;
     if (needs.graphics || needs.present) wanted |= VK_QUEUE_GRAPHICS_BIT;
@@ -169,6 +160,15 @@ std::string missingDescriptors(const VkPhysicalDeviceLimits& limits) {
 }
 
 } // namespace
+
+bool hasExtension(VkPhysicalDevice physical, const char* name) {
+    std::uint32_t count = 0;
+    check(vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr), "list device extensions");
+    std::vector<VkExtensionProperties> extensions(count);
+    check(vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, extensions.data()), "list device extensions");
+    return std::any_of(extensions.begin(), extensions.end(),
+                       [&](const VkExtensionProperties& e) { return std::strcmp(e.extensionName, name) == 0; });
+}
 
 std::string refusalOf(const Candidate& candidate) {
     const VkPhysicalDeviceProperties& properties = candidate.properties;

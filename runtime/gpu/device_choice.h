@@ -19,7 +19,7 @@ struct DescriptorCounts {
 };
 /// The most of any program that renders, without further pages. Vulkan guarantees 4, 16, 4 and 12. Programs that cast a
 /// caller's rays, and those of paged scans, have more; createProgram checks these.
-constexpr DescriptorCounts kRenderDescriptors{7, 18, 12, 3};
+constexpr DescriptorCounts kRenderDescriptors{7, 18, 13, 3};
 
 /// What the queue must support besides compute.
 struct QueueNeeds {
@@ -46,6 +46,8 @@ struct Candidate {
 };
 
 std::vector<Candidate> enumerateCandidates(VkInstance instance, const QueueNeeds& needs = {});
+
+bool hasExtension(VkPhysicalDevice physical, const char* name);
 
 /// Why candidate is unusable; empty if it is usable. Does not read candidate.physical and refusal.
 std::string refusalOf(const Candidate& candidate);

@@ -46,7 +46,7 @@ TEST(InvalidRays, MeetNothingAndSpareTheirNeighbours) {
         EXPECT_FALSE(hits[2 * i + 1].hit()) << "invalid ray " << i % invalid.size();
         met += expected[i].hit() ? 1 : 0;
     }
-    EXPECT_GT(met, valid.size() / 4);
+    EXPECT_GT(met, valid.size() / 8);
 }
 
 } // namespace

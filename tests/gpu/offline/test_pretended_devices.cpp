@@ -188,7 +188,7 @@ TEST_F(PretendedDevices, LeaveTilesTheirBudget) {
 
 TEST_F(PretendedDevices, ThatLackDescriptors_AreRefused) {
     const Environment environment(layered({{"POINTRT_LAYER_LIMITS", "maxPerStageDescriptorStorageBuffers=8"}}));
-    EXPECT_SAYS(listDevices(), "*unusable: *8 storage buffers*");
+    EXPECT_HAS(listDevices(), "unusable: *8 storage buffers");
     EXPECT_THROW(createDevice({}), Error);
 }
 
