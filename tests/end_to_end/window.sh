@@ -131,6 +131,7 @@ case_survives_any_size_and_key() {
 }
 
 case_opens_what_is_dropped() {
+    useCache bakes
     bakeHalf
     mkdir scans
     cp half.xyz "scans/a b.xyz"
@@ -138,9 +139,90 @@ case_opens_what_is_dropped() {
 1 drop \"scans/a b.xyz\"
 40 wait 1
 41 screenshot dropped
-42 quit"
-    [ -f "scans/a b.pro" ] || fail "the scan was not baked beside itself"
+42 key down Control
+42 key down S
+43 key up S
+43 key up Control
+44 quit"
+    [ "$(ls scans)" = "a b.xyz" ] || fail "something was written beside the scan"
     [ -s dropped.png ] || fail "no screenshot"
+    # the scene does not depend on the cache
+    cmp "a b.pro" "$(find "$kept" -name '*.pro')" || fail "the bake is not kept for the scene"
+    rm -r "$kept"
+    expectDone pointrt-view "a b-1.toml" -o file.png
+}
+
+# Without a scene the window has a page to start from, with the files opened last.
+case_starts_without_a_scene() {
+    bakeHalf
+    { echo "pointrt-recording 1 window 320x240 scale 1" && printf '%s\n' "2 screenshot empty" "3 drop \"half.pro\"" "5 wait 1" \
+        "6 screenshot shown" "7 quit"; } >user.txt
+    expectDone pointrt-view --replay user.txt --offscreen --spp 1
+    [ "$(cat "$XDG_STATE_HOME/pointrt/recent")" = "$PWD/half.pro" ] || fail "the file is not listed"
+    ! cmp -s empty.png shown.png || fail "nothing was opened"
+    expectError 2 "no SCENE given" pointrt-view
+}
+
+# Killed after an edit, the window offers it when the file is opened again; a saved or unwanted edit is not offered.
+case_edits_survive_a_crash() {
+    local id left
+    bakeHalf
+    left=$XDG_STATE_HOME/pointrt/autosave
+    { echo "pointrt-recording 1 window 160x120 scale 1" && printf '%s\n' "0 wait 1" "1 key down V" "1 key up V" "100000 quit"; } >user.txt
+    pointrt-view half.pro --replay user.txt --offscreen --spp 1 &
+    id=$!
+    for _ in $(seq 200); do
+        ! ls "$left"/*.toml >/dev/null 2>&1 || break
+        sleep 0.1
+    done
+    kill -KILL "$id"
+    wait "$id" || true
+    ls "$left"/*.toml >/dev/null || fail "the edit was not kept"
+    replay "0 wait 1
+2 screenshot question
+3 key down Escape
+3 key up Escape
+4 wait 1
+5 key down Control
+5 key down S
+5 key up S
+5 key up Control
+8 quit" --spp 1
+    grep -q "view 1" half-1.toml || fail "the edit was not restored"
+    [ -z "$(find "$left" -type f)" ] || fail "what is saved is still kept"
+}
+
+# Ctrl+Q asks for unsaved edits; Esc cancels the question, Ctrl+Z makes it needless.
+case_asks_before_edits_are_lost() {
+    bakeHalf
+    replay "0 wait 1
+1 key down V
+1 key up V
+3 key down Control
+3 key down Q
+3 key up Q
+4 key up Control
+5 key down Escape
+5 key up Escape
+7 key down Control
+7 key down Z
+7 key up Z
+9 key down Q
+9 key up Q
+9 key up Control
+12 screenshot late
+20 quit" --spp 1
+    [ ! -e late.png ] || fail "Ctrl+Q did not quit without edits"
+    replay "0 wait 1
+1 key down V
+1 key up V
+3 key down Control
+3 key down Q
+3 key up Q
+3 key up Control
+12 screenshot late
+20 quit" --spp 1
+    [ -s late.png ] || fail "Ctrl+Q quit with unsaved edits"
 }
 
 case_wrong_input() {

@@ -28,6 +28,8 @@ namespace {
 /// Interval of redrawing the interface while there is no input.
 constexpr double kRedraw_s = 0.1;
 constexpr std::size_t kPicks = 2;
+/// More than anyone clicks; each is drawn in every frame.
+constexpr std::size_t kPathPicks = 1000;
 /// Share of the tile memory for the cut; the rest is for tiles that load while it is shown.
 constexpr double kCutShare = 0.8;
 /// Interval of tile selection while the camera moves.
@@ -80,34 +82,39 @@ bool uploadPicture(Host& host, ImageController& image) {
 
 } // namespace
 
-StartedJob Window::startLoad(const std::string& path, bool first) {
+StartedJob Window::startLoad(const SceneSource& scene, bool first) {
     Options options = options_;
-    options.scene = path;
-    if (loaded_) { // camera options are for the scene of the command line only
+    options.scene = scene.path;
+    options.source = scene.source;
+    if (loaded_ && !scene.follows_quick) { // camera options are for the scene of the command line only
         options.camera = {};
         options.up_axis.reset();
         options.view.clear();
         options.fov_deg.reset();
     }
     options.choices.size = host_.pixels();
-    host_.setTitle(std::filesystem::path(path).filename().string() + " - pointrt");
+    host_.setTitle(std::filesystem::path(scene.name()).filename().string() + " - pointrt");
     // a failure ends the program for the command line's file; after a dropped file the window stays
     return startedJob<LoadJob>(
         std::make_unique<LoadJob>(host_.device(), options, freeShare(host_)),
-        [this](LoadJob& load) { showLoaded(load.take()); }, first ? throwIfFailed : std::function<void(const Job&)>());
+        [this, scene](LoadJob& load) { showLoaded(load.take(), scene); },
+        first ? throwIfFailed : std::function<void(const Job&)>());
 }
 
-void Window::showLoaded(std::unique_ptr<LoadedScene> loaded) {
+void Window::showLoaded(std::unique_ptr<LoadedScene> loaded, const SceneSource& scene) {
     image_.close();
     loaded_ = std::move(loaded);
     complete_for_.reset();
     warned_coarse_ = false;
+    shows_quick_bake_ = scene.is_quick;
     const bool says_samples = options_.choices.spp || loaded_->scene.description.render.spp;
-    editor_.open(openedScene(*loaded_), says_samples ? loaded_->settings.spp : kCleanSamplesOfLight);
+    const std::uint32_t samples = says_samples ? loaded_->settings.spp : kCleanSamplesOfLight;
+    view_.home = scene.follows_quick ? editor_.refine(openedScene(*loaded_), samples, view_.home)
+                                     : editor_.open(openedScene(*loaded_), samples);
     showColors();
     view_.stop();
-    view_.home = work_.camera;
     image_.open(host_.device(), loaded_->tracer);
+    offerAutosave(scene);
 }
 
 void Window::showColors() {
@@ -115,16 +122,18 @@ void Window::showColors() {
     work_.legend = loaded_->scene.paint.legend;
 }
 
-/// Brings the scene on the device up to date with the edits.
-void Window::editScene(bool dragging) {
+/// Brings the scene on the device up to date with the edits. in_progress: more of the same kind follow.
+void Window::editScene(bool dragging, bool in_progress) {
     editor_.updateSurroundings();
+    if (!in_progress) editor_.noteEdits();
     RequiredUpdate update;
     if (editor_.hasPendingEdits())
         update = requiredUpdate(loaded_->scene, loaded_->program_kinds.integrator, work_.scene, work_.settings);
     if (nextUpdateStep(update.kind, dragging, loaded_->lacks_photons) == UpdateStep::kUpload) {
         updateSceneTables(host_.device(), *loaded_, work_.scene, work_.settings, std::move(update.rows));
         editor_.clearPendingEdits();
-        image_.restart(ViewChange::kScene);
+        // while a lamp is dragged, the last picture with its light fading is better than none
+        image_.restart(dragging ? ViewChange::kScene : ViewChange::kAll);
         update.kind = UpdateKind::kNothing;
     }
     if (nextUpdateStep(update.kind, dragging, loaded_->lacks_photons) != UpdateStep::kSceneUpdate) return;
@@ -134,7 +143,7 @@ void Window::editScene(bool dragging) {
             std::make_unique<SceneUpdateJob>(host_.device(), *loaded_, work_.scene, work_.settings), {},
             [this](const Job&) {
                 showColors();
-                image_.restart(ViewChange::kScene);
+                image_.restart(ViewChange::kAll);
             });
     });
 }
@@ -196,7 +205,8 @@ void Window::updatePicture() {
             flyTo(centredOn(work_.camera, found->pick.position));
         } else {
             work_.picks.push_back(describePick(loaded_->scene, found->pick));
-            if (work_.picks.size() > kPicks) work_.picks.erase(work_.picks.begin());
+            if (work_.picks.size() > (work_.pin_measurement ? kPathPicks : kPicks))
+                work_.picks.erase(work_.picks.begin());
         }
     }
     work_.requests.look_changed = false;

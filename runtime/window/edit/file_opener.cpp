@@ -1,58 +1,90 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/window/edit/file_opener.h"
 
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "format/base/error.h"
-#include "format/base/require_pro.h"
-#include "runtime/scene_io/scene_file.h"
+#include "runtime/session/options.h"
 #include "runtime/window/edit/bake_job.h"
 #include "runtime/window/edit/file_list.h"
 
 namespace pointrt {
 namespace {
 
-bool isScene(const std::string& path) { return path.ends_with(".pro") || isSceneOrSet(path) || beginsAsPro(path); }
+/// Finds mistakes before a job starts.
+void requireScans(const ScanBake& scans) {
+    std::error_code failure;
+    for (const std::string& scan : scans.scans)
+        if (std::filesystem::status(scan, failure).type() == std::filesystem::file_type::not_found)
+            throw Error{ExitCode::kBadInput, scan + ": No such file or directory"};
+}
 
 } // namespace
 
 FileOpener::FileOpener(JobQueue& jobs, JobQueue::Notify notify, StartLoad load)
     : jobs_(jobs), notify_(std::move(notify)), load_(std::move(load)) {}
 
-void FileOpener::open(const std::string& path) {
-    jobs_.enqueue(JobKind::kLoad, [this, path] { return load_(path, std::exchange(first_, false)); });
+void FileOpener::open(const SceneSource& scene) {
+    current_ = scene.name();
+    jobs_.enqueue(JobKind::kLoad, [this, scene] { return load_(scene, std::exchange(first_, false)); });
 }
 
-void FileOpener::openNamed(const std::string& path) {
-    if (isScene(path)) return open(path);
-    bake({path}, throwIfFailed);
+void FileOpener::openNamed(const ScanBake& inputs) {
+    first_ = true;
+    if (isScene(inputs.scans.front())) return open({inputs.scans.front(), {}, false});
+    bake(inputs);
 }
 
 void FileOpener::drop(const std::vector<std::string>& paths) {
     if (paths.empty()) return;
     try {
-        if (!isScene(paths.front())) return bake(paths);
+        if (!isScene(paths.front())) return bake({paths, {}});
     } catch (const Error& error) {
         return notify_(error.what(), true);
     }
     if (paths.size() > 1) notify_("opening only the first of " + std::to_string(paths.size()) + " files", false);
-    open(paths.front());
+    open({paths.front(), {}, false});
 }
 
-void FileOpener::bake(const std::vector<std::string>& scans, const std::function<void(const Job&)>& ended) {
+void FileOpener::bake(const ScanBake& scans) {
     if (const auto other = jobs_.status(JobKind::kBake))
         return notify_(other->title + " is still running; bake one scan at a time", true);
-    const BakePlan plan = planBake(scans);
-    if (plan.is_up_to_date) return open(plan.output);
+    requireScans(scans);
     jobs_.start(JobKind::kBake, [&] {
+        auto quick = std::make_unique<BakeJob>(scans, BakeDetail::kQuick);
+        const BakeJob* job = quick.get();
+        StartedJob started = startedJob<BakeJob>(std::move(quick), [this, scans](BakeJob& bake) {
+            open({bake.output(), scans.scans.front(), false, bake.isQuick()});
+        });
+        started.ended = [this, scans, job](const Job& end) {
+            if (end.state() == JobState::kFailed || (end.state() == JobState::kDone && job->isQuick()))
+                bakeFully(scans, end.state() == JobState::kDone);
+        };
+        started.fails_silently = true; // the full bake says why
+        return started;
+    });
+}
+
+void FileOpener::bakeFully(const ScanBake& scans, bool follows_quick) {
+    jobs_.enqueue(JobKind::kBake, [this, scans, follows_quick] {
         return startedJob<BakeJob>(
-            std::make_unique<BakeJob>(plan), [this](BakeJob& bake) { open(bake.output()); }, ended);
+            std::make_unique<BakeJob>(scans),
+            [this, scan = scans.scans.front(), follows_quick](BakeJob& bake) {
+                if (follows_quick && current_ != scan)
+                    return notify_("baked " + scan + "; open it again to see it", false);
+                open({bake.output(), scan, false, false, follows_quick});
+            },
+            [this](const Job& end) {
+                if (first_) throwIfFailed(end);
+            });
     });
 }
 
 void FileOpener::openNeighbour(const std::string& path, int step) {
     const std::string neighbour = neighbourFile(path, step);
-    if (!neighbour.empty() && neighbour != path) open(neighbour);
+    if (!neighbour.empty() && neighbour != path) open({neighbour, {}, false});
 }
 
 } // namespace pointrt

@@ -47,16 +47,15 @@ void drawDistance(const Workspace& w, ImDrawList& list, const PickedPoint& a, co
     list.AddLine(*from, *to, kDark, 3.5f * uiScale());
     list.AddLine(*from, *to, kLine, 1.5f * uiScale());
     drawLabel(list, ImVec2((from->x + to->x) / 2, (from->y + to->y) / 2),
-              lengthText(length(b.position - a.position), sceneSize(w)));
+              lengthText(length(b.position - a.position), measuredSize(sceneSize(w))));
 }
 
 } // namespace
 
 void drawPickMarks(const Workspace& w) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const std::size_t count = w.picks.size();
-    if (count > 1) drawDistance(w, list, w.picks[count - 2], w.picks[count - 1]);
-    for (std::size_t p = count > 1 ? count - 2 : 0; p < count; ++p)
+    for (std::size_t p = 1; p < w.picks.size(); ++p) drawDistance(w, list, w.picks[p - 1], w.picks[p]);
+    for (std::size_t p = 0; p < w.picks.size(); ++p)
         if (const auto at = onScreen(w, w.picks[p].position)) drawCross(list, *at);
 }
 
