@@ -52,10 +52,10 @@ void RosClouds::add(const std::string& topic, RosEncoding encoding, std::string_
     Topic& its = topics_[topic];
     if (!looks_for_poses_) return addCloud(topic, its, takeRosCloud(input_, encoding, message));
     if (!isRosCloud(its.type)) return poses_.add(input_, topic, its.type, encoding, message);
-    constexpr std::size_t kMostHeaders = 1 << 16, kLongestName = 256; // hours of a lidar; some show whether poses fit
+    constexpr std::size_t kMostHeaders = 1 << 16; // hours of a lidar; some show whether poses fit
     RosMessage start(input_, encoding, message);
     RosHeader header(start);
-    if (its.headers.size() < kMostHeaders && header.frame.size() <= kLongestName)
+    if (its.headers.size() < kMostHeaders && header.frame.size() <= kLongestFrame)
         its.headers.push_back(std::move(header));
 }
 

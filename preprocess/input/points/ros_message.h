@@ -36,6 +36,9 @@ struct RosMessage {
     }
 };
 
+/// Longer names of frames are no use, and each takes memory, which packed recordings promise cheaply.
+inline constexpr std::size_t kLongestFrame = 256;
+
 /// std_msgs/Header: when and in which frame the numbers of a message were taken.
 struct RosHeader {
     std::int64_t time_ns = 0;

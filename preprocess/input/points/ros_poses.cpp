@@ -11,8 +11,8 @@ namespace {
 constexpr std::int64_t kReach_ns = 100'000'000;
 /// More poses than a day at 100 Hz has: a packed recording may promise any number.
 constexpr std::size_t kMostSamples = std::size_t{1} << 23;
-/// More frames than a robot has joints, and longer names: each takes memory, which packed recordings promise cheaply.
-constexpr std::size_t kMostFrames = 4096, kLongestName = 256;
+/// More frames than a robot has joints.
+constexpr std::size_t kMostFrames = 4096;
 /// More frames than lie between a scanner and a map: transforms of a damaged file may go in circles.
 constexpr int kMostSteps = 64;
 
@@ -57,7 +57,7 @@ void RosPoses::addSample(RosMessage& message, const RosHeader& header, const std
     Sample sample{header.time_ns, takeVector(message), {}};
     for (double& value : sample.rotation.coeffs()) value = message.take<double>(); // x y z w, as Eigen stores them
     const double size = sample.rotation.norm();
-    if (frame.size() > kLongestName || header.frame.size() > kLongestName) return;
+    if (frame.size() > kLongestFrame || header.frame.size() > kLongestFrame) return;
     if (edges.size() >= kMostFrames && !edges.contains(frame)) return;
     if (!sample.translation.allFinite() || !std::isfinite(size) || size == 0 || frame == header.frame) return;
     sample.rotation.normalize();
