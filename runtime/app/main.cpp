@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// pointrt-view: options -> device -> scene -> frames -> picture.
+// pointrt-view: options -> baked scans -> device -> scene -> frames -> picture.
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -11,6 +11,7 @@
 #include "format/base/report_file.h"
 #include "format/base/require_pro.h"
 #include "format/base/run_tool.h"
+#include "runtime/app/bake_inputs.h"
 #include "runtime/app/camera_job.h"
 #include "runtime/app/render_job.h"
 #include "runtime/gpu/device.h"
@@ -32,21 +33,17 @@ namespace {
 
 using namespace pointrt;
 
-#ifdef POINTRT_HAS_WINDOW
-constexpr const char* kWindowBakes = ", as the window does automatically";
-#else
-constexpr const char* kWindowBakes = "";
-#endif
-
 void render(Options options) {
     std::optional<CameraPlan> cameras;
     if (!options.cameras.empty()) cameras = planCameras(options);
     const std::string first = options.turntable != 0 ? frameName(options.output, 0) : options.output;
     if (!first.empty() && !cameras) requireWritable(first);
     if (!options.stats.empty()) requireReportWritable(options.stats);
+    requireOutputsApart(options, {});
+    if (!bakeInputs(options)) return;
     SceneDescription description = describeScene(options);
     requireOutputsApart(options, description);
-    if (!isSceneOrSet(options.scene)) requirePro(options.scene, kWindowBakes);
+    if (!isSceneOrSet(options.scene)) requirePro(options.scene);
     Report report;
     RenderSession session(options);
     loadSession(session, std::move(description), options, report);
@@ -70,8 +67,9 @@ void showWindow(const Options& options) {
     requireOutputsApart(options, {});
     if (!options.stats.empty()) requireReportWritable(options.stats);
     std::error_code failure;
-    if (std::filesystem::status(options.scene, failure).type() == std::filesystem::file_type::not_found)
-        throw Error{ExitCode::kBadInput, options.scene + ": No such file or directory"};
+    for (const std::string& input : options.inputs)
+        if (std::filesystem::status(input, failure).type() == std::filesystem::file_type::not_found)
+            throw Error{ExitCode::kBadInput, input + ": No such file or directory"};
 #ifdef POINTRT_HAS_WINDOW
     runWindow(options);
 #else

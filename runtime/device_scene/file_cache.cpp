@@ -5,14 +5,31 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <filesystem>
+#include <stdexcept>
 #include <system_error>
 #include <vector>
+
+#include "format/base/error.h"
+#include "runtime/util/parse.h"
 
 namespace pointrt {
 namespace {
 
 namespace fs = std::filesystem;
+
+std::string variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value ? value : "";
+}
+
+/// "" if the user has none. The XDG base directory specification says to ignore relative paths.
+std::string cacheFolder() {
+    if (const std::string cache = variable("XDG_CACHE_HOME"); cache.starts_with('/')) return cache;
+    const std::string home = variable("HOME");
+    return home.starts_with('/') ? home + "/.cache" : "";
+}
 
 struct CachedFile {
     fs::path path;
@@ -38,16 +55,6 @@ std::vector<CachedFile> filesOf(const FileCache& cache) {
     return files;
 }
 
-/// Creates missing folders, accessible only to the user, as the XDG base directory specification requires.
-bool makeFolder(const fs::path& folder) {
-    std::error_code ignored;
-    if (fs::is_directory(folder, ignored)) return true;
-    constexpr mode_t kUserAlone = 0700;
-    const fs::path above = folder.parent_path();
-    if (above.empty() || above == folder || !makeFolder(above)) return false;
-    return mkdir(folder.c_str(), kUserAlone) == 0 || errno == EEXIST;
-}
-
 /// The limit for the folder, including the `there` bytes that it holds.
 std::uint64_t roomOf(const FileCache& cache, std::uint64_t there) {
     std::error_code unknown;
@@ -57,8 +64,31 @@ std::uint64_t roomOf(const FileCache& cache, std::uint64_t there) {
 
 } // namespace
 
-bool makeRoomFor(const FileCache& cache, std::uint64_t bytes) {
-    if (cache.folder.empty() || !makeFolder(cache.folder)) return false;
+bool makePrivateFolder(const std::string& path) {
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored)) return true;
+    constexpr mode_t kUserAlone = 0700;
+    const fs::path above = fs::path(path).parent_path();
+    if (above.empty() || above == path || !makePrivateFolder(above.string())) return false;
+    return mkdir(path.c_str(), kUserAlone) == 0 || errno == EEXIST;
+}
+
+FileCache userFileCache(const UserCache& user) {
+    FileCache cache{cacheFolder(), user.suffix, user.most_bytes};
+    const std::string size = variable(user.variable);
+    if (size == "off") cache.folder.clear();
+    if (!cache.folder.empty()) cache.folder += std::string("/pointrt/") + user.name;
+    if (size.empty() || size == "off") return cache;
+    try {
+        cache.most_bytes = parseBytes(size);
+    } catch (const std::invalid_argument& error) {
+        throw Error(ExitCode::kBadUsage, std::string(user.variable) + ": " + error.what() + ", or off");
+    }
+    return cache;
+}
+
+bool makeRoomFor(const FileCache& cache, std::uint64_t bytes, const std::string& kept) {
+    if (cache.folder.empty() || !makePrivateFolder(cache.folder)) return false;
     const std::vector<CachedFile> files = filesOf(cache);
     std::uint64_t there = 0;
     for (const CachedFile& file : files) there += file.bytes;
@@ -66,6 +96,7 @@ bool makeRoomFor(const FileCache& cache, std::uint64_t bytes) {
     if (bytes > room) return false;
     for (const CachedFile& file : files) {
         if (there + bytes <= room) break;
+        if (file.path == kept) continue;
         std::error_code gone; // another process deleted it
         fs::remove(file.path, gone);
         there -= file.bytes;

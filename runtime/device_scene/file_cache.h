@@ -19,9 +19,25 @@ struct FileCache {
     std::uint64_t most_bytes = 0;
 };
 
+/// A cache in the user's cache folder, and the environment variable that limits it.
+struct UserCache {
+    const char* name;     ///< of its folder in $XDG_CACHE_HOME/pointrt or ~/.cache/pointrt
+    const char* suffix;   ///< of its files
+    const char* variable; ///< a size limit such as 20G, or "off"
+    std::uint64_t most_bytes = 0; ///< without the variable
+};
+
+/// Without a folder if it is off or the user has none. Throws Error kBadUsage if the variable is neither a size nor
+/// "off".
+FileCache userFileCache(const UserCache& user);
+
 /// Creates the folder, accessible only to the user, if it is missing, and deletes the least recently used files until
-/// bytes more fit. False if there is no folder, or they cannot fit.
-bool makeRoomFor(const FileCache& cache, std::uint64_t bytes);
+/// bytes more fit. False if there is no folder, or they cannot fit. kept: path of a file that is not deleted.
+bool makeRoomFor(const FileCache& cache, std::uint64_t bytes, const std::string& kept = {});
+
+/// Creates path and missing folders above it, accessible only to the user, as the XDG base directory specification
+/// requires. False if that fails.
+bool makePrivateFolder(const std::string& path);
 
 /// Marks a file as used now; ignored if it cannot be written.
 void markUsed(const std::string& path);

@@ -5,33 +5,15 @@
 #include <cinttypes>
 #include <cstddef>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#include <stdexcept>
 #include <tuple>
 
-#include "format/base/error.h"
 #include "format/index/build_index.h"
 #include "pointrt/pro_index_layout.h"
 #include "runtime/util/available_memory.h"
-#include "runtime/util/parse.h"
 
 namespace pointrt {
 namespace {
-
-constexpr const char* kSize = "POINTRT_INDEX_CACHE";
-
-std::string variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value ? value : "";
-}
-
-/// "" if the user has none. The XDG base directory specification says to ignore relative paths.
-std::string cacheFolder() {
-    if (const std::string cache = variable("XDG_CACHE_HOME"); cache.starts_with('/')) return cache;
-    const std::string home = variable("HOME");
-    return home.starts_with('/') ? home + "/.cache" : "";
-}
 
 template <typename T>
 T headerField(const pro_file* file, std::size_t offset) {
@@ -87,17 +69,7 @@ std::uint64_t cachedBytes(const pro_file* file, const pro_index& index) {
 } // namespace
 
 FileCache userIndexCache() {
-    FileCache cache{cacheFolder(), ".pro", kIndexCacheBytes};
-    const std::string size = variable(kSize);
-    if (size == "off") cache.folder.clear();
-    if (!cache.folder.empty()) cache.folder += "/pointrt/index";
-    if (size.empty() || size == "off") return cache;
-    try {
-        cache.most_bytes = parseBytes(size);
-    } catch (const std::invalid_argument& error) {
-        throw Error(ExitCode::kBadUsage, std::string(kSize) + ": " + error.what() + ", or off");
-    }
-    return cache;
+    return userFileCache({"index", ".pro", "POINTRT_INDEX_CACHE", kIndexCacheBytes});
 }
 
 pro_file* openCachedIndex(const FileCache& cache, const pro_file* file) {

@@ -198,6 +198,11 @@ OptionGroup runOptions() {
           "Progress on standard error: auto redraws one line on a terminal, lines prints 'progress SHARE DETAIL' for "
           "programs to parse (default auto)",
           [](Options& o, const std::string& text) { o.progress_lines = parseName(kProgressNames, text); }},
+         {"--bake", "OPTION...",
+          "Pass all arguments after this one to pointrt-bake, which bakes the scans (see pointrt-bake --help)",
+          [](Options&, const std::string&) {
+              throw std::invalid_argument("options of pointrt-bake follow as further arguments");
+          }},
          {.names = "-q,--quiet",
           .help = "Print errors only, and the lines of --progress lines (default: off)",
           .flag = &Options::quiet},

@@ -1,19 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/session/options.h"
 
+#include <algorithm>
+#include <array>
 #include <functional>
+#include <span>
 #include <stdexcept>
+#include <string_view>
 
 #include "format/base/error.h"
+#include "format/base/require_pro.h"
 #include "format/cli/command_line.h"
 #include "runtime/scene/turntable.h"
+#include "runtime/scene_io/scene_file.h"
 #include "runtime/session/option_table.h"
 
 namespace pointrt {
 namespace {
 
-constexpr const char* kExamples = "  pointrt-view scan.pro               open a window; press H for the keys\n"
-                                  "  pointrt-view scan.pro -o scan.png   render a picture, lit by studio lamps\n"
+constexpr const char* kExamples = "  pointrt-view scan.laz               bake it and open a window; press H for the keys\n"
+                                  "  pointrt-view scan.laz -o scan.png   render a picture, lit by studio lamps\n"
+                                  "  pointrt-view a.ply b.ply -o all.png --bake --clean off\n"
                                   "  pointrt-view scan.pro --integrator path --time-limit 60 -o scan.png\n"
                                   "  pointrt-view scene.toml --view top -o - | convert - top.jpg\n";
 constexpr const char* kNotes =
@@ -21,6 +28,9 @@ constexpr const char* kNotes =
     "the signal. A second Ctrl-C quits at once.\n\n"
     "PNGs are written as they are rendered and need at most 1.3 GiB of memory. EXRs, turntables, and pictures with "
     "--time-limit or --noise need 112 bytes per pixel; pointrt-view refuses to start if memory is insufficient.\n\n"
+    "Scans are baked by pointrt-bake, found beside this program or in PATH, to ~/.cache/pointrt/bakes: once for the same "
+    "files and options. The least recently used are deleted beyond POINTRT_BAKE_CACHE (e.g. 50G, or off; default 20G) "
+    "and beyond a quarter of the free disk space. Deleting the folder clears the cache.\n\n"
     "Environment variables: POINTRT_INDEX_CACHE limits the cache of tracing indices in ~/.cache/pointrt/index, which "
     "are built for files without one (e.g. 20G, or off; default 8G). POINTRT_VALIDATION=1 enables the Vulkan "
     "validation layer; any message ends the run with exit code 3.";
@@ -173,8 +183,34 @@ void fillThumbnail(Options& options) {
 
 /// --device list does nothing else.
 void requireNothingElse(const Options& options) {
-    if (!options.scene.empty() || !options.output.empty() || options.bench_frames != 0)
+    if (!options.inputs.empty() || !options.output.empty() || options.bench_frames != 0)
         throw Error{ExitCode::kBadUsage, "--device list cannot be combined with other options"};
+}
+
+/// Options of pointrt-bake that only a bake to a named file can have.
+constexpr std::array kNotBehind = {"-o", "--output", "--step", "--keep-work", "--progress", "--generate"};
+
+void requireBakeOptions(const Options& options) {
+    for (const std::string_view option : options.bake_options)
+        for (const std::string_view refused : kNotBehind)
+            if (option.substr(0, option.find('=')) == refused)
+                throw Error{ExitCode::kBadUsage,
+                            "--bake: " + std::string(refused) + " is not possible here; run pointrt-bake"};
+}
+
+/// A scene must be alone; scans may be several.
+void requireInputs(const Options& options) {
+    if (options.inputs.empty()) throw Error{ExitCode::kBadUsage, "no SCENE given"};
+    for (const std::string& input : std::span(options.inputs).subspan(1))
+        if (input.ends_with(".png") || input.ends_with(".exr"))
+            throw Error{ExitCode::kBadUsage, "unexpected argument " + input + ", did you mean -o " + input + "?"};
+    const auto scene = std::find_if(options.inputs.begin(), options.inputs.end(), isScene);
+    if (scene == options.inputs.end()) return requireBakeOptions(options);
+    if (options.inputs.size() > 1)
+        throw Error{ExitCode::kBadUsage,
+                    *scene + ": a scene cannot be opened with other files; name them in a scene file (docs/SCENES.md)"};
+    if (!options.bake_options.empty())
+        throw Error{ExitCode::kBadUsage, "--bake: " + *scene + " is baked already"};
 }
 
 void requireTask(const Options& options) {
@@ -199,9 +235,19 @@ void requireTask(const Options& options) {
     if (options.turntable != 0 && (options.resume || options.bench_frames != 0))
         throw Error{ExitCode::kBadUsage, std::string("--turntable and ") + (options.resume ? "--resume" : "--bench") +
                                              " exclude each other"};
-    if (options.scene.empty()) throw Error{ExitCode::kBadUsage, "no SCENE given"};
+    requireInputs(options);
     if (options.cameras.empty()) requireFrameNames(options.output, options.turntable != 0);
     requireWindow(options);
+}
+
+/// Takes the options after --bake, which belong to pointrt-bake. Returns the number of arguments before it.
+int takeBakeOptions(int argc, const char* const* argv, Options& options) {
+    const char* const* const end = argv + argc;
+    const char* const* const bake =
+        std::find_if(argv, end, [](std::string_view argument) { return argument == "--bake"; });
+    if (bake + 1 == end) throw Error{ExitCode::kBadUsage, "--bake: needs options of pointrt-bake after it"};
+    if (bake != end) options.bake_options.assign(bake + 1, end);
+    return static_cast<int>(bake - argv);
 }
 
 } // namespace
@@ -215,19 +261,23 @@ bool opensWindow(const Options& options) {
     return !options.list_devices && options.output.empty() && options.bench_frames == 0;
 }
 
+bool isScene(const std::string& path) { return path.ends_with(".pro") || isSceneOrSet(path) || beginsAsPro(path); }
+
 std::optional<int> parseOptions(int argc, const char* const* argv, Options& options) {
     CommandLine app("View and render point scans by ray tracing on a Vulkan device.", "pointrt-view");
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    app.add_option(
-           "SCENE", options.scene,
-           "Scan to render: FILE.pro or NAME.proset from pointrt-bake, or a scene file FILE.toml (docs/SCENES.md); "
-           "options override the scene file")
+    app.add_option("SCENE", options.inputs,
+                   "Scans to render: files or a folder, of any format that pointrt-bake reads, baked together; or "
+                   "FILE.pro or NAME.proset from pointrt-bake; or a scene file FILE.toml (docs/SCENES.md), which "
+                   "options override")
         ->type_name("")
-        ->group("Scene");
-    completes(app, "SCENE", ".pro .proset .toml");
+        ->group("Scene")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     addGroups(app, options);
-    if (const auto done = parseCommandLine(app, argc, argv, {{".png", "-o"}, {".exr", "-o"}})) return done;
+    const int own_arguments = takeBakeOptions(argc, argv, options);
+    if (const auto done = parseCommandLine(app, own_arguments, argv, {{".png", "-o"}, {".exr", "-o"}})) return done;
     requireTask(options);
+    if (options.inputs.size() == 1) options.scene = options.inputs.front();
     if (options.thumbnail != 0) fillThumbnail(options);
     return {};
 }

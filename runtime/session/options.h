@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "runtime/device_scene/cut.h"
 #include "runtime/render/frame_limits.h"
@@ -21,7 +22,11 @@ struct CameraOutput {
 
 /// The command line; resolveSettings (settings.h) merges it with the scene file.
 struct Options {
-    std::string scene;
+    std::vector<std::string> inputs;       ///< a scene, or scans to bake, as named on the command line
+    std::vector<std::string> bake_options; ///< of pointrt-bake, for scans
+    std::string scene;                     ///< the scene to open: the input, or the .pro baked from scans
+    std::string source;                    ///< what users know scene by, such as the scan it was baked from; empty:
+                                           ///< by its own name
     std::string output;            ///< FILE.png, FILE.exr or "-", or a folder with cameras; empty with a window,
                                    ///< bench_frames or list_devices
     std::string device;            ///< a selector, see DeviceRequest
@@ -51,6 +56,9 @@ struct Options {
 
 /// True if output is a PNG: FILE.png, a thumbnail, or "-" for standard output.
 bool writesPng(const Options& options);
+
+/// True if path is opened as it is: a scene file, a tile set or a .pro. Everything else is a scan to bake.
+bool isScene(const std::string& path);
 
 /// True if options open a window.
 bool opensWindow(const Options& options);

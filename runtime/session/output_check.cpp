@@ -20,7 +20,7 @@ struct NamedOutput {
 [[noreturn]] void refuse(const std::string& reason) { throw Error{ExitCode::kBadUsage, reason}; }
 
 std::vector<std::string> filesOf(const Options& options, const SceneDescription& scene) {
-    std::vector<std::string> files = {options.scene};
+    std::vector<std::string> files = options.inputs;
     for (const InstanceDescription& instance : scene.instances) files.push_back(instance.path);
     if (scene.sky && !scene.sky->image.empty()) files.push_back(scene.sky->image);
     if (!options.replay.empty()) files.push_back(options.replay);

@@ -87,10 +87,11 @@ SceneDescription describeScene(const Options& options) {
     SceneDescription scene;
     if (isSceneFile(options.scene)) {
         scene = readSceneFile(options.scene);
+        if (!options.source.empty()) scene.path = options.source;
         if (!scene.up) scene.up = options.up_axis;
         return scene;
     }
-    scene.path = options.scene;
+    scene.path = options.source.empty() ? options.scene : options.source;
     scene.instances.push_back({options.scene, {}, {}, {}});
     scene.up = options.up_axis;
     return scene;

@@ -15,8 +15,8 @@ constexpr const char* kWipe = "\r\033[K";
 
 } // namespace
 
-RenderProgress::RenderProgress(bool quiet, bool verbose, bool for_programs)
-    : start_(std::chrono::steady_clock::now()), drawn_(start_) {
+RenderProgress::RenderProgress(bool quiet, bool verbose, bool for_programs, const char* doing)
+    : doing_(doing), start_(std::chrono::steady_clock::now()), drawn_(start_) {
     if (for_programs) style_ = Style::kForPrograms;
     if (quiet || for_programs) return;
     if (isatty(STDERR_FILENO))
@@ -31,7 +31,7 @@ void RenderProgress::update(double share, const std::string& detail) {
     const double elapsed = Seconds(now - start_).count(), left = elapsed / share - elapsed;
     if (style_ == Style::kRedrawn && now - start_ >= kPatience && now - drawn_ >= kRedraw) {
         const std::string left_text = leftText(left_.update(elapsed, share));
-        std::fprintf(stderr, "%srendering %3.0f%%%s%s%s", kWipe, 100 * share, left_text.c_str(),
+        std::fprintf(stderr, "%s%s %3.0f%%%s%s%s", kWipe, doing_, 100 * share, left_text.c_str(),
                      detail.empty() ? "" : ", ", detail.c_str());
         drawn_ = now;
         on_screen_ = true;
@@ -42,7 +42,7 @@ void RenderProgress::update(double share, const std::string& detail) {
     }
     const int tenths = static_cast<int>(10 * share);
     if (style_ == Style::kTenths && tenths > tenths_) {
-        std::fprintf(stderr, "rendering %d%%, %.1f s left%s%s\n", 10 * tenths, left, detail.empty() ? "" : ", ",
+        std::fprintf(stderr, "%s %d%%, %.1f s left%s%s\n", doing_, 10 * tenths, left, detail.empty() ? "" : ", ",
                      detail.c_str());
         tenths_ = tenths;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Progress of a render on standard error.
+// Progress of a render, or of the bake before it, on standard error.
 #pragma once
 
 #include <chrono>
@@ -13,7 +13,8 @@ namespace pointrt {
 /// for_programs: lines "progress SHARE DETAIL", at most ten per second, regardless of quiet and verbose.
 class RenderProgress {
 public:
-    RenderProgress(bool quiet, bool verbose, bool for_programs);
+    /// doing: what the line begins with
+    RenderProgress(bool quiet, bool verbose, bool for_programs, const char* doing = "rendering");
     /// Cheap enough to call for every dispatch.
     /// @param share in [0, 1]
     /// @param detail text after the time left
@@ -23,6 +24,7 @@ public:
 
 private:
     enum class Style { kNone, kRedrawn, kTenths, kForPrograms };
+    const char* doing_;
     Style style_ = Style::kNone;
     std::chrono::steady_clock::time_point start_, drawn_;
     bool on_screen_ = false;

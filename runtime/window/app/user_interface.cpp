@@ -30,6 +30,8 @@ std::vector<Command> UserInterface::handleEvent(const InputEvent& event, double 
     const ImGuiIO& io = ImGui::GetIO();
     controls_.ui_wants_mouse = io.WantCaptureMouse;
     controls_.ui_wants_keyboard = io.WantTextInput;
+    const auto* key = std::get_if<KeyEvent>(&event);
+    if (key && key->key == Key::kEscape && key->down && !io.WantTextInput && closePopup()) return {};
     feedImGui(input_, event);
     return interpret(controls_, event, now_s);
 }

@@ -9,13 +9,11 @@
 #include "format/base/error.h"
 #include "format/base/printable.h"
 #include "format/base/report_file.h"
-#include "runtime/scene_io/scene_write.h"
 #include "runtime/session/report.h"
 #include "runtime/util/clock.h"
 #include "runtime/util/interrupt.h"
 #include "runtime/window/app/window_state.h"
 #include "runtime/window/edit/actions.h"
-#include "runtime/window/edit/free_name.h"
 #include "runtime/window/edit/shown_scene.h"
 #include "runtime/window/input/camera_commands.h"
 #include "runtime/window/input/camera_text.h"
@@ -53,6 +51,12 @@ ViewSize viewSize(const Host& host) {
 
 PixelSize pictureSize(const Host& host) { return {host.pixels().width, host.pixels().height}; }
 
+/// Whether command may be executed while a question waits for its answer.
+bool isAnswer(const Command& command) {
+    const auto* action = std::get_if<Action>(&command);
+    return action ? *action == Action::kBack : std::holds_alternative<ResizeEvent>(command);
+}
+
 double aspectOf(ViewSize size) { return size.width / size.height; }
 
 /// live: null if it must not be used now.
@@ -88,9 +92,9 @@ Window::Window(const Options& options)
       meter_(Clock::now()), editor_(work_), jobs_([this](const std::string& text, bool error) { notify(text, error); }),
       opener_(
           jobs_, [this](const std::string& text, bool error) { notify(text, error); },
-          [this](const std::string& path, bool first) { return startLoad(path, first); }) {
+          [this](const SceneSource& scene, bool first) { return startLoad(scene, first); }) {
     if (!options.record.empty()) session_.startRecording(options.record, host_.size());
-    opener_.openNamed(options.scene);
+    opener_.openNamed({options.inputs, options.bake_options});
 }
 
 void Window::notify(const std::string& text, bool error) {
@@ -147,6 +151,7 @@ PictureState Window::pictureState() const {
 }
 
 void Window::execute(const Command& command) {
+    if (work_.question && !isAnswer(command)) return;
     const ViewSize size = viewSize(host_);
     if (const auto view = cameraAfter(command, work_.camera, size)) {
         view_.stop();
@@ -156,7 +161,8 @@ void Window::execute(const Command& command) {
     if (const auto* at = std::get_if<CentreCommand>(&command))
         image_.pick({at->x / size.width, at->y / size.height, true});
     if (const auto* fly = std::get_if<FlyCommand>(&command)) view_.flyAlong(fly->direction);
-    if (const auto* drop = std::get_if<DropEvent>(&command)) opener_.drop(drop->paths);
+    if (const auto* drop = std::get_if<DropEvent>(&command))
+        afterSaving([this, paths = drop->paths] { opener_.drop(paths); });
     if (const auto* action = std::get_if<Action>(&command)) execute(*action);
 }
 
@@ -166,8 +172,10 @@ void Window::execute(Action action) {
     if (action == Action::kCopyCamera) host_.setClipboard(cameraText(work_.camera));
     if (action == Action::kPasteCamera)
         tryOrNotify("", [&] { flyTo(withCameraText(work_.camera, host_.clipboard())); });
-    if (action == Action::kPreviousFile) opener_.openNeighbour(work_.scene.path, -1);
-    if (action == Action::kNextFile) opener_.openNeighbour(work_.scene.path, 1);
+    if (action == Action::kPreviousFile || action == Action::kNextFile)
+        afterSaving([this, step = action == Action::kNextFile ? 1 : -1] {
+            opener_.openNeighbour(work_.scene.path, step);
+        });
 }
 
 void Window::handleRequests() {
@@ -184,17 +192,13 @@ void Window::handleRequests() {
     }
     editor_.noteRequests(requests);
     // edits wait for tiles to load, which takes a moment
-    if (loaded_ && !changesScene(jobs_) && !jobs_.has(JobKind::kTiles)) editScene(requests.dragging);
-    quit_ |= requests.quit;
+    handleEdits(requests);
+    if (loaded_ && !changesScene(jobs_) && !jobs_.has(JobKind::kTiles))
+        editScene(requests.dragging, requests.dragging || requests.typing);
+    if (requests.quit) afterSaving([this] { quit_ = true; });
     if (requests.cancel_job) jobs_.cancel();
     if (requests.home) flyTo(view_.home);
     if (requests.save_view) saveView(work_);
-    if (requests.save_scene && loaded_)
-        tryOrNotify("", [&] {
-            const std::string path = freeName(work_.scene.path, {".toml"}) + ".toml";
-            writeSceneFile(path, sceneAsShown(work_, pictureSize(host_)));
-            notify("saved " + path + "; render it with pointrt-view " + path + " -o picture.png", false);
-        });
     if (requests.screenshot && loaded_) image_.requestFilm();
     if (requests.turntable_pictures && loaded_) tryOrNotify("", [&] { renderTurntable(*requests.turntable_pictures); });
     std::vector<NamedView>& views = work_.scene.views;
@@ -217,7 +221,6 @@ bool Window::frame() {
         session_.recordStep(event);
         for (const Command& command : ui_.handleEvent(event, session_.now())) execute(command);
     }
-    quit_ |= std::exchange(work_.requests.quit, false);
     session_.endFrame();
     const bool changed_scene = changesScene(jobs_);
     jobs_.poll();
@@ -227,15 +230,17 @@ bool Window::frame() {
     work_.camera = view_.advanced(work_.camera, session_.now(), seconds);
     if (host_.minimised()) { // not visible: idle
         input_.pending = host_.poll(kIdle_s);
-        return !quit_;
+        return !quit_ && (!work_.requests.quit || editor_.isModified());
     }
     work_.time_s = session_.now();
+    work_.scan_in_view = editor_.seesScans(work_.camera, viewSize(host_));
     std::erase_if(work_.notices, [&](const Notice& notice) { return notice.until_s < work_.time_s; });
     work_.hud.frame_ms = meter_.meanFrame_ms();
     work_.hud.tiles_loading = jobs_.has(JobKind::kTiles);
     fillHud(work_, host_, loaded_.get(), jobs_.has(JobKind::kSceneUpdate) ? nullptr : image_.live());
     ui_.draw(work_, seconds);
     handleRequests();
+    autosave();
     requestTiles();
     updatePicture();
     ui_.present();
@@ -248,6 +253,7 @@ bool Window::frame() {
 void Window::run() {
     catchInterrupts();
     while (frame() && !interrupted()) continue;
+    if (autosave_ && !interrupted()) autosave_->discard(); // saved, or not wanted
     WindowReport& report = meter_.report;
     report.device = host_.device().name;
     report.width = host_.pixels().width;

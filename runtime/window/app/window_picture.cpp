@@ -80,9 +80,10 @@ bool uploadPicture(Host& host, ImageController& image) {
 
 } // namespace
 
-StartedJob Window::startLoad(const std::string& path, bool first) {
+StartedJob Window::startLoad(const SceneSource& scene, bool first) {
     Options options = options_;
-    options.scene = path;
+    options.scene = scene.path;
+    options.source = scene.source;
     if (loaded_) { // camera options are for the scene of the command line only
         options.camera = {};
         options.up_axis.reset();
@@ -90,14 +91,14 @@ StartedJob Window::startLoad(const std::string& path, bool first) {
         options.fov_deg.reset();
     }
     options.choices.size = host_.pixels();
-    host_.setTitle(std::filesystem::path(path).filename().string() + " - pointrt");
+    host_.setTitle(std::filesystem::path(scene.name()).filename().string() + " - pointrt");
     // a failure ends the program for the command line's file; after a dropped file the window stays
     return startedJob<LoadJob>(
         std::make_unique<LoadJob>(host_.device(), options, freeShare(host_)),
-        [this](LoadJob& load) { showLoaded(load.take()); }, first ? throwIfFailed : std::function<void(const Job&)>());
+        [this, scene](LoadJob& load) { showLoaded(load.take(), scene); }, first ? throwIfFailed : std::function<void(const Job&)>());
 }
 
-void Window::showLoaded(std::unique_ptr<LoadedScene> loaded) {
+void Window::showLoaded(std::unique_ptr<LoadedScene> loaded, const SceneSource& scene) {
     image_.close();
     loaded_ = std::move(loaded);
     complete_for_.reset();
@@ -108,6 +109,7 @@ void Window::showLoaded(std::unique_ptr<LoadedScene> loaded) {
     view_.stop();
     view_.home = work_.camera;
     image_.open(host_.device(), loaded_->tracer);
+    offerAutosave(scene);
 }
 
 void Window::showColors() {
@@ -115,16 +117,18 @@ void Window::showColors() {
     work_.legend = loaded_->scene.paint.legend;
 }
 
-/// Brings the scene on the device up to date with the edits.
-void Window::editScene(bool dragging) {
+/// Brings the scene on the device up to date with the edits. in_progress: more of the same kind follow.
+void Window::editScene(bool dragging, bool in_progress) {
     editor_.updateSurroundings();
+    if (!in_progress) editor_.noteEdits();
     RequiredUpdate update;
     if (editor_.hasPendingEdits())
         update = requiredUpdate(loaded_->scene, loaded_->program_kinds.integrator, work_.scene, work_.settings);
     if (nextUpdateStep(update.kind, dragging, loaded_->lacks_photons) == UpdateStep::kUpload) {
         updateSceneTables(host_.device(), *loaded_, work_.scene, work_.settings, std::move(update.rows));
         editor_.clearPendingEdits();
-        image_.restart(ViewChange::kScene);
+        // while a lamp is dragged, the last picture with its light fading is better than none
+        image_.restart(dragging ? ViewChange::kScene : ViewChange::kAll);
         update.kind = UpdateKind::kNothing;
     }
     if (nextUpdateStep(update.kind, dragging, loaded_->lacks_photons) != UpdateStep::kSceneUpdate) return;
@@ -134,7 +138,7 @@ void Window::editScene(bool dragging) {
             std::make_unique<SceneUpdateJob>(host_.device(), *loaded_, work_.scene, work_.settings), {},
             [this](const Job&) {
                 showColors();
-                image_.restart(ViewChange::kScene);
+                image_.restart(ViewChange::kAll);
             });
     });
 }

@@ -11,6 +11,7 @@
 #include "runtime/session/options.h"
 #include "runtime/window/app/host.h"
 #include "runtime/window/app/user_interface.h"
+#include "runtime/window/edit/autosave.h"
 #include "runtime/window/edit/file_opener.h"
 #include "runtime/window/edit/job_queue.h"
 #include "runtime/window/edit/load_job.h"
@@ -53,11 +54,19 @@ private:
     void tryOrNotify(const std::string& subject, const std::function<void()>& body);
     void notify(const std::string& text, bool error);
 
+    // window_edits.cpp
+    void ask(Question question, std::function<void(std::size_t)> answered);
+    void afterSaving(std::function<void()> next);
+    void handleEdits(const Requests& requests);
+    bool saveScene();
+    void autosave();
+    void offerAutosave(const SceneSource& scene);
+
     // window_picture.cpp
-    StartedJob startLoad(const std::string& path, bool first);
-    void showLoaded(std::unique_ptr<LoadedScene> loaded);
+    StartedJob startLoad(const SceneSource& scene, bool first);
+    void showLoaded(std::unique_ptr<LoadedScene> loaded, const SceneSource& scene);
     void showColors();
-    void editScene(bool dragging);
+    void editScene(bool dragging, bool in_progress);
     bool needsTiles() const;
     void requestTiles();
     void showTiles(TileJob& job, const TileView& view);
@@ -86,6 +95,10 @@ private:
     std::optional<TileView> complete_for_; ///< the view whose tiles are all on the device
     double last_tile_request_s_ = 0;       ///< on the window's clock
     bool warned_coarse_ = false;
+    std::unique_ptr<Autosave> autosave_;
+    std::uint64_t autosaved_revision_ = 0;
+    double autosaved_s_ = 0;                      ///< on the window's clock
+    std::function<void(std::size_t)> on_answer_; ///< of work_.question
     ImageController image_;
     JobQueue jobs_; ///< after the members that jobs use, so that jobs end first
     FileOpener opener_;

@@ -9,13 +9,15 @@ void toggleMeasurement(Workspace& work) {
     if (!work.pin_measurement) work.picks.clear();
 }
 
-void cancelOrQuit(Workspace& work) {
-    if (work.show_cheat_sheet)
+void goBack(Workspace& work) {
+    if (work.question)
+        work.requests.answer = work.question->answers.size() - 1;
+    else if (work.show_cheat_sheet)
         work.show_cheat_sheet = false;
     else if (work.job && work.job->can_cancel)
         work.requests.cancel_job = true;
     else
-        work.requests.quit = true;
+        work.picks.clear();
 }
 
 constexpr struct {
@@ -29,7 +31,9 @@ constexpr struct {
     {Action::kSaveScene, [](Workspace& w) { w.requests.save_scene = true; }},
     {Action::kPanel, [](Workspace& w) { w.show_panel = !w.show_panel; }},
     {Action::kCheatSheet, [](Workspace& w) { w.show_cheat_sheet = !w.show_cheat_sheet; }},
-    {Action::kBack, cancelOrQuit},
+    {Action::kUndo, [](Workspace& w) { w.requests.undo = true; }},
+    {Action::kRedo, [](Workspace& w) { w.requests.redo = true; }},
+    {Action::kBack, goBack},
     {Action::kQuit, [](Workspace& w) { w.requests.quit = true; }},
 };
 

@@ -1,32 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs pointrt-bake in the background.
+// Bakes scans in the background.
 #pragma once
 
 #include <string>
 
-#include "runtime/window/edit/bake_plan.h"
+#include "runtime/session/bake_cache.h"
+#include "runtime/session/bake_tool.h"
 #include "runtime/window/edit/job.h"
 
 namespace pointrt {
 
-/// Runs baker -o plan.output on plan.inputs. Leaves no partial file when cancelled: pointrt-bake gets SIGTERM, and
-/// SIGKILL after three seconds; if it is already writing its output, it finishes it.
+/// Runs bakeCached. Leaves no partial file when cancelled: pointrt-bake gets SIGTERM, and SIGKILL after three seconds;
+/// if it is already writing its output, it finishes it.
 class BakeJob {
 public:
-    explicit BakeJob(const BakePlan& plan, const std::string& baker = findBakeTool());
+    explicit BakeJob(const ScanBake& bake, const FileCache& cache = userBakeCache(),
+                     const std::string& tool = findBakeTool());
 
     Job& job() { return job_; }
     const Job& job() const { return job_; }
-    /// The .pro, complete once the job is done.
+    /// The .pro in the cache, once the job is done.
     const std::string& output() const { return output_; }
 
 private:
-    const std::string output_;
+    std::string output_; ///< owned by the thread until the job has ended
     Job job_;
 };
-
-/// Parses a line "progress SHARE STAGE RATE" of pointrt-bake --progress lines into control. Returns false for any other
-/// line.
-bool parseBakeProgress(const std::string& line, JobControl& control);
 
 } // namespace pointrt

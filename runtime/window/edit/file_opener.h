@@ -6,31 +6,40 @@
 #include <string>
 #include <vector>
 
+#include "runtime/session/bake_key.h"
 #include "runtime/window/edit/job_queue.h"
 
 namespace pointrt {
 
+/// A scene to load.
+struct SceneSource {
+    std::string path;
+    std::string source;       ///< what users know it by, such as the scan it was baked from; empty: by path
+    bool is_autosave = false; ///< path has edits of source that are in no file of the user
+
+    const std::string& name() const { return source.empty() ? path : source; }
+};
+
 class FileOpener {
 public:
     /// Starts loading a scene. first: true in the first call.
-    using StartLoad = std::function<StartedJob(const std::string& path, bool first)>;
+    using StartLoad = std::function<StartedJob(const SceneSource& scene, bool first)>;
 
     /// jobs must outlive it. notify: receives errors and remarks.
     FileOpener(JobQueue& jobs, JobQueue::Notify notify, StartLoad load);
 
     /// Loads a scene, instead of one that is still loading.
-    void open(const std::string& path);
-    /// The same for the file of the command line, which is baked first if it is a scan. Errors are thrown, from here or
-    /// from JobQueue::poll, because there is nothing else to show.
-    void openNamed(const std::string& path);
-    /// Opens the first file if it is a scene. Otherwise all are scans, which are baked together unless they have been
-    /// before.
+    void open(const SceneSource& scene);
+    /// The same for the scene of the command line, or for its scans, which are baked first. Errors are thrown, from here
+    /// or from JobQueue::poll, because there is nothing else to show.
+    void openNamed(const ScanBake& inputs);
+    /// Opens the first file if it is a scene. Otherwise all are scans, which are baked together.
     void drop(const std::vector<std::string>& paths);
     /// Opens the scene step files after path in its folder, if there is another one.
     void openNeighbour(const std::string& path, int step);
 
 private:
-    void bake(const std::vector<std::string>& scans, const std::function<void(const Job&)>& ended = {});
+    void bake(const ScanBake& scans, const std::function<void(const Job&)>& ended = {});
 
     JobQueue& jobs_;
     JobQueue::Notify notify_;

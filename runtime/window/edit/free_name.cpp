@@ -12,12 +12,13 @@ namespace fs = std::filesystem;
 
 constexpr int kMaxNumber = 9999;
 
-std::string stemOf(const std::string& path) {
-    const std::string stem = fs::path(path).stem().string();
-    return stem.empty() ? "picture" : stem;
-}
-
 } // namespace
+
+std::string stemOf(const std::string& path) {
+    const fs::path named = fs::path(path).lexically_normal();
+    const std::string stem = (named.has_filename() ? named.stem() : named.parent_path().filename()).string();
+    return stem.empty() || stem == "." || stem == ".." ? "picture" : stem;
+}
 
 std::string freeName(const std::string& path, const std::vector<std::string>& endings) {
     const std::string stem = stemOf(path);

@@ -27,10 +27,14 @@ std::unique_ptr<LoadedScene> load(Device& owner, Device& worker, const Options& 
     return loaded;
 }
 
+std::string titleOf(const Options& options) {
+    return std::filesystem::path(options.source.empty() ? options.scene : options.source).filename().string();
+}
+
 } // namespace
 
 LoadJob::LoadJob(Device& device, const Options& options, double free_share)
-    : worker_(device), job_("Loading " + std::filesystem::path(options.scene).filename().string(),
+    : worker_(device), job_("Loading " + titleOf(options),
                             [this, &device, options, free_share](JobControl& control) {
                                 loaded_ = load(device, worker_.get(), options, free_share, control);
                             }) {}

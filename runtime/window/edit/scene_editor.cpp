@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <utility>
 
 #include "runtime/scene/camera.h"
 #include "runtime/scene/default_lighting.h"
 #include "runtime/scene/framing.h"
+#include "runtime/scene/render_setting_table.h"
 #include "runtime/session/settings.h"
 
 namespace pointrt {
@@ -56,10 +58,88 @@ void SceneEditor::open(OpenedScene opened, std::uint32_t samples) {
     work_.look = {SHOWN_BEAUTY, scene.settings.exposure, 4 * length(size), scene.scale};
     work_.target_samples = samples;
     work_.denoise = wantsFilter(scene);
+    work_.only_gaussians = scene.subject.only_gaussians;
+    work_.question.reset();
+    work_.scan_in_view = true;
     room_lights_.clear();
     current_room_ = scene.settings.room;
     current_light_count_ = scene.settings.lights;
     pending_edits_ = false;
+    history_.open(state());
+}
+
+bool EditState::operator==(const EditState& other) const {
+    return scene == other.scene && choicesOf(settings) == choicesOf(other.settings) && exposure == other.exposure &&
+           denoise == other.denoise && target_samples == other.target_samples && scene_up == other.scene_up;
+}
+
+EditState SceneEditor::state() const {
+    const OpenedScene& scene = *opened_;
+    return {work_.scene,
+            work_.settings,
+            work_.look.exposure,
+            work_.denoise,
+            work_.target_samples,
+            work_.scene_up,
+            {scene.resolved, scene.file_scene.up, scene.camera, scene.resolved_for_eye, scene.subject, current_room_,
+             current_light_count_, room_lights_}};
+}
+
+bool SceneEditor::restore(const EditState* state) {
+    if (!state) return false;
+    work_.scene = state->scene;
+    work_.settings = state->settings;
+    work_.look.exposure = state->exposure;
+    work_.denoise = state->denoise;
+    work_.target_samples = state->target_samples;
+    work_.scene_up = state->scene_up;
+    const Surroundings& surroundings = state->surroundings;
+    opened_->resolved = surroundings.resolved;
+    opened_->file_scene.up = surroundings.up;
+    opened_->camera = surroundings.camera;
+    opened_->resolved_for_eye = surroundings.resolved_for_eye;
+    opened_->subject = surroundings.subject;
+    current_room_ = surroundings.room;
+    current_light_count_ = surroundings.light_count;
+    room_lights_ = surroundings.room_lights;
+    work_.requests.look_changed = pending_edits_ = true;
+    ++revision_;
+    return true;
+}
+
+void SceneEditor::noteEdits() {
+    if (opened_ && history_.note(state())) ++revision_;
+    work_.can_undo = history_.canUndo();
+    work_.can_redo = history_.canRedo();
+}
+
+bool SceneEditor::undo() {
+    noteEdits(); // what is not complete yet is undone first
+    return restore(history_.undo());
+}
+
+bool SceneEditor::redo() { return restore(history_.redo()); }
+
+void SceneEditor::markSaved() {
+    noteEdits();
+    history_.markSaved();
+}
+
+bool SceneEditor::isModified() const { return opened_ && history_.isModified(state()); }
+
+bool SceneEditor::seesScans(const ViewCamera& view, ViewSize size) const {
+    if (!opened_ || opened_->sample.splats.empty()) return true;
+    const std::vector<SampledSplat>& splats = opened_->sample.splats;
+    // each sampled splat represents a piece of surface about this wide
+    const double reach = length(work_.scene_max - work_.scene_min) / std::sqrt(static_cast<double>(splats.size()));
+    const double pixels_at_1 = size.height / 2 / std::tan(view.fov_deg / 2 * std::numbers::pi / 180);
+    return std::any_of(splats.begin(), splats.end(), [&](const SampledSplat& splat) {
+        if (view.ortho_height == 0 && length(splat.position - view.eye) < reach) return true;
+        const auto at = projected(view, size, splat.position);
+        if (!at) return false;
+        const double margin = reach * (view.ortho_height > 0 ? size.height / view.ortho_height : pixels_at_1 / at->depth);
+        return at->x > -margin && at->x < size.width + margin && at->y > -margin && at->y < size.height + margin;
+    });
 }
 
 void SceneEditor::storeRoomLights() {

@@ -7,6 +7,7 @@
 
 #include "runtime/scene/default_lighting.h"
 #include "runtime/scene/scene_sample.h"
+#include "runtime/window/edit/edit_history.h"
 #include "runtime/window/edit/workspace.h"
 
 namespace pointrt {
@@ -27,6 +28,37 @@ struct OpenedScene {
     double scale = 1;          ///< input units per render unit
 };
 
+/// The user's lights in a room, to restore them later.
+struct RoomLights {
+    std::optional<Room> room;
+    std::vector<LightDescription> lights;
+    std::optional<SkyDescription> sky;
+};
+
+/// What the surroundings were made for and with.
+struct Surroundings {
+    SceneDescription resolved; ///< the scene as the last rebuild of surroundings left it
+    std::optional<Vec3> up;
+    Camera camera;
+    Vec3 resolved_for_eye;
+    StudioSubject subject;
+    std::optional<Room> room;
+    std::optional<std::uint32_t> light_count;
+    std::vector<RoomLights> room_lights;
+};
+
+/// What undo restores. Equal if what the user edits is equal.
+struct EditState {
+    SceneDescription scene;
+    RenderSettings settings;
+    float exposure = 0;
+    bool denoise = false;
+    std::uint32_t target_samples = 0;
+    Vec3 scene_up;
+    Surroundings surroundings;
+    bool operator==(const EditState& other) const;
+};
+
 /// Makes those edits that change more than one value of the workspace (panels set single values themselves), and tracks
 /// whether the device has all edits.
 class SceneEditor {
@@ -34,7 +66,8 @@ public:
     /// work must outlive it.
     explicit SceneEditor(Workspace& work) : work_(work) {}
 
-    /// Replaces the scene in the workspace, with its initial view and look. samples: target per pixel.
+    /// Replaces the scene in the workspace, with its initial view and look, and forgets all edits. samples: target per
+    /// pixel.
     void open(OpenedScene opened, std::uint32_t samples);
     bool isOpen() const { return opened_.has_value(); }
 
@@ -52,14 +85,26 @@ public:
     /// Changes the up axis: resets the surroundings, and reframes home. aspect: of the picture, width over height.
     void setUp(Vec3 up, ViewCamera& home, double aspect);
 
-private:
-    /// The user's lights in a room, to restore them later.
-    struct RoomLights {
-        std::optional<Room> room;
-        std::vector<LightDescription> lights;
-        std::optional<SkyDescription> sky;
-    };
+    /// Records the edits since the last call as one step to undo. Call it after updateSurroundings, while no edit is in
+    /// progress.
+    void noteEdits();
+    /// False if there is nothing to undo or redo.
+    bool undo();
+    bool redo();
+    /// The edits up to now are in a file.
+    void markSaved();
+    /// The scene as opened is in no file that the user knows.
+    void markUnsaved() { history_.markUnsaved(); }
+    bool isModified() const;
+    /// Changes with each edit.
+    std::uint64_t revision() const { return revision_; }
 
+    /// Whether view shows any of the scans, as far as their sample tells: never false while it does.
+    bool seesScans(const ViewCamera& view, ViewSize size) const;
+
+private:
+    EditState state() const;
+    bool restore(const EditState* state);
     void rebuildSurroundings();
     void storeRoomLights();
     bool hasFileLights() const { return !opened_->file_scene.lights.empty() || opened_->file_scene.sky; }
@@ -69,6 +114,8 @@ private:
     std::optional<Room> current_room_;
     std::optional<std::uint32_t> current_light_count_;
     std::vector<RoomLights> room_lights_;
+    EditHistory<EditState> history_;
+    std::uint64_t revision_ = 0;
     bool pending_edits_ = false;
 };
 

@@ -19,6 +19,14 @@ std::string freeViewName(const std::vector<NamedView>& views) {
     }
 }
 
+/// With the automatic choice, pictures of enough samples are not denoised, as in the window.
+DenoiseChoice denoiseChoice(const Workspace& work) {
+    StudioSubject subject;
+    subject.only_gaussians = work.only_gaussians;
+    if (!work.denoise) return DenoiseChoice::kOff;
+    return isNoisy(work.settings, work.scene, subject) ? DenoiseChoice::kAuto : DenoiseChoice::kOn;
+}
+
 } // namespace
 
 SceneDescription sceneAsShown(const Workspace& work, PixelSize size) {
@@ -26,8 +34,7 @@ SceneDescription sceneAsShown(const Workspace& work, PixelSize size) {
     settings.width = size.width;
     settings.height = size.height;
     settings.spp = work.target_samples;
-    const bool filtered = work.denoise && work.target_samples < kCleanSamplesOfLight;
-    settings.denoise = filtered ? DenoiseChoice::kOn : DenoiseChoice::kOff;
+    settings.denoise = denoiseChoice(work);
     settings.exposure = work.look.exposure;
     settings.camera = requestOf(work.camera);
     SceneDescription scene = work.scene;

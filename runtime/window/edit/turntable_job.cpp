@@ -11,7 +11,7 @@
 #include "format/base/error.h"
 #include "runtime/scene/turntable.h"
 #include "runtime/scene_io/scene_write.h"
-#include "runtime/window/edit/tool_run.h"
+#include "runtime/session/tool_run.h"
 
 namespace pointrt {
 namespace {
@@ -61,8 +61,9 @@ void render(const SceneDescription& scene, const std::string& pattern, std::uint
                                        "-o",
                                        safeArgument(pattern)};
     if (!device.empty()) arguments.insert(arguments.end(), {"--device", device});
-    const ToolResult end = runTool(arguments, "pointrt-view", control,
-                                   [&](const std::string& line) { return parseProgress(line, control); });
+    const ToolResult end = runTool(
+        arguments, "pointrt-view", [&] { return control.cancelled(); },
+        [&](const std::string& line) { return parseProgress(line, control); });
     if (control.cancelled()) throw JobCancelled{};
     if (end.wait_status != 0) throw Error{ExitCode::kCannotRun, describeFailure(end, "pointrt-view")};
 }

@@ -58,15 +58,24 @@ struct Notice {
     double until_s = 0; ///< on the window's clock
 };
 
+/// A question that must be answered before anything else happens.
+struct Question {
+    std::string text;
+    std::vector<std::string> answers; ///< on buttons; Esc gives the last one
+};
+
 /// The user's requests in this frame. The window executes and resets them.
 struct Requests {
     bool scene_changed = false;    ///< lights, materials, shapes or sky were edited
     bool settings_changed = false; ///< settings were edited (integrator, bounces, room, shadows, caustics...)
     bool look_changed = false;     ///< look or denoise: show the same light another way
     bool dragging = false;         ///< an edit is in progress: more changes of its kind follow
+    bool typing = false;           ///< a text field has the keyboard
+    bool undo = false, redo = false;
     std::optional<Vec3> up;        ///< new up axis
     bool save_scene = false, screenshot = false, save_view = false, home = false, quit = false;
     bool cancel_job = false;
+    std::optional<std::size_t> answer;                  ///< index into question's answers
     std::optional<std::size_t> go_to_view, delete_view; ///< indices into scene.views
     std::optional<std::uint32_t> turntable_pictures;    ///< number of frames to render to turntable_path
 };
@@ -88,6 +97,10 @@ struct Workspace {
     std::optional<Legend> legend;         ///< of the current colours
     HudStats hud;
     std::optional<JobStatus> job;
+    std::optional<Question> question;
+    bool can_undo = false, can_redo = false;
+    bool scan_in_view = true;     ///< false: the camera looks past the scans
+    bool only_gaussians = false;  ///< see StudioSubject
     std::vector<Notice> notices;
     std::string turntable_path = "turntable/%04d.png";
     std::string view_name; ///< for the next saved view; empty: "view N"

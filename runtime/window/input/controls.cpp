@@ -23,9 +23,11 @@ std::string withoutQuotes(std::string text) {
 
 } // namespace
 
-const Control* findControl(Gesture gesture, Key key, bool with_control) {
+const Control* findControl(Gesture gesture, Key key, bool with_control, bool with_shift) {
     for (const Control& control : kControls)
-        if (control.gesture == gesture && control.key == key && control.with_control == with_control) return &control;
+        if (control.gesture == gesture && control.key == key && control.with_control == with_control &&
+            control.with_shift == (with_control && with_shift))
+            return &control;
     return nullptr;
 }
 

@@ -36,12 +36,14 @@ enum class Action : std::uint8_t {
     kPause,
     kScreenshot,
     kSaveScene,
+    kUndo,
+    kRedo,
     kPreviousFile,
     kNextFile,
     kPanel,
     kCheatSheet,
-    kBack, ///< closes the cheat sheet, or else cancels the job, or else quits
-    kQuit, ///< the window's close button
+    kBack, ///< answers a question, or else closes the cheat sheet, cancels the job, or drops the picks; never quits
+    kQuit,
 };
 
 enum class Gesture : std::uint8_t {
@@ -63,6 +65,7 @@ struct Control {
     Key key; ///< kUnknown if the gesture has none
     bool with_control;
     Action action;
+    bool with_shift = false; ///< matters with Ctrl only
 };
 
 constexpr Control mouseControl(const char* press, const char* group, const char* does, Gesture gesture, Action action) {
@@ -73,6 +76,9 @@ constexpr Control keyControl(const char* press, const char* group, const char* d
 }
 constexpr Control controlKey(const char* press, const char* group, const char* does, char letter, Action action) {
     return {press, group, does, Gesture::kKey, keyOf(letter), true, action};
+}
+constexpr Control shiftControlKey(char letter, Action action) {
+    return {"", "Edit", "", Gesture::kKey, keyOf(letter), true, action, true};
 }
 constexpr Control flyKey(const char* press, const char* does, char letter, Action action) {
     return {press, "Camera", does, Gesture::kHeldKey, keyOf(letter), false, action};
@@ -107,16 +113,23 @@ constexpr Control kControls[] = {
     keyControl("Space", "Picture", "pause or resume", Key::kSpace, Action::kPause),
     keyControl("F12", "Picture", "save the picture as PNG and EXR", Key::kF12, Action::kScreenshot),
     controlKey("Ctrl + S", "Picture", "save the scene to a file for `pointrt-view`", 'S', Action::kSaveScene),
+    controlKey("Ctrl + Z", "Edit", "undo the last edit of light, materials, surroundings, settings or views", 'Z',
+               Action::kUndo),
+    controlKey("Ctrl + Y, Ctrl + Shift + Z", "Edit", "redo it", 'Y', Action::kRedo),
+    shiftControlKey('Z', Action::kRedo),
     keyControl("Left, Right", "Window", "previous file, next file", Key::kLeft, Action::kPreviousFile),
     keyControl("", "Window", "", Key::kRight, Action::kNextFile),
     keyControl("P, Tab", "Window", "show or hide the panel", keyOf('P'), Action::kPanel),
     keyControl("", "Window", "", Key::kTab, Action::kPanel),
     keyControl("H", "Window", "show or hide this list", keyOf('H'), Action::kCheatSheet),
-    keyControl("Esc", "Window", "close this list, or cancel the running job, or quit", Key::kEscape, Action::kBack),
+    keyControl("Esc", "Window", "close an open list, or cancel the running job, or drop the picks", Key::kEscape,
+               Action::kBack),
+    controlKey("Ctrl + Q", "Window", "quit; asks if there are unsaved edits", 'Q', Action::kQuit),
 };
 
-/// The row of a gesture and, for keys, a key with or without Ctrl; null if there is none.
-const Control* findControl(Gesture gesture, Key key = Key::kUnknown, bool with_control = false);
+/// The row of a gesture and, for keys, a key with or without Ctrl and, with Ctrl, Shift; null if there is none.
+const Control* findControl(Gesture gesture, Key key = Key::kUnknown, bool with_control = false,
+                           bool with_shift = false);
 
 /// The table in docs/WINDOW.md; lines end in \n.
 std::string markdownTable();

@@ -49,7 +49,8 @@ std::optional<PickResult> ImageController::update(const ImageRequest& request) {
         const ViewChange scene = pending_restart_.value_or(ViewChange::kCamera);
         shown_ = request.view;
         shown_->settings.first_hits = true;
-        live_->setView(*shown_, true, scene);
+        // a preview made of the former picture would show what no longer is
+        live_->setView(*shown_, scene != ViewChange::kAll, scene);
         pending_restart_.reset();
     } else if (change == ImageChange::kLook) {
         live_->setLook(request.view.look, request.view.denoise);

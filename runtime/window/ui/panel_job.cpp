@@ -16,7 +16,7 @@ namespace pointrt {
 namespace {
 
 /// Design units.
-constexpr float kJobWidth = 440, kJobMargin = 12, kJobBarHeight = 6, kCancelWidth = 64;
+constexpr float kJobWidth = 440, kJobMargin = 12, kJobBarHeight = 6, kCancelWidth = 64, kWayBackWidth = 260;
 
 /// A window whose lower edge is at bottom; returns its upper edge in the last frame.
 float boxAbove(const char* name, FreeArea area, float bottom, ImGuiWindowFlags flags,
@@ -112,13 +112,47 @@ void drawJobAndNotices(Workspace& w, FreeArea area) {
 }
 
 void drawEmptyState(const Workspace& w, FreeArea area) {
-    if (!w.scene.instances.empty() || !w.scene.shapes.empty() || w.job) return;
-    constexpr const char* text = "Drop a .pro or scan file here";
+    if (!w.scene.instances.empty() || !w.scene.shapes.empty()) return;
+    const std::string state = w.job ? stateOf(*w.job) : "";
+    const std::string text = w.job ? w.job->title + (state.empty() ? "" : "\n" + state) : "Drop scans or a scene here";
     const float size = 1.6f * ImGui::GetFontSize();
-    const ImVec2 extent = ImGui::GetFont()->CalcTextSizeA(size, area.width, area.width, text);
+    const ImVec2 extent = ImGui::GetFont()->CalcTextSizeA(size, area.width, area.width, text.c_str());
     ImGui::GetBackgroundDrawList()->AddText(ImGui::GetFont(), size,
                                             ImVec2((area.width - extent.x) / 2, (area.height - extent.y) / 2),
-                                            ImGui::GetColorU32(ImGuiCol_TextDisabled), text, nullptr, area.width);
+                                            ImGui::GetColorU32(ImGuiCol_TextDisabled), text.c_str(), nullptr,
+                                            area.width);
+}
+
+void drawWayBack(Workspace& w, FreeArea area) {
+    if (w.scan_in_view) return;
+    const BoxPlace place{ImVec2(area.width / 2, area.height / 2), ImVec2(0.5f, 0.5f)};
+    const float width = std::min(kWayBackWidth * uiScale(), area.width);
+    boxOnPicture("Way back", place, width, ImGuiWindowFlags_NoMove, [&] {
+        ImGui::TextWrapped("No part of the scan is in view.");
+        if (ImGui::Button("Show the scan (Home)", ImVec2(-1, 0))) w.requests.home = true;
+    });
+}
+
+void drawQuestion(Workspace& w) {
+    constexpr const char* kName = "Question";
+    if (!w.question) return;
+    if (!ImGui::IsPopupOpen(kName)) ImGui::OpenPopup(kName);
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(window.x / 2, window.y / 2), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+    ImGui::SetNextWindowSize(ImVec2(std::min(kJobWidth * uiScale(), window.x), 0));
+    if (!ImGui::BeginPopupModal(kName, nullptr,
+                                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize))
+        return;
+    ImGui::TextWrapped("%s", w.question->text.c_str());
+    ImGui::Dummy(ImVec2(0, 4 * uiScale()));
+    const int count = static_cast<int>(w.question->answers.size());
+    for (int n = 0; n < count; ++n) {
+        if (n > 0) ImGui::SameLine();
+        if (columnButton(w.question->answers[static_cast<std::size_t>(n)].c_str(), count))
+            w.requests.answer = static_cast<std::size_t>(n);
+    }
+    if (w.requests.answer) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
 }
 
 } // namespace pointrt

@@ -44,7 +44,7 @@ void colorRowOf(const PickedPoint& pick) {
 }
 
 void drawPick(const Workspace& w, const PickedPoint& pick) {
-    const double size = sceneSize(w);
+    const double size = measuredSize(sceneSize(w));
     valueRow("Source", sourceText(pick).c_str());
     valueRow("Position", pointText(pick.position, size).c_str());
     valueRow("Normal", normalText(pick.normal).c_str());
@@ -62,13 +62,13 @@ std::string pickLine(const PickedPoint& pick, double size) {
 /// Distance between the last two picks, which must exist.
 std::string distanceText(const Workspace& w) {
     const double apart = length(w.picks.back().position - w.picks[w.picks.size() - 2].position);
-    return lengthText(apart, sceneSize(w));
+    return lengthText(apart, measuredSize(sceneSize(w)));
 }
 
 /// The picks as text, one per line.
 std::string measureText(const Workspace& w) {
     std::string text;
-    for (const PickedPoint& pick : w.picks) text += pickLine(pick, sceneSize(w));
+    for (const PickedPoint& pick : w.picks) text += pickLine(pick, measuredSize(sceneSize(w)));
     if (w.picks.size() < 2) return text;
     return text + "length " + distanceText(w) + "\n";
 }

@@ -11,6 +11,9 @@ namespace pointrt {
 
 /// Decimals to resolve 1e-4 of size: 0 to 9.
 int decimalsFor(double size);
+/// The size to format measured positions with: they resolve 1e-6 of the scene, twice the 2^-21 that a scan's positions
+/// are rounded to.
+constexpr double measuredSize(double scene_size) { return 1e-2 * scene_size; }
 /// A length or coordinate in a scene of this size.
 std::string lengthText(double value, double size);
 /// Three coordinates.

@@ -47,7 +47,7 @@ void drawDistance(const Workspace& w, ImDrawList& list, const PickedPoint& a, co
     list.AddLine(*from, *to, kDark, 3.5f * uiScale());
     list.AddLine(*from, *to, kLine, 1.5f * uiScale());
     drawLabel(list, ImVec2((from->x + to->x) / 2, (from->y + to->y) / 2),
-              lengthText(length(b.position - a.position), sceneSize(w)));
+              lengthText(length(b.position - a.position), measuredSize(sceneSize(w))));
 }
 
 } // namespace

@@ -77,9 +77,12 @@ void drawUi(Workspace& w) {
     if (w.show_hud) drawHud(w, area);
     drawLegendBox(w, area);
     drawEmptyState(w, area);
+    drawWayBack(w, area);
     if (w.show_panel) drawPanel(w);
     drawJobAndNotices(w, area);
     if (w.show_cheat_sheet) drawCheatSheet(w, area);
+    drawQuestion(w);
+    w.requests.typing = ImGui::GetIO().WantTextInput;
     endEdits(w.requests);
 }
 

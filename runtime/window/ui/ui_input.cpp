@@ -2,6 +2,7 @@
 #include "runtime/window/ui/ui_input.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <utility>
@@ -148,6 +149,14 @@ void beginUiFrame(UiInput& input, const ResizeEvent& size, double seconds) {
         if (input.released[button]) setButton(io, button, false);
     for (Key key : input.released_keys) setKey(io, key, false);
     input = {};
+}
+
+bool closePopup() {
+    const ImVector<ImGuiPopupData>& open = GImGui->OpenPopupStack;
+    if (open.Size == 0 || !open.back().Window || (open.back().Window->Flags & ImGuiWindowFlags_Modal) != 0)
+        return false;
+    ImGui::ClosePopupToLevel(open.Size - 1, true);
+    return true;
 }
 
 CursorShape uiCursor() {

@@ -32,6 +32,9 @@ void feedImGui(UiInput& input, const InputEvent& event);
 /// ImGui::NewFrame for a window of this size, seconds (above 0) after the last one.
 void beginUiFrame(UiInput& input, const ResizeEvent& size, double seconds);
 
+/// Closes the topmost open list, colour picker or menu. False if none is open; a question stays.
+bool closePopup();
+
 /// The mouse cursor's shape over the UI; after ImGui::Render.
 CursorShape uiCursor();
 

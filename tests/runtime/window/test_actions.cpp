@@ -36,20 +36,34 @@ TEST(Actions, ToggleState) {
     EXPECT_TRUE(work.picks.empty()) << "cleared with the line";
 }
 
-TEST(Actions, EscapeClosesCancelsOrQuits) {
+TEST(Actions, EscapeGoesBackButNeverQuits) {
     Workspace work;
     work.job.emplace();
+    work.picks.resize(1);
+    work.question = Question{"Save?", {"Save", "Discard", "Cancel"}};
     applyAction(work, Action::kCheatSheet);
     EXPECT_TRUE(work.show_cheat_sheet);
+    applyAction(work, Action::kBack);
+    EXPECT_EQ(work.requests.answer, 2u);
+    work.question.reset();
     applyAction(work, Action::kBack);
     EXPECT_FALSE(work.show_cheat_sheet);
     EXPECT_FALSE(work.requests.cancel_job);
     applyAction(work, Action::kBack);
     EXPECT_TRUE(work.requests.cancel_job);
-    EXPECT_FALSE(work.requests.quit);
     work.job->can_cancel = false;
+    EXPECT_EQ(work.picks.size(), 1u);
     applyAction(work, Action::kBack);
-    EXPECT_TRUE(work.requests.quit);
+    EXPECT_TRUE(work.picks.empty());
+    applyAction(work, Action::kBack);
+    EXPECT_FALSE(work.requests.quit);
+}
+
+TEST(Actions, UndoAndRedoHaveTheirUsualKeys) {
+    EXPECT_EQ(findControl(Gesture::kKey, keyOf('Z'), true)->action, Action::kUndo);
+    EXPECT_EQ(findControl(Gesture::kKey, keyOf('Z'), true, true)->action, Action::kRedo);
+    EXPECT_EQ(findControl(Gesture::kKey, keyOf('Y'), true)->action, Action::kRedo);
+    EXPECT_EQ(findControl(Gesture::kKey, keyOf('7'), false, true)->action, Action::kTopView) << "Shift changes no other";
 }
 
 /// Every action is handled by the workspace, the camera, or the window (four of them).

@@ -41,17 +41,17 @@ protected:
     JobQueue jobs{[](const std::string&, bool) {}};
     FileOpener opener{jobs,
                       [this](const std::string& text, bool error) { messages += (error ? "error: " : "") + text; },
-                      [this](const std::string& path, bool first) {
-                          loads += std::filesystem::path(path).filename().string() + (first ? " first" : "");
+                      [this](const SceneSource& scene, bool first) {
+                          loads += std::filesystem::path(scene.path).filename().string() + (first ? " first" : "");
                           return startedJob<NoWork>(std::make_unique<NoWork>(), {});
                       }};
 };
 
 TEST_F(FileOpenerTest, OnlyTheFirstLoadIsFlagged) {
-    opener.open("a.pro");
+    opener.open({"a.pro", {}, false});
     EXPECT_EQ(loads, "") << "not before the queue is polled";
     EXPECT_EQ(next(), "a.pro first");
-    opener.open("b.pro");
+    opener.open({"b.pro", {}, false});
     EXPECT_EQ(next(), "b.pro");
 }
 
@@ -64,12 +64,6 @@ TEST_F(FileOpenerTest, OpensTheFirstDroppedScene) {
     opener.drop({"b.pro", "c.pro"});
     EXPECT_SAYS(messages, "*first *2 files");
     EXPECT_EQ(next(), "b.pro");
-}
-
-TEST_F(FileOpenerTest, ReportsUnbakeableFiles) {
-    opener.drop({folder.file("none.ply")});
-    EXPECT_EQ(messages, "error: " + folder.file("none.ply") + ": No such file or directory");
-    EXPECT_FALSE(jobs.any());
 }
 
 TEST_F(FileOpenerTest, BakesOneScanAtATime) {

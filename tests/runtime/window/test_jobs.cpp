@@ -8,14 +8,13 @@
 #include <csignal>
 #include <cstdlib>
 #include <functional>
-#include <iterator>
 #include <memory>
 #include <thread>
 
 #include "format/base/error.h"
+#include "runtime/session/child_process.h"
 #include "runtime/window/edit/bake_job.h"
-#include "runtime/window/edit/bake_sources.h"
-#include "runtime/window/edit/child_process.h"
+#include "runtime/session/child_process.h"
 #include "tests/format/tiny_scene.h"
 #include "tests/support/says.h"
 #include "tests/support/temporary_folder.h"
@@ -141,20 +140,13 @@ TEST(ChildProcess, IsKilledByTheDestructor) {
 
 class Bake : public testing::Test {
 protected:
-    /// A script to run instead of pointrt-bake: $4 is the output, $5 the first input.
-    std::string baker(const std::string& body) const {
+    /// Runs a script instead of pointrt-bake: $5 is the output, $7 the scan, $0.pro a .pro to copy.
+    std::unique_ptr<BakeJob> start(const std::string& body) const {
         const std::string path = folder.write("pointrt-bake", "#!/bin/sh\n" + body + "\n");
         fs::permissions(path, fs::perms::owner_all);
-        return path;
-    }
-    std::unique_ptr<BakeJob> start(const std::string& body) const {
-        return std::make_unique<BakeJob>(BakePlan{{folder.file("a scan\n.ply")}, folder.file("out.pro")}, baker(body));
-    }
-    std::string failure(const std::string& body) const {
-        const auto bake = start(body);
-        EXPECT_TRUE(ends(bake->job()));
-        EXPECT_EQ(bake->job().state(), JobState::kFailed);
-        return bake->job().error();
+        test::tinyScene().write(path + ".pro");
+        const ScanBake bake{{folder.write("a scan\n.ply", "ply\n")}, {}};
+        return std::make_unique<BakeJob>(bake, FileCache{folder.file("cache"), ".pro", 1 << 20}, path);
     }
 
     const test::TemporaryFolder folder;
@@ -162,173 +154,26 @@ protected:
 
 TEST_F(Bake, ShowsProgress) {
     const auto bake = start("printf 'hello\\nprogress 0.2500 nor' >&2; echo 'mals 1234567' >&2\n"
-                            "while [ ! -e \"$0.go\" ]; do sleep 0.01; done; echo \"$@\" > \"$4\"");
-    ASSERT_TRUE(waitFor([&] { return bake->job().status().progress.has_value(); }));
+                            "while [ ! -e \"$0.go\" ]; do sleep 0.01; done; cp \"$0.pro\" \"$5\"");
+    ASSERT_TRUE(waitFor([&] { return bake->job().status().progress == 0.25; }));
     const JobStatus status = bake->job().status();
     EXPECT_EQ(status.title, "Baking a scan\n.ply");
     EXPECT_EQ(status.detail, "normals, 1.2 M points/s");
-    EXPECT_EQ(status.progress, 0.25);
     folder.write("pointrt-bake.go", "");
     ASSERT_TRUE(ends(bake->job()));
     EXPECT_EQ(bake->job().state(), JobState::kDone) << bake->job().error();
-    std::ifstream output(bake->output());
-    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(output), {}),
-              "--progress lines -o " + folder.file("out.pro") + " " + folder.file("a scan\n.ply") + "\n");
-}
-
-TEST_F(Bake, ReportsTheToolsReason) {
-    EXPECT_EQ(failure("echo 'progress 0.1 read 0'; echo 'pointrt-bake: error: scan.ply: is empty' >&2; exit 1"),
-              "scan.ply: is empty");
-    EXPECT_EQ(failure("printf 'no end of line' >&2; exit 1"), "no end of line");
-    EXPECT_SAYS(failure("exit 3"), "pointrt-bake *status 3");
-    EXPECT_SAYS(failure("kill -9 $$"), "pointrt-bake *9 (Killed)");
-    EXPECT_SAYS(failure("exit 0"), "pointrt-bake *write *" + folder.file("out.pro"));
-    const BakePlan plan{{"scan.ply"}, "out.pro"};
-    const BakeJob missing(plan, folder.file("none"));
-    ASSERT_TRUE(ends(missing.job()));
-    EXPECT_SAYS(missing.job().error(), folder.file("none") + ": *start: No such file or directory");
-}
-
-TEST_F(Bake, LimitsLongOutput) {
-    EXPECT_EQ(failure("head -c 1000000 /dev/zero | tr '\\0' x >&2; echo >&2; echo last >&2; exit 1"), "last");
+    EXPECT_TRUE(bake->output().starts_with(folder.file("cache/")));
 }
 
 TEST_F(Bake, IsCancelled) {
     const auto bake = start("trap 'echo asked > \"$0.asked\"; exit 143' TERM; echo 'progress 0.5 octree 0'\n"
                             "while true; do sleep 0.01; done");
-    ASSERT_TRUE(waitFor([&] { return bake->job().status().progress.has_value(); }));
+    ASSERT_TRUE(waitFor([&] { return bake->job().status().progress == 0.5; }));
     bake->job().cancel();
     ASSERT_TRUE(ends(bake->job()));
     EXPECT_EQ(bake->job().state(), JobState::kCancelled);
     EXPECT_TRUE(fs::exists(folder.file("pointrt-bake.asked")));
-}
-
-TEST_F(Bake, IsKilledAndLeavesNoFile) {
-    const auto bake = start("trap '' TERM; echo half > \"$4.tmp-$$\"; echo 'progress 0.9 write 0'\n"
-                            "while true; do sleep 0.01; done");
-    ASSERT_TRUE(waitFor([&] { return bake->job().status().progress.has_value(); }));
-    bake->job().cancel();
-    ASSERT_TRUE(ends(bake->job()));
-    EXPECT_EQ(bake->job().state(), JobState::kCancelled);
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path), {}), 1) << "the script alone";
-}
-
-TEST_F(Bake, ParsesOnlyProgressLines) {
-    Job job("Listening", [](JobControl& control) {
-        EXPECT_FALSE(parseBakeProgress("progress", control));
-        EXPECT_FALSE(parseBakeProgress("progress 0.5 read", control));
-        EXPECT_FALSE(parseBakeProgress("progress 0.5 read 1 more", control));
-        EXPECT_FALSE(parseBakeProgress("progress 2 read 1", control));
-        EXPECT_FALSE(parseBakeProgress("progress nan read 1", control));
-        EXPECT_TRUE(parseBakeProgress("progress 0.5 read 1", control));
-    });
-    ASSERT_TRUE(ends(job));
-    EXPECT_EQ(job.status().detail, "read");
-}
-
-class Plan : public testing::Test {
-protected:
-    /// Adds a .pro with these sources, modified age seconds from now.
-    void addPro(const char* name, const std::string& sources, std::chrono::seconds age) const {
-        test::Scene scene = test::tinyScene();
-        scene.metadata = "{\"writer\":\"pointrt-bake\",\"sources\":" + sources + "}";
-        scene.write(folder.file(name));
-        fs::last_write_time(folder.file(name), fs::file_time_type::clock::now() - age);
-    }
-    void addScan(const std::string& name, std::chrono::seconds age) const {
-        fs::last_write_time(folder.write(name, "1 2 3\n"), fs::file_time_type::clock::now() - age);
-    }
-    /// "statue.pro", or "statue.pro is there" if it is up to date
-    std::string plan(const std::vector<std::string>& names) const {
-        std::vector<std::string> inputs;
-        for (const std::string& name : names) inputs.push_back(folder.file(name));
-        const BakePlan made = planBake(inputs);
-        EXPECT_EQ(made.inputs, inputs);
-        return fs::path(made.output).filename().string() + (made.is_up_to_date ? " is there" : "");
-    }
-
-    const test::TemporaryFolder folder;
-};
-
-TEST_F(Plan, OutputIsBesideTheScan) {
-    addScan("statue.ply", 60s);
-    EXPECT_EQ(plan({"statue.ply"}), "statue.pro");
-    addPro("statue.pro", R"(["statue.ply"])", 30s);
-    EXPECT_EQ(plan({"statue.ply"}), "statue.pro is there");
-}
-
-TEST_F(Plan, NeverOverwrites) {
-    addScan("statue.ply", 60s);
-    addScan("statue.xyz", 60s);
-    addPro("statue.pro", R"(["statue.ply"])", 90s);
-    EXPECT_EQ(plan({"statue.ply"}), "statue.1.pro") << "older than the scan";
-    addPro("statue.1.pro", R"(["statue.xyz"])", 30s);
-    EXPECT_EQ(plan({"statue.xyz"}), "statue.1.pro is there");
-    EXPECT_EQ(plan({"statue.ply"}), "statue.2.pro") << "another scan's";
-    folder.write("statue.2.pro", "no scene");
-    fs::create_symlink("nowhere", folder.file("statue.3.pro"));
-    fs::create_directory(folder.path / "statue.4.pro");
-    EXPECT_EQ(plan({"statue.ply"}), "statue.5.pro");
-    addPro("statue.6.pro", R"(["statue.ply"])", 30s);
-    EXPECT_EQ(plan({"statue.ply"}), "statue.5.pro");
-}
-
-TEST_F(Plan, CombinesScans) {
-    addScan("a.ply", 60s);
-    addScan("b.ply", 20s);
-    addPro("a.pro", R"(["a.ply","b.ply"])", 30s);
-    EXPECT_EQ(plan({"a.ply", "b.ply"}), "a.1.pro") << "one scan is newer";
-    EXPECT_EQ(plan({"a.ply"}), "a.1.pro");
-    addPro("a.pro", R"(["a.ply","b.ply"])", 10s);
-    EXPECT_EQ(plan({"a.ply", "b.ply"}), "a.pro is there");
-}
-
-TEST_F(Plan, HandlesEscapedNames) {
-    const std::string name = "a \"b\"\\\n\x01\xc3\xa4.ply";
-    addScan(name, 60s);
-    addPro("a \"b\"\\\n\x01\xc3\xa4.pro", "[\"a \\\"b\\\"\\\\\\n\\u0001\xc3\xa4.ply\"]", 30s);
-    EXPECT_EQ(plan({name}), "a \"b\"\\\n\x01\xc3\xa4.pro is there");
-}
-
-TEST_F(Plan, ReadsTheMetadataAsJson) {
-    addScan("statue.ply", 60s);
-    addPro("statue.pro", "[ \"st\\u0061tue.ply\" ]", 30s);
-    EXPECT_EQ(plan({"statue.ply"}), "statue.pro is there") << "spaces and escapes are the writer's choice";
-    addPro("statue.pro", R"([],"note":"\"sources\":[\"statue.ply\"]")", 30s);
-    EXPECT_EQ(plan({"statue.ply"}), "statue.1.pro") << "a text that looks like it";
-}
-
-TEST(BakeSources, AcceptsAnyBytes) {
-    using Names = std::vector<std::string>;
-    EXPECT_EQ(bakeSources(R"({"sources":["a.ply","b.ply"]})"), (Names{"a.ply", "b.ply"}));
-    EXPECT_EQ(bakeSources(R"({"sources":[]})"), Names());
-    for (const std::string text :
-         {"", "{", "[1]", "7", "{}", R"({"sources":"a.ply"})", R"({"sources":["a.ply",1]})",
-          R"({"more":{"sources":["a.ply"]}})", R"({"sources":["a.ply"]} more)", "{\"\xff\":1}"})
-        EXPECT_EQ(bakeSources(text), std::nullopt) << text;
-    EXPECT_EQ(bakeSources(std::string(100000, '[')), std::nullopt);
-}
-
-TEST_F(Plan, RejectsNonFiles) {
-    fs::create_directory(folder.path / "scans");
-    EXPECT_EQ(refusal([&] { plan({"none.ply"}); }), folder.file("none.ply") + ": No such file or directory");
-    EXPECT_SAYS(refusal([&] { plan({"scans"}); }), folder.file("scans") + ": *folder");
-    if (geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
-    addScan("scans/statue.ply", 60s);
-    fs::permissions(folder.path / "scans", fs::perms::owner_read | fs::perms::owner_exec);
-    EXPECT_SAYS(refusal([&] { plan({"scans/statue.ply"}); }), folder.file("scans") + ": *write *Permission denied");
-    fs::permissions(folder.path / "scans", fs::perms::owner_all);
-}
-
-TEST_F(Plan, FindsTheBakeTool) {
-    for (const char* name : {"bin", "first", "second"}) fs::create_directory(folder.path / name);
-    const std::string path = folder.file("first") + "::" + folder.file("second"), own = folder.file("bin");
-    EXPECT_SAYS(refusal([&] { findBakeTool(own, path); }), "pointrt-bake*" + own + " *PATH (" + path + ")");
-    folder.write("first/pointrt-bake", "no program");
-    fs::permissions(folder.write("second/pointrt-bake", ""), fs::perms::owner_all);
-    EXPECT_EQ(findBakeTool(own, path), folder.file("second/pointrt-bake"));
-    fs::permissions(folder.write("bin/pointrt-bake", ""), fs::perms::owner_all);
-    EXPECT_EQ(findBakeTool(own, path), folder.file("bin/pointrt-bake"));
+    EXPECT_TRUE(fs::is_empty(folder.file("cache")));
 }
 
 } // namespace

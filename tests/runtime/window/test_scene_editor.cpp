@@ -4,11 +4,21 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <random>
+
 #include "runtime/device_scene/scene_rows.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/default_lighting.h"
+#include "runtime/scene_io/scene_file.h"
+#include "runtime/scene_io/scene_write.h"
+#include "runtime/window/edit/autosave.h"
 #include "runtime/window/edit/required_update.h"
 #include "runtime/window/edit/shown_scene.h"
+#include "tests/support/temporary_folder.h"
 
 namespace pointrt {
 namespace {
@@ -199,11 +209,16 @@ TEST_F(SceneEditorTest, SavesTheDisplayedScene) {
     EXPECT_EQ(saved.render.size, (PixelSize{64, 48}));
     EXPECT_EQ(saved.render.spp, 40u);
     EXPECT_EQ(saved.render.exposure, 1.5f);
-    EXPECT_EQ(saved.render.denoise, DenoiseChoice::kOn);
+    EXPECT_EQ(saved.render.denoise, DenoiseChoice::kAuto) << "soft lamps are denoised by default";
     EXPECT_EQ(saved.lights, work.scene.lights) << "the studio's are its own now";
     EXPECT_EQ(saved.render.room, Room::kNone);
     work.target_samples = 256;
-    EXPECT_EQ(sceneAsShown(work, {64, 48}).render.denoise, DenoiseChoice::kOff) << "such pictures have no noise";
+    EXPECT_EQ(sceneAsShown(work, {64, 48}).render.denoise, DenoiseChoice::kAuto) << "reopened, the box is ticked again";
+    work.denoise = false;
+    EXPECT_EQ(sceneAsShown(work, {64, 48}).render.denoise, DenoiseChoice::kOff);
+    work.denoise = true;
+    work.scene.lights = {lampAt(1)};
+    EXPECT_EQ(sceneAsShown(work, {64, 48}).render.denoise, DenoiseChoice::kOn) << "hard light is not, by default";
 }
 
 /// The update between two descriptions.
@@ -269,6 +284,128 @@ TEST_F(RequiredUpdateTest, DragsNeverWaitForAJob) {
     }
     EXPECT_EQ(nextUpdateStep(UpdateKind::kNothing, drags, lacks_photons), UpdateStep::kNothing);
     EXPECT_EQ(nextUpdateStep(UpdateKind::kNothing, !drags, lacks_photons), UpdateStep::kSceneUpdate);
+}
+
+TEST_F(SceneEditorTest, UndoesAndRedoesAnyEditsToTheByte) {
+    editor.open(opened({}), 4);
+    editor.noteEdits();
+    const auto text = [&] { return sceneText(sceneAsShown(work, {64, 48}), ""); };
+    std::mt19937 random(1);
+    const auto below = [&](unsigned n) { return static_cast<unsigned>(random() % n); };
+    const std::function<void()> edits[] = {
+        [&] { work.scene.lights.push_back(lampAt(below(100))); },
+        [&] {
+            if (!work.scene.lights.empty()) work.scene.lights.erase(work.scene.lights.begin());
+        },
+        [&] { goTo(std::array<std::optional<Room>, 4>{std::nullopt, Room::kMatte, Room::kMirror, Room::kNone}[below(4)]); },
+        [&] { goTo(Room::kMatte, 1 + below(5)); },
+        [&] { work.settings.bounces = below(64); },
+        [&] { work.settings.integrator = below(2) == 0 ? Integrator::kPhong : Integrator::kPath; },
+        [&] { work.look.exposure = static_cast<float>(below(32)) / 8; },
+        [&] { work.denoise = !work.denoise; },
+        [&] { work.target_samples = 1 + below(512); },
+        [&] { saveView(work); },
+        [&] { editor.setUp(std::array<Vec3, 3>{Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}[below(3)], work.camera, 1); },
+    };
+    std::vector<std::string> steps{text()};
+    constexpr std::size_t kEdits = 200;
+    while (steps.size() <= kEdits) {
+        edits[below(std::size(edits))]();
+        editor.updateSurroundings();
+        const std::uint64_t before = editor.revision();
+        editor.noteEdits();
+        if (editor.revision() != before) steps.push_back(text());
+    }
+    for (std::size_t at = kEdits; at-- > 0;) {
+        ASSERT_TRUE(editor.undo());
+        ASSERT_EQ(text(), steps[at]) << "step " << at;
+    }
+    EXPECT_FALSE(editor.undo());
+    EXPECT_FALSE(editor.isModified());
+    for (std::size_t at = 1; at <= kEdits; ++at) {
+        ASSERT_TRUE(editor.redo());
+        ASSERT_EQ(text(), steps[at]) << "step " << at;
+    }
+    EXPECT_FALSE(editor.redo());
+}
+
+TEST_F(SceneEditorTest, TracksUnsavedEdits) {
+    EXPECT_FALSE(editor.isModified()) << "nothing is open";
+    editor.open(opened({}), 4);
+    EXPECT_FALSE(editor.isModified());
+    work.camera.eye.x += 1;
+    work.look.shown = SHOWN_NORMAL;
+    EXPECT_FALSE(editor.isModified()) << "looking around is no edit";
+    work.look.exposure = 1;
+    EXPECT_TRUE(editor.isModified()) << "before it is a step, too";
+    editor.markSaved();
+    EXPECT_FALSE(editor.isModified());
+    EXPECT_TRUE(editor.undo());
+    EXPECT_TRUE(editor.isModified()) << "the file has the later state";
+    EXPECT_TRUE(editor.redo());
+    EXPECT_FALSE(editor.isModified());
+    editor.open(opened({}), 4);
+    editor.markUnsaved();
+    EXPECT_TRUE(editor.isModified());
+}
+
+TEST_F(SceneEditorTest, UndoneEditsNeedAnUpdate) {
+    editor.open(opened({}), 4);
+    work.scene.lights.clear();
+    editor.noteEdits();
+    editor.clearPendingEdits();
+    work.requests = {};
+    ASSERT_TRUE(editor.undo());
+    EXPECT_EQ(work.scene.lights.size(), 3u);
+    EXPECT_TRUE(editor.hasPendingEdits() && work.requests.look_changed);
+}
+
+TEST_F(SceneEditorTest, KnowsWhetherScansAreInView) {
+    OpenedScene scene = opened({});
+    for (int i = 0; i < 1000; ++i) { // a spiral on a sphere of radius 1
+        const double z = 1 - (2 * i + 1) / 1000.0, r = std::sqrt(1 - z * z);
+        scene.sample.splats.push_back({{r * std::cos(2.4 * i), r * std::sin(2.4 * i), z}, {}, 0.01, {}});
+    }
+    editor.open(scene, 4);
+    const ViewSize size{160, 120};
+    ViewCamera view = work.camera;
+    EXPECT_TRUE(editor.seesScans(view, size));
+    view.eye = {0, 0, 1.01};
+    view.pivot = {0, 0, 1};
+    EXPECT_TRUE(editor.seesScans(view, size)) << "one patch fills the picture";
+    view.pivot = {0, 0, 2};
+    view.eye = {0, 0, 1.5};
+    EXPECT_FALSE(editor.seesScans(view, size)) << "it is behind the eye";
+    view.eye = {5, 0, 5};
+    view.pivot = {5, 0, 0};
+    EXPECT_FALSE(editor.seesScans(view, size)) << "it is beside the picture";
+    view.ortho_height = 2;
+    EXPECT_FALSE(editor.seesScans(view, size));
+    view.ortho_height = 20;
+    EXPECT_TRUE(editor.seesScans(view, size));
+}
+
+TEST(Autosave, SurvivesACrashAndIsOfferedOnce) {
+    const test::TemporaryFolder folder;
+    SceneDescription scene;
+    scene.lights = {lampAt(1)};
+    scene.shapes.resize(1);
+    scene.materials.resize(1);
+    {
+        Autosave crashed(folder.file("state"), "a.laz");
+        EXPECT_EQ(crashed.left(), "");
+        crashed.write(scene);
+    }
+    Autosave next(folder.file("state"), "a.laz");
+    ASSERT_NE(next.left(), "");
+    EXPECT_EQ(readSceneFile(next.left()).lights, scene.lights);
+    EXPECT_EQ(Autosave(folder.file("state"), "a.laz").left(), "") << "another program has it";
+    EXPECT_EQ(Autosave(folder.file("state"), "b.laz").left(), "");
+    next.discard();
+    EXPECT_EQ(next.left(), "");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.file("state")), {}), 1) << "its lock";
+    Autosave nowhere("", "a.laz");
+    nowhere.write(scene);
 }
 
 } // namespace

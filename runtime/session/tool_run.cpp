@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/window/edit/tool_run.h"
+#include "runtime/session/tool_run.h"
 
 #include <signal.h>
 #include <sys/wait.h>
 
 #include <optional>
 
-#include "runtime/window/edit/child_process.h"
+#include "runtime/session/child_process.h"
 
 namespace pointrt {
 namespace {
@@ -46,13 +46,13 @@ private:
     std::string line_, last_;
 };
 
-/// Waits for the child to exit; terminates it when the job is cancelled.
-int waitForExit(ChildProcess& child, OutputReader& reader, const JobControl& control) {
+/// Waits for the child to exit; terminates it once the run is cancelled.
+int waitForExit(ChildProcess& child, OutputReader& reader, const std::function<bool()>& cancelled) {
     std::optional<Clock::time_point> terminated_at;
     std::optional<int> status;
     while (!(status = child.waitStatus())) {
         reader.append(child.read(kPoll));
-        if (!control.cancelled()) continue;
+        if (!cancelled()) continue;
         if (!terminated_at) {
             child.signal(SIGTERM);
             terminated_at = Clock::now();
@@ -66,11 +66,12 @@ int waitForExit(ChildProcess& child, OutputReader& reader, const JobControl& con
 
 } // namespace
 
-ToolResult runTool(const std::vector<std::string>& arguments, const std::string& name, const JobControl& control,
+ToolResult runTool(const std::vector<std::string>& arguments, const std::string& name,
+                   const std::function<bool()>& cancelled,
                    const std::function<bool(const std::string& line)>& on_line) {
     OutputReader reader(on_line);
     ChildProcess child(arguments);
-    const int status = waitForExit(child, reader, control);
+    const int status = waitForExit(child, reader, cancelled);
     return {status, child.id(), reader.lastLine(name)};
 }
 

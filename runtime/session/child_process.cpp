@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/window/edit/child_process.h"
+#include "runtime/session/child_process.h"
 
 #include <fcntl.h>
 #include <poll.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs another pointrt tool for a job.
+// Runs another pointrt tool.
 #pragma once
 
 #include <sys/types.h>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/window/edit/job.h"
+#include "format/base/error.h"
 
 namespace pointrt {
 
@@ -19,10 +19,10 @@ struct ToolResult {
 };
 
 /// Runs arguments[0], the path of the tool called name, to its end. Passes each line of output to on_line, which
-/// returns whether it was progress. If cancelled, the tool gets SIGTERM, and SIGKILL after three seconds. Throws Error
-/// as ChildProcess does.
-ToolResult runTool(const std::vector<std::string>& arguments, const std::string& name, const JobControl& control,
-                   const std::function<bool(const std::string& line)>& on_line);
+/// returns whether it was progress. Once cancelled() is true, the tool gets SIGTERM, and SIGKILL after three seconds.
+/// Throws Error as ChildProcess does.
+ToolResult runTool(const std::vector<std::string>& arguments, const std::string& name,
+                   const std::function<bool()>& cancelled, const std::function<bool(const std::string& line)>& on_line);
 
 /// Why the tool called name failed, in its own words if it printed any.
 std::string describeFailure(const ToolResult& end, const std::string& name);

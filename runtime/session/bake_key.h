@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The identity of a bake: equal keys mean equal results.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace pointrt {
+
+/// Scans to bake into one scene.
+struct ScanBake {
+    std::vector<std::string> scans;   ///< files and folders, at least one
+    std::vector<std::string> options; ///< of pointrt-bake
+};
+
+/// 32 hexadecimal digits that depend on the names and contents of the scans, on the options and files that these name,
+/// and on the version of the tool. Files that refer to others (OBJ, .conf, glTF, ...) also depend on the names, sizes
+/// and times of the files around them. "" if cancelled() becomes true while files are read. Throws Error kBadInput if a
+/// scan cannot be read.
+/// @param tool path of pointrt-bake
+std::string bakeKey(const ScanBake& bake, const std::string& tool, const std::function<bool()>& cancelled);
+
+} // namespace pointrt

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// Undo, saving, and questions before unsaved edits would be lost.
+#include <filesystem>
+#include <utility>
+
+#include "runtime/scene_io/scene_write.h"
+#include "runtime/session/bake_cache.h"
+#include "runtime/window/app/window_state.h"
+#include "runtime/window/edit/free_name.h"
+#include "runtime/window/edit/kept_bake.h"
+#include "runtime/window/edit/shown_scene.h"
+
+namespace pointrt {
+namespace {
+
+/// At most this long of work is lost.
+constexpr double kAutosaveEvery_s = 1;
+
+std::string nameOf(const Workspace& work) { return std::filesystem::path(work.scene.path).filename().string(); }
+
+} // namespace
+
+void Window::ask(Question question, std::function<void(std::size_t)> answered) {
+    work_.question = std::move(question);
+    on_answer_ = std::move(answered);
+}
+
+/// Does what would end the current scene, once its edits are saved or given up.
+void Window::afterSaving(std::function<void()> next) {
+    if (!editor_.isModified()) return next();
+    enum : std::size_t { kSave, kDiscard, kCancel };
+    ask({"Save the changes to " + nameOf(work_) + "?", {"Save", "Discard", "Cancel"}},
+        [this, next = std::move(next)](std::size_t answer) {
+            if (answer == kCancel || (answer == kSave && !saveScene())) return;
+            next();
+        });
+}
+
+void Window::handleEdits(const Requests& requests) {
+    if (requests.answer && work_.question) {
+        work_.question.reset();
+        std::exchange(on_answer_, {})(*requests.answer);
+    }
+    if (requests.save_scene && loaded_) saveScene();
+    if (requests.undo && loaded_ && !editor_.undo()) notify("nothing to undo", false);
+    if (requests.redo && loaded_ && !editor_.redo()) notify("nothing to redo", false);
+}
+
+/// False if it cannot be written; the user is told why.
+bool Window::saveScene() {
+    bool saved = false;
+    tryOrNotify("", [&] {
+        const std::string path = freeName(work_.scene.path, {".toml"}) + ".toml";
+        SceneDescription shown = sceneAsShown(work_, {host_.pixels().width, host_.pixels().height});
+        keepBakes(shown, userBakeCache());
+        writeSceneFile(path, shown);
+        editor_.markSaved();
+        notify("saved " + path + "; render it with pointrt-view " + path + " -o picture.png", false);
+        saved = true;
+    });
+    return saved;
+}
+
+void Window::autosave() {
+    if (!autosave_ || !loaded_ || work_.requests.dragging || editor_.revision() == autosaved_revision_) return;
+    if (session_.now() - autosaved_s_ < kAutosaveEvery_s) return;
+    autosaved_s_ = session_.now();
+    autosaved_revision_ = editor_.revision();
+    tryOrNotify("the edits cannot be kept for a restart: ", [&] {
+        if (editor_.isModified())
+            autosave_->write(sceneAsShown(work_, {host_.pixels().width, host_.pixels().height}));
+        else
+            autosave_->discard();
+    });
+}
+
+/// Offers the edits of scene that a program that was killed has left.
+void Window::offerAutosave(const SceneSource& scene) {
+    autosaved_revision_ = editor_.revision();
+    if (scene.is_autosave) return editor_.markUnsaved();
+    if (autosave_) autosave_->discard();
+    autosave_ = std::make_unique<Autosave>(autosaveFolder(), scene.name());
+    if (autosave_->left().empty()) return;
+    ask({"pointrt ended before the changes to " + nameOf(work_) + " were saved.", {"Discard them", "Restore them"}},
+        [this, scene](std::size_t answer) {
+            if (answer == 0)
+                autosave_->discard();
+            else
+                opener_.open({autosave_->left(), scene.name(), true});
+        });
+}
+
+} // namespace pointrt

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/edit/autosave.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cinttypes>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+#include "format/base/file_lock.h"
+#include "runtime/device_scene/file_cache.h"
+#include "runtime/scene_io/scene_write.h"
+
+namespace pointrt {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMaxPrograms = 10;
+
+std::string variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value ? value : "";
+}
+
+/// FNV-1a: names of files need no better hash, and must not change from version to version.
+std::uint64_t hashOf(std::string_view text) {
+    std::uint64_t hash = 0xcbf29ce484222325;
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+    return hash;
+}
+
+std::string fileName(const std::string& scene, int number) {
+    std::error_code ignored;
+    const std::string path = fs::weakly_canonical(scene, ignored).string();
+    std::array<char, 40> name{};
+    std::snprintf(name.data(), name.size(), "/%016" PRIx64 "-%d.toml", hashOf(path), number);
+    return name.data();
+}
+
+} // namespace
+
+std::string autosaveFolder() {
+    const std::string state = variable("XDG_STATE_HOME"), home = variable("HOME");
+    if (state.starts_with('/')) return state + "/pointrt/autosave";
+    return home.starts_with('/') ? home + "/.local/state/pointrt/autosave" : "";
+}
+
+Autosave::Autosave(const std::string& folder, const std::string& scene) {
+    if (folder.empty() || !makePrivateFolder(folder)) return;
+    for (int number = 0; number < kMaxPrograms; ++number)
+        if (take(folder + fileName(scene, number))) break;
+    std::error_code ignored;
+    if (fs::is_regular_file(path_, ignored)) left_ = path_;
+}
+
+bool Autosave::take(const std::string& path) {
+    lock_ = open((path + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+    if (lock_ < 0) return true; // no other name would do better
+    if (format::tryLock(lock_) != format::LockResult::kTaken) {
+        path_ = path;
+        return true;
+    }
+    close(lock_);
+    lock_ = -1;
+    return false;
+}
+
+Autosave::~Autosave() {
+    if (lock_ < 0) return;
+    unlink((path_ + ".lock").c_str());
+    close(lock_);
+}
+
+void Autosave::write(const SceneDescription& scene) {
+    if (!path_.empty()) writeSceneFile(path_, scene);
+}
+
+void Autosave::discard() {
+    if (!path_.empty()) unlink(path_.c_str());
+    left_.clear();
+}
+
+} // namespace pointrt

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bakes of the user's cache kept for scene files: the cache may delete its files at any time.
+#pragma once
+
+#include "runtime/device_scene/file_cache.h"
+#include "runtime/scene/scene_description.h"
+
+namespace pointrt {
+
+/// Gives each cached bake that scene names a file in the current folder, named after the scan: statue.pro for
+/// statue.ply, or statue-1.pro and so on if that is another file. Throws Error kCannotWrite.
+void keepBakes(SceneDescription& scene, const FileCache& cache);
+
+} // namespace pointrt
