@@ -132,6 +132,13 @@ std::string bakeCached(const FileCache& cache, const ScanBake& bake, const std::
     return path;
 }
 
+std::string findBake(const FileCache& cache, const ScanBake& bake, const std::string& tool,
+                     const BakeMonitor& monitor) {
+    const std::string key = bakeKey(bake, tool, [&] { return isCancelled(monitor); });
+    const std::string path = cache.folder + "/" + key + cache.suffix;
+    return !key.empty() && isComplete(path) ? path : "";
+}
+
 bool isCachedBake(const FileCache& cache, const std::string& path) {
     return !cache.folder.empty() && fs::path(path).parent_path() == fs::path(cache.folder);
 }

@@ -14,6 +14,9 @@ struct ScanBake {
     std::vector<std::string> options; ///< of pointrt-bake
 };
 
+/// A bake of every n-th point, without cleaning and pruning, that takes about a tenth of the time.
+ScanBake quickBake(const ScanBake& bake);
+
 /// 32 hexadecimal digits that depend on the names and contents of the scans, on the options and files that these name,
 /// and on the version of the tool. Files that refer to others (OBJ, .conf, glTF, ...) also depend on the names, sizes
 /// and times of the files around them. "" if cancelled() becomes true while files are read. Throws Error kBadInput if a

@@ -18,11 +18,14 @@
 namespace pointrt {
 namespace {
 
-constexpr const char* kExamples = "  pointrt-view scan.laz               bake it and open a window; press H for the keys\n"
-                                  "  pointrt-view scan.laz -o scan.png   render a picture, lit by studio lamps\n"
-                                  "  pointrt-view a.ply b.ply -o all.png --bake --clean off\n"
+constexpr const char* kExamples = "  pointrt-view scan.ply               open a window; press H for the keys\n"
+                                  "  pointrt-view scan.ply -o scan.png   render a picture, lit by studio lamps\n"
+                                  "  pointrt-view a.ply b.pcd -o all.png --bake --clean off\n"
                                   "  pointrt-view scan.pro --integrator path --time-limit 60 -o scan.png\n"
                                   "  pointrt-view scene.toml --view top -o - | convert - top.jpg\n";
+/// What shells offer: scenes, and the most common formats of scans.
+constexpr const char* kSceneSuffixes =
+    ".pro .proset .toml .las .laz .e57 .ply .pcd .ptx .pts .xyz .obj .stl .glb .spz .sog .splat .conf .bag .mcap";
 constexpr const char* kNotes =
     "Ctrl-C stops rendering and saves the partial picture (continue an EXR with --resume); the exit status is that of "
     "the signal. A second Ctrl-C quits at once.\n\n"
@@ -273,6 +276,7 @@ std::optional<int> parseOptions(int argc, const char* const* argv, Options& opti
         ->type_name("")
         ->group("Scene")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    completes(app, "SCENE", kSceneSuffixes);
     addGroups(app, options);
     const int own_arguments = takeBakeOptions(argc, argv, options);
     if (const auto done = parseCommandLine(app, own_arguments, argv, {{".png", "-o"}, {".exr", "-o"}})) return done;

@@ -123,7 +123,7 @@ theSameIn() {
     expectOffers "turbo" "$1" "pointrt-view a.pro --color-map" tu
     expectOffers "-x -y -z auto x y z" "$1" "pointrt-bake b.ply --up" ""
     expectOffers "f.png g.exr more.proset tiles" "$1" "pointrt-view a.pro -o" ""
-    expectOffers "a.pro e.toml more.proset tiles" "$1" "pointrt-view" ""
+    expectOffers "a.pro b.ply c.LAZ e.toml more.proset tiles" "$1" "pointrt-view" ""
     expectOffers "b.ply c.LAZ more.proset tiles" "$1" "pointrt-bake" ""
     expectOffers "" "$1" "pointrt-view a.pro --spp" ""
     expectOffers "cast lidar sun viewshed" "$1" "pointrt-rays" ""

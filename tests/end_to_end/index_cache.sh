@@ -4,13 +4,6 @@
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 
-# useCache: uses an empty cache folder for this case, but the usual one for the driver's compiled programs.
-useCache() {
-    export MESA_SHADER_CACHE_DIR=${XDG_CACHE_HOME:-$HOME/.cache} XDG_CACHE_HOME=$PWD/cache
-    unset POINTRT_INDEX_CACHE
-    kept=$XDG_CACHE_HOME/pointrt/index
-}
-
 # bakeTwice COUNT NAME: bakes NAME.pro with an index, and NAME_compact.pro without.
 bakeTwice() {
     sphere "$1" >"$2.xyz"
@@ -30,7 +23,7 @@ samePictures() {
 }
 
 case_a_file_is_indexed_once() {
-    useCache
+    useCache index
     bakeTwice 5000 ball
     expectPicture ball.pro shipped "from the file" 1
     [ ! -e "$kept" ] || fail "something was kept of a file with an index"
@@ -44,7 +37,7 @@ case_a_file_is_indexed_once() {
 
 case_rays_meet_the_same() {
     local file
-    useCache
+    useCache index
     bakeTwice 5000 ball
     awk 'BEGIN { for (i = 0; i < 2000; i++) print 3, i % 40 / 20 - 1, i / 1000 - 1, -1, 0.1, 0.05 }' >rays.txt
     cp ball_compact.pro again.pro
@@ -65,7 +58,7 @@ bakeSets() {
 
 case_a_set_is_indexed_once() {
     local tiles
-    useCache
+    useCache index
     bakeSets 2000
     expectDone pointrt-view -v shipped.proset -o out/shipped.png --size 96x64 --spp 1 --detail 0
     tiles=$(grep -c "tracing index from the file" stderr)
@@ -79,7 +72,7 @@ case_a_set_is_indexed_once() {
 # Half of such a small memory limit is for tiles. Their files fit in it, but not the indices built for them.
 case_memory_counts_what_is_built() {
     local each
-    useCache
+    useCache index
     bakeSets 5000
     [ "$(du -sb compact.proset | cut -f 1)" -lt 1000000 ] || fail "that does not fit"
     for each in shipped compact; do
@@ -92,7 +85,7 @@ case_memory_counts_what_is_built() {
 
 case_damaged_ones_are_built_again() {
     local file size
-    useCache
+    useCache index
     bakeTwice 5000 ball
     expectPicture ball_compact.pro built built 1
     file=$(find "$kept" -type f)
@@ -110,7 +103,7 @@ case_damaged_ones_are_built_again() {
 
 case_no_cache_does_no_harm() {
     local folder
-    useCache
+    useCache index
     bakeTwice 5000 ball
     for folder in /dev/null "$PWD/ball.xyz"; do
         XDG_CACHE_HOME=$folder expectPicture ball_compact.pro built built 1
@@ -126,7 +119,7 @@ case_no_cache_does_no_harm() {
 
 case_a_disk_that_is_full() {
     local -a namespace=(unshare --user --map-root-user --mount)
-    useCache
+    useCache index
     bakeTwice 5000 ball
     mkdir cache
     "${namespace[@]}" true 2>/dev/null || skip "no mounts of one's own here"
@@ -144,7 +137,7 @@ SH
 # Cached indices are used even if the cache is read-only.
 case_a_cache_that_is_read_only() {
     local -a namespace=(unshare --user --map-root-user --mount)
-    useCache
+    useCache index
     bakeTwice 5000 ball
     bakeTwice 5100 other
     mkdir cache
@@ -167,7 +160,7 @@ SH
 # The cache has room for two of three files.
 case_the_longest_unused_goes() {
     local size
-    useCache
+    useCache index
     bakeTwice 8000 a
     bakeTwice 8100 b
     bakeTwice 8200 c
@@ -185,7 +178,7 @@ case_the_longest_unused_goes() {
 case_several_at_once() {
     local each
     local -a running=()
-    useCache
+    useCache index
     bakeTwice 20000 ball
     for each in 1 2 3 4; do
         pointrt-view -q ball_compact.pro -o "out/$each.png" --size 96x64 --spp 1 &

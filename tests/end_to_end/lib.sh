@@ -72,8 +72,17 @@ expectKeys() {
     done
 }
 
+# useCache NAME: gives this case empty caches, but the usual one for the driver's compiled programs. $kept is the folder
+# of the cache NAME.
+useCache() {
+    export MESA_SHADER_CACHE_DIR=${XDG_CACHE_HOME:-$HOME/.cache} XDG_CACHE_HOME=$PWD/cache
+    unset POINTRT_INDEX_CACHE POINTRT_BAKE_CACHE
+    kept=$XDG_CACHE_HOME/pointrt/$1
+}
+
 runCase() {
     folder=$(mktemp -d)
+    export XDG_STATE_HOME=$folder/.state
     trap 'cd / && chmod -R u+rwx "$folder" && rm -rf "$folder"' EXIT
     cd "$folder"
     mkdir out

@@ -109,6 +109,7 @@ case_quiet() {
 # All examples of --help work (except the one that opens a window). cat replaces other programs.
 case_examples_of_help() {
     local tool example count
+    useCache bakes
     bakeSphere
     rm scan.pro
     scanPly >scan.ply
@@ -127,7 +128,7 @@ case_examples_of_help() {
         count=$(wc -l <"$tool.examples")
         [ "$count" -ge 2 ] && [ "$count" -le 5 ] || fail "$tool has $count examples"
         while read -r example; do
-            [ "$example" != "pointrt-view scan.pro" ] || continue
+            [ "$example" != "pointrt-view scan.ply" ] || continue
             [[ "$example" != *"| convert"* ]] || example="${example%%|*}| cat >top.jpg"
             [[ "$example" != *"| jq"* ]] || example="${example%%|*}| cat"
             example=${example/--time-limit 60/--time-limit 1 --size 64x36}
@@ -136,7 +137,7 @@ case_examples_of_help() {
             [ "$status" = 0 ] || [ "$status" = 3 ] || fail "$example: exit status $status"
         done <"$tool.examples"
     done
-    for example in scan.png all.pro city.pro mesh.pro top.jpg splats.ply; do
+    for example in scan.png all.png all.pro city.pro mesh.pro top.jpg splats.ply; do
         [ -s "$example" ] || fail "no example wrote $example"
     done
 }
@@ -155,13 +156,8 @@ case_help_says_what_is_overwritten() {
 case_a_scan_is_no_scene() {
     scanPly >scan.ply
     sphere 3000 >scan.xyz
-    expectError 1 "scan.ply: .*PLY; .*: pointrt-bake scan.ply -o scan.pro\$" \
-        pointrt-view scan.ply -o out/a.png
-    expectError 1 "scan.xyz: .*text; .*: pointrt-bake scan.xyz -o scan.pro\$" \
-        pointrt-view scan.xyz --bench 1
     expectError 1 "scan.ply: .*PLY; .*: pointrt-bake scan.ply -o scan.pro\$" pointrt-info scan.ply
     expectError 1 "out: .*folder" pointrt-info out
-    expectError 1 "out: .*folder" pointrt-view out -o out/a.png
     printf '[[instance]]\nfile = "scan.ply"\n' >scene.toml
     expectError 1 "scan.ply: .*PLY" pointrt-view scene.toml -o out/a.png
     expectError 1 "scene.toml: .*scene file.*pointrt-view" pointrt-info scene.toml
@@ -169,14 +165,65 @@ case_a_scan_is_no_scene() {
 }
 
 case_a_window_bakes_the_scan_that_it_is_given() {
+    useCache bakes
     sphere 3000 >scan.xyz
     printf 'pointrt-recording 1 window 64x64 scale 1\n0 wait 1\n1 screenshot shown\n2 quit\n' >user.txt
     expectDone pointrt-view scan.xyz --replay user.txt --offscreen
-    [ -s scan.pro ] || fail "the scan was not baked beside itself"
+    [ "$(find "$kept" -name '*.pro' | wc -l)" = 1 ] || fail "not one bake in the cache"
     [ -s shown.png ] || fail "no screenshot"
     echo nonsense >letter.xyz
     expectError 1 "letter.xyz(:[0-9]+)?: " pointrt-view letter.xyz --replay user.txt --offscreen
     expectError 1 "missing.ply: No such file" pointrt-view missing.ply --replay user.txt --offscreen
+}
+
+# The picture of a scan is that of its bake, with its options; it is baked once.
+case_pictures_of_scans() {
+    local bake
+    useCache bakes
+    sphere 3000 | awk '{ print $1, $2, $3, 200, 100, 50 }' >scan.xyz
+    expectDone pointrt-view scan.xyz -o out/a.png --size 64x48 --bake --clean off --radius-scale 2
+    bake=$(find "$kept" -type f)
+    expectDone pointrt-bake -q scan.xyz -o scan.pro --clean off --radius-scale 2
+    cmp "$bake" scan.pro || fail "another bake, or not one in the cache: $bake"
+    expectDone pointrt-view scan.pro -o out/b.png --size 64x48
+    cmp out/a.png out/b.png || fail "another picture"
+    mkdir scans
+    mv scan.xyz scans
+    expectDone pointrt-view scans/scan.xyz -o out/c.png --size 64x48 --bake --clean off --radius-scale 2
+    [ "$(find "$kept" -type f)" = "$bake" ] || fail "it was baked again"
+    cp scan.pro "$bake.tmp-left" && : >"$kept/left.lock" && truncate -s 100 "$bake"
+    expectDone pointrt-view scans -o out/d.png --size 64x48
+    expectDone pointrt-view scans/scan.xyz -o out/c.png --size 64x48 --bake --clean off --radius-scale 2
+    cmp "$bake" scan.pro || fail "a damaged bake was used"
+    sphere 50 >scans/more.xyz
+    expectDone pointrt-view scans/more.xyz scans/scan.xyz -o out/e.png --size 64x48
+    # reasons are those of pointrt-bake
+    echo nonsense >letter.xyz
+    expectError 1 "letter.xyz(:[0-9]+)?: " pointrt-view letter.xyz -o out/f.png
+    expectError 1 "missing.ply: No such file" pointrt-view missing.ply -o out/f.png
+    expectError 2 "--cleen" pointrt-view scans/scan.xyz -o out/f.png --bake --cleen off
+    expectUsage "--bake: -o " pointrt-view scans/scan.xyz -o out/f.png --bake -o b.pro
+    expectUsage "--bake: .*scan.pro" pointrt-view scan.pro -o out/f.png --bake --clean off
+    expectUsage "scan.pro: .*scene file" pointrt-view scan.pro scans/scan.xyz -o out/f.png
+    expectUsage "scan.xyz: -o .*input" pointrt-view scans/more.xyz scans/scan.xyz -o scans/scan.xyz.png --stats scans/scan.xyz
+    POINTRT_BAKE_CACHE=off expectError 4 "scan.xyz: .*cache" pointrt-view scans/scan.xyz -o out/f.png
+}
+
+# Killed at any moment, a viewer leaves nothing that a later one would show.
+case_killed_while_it_bakes() {
+    local delay id
+    useCache bakes
+    sphere 20000 >scan.xyz
+    for delay in 0.05 0.2 0.4; do
+        pointrt-view -q scan.xyz -o out/a.png --size 64x48 &
+        id=$!
+        sleep "$delay"
+        kill -KILL "$id" 2>/dev/null || true
+        wait "$id" 2>/dev/null || true
+    done
+    expectDone pointrt-view scan.xyz -o out/a.png --size 64x48
+    pointrt-bake -q scan.xyz -o scan.pro
+    cmp "$(find "$kept" -name '*.pro')" scan.pro || fail "not one good bake"
 }
 
 case_nothing_lands_on_an_input() {

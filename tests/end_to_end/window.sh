@@ -131,6 +131,7 @@ case_survives_any_size_and_key() {
 }
 
 case_opens_what_is_dropped() {
+    useCache bakes
     bakeHalf
     mkdir scans
     cp half.xyz "scans/a b.xyz"
@@ -138,9 +139,17 @@ case_opens_what_is_dropped() {
 1 drop \"scans/a b.xyz\"
 40 wait 1
 41 screenshot dropped
-42 quit"
-    [ -f "scans/a b.pro" ] || fail "the scan was not baked beside itself"
+42 key down Control
+42 key down S
+43 key up S
+43 key up Control
+44 quit"
+    [ "$(ls scans)" = "a b.xyz" ] || fail "something was written beside the scan"
     [ -s dropped.png ] || fail "no screenshot"
+    # the scene does not depend on the cache
+    cmp "a b.pro" "$(find "$kept" -name '*.pro')" || fail "the bake is not kept for the scene"
+    rm -r "$kept"
+    expectDone pointrt-view "a b-1.toml" -o file.png
 }
 
 case_wrong_input() {

@@ -78,6 +78,7 @@ void Window::autosave() {
 void Window::offerAutosave(const SceneSource& scene) {
     autosaved_revision_ = editor_.revision();
     if (scene.is_autosave) return editor_.markUnsaved();
+    if (scene.follows_quick) return; // it has been offered with the quick bake
     if (autosave_) autosave_->discard();
     autosave_ = std::make_unique<Autosave>(autosaveFolder(), scene.name());
     if (autosave_->left().empty()) return;

@@ -84,7 +84,7 @@ StartedJob Window::startLoad(const SceneSource& scene, bool first) {
     Options options = options_;
     options.scene = scene.path;
     options.source = scene.source;
-    if (loaded_) { // camera options are for the scene of the command line only
+    if (loaded_ && !scene.follows_quick) { // camera options are for the scene of the command line only
         options.camera = {};
         options.up_axis.reset();
         options.view.clear();
@@ -104,10 +104,11 @@ void Window::showLoaded(std::unique_ptr<LoadedScene> loaded, const SceneSource& 
     complete_for_.reset();
     warned_coarse_ = false;
     const bool says_samples = options_.choices.spp || loaded_->scene.description.render.spp;
-    editor_.open(openedScene(*loaded_), says_samples ? loaded_->settings.spp : kCleanSamplesOfLight);
+    const std::uint32_t samples = says_samples ? loaded_->settings.spp : kCleanSamplesOfLight;
+    view_.home = scene.follows_quick ? editor_.refine(openedScene(*loaded_), samples, view_.home)
+                                     : editor_.open(openedScene(*loaded_), samples);
     showColors();
     view_.stop();
-    view_.home = work_.camera;
     image_.open(host_.device(), loaded_->tracer);
     offerAutosave(scene);
 }

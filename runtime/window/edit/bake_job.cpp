@@ -2,16 +2,25 @@
 #include "runtime/window/edit/bake_job.h"
 
 namespace pointrt {
+namespace {
 
-BakeJob::BakeJob(const ScanBake& bake, const FileCache& cache, const std::string& tool)
-    : job_("Baking " + describeScans(bake.scans), [this, bake, cache, tool](JobControl& control) {
+std::string titleOf(const ScanBake& bake, BakeDetail detail) {
+    return (detail == BakeDetail::kQuick ? "Reading " : "Baking ") + describeScans(bake.scans);
+}
+
+} // namespace
+
+BakeJob::BakeJob(const ScanBake& bake, BakeDetail detail, const FileCache& cache, const std::string& tool)
+    : job_(titleOf(bake, detail), [this, bake, detail, cache, tool](JobControl& control) {
           const BakeMonitor monitor{[&] { return control.cancelled(); },
                                     [&](double share, const std::string& stage) {
                                         control.setDetail(stage);
                                         control.setProgress(share);
                                     },
                                     {}};
-          output_ = bakeCached(cache, bake, tool, monitor);
+          if (detail == BakeDetail::kQuick) output_ = findBake(cache, bake, tool, monitor);
+          is_quick_ = detail == BakeDetail::kQuick && output_.empty();
+          if (output_.empty()) output_ = bakeCached(cache, is_quick_ ? quickBake(bake) : bake, tool, monitor);
           if (output_.empty()) throw JobCancelled{};
       }) {}
 

@@ -2,6 +2,7 @@
 // Bakes scans in the background.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "runtime/session/bake_cache.h"
@@ -10,20 +11,26 @@
 
 namespace pointrt {
 
+/// Bakes everything, or first a tenth of the points, to have something to show.
+enum class BakeDetail : std::uint8_t { kAll, kQuick };
+
 /// Runs bakeCached. Leaves no partial file when cancelled: pointrt-bake gets SIGTERM, and SIGKILL after three seconds;
 /// if it is already writing its output, it finishes it.
 class BakeJob {
 public:
-    explicit BakeJob(const ScanBake& bake, const FileCache& cache = userBakeCache(),
+    explicit BakeJob(const ScanBake& bake, BakeDetail detail = BakeDetail::kAll, const FileCache& cache = userBakeCache(),
                      const std::string& tool = findBakeTool());
 
     Job& job() { return job_; }
     const Job& job() const { return job_; }
     /// The .pro in the cache, once the job is done.
     const std::string& output() const { return output_; }
+    /// Whether the output is a quick bake: what is cached is never baked quickly.
+    bool isQuick() const { return is_quick_; }
 
 private:
-    std::string output_; ///< owned by the thread until the job has ended
+    std::string output_; ///< owned by the thread until the job has ended, as is_quick_
+    bool is_quick_ = false;
     Job job_;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/window/edit/file_opener.h"
 
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "format/base/error.h"
@@ -13,12 +15,13 @@ FileOpener::FileOpener(JobQueue& jobs, JobQueue::Notify notify, StartLoad load)
     : jobs_(jobs), notify_(std::move(notify)), load_(std::move(load)) {}
 
 void FileOpener::open(const SceneSource& scene) {
+    current_ = scene.name();
     jobs_.enqueue(JobKind::kLoad, [this, scene] { return load_(scene, std::exchange(first_, false)); });
 }
 
 void FileOpener::openNamed(const ScanBake& inputs) {
     if (isScene(inputs.scans.front())) return open({inputs.scans.front(), {}, false});
-    bake(inputs, throwIfFailed);
+    bake(inputs);
 }
 
 void FileOpener::drop(const std::vector<std::string>& paths) {
@@ -32,13 +35,36 @@ void FileOpener::drop(const std::vector<std::string>& paths) {
     open({paths.front(), {}, false});
 }
 
-void FileOpener::bake(const ScanBake& scans, const std::function<void(const Job&)>& ended) {
+void FileOpener::bake(const ScanBake& scans) {
     if (const auto other = jobs_.status(JobKind::kBake))
         return notify_(other->title + " is still running; bake one scan at a time", true);
+    requireScans(scans);
     jobs_.start(JobKind::kBake, [&] {
+        auto quick = std::make_unique<BakeJob>(scans, BakeDetail::kQuick);
+        const BakeJob* job = quick.get();
+        StartedJob started = startedJob<BakeJob>(std::move(quick), [this, scans](BakeJob& bake) {
+            open({bake.output(), scans.scans.front(), false, bake.isQuick()});
+        });
+        started.ended = [this, scans, job](const Job& end) {
+            if (end.state() == JobState::kFailed || (end.state() == JobState::kDone && job->isQuick()))
+                bakeFully(scans, end.state() == JobState::kDone);
+        };
+        started.fails_silently = true; // the full bake says why
+        return started;
+    });
+}
+
+void FileOpener::bakeFully(const ScanBake& scans, bool follows_quick) {
+    jobs_.enqueue(JobKind::kBake, [this, scans, follows_quick] {
         return startedJob<BakeJob>(
             std::make_unique<BakeJob>(scans),
-            [this, scan = scans.scans.front()](BakeJob& bake) { open({bake.output(), scan, false}); }, ended);
+            [this, scan = scans.scans.front(), follows_quick](BakeJob& bake) {
+                if (follows_quick && current_ != scan) return notify_("baked " + scan + "; open it again to see it", false);
+                open({bake.output(), scan, false, false, follows_quick});
+            },
+            [this](const Job& end) {
+                if (first_) throwIfFailed(end);
+            });
     });
 }
 

@@ -16,6 +16,8 @@ struct SceneSource {
     std::string path;
     std::string source;       ///< what users know it by, such as the scan it was baked from; empty: by path
     bool is_autosave = false; ///< path has edits of source that are in no file of the user
+    bool is_quick = false;    ///< path is a quick bake of source
+    bool follows_quick = false; ///< the full bake, after a quick one
 
     const std::string& name() const { return source.empty() ? path : source; }
 };
@@ -30,8 +32,8 @@ public:
 
     /// Loads a scene, instead of one that is still loading.
     void open(const SceneSource& scene);
-    /// The same for the scene of the command line, or for its scans, which are baked first. Errors are thrown, from here
-    /// or from JobQueue::poll, because there is nothing else to show.
+    /// The same for the scene of the command line, or for its scans, which are baked first: quickly, to have something
+    /// to show, then fully. Errors are thrown, from here or from JobQueue::poll, while there is nothing else to show.
     void openNamed(const ScanBake& inputs);
     /// Opens the first file if it is a scene. Otherwise all are scans, which are baked together.
     void drop(const std::vector<std::string>& paths);
@@ -39,11 +41,13 @@ public:
     void openNeighbour(const std::string& path, int step);
 
 private:
-    void bake(const ScanBake& scans, const std::function<void(const Job&)>& ended = {});
+    void bake(const ScanBake& scans);
+    void bakeFully(const ScanBake& scans, bool follows_quick);
 
     JobQueue& jobs_;
     JobQueue::Notify notify_;
     StartLoad load_;
+    std::string current_; ///< name of the scene opened last
     bool first_ = true;
 };
 

@@ -31,7 +31,7 @@ void JobQueue::end(Slot& slot) {
     const StartedJob over = *std::exchange(slot.running, std::nullopt);
     if (over.ended) over.ended(*over.job);
     if (over.job->state() == JobState::kDone) over.done();
-    if (over.job->state() == JobState::kFailed) notify_(over.job->error(), true);
+    if (over.job->state() == JobState::kFailed && !over.fails_silently) notify_(over.job->error(), true);
     if (over.job->state() == JobState::kCancelled) notify_(over.job->status().title + ": cancelled", false);
 }
 

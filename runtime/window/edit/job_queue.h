@@ -57,6 +57,7 @@ struct StartedJob {
     Job* job = nullptr;
     std::function<void()> done;            ///< after success only
     std::function<void(const Job&)> ended; ///< before done, in any final state; may throw instead of reporting an error
+    bool fails_silently = false;           ///< another job will report the error
 };
 
 /// work: an object with a job(), such as LoadJob. done may move from it. Both callbacks may be empty.
@@ -68,7 +69,7 @@ StartedJob startedJob(std::unique_ptr<Work> work, std::function<void(Work&)> don
             [owner, done = std::move(done)] {
                 if (done) done(*owner);
             },
-            std::move(ended)};
+            std::move(ended), false};
 }
 
 /// Creates a job when it may start.

@@ -41,7 +41,7 @@ bool wantsFilter(const OpenedScene& scene) {
 
 } // namespace
 
-void SceneEditor::open(OpenedScene opened, std::uint32_t samples) {
+ViewCamera SceneEditor::open(OpenedScene opened, std::uint32_t samples) {
     opened_ = std::move(opened);
     const OpenedScene& scene = *opened_;
     const Vec3 size = scene.bounds_max - scene.bounds_min, centre = 0.5 * (scene.bounds_min + scene.bounds_max);
@@ -66,6 +66,22 @@ void SceneEditor::open(OpenedScene opened, std::uint32_t samples) {
     current_light_count_ = scene.settings.lights;
     pending_edits_ = false;
     history_.open(state());
+    return work_.camera;
+}
+
+ViewCamera SceneEditor::refine(OpenedScene opened, std::uint32_t samples, const ViewCamera& home) {
+    const bool modified = isModified(), has_moved = cameraOf(work_.camera) != cameraOf(home);
+    const EditState edits = state();
+    const ViewCamera view = work_.camera;
+    const ViewCamera new_home = open(std::move(opened), samples);
+    if (has_moved) work_.camera = view;
+    if (!modified) return new_home;
+    const std::vector<InstanceDescription> instances = work_.scene.instances;
+    restore(&edits);
+    for (std::size_t i = 0; i < instances.size(); ++i) work_.scene.instances.at(i).path = instances[i].path;
+    opened_->resolved.instances = work_.scene.instances;
+    noteEdits();
+    return new_home;
 }
 
 bool EditState::operator==(const EditState& other) const {

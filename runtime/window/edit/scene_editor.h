@@ -67,8 +67,8 @@ public:
     explicit SceneEditor(Workspace& work) : work_(work) {}
 
     /// Replaces the scene in the workspace, with its initial view and look, and forgets all edits. samples: target per
-    /// pixel.
-    void open(OpenedScene opened, std::uint32_t samples);
+    /// pixel. Returns the initial view.
+    ViewCamera open(OpenedScene opened, std::uint32_t samples);
     bool isOpen() const { return opened_.has_value(); }
 
     /// Records the edits requested in a frame.
@@ -98,6 +98,9 @@ public:
     bool isModified() const;
     /// Changes with each edit.
     std::uint64_t revision() const { return revision_; }
+
+    /// The same for a finer bake of the same scan; keeps the edits, and the view unless it is home, that of the former.
+    ViewCamera refine(OpenedScene opened, std::uint32_t samples, const ViewCamera& home);
 
     /// Whether view shows any of the scans, as far as their sample tells: never false while it does.
     bool seesScans(const ViewCamera& view, ViewSize size) const;

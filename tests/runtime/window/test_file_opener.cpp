@@ -66,6 +66,12 @@ TEST_F(FileOpenerTest, OpensTheFirstDroppedScene) {
     EXPECT_EQ(next(), "b.pro");
 }
 
+TEST_F(FileOpenerTest, ReportsMissingScans) {
+    opener.drop({folder.write("a.xyz", "0 0 0\n"), folder.file("none.ply")});
+    EXPECT_EQ(messages, "error: " + folder.file("none.ply") + ": No such file or directory");
+    EXPECT_FALSE(jobs.any());
+}
+
 TEST_F(FileOpenerTest, BakesOneScanAtATime) {
     const std::string scan = folder.write("a.xyz", "0 0 0\n");
     jobs.start(JobKind::kBake, [] { return startedJob<NoWork>(std::make_unique<NoWork>(), {}); });

@@ -141,12 +141,13 @@ TEST(ChildProcess, IsKilledByTheDestructor) {
 class Bake : public testing::Test {
 protected:
     /// Runs a script instead of pointrt-bake: $5 is the output, $7 the scan, $0.pro a .pro to copy.
-    std::unique_ptr<BakeJob> start(const std::string& body) const {
+    std::unique_ptr<BakeJob> start(const std::string& body, BakeDetail detail = BakeDetail::kAll) const {
         const std::string path = folder.write("pointrt-bake", "#!/bin/sh\n" + body + "\n");
         fs::permissions(path, fs::perms::owner_all);
+        fs::last_write_time(path, fs::file_time_type{}); // of one version, whenever it is written
         test::tinyScene().write(path + ".pro");
         const ScanBake bake{{folder.write("a scan\n.ply", "ply\n")}, {}};
-        return std::make_unique<BakeJob>(bake, FileCache{folder.file("cache"), ".pro", 1 << 20}, path);
+        return std::make_unique<BakeJob>(bake, detail, FileCache{folder.file("cache"), ".pro", 1 << 20}, path);
     }
 
     const test::TemporaryFolder folder;
@@ -163,6 +164,24 @@ TEST_F(Bake, ShowsProgress) {
     ASSERT_TRUE(ends(bake->job()));
     EXPECT_EQ(bake->job().state(), JobState::kDone) << bake->job().error();
     EXPECT_TRUE(bake->output().starts_with(folder.file("cache/")));
+}
+
+TEST_F(Bake, IsQuickUntilItIsCached) {
+    const std::string copies = "echo \"$*\" >> \"$0.log\"; cp \"$0.pro\" \"$5\"";
+    const auto run = [&](BakeDetail detail) {
+        const auto bake = start(copies, detail);
+        EXPECT_TRUE(ends(bake->job()));
+        EXPECT_EQ(bake->job().state(), JobState::kDone) << bake->job().error();
+        return std::pair(bake->isQuick(), bake->output());
+    };
+    const auto quick = run(BakeDetail::kQuick), full = run(BakeDetail::kAll);
+    EXPECT_TRUE(quick.first);
+    EXPECT_FALSE(full.first);
+    EXPECT_NE(quick.second, full.second);
+    EXPECT_EQ(run(BakeDetail::kQuick), std::pair(false, full.second)) << "there is no need any more";
+    std::string arguments;
+    std::getline(std::ifstream(folder.file("pointrt-bake.log")), arguments);
+    EXPECT_SAYS(arguments, "*--every 10 *-- *");
 }
 
 TEST_F(Bake, IsCancelled) {
