@@ -49,8 +49,6 @@ ViewSize viewSize(const Host& host) {
     return {std::max(1.0, double(size.width)), std::max(1.0, double(size.height))};
 }
 
-PixelSize pictureSize(const Host& host) { return {host.pixels().width, host.pixels().height}; }
-
 /// Whether command may be executed while a question waits for its answer.
 bool isAnswer(const Command& command) {
     const auto* action = std::get_if<Action>(&command);

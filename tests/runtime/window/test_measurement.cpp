@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// Measures with known answers, in national coordinates.
+#include "runtime/window/edit/measurement.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include <nlohmann/json.hpp>
+
+namespace pointrt {
+namespace {
+
+constexpr Vec3 kUp{0, 0, 1};
+constexpr Vec3 kCorner{2'635'812.75, 1'182'340.5, 431.25}; // LV95
+
+std::vector<Vec3> placed(std::vector<Vec3> points) {
+    for (Vec3& point : points) point = point + kCorner;
+    return points;
+}
+
+TEST(Measurement, DistanceAndHeight) {
+    const PathMeasures measures = measurePath(placed({{0, 0, 0}, {3, 4, 12}}), kUp);
+    EXPECT_NEAR(measures.length, 13, 1e-8);
+    EXPECT_NEAR(measures.last_leg, 13, 1e-8);
+    EXPECT_NEAR(measures.horizontal, 5, 1e-8);
+    EXPECT_NEAR(measures.height, 12, 1e-8);
+    EXPECT_EQ(measures.difference, (Vec3{3, 4, 12}));
+    EXPECT_FALSE(measures.angle_deg || measures.area);
+    EXPECT_NEAR(measurePath(placed({{0, 0, 0}, {3, 4, 12}}), {0, -1, 0}).height, -4, 1e-8) << "another up";
+}
+
+TEST(Measurement, PathsHaveAnglesAndAreas) {
+    const PathMeasures roof = measurePath(placed({{0, 0, 0}, {4, 0, 0}, {4, 4, 3}, {0, 4, 3}}), kUp);
+    EXPECT_NEAR(roof.length, 4 + 5 + 4, 1e-8);
+    EXPECT_NEAR(*roof.angle_deg, 90, 1e-7);
+    EXPECT_NEAR(*roof.area, 20, 1e-7) << "4 by 5, tilted";
+    EXPECT_NEAR(*roof.plan_area, 16, 1e-7);
+    const double third = 2 * std::numbers::pi / 3;
+    const auto corner = [&](int n) { return Vec3{std::cos(n * third), std::sin(n * third), 0}; };
+    const PathMeasures triangle = measurePath(placed({corner(0), corner(1), corner(2)}), kUp);
+    EXPECT_NEAR(*triangle.angle_deg, 60, 1e-6);
+    EXPECT_NEAR(*triangle.area, 0.75 * std::sqrt(3), 1e-8);
+    const std::vector<Vec3> l_shape = {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
+    EXPECT_NEAR(*measurePath(placed(l_shape), kUp).area, 3, 1e-7) << "not convex";
+    EXPECT_NEAR(*measurePath(placed({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}), kUp).angle_deg, 180, 1e-7);
+}
+
+MeasuredPath square() {
+    MeasuredPath path{placed({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}}), {}, 4};
+    path.measures = measurePath(path.points, kUp);
+    return path;
+}
+
+TEST(Measurement, FilesHaveTheScansCoordinates) {
+    EXPECT_EQ(csvText(square()), "point,x,y,z,length\n"
+                                 "1,2635812.7500,1182340.5000,431.2500,0.0000\n"
+                                 "2,2635814.7500,1182340.5000,431.2500,2.0000\n"
+                                 "3,2635814.7500,1182342.5000,431.2500,4.0000\n");
+    const auto json = nlohmann::json::parse(geoJsonText(square()));
+    EXPECT_EQ(json["type"], "FeatureCollection");
+    const auto &line = json["features"][0], &polygon = json["features"][1];
+    EXPECT_EQ(line["geometry"]["type"], "LineString");
+    EXPECT_EQ(line["geometry"]["coordinates"][2], (std::vector<double>{2635814.75, 1182342.5, 431.25}));
+    EXPECT_EQ(line["properties"]["length"], 4);
+    const auto& ring = polygon["geometry"]["coordinates"][0];
+    EXPECT_EQ(ring.size(), 4u);
+    EXPECT_EQ(ring.front(), ring.back()) << "a polygon is closed";
+    EXPECT_EQ(polygon["properties"]["area"], 2);
+}
+
+TEST(Measurement, DxfHasAVertexForEachPoint) {
+    const std::string text = dxfText(square());
+    std::size_t vertices = 0;
+    for (std::size_t at = 0; (at = text.find("0\nVERTEX\n", at)) != std::string::npos; ++at) ++vertices;
+    EXPECT_EQ(vertices, 3u);
+    EXPECT_NE(text.find("10\n2635814.7500\n20\n1182342.5000\n30\n431.2500\n"), std::string::npos);
+    EXPECT_TRUE(text.starts_with("0\nSECTION\n") && text.ends_with("0\nENDSEC\n0\nEOF\n"));
+}
+
+} // namespace
+} // namespace pointrt
