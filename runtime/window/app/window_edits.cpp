@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Undo, saving, and questions before unsaved edits would be lost.
+#include <cstdint>
 #include <filesystem>
 #include <utility>
 
 #include "runtime/scene_io/scene_write.h"
 #include "runtime/session/bake_cache.h"
+#include "runtime/util/output_file.h"
 #include "runtime/window/app/window_state.h"
 #include "runtime/window/edit/free_name.h"
 #include "runtime/window/edit/kept_bake.h"
+#include "runtime/window/edit/measurement.h"
 #include "runtime/window/edit/shown_scene.h"
+#include "runtime/window/ui/panel_numbers.h"
 
 namespace pointrt {
 namespace {
@@ -42,6 +46,7 @@ void Window::handleEdits(const Requests& requests) {
         std::exchange(on_answer_, {})(*requests.answer);
     }
     if (requests.save_scene && loaded_) saveScene();
+    if (requests.save_measurement && work_.picks.size() > 1) tryOrNotify("", [&] { saveMeasurement(); });
     if (requests.undo && loaded_ && !editor_.undo()) notify("nothing to undo", false);
     if (requests.redo && loaded_ && !editor_.redo()) notify("nothing to redo", false);
 }
@@ -59,6 +64,19 @@ bool Window::saveScene() {
         saved = true;
     });
     return saved;
+}
+
+void Window::saveMeasurement() {
+    MeasuredPath path;
+    path.points = pickedPositions(work_.picks);
+    path.measures = measurePath(path.points, work_.scene_up);
+    path.decimals = decimalsFor(measuredSize(length(work_.scene_max - work_.scene_min)));
+    const std::string name = freeName(work_.scene.path, {".csv", ".geojson", ".dxf"});
+    const std::pair<const char*, std::string> files[] = {
+        {".csv", csvText(path)}, {".geojson", geoJsonText(path)}, {".dxf", dxfText(path)}};
+    for (const auto& [suffix, text] : files)
+        writeFile(name + suffix, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    notify("saved " + name + ".csv, " + name + ".geojson and " + name + ".dxf", false);
 }
 
 void Window::autosave() {

@@ -28,6 +28,8 @@ namespace {
 /// Interval of redrawing the interface while there is no input.
 constexpr double kRedraw_s = 0.1;
 constexpr std::size_t kPicks = 2;
+/// More than anyone clicks; each is drawn in every frame.
+constexpr std::size_t kPathPicks = 1000;
 /// Share of the tile memory for the cut; the rest is for tiles that load while it is shown.
 constexpr double kCutShare = 0.8;
 /// Interval of tile selection while the camera moves.
@@ -201,7 +203,8 @@ void Window::updatePicture() {
             flyTo(centredOn(work_.camera, found->pick.position));
         } else {
             work_.picks.push_back(describePick(loaded_->scene, found->pick));
-            if (work_.picks.size() > kPicks) work_.picks.erase(work_.picks.begin());
+            if (work_.picks.size() > (work_.pin_measurement ? kPathPicks : kPicks))
+                work_.picks.erase(work_.picks.begin());
         }
     }
     work_.requests.look_changed = false;

@@ -59,6 +59,7 @@ private:
     void afterSaving(std::function<void()> next);
     void handleEdits(const Requests& requests);
     bool saveScene();
+    void saveMeasurement();
     void autosave();
     void offerAutosave(const SceneSource& scene);
 

@@ -11,6 +11,18 @@
 #include "runtime/window/edit/file_list.h"
 
 namespace pointrt {
+namespace {
+
+/// Finds mistakes before a job starts.
+void requireScans(const ScanBake& scans) {
+    std::error_code failure;
+    for (const std::string& scan : scans.scans)
+        if (std::filesystem::status(scan, failure).type() == std::filesystem::file_type::not_found)
+            throw Error{ExitCode::kBadInput, scan + ": No such file or directory"};
+}
+
+} // namespace
+
 FileOpener::FileOpener(JobQueue& jobs, JobQueue::Notify notify, StartLoad load)
     : jobs_(jobs), notify_(std::move(notify)), load_(std::move(load)) {}
 

@@ -73,6 +73,7 @@ struct Requests {
     bool typing = false;           ///< a text field has the keyboard
     bool undo = false, redo = false;
     std::optional<Vec3> up;        ///< new up axis
+    bool save_measurement = false;
     bool save_scene = false, screenshot = false, save_view = false, home = false, quit = false;
     bool cancel_job = false;
     std::optional<std::size_t> answer;                  ///< index into question's answers
@@ -92,7 +93,7 @@ struct Workspace {
     bool paused = false;
     bool show_panel = true, show_cheat_sheet = false, show_hud = true;
     bool pin_measurement = false;
-    std::vector<PickedPoint> picks;       ///< the last two, oldest first
+    std::vector<PickedPoint> picks;       ///< oldest first; the last two, or all of a path with pin_measurement
     std::vector<std::string> color_words; ///< choices for settings.color_by
     std::optional<Legend> legend;         ///< of the current colours
     HudStats hud;

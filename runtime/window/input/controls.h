@@ -108,7 +108,7 @@ constexpr Control kControls[] = {
     controlKey("Ctrl + V", "Camera", "paste a camera", 'V', Action::kPasteCamera),
     keyControl("V", "Camera", "save the view to the panel's list", keyOf('V'), Action::kSaveView),
     mouseControl("click", "Measure", "pick the point under the cursor", Gesture::kClick, Action::kPick),
-    keyControl("M", "Measure", "keep the distance between the last two picks on the picture; again to clear it",
+    keyControl("M", "Measure", "add each pick to a path, for angles and areas; again to clear it",
                keyOf('M'), Action::kMeasurement),
     keyControl("Space", "Picture", "pause or resume", Key::kSpace, Action::kPause),
     keyControl("F12", "Picture", "save the picture as PNG and EXR", Key::kF12, Action::kScreenshot),

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "runtime/window/edit/measurement.h"
 #include "runtime/window/ui/panel_numbers.h"
 #include "runtime/window/ui/panel_parts.h"
 #include "runtime/window/ui/panel_widgets.h"
@@ -59,10 +62,31 @@ std::string pickLine(const PickedPoint& pick, double size) {
            "\tcolour " + colorText(pick) + (pick.value.empty() ? "" : "\t" + pick.value) + "\n";
 }
 
-/// Distance between the last two picks, which must exist.
+/// Of picks, at least two.
+PathMeasures measuresOf(const Workspace& w) { return measurePath(pickedPositions(w.picks), sceneUpright(w)); }
+
 std::string distanceText(const Workspace& w) {
-    const double apart = length(w.picks.back().position - w.picks[w.picks.size() - 2].position);
-    return lengthText(apart, measuredSize(sceneSize(w)));
+    return lengthText(measuresOf(w).last_leg, measuredSize(sceneSize(w)));
+}
+
+/// An area in a scene of this size.
+std::string areaText(double area, double size) { return lengthText(area, size * size); }
+
+using MeasureRow = std::pair<const char*, std::string>;
+std::vector<MeasureRow> measureRows(const Workspace& w) {
+    const double size = measuredSize(sceneSize(w));
+    const PathMeasures measures = measuresOf(w);
+    std::vector<MeasureRow> rows = {{"Length", lengthText(measures.last_leg, size)},
+                                    {"Horizontal", lengthText(measures.horizontal, size)},
+                                    {"Height", lengthText(measures.height, size)},
+                                    {"dx dy dz", pointText(measures.difference, size)}};
+    if (!measures.angle_deg) return rows;
+    constexpr double unit_with_three_decimals = 10;
+    rows.emplace_back("Path", lengthText(measures.length, size));
+    rows.emplace_back("Angle", lengthText(*measures.angle_deg, unit_with_three_decimals) + " degrees");
+    rows.emplace_back("Area", areaText(*measures.area, size));
+    rows.emplace_back("In plan", areaText(*measures.plan_area, size));
+    return rows;
 }
 
 /// The picks as text, one per line.
@@ -70,7 +94,8 @@ std::string measureText(const Workspace& w) {
     std::string text;
     for (const PickedPoint& pick : w.picks) text += pickLine(pick, measuredSize(sceneSize(w)));
     if (w.picks.size() < 2) return text;
-    return text + "length " + distanceText(w) + "\n";
+    for (const auto& [name, value] : measureRows(w)) text += std::string(name) + "\t" + value + "\n";
+    return text;
 }
 
 } // namespace
@@ -91,9 +116,13 @@ void drawMeasure(Workspace& w) {
         ImGui::TextDisabled("Previous pick");
         drawPick(w, before);
         ImGui::Separator();
-        valueRow("Length", distanceText(w).c_str());
-        checkboxRow("Keep line", w.pin_measurement, "M: keep the line on the picture");
+        for (const auto& [name, value] : measureRows(w)) valueRow(name, value.c_str());
     }
+    checkboxRow("Path", w.pin_measurement, "M: each click adds a point to a path, for angles and areas");
+    ImGui::BeginDisabled(w.picks.size() < 2);
+    if (columnButton("Save measurement", 1, false, "CSV, GeoJSON and DXF, in the scan's coordinates"))
+        w.requests.save_measurement = true;
+    ImGui::EndDisabled();
     if (columnButton("Copy as text", 1)) ImGui::SetClipboardText(measureText(w).c_str());
 }
 

@@ -54,9 +54,8 @@ void drawDistance(const Workspace& w, ImDrawList& list, const PickedPoint& a, co
 
 void drawPickMarks(const Workspace& w) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const std::size_t count = w.picks.size();
-    if (count > 1) drawDistance(w, list, w.picks[count - 2], w.picks[count - 1]);
-    for (std::size_t p = count > 1 ? count - 2 : 0; p < count; ++p)
+    for (std::size_t p = 1; p < w.picks.size(); ++p) drawDistance(w, list, w.picks[p - 1], w.picks[p]);
+    for (std::size_t p = 0; p < w.picks.size(); ++p)
         if (const auto at = onScreen(w, w.picks[p].position)) drawCross(list, *at);
 }
 
