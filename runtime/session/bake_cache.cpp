@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// How often a process that waits for another one's bake looks.
-constexpr std::chrono::milliseconds kPoll{50};
+constexpr std::chrono::milliseconds kLockPoll{50};
 
 /// Keeps other processes from baking the same meanwhile. Only a courtesy: without it they would write the same file.
 class BakeLock {
@@ -67,7 +67,7 @@ bool waitFor(BakeLock& lock, const BakeMonitor& monitor) {
     while (!lock.tryLock()) {
         if (isCancelled(monitor)) return false;
         monitor.progress(0, "waiting for another program that bakes the same");
-        std::this_thread::sleep_for(kPoll);
+        std::this_thread::sleep_for(kLockPoll);
     }
     return true;
 }

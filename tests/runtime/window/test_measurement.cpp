@@ -12,7 +12,7 @@
 namespace pointrt {
 namespace {
 
-constexpr Vec3 kUp{0, 0, 1};
+constexpr Vec3 kVertical{0, 0, 1};
 constexpr Vec3 kCorner{2'635'812.75, 1'182'340.5, 431.25}; // LV95
 
 std::vector<Vec3> placed(std::vector<Vec3> points) {
@@ -21,7 +21,7 @@ std::vector<Vec3> placed(std::vector<Vec3> points) {
 }
 
 TEST(Measurement, DistanceAndHeight) {
-    const PathMeasures measures = measurePath(placed({{0, 0, 0}, {3, 4, 12}}), kUp);
+    const PathMeasures measures = measurePath(placed({{0, 0, 0}, {3, 4, 12}}), kVertical);
     EXPECT_NEAR(measures.length, 13, 1e-8);
     EXPECT_NEAR(measures.last_leg, 13, 1e-8);
     EXPECT_NEAR(measures.horizontal, 5, 1e-8);
@@ -32,24 +32,24 @@ TEST(Measurement, DistanceAndHeight) {
 }
 
 TEST(Measurement, PathsHaveAnglesAndAreas) {
-    const PathMeasures roof = measurePath(placed({{0, 0, 0}, {4, 0, 0}, {4, 4, 3}, {0, 4, 3}}), kUp);
+    const PathMeasures roof = measurePath(placed({{0, 0, 0}, {4, 0, 0}, {4, 4, 3}, {0, 4, 3}}), kVertical);
     EXPECT_NEAR(roof.length, 4 + 5 + 4, 1e-8);
     EXPECT_NEAR(*roof.angle_deg, 90, 1e-7);
     EXPECT_NEAR(*roof.area, 20, 1e-7) << "4 by 5, tilted";
     EXPECT_NEAR(*roof.plan_area, 16, 1e-7);
     const double third = 2 * std::numbers::pi / 3;
     const auto corner = [&](int n) { return Vec3{std::cos(n * third), std::sin(n * third), 0}; };
-    const PathMeasures triangle = measurePath(placed({corner(0), corner(1), corner(2)}), kUp);
+    const PathMeasures triangle = measurePath(placed({corner(0), corner(1), corner(2)}), kVertical);
     EXPECT_NEAR(*triangle.angle_deg, 60, 1e-6);
     EXPECT_NEAR(*triangle.area, 0.75 * std::sqrt(3), 1e-8);
     const std::vector<Vec3> l_shape = {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
-    EXPECT_NEAR(*measurePath(placed(l_shape), kUp).area, 3, 1e-7) << "not convex";
-    EXPECT_NEAR(*measurePath(placed({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}), kUp).angle_deg, 180, 1e-7);
+    EXPECT_NEAR(*measurePath(placed(l_shape), kVertical).area, 3, 1e-7) << "not convex";
+    EXPECT_NEAR(*measurePath(placed({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}), kVertical).angle_deg, 180, 1e-7);
 }
 
 MeasuredPath square() {
     MeasuredPath path{placed({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}}), {}, 4};
-    path.measures = measurePath(path.points, kUp);
+    path.measures = measurePath(path.points, kVertical);
     return path;
 }
 
