@@ -88,6 +88,12 @@ bool parseProgress(const std::string& line, const BakeMonitor& monitor) {
     return true;
 }
 
+/// The last line of a bake, which starts with its output, would only name a file of the cache.
+bool isRemark(const std::string& line) {
+    const std::string name = std::string(kBakeTool) + ": ";
+    return line.starts_with(name) && !line.starts_with(name + "error: ");
+}
+
 /// Runs the tool. False if cancelled.
 bool runBake(const ScanBake& bake, const std::string& output, const std::string& tool, const BakeMonitor& monitor) {
     std::vector<std::string> arguments{tool, "--progress", "lines", "--force", "-o", output};
@@ -98,7 +104,7 @@ bool runBake(const ScanBake& bake, const std::string& output, const std::string&
         arguments, kBakeTool, [&] { return isCancelled(monitor); },
         [&](const std::string& line) {
             const bool is_progress = parseProgress(line, monitor);
-            if (!is_progress && monitor.remark && line.find(": error: ") == std::string::npos) monitor.remark(line);
+            if (!is_progress && monitor.remark && isRemark(line)) monitor.remark(line);
             return is_progress;
         });
     if (isCancelled(monitor)) return false;

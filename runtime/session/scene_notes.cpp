@@ -9,6 +9,7 @@
 #include "format/base/printable.h"
 #include "format/base/up_text.h"
 #include "pointrt/pro_layout.h"
+#include "runtime/scene_io/scene_file.h"
 
 namespace pointrt {
 namespace {
@@ -51,6 +52,13 @@ std::string textOf(const Json& world, const char* key) {
     return found != world.end() && found->is_string() ? printable(found->get<std::string>()) : std::string();
 }
 
+/// What users know a scan by: not a file of the cache.
+const std::string& nameOf(const DeviceScene& scene, const DeviceScan& scan) {
+    const SceneDescription& description = scene.description;
+    const bool is_scan = description.instances.size() == 1 && !isSceneOrSet(description.path);
+    return is_scan ? description.path : scan.path;
+}
+
 /// The up of the first scan that has one, if a bake found or guessed it; that of the viewer if none has.
 std::string upNote(const DeviceScene& scene) {
     const std::vector<const DeviceScan*> scans = representativeScans(scene);
@@ -62,10 +70,10 @@ std::string upNote(const DeviceScene& scene) {
         const Json json = worldOf(metadataOf(scan->file));
         const std::string from = textOf(json, "up_from");
         const std::string text = from == "format" ? "" : upText(up, from, textOf(json, "up_reason"));
-        return text.empty() ? text : scan->path + ": " + text;
+        return text.empty() ? text : nameOf(scene, *scan) + ": " + text;
     }
     if (scans.empty()) return {};
-    return scans.front()->path + ": " + upText({0, 1, 0}, "guess", "as the file names none");
+    return nameOf(scene, *scans.front()) + ": " + upText({0, 1, 0}, "guess", "as the file names none");
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 
 #include "runtime/device_scene/color_choice.h"
 #include "runtime/scene/point_classes.h"
+#include "runtime/scene_io/scene_file.h"
 
 namespace pointrt {
 namespace {
@@ -53,13 +54,19 @@ const Instance& pickedInstance(const DeviceScene& scene, const Pick& pick) {
                          [&](const Instance& each) { return each.number == pick.owner && each.tile == pick.tile; });
 }
 
+/// The name that users know a scan by.
+std::string sourceName(const SceneDescription& scene, const std::string& path) {
+    const bool is_scan = scene.instances.size() == 1 && !isSceneOrSet(scene.path);
+    return std::filesystem::path(is_scan ? scene.path : path).filename().string();
+}
+
 void describeSplat(const DeviceScene& scene, const Pick& pick, PickedPoint& point) {
     const Placement& placement = scene.description.instances.at(pick.owner).placement;
     const Vec3 input = unrotated(placement, pick.position - placement.translation) * (1 / placement.scale);
     const Instance& instance = pickedInstance(scene, pick);
     const DeviceScan& file = scene.files.at(instance.file);
     const pro_splat splat = splatOf(file, pick.splat);
-    point.source = std::filesystem::path(file.path).filename().string();
+    point.source = sourceName(scene.description, file.path);
     point.position = input;
     point.normal = unrotated(placement, pick.normal);
     point.radius = double{splat.radius} * file.info.scale;

@@ -61,7 +61,7 @@ float drawBox(const char* name, float top, float width, const std::function<void
 
 void drawHud(const Workspace& w, FreeArea area) {
     const float margin = kHudMargin * uiScale(), width = area.width / uiScale() - kHudMargin;
-    if (width < kHudWidth) return;
+    if (width < kHudWidth || w.hud.picture_width == 0) return;
     const float bottom = drawBox("Statistics", margin, kHudWidth, [&] { drawStats(w); });
     if (!w.picks.empty() && width >= kPickWidth) drawBox("Pick", bottom + margin, kPickWidth, [&] { drawLastPick(w); });
 }

@@ -60,6 +60,7 @@ void setSurfaces(ImVec4* colors) {
     colors[ImGuiCol_TitleBg] = colors[ImGuiCol_TitleBgActive] = grey(0.15f, 0.98f);
     colors[ImGuiCol_ChildBg] = grey(0.09f, 0.6f);
     colors[ImGuiCol_PopupBg] = grey(0.13f, 0.98f);
+    colors[ImGuiCol_ModalWindowDimBg] = grey(0, 0.5f);
     colors[ImGuiCol_Border] = grey(0.26f, 0.7f);
     colors[ImGuiCol_Separator] = grey(0.26f, 0.7f);
     colors[ImGuiCol_ScrollbarBg] = grey(0, 0);
