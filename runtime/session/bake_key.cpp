@@ -185,10 +185,13 @@ void addOption(Hash& hash, const std::string& option) {
 
 } // namespace
 
-ScanBake quickBake(const ScanBake& bake) {
+std::optional<ScanBake> quickBake(const ScanBake& bake) {
+    constexpr std::uint64_t kSmall = std::uint64_t{256} << 10; // 43,000 points in LAZ
     // bytes per point: 6 in LAZ, 34 in LAS, 12 to 40 in text
     constexpr std::uint64_t kBytesPerPoint = 10, kPoints = 50'000, kFewest = 10;
-    const std::uint64_t every = std::max(kFewest, scanBytes(bake.scans) / kBytesPerPoint / kPoints);
+    const std::uint64_t bytes = scanBytes(bake.scans);
+    if (bytes < kSmall) return std::nullopt;
+    const std::uint64_t every = std::max(kFewest, bytes / kBytesPerPoint / kPoints);
     ScanBake quick{bake.scans, {"--every", std::to_string(every), "--clean", "off", "--prune", "off"}};
     quick.options.insert(quick.options.end(), bake.options.begin(), bake.options.end());
     return quick;

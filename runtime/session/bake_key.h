@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,9 @@ struct ScanBake {
     std::vector<std::string> options; ///< of pointrt-bake
 };
 
-/// A bake of every n-th point, without cleaning and pruning, that takes about a tenth of the time.
-ScanBake quickBake(const ScanBake& bake);
+/// A bake of every n-th point, without cleaning and pruning, that takes about a tenth of the time. None for scans so
+/// small that their full bake takes about a second.
+std::optional<ScanBake> quickBake(const ScanBake& bake);
 
 /// 32 hexadecimal digits that depend on the names and contents of the scans, on the options and files that these name,
 /// and on the version of the tool. Files that refer to others (OBJ, .conf, glTF, ...) also depend on the names, sizes

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/window/edit/bake_job.h"
 
+#include <optional>
+
 namespace pointrt {
 namespace {
 
@@ -18,9 +20,13 @@ BakeJob::BakeJob(const ScanBake& bake, BakeDetail detail, const FileCache& cache
                                         control.setProgress(share);
                                     },
                                     {}};
-          if (detail == BakeDetail::kQuick) output_ = findBake(cache, bake, tool, monitor);
-          is_quick_ = detail == BakeDetail::kQuick && output_.empty();
-          if (output_.empty()) output_ = bakeCached(cache, is_quick_ ? quickBake(bake) : bake, tool, monitor);
+          std::optional<ScanBake> quick;
+          if (detail == BakeDetail::kQuick) {
+              output_ = findBake(cache, bake, tool, monitor);
+              quick = quickBake(bake);
+          }
+          is_quick_ = output_.empty() && quick;
+          if (output_.empty()) output_ = bakeCached(cache, quick.value_or(bake), tool, monitor);
           if (output_.empty()) throw JobCancelled{};
       }) {}
 

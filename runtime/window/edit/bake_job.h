@@ -25,7 +25,7 @@ public:
     const Job& job() const { return job_; }
     /// The .pro in the cache, once the job is done.
     const std::string& output() const { return output_; }
-    /// Whether the output is a quick bake: what is cached is never baked quickly.
+    /// Whether the output is a quick bake. What is cached or small is never baked quickly.
     bool isQuick() const { return is_quick_; }
 
 private:

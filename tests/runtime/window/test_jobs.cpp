@@ -146,11 +146,12 @@ protected:
         fs::permissions(path, fs::perms::owner_all);
         fs::last_write_time(path, fs::file_time_type{}); // of one version, whenever it is written
         test::tinyScene().write(path + ".pro");
-        const ScanBake bake{{folder.write("a scan\n.ply", "ply\n")}, {}};
+        const ScanBake bake{{folder.write("a scan\n.ply", std::string(scan_bytes, 'x'))}, {}};
         return std::make_unique<BakeJob>(bake, detail, FileCache{folder.file("cache"), ".pro", 1 << 20}, path);
     }
 
     const test::TemporaryFolder folder;
+    std::size_t scan_bytes = 300'000;
 };
 
 TEST_F(Bake, ShowsProgress) {
@@ -182,6 +183,8 @@ TEST_F(Bake, IsQuickUntilItIsCached) {
     std::string arguments;
     std::getline(std::ifstream(folder.file("pointrt-bake.log")), arguments);
     EXPECT_SAYS(arguments, "*--every 10 *-- *");
+    scan_bytes = 100'000;
+    EXPECT_FALSE(run(BakeDetail::kQuick).first) << "too small to be worth it";
 }
 
 TEST_F(Bake, IsCancelled) {
