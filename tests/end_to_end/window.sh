@@ -152,6 +152,68 @@ case_opens_what_is_dropped() {
     expectDone pointrt-view "a b-1.toml" -o file.png
 }
 
+# Killed after an edit, the window offers it when the file is opened again; a saved or unwanted edit is not offered.
+case_edits_survive_a_crash() {
+    local id left
+    bakeHalf
+    left=$XDG_STATE_HOME/pointrt/autosave
+    { echo "pointrt-recording 1 window 160x120 scale 1" && printf '%s\n' "0 wait 1" "1 key down V" "1 key up V" "100000 quit"; } >user.txt
+    pointrt-view half.pro --replay user.txt --offscreen --spp 1 &
+    id=$!
+    for _ in $(seq 200); do
+        ! ls "$left"/*.toml >/dev/null 2>&1 || break
+        sleep 0.1
+    done
+    kill -KILL "$id"
+    wait "$id" || true
+    ls "$left"/*.toml >/dev/null || fail "the edit was not kept"
+    replay "0 wait 1
+2 screenshot question
+3 key down Escape
+3 key up Escape
+4 wait 1
+5 key down Control
+5 key down S
+5 key up S
+5 key up Control
+8 quit" --spp 1
+    grep -q "view 1" half-1.toml || fail "the edit was not restored"
+    [ -z "$(find "$left" -type f)" ] || fail "what is saved is still kept"
+}
+
+# Ctrl+Q asks for unsaved edits; Esc cancels the question, Ctrl+Z makes it needless.
+case_asks_before_edits_are_lost() {
+    bakeHalf
+    replay "0 wait 1
+1 key down V
+1 key up V
+3 key down Control
+3 key down Q
+3 key up Q
+4 key up Control
+5 key down Escape
+5 key up Escape
+7 key down Control
+7 key down Z
+7 key up Z
+9 key down Q
+9 key up Q
+9 key up Control
+12 screenshot late
+20 quit" --spp 1
+    [ ! -e late.png ] || fail "Ctrl+Q did not quit without edits"
+    replay "0 wait 1
+1 key down V
+1 key up V
+3 key down Control
+3 key down Q
+3 key up Q
+3 key up Control
+12 screenshot late
+20 quit" --spp 1
+    [ -s late.png ] || fail "Ctrl+Q quit with unsaved edits"
+}
+
 case_wrong_input() {
     bakeHalf
     echo nonsense >bad.txt
