@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <functional>
 #include <span>
 #include <stdexcept>
@@ -201,9 +202,16 @@ void requireBakeOptions(const Options& options) {
                             "--bake: " + std::string(refused) + " is not possible here; run pointrt-bake"};
 }
 
+/// Without a scene, a window opens with a page to start from, if there is a display or a recording.
+void requireStartPage(const Options& options) {
+    const auto is_set = [](const char* name) { return std::getenv(name) && *std::getenv(name) != '\0'; };
+    const bool can_show = is_set("DISPLAY") || is_set("WAYLAND_DISPLAY") || !options.replay.empty();
+    if (!opensWindow(options) || !can_show) throw Error{ExitCode::kBadUsage, "no SCENE given"};
+}
+
 /// A scene must be alone; scans may be several.
 void requireInputs(const Options& options) {
-    if (options.inputs.empty()) throw Error{ExitCode::kBadUsage, "no SCENE given"};
+    if (options.inputs.empty()) return requireStartPage(options);
     for (const std::string& input : std::span(options.inputs).subspan(1))
         if (input.ends_with(".png") || input.ends_with(".exr"))
             throw Error{ExitCode::kBadUsage, "unexpected argument " + input + ", did you mean -o " + input + "?"};

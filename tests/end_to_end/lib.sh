@@ -6,6 +6,7 @@ set -euo pipefail
 
 : "${POINTRT_BIN:?the folder of the built tools}"
 export PATH=$POINTRT_BIN:$PATH LC_ALL=C POINTRT_INDEX_CACHE=off
+unset DISPLAY WAYLAND_DISPLAY # a tool that opens a window would wait for its user
 suite_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
 fail() {

@@ -14,6 +14,7 @@
 #include "runtime/util/interrupt.h"
 #include "runtime/window/app/window_state.h"
 #include "runtime/window/edit/actions.h"
+#include "runtime/window/edit/recent_files.h"
 #include "runtime/window/edit/shown_scene.h"
 #include "runtime/window/input/camera_commands.h"
 #include "runtime/window/input/camera_text.h"
@@ -92,7 +93,10 @@ Window::Window(const Options& options)
           jobs_, [this](const std::string& text, bool error) { notify(text, error); },
           [this](const SceneSource& scene, bool first) { return startLoad(scene, first); }) {
     if (!options.record.empty()) session_.startRecording(options.record, host_.size());
-    opener_.openNamed({options.inputs, options.bake_options});
+    if (options.inputs.empty())
+        work_.recent_files = recentFiles(userStateFolder());
+    else
+        opener_.openNamed({options.inputs, options.bake_options});
 }
 
 void Window::notify(const std::string& text, bool error) {

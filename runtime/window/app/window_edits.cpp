@@ -11,6 +11,7 @@
 #include "runtime/window/edit/free_name.h"
 #include "runtime/window/edit/kept_bake.h"
 #include "runtime/window/edit/measurement.h"
+#include "runtime/window/edit/recent_files.h"
 #include "runtime/window/edit/shown_scene.h"
 #include "runtime/window/ui/panel_numbers.h"
 
@@ -41,6 +42,8 @@ void Window::afterSaving(std::function<void()> next) {
 }
 
 void Window::handleEdits(const Requests& requests) {
+    if (requests.open_recent && *requests.open_recent < work_.recent_files.size())
+        opener_.drop({work_.recent_files[*requests.open_recent]});
     if (requests.answer && work_.question) {
         work_.question.reset();
         std::exchange(on_answer_, {})(*requests.answer);
@@ -98,7 +101,9 @@ void Window::offerAutosave(const SceneSource& scene) {
     if (scene.is_autosave) return editor_.markUnsaved();
     if (scene.follows_quick) return; // it has been offered with the quick bake
     if (autosave_) autosave_->discard();
-    autosave_ = std::make_unique<Autosave>(autosaveFolder(), scene.name());
+    const std::string folder = userStateFolder();
+    addRecentFile(folder, scene.name());
+    autosave_ = std::make_unique<Autosave>(folder.empty() ? folder : folder + "/autosave", scene.name());
     if (autosave_->left().empty()) return;
     ask({"pointrt ended before the changes to " + nameOf(work_) + " were saved.", {"Discard them", "Restore them"}},
         [this, scene](std::size_t answer) {

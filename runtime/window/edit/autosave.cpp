@@ -8,7 +8,6 @@
 #include <cinttypes>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
@@ -23,11 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kMaxPrograms = 10;
-
-std::string variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value ? value : "";
-}
 
 /// FNV-1a: names of files need no better hash, and must not change from version to version.
 std::uint64_t hashOf(std::string_view text) {
@@ -45,12 +39,6 @@ std::string fileName(const std::string& scene, int number) {
 }
 
 } // namespace
-
-std::string autosaveFolder() {
-    const std::string state = variable("XDG_STATE_HOME"), home = variable("HOME");
-    if (state.starts_with('/')) return state + "/pointrt/autosave";
-    return home.starts_with('/') ? home + "/.local/state/pointrt/autosave" : "";
-}
 
 Autosave::Autosave(const std::string& folder, const std::string& scene) {
     if (folder.empty() || !makePrivateFolder(folder)) return;

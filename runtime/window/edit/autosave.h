@@ -8,9 +8,6 @@
 
 namespace pointrt {
 
-/// $XDG_STATE_HOME/pointrt/autosave, or ~/.local/state/pointrt/autosave; "" if the user has neither.
-std::string autosaveFolder();
-
 /// The autosave of one open scene. Each scene has up to ten, one for each program that has it open; a lock says which
 /// are in use. Without a folder that can be written nothing is saved.
 class Autosave {

@@ -32,6 +32,7 @@ void FileOpener::open(const SceneSource& scene) {
 }
 
 void FileOpener::openNamed(const ScanBake& inputs) {
+    first_ = true;
     if (isScene(inputs.scans.front())) return open({inputs.scans.front(), {}, false});
     bake(inputs);
 }

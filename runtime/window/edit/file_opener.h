@@ -24,7 +24,7 @@ struct SceneSource {
 
 class FileOpener {
 public:
-    /// Starts loading a scene. first: true in the first call.
+    /// Starts loading a scene. first: it is the scene of the command line.
     using StartLoad = std::function<StartedJob(const SceneSource& scene, bool first)>;
 
     /// jobs must outlive it. notify: receives errors and remarks.
@@ -48,7 +48,7 @@ private:
     JobQueue::Notify notify_;
     StartLoad load_;
     std::string current_; ///< name of the scene opened last
-    bool first_ = true;
+    bool first_ = false;
 };
 
 } // namespace pointrt

@@ -77,6 +77,7 @@ struct Requests {
     bool save_scene = false, screenshot = false, save_view = false, home = false, quit = false;
     bool cancel_job = false;
     std::optional<std::size_t> answer;                  ///< index into question's answers
+    std::optional<std::size_t> open_recent;             ///< index into recent_files
     std::optional<std::size_t> go_to_view, delete_view; ///< indices into scene.views
     std::optional<std::uint32_t> turntable_pictures;    ///< number of frames to render to turntable_path
 };
@@ -98,6 +99,7 @@ struct Workspace {
     std::optional<Legend> legend;         ///< of the current colours
     HudStats hud;
     std::optional<JobStatus> job;
+    std::vector<std::string> recent_files; ///< to start with; paths, the latest first
     std::optional<Question> question;
     bool can_undo = false, can_redo = false;
     bool scan_in_view = true;     ///< false: the camera looks past the scans

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "format/base/printable.h"
 #include "format/base/time_left.h"
 #include "runtime/window/ui/panel_box.h"
 #include "runtime/window/ui/panel_numbers.h"
@@ -93,6 +94,18 @@ void drawNotice(const Notice& notice, float opacity) {
     ImGui::PopStyleVar();
 }
 
+void drawRecentFiles(Workspace& w, FreeArea area, float top) {
+    const float width = std::min(kJobWidth * uiScale(), area.width);
+    boxOnPicture("Recent files", {ImVec2(area.width / 2, top), ImVec2(0.5f, 0)}, width, ImGuiWindowFlags_NoMove, [&] {
+        dimText("Opened lately");
+        for (std::size_t n = 0; n < w.recent_files.size(); ++n) {
+            ImGui::PushID(static_cast<int>(n));
+            if (ImGui::Selectable(printable(w.recent_files[n], std::string::npos).c_str())) w.requests.open_recent = n;
+            ImGui::PopID();
+        }
+    });
+}
+
 } // namespace
 
 void drawJobAndNotices(Workspace& w, FreeArea area) {
@@ -111,16 +124,17 @@ void drawJobAndNotices(Workspace& w, FreeArea area) {
     }
 }
 
-void drawEmptyState(const Workspace& w, FreeArea area) {
+void drawEmptyState(Workspace& w, FreeArea area) {
     if (!w.scene.instances.empty() || !w.scene.shapes.empty()) return;
     const std::string state = w.job ? stateOf(*w.job) : "";
     const std::string text = w.job ? w.job->title + (state.empty() ? "" : "\n" + state) : "Drop scans or a scene here";
     const float size = 1.6f * ImGui::GetFontSize();
     const ImVec2 extent = ImGui::GetFont()->CalcTextSizeA(size, area.width, area.width, text.c_str());
-    ImGui::GetBackgroundDrawList()->AddText(ImGui::GetFont(), size,
-                                            ImVec2((area.width - extent.x) / 2, (area.height - extent.y) / 2),
+    const float top = (area.height - extent.y) / (w.job || w.recent_files.empty() ? 2 : 4);
+    ImGui::GetBackgroundDrawList()->AddText(ImGui::GetFont(), size, ImVec2((area.width - extent.x) / 2, top),
                                             ImGui::GetColorU32(ImGuiCol_TextDisabled), text.c_str(), nullptr,
                                             area.width);
+    if (!w.job && !w.recent_files.empty()) drawRecentFiles(w, area, top + 2 * extent.y);
 }
 
 void drawWayBack(Workspace& w, FreeArea area) {

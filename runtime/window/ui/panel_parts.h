@@ -56,7 +56,7 @@ void drawCheatSheet(Workspace& w, FreeArea area);
 /// The running job, with notices above it, at the middle of the lower edge.
 void drawJobAndNotices(Workspace& w, FreeArea area);
 /// In the middle while nothing is open: what is being opened, or how to open something.
-void drawEmptyState(const Workspace& w, FreeArea area);
+void drawEmptyState(Workspace& w, FreeArea area);
 /// A way back if no scan is in view.
 void drawWayBack(Workspace& w, FreeArea area);
 /// The question, if any, over everything else.

@@ -10,6 +10,7 @@
 #include <memory>
 #include <thread>
 
+#include "runtime/window/edit/recent_files.h"
 #include "tests/support/says.h"
 #include "tests/support/temporary_folder.h"
 
@@ -48,7 +49,7 @@ protected:
 };
 
 TEST_F(FileOpenerTest, OnlyTheFirstLoadIsFlagged) {
-    opener.open({"a.pro", {}, false});
+    opener.openNamed({{"a.pro"}, {}});
     EXPECT_EQ(loads, "") << "not before the queue is polled";
     EXPECT_EQ(next(), "a.pro first");
     opener.open({"b.pro", {}, false});
@@ -60,7 +61,7 @@ TEST_F(FileOpenerTest, OpensTheFirstDroppedScene) {
     EXPECT_FALSE(jobs.any());
     opener.drop({"a.toml"});
     EXPECT_EQ(messages, "");
-    EXPECT_EQ(next(), "a.toml first");
+    EXPECT_EQ(next(), "a.toml");
     opener.drop({"b.pro", "c.pro"});
     EXPECT_SAYS(messages, "*first *2 files");
     EXPECT_EQ(next(), "b.pro");
@@ -82,10 +83,26 @@ TEST_F(FileOpenerTest, BakesOneScanAtATime) {
 TEST_F(FileOpenerTest, StepsThroughTheFolder) {
     for (const char* name : {"a.pro", "b.pro", "note.txt"}) folder.write(name, "");
     opener.openNeighbour(folder.file("b.pro"), 1);
-    EXPECT_EQ(next(), "a.pro first");
+    EXPECT_EQ(next(), "a.pro");
     std::filesystem::remove(folder.file("b.pro"));
     opener.openNeighbour(folder.file("a.pro"), 1);
     EXPECT_FALSE(jobs.status()->detail == "cancelling") << "there is no other";
+}
+
+TEST(RecentFiles, AreListedOnceTheLatestFirst) {
+    const test::TemporaryFolder folder;
+    const std::string state = folder.file("state/pointrt");
+    EXPECT_TRUE(recentFiles(state).empty());
+    const std::string a = folder.write("a.laz", ""), b = folder.write("b.laz", "");
+    for (const std::string& path : {a, b, a, folder.file("gone.laz")}) addRecentFile(state, path);
+    EXPECT_EQ(recentFiles(state), (std::vector<std::string>{a, b}));
+    for (int i = 0; i < 20; ++i) addRecentFile(state, folder.write(std::to_string(i) + ".laz", ""));
+    EXPECT_EQ(recentFiles(state).size(), 10u);
+    EXPECT_EQ(recentFiles(state).front(), folder.file("19.laz"));
+    folder.write("state/pointrt/recent", std::string(100000, 'x') + "\n\n\x01\nrelative.laz\n" + a);
+    EXPECT_EQ(recentFiles(state), std::vector<std::string>{a}) << "whatever else is in the list";
+    addRecentFile("", a);
+    EXPECT_TRUE(recentFiles("").empty());
 }
 
 } // namespace

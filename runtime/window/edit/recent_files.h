@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// The files opened last, for the page that the window starts with.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace pointrt {
+
+/// $XDG_STATE_HOME/pointrt, or ~/.local/state/pointrt; "" if the user has neither.
+std::string userStateFolder();
+
+/// Paths of files that still exist, the latest first.
+/// @param folder userStateFolder()
+std::vector<std::string> recentFiles(const std::string& folder);
+
+/// Puts path first. Does nothing if folder is "" or cannot be written: it is only a convenience.
+void addRecentFile(const std::string& folder, const std::string& path);
+
+} // namespace pointrt
