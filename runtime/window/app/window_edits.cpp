@@ -56,6 +56,10 @@ void Window::handleEdits(const Requests& requests) {
 
 /// False if it cannot be written; the user is told why.
 bool Window::saveScene() {
+    if (shows_quick_bake_ && jobs_.has(JobKind::kBake)) {
+        notify("wait until " + nameOf(work_) + " is baked", true); // the file would have a tenth of its points
+        return false;
+    }
     bool saved = false;
     tryOrNotify("", [&] {
         const std::string path = freeName(work_.scene.path, {".toml"}) + ".toml";

@@ -105,6 +105,7 @@ void Window::showLoaded(std::unique_ptr<LoadedScene> loaded, const SceneSource& 
     loaded_ = std::move(loaded);
     complete_for_.reset();
     warned_coarse_ = false;
+    shows_quick_bake_ = scene.is_quick;
     const bool says_samples = options_.choices.spp || loaded_->scene.description.render.spp;
     const std::uint32_t samples = says_samples ? loaded_->settings.spp : kCleanSamplesOfLight;
     view_.home = scene.follows_quick ? editor_.refine(openedScene(*loaded_), samples, view_.home)

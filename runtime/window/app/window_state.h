@@ -96,6 +96,7 @@ private:
     std::optional<TileView> complete_for_; ///< the view whose tiles are all on the device
     double last_tile_request_s_ = 0;       ///< on the window's clock
     bool warned_coarse_ = false;
+    bool shows_quick_bake_ = false;
     std::unique_ptr<Autosave> autosave_;
     std::uint64_t autosaved_revision_ = 0;
     double autosaved_s_ = 0;                      ///< on the window's clock
