@@ -50,8 +50,12 @@ void Window::handleEdits(const Requests& requests) {
     }
     if (requests.save_scene && loaded_) saveScene();
     if (requests.save_measurement && work_.picks.size() > 1) tryOrNotify("", [&] { saveMeasurement(); });
+    const Vec3 up_before = work_.scene_up;
     if (requests.undo && loaded_ && !editor_.undo()) notify("nothing to undo", false);
     if (requests.redo && loaded_ && !editor_.redo()) notify("nothing to redo", false);
+    if (work_.scene_up == up_before) return;
+    view_.stop();
+    view_.home = work_.camera;
 }
 
 /// False if it cannot be written; the user is told why.

@@ -108,8 +108,12 @@ bool SceneEditor::restore(const EditState* state) {
     work_.look.exposure = state->exposure;
     work_.denoise = state->denoise;
     work_.target_samples = state->target_samples;
-    work_.scene_up = state->scene_up;
     const Surroundings& surroundings = state->surroundings;
+    if (work_.scene_up != state->scene_up) { // the view would be tilted
+        const Vec3 centre = 0.5 * (work_.scene_min + work_.scene_max);
+        work_.camera = viewOf(surroundings.camera, centre, work_.scene_min, work_.scene_max, state->scene_up);
+    }
+    work_.scene_up = state->scene_up;
     opened_->resolved = surroundings.resolved;
     opened_->file_scene.up = surroundings.up;
     opened_->camera = surroundings.camera;

@@ -36,15 +36,6 @@ bool ends(const Job& job) {
     return waitFor([&] { return job.ended(); });
 }
 
-std::string refusal(const std::function<void()>& body) {
-    try {
-        body();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return {};
-}
-
 TEST(Job, ReportsProgress) {
     std::atomic<int> step = 0;
     Job job("Counting", [&](JobControl& control) {

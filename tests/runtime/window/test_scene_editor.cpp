@@ -289,7 +289,12 @@ TEST_F(RequiredUpdateTest, DragsNeverWaitForAJob) {
 TEST_F(SceneEditorTest, UndoesAndRedoesAnyEditsToTheByte) {
     editor.open(opened({}), 4);
     editor.noteEdits();
-    const auto text = [&] { return sceneText(sceneAsShown(work, {64, 48}), ""); };
+    const ViewCamera camera = work.camera;
+    ViewCamera home = camera;
+    const auto text = [&] {
+        work.camera = camera; // which is no edit
+        return sceneText(sceneAsShown(work, {64, 48}), "");
+    };
     std::mt19937 random(1);
     const auto below = [&](unsigned n) { return static_cast<unsigned>(random() % n); };
     const std::function<void()> edits[] = {
@@ -305,7 +310,7 @@ TEST_F(SceneEditorTest, UndoesAndRedoesAnyEditsToTheByte) {
         [&] { work.denoise = !work.denoise; },
         [&] { work.target_samples = 1 + below(512); },
         [&] { saveView(work); },
-        [&] { editor.setUp(std::array<Vec3, 3>{Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}[below(3)], work.camera, 1); },
+        [&] { editor.setUp(std::array<Vec3, 3>{Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}[below(3)], home, 1); },
     };
     std::vector<std::string> steps{text()};
     constexpr std::size_t kEdits = 200;
@@ -358,6 +363,13 @@ TEST_F(SceneEditorTest, UndoneEditsNeedAnUpdate) {
     ASSERT_TRUE(editor.undo());
     EXPECT_EQ(work.scene.lights.size(), 3u);
     EXPECT_TRUE(editor.hasPendingEdits() && work.requests.look_changed);
+    ViewCamera home = work.camera;
+    editor.setUp({0, 0, 1}, home, 1);
+    editor.noteEdits();
+    work.camera = home;
+    ASSERT_TRUE(editor.undo());
+    EXPECT_EQ(work.scene_up, (Vec3{0, 1, 0}));
+    EXPECT_EQ(work.camera.up, (Vec3{0, 1, 0})) << "the view is upright again";
 }
 
 TEST_F(SceneEditorTest, KnowsWhetherScansAreInView) {
