@@ -155,7 +155,7 @@ case_opens_what_is_dropped() {
 # Without a scene the window has a page to start from, with the files opened last.
 case_starts_without_a_scene() {
     bakeHalf
-    { echo "pointrt-recording 1 window 320x240 scale 1" && printf '%s\n' "2 screenshot empty" "3 drop half.pro" "5 wait 1" \
+    { echo "pointrt-recording 1 window 320x240 scale 1" && printf '%s\n' "2 screenshot empty" "3 drop \"half.pro\"" "5 wait 1" \
         "6 screenshot shown" "7 quit"; } >user.txt
     expectDone pointrt-view --replay user.txt --offscreen --spp 1
     [ "$(cat "$XDG_STATE_HOME/pointrt/recent")" = "$PWD/half.pro" ] || fail "the file is not listed"
