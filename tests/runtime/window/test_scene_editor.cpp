@@ -334,6 +334,28 @@ TEST_F(SceneEditorTest, UndoesAndRedoesAnyEditsToTheByte) {
     EXPECT_FALSE(editor.redo());
 }
 
+TEST_F(SceneEditorTest, EditsGoOnFromAnUndoneState) {
+    RenderSettings settings;
+    settings.integrator = Integrator::kWhitted;
+    editor.open(opened({}, settings), 4);
+    goTo(Room::kMatte);
+    editor.noteEdits();
+    const auto ring = work.scene.lights;
+    work.scene.lights = {lampAt(1)};
+    editor.noteEdits();
+    goTo(Room::kMirror);
+    editor.noteEdits();
+    for (int i = 0; i < 2; ++i) ASSERT_TRUE(editor.undo());
+    goTo(Room::kMirror);
+    goTo(Room::kMatte);
+    EXPECT_EQ(work.scene.lights, ring) << "the undone lamp is not remembered";
+    editor.noteEdits();
+    while (editor.undo()) continue;
+    ASSERT_TRUE(work.denoise) << "the studio's lamps are soft";
+    goTo(Room::kMirror);
+    EXPECT_FALSE(work.denoise) << "still the automatic choice";
+}
+
 TEST_F(SceneEditorTest, TracksUnsavedEdits) {
     EXPECT_FALSE(editor.isModified()) << "nothing is open";
     editor.open(opened({}), 4);
