@@ -21,9 +21,9 @@ struct FileCache {
 
 /// A cache in the user's cache folder, and the environment variable that limits it.
 struct UserCache {
-    const char* name;     ///< of its folder in $XDG_CACHE_HOME/pointrt or ~/.cache/pointrt
-    const char* suffix;   ///< of its files
-    const char* variable; ///< a size limit such as 20G, or "off"
+    const char* name;             ///< of its folder in $XDG_CACHE_HOME/pointrt or ~/.cache/pointrt
+    const char* suffix;           ///< of its files
+    const char* variable;         ///< a size limit such as 20G, or "off"
     std::uint64_t most_bytes = 0; ///< without the variable
 };
 

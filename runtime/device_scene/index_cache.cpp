@@ -68,9 +68,7 @@ std::uint64_t cachedBytes(const pro_file* file, const pro_index& index) {
 
 } // namespace
 
-FileCache userIndexCache() {
-    return userFileCache({"index", ".pro", "POINTRT_INDEX_CACHE", kIndexCacheBytes});
-}
+FileCache userIndexCache() { return userFileCache({"index", ".pro", "POINTRT_INDEX_CACHE", kIndexCacheBytes}); }
 
 pro_file* openCachedIndex(const FileCache& cache, const pro_file* file) {
     if (cache.folder.empty()) return nullptr;

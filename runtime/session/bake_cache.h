@@ -33,8 +33,7 @@ std::string bakeCached(const FileCache& cache, const ScanBake& bake, const std::
                        const BakeMonitor& monitor);
 
 /// The path of a cached bake, or "" if there is none. Throws Error as bakeKey does.
-std::string findBake(const FileCache& cache, const ScanBake& bake, const std::string& tool,
-                     const BakeMonitor& monitor);
+std::string findBake(const FileCache& cache, const ScanBake& bake, const std::string& tool, const BakeMonitor& monitor);
 
 /// Whether path is a file of the cache, which may be deleted at any time.
 bool isCachedBake(const FileCache& cache, const std::string& path);

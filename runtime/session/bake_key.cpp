@@ -31,8 +31,8 @@ constexpr int kDeepest = 16;
 
 /// Formats whose files hold the whole scan.
 constexpr std::array<std::string_view, 24> kSelfContained = {
-    ".las", ".laz", ".e57", ".pcd", ".ptx",  ".xyz", ".pts", ".asc",  ".txt", ".csv", ".off", ".stl",
-    ".vtk", ".vtp", ".vtu", ".drc", ".glb",  ".npy", ".npz", ".mcap", ".bag", ".spz", ".sog", ".splat"};
+    ".las", ".laz", ".e57", ".pcd", ".ptx", ".xyz", ".pts", ".asc",  ".txt", ".csv", ".off", ".stl",
+    ".vtk", ".vtp", ".vtu", ".drc", ".glb", ".npy", ".npz", ".mcap", ".bag", ".spz", ".sog", ".splat"};
 
 struct Cancelled {};
 

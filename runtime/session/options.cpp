@@ -32,7 +32,8 @@ constexpr const char* kNotes =
     "the signal. A second Ctrl-C quits at once.\n\n"
     "PNGs are written as they are rendered and need at most 1.3 GiB of memory. EXRs, turntables, and pictures with "
     "--time-limit or --noise need 112 bytes per pixel; pointrt-view refuses to start if memory is insufficient.\n\n"
-    "Scans are baked by pointrt-bake, found beside this program or in PATH, to ~/.cache/pointrt/bakes: once for the same "
+    "Scans are baked by pointrt-bake, found beside this program or in PATH, to ~/.cache/pointrt/bakes: once for the "
+    "same "
     "files and options. The least recently used are deleted beyond POINTRT_BAKE_CACHE (e.g. 50G, or off; default 20G) "
     "and beyond a quarter of the free disk space. Deleting the folder clears the cache.\n\n"
     "Environment variables: POINTRT_INDEX_CACHE limits the cache of tracing indices in ~/.cache/pointrt/index, which "
@@ -220,8 +221,7 @@ void requireInputs(const Options& options) {
     if (options.inputs.size() > 1)
         throw Error{ExitCode::kBadUsage,
                     *scene + ": a scene cannot be opened with other files; name them in a scene file (docs/SCENES.md)"};
-    if (!options.bake_options.empty())
-        throw Error{ExitCode::kBadUsage, "--bake: " + *scene + " is baked already"};
+    if (!options.bake_options.empty()) throw Error{ExitCode::kBadUsage, "--bake: " + *scene + " is baked already"};
 }
 
 void requireTask(const Options& options) {

@@ -175,9 +175,8 @@ void Window::execute(Action action) {
     if (action == Action::kPasteCamera)
         tryOrNotify("", [&] { flyTo(withCameraText(work_.camera, host_.clipboard())); });
     if (action == Action::kPreviousFile || action == Action::kNextFile)
-        afterSaving([this, step = action == Action::kNextFile ? 1 : -1] {
-            opener_.openNeighbour(work_.scene.path, step);
-        });
+        afterSaving(
+            [this, step = action == Action::kNextFile ? 1 : -1] { opener_.openNeighbour(work_.scene.path, step); });
 }
 
 void Window::handleRequests() {

@@ -6,8 +6,9 @@
 
 namespace pointrt {
 
-/// Shows options.inputs, or a page to start from if there are none, until the user closes the window, or the recording options.replay does. Throws Error: kCannotRun
-/// without a display or device, kBadInput for an invalid recording or an initial scene that cannot be read.
+/// Shows options.inputs, or a page to start from if there are none, until the user closes the window, or the recording
+/// options.replay does. Throws Error: kCannotRun without a display or device, kBadInput for an invalid recording or an
+/// initial scene that cannot be read.
 void runWindow(const Options& options);
 
 } // namespace pointrt

@@ -97,7 +97,8 @@ StartedJob Window::startLoad(const SceneSource& scene, bool first) {
     // a failure ends the program for the command line's file; after a dropped file the window stays
     return startedJob<LoadJob>(
         std::make_unique<LoadJob>(host_.device(), options, freeShare(host_)),
-        [this, scene](LoadJob& load) { showLoaded(load.take(), scene); }, first ? throwIfFailed : std::function<void(const Job&)>());
+        [this, scene](LoadJob& load) { showLoaded(load.take(), scene); },
+        first ? throwIfFailed : std::function<void(const Job&)>());
 }
 
 void Window::showLoaded(std::unique_ptr<LoadedScene> loaded, const SceneSource& scene) {

@@ -99,7 +99,7 @@ private:
     bool shows_quick_bake_ = false;
     std::unique_ptr<Autosave> autosave_;
     std::uint64_t autosaved_revision_ = 0;
-    double autosaved_s_ = 0;                      ///< on the window's clock
+    double autosaved_s_ = 0;                     ///< on the window's clock
     std::function<void(std::size_t)> on_answer_; ///< of work_.question
     ImageController image_;
     JobQueue jobs_; ///< after the members that jobs use, so that jobs end first

@@ -18,8 +18,8 @@ enum class BakeDetail : std::uint8_t { kAll, kQuick };
 /// if it is already writing its output, it finishes it.
 class BakeJob {
 public:
-    explicit BakeJob(const ScanBake& bake, BakeDetail detail = BakeDetail::kAll, const FileCache& cache = userBakeCache(),
-                     const std::string& tool = findBakeTool());
+    explicit BakeJob(const ScanBake& bake, BakeDetail detail = BakeDetail::kAll,
+                     const FileCache& cache = userBakeCache(), const std::string& tool = findBakeTool());
 
     Job& job() { return job_; }
     const Job& job() const { return job_; }

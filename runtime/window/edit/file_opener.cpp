@@ -72,7 +72,8 @@ void FileOpener::bakeFully(const ScanBake& scans, bool follows_quick) {
         return startedJob<BakeJob>(
             std::make_unique<BakeJob>(scans),
             [this, scan = scans.scans.front(), follows_quick](BakeJob& bake) {
-                if (follows_quick && current_ != scan) return notify_("baked " + scan + "; open it again to see it", false);
+                if (follows_quick && current_ != scan)
+                    return notify_("baked " + scan + "; open it again to see it", false);
                 open({bake.output(), scan, false, false, follows_quick});
             },
             [this](const Job& end) {

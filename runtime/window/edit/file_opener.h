@@ -14,9 +14,9 @@ namespace pointrt {
 /// A scene to load.
 struct SceneSource {
     std::string path;
-    std::string source;       ///< what users know it by, such as the scan it was baked from; empty: by path
-    bool is_autosave = false; ///< path has edits of source that are in no file of the user
-    bool is_quick = false;    ///< path is a quick bake of source
+    std::string source;         ///< what users know it by, such as the scan it was baked from; empty: by path
+    bool is_autosave = false;   ///< path has edits of source that are in no file of the user
+    bool is_quick = false;      ///< path is a quick bake of source
     bool follows_quick = false; ///< the full bake, after a quick one
 
     const std::string& name() const { return source.empty() ? path : source; }

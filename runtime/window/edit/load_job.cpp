@@ -34,10 +34,9 @@ std::string titleOf(const Options& options) {
 } // namespace
 
 LoadJob::LoadJob(Device& device, const Options& options, double free_share)
-    : worker_(device), job_("Loading " + titleOf(options),
-                            [this, &device, options, free_share](JobControl& control) {
-                                loaded_ = load(device, worker_.get(), options, free_share, control);
-                            }) {}
+    : worker_(device), job_("Loading " + titleOf(options), [this, &device, options, free_share](JobControl& control) {
+          loaded_ = load(device, worker_.get(), options, free_share, control);
+      }) {}
 
 std::unique_ptr<LoadedScene> LoadJob::take() { return job_.state() == JobState::kDone ? std::move(loaded_) : nullptr; }
 

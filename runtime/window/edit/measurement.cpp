@@ -24,8 +24,7 @@ double angleBetween(Vec3 a, Vec3 b) {
 /// Half the sum of cross products (Newell). Relative to the first point: national coordinates have seven digits.
 Vec3 vectorArea(std::span<const Vec3> points) {
     Vec3 sum;
-    for (std::size_t i = 2; i < points.size(); ++i)
-        sum = sum + cross(points[i - 1] - points[0], points[i] - points[0]);
+    for (std::size_t i = 2; i < points.size(); ++i) sum = sum + cross(points[i - 1] - points[0], points[i] - points[0]);
     return 0.5 * sum;
 }
 
@@ -94,18 +93,18 @@ std::string geoJsonText(const MeasuredPath& path) {
                                            ",\"height\":" + decimalText(measures.height, path.decimals) +
                                            ",\"horizontal\":" + decimalText(measures.horizontal, path.decimals));
     if (measures.area)
-        features += "," + jsonFeature("Polygon",
-                                      "[" + jsonPositions(path) + "," +
-                                          jsonPosition(path.points.front(), path.decimals) + "]",
-                                      "\"area\":" + decimalText(*measures.area, path.decimals) +
-                                          ",\"plan_area\":" + decimalText(*measures.plan_area, path.decimals));
+        features +=
+            "," + jsonFeature("Polygon",
+                              "[" + jsonPositions(path) + "," + jsonPosition(path.points.front(), path.decimals) + "]",
+                              "\"area\":" + decimalText(*measures.area, path.decimals) +
+                                  ",\"plan_area\":" + decimalText(*measures.plan_area, path.decimals));
     return "{\"type\":\"FeatureCollection\",\"features\":[" + features + "]}\n";
 }
 
 std::string dxfText(const MeasuredPath& path) {
     constexpr const char* kOpen3d = "70\n8\n"; // POLYLINE: bit 8, a 3D polyline; VERTEX: 32, a vertex of one
-    std::string text = std::string("0\nSECTION\n2\nENTITIES\n0\nPOLYLINE\n8\nmeasurements\n66\n1\n") +
-                       dxfPoint({}, 1) + kOpen3d;
+    std::string text =
+        std::string("0\nSECTION\n2\nENTITIES\n0\nPOLYLINE\n8\nmeasurements\n66\n1\n") + dxfPoint({}, 1) + kOpen3d;
     for (const Vec3& point : path.points)
         text += "0\nVERTEX\n8\nmeasurements\n" + dxfPoint(point, path.decimals) + "70\n32\n";
     return text + "0\nSEQEND\n8\nmeasurements\n0\nENDSEC\n0\nEOF\n";

@@ -20,7 +20,7 @@ struct PathMeasures {
     double horizontal = 0;           ///< of the last leg, across up
     double height = 0;               ///< of the last leg, along up
     std::optional<double> angle_deg; ///< between the last two legs: 180 if they go straight on
-    std::optional<double> area;      ///< of the polygon that the points enclose; of one that is not flat, its vector area
+    std::optional<double> area; ///< of the polygon that the points enclose; of one that is not flat, its vector area
     std::optional<double> plan_area; ///< of the polygon seen along up
 };
 

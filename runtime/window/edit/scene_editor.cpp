@@ -157,7 +157,8 @@ bool SceneEditor::seesScans(const ViewCamera& view, ViewSize size) const {
         if (view.ortho_height == 0 && length(splat.position - view.eye) < reach) return true;
         const auto at = projected(view, size, splat.position);
         if (!at) return false;
-        const double margin = reach * (view.ortho_height > 0 ? size.height / view.ortho_height : pixels_at_1 / at->depth);
+        const double margin =
+            reach * (view.ortho_height > 0 ? size.height / view.ortho_height : pixels_at_1 / at->depth);
         return at->x > -margin && at->x < size.width + margin && at->y > -margin && at->y < size.height + margin;
     });
 }

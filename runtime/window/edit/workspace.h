@@ -72,7 +72,7 @@ struct Requests {
     bool dragging = false;         ///< an edit is in progress: more changes of its kind follow
     bool typing = false;           ///< a text field has the keyboard
     bool undo = false, redo = false;
-    std::optional<Vec3> up;        ///< new up axis
+    std::optional<Vec3> up; ///< new up axis
     bool save_measurement = false;
     bool save_scene = false, screenshot = false, save_view = false, home = false, quit = false;
     bool cancel_job = false;
@@ -102,8 +102,8 @@ struct Workspace {
     std::vector<std::string> recent_files; ///< to start with; paths, the latest first
     std::optional<Question> question;
     bool can_undo = false, can_redo = false;
-    bool scan_in_view = true;     ///< false: the camera looks past the scans
-    bool only_gaussians = false;  ///< see StudioSubject
+    bool scan_in_view = true;    ///< false: the camera looks past the scans
+    bool only_gaussians = false; ///< see StudioSubject
     std::vector<Notice> notices;
     std::string turntable_path = "turntable/%04d.png";
     std::string view_name; ///< for the next saved view; empty: "view N"

@@ -104,8 +104,8 @@ struct Interpreter {
         const bool repeats = event.down && state.held.test(index);
         state.held.set(index, event.down);
         if (!event.down || repeats || state.ui_wants_keyboard) return;
-        const Control* control = findControl(Gesture::kKey, event.key, isHeld(state, Key::kControl),
-                                             isHeld(state, Key::kShift));
+        const Control* control =
+            findControl(Gesture::kKey, event.key, isHeld(state, Key::kControl), isHeld(state, Key::kShift));
         if (control != nullptr) commands.emplace_back(control->action);
     }
     void operator()(const TextEvent&) const {}

@@ -65,9 +65,7 @@ std::string pickLine(const PickedPoint& pick, double size) {
 /// Of picks, at least two.
 PathMeasures measuresOf(const Workspace& w) { return measurePath(pickedPositions(w.picks), sceneUpright(w)); }
 
-std::string distanceText(const Workspace& w) {
-    return lengthText(measuresOf(w).last_leg, measuredSize(sceneSize(w)));
-}
+std::string distanceText(const Workspace& w) { return lengthText(measuresOf(w).last_leg, measuredSize(sceneSize(w))); }
 
 /// An area in a scene of this size.
 std::string areaText(double area, double size) { return lengthText(area, size * size); }

@@ -116,7 +116,9 @@ TEST_F(BakeCache, ReportsTheToolsReason) {
     EXPECT_SAYS(failure("kill -9 $$"), "pointrt-bake *9 (Killed)");
     EXPECT_SAYS(failure("exit 0"), "pointrt-bake *write *" + folder.file("cache"));
     EXPECT_TRUE(fs::is_empty(folder.file("cache"))) << "no locks, nothing half-written";
-    EXPECT_SAYS(refusalOf([&] { bake({{folder.file("none.ply")}, {}}, baker()); }),
+    EXPECT_SAYS(refusalOf([&] {
+                    bake({{folder.file("none.ply")}, {}}, baker());
+                }),
                 folder.file("none.ply") + ": No such file or directory");
     cache.folder.clear();
     EXPECT_SAYS(failure(""), scan + ": *cache*off*");

@@ -63,7 +63,8 @@ TEST(Actions, UndoAndRedoHaveTheirUsualKeys) {
     EXPECT_EQ(findControl(Gesture::kKey, keyOf('Z'), true)->action, Action::kUndo);
     EXPECT_EQ(findControl(Gesture::kKey, keyOf('Z'), true, true)->action, Action::kRedo);
     EXPECT_EQ(findControl(Gesture::kKey, keyOf('Y'), true)->action, Action::kRedo);
-    EXPECT_EQ(findControl(Gesture::kKey, keyOf('7'), false, true)->action, Action::kTopView) << "Shift changes no other";
+    EXPECT_EQ(findControl(Gesture::kKey, keyOf('7'), false, true)->action, Action::kTopView)
+        << "Shift changes no other";
 }
 
 /// Every action is handled by the workspace, the camera, or the window (four of them).

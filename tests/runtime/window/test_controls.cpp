@@ -72,7 +72,8 @@ TEST(Controls, RowsAreCompleteAndUnique) {
     std::string_view group;
     std::set<Action> shown;
     for (const Control& control : kControls) {
-        EXPECT_TRUE(seen.insert({control.gesture, control.key, control.with_control, control.with_shift}).second) << control.press;
+        EXPECT_TRUE(seen.insert({control.gesture, control.key, control.with_control, control.with_shift}).second)
+            << control.press;
         const bool by_key = control.gesture == Gesture::kKey || control.gesture == Gesture::kHeldKey;
         EXPECT_EQ(by_key, control.key != Key::kUnknown);
         if (*control.press == '\0') continue;

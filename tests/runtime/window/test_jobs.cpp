@@ -14,7 +14,6 @@
 #include "format/base/error.h"
 #include "runtime/session/child_process.h"
 #include "runtime/window/edit/bake_job.h"
-#include "runtime/session/child_process.h"
 #include "tests/format/tiny_scene.h"
 #include "tests/support/says.h"
 #include "tests/support/temporary_folder.h"

@@ -302,7 +302,9 @@ TEST_F(SceneEditorTest, UndoesAndRedoesAnyEditsToTheByte) {
         [&] {
             if (!work.scene.lights.empty()) work.scene.lights.erase(work.scene.lights.begin());
         },
-        [&] { goTo(std::array<std::optional<Room>, 4>{std::nullopt, Room::kMatte, Room::kMirror, Room::kNone}[below(4)]); },
+        [&] {
+            goTo(std::array<std::optional<Room>, 4>{std::nullopt, Room::kMatte, Room::kMirror, Room::kNone}[below(4)]);
+        },
         [&] { goTo(Room::kMatte, 1 + below(5)); },
         [&] { work.settings.bounces = below(64); },
         [&] { work.settings.integrator = below(2) == 0 ? Integrator::kPhong : Integrator::kPath; },
@@ -310,7 +312,9 @@ TEST_F(SceneEditorTest, UndoesAndRedoesAnyEditsToTheByte) {
         [&] { work.denoise = !work.denoise; },
         [&] { work.target_samples = 1 + below(512); },
         [&] { saveView(work); },
-        [&] { editor.setUp(std::array<Vec3, 3>{Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}[below(3)], home, 1); },
+        [&] {
+            editor.setUp(std::array<Vec3, 3>{Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}[below(3)], home, 1);
+        },
     };
     std::vector<std::string> steps{text()};
     constexpr std::size_t kEdits = 200;
