@@ -59,6 +59,18 @@ TEST(Options, HasTheDefaultsOfTheContract) {
     EXPECT_FALSE(options.list_devices || options.quiet || options.verbose);
 }
 
+TEST(Options, TakesSeveralScansAndOptionsOfTheirBake) {
+    const Options options =
+        parse({"a.ply", "b.laz", "-o", "a.png", "--spp", "2", "--bake", "--clean", "off", "-j", "1"});
+    EXPECT_EQ(options.inputs, (std::vector<std::string>{"a.ply", "b.laz"}));
+    EXPECT_EQ(options.bake_options, (std::vector<std::string>{"--clean", "off", "-j", "1"}));
+    EXPECT_EQ(options.choices.spp, 2u);
+    EXPECT_THROW(parse({"a.ply", "--bake"}), Error);
+    EXPECT_THROW(parse({"a.ply", "--bake=--clean off"}), Error);
+    EXPECT_THROW(parse({"a.ply", "--bake", "--output=b.pro"}), Error);
+    EXPECT_THROW(parse({"a.pro", "--bake", "--clean", "off"}), Error);
+}
+
 TEST(Options, ProfileNeedsOutputOrBench) {
     EXPECT_FALSE(parse({"a.pro", "-o", "a.png"}).profile);
     EXPECT_TRUE(parse({"a.pro", "-o", "a.png", "--profile"}).profile);
@@ -247,7 +259,7 @@ TEST(Options, RefusesBadValuesByName) {
 
 TEST(Options, RefusesUnknownArguments) {
     EXPECT_TRUE(contains(refusal({"--frobnicate"}), "frobnicate"));
-    EXPECT_TRUE(contains(refusal({"second.pro"}), "second.pro"));
+    EXPECT_TRUE(contains(refusal({"second.pro"}), "a.pro"));
     EXPECT_NE(refusal({"--spp"}), "");
     EXPECT_NE(refusal({"-q", "-v"}), "");
 }
