@@ -223,7 +223,7 @@ TEST(Surround, ArcsOfSingleBeamsAreNoPlates) {
     for (std::size_t i = 0; i < splats.positions.size(); ++i)
         if (splats.positions[i].z() > 0) widest = std::max(widest, splats.radii[i]);
     EXPECT_GT(widest, 0);
-    EXPECT_LT(widest, 0.5f) << "eight steps";
+    EXPECT_LT(widest, 0.75f) << "twelve steps; measured: 0.5";
 }
 
 TEST(Surround, NoiseWiderThanTheSpacingIsSmoothed) {
