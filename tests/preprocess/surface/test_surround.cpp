@@ -84,8 +84,8 @@ Shape creasedProfiles() {
     return shape;
 }
 
-/// What a spinning lidar in the middle sees: flat ground in rings that are far apart, and arcs of three beams on what is
-/// too thin for others, each in the plane of its beam.
+/// What a spinning lidar in the middle sees: flat ground in rings that are far apart, and arcs of three beams on what
+/// is too thin for others, each in the plane of its beam.
 Shape ringsAndArcs() {
     Random random(36);
     Shape shape;
