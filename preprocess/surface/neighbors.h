@@ -67,9 +67,9 @@ struct UnsetAllocator : std::allocator<T> {
 /// Flags of a list whose second half holds points of a wider neighbourhood, not the nearest (surroundNeighborhoods).
 enum ListFlag : std::uint8_t {
     kThinned = 1,
-    kOpen = 2,  ///< at a border: they leave a side open
-    kClump = 4, ///< the nearest are in a clump, not on a line
-    kAtGap = 8, ///< the nearest are on one side, the others all around: beyond a gap of the sampling
+    kOpen = 2,      ///< at a border: they leave a side open
+    kClump = 4,     ///< the nearest are in a clump, not on a line
+    kAtGap = 8,     ///< the nearest are on one side, the others all around: beyond a gap of the sampling
     kBesideGap = 16 ///< on a line without gaps of its own, many steps from the next ones
 };
 

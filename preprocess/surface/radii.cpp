@@ -266,10 +266,10 @@ bool isSurrounded(const PointGraph& graph, std::size_t point) {
     return gapsBetween(angles).widest < kWidest;
 }
 
-/// Whether a disc is part of a surface: of all points within 2.5 radii, many are hardly off its plane and leave no angle
-/// of 200 degrees empty. At a straight border half a turn is empty; along an edge about half of the points are off the
-/// plane, and of points in space 85% are. The arcs that a lidar leaves in a crown lie in a plane, too, that of its beam,
-/// but few other points do.
+/// Whether a disc is part of a surface: of all points within 2.5 radii, many are hardly off its plane and leave no
+/// angle of 200 degrees empty. At a straight border half a turn is empty; along an edge about half of the points are
+/// off the plane, and of points in space 85% are. The arcs that a lidar leaves in a crown lie in a plane, too, that of
+/// its beam, but few other points do.
 bool isSupported(const PointGraph& graph, float radius, std::size_t point, std::vector<std::uint32_t>& found) {
     constexpr float kReach = 2.5f, kOffPlane = 0.25f, kWidest = 2 * std::numbers::pi_v<float> * 200 / 360;
     constexpr double kMany = 0.35;

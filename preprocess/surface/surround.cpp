@@ -323,8 +323,7 @@ std::optional<std::uint32_t> SurroundSearch::nearestOther(std::size_t point, con
                                                           float farthest) const {
     std::array<std::uint32_t, 1> other;
     std::array<float, 1> distance;
-    const std::size_t count =
-        nearest.nearest(points.positions[point] + offset, other, distance, farthest * farthest);
+    const std::size_t count = nearest.nearest(points.positions[point] + offset, other, distance, farthest * farthest);
     if (count == 0 || other[0] == point) return {};
     return other[0];
 }
@@ -356,8 +355,8 @@ std::vector<std::uint32_t> SurroundSearch::straightAcross(std::size_t point, con
 
 /// For a point on a line, replaces the points around by those straight across, and by points of its own line that are
 /// much nearer than those: how the surface bends along the line is known from there, and farther along it may be
-/// another surface. If there is no other line, the distance of the points around does not count as spacing: the arc of a
-/// single line lies in the plane of its beam, which is no surface.
+/// another surface. If there is no other line, the distance of the points around does not count as spacing: the arc of
+/// a single line lies in the plane of its beam, which is no surface.
 void SurroundSearch::turnAcross(std::size_t point, Around& around) const {
     constexpr std::array<float, 4> kAlong{1.0f / 16, -1.0f / 16, 1.0f / 8, -1.0f / 8}; // of the distance across
     constexpr std::size_t kMostAcross = 3;
