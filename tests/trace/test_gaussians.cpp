@@ -173,16 +173,16 @@ TEST(Gaussians, AlphaIsTheirOpacity) {
 /// What lies under a lamp, with something between them.
 enum class Lit { kGaussian, kSurface };
 enum class Between { kNothing, kBall, kFog };
-enum class Seen { kDirectly, kInMirror, kThroughGlass };
+enum class SeenBy { kDirectly, kInMirror, kThroughGlass };
 
 /// Puts a mirror before the camera, and turns that to it, or a pane of glass.
-void lookThrough(Seen seen, SceneDescription& scene, RenderSettings& settings) {
-    if (seen == Seen::kDirectly) return;
+void lookThrough(SeenBy seen, SceneDescription& scene, RenderSettings& settings) {
+    if (seen == SeenBy::kDirectly) return;
     const auto material = static_cast<std::uint32_t>(scene.materials.size());
     scene.materials.emplace_back().color = {1, 1, 1};
-    scene.materials.back().kind = seen == Seen::kInMirror ? MaterialKind::kMirror : MaterialKind::kGlass;
+    scene.materials.back().kind = seen == SeenBy::kInMirror ? MaterialKind::kMirror : MaterialKind::kGlass;
     settings.bounces = 4; // through both faces of the pane
-    if (seen == Seen::kInMirror) {
+    if (seen == SeenBy::kInMirror) {
         scene.shapes.push_back(screenAt(2, material));
         settings.camera.target = {0, 0, 4}; // where the mirror shows the origin
     } else {
@@ -193,7 +193,7 @@ void lookThrough(Seen seen, SceneDescription& scene, RenderSettings& settings) {
 }
 
 /// The light of a grey surface, or of a flat and nearly opaque Gaussian.
-double litLight(Lit lit, Between between, Integrator integrator, KernelForm form, Seen seen = Seen::kDirectly) {
+double litLight(Lit lit, Between between, Integrator integrator, KernelForm form, SeenBy seen = SeenBy::kDirectly) {
     OracleGaussian flat = roundGaussian({0, 0, 0}, 0.1, 0.99, {0.8, 0.8, 0.8});
     flat.deviation[1] = 0.001;
     // a fifth of a unit wide, 3 above the lamp if it shall hide nothing
@@ -206,8 +206,8 @@ double litLight(Lit lit, Between between, Integrator integrator, KernelForm form
     const double ball = between == Between::kBall ? 1.5 : 9;
     scene.shapes = {{ShapeKind::kSphere, {0, ball, 0}, {0.3, 0, 0}, {0, 0.3, 0}, {0, 0, 0.3}, 0}};
     // through glass so small that no reflection shows it, as none shows the Gaussian
-    const double reach = seen == Seen::kThroughGlass ? 0.05 : 1;
-    const ShapeKind kind = seen == Seen::kThroughGlass ? ShapeKind::kDisc : ShapeKind::kPlane;
+    const double reach = seen == SeenBy::kThroughGlass ? 0.05 : 1;
+    const ShapeKind kind = seen == SeenBy::kThroughGlass ? ShapeKind::kDisc : ShapeKind::kPlane;
     if (lit == Lit::kSurface) scene.shapes.push_back({kind, {0, 0, 0}, {reach, 0, 0}, {0, 0, -reach}, {0, 1, 0}, 0});
     scene.lights = {PointLight{{0, 3, 0}, {10, 10, 10}}};
     RenderSettings settings = lookingFrom({3, 0.5, 0}, {0, 0, 0}, 8); // all pixels see the same
@@ -236,8 +236,8 @@ TEST(Gaussians, AreLitAsMatteSurfaces) {
 }
 
 TEST(Gaussians, AreLitInMirrorsAndThroughGlass) {
-    for (const auto& [seen, form] : {std::pair{Seen::kInMirror, KernelForm::kMegakernel},
-                                     std::pair{Seen::kThroughGlass, KernelForm::kWavefront}}) {
+    for (const auto& [seen, form] : {std::pair{SeenBy::kInMirror, KernelForm::kMegakernel},
+                                     std::pair{SeenBy::kThroughGlass, KernelForm::kWavefront}}) {
         const auto light = [&, seen = seen, form = form](Lit lit, Between between) {
             return litLight(lit, between, Integrator::kWhitted, form, seen);
         };

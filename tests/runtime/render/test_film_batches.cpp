@@ -127,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(Forms, FilmBatches, testing::Values(KernelForm::kWavefr
 TEST(FilmRoom, IsExtendedWithItsSums) {
     ValidatedDevice validated;
     Device& device = validated.device;
-    FrameBuffers buffers = createFrameBuffers(device, TILE_PIXELS, {100, FILM_BATCH}, false, false);
+    FrameBuffers buffers = createFrameBuffers(device, TILE_PIXELS, {100, FILM_BATCH}, false, GaussianRoom::kNone);
     EXPECT_EQ(buffers.film.bytes, 100 * FILM_LAYERS * sizeof(gpu::vec4));
     std::vector<float> sums(buffers.film.bytes / sizeof(float));
     for (std::size_t i = 0; i < sums.size(); ++i) sums[i] = static_cast<float>(i);
