@@ -19,7 +19,7 @@ struct DescriptorCounts {
 };
 /// The most of any program that renders, without further pages. Vulkan guarantees 4, 16, 4 and 12. Programs that cast a
 /// caller's rays, and those of paged scans, have more; createProgram checks these.
-constexpr DescriptorCounts kRenderDescriptors{7, 18, 13, 3};
+constexpr DescriptorCounts kRenderDescriptors{7, 18, 14, 3};
 
 /// What the queue must support besides compute.
 struct QueueNeeds {

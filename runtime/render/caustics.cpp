@@ -103,6 +103,7 @@ public:
         gpu::Control control{};
         control.queued[1] = count_ = static_cast<std::uint32_t>(paths.size());
         control.ray_groups = {(count_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE, 1, 1};
+        control.hit_groups = {0, 1, 1}; // programs that append hits set x
         uploadBuffer(device_, buffers_.control, &control, sizeof control);
     }
 
