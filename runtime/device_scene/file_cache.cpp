@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/device_scene/file_cache.h"
 
-#include <sys/stat.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
@@ -13,23 +10,12 @@
 
 #include "format/base/error.h"
 #include "runtime/util/parse.h"
+#include "runtime/util/user_folder.h"
 
 namespace pointrt {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value ? value : "";
-}
-
-/// "" if the user has none. The XDG base directory specification says to ignore relative paths.
-std::string cacheFolder() {
-    if (const std::string cache = variable("XDG_CACHE_HOME"); cache.starts_with('/')) return cache;
-    const std::string home = variable("HOME");
-    return home.starts_with('/') ? home + "/.cache" : "";
-}
 
 struct CachedFile {
     fs::path path;
@@ -64,20 +50,12 @@ std::uint64_t roomOf(const FileCache& cache, std::uint64_t there) {
 
 } // namespace
 
-bool makePrivateFolder(const std::string& path) {
-    std::error_code ignored;
-    if (fs::is_directory(path, ignored)) return true;
-    constexpr mode_t kUserAlone = 0700;
-    const fs::path above = fs::path(path).parent_path();
-    if (above.empty() || above == path || !makePrivateFolder(above.string())) return false;
-    return mkdir(path.c_str(), kUserAlone) == 0 || errno == EEXIST;
-}
-
 FileCache userFileCache(const UserCache& user) {
-    FileCache cache{cacheFolder(), user.suffix, user.most_bytes};
-    const std::string size = variable(user.variable);
+    FileCache cache{userCacheFolder(), user.suffix, user.most_bytes};
+    const char* limit = std::getenv(user.variable);
+    const std::string size = limit ? limit : "";
     if (size == "off") cache.folder.clear();
-    if (!cache.folder.empty()) cache.folder += std::string("/pointrt/") + user.name;
+    if (!cache.folder.empty()) cache.folder += std::string("/") + user.name;
     if (size.empty() || size == "off") return cache;
     try {
         cache.most_bytes = parseBytes(size);

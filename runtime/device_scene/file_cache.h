@@ -35,10 +35,6 @@ FileCache userFileCache(const UserCache& user);
 /// bytes more fit. False if there is no folder, or they cannot fit. kept: path of a file that is not deleted.
 bool makeRoomFor(const FileCache& cache, std::uint64_t bytes, const std::string& kept = {});
 
-/// Creates path and missing folders above it, accessible only to the user, as the XDG base directory specification
-/// requires. False if that fails.
-bool makePrivateFolder(const std::string& path);
-
 /// Marks a file as used now; ignored if it cannot be written.
 void markUsed(const std::string& path);
 

@@ -12,6 +12,7 @@
 #include "runtime/session/report.h"
 #include "runtime/util/clock.h"
 #include "runtime/util/interrupt.h"
+#include "runtime/util/user_folder.h"
 #include "runtime/window/app/window_state.h"
 #include "runtime/window/edit/actions.h"
 #include "runtime/window/edit/recent_files.h"

@@ -13,8 +13,8 @@
 #include <system_error>
 
 #include "format/base/file_lock.h"
-#include "runtime/device_scene/file_cache.h"
 #include "runtime/scene_io/scene_write.h"
+#include "runtime/util/user_folder.h"
 
 namespace pointrt {
 namespace {

@@ -2,14 +2,13 @@
 #include "runtime/window/edit/recent_files.h"
 
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
 
 #include "format/base/error.h"
-#include "runtime/device_scene/file_cache.h"
 #include "runtime/util/output_file.h"
+#include "runtime/util/user_folder.h"
 
 namespace pointrt {
 namespace {
@@ -21,18 +20,7 @@ constexpr std::size_t kMaxFiles = 10;
 
 std::string listPath(const std::string& folder) { return folder + "/recent"; }
 
-std::string folderFrom(const char* name) {
-    const char* value = std::getenv(name);
-    return value && *value == '/' ? value : ""; // relative paths are to be ignored
-}
-
 } // namespace
-
-std::string userStateFolder() {
-    if (const std::string state = folderFrom("XDG_STATE_HOME"); !state.empty()) return state + "/pointrt";
-    const std::string home = folderFrom("HOME");
-    return home.empty() ? home : home + "/.local/state/pointrt";
-}
 
 std::vector<std::string> recentFiles(const std::string& folder) {
     std::vector<std::string> files;

@@ -7,11 +7,8 @@
 
 namespace pointrt {
 
-/// $XDG_STATE_HOME/pointrt, or ~/.local/state/pointrt; "" if the user has neither.
-std::string userStateFolder();
-
 /// Paths of files that still exist, the latest first.
-/// @param folder userStateFolder()
+/// @param folder userStateFolder() of user_folder.h
 std::vector<std::string> recentFiles(const std::string& folder);
 
 /// Puts path first. Does nothing if folder is "" or cannot be written: it is only a convenience.
