@@ -32,7 +32,7 @@ struct BakeMonitor {
 std::string bakeCached(const FileCache& cache, const ScanBake& bake, const std::string& tool,
                        const BakeMonitor& monitor);
 
-/// The path of a cached bake, or "" if there is none. Throws Error as bakeKey does.
+/// Path of the cached bake of these scans; empty if they have not been baked. Throws Error as bakeKey does.
 std::string findBake(const FileCache& cache, const ScanBake& bake, const std::string& tool, const BakeMonitor& monitor);
 
 /// Whether path is a file of the cache, which may be deleted at any time.

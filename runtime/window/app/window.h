@@ -6,9 +6,9 @@
 
 namespace pointrt {
 
-/// Shows options.inputs, or a page to start from if there are none, until the user closes the window, or the recording
-/// options.replay does. Throws Error: kCannotRun without a display or device, kBadInput for an invalid recording or an
-/// initial scene that cannot be read.
+/// Opens the window with options.inputs, or with the start page if there are none. Returns when the user closes it, or
+/// when the recording options.replay ends. Throws Error: kCannotRun without a display or device, kBadInput for an
+/// invalid recording or an initial scene that cannot be read.
 void runWindow(const Options& options);
 
 } // namespace pointrt

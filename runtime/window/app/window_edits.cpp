@@ -59,7 +59,7 @@ void Window::handleEdits(const Requests& requests) {
     view_.home = work_.camera;
 }
 
-/// False if it cannot be written; the user is told why.
+/// Writes the scene file. Returns false, after a notice with the reason, if that fails.
 bool Window::saveScene() {
     if (shows_quick_bake_ && jobs_.has(JobKind::kBake)) {
         notify("wait until " + nameOf(work_) + " is baked", true); // the file would have a tenth of its points

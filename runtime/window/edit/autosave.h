@@ -19,7 +19,7 @@ public:
     Autosave(const Autosave&) = delete;
     Autosave& operator=(const Autosave&) = delete;
 
-    /// Path of the edits that an earlier program left for the scene; "" if there are none.
+    /// Path of the scene file with unsaved edits from a session that crashed; empty if there is none.
     const std::string& left() const { return left_; }
     /// Throws Error as writeSceneFile does.
     void write(const SceneDescription& scene);

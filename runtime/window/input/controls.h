@@ -127,7 +127,8 @@ constexpr Control kControls[] = {
     controlKey("Ctrl + Q", "Window", "quit; asks if there are unsaved edits", 'Q', Action::kQuit),
 };
 
-/// The row of a gesture and, for keys, a key with or without Ctrl and, with Ctrl, Shift; null if there is none.
+/// Finds the control bound to a gesture and, for key presses, to a key with these modifiers (Shift counts only with
+/// Ctrl). Null if nothing is bound to it.
 const Control* findControl(Gesture gesture, Key key = Key::kUnknown, bool with_control = false,
                            bool with_shift = false);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Devices that a layer pretends on the one that is here (layer.cpp): their pictures are the CPU's to the bit, what they
-// are asked to do is counted, and those that lack something are refused.
+// A Vulkan layer (layer.cpp) makes the local device look like others. Tests that pictures equal the CPU's to the bit,
+// count submissions, waits and allocations, and check that devices without the required limits are refused.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
@@ -54,7 +54,7 @@ std::uint64_t counted(const char* name) {
     return count ? count(name) : 0;
 }
 
-/// What the device is asked to do from now on.
+/// Counts of Vulkan calls since construction.
 class Counts {
 public:
     std::uint64_t of(const char* name) const { return counted(name) - before_.at(name); }
