@@ -37,6 +37,12 @@ RenderSphere sphereAround(const RenderSpace& space, const Bounds& bounds) {
     return {0.5 * (lo + hi), 0.5 * length(hi - lo)};
 }
 
+/// In render units; the edge of the scan's cube, which is 1, if the scans are a single point.
+double radiusOf(const DeviceScene& scene) {
+    const double radius = sphereAround(scene.space, scene.bounds).radius;
+    return radius > 0 ? radius : 1;
+}
+
 /// Bounds including all shapes that may block the sun, except infinite planes.
 Bounds boundsWithShapes(const DeviceScene& scene) {
     const std::optional<Bounds> shapes = boundsOfShapes(scene.description);
@@ -192,8 +198,7 @@ PhotonEmission emissionOf(const DeviceScene& scene, const CausticOrder& order) {
 
 struct CausticJob::State {
     State(Device& owner, const DeviceScene& scene, const CausticOrder& wanted)
-        : device(owner), order(wanted), scene_radius(sphereAround(scene.space, scene.bounds).radius),
-          emission(emissionOf(scene, wanted)) {}
+        : device(owner), order(wanted), scene_radius(radiusOf(scene)), emission(emissionOf(scene, wanted)) {}
 
     Device& device;
     CausticOrder order;

@@ -193,7 +193,8 @@ void lookThrough(SeenBy seen, SceneDescription& scene, RenderSettings& settings)
 }
 
 /// The light of a grey surface, or of a flat and nearly opaque Gaussian.
-double litLight(Lit lit, Between between, Integrator integrator, KernelForm form, SeenBy seen = SeenBy::kDirectly) {
+double litLight(Lit lit, Between between, Integrator integrator, KernelForm form, SeenBy seen = SeenBy::kDirectly,
+                bool caustics = false) {
     OracleGaussian flat = roundGaussian({0, 0, 0}, 0.1, 0.99, {0.8, 0.8, 0.8});
     flat.deviation[1] = 0.001;
     // a fifth of a unit wide, 3 above the lamp if it shall hide nothing
@@ -207,13 +208,14 @@ double litLight(Lit lit, Between between, Integrator integrator, KernelForm form
     scene.shapes = {{ShapeKind::kSphere, {0, ball, 0}, {0.3, 0, 0}, {0, 0.3, 0}, {0, 0, 0.3}, 0}};
     // through glass so small that no reflection shows it, as none shows the Gaussian
     const double reach = seen == SeenBy::kThroughGlass ? 0.05 : 1;
-    const ShapeKind kind = seen == SeenBy::kThroughGlass ? ShapeKind::kDisc : ShapeKind::kPlane;
+    const ShapeKind kind = seen == SeenBy::kDirectly ? ShapeKind::kPlane : ShapeKind::kDisc;
     if (lit == Lit::kSurface) scene.shapes.push_back({kind, {0, 0, 0}, {reach, 0, 0}, {0, 0, -reach}, {0, 1, 0}, 0});
     scene.lights = {PointLight{{0, 3, 0}, {10, 10, 10}}};
     RenderSettings settings = lookingFrom({3, 0.5, 0}, {0, 0, 0}, 8); // all pixels see the same
     settings.camera.fov_deg = 0.01;
     settings.spp = 16;
     settings.relight = true;
+    settings.caustics = caustics; // only surfaces gather photons
     settings.bounces = 0;
     settings.integrator = integrator;
     lookThrough(seen, scene, settings);
@@ -246,6 +248,16 @@ TEST(Gaussians, AreLitInMirrorsAndThroughGlass) {
         EXPECT_NEAR(light(Lit::kGaussian, Between::kNothing) / truth, 0.99, 0.01);
         EXPECT_LT(light(Lit::kGaussian, Between::kBall), 0.01);
     }
+}
+
+// The photons' discs are chosen by the extent of the scan, which a single Gaussian does not have.
+TEST(Gaussians, OneAloneLeavesCausticsAsTheyAre) {
+    const auto light = [](bool caustics) {
+        return litLight(Lit::kSurface, Between::kNothing, Integrator::kWhitted, KernelForm::kWavefront,
+                        SeenBy::kInMirror, caustics);
+    };
+    // the mirror shows the lamp, 3 above the disc, 5 away from it
+    EXPECT_NEAR(light(true) / light(false), 1 + std::pow(3.0 / 5, 3), 0.05);
 }
 
 TEST(Gaussians, FirstHitsAreWhereHalfOfTheLightIsHidden) {
