@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "format/info/export_source.h"
 
+#include <algorithm>
+
 #include "format/pointio/input_order.h"
 #include "format/pointio/pro_points.h"
 #include "format/pointio/set_points.h"
@@ -18,19 +20,35 @@ void forEachTile(const TileSet& set, const std::string& folder, const UseSplats&
     }
 }
 
+/// Takes from a file what is not in set.json.
+void addFile(const ProFile& file, ExportSource& source) {
+    if (!file.gaussians()) return;
+    source.has_gaussians = true;
+    source.harmonics_degree = std::max(source.harmonics_degree, file.gaussians()->degree);
+    std::copy_n(file.world().up, source.up.size(), source.up.begin());
+}
+
 } // namespace
 
 ExportSource exportSource(const ProFile& file) {
     const std::vector<std::uint32_t> splats = inputOrder(file);
-    ExportSource source{outlineOf(file), [&file, splats](const UseSplats& use) { use(file, splats); }};
+    ExportSource source;
+    source.outline = outlineOf(file);
     source.outline.count = splats.size();
+    source.forEachPart = [&file, splats](const UseSplats& use) { use(file, splats); };
+    addFile(file, source);
     return source;
 }
 
 ExportSource exportSource(const TileSet& set, const std::string& folder) {
-    ExportSource source{outlineOf(set, folder), [set, folder](const UseSplats& use) { forEachTile(set, folder, use); }};
+    ExportSource source;
+    source.outline = outlineOf(set, folder);
+    source.forEachPart = [set, folder](const UseSplats& use) { forEachTile(set, folder, use); };
     std::uint64_t count = 0;
-    source.forEachPart([&](const ProFile&, std::span<const std::uint32_t> splats) { count += splats.size(); });
+    source.forEachPart([&](const ProFile& file, std::span<const std::uint32_t> splats) {
+        count += splats.size();
+        addFile(file, source);
+    });
     source.outline.count = count;
     return source;
 }

@@ -2,6 +2,7 @@
 // The splats to export: those of a file, or of all original tiles of a set.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -19,7 +20,10 @@ using UseSplats = std::function<void(const ProFile& file, std::span<const std::u
 
 /// The description of all splats, and a way to visit them part by part, with one file open at a time.
 struct ExportSource {
-    PointOutline outline; ///< columns of a tile set have no values
+    PointOutline outline; ///< with a count; columns of a tile set have no values
+    bool has_gaussians = false;
+    std::uint32_t harmonics_degree = 0; ///< the largest of any file
+    std::array<float, 3> up{};          ///< 0: unknown
     /// Calls use for each part.
     std::function<void(const UseSplats& use)> forEachPart;
 };

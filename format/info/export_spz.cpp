@@ -7,11 +7,11 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <vector>
 
 #include "format/base/error.h"
 #include "format/info/gaussian_values.h"
-#include "format/pointio/input_order.h"
 #include "format/pointio/point_file.h"
 
 namespace pointrt {
@@ -37,23 +37,27 @@ struct Turn {
     std::array<int, 15> harmonics{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
 };
 
-Turn turnOf(const ProFile& file) {
-    const float* const up = file.world().up;
+Turn turnOf(const std::array<float, 3>& up) {
     if (!(up[1] < -0.5f)) return {};
     // y, z, x; xy, yz, 2zz-xx-yy, xz, xx-yy; y(3xx-yy), xyz, y(4zz-..), z(2zz-..), x(4zz-..), z(xx-yy), x(xx-3yy)
     return {-1, {-1, -1, 1, -1, 1, 1, -1, 1, -1, 1, -1, -1, 1, -1, 1}};
 }
 
 /// Fewest bits before the point, so that most are left behind it.
-int fractionalBits(const ProFile& file) {
-    const pro_info& info = file.info();
+int fractionalBits(const PointOutline& outline) {
     double most = 0;
-    for (int axis = 0; axis < 3; ++axis)
-        most = std::max({most, std::abs(info.bounds_min[axis]), std::abs(info.bounds_max[axis])});
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        most = std::max({most, std::abs(outline.bounds_min[axis]), std::abs(outline.bounds_max[axis])});
     const int before = most > 0 ? std::max(0, std::ilogb(most) + 1) : 0;
     if (before >= kCoordinateBits)
         throw Error(ExitCode::kBadInput, "coordinates beyond 8,388,608 do not fit into SPZ: export a .ply");
     return kCoordinateBits - 1 - before;
+}
+
+std::uint32_t countOf(const PointOutline& outline) {
+    if (outline.count.value() > std::numeric_limits<std::uint32_t>::max())
+        throw Error(ExitCode::kBadInput, "SPZ holds less than 2^32 Gaussians: export a .ply");
+    return static_cast<std::uint32_t>(outline.count.value());
 }
 
 /// 2 bits: index of the largest of x y z w, which is made positive; the others in 10 bits each, a sign and a fraction
@@ -96,25 +100,33 @@ void appendRotation(const pro_gaussian& gaussian, const Turn& turn, Arrays& arra
     for (int byte = 0; byte < 4; ++byte) arrays.rotations.push_back(static_cast<std::uint8_t>(word >> 8 * byte));
 }
 
-void appendHarmonics(const ProFile& file, std::size_t index, const Turn& turn, Arrays& arrays) {
+/// How all Gaussians of an export are written.
+struct Coding {
+    Turn turn;
+    int fractional_bits = 0;
+    std::uint32_t degree = 0;
+};
+
+/// 0 beyond the degree of the file.
+void appendHarmonics(const ProFile& file, std::size_t index, const Coding& coding, Arrays& arrays) {
     const auto codes = file.harmonics(index);
-    for (std::size_t k = 0; k < codes.size() / 3; ++k)
+    for (std::uint32_t k = 0; k < pro_harmonic_count(coding.degree); ++k)
         for (std::size_t color = 0; color < 3; ++color) {
-            const double value = harmonicValue(file, codes[3 * k + color], static_cast<std::uint32_t>(k));
-            arrays.harmonics.push_back(byteOf(128 + 128 * turn.harmonics[k] * value));
+            const double value = 3 * k < codes.size() ? harmonicValue(file, codes[3 * k + color], k) : 0;
+            arrays.harmonics.push_back(byteOf(128 + 128 * coding.turn.harmonics[k] * value));
         }
 }
 
-void appendGaussian(const ProFile& file, std::size_t index, const Turn& turn, int bits, Arrays& arrays) {
+void appendGaussian(const ProFile& file, std::size_t index, const Coding& coding, Arrays& arrays) {
     const pro_gaussian gaussian = file.gaussian(index);
-    appendPosition(file, gaussian, turn, bits, arrays);
+    appendPosition(file, gaussian, coding.turn, coding.fractional_bits, arrays);
     arrays.alphas.push_back(byteOf(255 * double{gaussian.opacity}));
     for (const float color : gaussian.color)
         arrays.colors.push_back(byteOf(255 * (kColorScale * constantHarmonic(color) + 0.5)));
     for (const float deviation : gaussian.deviation)
         arrays.scales.push_back(byteOf(16 * (std::log(double{deviation} * file.info().scale) + 10)));
-    appendRotation(gaussian, turn, arrays);
-    appendHarmonics(file, index, turn, arrays);
+    appendRotation(gaussian, coding.turn, arrays);
+    appendHarmonics(file, index, coding, arrays);
 }
 
 /// Compresses with a gzip header, in steps.
@@ -156,17 +168,16 @@ private:
 
 } // namespace
 
-void exportSpz(const ProFile& file, const std::string& path, bool overwrite) {
-    const std::vector<std::uint32_t> order = inputOrder(file);
-    const Turn turn = turnOf(file);
-    const int bits = fractionalBits(file);
-    Arrays arrays;
-    for (const std::uint32_t index : order) appendGaussian(file, index, turn, bits, arrays);
-
+void exportSpz(const ExportSource& source, const std::string& path, bool overwrite) {
+    const Coding coding{turnOf(source.up), fractionalBits(source.outline), source.harmonics_degree};
     Header header;
-    header.count = static_cast<std::uint32_t>(order.size());
-    header.degree = static_cast<std::uint8_t>(file.gaussians()->degree);
-    header.fractional_bits = static_cast<std::uint8_t>(bits);
+    header.count = countOf(source.outline);
+    header.degree = static_cast<std::uint8_t>(coding.degree);
+    header.fractional_bits = static_cast<std::uint8_t>(coding.fractional_bits);
+    Arrays arrays;
+    source.forEachPart([&](const ProFile& file, std::span<const std::uint32_t> splats) {
+        for (const std::uint32_t index : splats) appendGaussian(file, index, coding, arrays);
+    });
     PointFile out(path, overwrite ? format::Existing::kReplaced : format::Existing::kKept);
     GzipWriter packed(out);
     packed.append(&header, sizeof header);

@@ -105,22 +105,21 @@ int verify(const Options& options) {
 }
 
 int exportSplats(const Options& options, const ExportSource& source) {
-    exportPoints(source, options.export_path, options.force, options.scalar_names);
+    const std::string& path = options.export_path;
+    const bool is_spz = path.ends_with(".spz");
+    if (is_spz && !source.has_gaussians)
+        throw Error(ExitCode::kBadUsage, options.input + ": holds no Gaussians, and SPZ holds nothing else");
+    if (is_spz)
+        exportSpz(source, path, options.force);
+    else if (source.has_gaussians && pointFormat(path) == PointFormat::kPly)
+        exportGaussians(source, path, options.force);
+    else
+        exportPoints(source, path, options.force, options.scalar_names);
     return 0;
 }
 
 int exportFile(const Options& options) {
     const ProFile file(options.input);
-    if (options.export_path.ends_with(".spz")) {
-        if (!file.gaussians())
-            throw Error(ExitCode::kBadUsage, options.input + ": holds no Gaussians, and SPZ holds nothing else");
-        exportSpz(file, options.export_path, options.force);
-        return 0;
-    }
-    if (file.gaussians() && pointFormat(options.export_path) == PointFormat::kPly) {
-        exportGaussians(file, options.export_path, options.force);
-        return 0;
-    }
     return exportSplats(options, exportSource(file));
 }
 

@@ -52,6 +52,28 @@ case_export_has_every_splat_once() {
     [ "$(jsonValue again.json input_points)" = "$splats" ] || fail "the export does not read back"
 }
 
+# lattice: a PLY of 3D Gaussian splatting with 15 x 15 x 15 Gaussians at whole numbers.
+lattice() {
+    printf 'ply\nformat ascii 1.0\nelement vertex 3375\n'
+    printf 'property float %s\n' x y z f_dc_0 f_dc_1 f_dc_2 opacity scale_0 scale_1 scale_2 rot_0 rot_1 rot_2 rot_3
+    printf 'end_header\n'
+    awk 'BEGIN { for (i = 0; i < 3375; i++) print i % 15, int(i / 15) % 15, int(i / 225), 0.1, 0.2, 0.3, 1, -2, -2, -2, 1, 0, 0, 0 }'
+}
+
+case_sets_export_each_gaussian_once() {
+    lattice >lattice.ply
+    pointrt-bake -q lattice.ply -o out/lattice.proset --tile-splats 1000
+    expectDone pointrt-info out/lattice.proset --export out/back.ply
+    # after the header rows of 17 floats, the mean first
+    tail -c $((3375 * 68)) out/back.ply | od -An -v -t f4 -w68 |
+        awk '{ printf "%.0f %.0f %.0f\n", $1, $2, $3 }' | sed 's/-0/0/g' | sort -u >means.txt
+    [ "$(wc -l <means.txt)" = 3375 ] || fail "$(wc -l <means.txt) different means of 3375"
+    head -3 out/back.ply | grep -qx 'element vertex 3375' || fail "$(head -3 out/back.ply) does not announce 3375"
+    expectDone pointrt-info out/lattice.proset --export out/back.spz
+    pointrt-bake -q out/back.spz -o again.pro --stats again.json
+    [ "$(jsonValue again.json input_points)" = 3375 ] || fail "the SPZ does not read back"
+}
+
 case_export_overwrites_only_with_force() {
     bakeSphere
     echo precious >out/splats.ply
