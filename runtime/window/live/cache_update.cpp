@@ -74,7 +74,8 @@ void insertSamples(RenderCache& cache, ErrorMap& errors, const ViewProjection& v
         cache.insert(each.pixel, depthAlongView(view, each), point);
         TileColorSum& tile = cache.tileColors()[y / TILE_SIDE * cache.tilesAcross() + x / TILE_SIDE];
         const std::array<std::uint32_t, 3> c = channelsOf(each.color);
-        tile = {tile.red + c[0], tile.green + c[1], tile.blue + c[2], tile.count + 1};
+        const std::uint32_t is_surface = each.distance < 0 ? 0 : 1;
+        tile = {tile.red + c[0], tile.green + c[1], tile.blue + c[2], tile.count + 1, tile.surfaces + is_surface};
     }
 }
 

@@ -134,7 +134,7 @@ private:
             for (std::uint32_t v = y - std::min(y, reach); v <= std::min(y + reach, down_ - 1); ++v)
                 for (std::uint32_t u = x - std::min(x, reach); u <= std::min(x + reach, across_ - 1); ++u) {
                     const TileColorSum& tile = tiles_[v * across_ + u];
-                    sum = {sum.red + tile.red, sum.green + tile.green, sum.blue + tile.blue, sum.count + tile.count};
+                    sum = {sum.red + tile.red, sum.green + tile.green, sum.blue + tile.blue, sum.count + tile.count, 0};
                 }
             if (sum.count > 0) return packColor(sum.red / sum.count, sum.green / sum.count, sum.blue / sum.count);
         }

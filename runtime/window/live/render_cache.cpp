@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
+#include <cstdlib>
 #include <numeric>
 #include <utility>
 
@@ -15,6 +16,10 @@ namespace {
 /// A neighbouring pixel whose depth is smaller by more than this factor occludes a point. Floors seen at a grazing
 /// angle stay below it.
 constexpr float kOccludedDepthRatio = 1.02f;
+/// Of 8 directions or octants, nearer points lie in this many at most beside a straight edge of an occluder.
+constexpr int kMostNearer = 5;
+/// Distance in pixels up to which nearer points are looked for where points are sparse; at most TILE_SIDE.
+constexpr std::int32_t kSparseReach = 8;
 /// Points traced before the light changed count as at least this many frames old.
 constexpr std::uint32_t kStaleLightAge = 64;
 /// Points in the cache per four pixels: the visible ones, and some that are hidden or outside the frame.
@@ -60,6 +65,7 @@ RenderCache::RenderCache(PixelSize size) : size_(size) {
     shown_.resize(pixels);
     empty_pixels_.resize(tilesDown());
     tile_colors_.resize(std::size_t{tilesAcross()} * tilesDown());
+    nearest_.resize(tile_colors_.size());
 }
 
 void RenderCache::clear() {
@@ -77,6 +83,7 @@ void RenderCache::reproject(const ViewProjection& view) {
 }
 
 void RenderCache::gatherAllRows() {
+    findNearest();
     forAll(tilesDown(), [&](std::size_t row) { gatherRow(static_cast<std::uint32_t>(row)); });
     for (const std::vector<std::uint32_t>& row : empty_pixels_)
         for (std::uint32_t pixel : row) keys_[pixel] = kEmptyPixel;
@@ -112,10 +119,56 @@ bool RenderCache::isOccluded(std::uint32_t x, std::uint32_t y, PixelKey key) con
     const std::size_t w = size_.width;
     const float depth = depthOf(key);
     const auto before = [&](const PixelKey* other) { return depthOf(*other) * kOccludedDepthRatio < depth ? 1 : 0; };
+    const auto filled = [&](const PixelKey* other) { return *other != kEmptyPixel ? 1 : 0; };
     const int adjacent = before(at - 1) + before(at + 1) + before(at - w) + before(at + w);
-    if (adjacent < 2) return false;
-    constexpr int kMost = 5; // of 8, at most, are nearer beside a straight edge of an occluder
-    return adjacent + before(at - w - 1) + before(at - w + 1) + before(at + w - 1) + before(at + w + 1) > kMost;
+    if (adjacent >= 2)
+        return adjacent + before(at - w - 1) + before(at - w + 1) + before(at + w - 1) + before(at + w + 1) >
+               kMostNearer;
+    const bool is_alone = filled(at - 1) + filled(at + 1) + filled(at - w) + filled(at + w) < 2;
+    return is_alone && isNearTiles(x / TILE_SIDE, y / TILE_SIDE, depth) && isAmongNearerPoints(x, y, depth);
+}
+
+/// Whether nearer points surround a pixel whose own neighbours are mostly empty: in how many octants of a growing
+/// square there are any.
+bool RenderCache::isAmongNearerPoints(std::uint32_t x, std::uint32_t y, float depth) const {
+    std::uint32_t octants = 0;
+    const auto look = [&](std::int32_t along_x, std::int32_t along_y) {
+        const std::uint32_t at_x = x + static_cast<std::uint32_t>(along_x);
+        const std::uint32_t at_y = y + static_cast<std::uint32_t>(along_y); // beyond the upper edge it is large
+        if (at_x >= size_.width || at_y >= size_.height) return;
+        if (!(depthOf(keys_[at_y * size_.width + at_x]) * kOccludedDepthRatio < depth)) return;
+        const bool steep = std::abs(along_y) > std::abs(along_x);
+        octants |= 1u << ((along_x < 0 ? 1 : 0) | (along_y < 0 ? 2 : 0) | (steep ? 4 : 0));
+    };
+    for (std::int32_t reach = 1; reach <= kSparseReach && std::popcount(octants) <= kMostNearer; ++reach)
+        for (std::int32_t along = -reach; along < reach; ++along) {
+            look(along, -reach);
+            look(reach, along);
+            look(-along, reach);
+            look(-reach, -along);
+        }
+    return std::popcount(octants) > kMostNearer;
+}
+
+/// Whether a point this far ahead may lie behind those of this tile or the ones around it.
+bool RenderCache::isNearTiles(std::uint32_t tile_x, std::uint32_t tile_y, float depth) const {
+    for (std::uint32_t y = tile_y - std::min(tile_y, 1u); y <= std::min(tile_y + 1, tilesDown() - 1); ++y)
+        for (std::uint32_t x = tile_x - std::min(tile_x, 1u); x <= std::min(tile_x + 1, tilesAcross() - 1); ++x)
+            if (nearest_[y * tilesAcross() + x] * kOccludedDepthRatio < depth) return true;
+    return false;
+}
+
+void RenderCache::findNearest() {
+    forAll(tilesDown(), [&](std::size_t row) {
+        float* const nearest = &nearest_[row * tilesAcross()];
+        std::fill(nearest, nearest + tilesAcross(), kSkyDepth);
+        const std::size_t end = std::min<std::size_t>((row + 1) * TILE_SIDE, size_.height);
+        for (std::size_t y = row * TILE_SIDE; y < end; ++y)
+            for (std::uint32_t x = 0; x < size_.width; ++x)
+                // NaN, of an empty pixel, is not less
+                if (const float depth = depthOf(keys_[y * size_.width + x]); depth < nearest[x / TILE_SIDE])
+                    nearest[x / TILE_SIDE] = depth;
+    });
 }
 
 /// Collects the visible points and the empty pixels of a row of tiles.
@@ -143,6 +196,7 @@ void RenderCache::gatherRow(std::uint32_t tile_row) {
             tile.green += c[1];
             tile.blue += c[2];
             ++tile.count;
+            tile.surfaces += (points_.info[pointOf(key)] & kPointIsSky) != 0 ? 0 : 1;
         }
 }
 

@@ -44,9 +44,9 @@ struct PointCloud {
     CachedPoint at(std::size_t i) const { return {{x[i], y[i], z[i]}, info[i], color[i]}; }
 };
 
-/// Sum of the colours in one tile.
+/// Sum of the colours in one tile, the number of its points, and how many of these are not of the sky.
 struct TileColorSum {
-    std::uint32_t red = 0, green = 0, blue = 0, count = 0;
+    std::uint32_t red = 0, green = 0, blue = 0, count = 0, surfaces = 0;
 };
 
 /// What a pixel shows: depth in the high word, point index in the low one, so that keys sort by depth.
@@ -100,6 +100,9 @@ private:
     void gatherRow(std::uint32_t tile_row);
     void gatherAllRows();
     bool isOccluded(std::uint32_t x, std::uint32_t y, PixelKey key) const;
+    bool isAmongNearerPoints(std::uint32_t x, std::uint32_t y, float depth) const;
+    bool isNearTiles(std::uint32_t tile_x, std::uint32_t tile_y, float depth) const;
+    void findNearest();
     std::uint32_t allocatePoint();
 
     PixelSize size_;
@@ -111,6 +114,7 @@ private:
     std::vector<std::uint32_t> shown_;
     std::vector<std::vector<std::uint32_t>> empty_pixels_;
     std::vector<TileColorSum> tile_colors_;
+    std::vector<float> nearest_; ///< depth by tile; kSkyDepth without points
 };
 
 /// Channels of a packed colour, red first.

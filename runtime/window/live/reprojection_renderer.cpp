@@ -21,10 +21,6 @@ using Clock = std::chrono::steady_clock;
 
 double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// Fewest pixels to trace per frame: with fewer, the picture would hardly change.
-constexpr double kMinPixels = 512;
-/// Share of a frame's time that always goes to tracing.
-constexpr double kMinTracedShare = 0.3;
 /// The number of pixels selected at random may exceed the requested number by this factor.
 constexpr double kCountMargin = 1.125;
 
@@ -80,12 +76,12 @@ ViewProjection ReprojectionRenderer::projectionFor(const ReprojectionView& view)
 std::uint32_t ReprojectionRenderer::pixelBudget(double seconds) const {
     const double pixels = double{1} * cache_.size().width * cache_.size().height;
     const double most = std::min<double>(pixels, kMaxListedPixels) / kCountMargin;
-    const double left = std::max(seconds - overhead_s_, kMinTracedShare * seconds);
-    return static_cast<std::uint32_t>(std::clamp(left / seconds_per_pixel_, std::min(kMinPixels, most), most));
+    return static_cast<std::uint32_t>(pixelsFor(seconds, cost_, most));
 }
 
 ReprojectedFrame ReprojectionRenderer::renderFrame(const ReprojectionView& view, double seconds) {
     const Clock::time_point start = Clock::now();
+    cost_.bulk_per_pixel = view.bulk_per_pixel;
     ++frame_;
     const ViewProjection seen = projectionFor(view);
     const bool camera_moves = camera_ != view.camera;
@@ -106,14 +102,14 @@ ReprojectedFrame ReprojectionRenderer::renderFrame(const ReprojectionView& view,
     const std::vector<TracedPixel> traced = trace(view, chosen);
     const double traced_s = since(tracing);
     if (!chosen.empty())
-        seconds_per_pixel_ = smoothed(seconds_per_pixel_, traced_s / static_cast<double>(chosen.size()));
+        cost_.seconds_per_pixel = smoothed(cost_.seconds_per_pixel, traced_s / static_cast<double>(chosen.size()));
 
     const SampleBlending blending{frame_, hasTrait(view.settings.integrator, INTEGRATOR_IS_STOCHASTIC), camera_moves};
     insertSamples(cache_, errors_, seen, blending, traced);
     const std::uint32_t gaps = fillHoles(cache_);
     uploadBuffer(device_, pixels_, cache_.colors().data(), cache_.colors().size() * sizeof(std::uint32_t));
     if (gaps > kMaxGapShare * size.width * size.height) resamplePoints(cache_, seen);
-    overhead_s_ = smoothed(overhead_s_, since(start) - traced_s);
+    cost_.other_s = smoothed(cost_.other_s, since(start) - traced_s);
     return {static_cast<std::uint32_t>(chosen.size()), cache_.emptyPixelCount() - gaps};
 }
 

@@ -14,6 +14,7 @@
 #include "runtime/window/live/cache_update.h"
 #include "runtime/window/live/render_cache.h"
 #include "runtime/window/live/sample_priority.h"
+#include "runtime/window/live/trace_speed.h"
 
 namespace pointrt {
 
@@ -24,6 +25,7 @@ struct ReprojectionView {
     double exposure = 0;                 ///< stops
     double focus_x = 0.5, focus_y = 0.5; ///< attention point, as fractions of the picture
     bool compresses_highlights = true;   ///< ToneMapping::compresses_highlights
+    double bulk_per_pixel = 0;           ///< ListCost::bulk_per_pixel, above 0
 };
 
 /// Extra pixels in the device's film and first hits, beyond the full frame's, that hold the pixels traced in one frame.
@@ -87,8 +89,7 @@ private:
     std::optional<Camera> camera_;   ///< of the cached picture; none: the cache is empty
     std::vector<gpu::Shape> shapes_; ///< of the cached picture
     std::uint32_t frame_ = 0, filled_rows_ = 0;
-    double seconds_per_pixel_ = 1e-6; ///< initial guess: two cores, a million splats
-    double overhead_s_ = 0.01;        ///< of a frame, besides tracing; initial guess
+    ListCost cost_;
 };
 
 } // namespace pointrt

@@ -10,8 +10,9 @@
 namespace pointrt {
 namespace {
 
-// Priorities in frames of age: of empty pixels, of interpolated points, and of points near an error of a full step from
-// black to white. While the camera moves, view-dependent points age this much faster.
+// Priorities in frames of age: of empty pixels, of interpolated points and of empty pixels amid nothing but sky, and of
+// points near an error of a full step from black to white. While the camera moves, view-dependent points age this much
+// faster.
 constexpr float kEmptyPriority = 1500, kInterpolatedPriority = 150, kErrorPriority = 3000, kViewDependentAging = 8;
 /// Gain at the attention point, and its radius as a fraction of the picture's height.
 constexpr float kFocusGain = 2, kFocusRadius = 0.2f;
@@ -64,11 +65,12 @@ public:
         RowPriorities row;
         row.reserve(std::size_t{size_.width} * TILE_SIDE / kRowPhases);
         for (std::uint32_t tile = 0; tile < across_; ++tile) {
+            const float of_empty = isSky(tile, tile_row) ? kInterpolatedPriority : kEmptyPriority;
             const TilePriority of_tile = tilePriority(errors_, params_, size_, tile, tile_row, across_);
             visitTile(tile, tile_row, [&](std::uint32_t x, std::uint32_t y) {
                 const PixelKey key = cache_.keys()[y * size_.width + x];
                 const float own =
-                    key == kEmptyPixel ? kEmptyPriority : priorityOf(cache_.points().info[pointOf(key)], params_);
+                    key == kEmptyPixel ? of_empty : priorityOf(cache_.points().info[pointOf(key)], params_);
                 row.push_back((own + of_tile.added) * of_tile.factor);
             });
         }
@@ -88,6 +90,16 @@ public:
     }
 
 private:
+    /// Whether this tile and those around it have points, and all of the sky.
+    bool isSky(std::uint32_t tile_x, std::uint32_t tile_y) const {
+        for (std::uint32_t y = tile_y - std::min(tile_y, 1u); y <= std::min(tile_y + 1, cache_.tilesDown() - 1); ++y)
+            for (std::uint32_t x = tile_x - std::min(tile_x, 1u); x <= std::min(tile_x + 1, across_ - 1); ++x) {
+                const TileColorSum& tile = cache_.tileColors()[y * across_ + x];
+                if (tile.count == 0 || tile.surfaces > 0) return false;
+            }
+        return true;
+    }
+
     template <typename Visit>
     void visitTile(std::uint32_t tile, std::uint32_t tile_row, Visit visit) const {
         const std::uint32_t end_x = std::min((tile + 1) * TILE_SIDE, size_.width);

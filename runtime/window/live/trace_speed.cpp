@@ -15,6 +15,13 @@ constexpr double kSlowdownWeight = 0.6, kSpeedupWeight = 0.3;
 constexpr double kSizeStep = 1.189207115002721;
 /// Limit of the reduction: coarser pictures are useless, however slow the tracer.
 constexpr double kMaxDivisor = 16;
+/// Fewest pixels to trace per frame: with fewer, the picture would hardly change.
+constexpr double kMinPixels = 512;
+/// Share of a frame's time that always goes to tracing.
+constexpr double kMinTracedShare = 0.3;
+/// The same at the cost of whole pictures. It decides where lists cost three times as much, which is where the slowest
+/// ray of each pass takes most of the time: then more pixels hardly take longer.
+constexpr double kMinBulkShare = 0.1;
 /// A finer size must fit in this share of the time to be chosen again (hysteresis).
 constexpr double kComfort = 0.75;
 
@@ -48,6 +55,12 @@ PixelSize TraceSpeed::previewSize(double seconds, PixelSize full, PixelSize last
     const bool finer = std::uint64_t{chosen.width} * chosen.height > std::uint64_t{last.width} * last.height;
     const PixelSize before = reduced(full, divisor * kSizeStep);
     return finer && last == before && costs(chosen) > kComfort * seconds ? last : chosen;
+}
+
+double pixelsFor(double seconds, const ListCost& cost, double most) {
+    const double traced_s = std::max(seconds - cost.other_s, kMinTracedShare * seconds);
+    const double least = std::max(kMinPixels, kMinBulkShare * seconds / cost.bulk_per_pixel);
+    return std::clamp(traced_s / cost.seconds_per_pixel, std::min(least, most), most);
 }
 
 PixelSize reduced(PixelSize full, double divisor) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "runtime/util/pixel_size.h"
 
@@ -38,6 +39,17 @@ private:
     double seconds_per_pixel_ = 1e-6; ///< initial guess: two cores, a million splats
     bool known_ = false;
 };
+
+/// What pixels cost that are traced as a short list, not as a picture.
+struct ListCost {
+    double other_s = 0.01;           ///< of a frame, besides tracing; initial guess
+    double seconds_per_pixel = 1e-6; ///< of recent lists; initial guess: two cores, a million splats
+    /// Of whole pictures, where the slowest rays matter less; infinity: unknown.
+    double bulk_per_pixel = std::numeric_limits<double>::infinity();
+};
+
+/// The pixels of such a list that fit in a frame of these seconds, from a minimum up to most.
+double pixelsFor(double seconds, const ListCost& cost, double most);
 
 /// full / divisor (at least 1), rounded up.
 PixelSize reduced(PixelSize full, double divisor);

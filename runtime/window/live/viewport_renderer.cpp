@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "runtime/session/settings.h"
@@ -128,8 +129,14 @@ bool ViewportRenderer::canReproject() const {
 }
 
 ReprojectionView ViewportRenderer::reprojectionView() const {
-    return {view_.settings, view_.camera,  view_.look.exposure,
-            view_.focus_x,  view_.focus_y, view_.look.compresses_highlights};
+    const double unknown = std::numeric_limits<double>::infinity();
+    return {view_.settings,
+            view_.camera,
+            view_.look.exposure,
+            view_.focus_x,
+            view_.focus_y,
+            view_.look.compresses_highlights,
+            refine_speed_.isKnown() ? refine_speed_.secondsFor(1) : unknown};
 }
 
 /// Renders the reprojected frame, and improves it until the view has rested for kRest_s.

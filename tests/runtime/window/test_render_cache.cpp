@@ -166,6 +166,43 @@ TEST(RenderCache, HidesPointsBehindASurface) {
     }
 }
 
+/// Every fifth pixel of every fifth row.
+std::vector<TracedPixel> tracedSparsely(const ViewProjection& view) {
+    std::vector<TracedPixel> some;
+    for (std::uint32_t y = 2; y < kSize.height; y += 5)
+        for (std::uint32_t x = 2; x < kSize.width; x += 5) some.push_back(traced(view, y * kSize.width + x));
+    return some;
+}
+
+/// Likewise where a slow tracer has reached few pixels, whose neighbours are empty. Beside the card, the wall stays. At
+/// its rim nobody knows: points are 0.1 apart.
+TEST(RenderCache, HidesPointsBehindASparseSurface) {
+    RenderCache cache(kSize);
+    ErrorMap errors(kSize);
+    const ViewProjection right = viewFrom(0.8f), left = viewFrom(0);
+    const std::vector<TracedPixel> some = tracedSparsely(right);
+    insertSamples(cache, errors, right, {}, some);
+    cache.reproject(left);
+    const auto isBehindCard = [&](std::uint32_t pixel, float margin) {
+        const gpu::vec3 direction = left.direction(pixel % kSize.width, pixel / kSize.width);
+        return kCardAhead * std::max(std::abs(direction.x), std::abs(direction.y)) < 0.5f + margin;
+    };
+    std::size_t hidden = 0, beside = 0;
+    for (const TracedPixel& each : some) {
+        if (each.color != kWall) continue;
+        const ViewProjection::Projected at = left.project(toCachedPoint(right, each, 0).position, 1);
+        if (!(at.x >= 0 && at.y >= 0 && at.x < kSize.width && at.y < kSize.height)) continue;
+        const std::uint32_t pixel = static_cast<std::uint32_t>(at.y) * kSize.width + static_cast<std::uint32_t>(at.x);
+        const bool is_wall = !cache.isEmpty(pixel) && cache.colors()[pixel] == kWall;
+        hidden += isBehindCard(pixel, -0.15f) ? 1 : 0;
+        EXPECT_FALSE(is_wall && isBehindCard(pixel, -0.15f)) << at.x << ", " << at.y;
+        beside += isBehindCard(pixel, 0.02f) ? 0 : 1;
+        EXPECT_TRUE(is_wall || isBehindCard(pixel, 0.02f)) << at.x << ", " << at.y;
+    }
+    EXPECT_GT(hidden, 8u);
+    EXPECT_GT(beside, 300u);
+}
+
 /// After moving there and back no point is lost or moved, although the card hid some in between.
 TEST(RenderCache, ComesBack) {
     ErrorMap errors(kSize);
@@ -244,6 +281,24 @@ TEST(SelectPixels, EmptyPixelsFirst_OthersByAge) {
 }
 
 /// Where a traced colour differs from the cached one, that tile and its neighbours get priority.
+/// A picture whose left half shows sky, which is known there in a pixel of each tile, and a wall in the right half.
+TEST(SelectPixels, SkyHasTime) {
+    RenderCache cache(kSize);
+    ErrorMap errors(kSize);
+    const ViewProjection view = viewFrom(0);
+    std::vector<TracedPixel> known;
+    for (std::uint32_t y = 4; y < kSize.height; y += TILE_SIDE)
+        for (std::uint32_t x = 4; x < kSize.width; x += TILE_SIDE)
+            known.push_back({y * kSize.width + x, kWall, x < kSize.width / 2 ? -1.0f : kWallAhead, 0, false});
+    insertSamples(cache, errors, view, {}, known);
+    std::size_t left = 0, right = 0;
+    for (std::uint32_t frame = 1; frame <= 4; ++frame)
+        for (const std::uint32_t pixel : selectPixels(cache, errors, {{80, 48}, frame, true, 500}))
+            ++(pixel % kSize.width < kSize.width / 2 - TILE_SIDE ? left : right);
+    EXPECT_GT(left, 20u);
+    EXPECT_GT(right, 5 * left);
+}
+
 TEST(SelectPixels, ErrorsAttractSamples) {
     ErrorMap errors(kSize);
     RenderCache cache = pictureFromZero(errors);
