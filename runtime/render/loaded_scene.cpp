@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "runtime/device_scene/clip_planes.h"
+#include "runtime/device_scene/color_choice.h"
 #include "runtime/device_scene/gather_sample.h"
 #include "runtime/device_scene/scene_rows.h"
 #include "runtime/device_scene/scene_tiles.h"
@@ -58,12 +59,23 @@ bool holdsOnlyGaussians(const DeviceScene& scene) {
            std::all_of(scans.begin(), scans.end(), [](const DeviceScan* scan) { return scan->is_gaussian; });
 }
 
+/// The heights of what clips keep, if there are any.
+std::optional<ValueRange> keptHeights(const SceneSample& kept, Vec3 up) {
+    std::vector<double> heights;
+    for (const SampledSplat& splat : kept.splats) heights.push_back(dot(splat.position, up));
+    if (heights.empty()) return std::nullopt;
+    const Extent extent = extentOfMost(heights);
+    return extent.size() > 0 ? std::optional(ValueRange{extent.low, extent.high}) : std::nullopt;
+}
+
 void chooseColorsByDefault(LoadedScene& loaded) {
     const Vec3 up = sceneUp(loaded.scene.description, loaded.settings);
     const std::optional<DefaultColors> colors = defaultColors(loaded.scene, loaded.sample, up);
     if (!colors) return;
     loaded.settings.color_by = colors->color_by;
     if (!loaded.settings.color_range) loaded.settings.color_range = colors->range;
+    if (!loaded.settings.color_range && colors->color_by == kHeight && cutsInstances(loaded.scene.description))
+        loaded.settings.color_range = keptHeights(loaded.kept_sample, up);
     loaded.colored_by_default = true;
 }
 

@@ -151,12 +151,12 @@ OptionGroup clipOptions() {
           {},
           nullptr,
           true},
-         {"--section", "[-]AXIS=AT[:THICKNESS]|X0,Y0,X1,Y1[:THICKNESS]",
-          "Cut the scan open and look at the cut in parallel projection: z=1.2 is a floor plan of what is below that "
-          "height, if z is up; y=3 and x=3 are upright sections, with the other coordinate growing to the right; a "
-          "minus shows the other half from the other side. X0,Y0,X1,Y1 is an upright section from a point of the plan, "
-          "on the left, to another. With a THICKNESS only a slice so thick remains, half on either side. --eye, "
-          "--target and --view change the camera only (default: off)",
+         {"--section", "PLANE",
+          "Cut the scan open and look at the cut in parallel projection. z=1.2 is a floor plan of what is below that "
+          "height (if z is up), y=3 and x=3 are upright sections, with the other coordinate growing to the right; "
+          "-y=3 shows the other half from the other side. X0,Y0,X1,Y1 is an upright section from a point of the plan, "
+          "on the left, to another. With a thickness, as in y=3:0.5, only a slice remains, half on either side. "
+          "--eye, --target and --view only change the camera (default: off)",
           [](Options& o, const std::string& text) { o.section = parseSection(text); }}},
         {}};
 }
