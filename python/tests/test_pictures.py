@@ -41,6 +41,34 @@ def test_pictures_have_the_memory_of_the_scene(hills_in_tiles):
     assert (full["tile_id"] != taken["tile_id"]).any()
 
 
+def test_clips_cut_pictures_and_rays(field):
+    box = [*(GRID + [0, 0, 0]), *(GRID + [10, 20, 20])]  # the western half
+    cut = pointrt.Scene(field, clip=box)
+    np.testing.assert_array_equal(cut.clip, [box])
+    east, west = GRID + [15, 10, 60], GRID + [5, 10, 60]
+    rays = np.array([[*east, 0, 0, -1], [*west, 0, 0, -1]])
+    np.testing.assert_allclose(cut.cast_rays(rays)["t_hit"], [np.inf, 50], atol=2e-3)
+    camera = pointrt.Camera.from_intrinsics(100, 100, 30, 20, DOWN)  # 2 pixels per metre
+    depth = cut.render(camera, 60, 40, layers=["depth"], lights=1)["depth"]
+    assert np.isfinite(depth[20, 12:29]).all() and np.isinf(depth[20, 31:]).all()
+    for bad in ([0, 0, 0, 1, 1], [0, 0, 0, 1, 0, 1], [0, 0, 0, 1, np.nan, 1], [box] * 6):
+        with pytest.raises(ValueError):
+            pointrt.Scene(field, clip=bad)
+
+
+def test_sections_show_what_is_behind_the_cut_in_true_scale(hills):
+    scene = pointrt.Scene(hills)
+    picture = scene.section(f"z={GRID[2] + 1}", 80, 80, layers=["position"], ortho=120, lights=1)
+    heights = picture["position"][..., 2]
+    assert np.isfinite(heights).any() and np.nanmax(heights) < GRID[2] + 1.05
+    # parallel projection: 1.5 m from pixel to pixel
+    east = picture["position"][..., 0]
+    steps = np.diff(east, axis=1)
+    np.testing.assert_allclose(steps[np.isfinite(steps)], 1.5, atol=1e-3)
+    with pytest.raises(ValueError, match="section"):
+        scene.section("z")
+
+
 def test_points_project_to_their_pixels(scene):
     # 2 pixels per metre at 50 m; the principal point sees (10, 10) of the field
     fx, fy, cx, cy = 100.0, 100.0, 30.0, 12.0

@@ -45,12 +45,15 @@ CameraRequest requestOf(const LookAt& said, const LoadedScene& loaded, CameraReq
 }
 
 Camera framedCamera(const LookAt& said, const LoadedScene& loaded, const LoadRequest& request, PixelSize size) {
-    const CameraRequest wanted = requestOf(said, loaded, request.settings.camera);
+    const bool faces_section = loaded.section_camera && !said.eye && !said.target;
+    const CameraRequest wanted =
+        faces_section ? *loaded.section_camera : requestOf(said, loaded, request.settings.camera);
     const double aspect = static_cast<double>(size.width) / size.height;
     const bool fov_is_free = !said.fov_deg && request.fov_is_free;
     const Vec3 up = sceneUp(loaded.scene.description, loaded.settings);
     try {
-        const FramedRequest framed = frameScene(wanted, loaded.sample, up, {aspect, loaded.free_share}, fov_is_free);
+        const FramedRequest framed =
+            frameScene(wanted, loaded.kept_sample, up, {aspect, loaded.free_share}, fov_is_free);
         return frameCamera(framed.camera, loaded.scene.bounds.lo, loaded.scene.bounds.hi, aspect);
     } catch (const Error& error) {
         rethrowWithoutDashes(error);

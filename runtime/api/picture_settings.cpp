@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 
@@ -16,7 +18,7 @@ namespace {
 
 constexpr std::string_view kDashes = "--";
 /// Options outside the table of settings that pictures in memory support too.
-constexpr std::string_view kOtherOptions[] = {"--up", "--memory"};
+constexpr std::string_view kOtherOptions[] = {"--up", "--memory", "--clip", "--section", "--ortho"};
 constexpr const char* kStagedFor = "--staged-for";
 /// Settings that only affect 8-bit files, or that are arguments of render().
 constexpr std::string_view kElsewhere[] = {"--size", "--exposure", "--legend"};
@@ -43,11 +45,19 @@ bool takeTableSetting(const std::string& option, const std::string& text, Option
     return found;
 }
 
+/// The values of an option that repeats, separated by spaces.
+std::vector<std::string> words(const std::string& text) {
+    std::istringstream stream(text);
+    return {std::istream_iterator<std::string>(stream), {}};
+}
+
 bool takeOtherOption(const std::string& option, const std::string& text, Options& options) {
     if (!has(kOtherOptions, option)) return false;
     for (const OptionGroup& group : optionGroups())
-        for (const OptionRow& row : group.options)
-            if (option == row.names) row.set(options, text);
+        for (const OptionRow& row : group.options) {
+            if (option != row.names) continue;
+            for (const std::string& each : row.repeats ? words(text) : std::vector{text}) row.set(options, each);
+        }
     return true;
 }
 

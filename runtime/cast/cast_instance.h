@@ -47,6 +47,7 @@ struct InstanceFile {
 struct InstanceRun {
     std::uint32_t first = 0, count = 0;
     std::optional<std::uint32_t> set; ///< in InstanceList::sets
+    std::vector<HalfSpace> kept;      ///< what clips keep of it; empty: all
 };
 
 struct InstanceList {

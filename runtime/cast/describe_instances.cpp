@@ -63,24 +63,31 @@ Bounds worldBox(const TileBox& box, const TileCube& cube, const Placement& place
 
 class Describer {
 public:
+    explicit Describer(const std::vector<ClipDescription>& clips) : clips_(clips) { requireFewHalfSpaces(clips); }
+
     void addPath(const std::string& path) {
         if (!isTileSet(path) && isSceneFile(path))
             addSceneFile(path);
         else
-            addInstance(path, {});
+            addInstance({path, {}, {}, {}}, clips_);
     }
 
     InstanceList take() { return std::move(list_); }
 
 private:
     void addSceneFile(const std::string& path) {
-        const SceneDescription scene = readSceneFile(path);
-        for (const InstanceDescription& each : scene.instances) addInstance(each.path, each.placement);
+        SceneDescription scene = readSceneFile(path);
+        scene.clips.insert(scene.clips.end(), clips_.begin(), clips_.end());
+        requireFewHalfSpaces(scene.clips);
+        for (const InstanceDescription& each : scene.instances) addInstance(each, scene.clips);
         list_.shapes.insert(list_.shapes.end(), scene.shapes.begin(), scene.shapes.end());
     }
 
-    void addInstance(const std::string& path, const Placement& placement) {
+    void addInstance(const InstanceDescription& described, const std::vector<ClipDescription>& clips) {
+        const std::string& path = described.path;
+        const Placement& placement = described.placement;
         InstanceRun run;
+        if (described.clipped) run.kept = keptHalfSpaces(clips);
         run.first = static_cast<std::uint32_t>(list_.instances.size());
         if (isTileSet(path)) {
             run.set = setOf(path);
@@ -128,15 +135,16 @@ private:
         return found->second;
     }
 
+    const std::vector<ClipDescription>& clips_;
     InstanceList list_;
     std::unordered_map<std::string, std::uint32_t> files_, sets_;
 };
 
 } // namespace
 
-InstanceList describeInstances(const std::vector<std::string>& paths) {
+InstanceList describeInstances(const std::vector<std::string>& paths, const std::vector<ClipDescription>& clips) {
     if (paths.empty()) throw Error(ExitCode::kBadUsage, "a scene needs at least one .pro file");
-    Describer describer;
+    Describer describer(clips);
     for (const std::string& path : paths) describer.addPath(path);
     return describer.take();
 }

@@ -11,7 +11,9 @@ namespace pointrt {
 
 /// Each path is a .pro, a tile set or a scene file (TOML), whose instances are numbered consecutively. Reads sets and
 /// checks the headers of their original tiles against them. Does not open other files: their boxes are set when they
-/// are loaded. Throws Error kBadUsage without paths, kBadInput if a scene file, set or tile is invalid.
-InstanceList describeInstances(const std::vector<std::string>& paths);
+/// are loaded. Throws Error kBadUsage without paths or with more than MAX_CLIP_PLANES planes of clips, kBadInput if a
+/// scene file, set or tile is invalid.
+/// @param clips cut all instances but those that scene files leave whole, besides the clips of these files
+InstanceList describeInstances(const std::vector<std::string>& paths, const std::vector<ClipDescription>& clips = {});
 
 } // namespace pointrt

@@ -10,6 +10,7 @@
 #include "format/base/error.h"
 #include "format/base/parallel.h"
 #include "format/set/open_tile.h"
+#include "runtime/device_scene/clip_planes.h"
 #include "runtime/device_scene/scene_tiles.h"
 #include "runtime/util/available_memory.h"
 #include "runtime/util/on_error.h"
@@ -210,10 +211,13 @@ void InstanceResidency::place(std::uint32_t number) {
     if (!instance.core) instance.box = boxOf(scan, instance.placement);
     const RenderSpace space = spaceOf(instance, scan);
     placed->frame = {space, renderPoint(space, instance.box.lo), renderPoint(space, instance.box.hi)};
-    placed->traits = traitsOf(scan, (scan.info.flags & PRO_FLAG_ORIENTED) != 0, instance.core.has_value());
+    const std::vector<HalfSpace>& kept = list_.scene_instances[instance.scene_instance].kept;
+    placed->traits =
+        traitsOf(scan, (scan.info.flags & PRO_FLAG_ORIENTED) != 0, instance.core.has_value(), !kept.empty());
     gpu::InstanceParams params = makeInstanceParams(space, scan, instance.placement, instance.scene_instance);
     placed->in_cube = isUnit(params);
     if (instance.core) setCoreBox(scan, *instance.core, params);
+    setClipPlanes(kept, instance.placement, tracedFrame(scan), params);
     placed->params = createBuffer(device_, "instance parameters", sizeof params, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     placed_[number] = std::move(placed);
     uploadBuffer(device_, placed_[number]->params, &params, sizeof params);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -27,9 +28,22 @@ std::size_t slotCount() { return std::clamp(std::thread::hardware_concurrency(),
 /// Rays traced from instance to instance at once, 52 bytes each. The more, the less often tiles are reloaded.
 constexpr std::size_t kBatchRays = std::size_t{1} << 20;
 
+std::vector<ClipDescription> clipsOf(const SceneOptions& options) {
+    std::vector<ClipDescription> clips;
+    for (const std::array<double, 6>& box : options.clips) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (!std::isfinite(box[axis + 3] - box[axis]) || !(box[axis] < box[axis + 3]))
+                throw Error(ExitCode::kBadUsage,
+                            "a clip box is MINX, MINY, MINZ, MAXX, MAXY, MAXZ, finite numbers with "
+                            "each minimum below its maximum");
+        clips.push_back(clipBox(box));
+    }
+    return clips;
+}
+
 /// Reads the scene. Refuses shapes with more than 254 instances, as they take an instance number, too.
-InstanceList described(const std::vector<std::string>& paths) {
-    InstanceList list = describeInstances(paths);
+InstanceList described(const std::vector<std::string>& paths, const SceneOptions& options) {
+    InstanceList list = describeInstances(paths, clipsOf(options));
     if (!list.shapes.empty() && list.scene_instances.size() >= kShapesInstance)
         throw Error(ExitCode::kBadUsage, "a scene with shapes has at most 254 instances");
     return list;
@@ -46,7 +60,7 @@ std::vector<Bounds> boxesOf(const InstanceList& list) {
 struct TraceScene::State {
     State(std::shared_ptr<TraceDevice::State> on, const std::vector<std::string>& paths, const SceneOptions& options)
         : owner(std::move(on)), device{workerDevice(owner->device)}, programs(device.worker),
-          resident(device.worker, described(paths), options.memory), tree(boxesOf(resident.list())),
+          resident(device.worker, described(paths, options), options.memory), tree(boxesOf(resident.list())),
           slots(slotCount(), [this] { return createSlot(device.worker); }) {}
 
     /// Whether rays need not be traced from instance to instance.

@@ -9,6 +9,7 @@
 #include "format/base/error.h"
 #include "format/base/parallel.h"
 #include "format/set/core_splats.h"
+#include "runtime/device_scene/clip_planes.h"
 #include "runtime/device_scene/render_space.h"
 #include "runtime/device_scene/representative_tiles.h"
 
@@ -49,7 +50,17 @@ SampledSplat sampledSplat(const pro_splat& splat, const TileCube& cube, const Pl
             colorOf(file, splat)};
 }
 
-void addSplats(const DeviceScan& file, const Placement& placement, std::uint64_t step, SceneSample& sample) {
+/// An instance, and what clips keep of it.
+struct SampledInstance {
+    Placement placement;
+    std::vector<HalfSpace> kept;
+};
+
+void addIfKept(const SampledInstance& instance, const SampledSplat& splat, SceneSample& sample) {
+    if (isKept(instance.kept, splat.position)) sample.splats.push_back(splat);
+}
+
+void addSplats(const DeviceScan& file, const SampledInstance& instance, std::uint64_t step, SceneSample& sample) {
     const pro_info& info = file.info;
     const TileCube cube{{info.origin[0], info.origin[1], info.origin[2]}, info.scale};
     for (std::uint64_t i = 0; i < info.splat_count; i += step) {
@@ -57,7 +68,7 @@ void addSplats(const DeviceScan& file, const Placement& placement, std::uint64_t
         const std::uint32_t* const words = file.view.splats + PRO_SPLAT_WORDS * i;
         pro_splat_decode(words, info.radius_max, info.radius_step, &splat);
         if (pro_splat_is_ball(words)) std::fill(std::begin(splat.normal), std::end(splat.normal), 0.0f);
-        sample.splats.push_back(sampledSplat(splat, cube, placement, file));
+        addIfKept(instance, sampledSplat(splat, cube, instance.placement, file), sample);
     }
 }
 
@@ -77,7 +88,7 @@ std::uint64_t firstOf(std::size_t tile, std::uint64_t step) {
 }
 
 /// Throws Error kBadInput if a tile cannot be read; sample is unchanged then.
-void addTiles(const SceneSet& set, const Placement& placement, std::uint64_t step, SceneSample& sample) {
+void addTiles(const SceneSet& set, const SampledInstance& instance, std::uint64_t step, SceneSample& sample) {
     const TileSet& tiles = set.opened.set;
     const std::vector<TileShare> shares = representativeTiles(tiles, set.opened.children, kSplatsOfSet);
     std::vector<std::vector<pro_splat>> splats(shares.size());
@@ -89,18 +100,18 @@ void addTiles(const SceneSet& set, const Placement& placement, std::uint64_t ste
     for (std::size_t i = 0; i < shares.size(); ++i) {
         const TileCube cube = cubeOf(tiles, tiles.tiles[shares[i].tile]);
         for (const pro_splat& splat : splats[i])
-            sample.splats.push_back(sampledSplat(splat, cube, placement, set.root));
+            addIfKept(instance, sampledSplat(splat, cube, instance.placement, set.root), sample);
     }
 }
 
 /// Samples the root alone if a tile cannot be read. The error is reported later, when the tile is loaded.
-void addSet(const SceneSet& set, const Placement& placement, std::uint64_t step, SceneSample& sample) {
+void addSet(const SceneSet& set, const SampledInstance& instance, std::uint64_t step, SceneSample& sample) {
     try {
-        addTiles(set, placement, step, sample);
+        addTiles(set, instance, step, sample);
     } catch (const Error& error) {
         if (error.code != ExitCode::kBadInput) throw;
         const TileSet& tiles = set.opened.set;
-        addSplats(set.root, placement, stepThrough(tiles.tiles[0], tiles.splats, step), sample);
+        addSplats(set.root, instance, stepThrough(tiles.tiles[0], tiles.splats, step), sample);
     }
 }
 
@@ -124,30 +135,49 @@ std::vector<std::uint64_t> splatCounts(const DeviceScene& scene, const std::vect
     return counts;
 }
 
-} // namespace
+/// The splats of all instances that are sampled.
+std::uint64_t splatsOf(const DeviceScene& scene) {
+    const std::vector<std::uint64_t> counts = splatCounts(scene, representativeScans(scene));
+    return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+}
 
-SceneSample gatherSample(const DeviceScene& scene) {
+/// Takes one splat in `step`. clips: only those that they keep.
+SceneSample gather(const DeviceScene& scene, std::uint64_t step, bool clips) {
     SceneSample sample;
     const std::vector<const DeviceScan*> scans = representativeScans(scene);
-    const std::vector<std::uint64_t> counts = splatCounts(scene, scans);
-    const std::uint64_t splats = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
-    const std::uint64_t step = std::max<std::uint64_t>(1, splats / kSamples);
     sample.oriented = !scans.empty();
     for (std::size_t i = 0; i < scans.size(); ++i) {
         const DeviceScan& file = *scans[i];
-        const Placement& placement = scene.description.instances[i].placement;
+        const InstanceDescription& described = scene.description.instances[i];
+        SampledInstance instance{described.placement, {}};
+        if (clips) instance.kept = keptOf(scene.description, described);
         sample.oriented = sample.oriented && (file.info.flags & PRO_FLAG_ORIENTED) != 0;
         const auto set =
             std::find_if(scene.sets.begin(), scene.sets.end(), [&](const SceneSet& each) { return each.number == i; });
         if (set == scene.sets.end())
-            addSplats(file, placement, step, sample);
+            addSplats(file, instance, step, sample);
         else
-            addSet(*set, placement, step, sample);
-        addSensors(file, placement, sample);
-        sample.zeros.push_back(placement.translation);
+            addSet(*set, instance, step, sample);
+        addSensors(file, instance.placement, sample);
+        sample.zeros.push_back(instance.placement.translation);
     }
     sample.has_shapes = !scene.description.shapes.empty();
     return sample;
+}
+
+std::uint64_t stepFor(std::uint64_t splats, std::uint64_t samples) {
+    return std::max<std::uint64_t>(1, splats / samples);
+}
+
+} // namespace
+
+SceneSample gatherSample(const DeviceScene& scene) { return gather(scene, stepFor(splatsOf(scene), kSamples), false); }
+
+SceneSample gatherKeptSample(const DeviceScene& scene) {
+    const std::uint64_t splats = splatsOf(scene), step = stepFor(splats, kSamples);
+    SceneSample sample = gather(scene, step, true);
+    const std::uint64_t wanted = std::max(step * sample.splats.size() / kSamples, stepFor(splats, kSplatsOfSet));
+    return wanted < step ? gather(scene, wanted, true) : sample;
 }
 
 } // namespace pointrt

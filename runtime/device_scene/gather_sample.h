@@ -13,4 +13,7 @@ namespace pointrt {
 /// hundredths of a second whatever the size of the scene, more if tiles must be read from disk.
 SceneSample gatherSample(const DeviceScene& scene);
 
+/// The same of what the scene's clips keep. If that is little, more splats are read, up to 4 million.
+SceneSample gatherKeptSample(const DeviceScene& scene);
+
 } // namespace pointrt

@@ -6,7 +6,9 @@
 #include <optional>
 
 #include "format/base/error.h"
+#include "runtime/device_scene/clip_planes.h"
 #include "runtime/device_scene/render_space.h"
+#include "runtime/device_scene/scene_tiles.h"
 
 namespace pointrt {
 
@@ -37,8 +39,12 @@ public:
         for (const MaterialDescription& material : description.materials) add(material);
         for (const ShapeDescription& shape : description.shapes) addShape(shape);
         for (const LightDescription& light : description.lights) addLight(light);
-        for (const Instance& instance : scene.instances)
-            if (!sharesRows(instance)) addInstance(description.instances.at(instance.number), instance);
+        for (const Instance& instance : scene.instances) {
+            const InstanceDescription& described = description.instances.at(instance.number);
+            if (!sharesRows(instance)) addInstance(described, instance);
+            setClipPlanes(keptOf(description, described), described.placement, tracedFrame(scene.files[instance.file]),
+                          rows.instances.back());
+        }
         if (description.sky && !description.sky->image.empty()) addSkyLight();
     }
 
@@ -198,6 +204,7 @@ SceneRows makeSceneRows(const DeviceScene& scene, const SceneDescription& descri
                                        [](const SceneSet& each) { return each.opened.set.noise > 0; });
     if (hasGaussians(scene)) rows.features |= FEATURE_GAUSSIANS | (settings.relight ? FEATURE_RELIGHT : 0u);
     if (noisy || noisy_set) rows.features |= FEATURE_NOISE;
+    if (cutsInstances(description)) rows.features |= FEATURE_CLIPS;
     return rows;
 }
 

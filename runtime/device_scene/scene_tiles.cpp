@@ -246,15 +246,14 @@ void reportCoarse(SceneSet& set, double detail, std::uint64_t memory) {
                  shown.limit.c_str(), opened.full_cut.tiles.size(), shown.size.c_str());
 }
 
-/// The frame of a file, with the cube that its Gaussians are traced in.
+} // namespace
+
 pro_info tracedFrame(const DeviceScan& file) {
     pro_info frame = file.info;
     for (double& each : frame.origin) each -= 0.5 * (file.enlargement - 1) * frame.scale;
     frame.scale *= file.enlargement;
     return frame;
 }
-
-} // namespace
 
 gpu::InstanceParams makeInstanceParams(const RenderSpace& space, const DeviceScan& file, const Placement& placement,
                                        std::uint32_t number) {

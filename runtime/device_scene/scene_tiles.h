@@ -63,7 +63,9 @@ bool updateTiles(Device& device, DeviceScene& scene, const TileRequest& request)
 /// Makes scene.instances from the resident files, the scene's description and the cuts of its sets.
 void rebuildInstances(Device& device, DeviceScene& scene);
 
-/// The shader parameters of a placed file, except its materials.
+/// The frame of a file, with the cube that its Gaussians are traced in.
+pro_info tracedFrame(const DeviceScan& file);
+/// The shader parameters of a placed file, except its materials and clips.
 /// @param number of the instance in the description
 gpu::InstanceParams makeInstanceParams(const RenderSpace& space, const DeviceScan& file, const Placement& placement,
                                        std::uint32_t number);

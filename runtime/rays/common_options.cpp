@@ -21,6 +21,14 @@ std::uint64_t bytesOf(const std::string& text) {
     }
 }
 
+std::array<double, 6> boxOf(const std::string& text) {
+    try {
+        return parseBox(text);
+    } catch (const std::invalid_argument& reason) {
+        refuseUsage(std::string("--clip: ") + reason.what());
+    }
+}
+
 void checkStandardOutput(const CommonOptions& options, const std::string& what) {
     if (options.output != "-") return;
     if (options.stats == "-") refuseUsage("-o - and --stats - exclude each other: both write to standard output");
@@ -45,6 +53,16 @@ void addSceneAndOutput(CommandLine& app, CommonOptions& options, const std::stri
 }
 
 void addDeviceAndReport(CommandLine& app, CommonOptions& options) {
+    app.add_option_function<std::vector<std::string>>(
+           "--clip",
+           [&options](const std::vector<std::string>& texts) {
+               for (const std::string& text : texts) options.scene_options.clips.push_back(boxOf(text));
+           },
+           "Let rays hit only what is inside this box of scans, in their coordinates; of several boxes, what is inside "
+           "all of them. Shapes stay whole (default: everything)")
+        ->type_name("MINX,MINY,MINZ,MAXX,MAXY,MAXZ")
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     app.add_option_function<std::string>(
            "--memory", [&options](const std::string& text) { options.scene_options.memory = bytesOf(text); },
            "Memory limit for the tiles of sets, e.g. 4G or 500M (default 2G); a smaller limit reloads tiles, with the "

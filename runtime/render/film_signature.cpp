@@ -83,6 +83,14 @@ bool isInSignature(const Row& row, const RenderSettings& settings) {
     return !row.film.omits_default || settingOf(settings, row.member) != settingOf(RenderSettings{}, row.member);
 }
 
+/// What the enabled clips keep, each plane as its point and normal.
+std::string clipsText(const SceneDescription& description) {
+    std::string text;
+    for (const HalfSpace& each : keptHalfSpaces(description.clips))
+        text += (text.empty() ? "" : " ") + vectorText(each.point) + " " + vectorText(each.normal);
+    return text;
+}
+
 /// Removes the next "name=value" from text.
 std::string_view takeEntry(std::string_view& text) {
     const std::size_t end = text.find(kSeparator);
@@ -107,6 +115,8 @@ std::string filmSignature(const DeviceScene& scene, const RenderSettings& settin
     });
     std::string signature = "renderer=" POINTRT_VERSION + std::string(kSeparator) + "scene=" + sceneHash(scene);
     for (const auto& [place, entry] : entries) signature += std::string(kSeparator) + entry;
+    const std::string clips = clipsText(scene.description);
+    if (!clips.empty()) signature += std::string(kSeparator) + "clips=" + clips;
     return signature + (form == KernelForm::kMegakernel ? std::string(kSeparator) + kMegakernelEntry : "");
 }
 

@@ -3,12 +3,13 @@
 
 namespace pointrt {
 
-InstanceTraits traitsOf(const DeviceScan& file, bool oriented, bool is_tile) {
+InstanceTraits traitsOf(const DeviceScan& file, bool oriented, bool is_tile, bool clipped) {
     const bool has_balls = (file.info.flags & PRO_FLAG_BALLS) != 0;
     return {file.index.uneven != 0,
             oriented,
             file.noisy,
             is_tile,
+            clipped,
             has_balls,
             file.is_gaussian,
             file.harmonics_degree,
@@ -16,13 +17,15 @@ InstanceTraits traitsOf(const DeviceScan& file, bool oriented, bool is_tile) {
 }
 
 InstanceTraits traitsOf(const DeviceScene& scene, const Instance& instance) {
-    return traitsOf(scene.files[instance.file], instance.oriented, instance.tile.has_value());
+    return traitsOf(scene.files[instance.file], instance.oriented, instance.tile.has_value(),
+                    (scene.features & FEATURE_CLIPS) != 0);
 }
 
 std::vector<SpecConstant> traitConstants(const InstanceTraits& traits) {
     std::vector<SpecConstant> values{{SPEC_UNEVEN, traits.uneven},       {SPEC_ORIENTED, traits.oriented},
                                      {SPEC_NOISY, traits.noisy},         {SPEC_CLIPS_TO_CORE, traits.clips_to_core},
-                                     {SPEC_HAS_BALLS, traits.has_balls}, {SPEC_HARMONICS, traits.harmonics}};
+                                     {SPEC_HAS_BALLS, traits.has_balls}, {SPEC_HARMONICS, traits.harmonics},
+                                     {SPEC_CLIPPED, traits.clipped}};
     if (!isPaged(traits.pages)) return values;
     for (const SpecConstant& each : pageConstants(traits.pages)) values.push_back(each);
     return values;

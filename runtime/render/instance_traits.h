@@ -12,18 +12,18 @@
 
 namespace pointrt {
 
-/// Whether an instance is uneven, oriented, noisy, a tile clipped to its core, and may have balls
+/// Whether an instance is uneven, oriented, noisy, a tile clipped to its core, cut by clips, and may have balls
 /// (shaders/trace/instance.glsl), whether it holds Gaussians, and the pages of its buffers (shaders/lib/pages.glsl).
 struct InstanceTraits {
-    bool uneven = false, oriented = false, noisy = false, clips_to_core = false, has_balls = false;
+    bool uneven = false, oriented = false, noisy = false, clips_to_core = false, clipped = false, has_balls = false;
     bool is_gaussian = false;
     std::uint32_t harmonics = 0; ///< degree of the Gaussians' harmonics
     PageCounts pages;            ///< all 0 if every buffer has a single page
     auto operator<=>(const InstanceTraits&) const = default;
 };
 
-/// is_tile: hits are clipped to the core.
-InstanceTraits traitsOf(const DeviceScan& file, bool oriented, bool is_tile);
+/// is_tile: hits are clipped to the core. clipped: the scene has clips.
+InstanceTraits traitsOf(const DeviceScan& file, bool oriented, bool is_tile, bool clipped);
 InstanceTraits traitsOf(const DeviceScene& scene, const Instance& instance);
 
 /// Specialization constants for the traits; those of pages only if there are several pages.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "runtime/device_scene/clip_planes.h"
+#include "runtime/device_scene/color_choice.h"
 #include "runtime/device_scene/gather_sample.h"
 #include "runtime/device_scene/scene_rows.h"
 #include "runtime/device_scene/scene_tiles.h"
@@ -28,7 +30,7 @@ Camera framedCamera(const LoadedScene& loaded, const CameraRequest& request) {
 /// The request resolved for the current scene.
 FramedRequest framed(const LoadedScene& loaded, const CameraRequest& request, const LoadRequest& load) {
     const Vec3 up = sceneUp(loaded.scene.description, loaded.settings);
-    return frameScene(request, loaded.sample, up, {aspectOf(loaded.settings), load.free_share}, load.fov_is_free);
+    return frameScene(request, loaded.kept_sample, up, {aspectOf(loaded.settings), load.free_share}, load.fov_is_free);
 }
 
 /// The bounds without strays far outside the rest. For clean scans exactly the bounds; for scans of a few large discs,
@@ -57,12 +59,23 @@ bool holdsOnlyGaussians(const DeviceScene& scene) {
            std::all_of(scans.begin(), scans.end(), [](const DeviceScan* scan) { return scan->is_gaussian; });
 }
 
+/// The heights of what clips keep, if there are any.
+std::optional<ValueRange> keptHeights(const SceneSample& kept, Vec3 up) {
+    std::vector<double> heights;
+    for (const SampledSplat& splat : kept.splats) heights.push_back(dot(splat.position, up));
+    if (heights.empty()) return std::nullopt;
+    const Extent extent = extentOfMost(heights);
+    return extent.size() > 0 ? std::optional(ValueRange{extent.low, extent.high}) : std::nullopt;
+}
+
 void chooseColorsByDefault(LoadedScene& loaded) {
     const Vec3 up = sceneUp(loaded.scene.description, loaded.settings);
     const std::optional<DefaultColors> colors = defaultColors(loaded.scene, loaded.sample, up);
     if (!colors) return;
     loaded.settings.color_by = colors->color_by;
     if (!loaded.settings.color_range) loaded.settings.color_range = colors->range;
+    if (!loaded.settings.color_range && colors->color_by == kHeight && cutsInstances(loaded.scene.description))
+        loaded.settings.color_range = keptHeights(loaded.kept_sample, up);
     loaded.colored_by_default = true;
 }
 
@@ -70,13 +83,13 @@ void chooseColorsByDefault(LoadedScene& loaded) {
 /// and it may be darker or brighter than the rest of the scan.
 StudioSubject subjectOf(const LoadedScene& loaded, const Camera& camera, const FramedRequest& view) {
     constexpr double kViridisMean = 0.28; // of its 256 colours
-    StudioSubject subject{brightReflectance(loaded.sample), view.within,
+    StudioSubject subject{brightReflectance(loaded.kept_sample), view.within,
                           holdsOnlyGaussians(loaded.scene) && !loaded.settings.relight, view.walls,
-                          meanReflectance(loaded.sample)};
+                          meanReflectance(loaded.kept_sample)};
     subject.lowest = lowestIfTilted(loaded.sample, sceneUp(loaded.scene.description, loaded.settings));
     if (!view.within) return subject;
     const ViewBasis basis{camera.right, camera.up, camera.forward};
-    const SceneSample visible = visibleFrom(loaded.sample, camera.eye, basis, camera.fov_deg);
+    const SceneSample visible = visibleFrom(loaded.kept_sample, camera.eye, basis, camera.fov_deg);
     subject.reflectance = loaded.colored_by_default ? kViridisMean : meanReflectance(visible);
     return subject;
 }
@@ -93,12 +106,30 @@ void chooseIntegratorByDefault(LoadedScene& loaded) {
     loaded.subject.is_ground = placeKindOf(loaded.scene, loaded.sample, up) == PlaceKind::kSite;
 }
 
+/// Cuts the scene, and turns the cameras to the cut if they face it.
+void applySection(LoadedScene& loaded, const LoadRequest& request, CameraRequest& staging) {
+    SceneDescription& scene = loaded.scene.description;
+    const Section section = makeSection(*request.section, sceneUp(scene, loaded.settings));
+    scene.clips.insert(scene.clips.end(), section.clips.begin(), section.clips.end());
+    requireFewHalfSpaces(scene.clips);
+    if (!request.faces_section) return;
+    if (!scene.up) scene.up = sceneUp(scene, loaded.settings); // the camera of a plan has an up of its own
+    for (CameraRequest* camera : {&loaded.settings.camera, &staging}) {
+        if (!request.settings.camera.up) camera->up = section.up;
+        camera->side = section.side;
+        camera->keeps_side = true;
+    }
+    loaded.section_camera = loaded.settings.camera;
+}
+
 /// Adds surroundings to the scene, selects its tiles and uploads all tables.
 void prepareScene(Device& device, LoadedScene& loaded, const LoadRequest& request) {
     DeviceScene& scene = loaded.scene;
     CameraRequest staging = request.staging;
     resolveUp(scene.description, loaded.settings.camera, staging, {knownUp(scene), request.fallback_up});
+    if (request.section) applySection(loaded, request, staging);
     loaded.sample = gatherSample(scene);
+    loaded.kept_sample = cutsInstances(scene.description) ? gatherKeptSample(scene) : loaded.sample;
     loaded.free_share = request.free_share;
     loaded.shown = shownBounds(scene, loaded.sample, sceneUp(scene.description, loaded.settings));
     if (request.chooses_colors) chooseColorsByDefault(loaded);

@@ -15,6 +15,7 @@
 #include "runtime/scene/default_lighting.h"
 #include "runtime/scene/render_settings.h"
 #include "runtime/scene/scene_sample.h"
+#include "runtime/scene/section.h"
 #include "runtime/scene/turntable.h"
 
 namespace pointrt {
@@ -41,10 +42,12 @@ struct LoadedScene {
     SceneDescription described; ///< as in its file, made upright; scene.description also has surroundings
     RenderSettings settings;    ///< that its tables were built for
     Camera camera;              ///< the initial camera
-    Vec3 staged_for;            ///< the eye that its surroundings were made for, world frame
-    SceneSample sample;         ///< of the splats of its scans
-    Bounds shown;               ///< bounds of the scene without strays
-    std::optional<Vec3> pivot;  ///< centre of what the initial camera shows, if it was framed automatically
+    std::optional<CameraRequest> section_camera; ///< looks at the section of the request; not framed yet
+    Vec3 staged_for;                             ///< the eye that its surroundings were made for, world frame
+    SceneSample sample;        ///< of the splats of its scans, for surroundings, which clips do not move
+    SceneSample kept_sample;   ///< of those that clips keep, for framing and exposure
+    Bounds shown;              ///< bounds of the scene without strays
+    std::optional<Vec3> pivot; ///< centre of what the initial camera shows, if it was framed automatically
     StudioSubject subject;
     bool colored_by_default = false; ///< settings.color_by is of defaultColors
     double free_share = 1;           ///< LoadRequest::free_share
@@ -61,17 +64,19 @@ TurntableAxis turntableAxis(const LoadedScene& loaded);
 struct LoadRequest {
     SceneDescription scene;
     RenderSettings settings;
-    CameraRequest staging;              ///< surroundings are made for this camera: that of the settings without a view
-    std::optional<TracerSize> size;     ///< of the tracer; none: for frames of the settings' size
-    std::optional<Vec3> fallback_up;    ///< if neither scene nor scans define it; none: that of the camera
-    bool chooses_colors = false;        ///< color scans without colour by defaultColors
-    bool chooses_integrator = false;    ///< path trace scans seen from outside that are lit by default
-    bool fov_is_free = false;           ///< not specified by the user: framing may widen it
-    double free_share = 1;              ///< uncovered share of the picture's width, from the left
-    std::uint64_t memory = kTileMemory; ///< bytes, for pictures of sets
-    bool roots_alone = false;           ///< load only the root tiles of sets now; others follow later
-    std::uint32_t turntable = 0;        ///< pictures of the turntable to select tiles for; 0: the initial camera only
-    bool refines_tiles = false;         ///< also refine tiles outside the views where secondary rays hit them
+    CameraRequest staging;          ///< surroundings are made for this camera: that of the settings without a view
+    std::optional<TracerSize> size; ///< of the tracer; none: for frames of the settings' size
+    std::optional<SectionRequest> section; ///< adds clips to the scene
+    bool faces_section = false;            ///< the cameras of settings and staging look at the section
+    std::optional<Vec3> fallback_up;       ///< if neither scene nor scans define it; none: that of the camera
+    bool chooses_colors = false;           ///< color scans without colour by defaultColors
+    bool chooses_integrator = false;       ///< path trace scans seen from outside that are lit by default
+    bool fov_is_free = false;              ///< not specified by the user: framing may widen it
+    double free_share = 1;                 ///< uncovered share of the picture's width, from the left
+    std::uint64_t memory = kTileMemory;    ///< bytes, for pictures of sets
+    bool roots_alone = false;              ///< load only the root tiles of sets now; others follow later
+    std::uint32_t turntable = 0; ///< pictures of the turntable to select tiles for; 0: the initial camera only
+    bool refines_tiles = false;  ///< also refine tiles outside the views where secondary rays hit them
     bool verbose = false;
     FormRequest form; ///< of its kernels
 };

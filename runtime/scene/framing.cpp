@@ -121,7 +121,8 @@ FramedRequest frameScene(const CameraRequest& request, const SceneSample& all, V
     const SceneSample sample = withoutStrays(all);
     // an --up other than the scene's only rotates the picture: keep the side of the request
     const bool tilted = !request.view && request.up && length(cross(*request.up, up)) > 1e-6 * length(*request.up);
-    const ViewChoice choice = tilted ? ViewChoice{request.side, {}} : chosen(request, thinned(sample), up);
+    const bool from_side = tilted || request.keeps_side;
+    const ViewChoice choice = from_side ? ViewChoice{request.side, {}} : chosen(request, thinned(sample), up);
     const Vec3 picture_up = request.view ? upIn(*request.view, up) : tilted ? *request.up : up;
     const Vec3 level = usable(picture_up, choice.side);
     if (!choice.eye || request.ortho || request.ortho_height)

@@ -32,7 +32,8 @@ struct CameraRequest {
     bool ortho = false;  ///< parallel projection; implied by ortho_height
     /// Height of the picture in the scene, input units, above 0; none: shows the whole scene.
     std::optional<double> ortho_height;
-    Vec3 side{0, 0, 1}; ///< unit vector from the target to the eye, used if eye is none
+    Vec3 side{0, 0, 1};      ///< unit vector from the target to the eye, used if eye is none
+    bool keeps_side = false; ///< frameScene looks from side, not from where it shows most
     /// The view for frameScene if eye is none; none: chosen automatically.
     std::optional<StandardView> view;
     bool operator==(const CameraRequest&) const = default;

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "runtime/scene/clip.h"
 #include "runtime/scene/light.h"
 #include "runtime/scene/material_kinds.h"
 #include "runtime/scene/render_settings.h"
@@ -70,6 +71,7 @@ struct InstanceDescription {
     Placement placement;
     std::optional<std::uint32_t> material;   ///< for all splats, instead of the scan's materials
     std::vector<MaterialOverride> overrides; ///< later ones take precedence; at most 8 colour ranges
+    bool clipped = true;                     ///< cut by the scene's clips
     bool operator==(const InstanceDescription&) const = default;
 };
 
@@ -118,6 +120,7 @@ struct SceneDescription {
     std::string path; ///< of the scene file, for messages
     std::vector<MaterialDescription> materials;
     std::vector<InstanceDescription> instances; ///< at most 254
+    std::vector<ClipDescription> clips;         ///< cut the instances
     std::vector<ShapeDescription> shapes;
     std::vector<LightDescription> lights;
     std::optional<SkyDescription> sky;

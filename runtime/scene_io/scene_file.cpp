@@ -91,7 +91,7 @@ void readWhole(const SceneValue& file, SceneDescription& scene) {
     std::vector<std::string_view> keys = settingKeys(FileTable::kScene);
     keys.insert(keys.begin(), "up");
     keys.insert(keys.end(),
-                {"staged_for", "camera", "view", "render", "instance", "material", "shape", "light", "sky"});
+                {"staged_for", "camera", "view", "render", "instance", "clip", "material", "shape", "light", "sky"});
     requireKnownKeys(file, "a scene", keys);
     readSettings(file, FileTable::kScene, scene.render);
     if (const auto up = find(file, "up")) readUp(*up, scene);
@@ -113,6 +113,7 @@ SceneDescription parseScene(std::string_view text, const std::string& path) {
     readWhole(file, reading.scene);
     readMaterials(file, reading);
     readInstances(file, reading);
+    readClips(file, reading);
     readShapes(file, reading);
     readLights(file, reading);
     readSky(file, reading);

@@ -93,6 +93,7 @@ std::string sceneText(const SceneDescription& scene, const std::string& scene_di
     writeSky(writing);
     writeMaterials(writing);
     writeInstances(writing);
+    writeClips(writing);
     writeShapes(writing);
     writeLights(writing);
     return writing.text;

@@ -47,6 +47,7 @@ void writeInstance(SceneWriting& writing, const InstanceDescription& instance) {
         put(writing, "rotate", "{ matrix = " + tomlOf(placement.rotation) + " }");
     if (placement.translation != Vec3{}) put(writing, "translate", tomlOf(placement.translation));
     if (instance.material) put(writing, "material", tomlOf(writing.material_names.at(*instance.material)));
+    if (!instance.clipped) put(writing, "clip", "false");
     for (const MaterialOverride& over : instance.overrides) writeOverride(writing, over);
 }
 

@@ -31,6 +31,7 @@ void writeSettings(SceneWriting& writing, FileTable table);
 void writeRender(SceneWriting& writing);
 void writeMaterials(SceneWriting& writing);
 void writeInstances(SceneWriting& writing);
+void writeClips(SceneWriting& writing);
 void writeShapes(SceneWriting& writing);
 void writeLights(SceneWriting& writing);
 

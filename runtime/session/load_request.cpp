@@ -20,6 +20,21 @@ bool leavesIntegrator(const Options& options) {
     return is_picture && !isSceneFile(options.scene) && !is_limited && !is_sampled && !is_lit && !is_shaded;
 }
 
+/// Whether the camera looks at the section: no option places it elsewhere.
+bool facesSection(const Options& options) {
+    return options.section && !options.camera.eye && !options.camera.target && options.view.empty();
+}
+
+/// The lens of the camera that looks at the section, and an up that only rotates the picture.
+CameraRequest sectionCamera(const Options& options) {
+    CameraRequest camera;
+    if (!options.up_axis) camera.up = options.camera.up;
+    camera.ortho = !options.fov_deg;
+    camera.ortho_height = options.camera.ortho_height;
+    camera.fov_deg = options.fov_deg.value_or(camera.fov_deg);
+    return camera;
+}
+
 } // namespace
 
 LoadRequest loadRequest(const Options& options, SceneDescription scene) {
@@ -29,6 +44,9 @@ LoadRequest loadRequest(const Options& options, SceneDescription scene) {
     // lamps are placed for the scene's own camera, or else for the requested standard view
     if (!standardView(options, scene) || scene.camera.eye) without_view.view.clear();
     request.staging = resolveSettings(without_view, scene).camera;
+    request.section = options.section;
+    request.faces_section = facesSection(options);
+    if (request.faces_section) request.settings.camera = request.staging = sectionCamera(options);
     request.fov_is_free = !options.fov_deg && request.settings.camera.fov_deg == CameraRequest{}.fov_deg;
     // scene files and other options say how scans look
     const RenderChoices& said = options.choices;

@@ -137,6 +137,30 @@ OptionGroup cameraOptions() {
         {}};
 }
 
+OptionGroup clipOptions() {
+    return {
+        "Clips and sections (in the coordinates of the scan)",
+        {{"--clip",
+          "MINX,MINY,MINZ,MAXX,MAXY,MAXZ",
+          "Show only what is inside this box of scans and Gaussians, for all rays; shapes, lights and rooms stay "
+          "whole. "
+          "Of several boxes, what is inside all of them; a scene file's [[clip]] adds planes and turned boxes "
+          "(default: "
+          "everything)",
+          [](Options& o, const std::string& text) { o.clips.push_back(clipBox(parseBox(text))); },
+          {},
+          nullptr,
+          true},
+         {"--section", "PLANE",
+          "Cut the scan open and look at the cut in parallel projection. z=1.2 is a floor plan of what is below that "
+          "height (if z is up), y=3 and x=3 are upright sections, with the other coordinate growing to the right; "
+          "-y=3 shows the other half from the other side. X0,Y0,X1,Y1 is an upright section from a point of the plan, "
+          "on the left, to another. With a thickness, as in y=3:0.5, only a slice remains, half on either side. "
+          "--eye, --target and --view only change the camera (default: off)",
+          [](Options& o, const std::string& text) { o.section = parseSection(text); }}},
+        {}};
+}
+
 OptionGroup camerasOptions() {
     return {
         "Batch rendering (cameras in the coordinates of the scan)",
@@ -215,9 +239,14 @@ OptionGroup runOptions() {
 } // namespace
 
 std::vector<OptionGroup> optionGroups() {
-    return {
-        imageOptions(),   qualityOptions(), cameraOptions(), {"Light and surfaces", {}, HelpGroup::kLightAndSurfaces},
-        camerasOptions(), windowOptions(),  runOptions()};
+    return {imageOptions(),
+            qualityOptions(),
+            cameraOptions(),
+            clipOptions(),
+            {"Light and surfaces", {}, HelpGroup::kLightAndSurfaces},
+            camerasOptions(),
+            windowOptions(),
+            runOptions()};
 }
 
 } // namespace pointrt

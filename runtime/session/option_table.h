@@ -21,6 +21,7 @@ struct OptionRow {
     void (*set)(Options& options, const std::string& text) = nullptr;
     std::string completes = {};    ///< values that shells offer, see completes() of command_line.h
     bool Options::*flag = nullptr; ///< for a switch, which has no placeholder
+    bool repeats = false;          ///< set is called for each of several values
 };
 
 struct OptionGroup {

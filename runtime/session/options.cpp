@@ -55,9 +55,26 @@ void add(CommandLine& app, const std::string& names, const char* placeholder, co
     completes(app, name, candidates);
 }
 
+/// An option that may be given several times, each with one value.
+void addRepeated(CommandLine& app, const OptionRow& row, Options& options) {
+    const auto setAll = [&options, set = row.set, name = row.names](const std::vector<std::string>& texts) {
+        for (const std::string& text : texts) try {
+                set(options, text);
+            } catch (const std::invalid_argument& error) {
+                throw Error{ExitCode::kBadUsage, std::string(name) + ": " + error.what()};
+            }
+    };
+    app.add_option_function<std::vector<std::string>>(row.names, setAll, row.help)
+        ->type_name(row.placeholder)
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 void addRow(CommandLine& app, const OptionRow& row, Options& options) {
     if (row.flag)
         app.add_flag(row.names, options.*row.flag, row.help);
+    else if (row.repeats)
+        addRepeated(app, row, options);
     else
         add(app, row.names, row.placeholder, row.help, row.completes,
             [&options, set = row.set](const std::string& text) { set(options, text); });

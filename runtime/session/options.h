@@ -9,7 +9,9 @@
 
 #include "runtime/device_scene/cut.h"
 #include "runtime/render/frame_limits.h"
+#include "runtime/scene/clip.h"
 #include "runtime/scene/render_settings.h"
+#include "runtime/scene/section.h"
 
 namespace pointrt {
 
@@ -27,14 +29,16 @@ struct Options {
     std::string scene;                     ///< the scene to open: the input, or the .pro baked from scans
     std::string source;                    ///< what users know scene by, such as the scan it was baked from; empty:
                                            ///< by its own name
-    std::string output;            ///< FILE.png, FILE.exr or "-", or a folder with cameras; empty with a window,
-                                   ///< bench_frames or list_devices
-    std::string device;            ///< a selector, see DeviceRequest
-    std::string stats;             ///< file for the report, "-" for standard output, empty for none
-    RenderChoices choices;         ///< the rows of render_setting_table.h
-    CameraRequest camera;          ///< without its fov_deg
-    std::optional<Vec3> up_axis;   ///< also the scene's up unless that has one; also in camera
-    std::optional<double> fov_deg; ///< none: not given
+    std::string output;                 ///< FILE.png, FILE.exr or "-", or a folder with cameras; empty with a window,
+                                        ///< bench_frames or list_devices
+    std::string device;                 ///< a selector, see DeviceRequest
+    std::string stats;                  ///< file for the report, "-" for standard output, empty for none
+    RenderChoices choices;              ///< the rows of render_setting_table.h
+    CameraRequest camera;               ///< without its fov_deg
+    std::optional<Vec3> up_axis;        ///< also the scene's up unless that has one; also in camera
+    std::optional<double> fov_deg;      ///< none: not given
+    std::vector<ClipDescription> clips; ///< boxes, besides the clips of the scene file
+    std::optional<SectionRequest> section;
     FrameLimits limits;
     std::optional<std::uint64_t> memory; ///< bytes for the tiles of sets; none: kTileMemory
     std::string view;                    ///< name of a view, empty: the scene's camera

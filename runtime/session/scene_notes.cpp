@@ -10,6 +10,7 @@
 #include "format/base/up_text.h"
 #include "pointrt/pro_layout.h"
 #include "runtime/scene_io/scene_file.h"
+#include "runtime/util/parse.h"
 
 namespace pointrt {
 namespace {
@@ -85,6 +86,10 @@ std::vector<std::string> sceneNotes(const LoadedScene& loaded, bool up_is_given)
     if (loaded.colored_by_default)
         notes.push_back("the scan has no colours: it is coloured by " + loaded.settings.color_by +
                         " (--color-by rgb turns that off)");
+    const double height = loaded.camera.ortho_height;
+    if (loaded.section_camera && height > 0)
+        notes.push_back("the picture of the section is " + plainText(height) + " units high, " +
+                        plainText(height / loaded.settings.height) + " a pixel (--ortho sets the height)");
     return notes;
 }
 

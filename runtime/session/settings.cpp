@@ -89,11 +89,13 @@ SceneDescription describeScene(const Options& options) {
         scene = readSceneFile(options.scene);
         if (!options.source.empty()) scene.path = options.source;
         if (!scene.up) scene.up = options.up_axis;
-        return scene;
+    } else {
+        scene.path = options.source.empty() ? options.scene : options.source;
+        scene.instances.push_back({options.scene, {}, {}, {}});
+        scene.up = options.up_axis;
     }
-    scene.path = options.source.empty() ? options.scene : options.source;
-    scene.instances.push_back({options.scene, {}, {}, {}});
-    scene.up = options.up_axis;
+    scene.clips.insert(scene.clips.end(), options.clips.begin(), options.clips.end());
+    requireFewHalfSpaces(scene.clips);
     return scene;
 }
 

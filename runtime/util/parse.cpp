@@ -12,6 +12,21 @@ namespace {
 
 std::string shown(const std::string& text) { return "\"" + printable(text) + "\""; }
 
+/// Finite numbers separated by commas. False if there are not N of them.
+template <std::size_t N>
+bool parseNumbers(const std::string& text, std::array<double, N>& values) {
+    std::size_t start = 0;
+    for (std::size_t i = 0; i < N; ++i) {
+        const std::size_t comma = text.find(',', start);
+        const bool last = comma == std::string::npos;
+        if (last != (i + 1 == N) || !parseNumber(text.substr(start, comma - start), values[i]) ||
+            !std::isfinite(values[i]))
+            return false;
+        start = comma + 1;
+    }
+    return true;
+}
+
 } // namespace
 
 std::string plainText(double value) {
@@ -70,16 +85,21 @@ double parseAngle(const std::string& text) {
 }
 
 Vec3 parseVector(const std::string& text) {
-    double values[3] = {};
-    std::size_t start = 0;
-    for (int i = 0; i < 3; ++i) {
-        const std::size_t comma = text.find(',', start);
-        const bool last = comma == std::string::npos;
-        if (last != (i == 2) || !parseNumber(text.substr(start, comma - start), values[i]) || !std::isfinite(values[i]))
-            throw std::invalid_argument(shown(text) + " is not X,Y,Z with three finite numbers");
-        start = comma + 1;
-    }
+    std::array<double, 3> values{};
+    if (!parseNumbers(text, values))
+        throw std::invalid_argument(shown(text) + " is not X,Y,Z with three finite numbers");
     return {values[0], values[1], values[2]};
+}
+
+std::array<double, 6> parseBox(const std::string& text) {
+    std::array<double, 6> box{};
+    if (!parseNumbers(text, box))
+        throw std::invalid_argument(shown(text) + " is not MINX,MINY,MINZ,MAXX,MAXY,MAXZ with six finite numbers");
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (!(box[axis] < box[axis + 3]))
+            throw std::invalid_argument("in " + shown(text) + " the minimum of " + "xyz"[axis] +
+                                        " is not below its maximum");
+    return box;
 }
 
 bool parseHexColor(std::string_view text, std::array<std::uint8_t, 3>& color) {

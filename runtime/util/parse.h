@@ -44,6 +44,9 @@ double parseAngle(const std::string& text);
 /// "X,Y,Z" as three finite numbers.
 Vec3 parseVector(const std::string& text);
 
+/// "MINX,MINY,MINZ,MAXX,MAXY,MAXZ" as six numbers, each minimum below its maximum.
+std::array<double, 6> parseBox(const std::string& text);
+
 /// "#RRGGBB", with hexadecimal digits of either case. Returns false, without an exception, for other text.
 bool parseHexColor(std::string_view text, std::array<std::uint8_t, 3>& color);
 

@@ -66,7 +66,7 @@ void main() {
     GaussianRay ray = gaussianRay(path.origin, path.direction, uintBitsToFloat(hit.x) * cubeScale(), enters);
     GaussianLight stored = GaussianLight(vec4(0.0, 0.0, 0.0, 1.0), vec4(0.0), vec4(vec3(0.0), kWalkEnded));
     if (live && (!hasStep(STEP_FIRST) || hasStep(STEP_RESUME))) stored = gaussian_light[index];
-    GaussianHit last = GaussianHit(-ray.t_start, NO_INDEX, 0.0);
+    GaussianHit last = GaussianHit(ray.t_min, NO_INDEX, 0.0);
     if (hasStep(STEP_RESUME)) last = GaussianHit(stored.last.x, floatBitsToUint(stored.last.y), 0.0);
     live = live && last.t < kWalkEnded;
 

@@ -66,6 +66,7 @@ void main() {
     uint count = starts ? 0u : waiting_gaussians[index].count;
     GaussianRay ray = gaussianRay(path.origin, path.direction, t_max * cubeScale(), enters);
     float from = earlier(lastComposited(index).t, ray);
+    if (kClipped) from = max(from, ray.t_min);
     GaussianHits hits = resumeGaussianHits(ray, enters, GaussianHit(from, 0u, 0.0));
     gatherAlong(index, hits, count, live);
     if (live) waiting_gaussians[index].count = count;

@@ -24,6 +24,7 @@ namespace pointrt::gpu {
 #define FEATURE_LIGHT(kind) (1u << uint(kind))
 #define FEATURE_MATERIAL(kind) (1u << (8u + uint(kind)))
 #define FEATURE_SHAPE(kind) (1u << (16u + uint(kind)))
+#define FEATURE_CLIPS (1u << 25)      // clips cut some instance
 #define FEATURE_RELIGHT (1u << 26)    // Gaussians are surfaces that the scene lights
 #define FEATURE_GAUSSIANS (1u << 27)  // some instance holds Gaussians
 #define FEATURE_HIGHLIGHTS (1u << 28) // some material has a Phong highlight

@@ -40,6 +40,10 @@ struct Shape {
 
 #define MAX_COLOR_RANGES 8
 
+// Half-spaces that the clips of a scene may have together: five boxes and two planes. Every instance has a copy of 512
+// bytes, which keeps the parameters of thousands of tiles within a few megabytes.
+#define MAX_CLIP_PLANES 32
+
 // One .pro in the scene: the transform of its cube, its encoding and its materials. All tiles of a set share the number
 // and materials of the set's instance; the hits of each are clipped to its core.
 struct InstanceParams {
@@ -50,19 +54,20 @@ struct InstanceParams {
     vec4 grid_scale;   // x: entry grid cells per cube unit, y: one position step in cells
     uvec4 grid_origin; // xyz: lowest cell, in cells from the cube's corner; w: tiles: 1 + number in the set, else 0
     uvec4 grid_size;   // xyz: cells; w: place among the scene's instances
-    uvec4 grid_words;  // x: words per layer, y: index of the last word, z: index of the last brick word
+    uvec4 grid_words;  // x: words per layer, y: index of the last word, z: index of the last brick word, w: clip planes
     uvec4 materials; // x: number of this instance, y: first material, z: number of colour ranges, w: 1: casts caustics
     vec4 core_low;   // tiles: corners of the core, grid units; w: margin for rounding of a ray's position
     vec4 core_high;  // w: factor of splat radii for self-intersection distances (shaders/trace/offset.glsl)
     vec4 harmonics;  // Gaussians: largest harmonics of degree 1, 2, 3, which those of each Gaussian are shares of
     uvec4 color_range[MAX_COLOR_RANGES]; // x, y: lowest and highest sRGB, 8 bits each, red lowest; z: material
+    vec4 clip_planes[MAX_CLIP_PLANES];   // in the cube: points p with dot(xyz, p) >= w are kept; xyz: unit length
 };
 
 #ifdef __cplusplus
 POINTRT_ROWS(Material, MATERIAL_VECTORS);
 POINTRT_ROWS(Shape, SHAPE_VECTORS);
 POINTRT_ROWS(Light, LIGHT_VECTORS);
-POINTRT_ROWS(InstanceParams, 12 + MAX_COLOR_RANGES);
+POINTRT_ROWS(InstanceParams, 12 + MAX_COLOR_RANGES + MAX_CLIP_PLANES);
 } // namespace pointrt::gpu
 #endif
 

@@ -48,6 +48,8 @@ enum class SpecId : std::uint32_t {};
 #define SPEC_HARMONICS POINTRT_SPEC(24)
 // Whether the megakernel leaves its loop after one bounce.
 #define SPEC_ONE_BOUNCE POINTRT_SPEC(25)
+// Whether the scene has clips.
+#define SPEC_CLIPPED POINTRT_SPEC(26)
 // Display pipeline and denoiser.
 #define SPEC_HAS_FIRST_HITS POINTRT_SPEC(14)
 #define SPEC_KNOWS_VARIANCE POINTRT_SPEC(15)

@@ -212,7 +212,7 @@ const float kBallOffset = 1.0 / 8.0;
 BlendedSurface ballSurface(uint splat, uvec4 words, float t, vec3 origin, vec3 direction) {
     float radius = splatRadius(words, instance.splat);
     vec3 center = splatPosition(words), start = origin - center, normal = normalize(origin + t * direction - center);
-    bool back = dot(start, start) < radius * radius;
+    bool back = kClipped ? dot(normal, direction) > 0.0 : dot(start, start) < radius * radius;
     normal = bentToViewer(back ? -normal : normal, direction); // rays that graze the quantized ball may pass this one
     return BlendedSurface(t, normal, splatColor(words), kBallOffset * radius, splatMaterial(words), splat, back, true,
                           0.0);

@@ -63,7 +63,7 @@ GaussianHits resumeGaussianHits(GaussianRay ray, bool enters, GaussianHit last) 
 }
 
 GaussianHits startGaussianHits(GaussianRay ray, bool enters) {
-    return resumeGaussianHits(ray, enters, GaussianHit(-ray.t_start, NO_INDEX, 0.0));
+    return resumeGaussianHits(ray, enters, GaussianHit(ray.t_min, NO_INDEX, 0.0));
 }
 
 // No hit at or after this counts any more.

@@ -8,6 +8,7 @@
 #ifndef POINTRT_SHADERS_GAUSSIAN_WALK_GLSL
 #define POINTRT_SHADERS_GAUSSIAN_WALK_GLSL
 #include "shaders/shared/gaussian_layout.h"
+#include "shaders/trace/clip.glsl"
 #include "shaders/trace/gaussian_end.glsl"
 #include "shaders/trace/instance.glsl"
 
@@ -20,6 +21,7 @@ struct GaussianRay {
     vec3 origin;
     vec3 direction; // unit length
     float t_start;  // distance of that point from the ray's own origin
+    float t_min;    // from there: no peak before this counts; the ray's own origin, or where it enters what clips keep
     float t_max;    // from there
 };
 
@@ -34,16 +36,19 @@ struct GaussianWalk {
     bool leaves;   // the node's children have been visited
 };
 
-// The ray of the cube.
+// The ray of the cube. Clips cut Gaussians at their peaks along the ray.
 GaussianRay gaussianRayInCube(vec3 from, vec3 way, float t_max, out bool enters) {
     vec3 inverse = 1.0 / mix(way, vec3(1e-20), lessThan(abs(way), vec3(1e-20)));
     vec3 to_low = -from * inverse, to_high = (1.0 - from) * inverse;
     vec3 near = min(to_low, to_high), far = max(to_low, to_high);
     float first = max(max(near.x, near.y), near.z), last = min(min(far.x, far.y), far.z);
+    vec2 kept = kClipped ? keptInterval(from, way) : vec2(0.0);
+    if (kClipped) t_max = min(t_max, kept.y);
     enters = first <= last && last > 0.0 && first < t_max;
     // rays beside the cube start where they pass its centre
     float t_start = max(enters ? first : dot(vec3(0.5) - from, way), 0.0);
-    return GaussianRay(from + t_start * way, way, t_start, t_max - t_start);
+    float t_min = kClipped ? max(kept.x, 0.0) - t_start : -t_start;
+    return GaussianRay(from + t_start * way, way, t_start, t_min, t_max - t_start);
 }
 
 // The ray of render space, with t_max in cube units.

@@ -13,6 +13,8 @@ layout(constant_id = SPEC_ORIENTED) const bool kOriented = false;
 layout(constant_id = SPEC_NOISY) const bool kNoisy = false;
 // Whether it is a tile of a set: hits are clipped to the tile's core.
 layout(constant_id = SPEC_CLIPS_TO_CORE) const bool kClipsToCore = false;
+// Whether the scene has clips, which may cut the instance.
+layout(constant_id = SPEC_CLIPPED) const bool kClipped = false;
 // Whether splats may be balls. If not, programs test discs only.
 layout(constant_id = SPEC_HAS_BALLS) const bool kHasBalls = false;
 

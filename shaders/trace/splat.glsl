@@ -61,7 +61,8 @@ float ballDistance(float t, uvec4 words, vec3 origin, vec3 direction) {
     vec3 across = offset - along * direction;
     float half_chord = sqrt(max(radius * radius - dot(across, across), 0.0) * inverse);
     float t_in = t - along - half_chord, t_out = t - along + half_chord;
-    bool inside = t_in < 0.0 || dot(start, start) < radius * radius;
+    // of a ball that clips cut open, a ray from outside may be traced to where it leaves it
+    bool inside = kClipped ? along > 0.0 : t_in < 0.0 || dot(start, start) < radius * radius;
     return max(inside ? t_out : t_in, 0.0);
 }
 

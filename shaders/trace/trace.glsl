@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shaders/trace/entry_grid.glsl"
 #include "shaders/trace/cell_list.glsl"
+#include "shaders/trace/clip.glsl"
 #include "shaders/trace/instance.glsl"
 
 // Ray traversal of one instance: stackless, in grid units. Each step finds the cell that the ray enters and passes it:
@@ -43,6 +44,7 @@ struct Walk {
     uint octant_shift;
     float t;        // from origin to where the ray enters the next cell
     float t_end;    // to where it leaves the grid
+    float t_least;  // no hit before this counts: the ray's origin, or where it enters what clips keep
     vec2 t_core;    // tiles: to where it enters the core, and leaves it
 };
 
@@ -58,12 +60,13 @@ struct CellRay {
     vec3 origin;
     vec3 direction;
     float self_slope; // dot product with self_normal
-    vec2 t_core;      // as in Walk
+    float t_least;    // as in Walk
+    vec2 t_core;
 };
 
-// Starts at the border of the grid, or of the core of a tile: measured from a distant eye, t would leave too few bits
-// for the splat test. t_start: distance from the ray's origin.
-Walk startWalk(TraceRay ray, out float t_start) {
+// Starts at the border of the grid, of the core of a tile, or of what clips keep: measured from a distant eye, t would
+// leave too few bits for the splat test. kept: of keptInterval; t_start: distance from the ray's origin.
+Walk startWalk(TraceRay ray, vec2 kept, out float t_start) {
     float scale = instance.grid_scale.x;
     Walk walk;
     // smaller components would give inverses with NaN products
@@ -82,11 +85,13 @@ Walk startWalk(TraceRay ray, out float t_start) {
     vec3 last = mix(lowest, highest, positive) - 1.5 * instance.grid_scale.y * side;
     vec3 far = (last - origin) * walk.inverse;
     t_start = max(max(near.x, near.y), max(near.z, ray.t_min));
+    if (kClipped) t_start = max(t_start, kept.x);
     // from a distant origin rounding may put it outside, where lookups return words of other cells
     walk.origin = clamp(origin + walk.direction * t_start, lowest, highest);
     walk.start = walk.origin + side * instance.grid_scale.y;
     walk.t = 0.0;
     walk.t_end = min(min(far.x, far.y), far.z) - t_start;
+    walk.t_least = kClipped ? max(kept.x, 0.0) - t_start : -t_start;
     walk.t_core = kClipsToCore ? vec2(max(max(near.x, near.y), near.z) - t_start, walk.t_end) : vec2(0.0);
     return walk;
 }
@@ -151,16 +156,18 @@ bool isBallInCore(float t, vec3 to_center, vec3 direction, float radius_squared,
 // nearer, or a self-intersection. Rays that leave a ball's surface do not come back to it, so entering a ball is never
 // a self-intersection. But the quantized ball that a ray left may hold the ray's origin, and so may one that overlaps
 // it there: leaving such a ball, on the side that self_normal faces, is one.
+//
+// The clips cut balls open: a ray that enters one before t_least hits it where it leaves.
 float hitBall(vec3 to_center, float radius_squared, CellRay cell_ray, TraceRay ray, float t_start, float t_limit) {
     float inverse = 1.0 / dot(cell_ray.direction, cell_ray.direction);
     float t_middle = dot(to_center, cell_ray.direction) * inverse;
     vec3 across = cell_ray.direction * t_middle - to_center;
     float half_squared = (radius_squared - dot(across, across)) * inverse, half_chord = sqrt(max(half_squared, 0.0));
-    bool inside = t_middle - half_chord < -t_start;
+    bool inside = t_middle - half_chord < cell_ray.t_least;
     float t = inside ? t_middle + half_chord : t_middle - half_chord;
     float facing = dot(cell_ray.direction * t - to_center, ray.self_normal);
     bool is_self = inside && t < ray.self_t - t_start && facing > 0.0 && cell_ray.self_slope > 0.0;
-    bool hits = half_squared > 0.0 && t >= -t_start && t < t_limit && !is_self;
+    bool hits = half_squared > 0.0 && t >= cell_ray.t_least && t < t_limit && !is_self;
     if (kClipsToCore)
         hits = hits && isBallInCore(t, to_center, cell_ray.direction, radius_squared, cell_ray.t_core);
     return hits ? t : t_limit;
@@ -184,7 +191,7 @@ float hitNear(uvec2 words, CellRay cell_ray, TraceRay ray, float t_start, float 
     float facing = dot(normal, ray.self_normal);
     bool is_self = t < ray.self_t - t_start && facing * (kOriented ? abs(facing) : facing) > 0.25 * dot(normal, normal) &&
                    slope * facing * cell_ray.self_slope > 0.0;
-    bool hits = dot(offset, offset) < radius_squared && t >= -t_start && t < t_limit && !is_self;
+    bool hits = dot(offset, offset) < radius_squared && t >= cell_ray.t_least && t < t_limit && !is_self;
     if (kClipsToCore) hits = hits && isInCore(t, slope, dot(normal, normal), radius_squared, cell_ray.t_core);
     return hits ? t : t_limit;
 }
@@ -223,7 +230,7 @@ void testCell(Walk walk, Visit visit, TraceRay ray, float t_start, inout TraceHi
     float codes = unpackHalf2x16(cell[PRO_CELL_COUNT] >> PRO_CELL_CODES_SHIFT).x / visit.edge;
     vec3 middle = visit.middle + middleOffset(cell[PRO_CELL_BLENDING_COUNT]) * (0.5 * visit.edge);
     CellRay cell_ray = CellRay((walk.origin - middle) * codes, walk.direction * codes,
-                               dot(walk.direction, ray.self_normal), walk.t_core);
+                               dot(walk.direction, ray.self_normal), walk.t_least, walk.t_core);
     // lists need not start or end at pairs: the neighbours tested along are discs too
     uint first = cell[PRO_CELL_FIRST], end = visits ? first + (cell[PRO_CELL_COUNT] & PRO_CELL_COUNT_MASK) : 0u;
     uint k = visits ? first & ~1u : 0u;
@@ -270,8 +277,10 @@ TraceHit trace(TraceRay given) {
     TraceRay ray = validRay(given);
     Grid grid = loadGridFrame();
     float t_start;
-    Walk walk = startWalk(ray, t_start);
-    TraceHit hit = TraceHit(ray.t_max - t_start, NO_INDEX, NO_INDEX);
+    vec2 kept = kClipped ? keptInterval(ray.origin, ray.direction) : vec2(0.0);
+    Walk walk = startWalk(ray, kept, t_start);
+    float t_max = kClipped ? min(ray.t_max, kept.y) : ray.t_max;
+    TraceHit hit = TraceHit(t_max - t_start, NO_INDEX, NO_INDEX);
     float t_end = hit.t < walk.t_end ? hit.t : walk.t_end; // not min: a NaN must end the walk
     uint steps = 0u;
     do {

@@ -76,6 +76,24 @@ case_studio_follows_the_scene_not_the_camera() {
     cmp half-1.png file.png || fail "the window's picture is not the file's"
 }
 
+case_clips_are_saved() {
+    bakeHalf
+    replay "0 wait 4
+5 key down F12
+5 key up F12
+6 key down Control
+6 key down S
+7 key up S
+7 key up Control
+12 quit" --spp 4 --clip=-1,-1,-1,1,0.2,1
+    grep -qF '[[clip]]' half-1.toml || fail "the scene does not keep its clip"
+    expectDone pointrt-view half-1.toml -o file.png
+    cmp half-1.png file.png || fail "the window's picture is not the file's"
+    sed '/^\[\[clip\]\]/,/^$/d' half-1.toml >whole.toml
+    expectDone pointrt-view whole.toml -o whole.png
+    ! cmp -s whole.png file.png || fail "the clip cuts nothing"
+}
+
 # A view from above has another up direction than the scene, by which sky and rooms are oriented.
 case_keeps_the_scenes_up() {
     bakeHalf

@@ -118,6 +118,7 @@ struct RayCaster::State {
                                        {SPEC_ORIENTED, scene.instances[0].oriented},
                                        {SPEC_NOISY, file().noisy},
                                        {SPEC_CLIPS_TO_CORE, 0},
+                                       {SPEC_CLIPPED, scene.features & FEATURE_CLIPS},
                                        {SPEC_HAS_BALLS, (file().info.flags & PRO_FLAG_BALLS) != 0},
                                        {SPEC_INTEGRATOR, 0},
                                        {SPEC_FEATURES, ~0u},

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nanobind/ndarray.h>
+#include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <array>
 #include <optional>
 #include <span>
 
@@ -104,8 +106,11 @@ void bindScene(nb::module_& module) {
         .def(
             "__init__",
             [](TraceScene* place, const TraceDevice& device, const std::vector<std::string>& paths,
-               std::uint64_t memory) { new (place) TraceScene(device, paths, {memory}); },
-            nb::arg("device"), nb::arg("paths"), nb::arg("memory"), nb::call_guard<nb::gil_scoped_release>())
+               std::uint64_t memory, const std::vector<std::array<double, 6>>& clips) {
+                new (place) TraceScene(device, paths, {memory, clips});
+            },
+            nb::arg("device"), nb::arg("paths"), nb::arg("memory"), nb::arg("clips"),
+            nb::call_guard<nb::gil_scoped_release>())
         .def("read_attribute", &readAttribute, nb::arg("name"), nb::arg("splat_ids"), nb::arg("instance_ids"),
              nb::arg("tile_ids").none(), nb::arg("values"))
         .def("attributes", &attributesOf, "(name, PRO_TYPE_*, components, bytes of a splat's) of each.")

@@ -54,25 +54,35 @@ class Scene(Studies):
         device: a ``pointrt.Device`` (default: the best one of this machine, opened once for all scenes).
         memory: memory limit for tiles in bytes (default 2 GiB). A smaller limit reloads tiles as rays need them and
             serializes calls; hits are the same.
+        clip: a box ``[6]``, minimum x y z and maximum x y z, or several ``[N, 6]``, in the coordinates of the scene.
+            Rays and pictures show only what is inside all of them, and inside the clips of a scene file; shapes and
+            lights stay whole (default: everything). At most five boxes.
 
     Raises:
         pointrt.Error: a file cannot be read or has another format, or there is no device.
-        ValueError: no paths are given, or a tile needs more than ``memory``.
+        ValueError: no paths are given, a tile needs more than ``memory``, or a box is invalid.
     """
 
     def __init__(self, paths: str | os.PathLike[str] | Iterable[str | os.PathLike[str]],
-                 device: _core.Device | None = None, *, memory: int = _core.DEFAULT_MEMORY):
+                 device: _core.Device | None = None, *, memory: int = _core.DEFAULT_MEMORY,
+                 clip: ArrayLike | None = None):
         several = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
         self._device = device or _default_device()
         self._paths = [os.fspath(path) for path in several]
         self._memory = memory
-        self._scene = _core.Scene(self._device, self._paths, memory)
+        self._clip = _boxes_of(clip)
+        self._scene = _core.Scene(self._device, self._paths, memory, self._clip.tolist())
         self._renderer: tuple[dict[str, str], _core.Renderer] | None = None  # of the last settings
         self._renderer_lock = threading.Lock()
 
     def __len__(self) -> int:
         """Number of splats of all instances."""
         return self._scene.splat_count
+
+    @property
+    def clip(self) -> np.ndarray:
+        """The boxes that cut the scene, float64 ``[N, 6]``: minimum x y z and maximum x y z."""
+        return self._clip.copy()
 
     @property
     def device_bytes(self) -> int:
@@ -229,10 +239,29 @@ class Scene(Studies):
         """
         view = camera or Camera.look_at()
         names = [LAYER_ALIASES.get(name, name) for name in ([layers] if isinstance(layers, str) else layers)]
-        renderer = self._renderer_for({name: setting_text(value)
-                                       for name, value in {"memory": self._memory, **settings}.items()})
+        scene = {"memory": self._memory, **({"clip": _text_of(self._clip)} if len(self._clip) else {})}
+        renderer = self._renderer_for({name: setting_text(value) for name, value in {**scene, **settings}.items()})
         arrays = getattr(renderer, view._method)(*view._arguments, _side(width), _side(height), names)
         return Picture({name: arrays[name] for name in names})
+
+    def section(self, section: str, width: int = 512, height: int = 512, *, layers: Sequence[str] = ("rgba",),
+                **settings: Any) -> Picture:
+        """Renders a section or a floor plan in true scale: the scene cut open, in parallel projection.
+
+        Args:
+            section: as for ``pointrt-view --section``: ``"z=1.2"`` is a plan of what is below that height, ``"y=3"`` and
+                ``"x=3"`` are upright sections, ``"x0,y0,x1,y1"`` one from a point of the plan to another; with
+                ``":0.5"`` at the end a slice so thick.
+            width, height, layers, settings: as for ``render``. The setting ``ortho`` is the picture's height in the
+                units of the scan (default: everything that remains fits).
+
+        Returns:
+            As ``render``.
+
+        Raises:
+            As ``render``; ValueError also if the section is invalid.
+        """
+        return self.render(None, width, height, layers=layers, section=section, **settings)
 
     def _renderer_for(self, settings: dict[str, str]) -> _core.Renderer:
         with self._renderer_lock:
@@ -246,6 +275,19 @@ class Scene(Studies):
             if known == name:
                 return name, _TYPES[kind - 1], components, size
         raise ValueError(f"the scene has no attribute {name!r}: it has {', '.join(self.attributes) or 'none'}")
+
+
+def _boxes_of(clip: ArrayLike | None) -> np.ndarray:
+    """Clip boxes as [N, 6]; the core checks the numbers."""
+    boxes = np.array([] if clip is None else clip, dtype=np.float64)
+    if boxes.size and boxes.shape[-1:] != (6,) or boxes.ndim > 2:
+        raise ValueError(f"clip must have the shape [6] or [N, 6], not {list(boxes.shape)}")
+    return boxes.reshape(-1, 6)
+
+
+def _text_of(boxes: np.ndarray) -> str:
+    """Boxes as values of --clip, separated by spaces."""
+    return " ".join(",".join(repr(float(number)) for number in box) for box in boxes)
 
 
 def _side(pixels: int) -> int:

@@ -13,6 +13,7 @@
 // except that an object in use must not be moved or destroyed. Everything throws TraceError or std::bad_alloc.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -93,6 +94,10 @@ struct SceneOptions {
     /// dedicated memory at most three quarters of that are used. If the tiles do not all fit, they are loaded and
     /// evicted as rays need them; the hits are the same.
     std::uint64_t memory = std::uint64_t{2} << 30;
+    /// Boxes MINX, MINY, MINZ, MAXX, MAXY, MAXZ in the coordinates of the scene, each minimum below its maximum. Rays
+    /// hit only what is inside all of them and inside the clips of the scene file, except shapes, which stay whole. At
+    /// most 32 planes together, a box counts as six.
+    std::vector<std::array<double, 6>> clips = {};
 };
 
 /// A per-splat attribute that all files of a scene have.
@@ -135,9 +140,9 @@ public:
     ///  - a scene file (NAME.toml, docs/SCENES.md): its instances in order, placed as it says, in its coordinates. Rays
     ///    also hit its shapes, except backdrops and those hidden from the camera: as the instance kShapesInstance,
     ///    without splat_ids, as in pictures. Materials, lights, cameras and rooms are ignored.
-    /// Files must not be modified in place while the scene exists. Throws kBadUsage without paths, or if a single tile
-    /// exceeds options.memory, kBadInput "FILE: reason" for unreadable files and other formats, kCannotRun if the
-    /// device has too little memory.
+    /// Files must not be modified in place while the scene exists. Throws kBadUsage without paths, for invalid clips,
+    /// or if a single tile exceeds options.memory, kBadInput "FILE: reason" for unreadable files and other formats,
+    /// kCannotRun if the device has too little memory.
     TraceScene(const TraceDevice& device, const std::vector<std::string>& paths, const SceneOptions& options = {});
     ~TraceScene();
     TraceScene(TraceScene&&) noexcept;

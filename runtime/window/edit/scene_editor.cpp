@@ -187,6 +187,7 @@ void SceneEditor::rebuildSurroundings() {
     scene.materials = work_.scene.materials;
     scene.instances = work_.scene.instances;
     scene.views = work_.scene.views;
+    scene.clips = work_.scene.clips;
     if (hasFileLights()) {
         scene.lights = work_.scene.lights;
         scene.sky = work_.scene.sky;

@@ -28,6 +28,7 @@ void drawPicture(Workspace& w);
 void drawColors(Workspace& w);
 void drawCamera(Workspace& w);
 void drawViews(Workspace& w);
+void drawClips(Workspace& w);
 void drawMeasure(Workspace& w);
 void drawOutput(Workspace& w);
 void drawAbout(Workspace& w);

@@ -25,10 +25,11 @@ struct Section {
     bool open;
 };
 constexpr Section kSections[] = {
-    {"Light", drawLights, true},     {"Sky", drawSky, false},       {"Materials", drawMaterials, false},
-    {"Room", drawRoom, true},        {"Render", drawRender, false}, {"Picture", drawPicture, true},
-    {"Colours", drawColors, false},  {"Camera", drawCamera, false}, {"Views", drawViews, false},
-    {"Measure", drawMeasure, false}, {"Output", drawOutput, false}, {"About", drawAbout, false},
+    {"Light", drawLights, true},    {"Sky", drawSky, false},         {"Materials", drawMaterials, false},
+    {"Room", drawRoom, true},       {"Render", drawRender, false},   {"Picture", drawPicture, true},
+    {"Colours", drawColors, false}, {"Camera", drawCamera, false},   {"Views", drawViews, false},
+    {"Clip", drawClips, false},     {"Measure", drawMeasure, false}, {"Output", drawOutput, false},
+    {"About", drawAbout, false},
 };
 
 float shownWidth() { return panelWidth(ImGui::GetIO().DisplaySize.x, uiScale()); }

@@ -59,6 +59,27 @@ TEST_F(SceneFile, RefusesWrongTypes) {
     EXPECT_SAYS(refusal("[material.\"a\\nb\"]"), "scene.toml:1: key \"material.a\\nb\": *name");
 }
 
+TEST_F(SceneFile, RefusesClipsThatCutNothingOrAll) {
+    EXPECT_SAYS(refusal("[[clip]]"), "scene.toml:1: key \"clip[0]\": \"type\" *missing");
+    EXPECT_SAYS(refusal("[[clip]]\ntype = 'ball'"), "scene.toml:2: key \"clip[0].type\": \"ball\" *box, plane");
+    EXPECT_SAYS(refusal("[[clip]]\ntype = 'box'\nmin = [0, 0, 0]"), "scene.toml:1: key \"clip[0]\": \"max\" *missing");
+    EXPECT_SAYS(refusal("[[clip]]\ntype = 'box'\nmin = [0, 0, 0]\nmax = [1, 0, 1]"),
+                "scene.toml:4: key \"clip[0].max\": *\"min\"");
+    EXPECT_SAYS(refusal("[[clip]]\ntype = 'box'\nmin = [0, nan, 0]\nmax = [1, 1, 1]"),
+                "scene.toml:3: key \"clip[0].min[1]\": *nan");
+    EXPECT_SAYS(refusal("[[clip]]\ntype = 'plane'\npoint = [0, 0, 0]\nnormal = [0, 0, 0]"),
+                "scene.toml:4: key \"clip[0].normal\": *zero");
+    EXPECT_SAYS(refusal("[[clip]]\ntype = 'plane'\nmin = [0, 0, 0]"),
+                "scene.toml:3: key \"clip[0].min\": *\"min\"*plane *type, enabled, point, normal");
+    EXPECT_SAYS(refusal("[[clip]]\ntype = 'plane'\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\nenabled = 1"),
+                "scene.toml:5: key \"clip[0].enabled\": *true *false");
+    std::string boxes;
+    for (int box = 0; box < 6; ++box) boxes += "[[clip]]\ntype = 'box'\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n";
+    EXPECT_SAYS(refusal(boxes), "scene.toml:21: key \"clip[5]\": *32");
+    EXPECT_SAYS(refusal("[[instance]]\nfile = 'statue.pro'\nclip = 'no'"),
+                "scene.toml:3: key \"instance[0].clip\": *true *false");
+}
+
 TEST_F(SceneFile, RefusesNumbersOutOfRange) {
     EXPECT_SAYS(refusal("[camera]\nfov = 180"), "scene.toml:2: key \"camera.fov\": *180*0.001 *179.999");
     EXPECT_SAYS(refusal("[camera]\nfov = nan"), "scene.toml:2: key \"camera.fov\": *nan*0.001 *179.999");

@@ -32,6 +32,7 @@ public:
         addRender(scene.render);
         addMaterials(scene);
         for (std::uint32_t i = 1 + below(3); i > 0; --i) scene.instances.push_back(instance());
+        for (std::uint32_t c = below(4); c > 0; --c) scene.clips.push_back(clip());
         for (std::uint32_t s = below(6); s > 0; --s) scene.shapes.push_back(shape());
         if (std::none_of(scene.shapes.begin(), scene.shapes.end(), [&](auto& each) { return each.material == named_; }))
             scene.materials.resize(named_);
@@ -148,6 +149,7 @@ private:
         InstanceDescription instance{folder_ + (chance() ? "/statue.pro" : "/dragon.pro"), {}, {}, {}};
         if (chance()) instance.placement = {rotation(), length(), point()};
         maybe(instance.material, below(named_));
+        instance.clipped = chance();
         const auto byte = [&] { return static_cast<std::uint8_t>(below(128)); };
         for (std::uint32_t o = below(4); o > 0; --o)
             if (chance())
@@ -158,6 +160,14 @@ private:
                 instance.overrides.push_back(
                     {MaterialOverride::ColorRange{{byte(), byte(), byte()}, {200, 255, 128}}, below(named_), ""});
         return instance;
+    }
+
+    ClipDescription clip() {
+        if (chance()) return {ClipPlane{point(), direction()}, chance()};
+        const Vec3 low = point();
+        ClipBox box{low, low + Vec3{length(), length(), length()}};
+        if (chance()) box.rotation = rotation();
+        return {box, chance()};
     }
 
     /// With axes as written by usual keys, or with arbitrary valid axes.

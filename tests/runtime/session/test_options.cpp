@@ -162,6 +162,22 @@ TEST(Options, TakesNegativeCoordinates) {
     EXPECT_EQ(options.camera.up->z, 1);
 }
 
+TEST(Options, TakesClipsAndASection) {
+    const Options options =
+        parse({"a.pro", "-o", "a.png", "--clip", "-1,-2,-3,1,2,3", "--clip=0,0,0,9,9,9", "--section", "-x=12.5:0.5"});
+    ASSERT_EQ(options.clips.size(), 2u);
+    EXPECT_EQ(std::get<ClipBox>(options.clips[0].form).low, (Vec3{-1, -2, -3}));
+    EXPECT_EQ(std::get<ClipBox>(options.clips[1].form).high, (Vec3{9, 9, 9}));
+    ASSERT_TRUE(options.section);
+    const auto& plane = std::get<AxisSection>(options.section->plane);
+    EXPECT_TRUE(plane.axis == 0 && plane.at == 12.5 && plane.reversed && options.section->thickness == 0.5);
+    EXPECT_SAYS(refusal({"--clip", "0,0,0,1,1"}), "--clip: \"0,0,0,1,1\" *MINX,MINY,MINZ,MAXX,MAXY,MAXZ");
+    EXPECT_SAYS(refusal({"--clip", "0,0,0,1,0,1"}), "--clip: *\"0,0,0,1,0,1\" *y ");
+    EXPECT_SAYS(refusal({"--clip", "0,0,nan,1,1,1"}), "--clip: \"0,0,nan,1,1,1\" ");
+    EXPECT_SAYS(refusal({"--section", "12"}), "--section: \"12\" *z=1.2:0.5");
+    EXPECT_SAYS(refusal({"--section", "z=1:0"}), "--section: \"0\" *above 0");
+}
+
 TEST(Options, TakesAnAxisForUp) {
     const Options axis = parse({"a.pro", "-o", "a.png", "--up", "-z"});
     EXPECT_EQ(axis.up_axis, (Vec3{0, 0, -1}));

@@ -57,7 +57,7 @@ public:
     void openAll(Workspace& w) {
         frame(w);
         for (const char* name : {"Light", "Sky", "Materials", "Room", "Render", "Picture", "Colours", "Camera", "Views",
-                                 "Measure", "Output", "About"})
+                                 "Clip", "Measure", "Output", "About"})
             open(name);
     }
 

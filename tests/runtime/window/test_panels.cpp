@@ -97,6 +97,7 @@ TEST(Panels, ShowAbsurdNumbers) {
                           SphereLight{point, absurd, color, true},
                           QuadLight{point, point, point, color, true},
                           DiscLight{point, point, absurd, color, true}};
+        w.scene.clips = {{ClipBox{point, point}}, {ClipPlane{point, point}}};
         w.scene.up = w.scene_max = w.camera.eye = w.picks[0].position = point;
         w.scene.sky = SkyDescription{color, color, color, "", absurd, number, number};
         w.scene.instances[0].material = 0;
@@ -175,6 +176,47 @@ TEST(Panels, AddALightAndSelectIt) {
     driver.press(w);
     EXPECT_TRUE(driver.move(w, -20).scene_changed);
     EXPECT_LT(length(std::get<QuadLight>(w.scene.lights[2]).u), length(std::get<QuadLight>(w.scene.lights[2]).v));
+}
+
+TEST(Panels, AddMoveDisableAndDeleteClips) {
+    Workspace w = litScan();
+    PanelDriver driver;
+    driver.frame(w);
+    driver.open("Clip");
+    ASSERT_TRUE(driver.find(w, "Panel", {"Clip", "Box"}));
+    EXPECT_TRUE(driver.click(w).scene_changed);
+    ASSERT_EQ(w.scene.clips.size(), 1u);
+    EXPECT_EQ(std::get<ClipBox>(w.scene.clips[0].form).high, w.scene_max);
+    ASSERT_TRUE(driver.find(w, "Panel", {"Clip", 0, "Y to", "##value"}));
+    driver.press(w);
+    const Requests moved = driver.move(w, -30);
+    EXPECT_TRUE(moved.scene_changed && moved.dragging);
+    driver.release(w);
+    EXPECT_LT(std::get<ClipBox>(w.scene.clips[0].form).high.y, w.scene_max.y);
+    ASSERT_TRUE(driver.find(w, "Panel", {"Clip", "Plane"}));
+    driver.click(w);
+    ASSERT_EQ(w.scene.clips.size(), 2u);
+    ASSERT_TRUE(driver.find(w, "Panel", {"Clip", 1, "Flip"}));
+    EXPECT_TRUE(driver.click(w).scene_changed);
+    EXPECT_EQ(std::get<ClipPlane>(w.scene.clips[1].form).normal, (Vec3{0, 1, 0})); // it was level
+    ASSERT_TRUE(driver.find(w, "Panel", {"Clip", 1, "##enabled"}));
+    EXPECT_TRUE(driver.click(w).scene_changed);
+    EXPECT_FALSE(w.scene.clips[1].enabled);
+    ASSERT_TRUE(driver.find(w, "Panel", {"Clip", "Delete"}));
+    EXPECT_TRUE(driver.click(w).scene_changed);
+    ASSERT_EQ(w.scene.clips.size(), 1u);
+    EXPECT_TRUE(std::holds_alternative<ClipBox>(w.scene.clips[0].form));
+}
+
+TEST(Panels, RespectTheLimitOfClips) {
+    Workspace w = litScan();
+    w.scene.clips.resize(5, {ClipBox{{0, 0, 0}, {1, 1, 1}}});
+    PanelDriver driver;
+    driver.frame(w);
+    driver.open("Clip");
+    driver.find(w, "Panel", {"Clip", "Box"});
+    EXPECT_TRUE(asksNothing(driver.click(w)));
+    EXPECT_EQ(w.scene.clips.size(), 5u);
 }
 
 TEST(Panels, RespectTheLightLimit) {

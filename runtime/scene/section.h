@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sections: a plane that cuts a scene open, or a slice of it, and the view that looks at the cut in true scale.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "runtime/scene/clip.h"
+
+namespace pointrt {
+
+/// A plane across an axis. Of a vertical one the other coordinate of the plan grows to the right in the picture; a
+/// horizontal one is seen from above, as a floor plan.
+struct AxisSection {
+    std::size_t axis = 0;  ///< 0, 1, 2: x, y, z
+    double at = 0;         ///< world units
+    bool reversed = false; ///< seen from the other side, of which the other half is kept
+};
+
+/// A vertical plane through two points of the plan, the first one left in the picture. Their coordinates are x and y if
+/// z is vertical, x and z if y is, y and z if x is.
+struct LineSection {
+    std::array<double, 2> from{}, to{};
+};
+
+/// A section as users give it; which way is up is known once the scene is loaded.
+struct SectionRequest {
+    std::variant<AxisSection, LineSection> plane;
+    std::optional<double> thickness; ///< of a slice, half on either side, above 0; none: all that is behind the plane
+};
+
+/// "x=12.5", "-x=12.5", "z=1.2:0.5", "X0,Y0,X1,Y1" or "X0,Y0,X1,Y1:0.5". Throws std::invalid_argument with the reason
+/// if text is none of these.
+SectionRequest parseSection(const std::string& text);
+
+struct Section {
+    std::vector<ClipDescription> clips; ///< one plane, or two of a slice
+    Vec3 side, up;                      ///< unit vectors: from the cut to the eye, and up in the picture
+};
+
+/// @param up of the scene, unit length; the axis nearest to it is the vertical one
+Section makeSection(const SectionRequest& request, Vec3 up);
+
+} // namespace pointrt
