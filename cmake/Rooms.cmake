@@ -1,15 +1,30 @@
 # SPDX-License-Identifier: Apache-2.0
 # A room is a folder of sources with one purpose, built as one library.
 #
-# pointrt_room(FOLDER PURPOSE "one line" [USES folder...] [EXCLUDE file...] [TARGET target]): all .cpp files of FOLDER as
-# the library TARGET, by default pointrt_FOLDER (runtime/window/ui: pointrt_window_ui); headers alone make an interface
-# library. USES are the rooms, as paths from the repository's root, whose headers it may include; it is linked to them.
-# tests/structure checks the #include lines against that list.
+# pointrt_room(FOLDER [OF_SYSTEM] PURPOSE "one line" [USES folder...] [EXCLUDE file...] [TARGET target]): all .cpp files
+# of FOLDER as the library TARGET, by default pointrt_FOLDER (runtime/window/ui: pointrt_window_ui); headers alone make
+# an interface library. OF_SYSTEM: NAME_windows.cpp is built for Windows, in the place of NAME.cpp. USES are the rooms,
+# as paths from the repository's root, whose headers it may include; it is linked to them. tests/structure checks the
+# #include lines against that list.
+# pointrt_system_sources(LIST): leaves in the list LIST the sources that this system is built of.
 # pointrt_folder(FOLDER PURPOSE "one line" [USES folder...] [TARGET target]): the same for a folder that is not such a
 # library; rooms that use it are linked to TARGET.
 # pointrt_room_objects(RESULT FOLDER...): the objects of these rooms and of all that they use, without pointrt_pro's.
 # pointrt_write_rooms(): writes FOLDER|uses, separated by spaces|purpose of each room to rooms.txt in the build folder.
 include_guard(GLOBAL)
+
+function(pointrt_system_sources list)
+  set(all ${${list}})
+  set(for_windows ${all})
+  list(FILTER for_windows INCLUDE REGEX "_windows\\.cpp$")
+  if(WIN32)
+    list(TRANSFORM for_windows REPLACE "_windows\\.cpp$" ".cpp")
+  endif()
+  if(for_windows)
+    list(REMOVE_ITEM all ${for_windows})
+  endif()
+  set(${list} ${all} PARENT_SCOPE)
+endfunction()
 
 function(pointrt_folder folder)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "PURPOSE;TARGET" USES)
@@ -28,13 +43,16 @@ function(pointrt_room_target result folder)
 endfunction()
 
 function(pointrt_room folder)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PURPOSE;TARGET" "USES;EXCLUDE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "OF_SYSTEM" "PURPOSE;TARGET" "USES;EXCLUDE")
   string(REGEX REPLACE "^[a-z]+/(.*)$" "pointrt_\\1" target ${folder})
   string(REPLACE "/" "_" target ${target})
   if(arg_TARGET)
     set(target ${arg_TARGET})
   endif()
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp)
+  if(arg_OF_SYSTEM)
+    pointrt_system_sources(sources)
+  endif()
   list(TRANSFORM arg_EXCLUDE PREPEND ${PROJECT_SOURCE_DIR}/${folder}/)
   list(REMOVE_ITEM sources ${arg_EXCLUDE})
   set(scope INTERFACE)

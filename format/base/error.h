@@ -5,12 +5,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "format/os/exit_code.h"
 #include "pointrt/pro.h"
 
 namespace pointrt {
-
-/// Exit codes of all tools.
-enum class ExitCode { kDone = 0, kBadInput = 1, kBadUsage = 2, kCannotRun = 3, kCannotWrite = 4 };
 
 /// Thrown anywhere, caught in runTool. what() is "FILE[:PLACE]: reason" without the name of the tool.
 struct Error : std::runtime_error {

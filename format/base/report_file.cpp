@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "format/base/report_file.h"
 
-#include <sys/stat.h>
-
 #include <cerrno>
 #include <cstdio>
 #include <system_error>
 
-#include "format/base/atomic_file.h"
 #include "format/base/error.h"
+#include "format/os/atomic_file.h"
+#include "format/os/descriptor.h"
 
 namespace pointrt {
 
@@ -26,8 +25,8 @@ void writeStream(std::FILE* stream, const std::string& name, const std::string& 
 }
 
 bool isStream(const std::string& path) {
-    struct stat status;
-    return stat(path.c_str(), &status) == 0 && (S_ISFIFO(status.st_mode) || S_ISCHR(status.st_mode));
+    const auto status = statusOf(path);
+    return status && (status->kind == FileKind::kPipe || status->kind == FileKind::kCharacters);
 }
 
 } // namespace

@@ -9,7 +9,7 @@
 
 #include "format/base/error.h"
 #include "format/base/printable.h"
-#include "format/base/process.h"
+#include "format/os/process.h"
 #include "pointrt/pro.hpp"
 
 namespace pointrt {

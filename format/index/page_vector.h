@@ -4,11 +4,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <new>
 #include <vector>
 
-#include <sys/mman.h>
+#include "format/os/pages.h"
 
 namespace pointrt {
 
@@ -16,7 +15,7 @@ namespace pointrt {
 template <typename T>
 struct PageAllocator {
     using value_type = T;
-    static constexpr std::size_t kPage = std::size_t{64} << 10, kHugePage = std::size_t{2} << 20;
+    static constexpr std::size_t kPage = std::size_t{64} << 10;
 
     PageAllocator() = default;
     template <typename U>
@@ -25,12 +24,11 @@ struct PageAllocator {
     T* allocate(std::size_t count) {
         const std::size_t page = count * sizeof(T) >= kHugePage ? kHugePage : kPage;
         const std::size_t bytes = (count * sizeof(T) + page - 1) / page * page;
-        void* memory = std::aligned_alloc(page, bytes);
+        void* memory = allocatePages(page, bytes);
         if (!memory) throw std::bad_alloc();
-        if (page == kHugePage) madvise(memory, bytes, MADV_HUGEPAGE); // optional, may fail
         return static_cast<T*>(memory);
     }
-    void deallocate(T* memory, std::size_t) { std::free(memory); }
+    void deallocate(T* memory, std::size_t) { freePages(memory); }
 
     friend bool operator==(const PageAllocator&, const PageAllocator&) { return true; }
 };

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // pointrt-info: summarizes, verifies and exports .pro files and tile sets.
-#include <unistd.h>
 
 #include "format/base/error.h"
 #include "format/base/printable.h"
@@ -13,6 +12,8 @@
 #include "format/info/export_spz.h"
 #include "format/info/print.h"
 #include "format/info/set_report.h"
+#include "format/os/descriptor.h"
+#include "format/os/terminal.h"
 #include "format/pointio/metadata.h"
 #include "format/pointio/point_sink.h"
 #include "format/set/tile_set.h"
@@ -62,7 +63,7 @@ void checkOptions(const Options& options) {
     if (path.empty()) return;
     if (options.json || options.verify)
         usage(std::string("--export and ") + (options.json ? "--json" : "--verify") + " exclude each other");
-    if (path == "-" && isatty(STDOUT_FILENO) == 1)
+    if (path == "-" && isTerminal(kStandardOutput))
         usage("--export -: standard output is a terminal; redirect the splats to a file or a pipe");
     if (path != "-" && isSameFile(options.input, path)) usage(path + ": is the input");
     const auto has = [&](const char* suffix) { return path.ends_with(suffix); };

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "format/base/mapped_file.h"
+#include "format/os/mapped_file.h"
 #include "format/pointio/point_reader.h"
 
 namespace pointrt {

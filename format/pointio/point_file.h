@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "format/base/atomic_file.h"
+#include "format/os/atomic_file.h"
 
 namespace pointrt {
 

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "format/base/error.h"
-#include "format/base/mapped_file.h"
+#include "format/os/mapped_file.h"
 #include "format/pointio/las_points_reader.h"
 #include "format/pointio/ply_points_reader.h"
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "format/base/atomic_file.h"
+#include "format/os/atomic_file.h"
 #include "format/pointio/point_columns.h"
 
 namespace pointrt {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <new>
 
-#include "format/base/mapped_file.h"
+#include "format/os/mapped_file.h"
 #include "format/pro/attributes.h"
 #include "format/pro/validate.h"
 

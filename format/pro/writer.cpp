@@ -4,7 +4,7 @@
 #include <exception>
 #include <vector>
 
-#include "format/base/atomic_file.h"
+#include "format/os/atomic_file.h"
 #include "format/pro/attributes.h"
 #include "format/pro/checks.h"
 #include "format/pro/header.h"

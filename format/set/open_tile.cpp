@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "format/set/open_tile.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <system_error>
 
 #include "format/base/error.h"
+#include "format/os/descriptor.h"
 #include "format/set/set_words.h"
 
 namespace pointrt {
@@ -48,27 +45,19 @@ TileHeader loadHeader(const std::byte* header, std::uint64_t bytes) {
             load<std::array<double, 3>>(header, PRO_OFF_BOUNDS_MAX)};
 }
 
-/// Closes the descriptor.
-struct Descriptor {
-    int number;
-    ~Descriptor() {
-        if (number >= 0) close(number);
-    }
-};
-
 TileHeader readHeader(const std::string& path) {
-    // O_NONBLOCK: refuse a named pipe instead of waiting for its writer
-    const Descriptor file{open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
-    struct stat status {};
-    if (file.number < 0 || fstat(file.number, &status) != 0) refuse(path, std::generic_category().message(errno));
-    if (!S_ISREG(status.st_mode)) refuse(path, "not a regular file");
+    // a named pipe is refused rather than waited for
+    const Descriptor file(openFile(path, Opening::kReadNoWait));
+    const auto status = file.isOpen() ? statusOf(file.number()) : std::nullopt;
+    if (!status) refuse(path, std::generic_category().message(errno));
+    if (status->kind != FileKind::kRegular) refuse(path, "not a regular file");
     std::array<std::byte, PRO_FIELDS_END> header{};
-    const ssize_t read = pread(file.number, header.data(), header.size(), 0);
+    const std::ptrdiff_t read = readAt(file.number(), header.data(), header.size(), 0);
     if (read < 0) refuse(path, std::generic_category().message(errno));
-    if (static_cast<std::size_t>(read) < header.size() || status.st_size < PRO_HEADER_BYTES)
-        refuse(path, "has " + std::to_string(status.st_size) + " bytes, fewer than the header of a .pro file");
+    if (static_cast<std::size_t>(read) < header.size() || status->bytes < PRO_HEADER_BYTES)
+        refuse(path, "has " + std::to_string(status->bytes) + " bytes, fewer than the header of a .pro file");
     if (load<std::uint32_t>(header.data(), PRO_OFF_MAGIC) != PRO_MAGIC_WORD0) refuse(path, "is not a .pro file");
-    return loadHeader(header.data(), static_cast<std::uint64_t>(status.st_size));
+    return loadHeader(header.data(), status->bytes);
 }
 
 /// How the file differs from what set.json says of the tile; "" if it does not.

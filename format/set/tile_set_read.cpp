@@ -8,9 +8,9 @@
 
 #include "format/base/error.h"
 #include "format/base/json_integer.h"
-#include "format/base/mapped_file.h"
 #include "format/base/number_type.h"
 #include "format/base/printable.h"
+#include "format/os/mapped_file.h"
 #include "format/set/set_fault.h"
 #include "format/set/set_words.h"
 #include "format/set/tile_set.h"

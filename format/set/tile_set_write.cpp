@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nlohmann/json.hpp>
 
-#include "format/base/atomic_file.h"
 #include "format/base/error.h"
 #include "format/base/number_type.h"
+#include "format/os/atomic_file.h"
 #include "format/set/set_words.h"
 #include "format/set/tile_set.h"
 

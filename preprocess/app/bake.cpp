@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "format/base/atomic_file.h"
 #include "format/base/error.h"
+#include "format/os/atomic_file.h"
 #include "preprocess/app/bake_progress.h"
 #include "preprocess/app/checks.h"
 #include "preprocess/app/interrupt.h"

@@ -2,13 +2,14 @@
 #include "preprocess/app/bake_progress.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <string_view>
 
 #include "format/base/printable.h"
+#include "format/os/descriptor.h"
+#include "format/os/terminal.h"
 
 namespace pointrt {
 
@@ -63,7 +64,7 @@ BakeProgress::BakeProgress(Verbosity verbosity, ProgressStyle style, const std::
 }
 
 BakeProgress::BakeProgress(Verbosity verbosity, ProgressStyle style, std::vector<StageWeight> weights)
-    : weights_(std::move(weights)), verbosity_(verbosity), terminal_(isatty(STDERR_FILENO) == 1),
+    : weights_(std::move(weights)), verbosity_(verbosity), terminal_(isTerminal(kStandardError)),
       lines_(style == ProgressStyle::kLines), start_(Clock::now()), stage_start_(start_), drawn_(start_) {}
 
 /// Erases the progress line, for an error message to follow.

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/app/bake_set.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <tbb/global_control.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "format/base/error.h"
-#include "format/base/file_lock.h"
+#include "format/os/file_lock.h"
 #include "format/set/tile_set.h"
 #include "preprocess/app/bake_progress.h"
 #include "preprocess/app/checks.h"
@@ -55,19 +53,13 @@ SetRequest requestOf(const BakeOptions& options) {
 /// Locks the work folder: two processes that plan or split one set would overwrite each other's files.
 class WorkFolderLock {
 public:
-    explicit WorkFolderLock(const std::string& work)
-        : descriptor_(::open(work.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-        if (descriptor_ >= 0 && format::tryLock(descriptor_) == format::LockResult::kLocked) return;
-        const std::string reason = format::lockFailure(errno);
-        if (descriptor_ >= 0) ::close(descriptor_);
-        throw Error(ExitCode::kCannotWrite, work + ": " + reason);
+    explicit WorkFolderLock(const std::string& work) {
+        if (!lock_.openFolder(work) || lock_.take() != format::LockResult::kLocked)
+            throw Error(ExitCode::kCannotWrite, work + ": " + lock_.failure());
     }
-    ~WorkFolderLock() { ::close(descriptor_); }
-    WorkFolderLock(const WorkFolderLock&) = delete;
-    WorkFolderLock& operator=(const WorkFolderLock&) = delete;
 
 private:
-    int descriptor_;
+    format::FileLock lock_;
 };
 
 /// One bake, or the step of one.

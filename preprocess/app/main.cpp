@@ -2,8 +2,8 @@
 #include <cstdio>
 
 #include "format/base/printable.h"
-#include "format/base/process.h"
 #include "format/base/run_tool.h"
+#include "format/os/process.h"
 #include "preprocess/app/bake.h"
 #include "preprocess/app/bake_set.h"
 #include "preprocess/app/interrupt.h"

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/app/name_set.h"
 
-#include <fcntl.h>
-#include <stdio.h>
-
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "format/base/error.h"
+#include "format/os/swap_names.h"
 #include "format/set/set_words.h"
 #include "format/set/tile_set.h"
 #include "preprocess/tiles/checksum.h"
@@ -41,10 +40,6 @@ void clear(const std::string& work, const std::string& mark, bool keep_work) {
     }
     fs::remove(mark, failure);
     if (!keep_work) fs::remove(work, failure);
-}
-
-bool swapNames(const std::string& one, const std::string& other) {
-    return ::renameat2(AT_FDCWD, one.c_str(), AT_FDCWD, other.c_str(), RENAME_EXCHANGE) == 0;
 }
 
 /// For file systems that cannot swap names; for a moment neither set has the name.

@@ -2,12 +2,12 @@
 #include "preprocess/app/report.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "format/base/report_file.h"
+#include "format/os/memory.h"
 #include "preprocess/app/vector_json.h"
 
 namespace pointrt {
@@ -134,12 +134,6 @@ bool hasWorld(const WorldFrame& world) {
 }
 
 } // namespace
-
-std::uint64_t peakRssBytes() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024; // Linux counts in KiB
-}
 
 void writeStats(const BakeReport& report, const std::string& path) {
     // names need not be UTF-8

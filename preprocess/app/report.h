@@ -42,9 +42,6 @@ struct BakeReport {
 /// Writes the report to path ("-" is standard output). Throws Error (kCannotWrite).
 void writeStats(const BakeReport& report, const std::string& path);
 
-/// Peak memory use of this process so far.
-std::uint64_t peakRssBytes();
-
 /// One line for the user about the input.
 std::string noteLine(const Note& note);
 

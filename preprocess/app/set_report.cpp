@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <nlohmann/json.hpp>
 
 #include "format/base/report_file.h"
 #include "format/base/up_text.h"
+#include "format/os/memory.h"
 #include "preprocess/app/bake_set.h"
 #include "preprocess/app/report.h"
 #include "preprocess/app/vector_json.h"

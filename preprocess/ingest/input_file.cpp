@@ -4,24 +4,15 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "format/base/printable.h"
+#include "format/os/descriptor.h"
+#include "format/os/pages.h"
+#include "format/os/terminal.h"
 #include "preprocess/ingest/gzip.h"
 
 namespace pointrt {
 namespace {
-
-struct Descriptor {
-    int number;
-    bool owned;
-    ~Descriptor() {
-        if (owned && number >= 0) ::close(number);
-    }
-};
 
 std::string systemReason(int error) {
     if (error == ENOENT) return "no such file";
@@ -29,11 +20,10 @@ std::string systemReason(int error) {
     return std::strerror(error);
 }
 
-bool mapFile(int descriptor, std::size_t size, InputFile& input) {
-    void* const address = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
-    if (address == MAP_FAILED) return false;
-    input.owner =
-        std::shared_ptr<const void>(address, [size](const void* at) { ::munmap(const_cast<void*>(at), size); });
+bool mapBytes(int descriptor, std::size_t size, InputFile& input) {
+    const void* const address = mapFile(descriptor, size);
+    if (!address) return false;
+    input.owner = std::shared_ptr<const void>(address, [size](const void* at) { unmapFile(at, size); });
     input.bytes = {static_cast<const char*>(address), size};
     input.mapped = true;
     return true;
@@ -45,30 +35,30 @@ void readStream(int descriptor, InputFile& input) {
     for (;;) {
         const std::size_t used = text->size();
         text->resize(used + kBlock);
-        const ssize_t got = ::read(descriptor, text->data() + used, kBlock);
-        text->resize(used + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+        const std::ptrdiff_t got = readSome(descriptor, text->data() + used, kBlock);
+        text->resize(used + static_cast<std::size_t>(std::max<std::ptrdiff_t>(got, 0)));
         if (got == 0) break;
-        if (got < 0 && errno != EINTR) refuse(input, systemReason(errno));
+        if (got < 0) refuse(input, systemReason(errno));
     }
     input.bytes = *text;
     input.owner = std::move(text);
 }
 
 /// Refuses devices, which have no end, but for terminals, whose user ends the input.
-bool isReadable(int descriptor, mode_t mode, NamedBy named_by) {
-    if (S_ISREG(mode)) return true;
+bool isReadable(int descriptor, FileKind kind, NamedBy named_by) {
+    if (kind == FileKind::kRegular) return true;
     if (named_by == NamedBy::kFile) return false;
-    return S_ISFIFO(mode) || S_ISSOCK(mode) || (S_ISCHR(mode) && ::isatty(descriptor) == 1);
+    return kind == FileKind::kPipe || (kind == FileKind::kCharacters && isTerminal(descriptor));
 }
 
 void loadBytes(const Descriptor& file, NamedBy named_by, InputFile& input) {
-    struct stat status {};
-    if (file.number < 0 || ::fstat(file.number, &status) != 0) refuse(input, systemReason(errno));
-    if (S_ISDIR(status.st_mode)) refuse(input, "is a directory");
-    if (!isReadable(file.number, status.st_mode, named_by)) refuse(input, "is not a regular file");
-    const bool mapped = S_ISREG(status.st_mode) && status.st_size > 0 &&
-                        mapFile(file.number, static_cast<std::size_t>(status.st_size), input);
-    if (!mapped) readStream(file.number, input);
+    const auto status = file.isOpen() ? statusOf(file.number()) : std::nullopt;
+    if (!status) refuse(input, systemReason(errno));
+    if (status->kind == FileKind::kFolder) refuse(input, "is a directory");
+    if (!isReadable(file.number(), status->kind, named_by)) refuse(input, "is not a regular file");
+    const bool mapped = status->kind == FileKind::kRegular && status->bytes > 0 &&
+                        mapBytes(file.number(), static_cast<std::size_t>(status->bytes), input);
+    if (!mapped) readStream(file.number(), input);
 }
 
 } // namespace
@@ -78,8 +68,8 @@ InputFile openInputFile(const std::string& path, NamedBy named_by) {
     const bool standard_input = path == "-" && named_by == NamedBy::kUser;
     input.name = standard_input ? "standard input" : path;
     // Opening a pipe waits for a writer; only a pipe named by the user can be expected to have one.
-    const int flags = O_RDONLY | O_CLOEXEC | (named_by == NamedBy::kFile ? O_NONBLOCK : 0);
-    const Descriptor file{standard_input ? STDIN_FILENO : ::open(path.c_str(), flags), !standard_input};
+    const Opening opening = named_by == NamedBy::kFile ? Opening::kReadNoWait : Opening::kRead;
+    const Descriptor file(standard_input ? kStandardInput : openFile(path, opening), !standard_input);
     loadBytes(file, named_by, input);
     if (isGzip(input.bytes)) unpackGzip(input);
     if (input.bytes.empty()) refuse(input, "the file is empty");
@@ -87,10 +77,7 @@ InputFile openInputFile(const std::string& path, NamedBy named_by) {
 }
 
 void releasePages(const InputFile& input, std::uint64_t bytes) {
-    if (!input.mapped) return;
-    const auto page = static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
-    const std::uint64_t whole_pages = std::min<std::uint64_t>(bytes, input.bytes.size()) / page * page;
-    if (whole_pages > 0) ::madvise(const_cast<char*>(input.bytes.data()), whole_pages, MADV_DONTNEED);
+    if (input.mapped) dropPages(input.bytes.data(), std::min<std::uint64_t>(bytes, input.bytes.size()));
 }
 
 void refuse(const InputFile& input, const std::string& reason) {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <sys/stat.h>
 #include <utility>
 
+#include "format/os/descriptor.h"
 #include "preprocess/ingest/named_file.h"
 #include "preprocess/ingest/text.h"
 #include "preprocess/input/detect.h"
@@ -64,12 +64,12 @@ fs::path pathOf(const Placement& placement, const fs::path& folder) {
 /// patterns and rotated copies. Without it, a few lines could request any amount of memory.
 struct NamedFiles {
     static constexpr int kMostTimes = 8;
-    std::map<std::pair<dev_t, ino_t>, int> times;
+    std::map<std::pair<std::uint64_t, std::uint64_t>, int> times;
 
     void add(const Placement& placement, const fs::path& scan) {
-        struct stat status {};
-        if (::stat(scan.c_str(), &status) != 0) return; // openInputFile reports why
-        if (++times[{status.st_dev, status.st_ino}] > kMostTimes)
+        const auto status = statusOf(scan.string());
+        if (!status) return; // openInputFile reports why
+        if (++times[{status->device, status->number}] > kMostTimes)
             refuseScan(placement.file, fmt::format("is named more than {} times", kMostTimes));
     }
 };

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/tiles/bucket_writer.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -14,6 +11,7 @@
 #include <filesystem>
 
 #include "format/base/error.h"
+#include "format/os/descriptor.h"
 #include "preprocess/ingest/columns.h"
 #include "preprocess/tiles/checksum.h"
 
@@ -39,17 +37,13 @@ namespace {
 /// An open file, closed on destruction.
 class File {
 public:
-    File(std::string path, int flags) : path_(std::move(path)), descriptor_(::open(path_.c_str(), flags, 0666)) {
-        if (descriptor_ < 0) cannotWrite(path_, errno);
+    File(std::string path, Opening opening) : path_(std::move(path)), descriptor_(openFile(path_, opening)) {
+        if (!descriptor_.isOpen()) cannotWrite(path_, errno);
     }
-    ~File() { ::close(descriptor_); }
-    File(const File&) = delete;
-    File& operator=(const File&) = delete;
 
     void write(const char* data, std::size_t bytes) const {
         while (bytes > 0) {
-            const ssize_t done = ::write(descriptor_, data, bytes);
-            if (done < 0 && errno == EINTR) continue;
+            const std::ptrdiff_t done = writeSome(descriptor_.number(), data, bytes);
             if (done < 0) cannotWrite(path_, errno);
             data += done;
             bytes -= static_cast<std::size_t>(done);
@@ -59,8 +53,7 @@ public:
     /// Returns false if there are fewer bytes.
     bool read(char* data, std::size_t bytes) const {
         while (bytes > 0) {
-            const ssize_t done = ::read(descriptor_, data, bytes);
-            if (done < 0 && errno == EINTR) continue;
+            const std::ptrdiff_t done = readSome(descriptor_.number(), data, bytes);
             if (done <= 0) return false;
             data += done;
             bytes -= static_cast<std::size_t>(done);
@@ -70,14 +63,12 @@ public:
 
 private:
     std::string path_;
-    int descriptor_;
+    Descriptor descriptor_;
 };
-
-constexpr int kAppend = O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC;
 
 /// Hashes the first bytes of a file.
 bool hashFile(const std::string& path, std::uint64_t bytes, XXH3_state_t* hash) {
-    const File file(path, O_RDONLY | O_CLOEXEC);
+    const File file(path, Opening::kRead);
     std::vector<char> piece(std::size_t{1} << 20);
     while (bytes > 0) {
         const std::size_t now = std::min<std::uint64_t>(bytes, piece.size());
@@ -204,7 +195,7 @@ void BucketWriter::add(const PointBatch& batch, const GridPriors& priors) {
 void BucketWriter::append(std::size_t tile) {
     Bucket& bucket = *buckets_[tile];
     if (bucket.buffer.empty()) return;
-    File(partOf(tile), kAppend).write(bucket.buffer.data(), bucket.buffer.size());
+    File(partOf(tile), Opening::kAppend).write(bucket.buffer.data(), bucket.buffer.size());
     XXH3_64bits_update(bucket.hash, bucket.buffer.data(), bucket.buffer.size());
     bucket.written += bucket.buffer.size();
     buffered_ -= bucket.buffer.capacity();
@@ -272,8 +263,10 @@ void BucketWriter::finish() {
         trailer.records = bucket.written / layout_.record_bytes;
         trailer.xxh3 = XXH3_64bits_digest(bucket.hash);
         const std::string part = partOf(tile), whole = bucketFile(plan_, plan_.tiles[tile]);
-        File(part, kAppend).write(reinterpret_cast<const char*>(&trailer), sizeof trailer);
-        if (::rename(part.c_str(), whole.c_str()) != 0) cannotWrite(whole, errno);
+        File(part, Opening::kAppend).write(reinterpret_cast<const char*>(&trailer), sizeof trailer);
+        std::error_code failure;
+        std::filesystem::rename(part, whole, failure);
+        if (failure) cannotWrite(whole, failure.value());
     }
 }
 

@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "format/base/error.h"
-#include "format/base/mapped_file.h"
+#include "format/os/mapped_file.h"
 #include "preprocess/tiles/bucket_layout.h"
 #include "preprocess/tiles/checksum.h"
 

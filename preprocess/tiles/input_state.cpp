@@ -2,27 +2,27 @@
 #include "preprocess/tiles/input_state.h"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include <cerrno>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "format/base/error.h"
+#include "format/os/descriptor.h"
 
 namespace pointrt {
 
 std::vector<PlanInput> statesOf(const std::vector<std::string>& paths) {
     std::vector<PlanInput> states;
     for (const std::string& path : paths) {
-        struct stat status {};
+        const auto status = statusOf(path);
         const auto refuse = [&](const std::string& reason) { throw Error(ExitCode::kBadInput, path + ": " + reason); };
-        if (::stat(path.c_str(), &status) != 0) refuse(errno == ENOENT ? "no such file" : std::strerror(errno));
-        if (!S_ISREG(status.st_mode)) refuse("is not a regular file; a tile set reads its inputs twice");
+        if (!status) refuse(errno == ENOENT ? "no such file" : std::strerror(errno));
+        if (status->kind != FileKind::kRegular) refuse("is not a regular file; a tile set reads its inputs twice");
         PlanInput& state = states.emplace_back();
         state.path = path;
-        state.bytes = static_cast<std::uint64_t>(status.st_size);
-        state.modified_ns = std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec;
+        state.bytes = status->bytes;
+        state.modified_ns = status->modified_ns;
     }
     return states;
 }

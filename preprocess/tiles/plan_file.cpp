@@ -11,9 +11,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "format/base/atomic_file.h"
 #include "format/base/error.h"
 #include "format/base/json_integer.h"
+#include "format/os/atomic_file.h"
 #include "preprocess/tiles/checksum.h"
 #include "preprocess/tiles/plan.h"
 #include "preprocess/tiles/plan_check.h"

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "format/base/atomic_file.h"
 #include "format/base/error.h"
+#include "format/os/atomic_file.h"
 #include "pointrt/pro.h"
 #include "preprocess/cloud/median.h"
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "format/base/mapped_file.h"
+#include "format/os/mapped_file.h"
 #include "preprocess/tiles/tile_splats.h"
 
 namespace pointrt {

@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "format/base/atomic_file.h"
 #include "format/base/error.h"
 #include "format/base/json_integer.h"
+#include "format/os/atomic_file.h"
 #include "preprocess/tiles/bucket_writer.h"
 #include "preprocess/tiles/gaussian_tiles.h"
 #include "preprocess/tiles/measure_statistics.h"

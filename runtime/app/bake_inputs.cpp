@@ -3,9 +3,9 @@
 
 #include <cstdio>
 
+#include "format/os/interrupt.h"
 #include "runtime/session/bake_cache.h"
 #include "runtime/session/bake_tool.h"
-#include "runtime/util/interrupt.h"
 #include "runtime/util/render_progress.h"
 
 namespace pointrt {

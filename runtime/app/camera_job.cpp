@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/app/camera_job.h"
+#include "format/os/process_time.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include "format/base/error.h"
 #include "format/base/printable.h"
 #include "format/base/same_file.h"
+#include "format/os/interrupt.h"
 #include "runtime/app/camera_pictures.h"
 #include "runtime/render/camera_series.h"
 #include "runtime/render/picture_filter.h"
@@ -18,7 +20,6 @@
 #include "runtime/scene_io/transforms_write.h"
 #include "runtime/session/settings.h"
 #include "runtime/util/clock.h"
-#include "runtime/util/interrupt.h"
 #include "runtime/util/output_file.h"
 #include "runtime/util/parse.h"
 #include "runtime/util/render_progress.h"

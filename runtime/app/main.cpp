@@ -7,10 +7,12 @@
 #include <system_error>
 #include <utility>
 
-#include "format/base/process.h"
 #include "format/base/report_file.h"
 #include "format/base/require_pro.h"
 #include "format/base/run_tool.h"
+#include "format/os/interrupt.h"
+#include "format/os/process.h"
+#include "format/os/process_time.h"
 #include "runtime/app/bake_inputs.h"
 #include "runtime/app/camera_job.h"
 #include "runtime/app/render_job.h"
@@ -23,7 +25,6 @@
 #include "runtime/session/render_session.h"
 #include "runtime/session/report.h"
 #include "runtime/session/settings.h"
-#include "runtime/util/interrupt.h"
 #include "runtime/util/output_file.h"
 #ifdef POINTRT_HAS_WINDOW
 #include "runtime/window/app/window.h"

@@ -5,11 +5,12 @@
 #include <string>
 
 #include "format/base/error.h"
+#include "format/os/memory.h"
 #include "runtime/render/film_readout.h"
 #include "runtime/render/frame_limits.h"
 #include "runtime/render/picture_filter.h"
 #include "runtime/session/settings.h"
-#include "runtime/util/available_memory.h"
+#include "runtime/util/memory_text.h"
 
 namespace pointrt {
 namespace {

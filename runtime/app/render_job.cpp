@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/app/render_job.h"
+#include "format/os/process_time.h"
 
 #include <cstdio>
 #include <ctime>
@@ -8,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "format/os/interrupt.h"
 #include "runtime/app/picture_memory.h"
 #include "runtime/app/png_picture.h"
 #include "runtime/render/film_file.h"
@@ -18,7 +20,6 @@
 #include "runtime/scene/turntable.h"
 #include "runtime/session/settings.h"
 #include "runtime/util/clock.h"
-#include "runtime/util/interrupt.h"
 #include "runtime/util/render_progress.h"
 
 namespace pointrt {

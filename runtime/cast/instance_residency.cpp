@@ -12,7 +12,7 @@
 #include "format/set/open_tile.h"
 #include "runtime/device_scene/clip_planes.h"
 #include "runtime/device_scene/scene_tiles.h"
-#include "runtime/util/available_memory.h"
+#include "runtime/util/memory_text.h"
 #include "runtime/util/on_error.h"
 
 namespace pointrt {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "format/base/error.h"
+#include "format/os/user_folder.h"
 #include "runtime/util/parse.h"
-#include "runtime/util/user_folder.h"
 
 namespace pointrt {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "format/index/build_index.h"
 #include "pointrt/pro_index_layout.h"
-#include "runtime/util/available_memory.h"
+#include "runtime/util/memory_text.h"
 
 namespace pointrt {
 namespace {

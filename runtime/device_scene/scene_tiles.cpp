@@ -17,7 +17,7 @@
 #include "format/set/open_tile.h"
 #include "runtime/device_scene/core_reach.h"
 #include "runtime/gpu/memory_budget.h"
-#include "runtime/util/available_memory.h"
+#include "runtime/util/memory_text.h"
 #include "runtime/util/on_error.h"
 #include "runtime/util/parse.h"
 

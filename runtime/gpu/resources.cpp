@@ -9,7 +9,7 @@
 
 #include "format/base/error.h"
 #include "runtime/gpu/staging.h"
-#include "runtime/util/available_memory.h"
+#include "runtime/util/memory_text.h"
 #include "runtime/util/on_error.h"
 
 namespace pointrt {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/gpu/vulkan.h"
 
-#include <dlfcn.h>
-
 #include <string>
 
 #include "format/base/error.h"
+#include "format/os/library.h"
 
 namespace pointrt {
 
@@ -16,27 +15,30 @@ POINTRT_VULKAN_WINDOW_FUNCTIONS(POINTRT_DEFINE_VULKAN)
 
 namespace {
 
+constexpr LibraryName kVulkan{"libvulkan.so.1", "vulkan-1.dll"};
+
+std::string loaderName() { return std::string("the Vulkan loader (") + kVulkan.here() + ")"; }
+
 template <typename Function>
 void loadFunction(void* library, const char* name, Function& function) {
-    function = reinterpret_cast<Function>(dlsym(library, name));
-    if (!function)
-        throw Error{ExitCode::kCannotRun,
-                    std::string("the Vulkan loader (libvulkan.so.1) is too old: it lacks ") + name};
+    if (!findFunction(library, name, function))
+        throw Error{ExitCode::kCannotRun, loaderName() + " is too old: it lacks " + name};
 }
 
 template <typename Function>
 void loadInstanceFunction(VkInstance instance, const char* name, Function& function) {
     function = reinterpret_cast<Function>(vkGetInstanceProcAddr(instance, name));
     if (!function)
-        throw Error{ExitCode::kCannotRun, std::string("the Vulkan loader (libvulkan.so.1) lacks ") + name +
-                                              ", which a window needs; -o FILE renders without one"};
+        throw Error{ExitCode::kCannotRun,
+                    loaderName() + " lacks " + name + ", which a window needs; -o FILE renders without one"};
 }
 
 void* openVulkan() {
-    void* opened = dlopen("libvulkan.so.1", RTLD_NOW | RTLD_LOCAL);
+    void* opened = openLibrary(kVulkan);
     if (!opened)
-        throw Error{ExitCode::kCannotRun, "no Vulkan loader (libvulkan.so.1): install it and a driver "
-                                          "(Debian, Ubuntu: libvulkan1 mesa-vulkan-drivers)"};
+        throw Error{ExitCode::kCannotRun, std::string("no Vulkan loader (") + kVulkan.here() +
+                                              "): install it and a driver "
+                                              "(Debian, Ubuntu: libvulkan1 mesa-vulkan-drivers)"};
 #define POINTRT_LOAD_VULKAN(name) loadFunction(opened, #name, name);
     POINTRT_VULKAN_FUNCTIONS(POINTRT_LOAD_VULKAN)
 #undef POINTRT_LOAD_VULKAN

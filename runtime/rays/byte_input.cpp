@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/rays/byte_input.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <utility>
 
 #include "format/base/error.h"
+#include "format/os/descriptor.h"
 
 namespace pointrt {
 namespace {
-
-constexpr std::size_t kReadAtOnce = std::size_t{1} << 30; // read(2) returns less than 2 GiB on Linux
 
 [[noreturn]] void failReading(const std::string& name) {
     throw Error(ExitCode::kBadInput, name + ": " + std::strerror(errno));
@@ -24,12 +20,12 @@ constexpr std::size_t kReadAtOnce = std::size_t{1} << 30; // read(2) returns les
 
 ByteInput::ByteInput(std::string path) : owned_(path != "-") {
     name_ = owned_ ? std::move(path) : "standard input";
-    descriptor_ = owned_ ? ::open(name_.c_str(), O_RDONLY | O_CLOEXEC) : STDIN_FILENO;
+    descriptor_ = owned_ ? openFile(name_, Opening::kRead) : kStandardInput;
     if (descriptor_ < 0) failReading(name_);
 }
 
 ByteInput::~ByteInput() {
-    if (owned_ && descriptor_ >= 0) ::close(descriptor_);
+    if (owned_ && descriptor_ >= 0) closeFile(descriptor_);
 }
 
 std::size_t ByteInput::read(void* to, std::size_t bytes) {
@@ -52,9 +48,7 @@ bool ByteInput::beginsWith(const std::string& start) {
 std::size_t ByteInput::fill(void* to, std::size_t bytes) {
     std::size_t done = 0;
     while (done < bytes) {
-        const ssize_t got =
-            ::read(descriptor_, static_cast<std::uint8_t*>(to) + done, std::min(bytes - done, kReadAtOnce));
-        if (got < 0 && errno == EINTR) continue;
+        const std::ptrdiff_t got = readSome(descriptor_, static_cast<std::uint8_t*>(to) + done, bytes - done);
         if (got < 0) failReading(name_);
         if (got == 0) break;
         done += static_cast<std::size_t>(got);

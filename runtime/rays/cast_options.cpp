@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/rays/cast_options.h"
 
-#include <unistd.h>
-
 #include "format/base/error.h"
 #include "format/cli/command_line.h"
+#include "format/os/descriptor.h"
+#include "format/os/terminal.h"
 
 namespace pointrt {
 namespace {
@@ -48,7 +48,7 @@ void addOptions(CommandLine& app, CastOptions& options) {
 void checkOptions(const CastOptions& options) {
     const auto usage = [](const std::string& text) { throw Error(ExitCode::kBadUsage, text); };
     if (options.any && !options.attributes.empty()) usage("--any and --attributes exclude each other");
-    if (options.rays == "-" && isatty(STDIN_FILENO) == 1) usage("--rays -: standard input is a terminal");
+    if (options.rays == "-" && isTerminal(kStandardInput)) usage("--rays -: standard input is a terminal");
     checkCommonOptions(options, {options.rays}, "hits");
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/rays/common_options.h"
 
-#include <unistd.h>
-
 #include "format/base/error.h"
 #include "format/base/same_file.h"
 #include "format/cli/command_line.h"
+#include "format/os/descriptor.h"
+#include "format/os/terminal.h"
 #include "runtime/util/parse.h"
 
 namespace pointrt {
@@ -32,7 +32,7 @@ std::array<double, 6> boxOf(const std::string& text) {
 void checkStandardOutput(const CommonOptions& options, const std::string& what) {
     if (options.output != "-") return;
     if (options.stats == "-") refuseUsage("-o - and --stats - exclude each other: both write to standard output");
-    if (isatty(STDOUT_FILENO) == 1)
+    if (isTerminal(kStandardOutput))
         refuseUsage("-o -: standard output is a terminal; redirect the " + what + " to a file or a pipe");
 }
 

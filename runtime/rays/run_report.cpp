@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/rays/run_report.h"
 
-#include <sys/resource.h>
-
 #include <nlohmann/json.hpp>
 
-namespace pointrt {
+#include "format/os/memory.h"
 
-std::uint64_t peakRssBytes() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024; // Linux reports KiB
-}
+namespace pointrt {
 
 std::string reportText(const std::string& device, const std::vector<std::pair<std::string, std::uint64_t>>& counts,
                        const std::vector<NamedSeconds>& seconds) {

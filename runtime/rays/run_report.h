@@ -25,9 +25,6 @@ auto timed(double& seconds, const Work& work) {
     return work();
 }
 
-/// Peak resident memory of the process.
-std::uint64_t peakRssBytes();
-
 inline ExitCode exitCodeOf(const TraceError& error) { return static_cast<ExitCode>(error.kind); }
 
 /// Calls work and returns its result. TraceError becomes Error.

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/rays/study_options.h"
 
-#include <unistd.h>
-
 #include <chrono>
 #include <stdexcept>
 
 #include "format/base/error.h"
 #include "format/cli/command_line.h"
+#include "format/os/descriptor.h"
+#include "format/os/terminal.h"
 #include "runtime/util/parse.h"
 
 namespace pointrt {
@@ -77,7 +77,7 @@ std::optional<int> parseStudyLine(CommandLine& app, int argc, const char* const*
 }
 
 void checkStudyOptions(const StudyOptions& options) {
-    if (options.points == "-" && isatty(STDIN_FILENO) == 1)
+    if (options.points == "-" && isTerminal(kStandardInput))
         throw Error(ExitCode::kBadUsage, "--points -: standard input is a terminal");
     std::vector<std::string> inputs;
     if (!options.points.empty()) inputs.push_back(options.points);

@@ -6,9 +6,10 @@
 #include <utility>
 
 #include "format/base/error.h"
+#include "format/os/memory.h"
 #include "runtime/render/film_readout.h"
 #include "runtime/render/picture_tiles.h"
-#include "runtime/util/available_memory.h"
+#include "runtime/util/memory_text.h"
 
 namespace pointrt {
 namespace {

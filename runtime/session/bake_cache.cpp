@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/session/bake_cache.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <array>
-#include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <thread>
 
 #include "format/base/error.h"
-#include "format/base/file_lock.h"
+#include "format/os/file_lock.h"
 #include "pointrt/pro.hpp"
 #include "runtime/session/bake_tool.h"
 #include "runtime/session/tool_run.h"
@@ -28,26 +24,23 @@ constexpr std::chrono::milliseconds kLockPoll{50};
 /// Keeps other processes from baking the same meanwhile. Only a courtesy: without it they would write the same file.
 class BakeLock {
 public:
-    explicit BakeLock(const std::string& path)
-        : path_(path), descriptor_(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {}
+    explicit BakeLock(const std::string& path) { lock_.openFile(path); }
     ~BakeLock() {
-        if (locked_) unlink(path_.c_str());
-        if (descriptor_ >= 0) close(descriptor_);
+        if (locked_) lock_.removeFile();
     }
     BakeLock(const BakeLock&) = delete;
     BakeLock& operator=(const BakeLock&) = delete;
 
     /// False if another process has the lock.
     bool tryLock() {
-        if (descriptor_ < 0) return true; // the bake will say why nothing can be written
-        const format::LockResult result = format::tryLock(descriptor_);
+        if (!lock_.isOpen()) return true; // the bake will say why nothing can be written
+        const format::LockResult result = lock_.take();
         locked_ = result == format::LockResult::kLocked;
         return result != format::LockResult::kTaken;
     }
 
 private:
-    const std::string path_;
-    const int descriptor_;
+    format::FileLock lock_;
     bool locked_ = false;
 };
 

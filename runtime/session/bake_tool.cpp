@@ -1,33 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/session/bake_tool.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <system_error>
 
 #include "format/base/error.h"
+#include "format/os/program.h"
 
 namespace pointrt {
 namespace {
 
 namespace fs = std::filesystem;
 
-bool isProgram(const std::string& path) {
-    std::error_code ignored;
-    return fs::is_regular_file(path, ignored) && access(path.c_str(), X_OK) == 0;
-}
-
 } // namespace
 
 std::string findBakeTool(const std::string& folder, const std::string& search_path) {
-    const std::string beside = (fs::path(folder) / kBakeTool).string();
+    const std::string beside = (fs::path(folder) / programFile(kBakeTool)).string();
     if (isProgram(beside)) return beside;
     for (std::size_t at = 0; at < search_path.size();) {
-        const std::size_t end = std::min(search_path.find(':', at), search_path.size());
-        const std::string path = (fs::path(search_path.substr(at, end - at)) / kBakeTool).string();
+        const std::size_t end = std::min(search_path.find(kSearchPathSeparator, at), search_path.size());
+        const std::string path = (fs::path(search_path.substr(at, end - at)) / programFile(kBakeTool)).string();
         if (end > at && isProgram(path)) return path;
         at = end + 1;
     }
@@ -36,9 +29,8 @@ std::string findBakeTool(const std::string& folder, const std::string& search_pa
 }
 
 std::string findBakeTool() {
-    std::error_code ignored;
     const char* path = std::getenv("PATH");
-    return findBakeTool(fs::read_symlink("/proc/self/exe", ignored).parent_path().string(), path ? path : "");
+    return findBakeTool(fs::path(programPath()).parent_path().string(), path ? path : "");
 }
 
 } // namespace pointrt

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/session/output_check.h"
 
-#include <unistd.h>
-
 #include <string>
 #include <vector>
 
 #include "format/base/error.h"
 #include "format/base/same_file.h"
+#include "format/os/descriptor.h"
+#include "format/os/terminal.h"
 
 namespace pointrt {
 namespace {
@@ -30,7 +30,7 @@ std::vector<std::string> filesOf(const Options& options, const SceneDescription&
 } // namespace
 
 void requireOutputsApart(const Options& options, const SceneDescription& scene) {
-    if (options.output == "-" && isatty(STDOUT_FILENO) == 1)
+    if (options.output == "-" && isTerminal(kStandardOutput))
         refuse("-o -: standard output is a terminal; redirect the picture to a file or a pipe");
     const NamedOutput outputs[] = {{"-o", options.output}, {"--stats", options.stats}, {"--record", options.record}};
     const std::vector<std::string> inputs = filesOf(options, scene);

@@ -53,7 +53,4 @@ std::string jsonNumber(double value);
 /// A JSON object with one member per line; values are JSON already.
 std::string jsonObject(const std::vector<std::pair<const char*, std::string>>& members);
 
-/// Seconds since the start of this process, from the kernel in steps of 10 ms; without /proc since the first call.
-double secondsSinceStart();
-
 } // namespace pointrt

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/session/tool_run.h"
 
-#include <signal.h>
-#include <sys/wait.h>
-
+#include <memory>
 #include <optional>
+#include <system_error>
 
-#include "runtime/session/child_process.h"
+#include "format/os/child_process.h"
 
 namespace pointrt {
 namespace {
@@ -54,14 +53,22 @@ int waitForExit(ChildProcess& child, OutputReader& reader, const std::function<b
         reader.append(child.read(kPoll));
         if (!cancelled()) continue;
         if (!terminated_at) {
-            child.signal(SIGTERM);
+            child.terminate();
             terminated_at = Clock::now();
         } else if (Clock::now() - *terminated_at > kGrace) {
-            child.signal(SIGKILL);
+            child.kill();
         }
     }
     for (std::string rest; !(rest = child.read({})).empty();) reader.append(rest);
     return *status;
+}
+
+std::unique_ptr<ChildProcess> start(const std::vector<std::string>& arguments) {
+    try {
+        return std::make_unique<ChildProcess>(arguments);
+    } catch (const std::system_error& error) {
+        throw Error{ExitCode::kCannotRun, error.what()};
+    }
 }
 
 } // namespace
@@ -70,18 +77,18 @@ ToolResult runTool(const std::vector<std::string>& arguments, const std::string&
                    const std::function<bool()>& cancelled,
                    const std::function<bool(const std::string& line)>& on_line) {
     OutputReader reader(on_line);
-    ChildProcess child(arguments);
-    const int status = waitForExit(child, reader, cancelled);
-    return {status, child.id(), reader.lastLine(name)};
+    const auto child = start(arguments);
+    const int status = waitForExit(*child, reader, cancelled);
+    return {status, reader.lastLine(name)};
 }
 
 std::string describeFailure(const ToolResult& end, const std::string& name) {
-    const bool said_why = WIFEXITED(end.wait_status) && !end.last_line.empty();
+    const bool said_why = exitStatusOf(end.wait_status) && !end.last_line.empty();
     return said_why ? end.last_line : name + " " + describeExit(end.wait_status);
 }
 
 ExitCode exitCodeOf(const ToolResult& end) {
-    const int status = WIFEXITED(end.wait_status) ? WEXITSTATUS(end.wait_status) : 0;
+    const int status = exitStatusOf(end.wait_status).value_or(0);
     const bool ours = status > 0 && status <= static_cast<int>(ExitCode::kCannotWrite);
     return ours ? static_cast<ExitCode>(status) : ExitCode::kCannotRun;
 }

@@ -2,8 +2,6 @@
 // Runs another pointrt tool.
 #pragma once
 
-#include <sys/types.h>
-
 #include <functional>
 #include <string>
 #include <vector>
@@ -13,8 +11,7 @@
 namespace pointrt {
 
 struct ToolResult {
-    int wait_status = 0;   ///< of waitpid
-    pid_t id = 0;          ///< of the process
+    int wait_status = 0;   ///< of ChildProcess
     std::string last_line; ///< last line of output that was not progress, without the tool's name
 };
 

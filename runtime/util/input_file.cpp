@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/util/input_file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 
 #include "format/base/error.h"
+#include "format/os/descriptor.h"
 
 namespace pointrt {
 namespace {
@@ -20,29 +17,24 @@ namespace {
 
 struct OpenFile {
     const std::string& path;
-    int descriptor;
+    Descriptor descriptor;
     std::size_t size = 0;
 
-    explicit OpenFile(const std::string& name)
-        : path(name), descriptor(open(name.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
-        if (descriptor < 0) fail(path, std::strerror(errno));
+    explicit OpenFile(const std::string& name) : path(name), descriptor(openFile(name, Opening::kReadNoWait)) {
+        if (!descriptor.isOpen()) fail(path, std::strerror(errno));
     }
-    OpenFile(const OpenFile&) = delete;
-    OpenFile& operator=(const OpenFile&) = delete;
-    ~OpenFile() { close(descriptor); }
 
     void measure() {
-        struct stat status;
-        if (fstat(descriptor, &status) != 0) fail(path, std::strerror(errno));
-        if (S_ISDIR(status.st_mode)) fail(path, std::strerror(EISDIR));
-        if (!S_ISREG(status.st_mode)) fail(path, "not a regular file");
-        size = static_cast<std::size_t>(status.st_size);
+        const auto status = statusOf(descriptor.number());
+        if (!status) fail(path, std::strerror(errno));
+        if (status->kind == FileKind::kFolder) fail(path, std::strerror(EISDIR));
+        if (status->kind != FileKind::kRegular) fail(path, "not a regular file");
+        size = static_cast<std::size_t>(status->bytes);
     }
 
     void fill(std::uint8_t* bytes, std::size_t count) const {
         for (std::size_t done = 0; done < count;) {
-            const ssize_t got = read(descriptor, bytes + done, count - done);
-            if (got < 0 && errno == EINTR) continue;
+            const std::ptrdiff_t got = readSome(descriptor.number(), bytes + done, count - done);
             if (got <= 0) fail(path, got < 0 ? std::strerror(errno) : "the file was truncated while it was read");
             done += static_cast<std::size_t>(got);
         }

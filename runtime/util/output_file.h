@@ -8,7 +8,7 @@
 #include <span>
 #include <string>
 
-#include "format/base/atomic_file.h"
+#include "format/os/atomic_file.h"
 
 namespace pointrt {
 

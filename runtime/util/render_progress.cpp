@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/util/render_progress.h"
 
-#include <unistd.h>
-
 #include <cstdio>
+
+#include "format/os/descriptor.h"
+#include "format/os/terminal.h"
 
 namespace pointrt {
 namespace {
@@ -19,7 +20,7 @@ RenderProgress::RenderProgress(bool quiet, bool verbose, bool for_programs, cons
     : doing_(doing), start_(std::chrono::steady_clock::now()), drawn_(start_) {
     if (for_programs) style_ = Style::kForPrograms;
     if (quiet || for_programs) return;
-    if (isatty(STDERR_FILENO))
+    if (isTerminal(kStandardError))
         style_ = Style::kRedrawn;
     else if (verbose)
         style_ = Style::kTenths;

@@ -2,10 +2,11 @@
 # awk -f check_rooms.awk rooms.txt FILE...: checks that the includes of FILEs, paths from the repository's root, are of rooms
 # that their room may use (cmake/Rooms.cmake writes rooms.txt). Prints a line for each finding; exit status 1 if there is one.
 #   - each file is in a room. The purpose of a room has at most most_purpose (120) characters, because a room that takes
-#     longer to describe holds more than one idea. There are at most most_rooms (45)
+#     longer to describe holds more than one idea. There are at most most_rooms (46)
 #   - an include has the path of its file from the root, which is in the same room or in one that this room uses
 #   - a room includes something of each room that it uses
 #   - no room uses itself by way of others
+#   - only the room os_room (format/os) includes headers of one system
 function finding(text) {
     print text
     found = 1
@@ -31,7 +32,12 @@ function visit(room, path,    names, count, i) {
 
 BEGIN {
     if (!most_purpose) most_purpose = 120
-    if (!most_rooms) most_rooms = 45
+    if (!most_rooms) most_rooms = 46
+    if (!os_room) os_room = "format/os"
+    of_posix = "aio|arpa/.*|dirent|dlfcn|fcntl|glob|grp|langinfo|libgen|net/.*|netdb|netinet/.*|poll|pthread|pwd|sched|" \
+        "semaphore|signal|spawn|strings|sys/.*|syslog|termios|ucontext|unistd|wordexp"
+    of_windows = "windows|io|direct|process|psapi|share|shellapi|shlobj|winsock2"
+    system_header = "^[ \t]*#[ \t]*include[ \t]*<(" of_posix "|" of_windows ")\\.h>"
 }
 
 FILENAME == ARGV[1] {
@@ -46,6 +52,11 @@ FILENAME == ARGV[1] {
 FNR == 1 {
     room = folderOf(FILENAME)
     if (!(room in uses)) finding(FILENAME ": lies in no room")
+}
+
+$0 ~ system_header && room != os_room {
+    split($0, parts, /[<>]/)
+    finding(FILENAME ":" FNR ": <" parts[2] "> is of one system: what needs it belongs in " os_room)
 }
 
 /^[ \t]*#[ \t]*include[ \t]*"/ {

@@ -15,7 +15,7 @@ fail() {
 expectFinding() {
     local said
     # shellcheck disable=SC2046 # a list of words
-    if said=$(awk -v most_rooms=3 -v most_purpose=30 -f "$check" rooms.txt $(find low high -type f)); then fail "the check found nothing"; fi
+    if said=$(awk -v most_rooms=3 -v most_purpose=30 -v os_room=low -f "$check" rooms.txt $(find low high -type f)); then fail "the check found nothing"; fi
     [ "$said" = "$1" ] || fail "the check said: $said"
 }
 
@@ -29,7 +29,7 @@ smallTree() {
     printf '#include "low/a.h"\n#include "high/c.h"\n#include "shaders/x.spv.h"\n' >high/b.cpp
     printf '#pragma once\n' >high/c.h
     # shellcheck disable=SC2046
-    awk -v most_rooms=3 -v most_purpose=30 -f "$check" rooms.txt $(find low high -type f) || fail "the small tree should pass"
+    awk -v most_rooms=3 -v most_purpose=30 -v os_room=low -f "$check" rooms.txt $(find low high -type f) || fail "the small tree should pass"
 }
 
 case_tree() {
@@ -75,6 +75,12 @@ case_two_ideas() {
     smallTree
     printf 'low||Below.\nhigh|low|Above, and besides that a few other things.\n' >rooms.txt
     expectFinding 'high: its purpose takes more than 30 characters'
+}
+case_system() {
+    smallTree
+    printf '#include <unistd.h>\n' >>low/a.h
+    printf '#  include <sys/stat.h> // sizes\n' >>high/c.h
+    expectFinding 'high/c.h:2: <sys/stat.h> is of one system: what needs it belongs in low'
 }
 case_crowd() {
     smallTree

@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <utility>
 
+#include "format/os/user_folder.h"
 #include "runtime/scene_io/scene_write.h"
 #include "runtime/session/bake_cache.h"
 #include "runtime/util/output_file.h"
-#include "runtime/util/user_folder.h"
 #include "runtime/window/app/window_state.h"
 #include "runtime/window/edit/free_name.h"
 #include "runtime/window/edit/kept_bake.h"

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "format/base/error.h"
+#include "format/os/process_time.h"
 #include "runtime/device_scene/scene_tiles.h"
 #include "runtime/render/film_signature.h"
 #include "runtime/session/report.h"

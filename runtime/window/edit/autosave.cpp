@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/window/edit/autosave.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <array>
 #include <cinttypes>
 #include <cstdint>
@@ -12,9 +9,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "format/base/file_lock.h"
+#include "format/os/user_folder.h"
 #include "runtime/scene_io/scene_write.h"
-#include "runtime/util/user_folder.h"
 
 namespace pointrt {
 namespace {
@@ -49,21 +45,17 @@ Autosave::Autosave(const std::string& folder, const std::string& scene) {
 }
 
 bool Autosave::take(const std::string& path) {
-    lock_ = open((path + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-    if (lock_ < 0) return true; // no other name would do better
-    if (format::tryLock(lock_) != format::LockResult::kTaken) {
+    if (!lock_.openFile(path + ".lock")) return true; // no other name would do better
+    if (lock_.take() != format::LockResult::kTaken) {
         path_ = path;
         return true;
     }
-    close(lock_);
-    lock_ = -1;
+    lock_.release();
     return false;
 }
 
 Autosave::~Autosave() {
-    if (lock_ < 0) return;
-    unlink((path_ + ".lock").c_str());
-    close(lock_);
+    if (lock_.isOpen()) lock_.removeFile();
 }
 
 void Autosave::write(const SceneDescription& scene) {
@@ -71,7 +63,8 @@ void Autosave::write(const SceneDescription& scene) {
 }
 
 void Autosave::discard() {
-    if (!path_.empty()) unlink(path_.c_str());
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove(path_, ignored);
     left_.clear();
 }
 

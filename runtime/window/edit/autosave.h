@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "format/os/file_lock.h"
 #include "runtime/scene/scene_description.h"
 
 namespace pointrt {
@@ -31,7 +32,7 @@ private:
 
     std::string path_; ///< "": none could be taken
     std::string left_;
-    int lock_ = -1;
+    format::FileLock lock_;
 };
 
 } // namespace pointrt

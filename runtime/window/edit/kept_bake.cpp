@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <system_error>
 
-#include "format/base/atomic_file.h"
 #include "format/base/error.h"
-#include "format/base/mapped_file.h"
+#include "format/os/atomic_file.h"
+#include "format/os/mapped_file.h"
 #include "runtime/session/bake_cache.h"
 #include "runtime/window/edit/free_name.h"
 

@@ -7,8 +7,8 @@
 #include <system_error>
 
 #include "format/base/error.h"
+#include "format/os/user_folder.h"
 #include "runtime/util/output_file.h"
-#include "runtime/util/user_folder.h"
 
 namespace pointrt {
 namespace {

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/window/edit/turntable_job.h"
 
-#include <stdlib.h>
-#include <unistd.h>
-
 #include <cstdio>
 #include <filesystem>
 #include <vector>
 
 #include "format/base/error.h"
+#include "format/os/program.h"
+#include "format/os/temporary_folder.h"
 #include "runtime/scene/turntable.h"
 #include "runtime/scene_io/scene_write.h"
 #include "runtime/session/tool_run.h"
@@ -22,9 +21,10 @@ namespace fs = std::filesystem;
 class TemporarySceneFile {
 public:
     explicit TemporarySceneFile(const SceneDescription& scene) {
-        std::string folder = (fs::temp_directory_path() / "pointrt-XXXXXX").string();
-        if (!mkdtemp(folder.data())) throw Error{ExitCode::kCannotWrite, folder + ": cannot create a temporary folder"};
-        folder_ = folder;
+        folder_ = makeTemporaryFolder();
+        if (folder_.empty())
+            throw Error{ExitCode::kCannotWrite,
+                        fs::temp_directory_path().string() + ": cannot create a temporary folder"};
         writeSceneFile(path(), scene);
     }
     ~TemporarySceneFile() {
@@ -52,14 +52,8 @@ bool parseProgress(const std::string& line, JobControl& control) {
 void render(const SceneDescription& scene, const std::string& pattern, std::uint32_t pictures,
             const std::string& device, JobControl& control) {
     const TemporarySceneFile file(scene);
-    std::vector<std::string> arguments{fs::read_symlink("/proc/self/exe").string(),
-                                       file.path(),
-                                       "--turntable",
-                                       std::to_string(pictures),
-                                       "--progress",
-                                       "lines",
-                                       "-o",
-                                       safeArgument(pattern)};
+    std::vector<std::string> arguments{programPath(), file.path(), "--turntable", std::to_string(pictures),
+                                       "--progress",  "lines",     "-o",          safeArgument(pattern)};
     if (!device.empty()) arguments.insert(arguments.end(), {"--device", device});
     const ToolResult end = runTool(
         arguments, "pointrt-view", [&] { return control.cancelled(); },

@@ -18,8 +18,8 @@
 #include <numbers>
 #include <vector>
 
-#include "format/base/atomic_file.h"
-#include "format/base/mapped_file.h"
+#include "format/os/atomic_file.h"
+#include "format/os/mapped_file.h"
 #include "format/pointio/las_writer.h"
 #include "format/pointio/laz.h"
 #include "tests/bench/compare_options.h"

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "format/base/run_tool.h"
+#include "format/os/process_time.h"
 #include "runtime/gpu/device.h"
 #include "runtime/gpu/program.h"
 #include "runtime/gpu/resources.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "format/os/process_time.h"
 #include "runtime/session/report.h"
 
 #include <gtest/gtest.h>

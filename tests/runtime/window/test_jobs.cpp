@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "format/base/error.h"
-#include "runtime/session/child_process.h"
+#include "format/os/child_process.h"
 #include "runtime/window/edit/bake_job.h"
 #include "tests/format/tiny_scene.h"
 #include "tests/support/says.h"
@@ -121,7 +121,7 @@ TEST(ChildProcess, IsKilledByTheDestructor) {
     pid_t id = 0;
     {
         const ChildProcess child({"/bin/sleep", "100"});
-        id = child.id();
+        id = static_cast<pid_t>(child.id());
         EXPECT_EQ(kill(id, 0), 0);
     }
     EXPECT_NE(kill(id, 0), 0);

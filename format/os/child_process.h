@@ -2,20 +2,20 @@
 // A child process and its output.
 #pragma once
 
-#include <sys/types.h>
-
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace pointrt {
 
-/// The destructor kills it (SIGKILL) if it is still running.
+/// The destructor kills it if it is still running.
 class ChildProcess {
 public:
     /// Runs arguments[0], a path, with these arguments, without a shell, so they may contain any byte but 0. Its
-    /// standard input is empty; its standard output and error are read here. Throws Error kCannotRun "PATH: reason".
+    /// standard input is empty; its standard output and error are read here. Throws std::system_error "PATH: cannot
+    /// start: reason".
     explicit ChildProcess(const std::vector<std::string>& arguments);
     ~ChildProcess();
     ChildProcess(const ChildProcess&) = delete;
@@ -24,16 +24,23 @@ public:
     /// Returns new output, waiting until the timeout; "" if nothing was written. After the end of the output it just
     /// sleeps.
     std::string read(std::chrono::milliseconds timeout);
-    /// The status of waitpid, once the process has ended.
+    /// Once the process has ended: its status, as the system encodes it. 0 is success.
     std::optional<int> waitStatus();
-    void signal(int number);
-    pid_t id() const { return id_; }
+    /// Asks it to end (SIGTERM). Windows ends it.
+    void terminate();
+    /// Ends it (SIGKILL).
+    void kill();
+    /// Its identifier; on Windows its handle.
+    std::intptr_t id() const { return process_; }
 
 private:
-    pid_t id_ = -1;
-    int output_ = -1;
+    std::intptr_t process_ = -1; ///< its identifier, or a HANDLE of Windows
+    std::intptr_t output_ = -1;  ///< the end of a pipe: a descriptor, or a HANDLE
     std::optional<int> status_;
 };
+
+/// The exit code of a process that ended by itself.
+std::optional<int> exitStatusOf(int wait_status);
 
 /// "ended with status 3", "was killed by signal 9 (Killed)".
 std::string describeExit(int wait_status);

@@ -11,6 +11,10 @@ void catchInterrupts();
 /// Whether a signal was caught. Cheap.
 bool interrupted();
 
+/// The same with a handler in place of the flag, which gets the number of each of these signals. It may call
+/// printFromHandler and std::_Exit, little else.
+void handleInterrupts(void (*handler)(int number));
+
 /// Terminates the process by the caught signal, so that its parent sees it. Does nothing if none was caught.
 void raiseInterrupt();
 

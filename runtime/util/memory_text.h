@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Memory available to this process.
+// Amounts of memory in messages.
 #pragma once
 
 #include <cstdint>
 #include <string>
 
 namespace pointrt {
-
-/// Bytes: the minimum of the machine's free memory and swap (file caches count as free), of what is left of the
-/// process's address space (ulimit -v), and of what is left of the limits of its control groups. The largest number if
-/// unknown.
-std::uint64_t availableMemory();
 
 /// "1.5 GiB", rounded up to a tenth.
 std::string gibibytes(std::uint64_t bytes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/util/user_folder.h"
+#include "format/os/user_folder.h"
 
 #include <sys/stat.h>
 

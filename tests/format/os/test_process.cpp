@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Processes end with a reason on stderr.
-#include "format/base/process.h"
+#include "format/os/process.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 #include <thread>
 #include <vector>
 
-#include "format/base/mapped_file.h"
+#include "format/os/mapped_file.h"
 #include "pointrt/pro.hpp"
 #include "tests/support/temporary_folder.h"
 

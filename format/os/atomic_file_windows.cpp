@@ -12,9 +12,9 @@
 #include <system_error>
 #include <utility>
 
-#include "format/base/atomic_file.h"
-#include "format/base/temporary_name.h"
-#include "format/base/wide_path_windows.h"
+#include "format/os/atomic_file.h"
+#include "format/os/temporary_name.h"
+#include "format/os/wide_path_windows.h"
 
 namespace pointrt::format {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/util/available_memory.h"
+#include "format/os/memory.h"
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -93,20 +93,12 @@ std::uint64_t leftOfGroups() {
 
 } // namespace
 
+std::uint64_t peakRssBytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024; // Linux counts in KiB
+}
+
 std::uint64_t availableMemory() { return std::min({leftOfMachine(), leftOfAddresses(), leftOfGroups()}); }
-
-std::string gibibytes(std::uint64_t bytes) {
-    constexpr std::uint64_t kTenth = (1ull << 30) / 10;
-    const std::uint64_t tenths = bytes / kTenth + (bytes % kTenth != 0);
-    return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " GiB";
-}
-
-std::string mebibytes(std::uint64_t bytes) { return std::to_string((bytes + (1u << 20) - 1) >> 20) + " MiB"; }
-
-SizeAndLimit sizeAndLimit(std::uint64_t size, std::uint64_t limit, std::string (*inUnit)(std::uint64_t bytes)) {
-    const SizeAndLimit rounded{inUnit(size), inUnit(limit)};
-    if (rounded.size != rounded.limit) return rounded;
-    return {std::to_string(size) + " bytes", std::to_string(limit) + " bytes"};
-}
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/session/child_process.h"
+#include "format/os/child_process.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -11,9 +11,8 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <system_error>
 #include <thread>
-
-#include "format/base/error.h"
 
 extern char** environ;
 
@@ -58,27 +57,29 @@ int spawn(pid_t& id, const std::vector<std::string>& arguments, int output) {
 ChildProcess::ChildProcess(const std::vector<std::string>& arguments) {
     std::array<int, 2> pipe_ends{};
     const auto fail = [&](int error) {
-        throw Error{ExitCode::kCannotRun, arguments.front() + ": cannot start: " + std::strerror(error)};
+        throw std::system_error(error, std::generic_category(), arguments.front() + ": cannot start");
     };
     if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0) fail(errno);
-    const int error = spawn(id_, arguments, pipe_ends[1]);
+    pid_t id = -1;
+    const int error = spawn(id, arguments, pipe_ends[1]);
     close(pipe_ends[1]);
     if (error != 0) {
         close(pipe_ends[0]);
         fail(error);
     }
+    process_ = id;
     output_ = pipe_ends[0];
     // grandchildren may keep the pipe open after the child has ended
-    fcntl(output_, F_SETFL, O_NONBLOCK);
+    fcntl(pipe_ends[0], F_SETFL, O_NONBLOCK);
 }
 
 ChildProcess::~ChildProcess() {
     if (!waitStatus()) {
-        signal(SIGKILL);
-        while (waitpid(id_, nullptr, 0) < 0 && errno == EINTR) {
+        kill();
+        while (waitpid(static_cast<pid_t>(process_), nullptr, 0) < 0 && errno == EINTR) {
         }
     }
-    if (output_ >= 0) close(output_);
+    if (output_ >= 0) close(static_cast<int>(output_));
 }
 
 std::string ChildProcess::read(std::chrono::milliseconds timeout) {
@@ -86,13 +87,14 @@ std::string ChildProcess::read(std::chrono::milliseconds timeout) {
         std::this_thread::sleep_for(timeout);
         return {};
     }
-    pollfd wait{output_, POLLIN, 0};
+    const auto descriptor = static_cast<int>(output_);
+    pollfd wait{descriptor, POLLIN, 0};
     if (poll(&wait, 1, static_cast<int>(timeout.count())) <= 0) return {};
     std::array<char, 4096> bytes;
-    const ssize_t count = ::read(output_, bytes.data(), bytes.size());
+    const ssize_t count = ::read(descriptor, bytes.data(), bytes.size());
     if (count > 0) return {bytes.data(), static_cast<std::size_t>(count)};
     if (count == 0 || (errno != EAGAIN && errno != EINTR)) {
-        close(output_);
+        close(descriptor);
         output_ = -1;
     }
     return {};
@@ -100,16 +102,25 @@ std::string ChildProcess::read(std::chrono::milliseconds timeout) {
 
 std::optional<int> ChildProcess::waitStatus() {
     int status = 0;
-    if (!status_ && waitpid(id_, &status, WNOHANG) == id_) status_ = status;
+    if (!status_ && waitpid(static_cast<pid_t>(process_), &status, WNOHANG) == process_) status_ = status;
     return status_;
 }
 
-void ChildProcess::signal(int number) {
-    if (!waitStatus()) kill(id_, number);
+void ChildProcess::terminate() {
+    if (!waitStatus()) ::kill(static_cast<pid_t>(process_), SIGTERM);
+}
+
+void ChildProcess::kill() {
+    if (!waitStatus()) ::kill(static_cast<pid_t>(process_), SIGKILL);
+}
+
+std::optional<int> exitStatusOf(int wait_status) {
+    if (WIFEXITED(wait_status)) return WEXITSTATUS(wait_status);
+    return {};
 }
 
 std::string describeExit(int wait_status) {
-    if (WIFEXITED(wait_status)) return "ended with status " + std::to_string(WEXITSTATUS(wait_status));
+    if (const auto code = exitStatusOf(wait_status)) return "ended with status " + std::to_string(*code);
     const int number = WTERMSIG(wait_status);
     return "was killed by signal " + std::to_string(number) + " (" + strsignal(number) + ")";
 }

@@ -24,6 +24,15 @@ inline std::wstring widePath(const std::string& path) {
     return wide;
 }
 
+/// In UTF-8. Half characters, which Windows allows in names, become U+FFFD.
+inline std::string narrowPath(const std::wstring& wide) {
+    const int units = static_cast<int>(wide.size());
+    const int length = WideCharToMultiByte(CP_UTF8, 0, wide.data(), units, nullptr, 0, nullptr, nullptr);
+    std::string path(static_cast<std::size_t>(length), 0);
+    WideCharToMultiByte(CP_UTF8, 0, wide.data(), units, path.data(), length, nullptr, nullptr);
+    return path;
+}
+
 inline std::string windowsReason(DWORD error) { return std::system_category().message(static_cast<int>(error)); }
 
 } // namespace pointrt::format

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "format/base/mapped_file.h"
-#include "format/base/wide_path_windows.h"
+#include "format/os/mapped_file.h"
+#include "format/os/wide_path_windows.h"
 
 namespace pointrt::format {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/util/interrupt.h"
+#include "format/os/interrupt.h"
 
 #include <signal.h>
 
@@ -18,19 +18,24 @@ void onSignal(int number) { caught = number; }
 constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP,
                             SIGXCPU}; // the user, a batch system, a lost terminal, a time limit
 
-} // namespace
-
-void catchInterrupts() {
+/// SA_RESTART: reads and writes in progress must not fail.
+void handle(void (*handler)(int), int flags) {
     for (const int number : kSignals) {
         struct sigaction before {};
         sigaction(number, nullptr, &before);
-        if (before.sa_handler == SIG_IGN) continue;
+        if (before.sa_handler == SIG_IGN) continue; // keeps nohup working
         struct sigaction action {};
-        action.sa_handler = onSignal;
-        action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
+        action.sa_handler = handler;
+        action.sa_flags = flags | SA_RESTART;
         sigaction(number, &action, nullptr);
     }
 }
+
+} // namespace
+
+void catchInterrupts() { handle(onSignal, static_cast<int>(SA_RESETHAND)); }
+
+void handleInterrupts(void (*handler)(int)) { handle(handler, 0); }
 
 bool interrupted() { return caught != 0; }
 

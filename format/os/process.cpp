@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "format/base/process.h"
+#include "format/os/process.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -12,7 +12,8 @@
 #include <exception>
 #include <new>
 
-#include "format/base/error.h"
+#include "format/os/exit_code.h"
+#include "format/os/terminal.h"
 
 namespace pointrt {
 
@@ -70,17 +71,13 @@ void withMappedFile(std::uintptr_t address, const Use& use) {
     ::close(maps);
 }
 
-void writeAll(const char* text, std::size_t bytes) {
-    if (::write(STDERR_FILENO, text, bytes) < 0) return; // nothing else to report it to
-}
-
-void writeWord(const char* text) { writeAll(text, std::strlen(text)); }
+void writeWord(const char* text) { printFromHandler(text, std::strlen(text)); }
 
 /// A short form of printable() that may run in a signal handler.
 void writePath(const char* path) {
     for (; *path; ++path) {
         const char shown = static_cast<unsigned char>(*path) < ' ' || *path == 0x7F ? '?' : *path;
-        writeAll(&shown, 1);
+        printFromHandler(&shown, 1);
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "format/base/atomic_file.h"
+#include "format/os/atomic_file.h"
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -12,8 +12,8 @@
 #include <system_error>
 #include <utility>
 
-#include "format/base/file_lock.h"
-#include "format/base/temporary_name.h"
+#include "format/os/flock.h"
+#include "format/os/temporary_name.h"
 
 namespace pointrt::format {
 

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a tool's process tells the system when it ends.
+#pragma once
+
+namespace pointrt {
+
+/// Exit codes of all tools.
+enum class ExitCode { kDone = 0, kBadInput = 1, kBadUsage = 2, kCannotRun = 3, kCannotWrite = 4 };
+
+} // namespace pointrt

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Windows calls handlers of consoles on a thread of their own.
+#include "format/os/interrupt.h"
+
+#include "format/os/wide_path_windows.h"
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+
+namespace pointrt {
+namespace {
+
+std::atomic<int> caught = 0;
+std::atomic<void (*)(int)> installed = nullptr;
+
+int numberOf(DWORD event) { return event == CTRL_C_EVENT || event == CTRL_BREAK_EVENT ? SIGINT : SIGTERM; }
+
+/// Not handled: the system's own handler ends the process.
+BOOL WINAPI setFlag(DWORD event) { return caught.exchange(numberOf(event)) == 0 ? TRUE : FALSE; }
+
+BOOL WINAPI callHandler(DWORD event) {
+    installed.load()(numberOf(event));
+    return TRUE;
+}
+
+} // namespace
+
+void catchInterrupts() { SetConsoleCtrlHandler(setFlag, TRUE); }
+
+void handleInterrupts(void (*handler)(int)) {
+    installed = handler;
+    SetConsoleCtrlHandler(callHandler, TRUE);
+}
+
+bool interrupted() { return caught != 0; }
+
+void raiseInterrupt() {
+    if (caught == 0) return;
+    std::fflush(nullptr);
+    ExitProcess(static_cast<UINT>(STATUS_CONTROL_C_EXIT)); // as the system's own handler ends it
+}
+
+} // namespace pointrt

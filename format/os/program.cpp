@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "format/os/program.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <system_error>
+
+namespace pointrt {
+
+namespace fs = std::filesystem;
+
+std::string programPath() {
+    std::error_code ignored;
+    return fs::read_symlink("/proc/self/exe", ignored).string();
+}
+
+std::string programFile(const std::string& name) { return name; }
+
+bool isProgram(const std::string& path) {
+    std::error_code ignored;
+    return fs::is_regular_file(path, ignored) && access(path.c_str(), X_OK) == 0;
+}
+
+const char kSearchPathSeparator = ':';
+
+} // namespace pointrt

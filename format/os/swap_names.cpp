@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "format/os/swap_names.h"
+
+#include <fcntl.h>
+#include <stdio.h>
+
+namespace pointrt {
+
+bool swapNames(const std::string& one, const std::string& other) {
+    return ::renameat2(AT_FDCWD, one.c_str(), AT_FDCWD, other.c_str(), RENAME_EXCHANGE) == 0;
+}
+
+} // namespace pointrt

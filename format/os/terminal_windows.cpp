@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "format/os/terminal.h"
+
+#include <io.h>
+
+#include "format/os/descriptor.h"
+
+namespace pointrt {
+
+bool isTerminal(int descriptor) { return _isatty(descriptor) != 0; }
+
+void printFromHandler(const char* text, std::size_t bytes) {
+    if (_write(kStandardError, text, static_cast<unsigned>(bytes)) < 0) return; // nothing else to report it to
+}
+
+} // namespace pointrt
