@@ -9,6 +9,7 @@
 #include "format/base/printable.h"
 #include "format/base/up_text.h"
 #include "pointrt/pro_layout.h"
+#include "runtime/device_scene/clip_planes.h"
 #include "runtime/scene_io/scene_file.h"
 #include "runtime/util/parse.h"
 
@@ -86,6 +87,8 @@ std::vector<std::string> sceneNotes(const LoadedScene& loaded, bool up_is_given)
     if (loaded.colored_by_default)
         notes.push_back("the scan has no colours: it is coloured by " + loaded.settings.color_by +
                         " (--color-by rgb turns that off)");
+    if (cutsInstances(loaded.scene.description) && loaded.kept_sample.splats.empty())
+        notes.push_back("the clips leave nothing of the scans");
     const double height = loaded.camera.ortho_height;
     if (loaded.section_camera && height > 0)
         notes.push_back("the picture of the section is " + plainText(height) + " units high, " +

@@ -44,7 +44,7 @@ struct Walk {
     uint octant_shift;
     float t;        // from origin to where the ray enters the next cell
     float t_end;    // to where it leaves the grid
-    float t_least;  // no hit before this counts: the ray's origin, or where it enters what clips keep
+    float t_least;  // clips: to the ray's origin, or to where it enters what they keep
     vec2 t_core;    // tiles: to where it enters the core, and leaves it
 };
 
@@ -91,7 +91,7 @@ Walk startWalk(TraceRay ray, vec2 kept, out float t_start) {
     walk.start = walk.origin + side * instance.grid_scale.y;
     walk.t = 0.0;
     walk.t_end = min(min(far.x, far.y), far.z) - t_start;
-    walk.t_least = kClipped ? max(kept.x, 0.0) - t_start : -t_start;
+    walk.t_least = max(kept.x, 0.0) - t_start;
     walk.t_core = kClipsToCore ? vec2(max(max(near.x, near.y), near.z) - t_start, walk.t_end) : vec2(0.0);
     return walk;
 }
@@ -152,22 +152,26 @@ bool isBallInCore(float t, vec3 to_center, vec3 direction, float radius_squared,
     return abs(dot(offset, offset) - radius_squared) <= 2.0 * kCoreSlack * radius_squared;
 }
 
+// No hit before this counts.
+float leastDistance(CellRay cell_ray, float t_start) { return kClipped ? cell_ray.t_least : -t_start; }
+
 // Distance to where the ray enters a cell ball, or leaves it if its origin is inside; t_limit if that is missed, not
 // nearer, or a self-intersection. Rays that leave a ball's surface do not come back to it, so entering a ball is never
 // a self-intersection. But the quantized ball that a ray left may hold the ray's origin, and so may one that overlaps
 // it there: leaving such a ball, on the side that self_normal faces, is one.
 //
-// The clips cut balls open: a ray that enters one before t_least hits it where it leaves.
+// Clips cut balls open: a ray that enters one before what they keep hits it where it leaves.
 float hitBall(vec3 to_center, float radius_squared, CellRay cell_ray, TraceRay ray, float t_start, float t_limit) {
     float inverse = 1.0 / dot(cell_ray.direction, cell_ray.direction);
     float t_middle = dot(to_center, cell_ray.direction) * inverse;
     vec3 across = cell_ray.direction * t_middle - to_center;
     float half_squared = (radius_squared - dot(across, across)) * inverse, half_chord = sqrt(max(half_squared, 0.0));
-    bool inside = t_middle - half_chord < cell_ray.t_least;
+    float t_least = leastDistance(cell_ray, t_start);
+    bool inside = t_middle - half_chord < t_least;
     float t = inside ? t_middle + half_chord : t_middle - half_chord;
     float facing = dot(cell_ray.direction * t - to_center, ray.self_normal);
     bool is_self = inside && t < ray.self_t - t_start && facing > 0.0 && cell_ray.self_slope > 0.0;
-    bool hits = half_squared > 0.0 && t >= cell_ray.t_least && t < t_limit && !is_self;
+    bool hits = half_squared > 0.0 && t >= t_least && t < t_limit && !is_self;
     if (kClipsToCore)
         hits = hits && isBallInCore(t, to_center, cell_ray.direction, radius_squared, cell_ray.t_core);
     return hits ? t : t_limit;
@@ -191,7 +195,7 @@ float hitNear(uvec2 words, CellRay cell_ray, TraceRay ray, float t_start, float 
     float facing = dot(normal, ray.self_normal);
     bool is_self = t < ray.self_t - t_start && facing * (kOriented ? abs(facing) : facing) > 0.25 * dot(normal, normal) &&
                    slope * facing * cell_ray.self_slope > 0.0;
-    bool hits = dot(offset, offset) < radius_squared && t >= cell_ray.t_least && t < t_limit && !is_self;
+    bool hits = dot(offset, offset) < radius_squared && t >= leastDistance(cell_ray, t_start) && t < t_limit && !is_self;
     if (kClipsToCore) hits = hits && isInCore(t, slope, dot(normal, normal), radius_squared, cell_ray.t_core);
     return hits ? t : t_limit;
 }

@@ -229,6 +229,28 @@ case_up_directions() {
     ! cmp -s out/known.png out/flat.png || fail "up makes no difference"
 }
 
+case_sections_are_clips_seen_in_true_scale() {
+    sphere 3000 >ball.xyz
+    pointrt-bake -q ball.xyz -o ball.pro --up z
+    local look="--size 64x48 --integrator normal"
+    printf '[[instance]]\nfile = "ball.pro"\n[[clip]]\ntype = "plane"\npoint = [0, 0, 0.3]\nnormal = [0, 0, -1]\n' >cut.toml
+    # shellcheck disable=SC2086
+    {
+        expectDone pointrt-view ball.pro --section z=0.3 $look -o out/plan.png
+        grep -q 'section .* a pixel' stderr || fail "the viewer does not say the scale"
+        expectDone pointrt-view -q cut.toml --up z --view top --ortho fit $look -o out/top.png
+        expectDone pointrt-view -q ball.pro --view top --ortho fit $look -o out/whole.png
+        expectDone pointrt-view -q ball.pro --clip=-2,-2,-2,2,2,0.3 --view top --ortho fit $look -o out/box.png
+        expectDone pointrt-view ball.pro --clip=5,5,5,6,6,6 $look -o out/nothing.png
+    }
+    grep -q 'clips leave nothing' stderr || fail "the viewer does not say that nothing is left"
+    cmp out/plan.png out/top.png || fail "the plan is not the clipped scan from above"
+    cmp out/plan.png out/box.png || fail "the box does not cut as the plane"
+    ! cmp -s out/plan.png out/whole.png || fail "the section cuts nothing"
+    expectError 2 '--section: "z" ' pointrt-view ball.pro --section z -o out/none.png
+    expectError 2 '--clip: "1,2,3" ' pointrt-view ball.pro --clip 1,2,3 -o out/none.png
+}
+
 # expectSamePictures CLOUD: bakes it with a tracing index, which the viewer reads, and without, so that the viewer builds
 # the index. Both must give the same picture.
 expectSamePictures() {
