@@ -10,6 +10,10 @@ endif()
 if(POINTRT_WERROR)
   add_compile_options(-Werror)
 endif()
+# It takes our formats for those of Microsoft's old C library, which mingw-w64 replaces; other compilers check them.
+if(MINGW)
+  add_compile_options(-Wno-format -Wno-format-extra-args)
+endif()
 # With precompiled headers GCC's optimiser has more to tell of the library's own strings and vectors, falsely as far as
 # looked at. So that is no error there; of three kinds GCC 12 is not asked at all. Builds without them see to the rest.
 if(POINTRT_PRECOMPILE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

@@ -9,6 +9,14 @@ set(POINTRT_RUST_OLDEST 1.85)
 set(POINTRT_RUST_ADVICE
   "install Debian 12's cargo-web and rustc-web, Debian 13's cargo and rustc, or any Rust from ${POINTRT_RUST_OLDEST} on")
 
+# For Windows the crates come as what mingw-w64 links, with what Rust's library asks of the system.
+set(POINTRT_RUST_TARGET "")
+set(POINTRT_RUST_SYSTEM ${CMAKE_DL_LIBS} m)
+if(MINGW)
+  set(POINTRT_RUST_TARGET x86_64-pc-windows-gnu)
+  set(POINTRT_RUST_SYSTEM ws2_32 userenv ntdll bcrypt advapi32)
+endif()
+
 find_program(POINTRT_CARGO cargo DOC "Builds what reads LAZ and E57 files")
 find_program(POINTRT_RUSTC rustc DOC "Builds what reads LAZ and E57 files")
 mark_as_advanced(POINTRT_CARGO POINTRT_RUSTC)
@@ -36,6 +44,15 @@ function(pointrt_find_rust result folder)
       return()
     endif()
   endforeach()
+  if(POINTRT_RUST_TARGET)
+    execute_process(COMMAND ${POINTRT_RUSTC} --print target-libdir --target ${POINTRT_RUST_TARGET}
+      OUTPUT_VARIABLE libraries OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+    if(NOT EXISTS "${libraries}")
+      set(${result} "there is no Rust for ${POINTRT_RUST_TARGET}: rustup target add ${POINTRT_RUST_TARGET}, or Debian's \
+libstd-rust-dev-windows" PARENT_SCOPE)
+      return()
+    endif()
+  endif()
   # The crates come now, so that a build without a network says at once what it goes without.
   file(SHA256 ${folder}/Cargo.lock lock)
   if(NOT lock STREQUAL "${POINTRT_CRATES_FETCHED}")
@@ -53,11 +70,16 @@ endfunction()
 function(pointrt_rust_library target folder)
   set(target_folder ${CMAKE_CURRENT_BINARY_DIR}/rust)
   set(library ${target_folder}/release/lib${target}.a)
+  set(for_target "")
+  if(POINTRT_RUST_TARGET)
+    set(library ${target_folder}/${POINTRT_RUST_TARGET}/release/lib${target}.a)
+    set(for_target --target ${POINTRT_RUST_TARGET})
+  endif()
   file(GLOB sources CONFIGURE_DEPENDS ${folder}/rust/*.rs)
   add_custom_command(
     OUTPUT ${library}
     COMMAND ${CMAKE_COMMAND} -E env CARGO_TARGET_DIR=${target_folder} RUSTC=${POINTRT_RUSTC}
-      ${POINTRT_CARGO} build --release --locked --quiet --manifest-path ${folder}/Cargo.toml
+      ${POINTRT_CARGO} build --release --locked --quiet ${for_target} --manifest-path ${folder}/Cargo.toml
     DEPENDS ${folder}/Cargo.toml ${folder}/Cargo.lock ${sources}
     COMMENT "Building the crate ${target}"
     VERBATIM)
@@ -65,6 +87,6 @@ function(pointrt_rust_library target folder)
   find_package(Threads REQUIRED)
   add_library(${target} STATIC IMPORTED GLOBAL)
   set_target_properties(${target} PROPERTIES IMPORTED_LOCATION ${library})
-  target_link_libraries(${target} INTERFACE Threads::Threads ${CMAKE_DL_LIBS} m)
+  target_link_libraries(${target} INTERFACE Threads::Threads ${POINTRT_RUST_SYSTEM})
   add_dependencies(${target} ${target}_build)
 endfunction()

@@ -2,9 +2,11 @@
 #include "format/pointio/las_plan.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 
 #include "format/base/number_type.h"
 #include "format/pointio/bytes.h"
@@ -225,11 +227,19 @@ bool fits(const PointOutline& points, const LasHeader& header) {
     return true;
 }
 
+/// By the digits: pow() of one system's library differs from another's in the last bit.
+double powerOfTen(double exponent) {
+    const std::string text = "1e" + std::to_string(static_cast<int>(exponent));
+    double power = 0;
+    std::from_chars(text.data(), text.data() + text.size(), power);
+    return power;
+}
+
 /// The power of ten in (0.1, 1] times position_step: rounding adds at most half of it.
 void chooseScale(const PointOutline& points, LasHeader& header) {
     const double step = std::max(points.position_step, std::numeric_limits<double>::min());
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        header.scale[axis] = std::pow(10.0, std::floor(std::log10(step)));
+        header.scale[axis] = powerOfTen(std::floor(std::log10(step)));
         header.offset[axis] = std::floor(points.bounds_min[axis]);
         // large coordinates need a coarser step to fit in 32 bits
         if ((points.bounds_min[axis] - header.offset[axis]) / header.scale[axis] > 1e9)

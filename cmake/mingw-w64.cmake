@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: Apache-2.0
+# Toolchain: programs for 64-bit Windows from Debian's g++-mingw-w64-x86-64-posix, which need no library but the system's.
+#   cmake --toolchain cmake/mingw-w64.cmake -D POINTRT_WINDOWS_LIBRARIES=FOLDER ...
+# FOLDER is what packaging/windows/libraries.sh makes.
+set(CMAKE_SYSTEM_NAME Windows)
+set(CMAKE_SYSTEM_PROCESSOR x86_64)
+set(CMAKE_C_COMPILER x86_64-w64-mingw32-gcc-posix)
+set(CMAKE_CXX_COMPILER x86_64-w64-mingw32-g++-posix)
+set(CMAKE_RC_COMPILER x86_64-w64-mingw32-windres)
+
+set(POINTRT_WINDOWS_LIBRARIES "" CACHE PATH "What packaging/windows/libraries.sh made")
+list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES POINTRT_WINDOWS_LIBRARIES)
+set(CMAKE_FIND_ROOT_PATH ${POINTRT_WINDOWS_LIBRARIES} /usr/x86_64-w64-mingw32)
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+foreach(kind IN ITEMS LIBRARY INCLUDE PACKAGE)
+  set(CMAKE_FIND_ROOT_PATH_MODE_${kind} ONLY)
+endforeach()
+set(ZLIB_USE_STATIC_LIBS ON)
+set(CMAKE_EXE_LINKER_FLAGS_INIT -static) # GCC's libraries, and winpthreads

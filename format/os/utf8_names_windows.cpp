@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// std::filesystem::path of libstdc++ makes names in bytes wide by the C library's mbrtowc. That of msvcrt.dll knows no
+// UTF-8, whatever the code page of the process; this one, which programs are linked with in its place, knows nothing
+// else.
+#include <algorithm>
+#include <cerrno>
+#include <cwchar>
+#include <string>
+
+#include "format/os/wide_path_windows.h"
+
+namespace {
+
+constexpr auto kInvalid = static_cast<std::size_t>(-1);
+
+/// The length of a character that begins with this byte, which may still be invalid.
+std::size_t lengthFrom(unsigned char lead) { return lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4; }
+
+} // namespace
+
+/// Of a character outside the basic plane the first call reads all bytes but the last, the second that.
+extern "C" std::size_t mbrtowc(wchar_t* to, const char* from, std::size_t bytes, std::mbstate_t* state) {
+    static thread_local std::mbstate_t own_state = 0;
+    std::mbstate_t& second_unit = state ? *state : own_state;
+    if (!from || bytes == 0) return second_unit = 0;
+    wchar_t unit = static_cast<wchar_t>(second_unit);
+    std::size_t read = 1;
+    second_unit = 0;
+    if (unit == 0) {
+        const std::size_t length = lengthFrom(static_cast<unsigned char>(*from));
+        const std::wstring units = pointrt::format::widePath({from, std::min(length, bytes)});
+        if (units.empty()) {
+            errno = EILSEQ;
+            return kInvalid;
+        }
+        unit = units[0];
+        if (units.size() == 2) second_unit = units[1];
+        read = length - (units.size() - 1);
+    }
+    if (to) *to = unit;
+    return unit == 0 ? 0 : read;
+}
