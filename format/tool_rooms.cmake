@@ -36,10 +36,11 @@ pointrt_room(format/cli USES format/base
 target_link_libraries(pointrt_cli PUBLIC $<BUILD_INTERFACE:CLI11::CLI11>)
 
 pointrt_room(format/crs USES format/base format/os
-  PURPOSE "Projected coordinate systems: names, units, areas of use and meridian convergence, by PROJ.")
+  PURPOSE "Coordinate systems: WKT, EPSG codes, and names, units, areas and meridian convergence by PROJ.")
 # The header only: the library is opened at run time.
 find_path(PROJ_INCLUDE_DIR proj.h REQUIRED)
 target_include_directories(pointrt_crs SYSTEM PRIVATE ${PROJ_INCLUDE_DIR})
+target_link_libraries(pointrt_crs PRIVATE nlohmann_json::nlohmann_json)
 target_compile_options(pointrt_crs PRIVATE -Wconversion)
 
 # LAZ and E57 are read by Rust crates, where there is a Rust compiler.

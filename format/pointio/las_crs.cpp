@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "format/crs/projected_crs.h"
+#include "format/crs/wkt.h"
 #include "format/pointio/bytes.h"
-#include "format/pointio/wkt.h"
 
 namespace pointrt {
 namespace {

@@ -20,6 +20,8 @@ CHECKS = {
     "Line of sight from a tower": lambda it: 0.05 < it["seen"].mean() < 0.95,
     "Simulated lidar of a street": lambda it: it["hits_per_splat"].sum() == len(it["points"]["ranges"]) >
                                               len(it["first_light_sample"]) > 1000,
+    "Plan, profile and volume of a stadium": lambda it: np.nanmax(it["bowl"]["heights"]) > 480 and
+                                                       it["field"]["fill"] > 5 * it["field"]["covered"] * 0.6,
     "Synthetic training data": lambda it: 0.2 < np.isfinite(it["picture"]["depth"]).mean() <= 1,
 }
 

@@ -21,6 +21,7 @@
 #include "runtime/scene_io/scene_file.h"
 #include "runtime/session/options.h"
 #include "runtime/session/output_check.h"
+#include "runtime/session/plan_view.h"
 #include "runtime/session/profile_report.h"
 #include "runtime/session/render_session.h"
 #include "runtime/session/report.h"
@@ -42,6 +43,7 @@ void render(Options options) {
     if (!options.stats.empty()) requireReportWritable(options.stats);
     requireOutputsApart(options, {});
     if (!bakeInputs(options)) return;
+    fillPlan(options);
     SceneDescription description = describeScene(options);
     requireOutputsApart(options, description);
     if (!isSceneOrSet(options.scene)) requirePro(options.scene);

@@ -45,7 +45,7 @@ std::string named(const Options& options) { return options.output.empty() ? "" :
 } // namespace
 
 bool writesAsItRenders(const Options& options) {
-    return writesPng(options) && !options.limits.seconds && !options.limits.noise && options.turntable == 0 &&
+    return writesToneMapped(options) && !options.limits.seconds && !options.limits.noise && options.turntable == 0 &&
            options.bench_frames == 0;
 }
 

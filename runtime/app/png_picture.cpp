@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/image/image_png.h"
+#include "runtime/image/image_tiff.h"
 #include "runtime/util/clock.h"
 
 namespace pointrt {
@@ -18,6 +20,15 @@ Film blankRows(std::uint32_t width, std::uint32_t rows) {
     film.height = rows;
     film.rgba.assign(std::size_t{4} * width * rows, 0);
     return film;
+}
+
+/// Thumbnails are PNGs, whatever their suffix.
+bool isTiff(const PngPlan& plan) { return plan.writing == Writing::kWhole && plan.path.ends_with(".tif"); }
+
+std::unique_ptr<RowWriter> openPicture(const PngPlan& plan, std::uint32_t channels) {
+    const auto& [width, height] = plan.size;
+    if (isTiff(plan)) return std::make_unique<TiffWriter>(plan.path, TiffSize{width, height, channels}, plan.place);
+    return std::make_unique<PngWriter>(plan.path, PngSize{width, height, channels}, plan.writing);
 }
 
 } // namespace
@@ -47,7 +58,7 @@ void PngPicture::filterRows(const Film& film, std::uint32_t first, std::uint32_t
 void PngPicture::write(std::span<const float> rgba) {
     const Clock::time_point start = Clock::now();
     const std::uint32_t channels = channelsOf(plan_.tone);
-    if (!png_) png_.emplace(plan_.path, PngSize{plan_.size.width, plan_.size.height, channels}, plan_.writing);
+    if (!file_) file_ = openPicture(plan_, channels);
     const std::size_t row_floats = std::size_t{4} * plan_.size.width;
     const std::size_t step = std::max<std::size_t>(kPixelsAtOnce / plan_.size.width, 1) * row_floats;
     for (; !rgba.empty(); rgba = rgba.subspan(std::min(step, rgba.size()))) {
@@ -56,7 +67,7 @@ void PngPicture::write(std::span<const float> rgba) {
         tonemapPixels(part, plan_.tone, bytes_.data());
         if (legend_) compositeLegend(*legend_, {bytes_, plan_.size.width, written_, channels});
         written_ += part.size() / row_floats;
-        png_->addRows(bytes_);
+        file_->addRows(bytes_);
     }
     write_ms_ += millisecondsSince(start);
 }
@@ -65,7 +76,10 @@ void PngPicture::finish() {
     constexpr std::uint32_t kRows = 16;
     const Film blank = blankRows(plan_.size.width, kRows);
     while (rows_ < plan_.size.height) addRows(blank, 0, std::min(kRows, plan_.size.height - rows_));
-    png_->finish();
+    file_->finish();
+    if (!plan_.place || isTiff(plan_)) return;
+    const std::string text = worldFileText(*plan_.place);
+    writeFile(worldFilePath(plan_.path), {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
 } // namespace pointrt

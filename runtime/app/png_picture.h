@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the rows of a film to a PNG as they are rendered: denoised if requested, tone-mapped to 8 bits.
+// Writes the rows of a film to a PNG or TIFF as they are rendered: denoised if requested, tone-mapped to 8 bits.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,7 +11,8 @@
 
 #include "runtime/gpu/device.h"
 #include "runtime/image/film.h"
-#include "runtime/image/image_png.h"
+#include "runtime/image/geo_reference.h"
+#include "runtime/image/row_writer.h"
 #include "runtime/image/tonemap.h"
 #include "runtime/render/picture_filter.h"
 #include "runtime/scene/legend_picture.h"
@@ -25,6 +27,7 @@ struct PngPlan {
     std::optional<FilterPlan> filter;
     std::optional<Legend> legend; ///< composited over the picture
     Writing writing = Writing::kWhole;
+    std::optional<GeoReference> place = {}; ///< of a plan
 };
 
 class PngPicture {
@@ -34,7 +37,8 @@ public:
 
     /// Adds the next rows from the top: those of film from first on. Throws Error kCannotWrite "PATH: reason".
     void addRows(const Film& film, std::uint32_t first, std::uint32_t rows);
-    /// Completes the file; missing rows are black, or transparent. Throws as addRows.
+    /// Completes the file; missing rows are black, or transparent. Writes the world file of a PNG with a place. Throws
+    /// as addRows.
     void finish();
 
     double filterMilliseconds() const { return filter_ms_; }
@@ -45,7 +49,7 @@ private:
 
     PngPlan plan_;
     std::optional<PictureFilter> filter_;
-    std::optional<PngWriter> png_; ///< opened with the first row
+    std::unique_ptr<RowWriter> file_; ///< opened with the first row
     std::optional<LegendPicture> legend_;
     std::vector<std::uint8_t> bytes_;
     std::size_t written_ = 0; ///< rows

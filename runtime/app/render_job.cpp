@@ -42,7 +42,7 @@ FrameJob jobOf(const RenderSession& session, const Options& options) {
     FrameJob job;
     job.samples = session.settings.spp;
     job.limits = options.limits;
-    job.band_by_band = writesPng(options) && options.turntable == 0;
+    job.band_by_band = writesToneMapped(options) && options.turntable == 0;
     if (!options.output.empty()) job.interrupted = interrupted;
     return job;
 }
@@ -108,6 +108,7 @@ PngPlan pngPlan(const RenderSession& session, const Options& options, const std:
     const RenderSettings& settings = session.settings;
     PngPlan plan{path, {settings.width, settings.height}, toneMappingOf(session), {}, {}, Writing::kWhole};
     if (options.thumbnail != 0) plan.writing = Writing::kInPlace;
+    plan.place = options.place;
     if (settings.legend.value_or(false)) plan.legend = session.loaded->scene.paint.legend;
     return plan;
 }

@@ -17,6 +17,7 @@
 #include "runtime/cast/slot_pool.h"
 #include "runtime/cast/trace_device.h"
 #include "runtime/cast/translated.h"
+#include "runtime/util/vec_array.h"
 
 namespace pointrt {
 namespace {
@@ -225,6 +226,18 @@ void TraceScene::readColors(std::span<const std::uint32_t> splat_ids, std::span<
 void TraceScene::readColors(std::span<const std::uint32_t> splat_ids, std::span<const std::uint32_t> instance_ids,
                             std::span<std::uint8_t> colors) const {
     readColors(splat_ids, instance_ids, {}, colors);
+}
+
+SceneBounds TraceScene::bounds() const {
+    const std::vector<CastInstance>& instances = state_->resident.list().instances;
+    if (instances.empty()) return {};
+    SceneBounds bounds{arrayOf(instances[0].box.lo), arrayOf(instances[0].box.hi)};
+    for (const CastInstance& instance : instances)
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            bounds.low[axis] = std::min(bounds.low[axis], arrayOf(instance.box.lo)[axis]);
+            bounds.high[axis] = std::max(bounds.high[axis], arrayOf(instance.box.hi)[axis]);
+        }
+    return bounds;
 }
 
 double TraceScene::metresPerUnit() const { return pointrt::metresPerUnit(state_->resident); }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/image/row_writer.h"
 #include "runtime/util/output_file.h"
 
 namespace pointrt {
@@ -21,15 +22,15 @@ struct PngSize {
 
 /// Writes a PNG row by row from the top, without keeping rows in memory.
 /// Each function throws Error kCannotWrite "PATH: reason".
-class PngWriter {
+class PngWriter final : public RowWriter {
 public:
     PngWriter(const std::string& path, PngSize size, Writing writing = Writing::kWhole);
-    ~PngWriter();
+    ~PngWriter() override;
 
     /// Appends whole rows.
-    void addRows(std::span<const std::uint8_t> rows);
+    void addRows(std::span<const std::uint8_t> rows) override;
     /// Call after the last row.
-    void finish();
+    void finish() override;
 
 private:
     struct State;

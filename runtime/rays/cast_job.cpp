@@ -9,6 +9,7 @@
 #include "format/base/report_file.h"
 #include "runtime/rays/cast_options.h"
 #include "runtime/rays/hit_sink.h"
+#include "runtime/rays/open_scene.h"
 #include "runtime/rays/ray_source.h"
 #include "runtime/rays/run_report.h"
 #include "runtime/util/render_progress.h"
@@ -34,13 +35,6 @@ std::size_t castBlock(const TraceScene& scene, const RaySource& source, const Ra
     } catch (const RayError& error) {
         throw Error(exitCodeOf(error), source.placeOf(block, error.ray) + ": " + error.reason);
     }
-}
-
-/// The scene keeps the device alive.
-TraceScene openScene(const CastOptions& options, std::string& device_name) {
-    const TraceDevice device(options.device);
-    device_name = device.name();
-    return TraceScene(device, options.scene, options.scene_options);
 }
 
 /// Reads the next block while one is cast.

@@ -23,11 +23,11 @@ constexpr const char* kCastNotes =
     "instance_ids (4294967295 for a miss), tile_ids (tile sets only), normals, positions. See docs/RAYS.md.";
 
 void addOptions(CommandLine& app, CastOptions& options) {
-    addSceneAndOutput(
-        app, options,
-        "Hits, replacing an existing file: .npz, .npy (records), .csv or .ply (hit points); - is standard "
-        "output: an array for rays in an array, text for rays in text",
-        ".npz .npy .csv .ply");
+    addScene(app, options);
+    addOutput(app, options,
+              "Hits, replacing an existing file: .npz, .npy (records), .csv or .ply (hit points); - is standard "
+              "output: an array for rays in an array, text for rays in text",
+              ".npz .npy .csv .ply");
     app.add_option("--rays", options.rays, "Rays: .npy or text; - is standard input")->required()->type_name("FILE");
     completes(app, "--rays", ".npy .csv .txt");
     app.add_flag("--any", options.any, "Test occlusion only, which is faster; writes the column hit");

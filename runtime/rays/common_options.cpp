@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/rays/common_options.h"
 
+#include <cstdio>
+
 #include "format/base/error.h"
 #include "format/base/same_file.h"
 #include "format/cli/command_line.h"
@@ -38,8 +40,7 @@ void checkStandardOutput(const CommonOptions& options, const std::string& what) 
 
 } // namespace
 
-void addSceneAndOutput(CommandLine& app, CommonOptions& options, const std::string& output_help,
-                       const std::string& suffixes) {
+void addScene(CommandLine& app, CommonOptions& options) {
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     app.add_option("SCENE", options.scene,
                    "A .pro file, tile set (.proset) or scene file (.toml). instance_ids are the indices, from 0, of "
@@ -47,8 +48,12 @@ void addSceneAndOutput(CommandLine& app, CommonOptions& options, const std::stri
         ->required()
         ->type_name("")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    app.add_option("-o,--output", options.output, output_help)->required()->type_name("FILE");
     completes(app, "SCENE", ".pro .proset .toml");
+}
+
+void addOutput(CommandLine& app, CommonOptions& options, const std::string& help, const std::string& suffixes,
+               bool required) {
+    app.add_option("-o,--output", options.output, help)->required(required)->type_name("FILE");
     completes(app, "--output", suffixes);
 }
 
@@ -88,6 +93,10 @@ void checkCommonOptions(const CommonOptions& options, std::vector<std::string> i
                 refuseUsage(output + ": is an input");
     if (!options.stats.empty() && options.stats != "-" && isSameFile(options.stats, options.output))
         refuseUsage(options.stats + ": is the output");
+}
+
+void printNote(const CommonOptions& options, const std::string& line) {
+    if (!options.quiet) std::fprintf(stderr, "%s\n", line.c_str());
 }
 
 } // namespace pointrt

@@ -23,10 +23,12 @@ struct CommonOptions {
 /// When exit code 1 is returned.
 inline constexpr const char* kWrongInput = "an input cannot be read or is malformed";
 
-/// SCENE and -o.
+/// SCENE, one or several.
+void addScene(CommandLine& app, CommonOptions& options);
+/// -o.
 /// @param suffixes of output files, separated by spaces
-void addSceneAndOutput(CommandLine& app, CommonOptions& options, const std::string& output_help,
-                       const std::string& suffixes);
+void addOutput(CommandLine& app, CommonOptions& options, const std::string& help, const std::string& suffixes,
+               bool required = true);
 /// --memory, --device, --stats, -q, -v.
 void addDeviceAndReport(CommandLine& app, CommonOptions& options);
 
@@ -35,5 +37,8 @@ void addDeviceAndReport(CommandLine& app, CommonOptions& options);
 /// @param inputs files besides the scene's; "-" is ignored
 /// @param what is written, for messages: "hits"
 void checkCommonOptions(const CommonOptions& options, std::vector<std::string> inputs, const std::string& what);
+
+/// Prints a line to standard error unless options.quiet.
+void printNote(const CommonOptions& options, const std::string& line);
 
 } // namespace pointrt

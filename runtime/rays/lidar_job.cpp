@@ -12,6 +12,7 @@
 #include "pointrt/pro.hpp"
 #include "runtime/rays/lidar_columns.h"
 #include "runtime/rays/lidar_options.h"
+#include "runtime/rays/open_scene.h"
 #include "runtime/rays/run_report.h"
 #include "runtime/util/render_progress.h"
 
@@ -114,11 +115,7 @@ LidarOutcome simulate(const LidarOptions& options) {
         const LidarSensorFile file = readLidarSensor(options.sensor);
         const LidarRun run = runOf(options, file);
         lidarPulseCount(file.sensor, run);
-        const TraceScene scene = timed(outcome.seconds.open, [&] {
-            const TraceDevice device(options.device);
-            outcome.device = device.name();
-            return TraceScene(device, options.scene, options.scene_options);
-        });
+        const TraceScene scene = timed(outcome.seconds.open, [&] { return openScene(options, outcome.device); });
         outcome.splats = scene.splatCount();
         simulateToFile(options, scene, file.sensor, run, outcome);
     });

@@ -39,8 +39,9 @@ void addWhere(CommandLine& app, LidarOptions& options) {
 }
 
 void addOptions(CommandLine& app, LidarOptions& options) {
-    addSceneAndOutput(app, options, "Points, replacing an existing file: .ply, .pcd, .las, .laz, .e57 or .csv",
-                      ".ply .pcd .las .laz .e57 .csv");
+    addScene(app, options);
+    addOutput(app, options, "Points, replacing an existing file: .ply, .pcd, .las, .laz, .e57 or .csv",
+              ".ply .pcd .las .laz .e57 .csv");
     app.add_option("--sensor", options.sensor, "Sensor file that describes the scanner")->required()->type_name("FILE");
     completes(app, "--sensor", ".toml");
     addWhere(app, options);

@@ -8,8 +8,11 @@
 #include "runtime/rays/cast_job.h"
 #include "runtime/rays/cast_options.h"
 #include "runtime/rays/command_table.h"
+#include "runtime/rays/compare_command.h"
 #include "runtime/rays/lidar_job.h"
 #include "runtime/rays/lidar_options.h"
+#include "runtime/rays/measure_command.h"
+#include "runtime/rays/profile_command.h"
 #include "runtime/rays/sun_command.h"
 #include "runtime/rays/viewshed_command.h"
 
@@ -19,7 +22,10 @@ using namespace pointrt;
 
 constexpr RayCommand kCommands[] = {
     {"cast", "first hits or occlusion of given rays", castCommand, castText},
+    {"compare", "signed distances between two scans", compareCommand, compareText},
     {"lidar", "simulates a laser scanner", lidarCommand, lidarText},
+    {"measure", "distances, angles, areas, volumes, circles and spheres", measureCommand, measureText},
+    {"profile", "the surface along a line", profileCommand, profileText},
     {"sun", "hours of direct sun and sky view of points", sunCommand, sunText},
     {"viewshed", "points visible to observers", viewshedCommand, viewshedText},
 };

@@ -2,6 +2,7 @@
 #include "runtime/rays/study_options.h"
 
 #include <chrono>
+#include <cmath>
 #include <stdexcept>
 
 #include "format/base/error.h"
@@ -9,6 +10,7 @@
 #include "format/os/descriptor.h"
 #include "format/os/terminal.h"
 #include "runtime/util/parse.h"
+#include "runtime/util/vec_array.h"
 
 namespace pointrt {
 namespace {
@@ -48,12 +50,16 @@ void addValue(CommandLine& app, const std::string& name, const std::string& type
     if (many) option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->allow_extra_args(false);
 }
 
+void addPointOutput(CommandLine& app, StudyOptions& options, bool required) {
+    addOutput(app, options,
+              "Points with their columns and the results, replacing an existing file: .ply, .pcd, .las, .laz, .e57 or "
+              ".csv; - is PLY on standard output",
+              ".ply .pcd .las .laz .e57 .csv", required);
+}
+
 void addStudyOptions(CommandLine& app, StudyOptions& options) {
-    addSceneAndOutput(app, options,
-                      "Points with their columns and the results, replacing an existing file: .ply, .pcd, .las, .laz, "
-                      ".e57 or .csv; - is "
-                      "PLY on standard output",
-                      ".ply .pcd .las .laz .e57 .csv");
+    addScene(app, options);
+    addPointOutput(app, options);
     app.add_option("--points", options.points,
                    "Evaluate these points instead of the scene's: .pro, .proset, .toml, .las, .laz or .ply, or x y z "
                    "[nx ny nz] "
@@ -82,6 +88,14 @@ void checkStudyOptions(const StudyOptions& options) {
     std::vector<std::string> inputs;
     if (!options.points.empty()) inputs.push_back(options.points);
     checkCommonOptions(options, inputs, "points");
+}
+
+std::array<double, 3> upOfScene(const std::optional<std::array<double, 3>>& given,
+                                const std::vector<std::string>& scene) {
+    if (!given) return scanUp(scene.front());
+    const double size = length(vectorOf(*given));
+    if (!(size > 0 && std::isfinite(size))) throw Error(ExitCode::kBadUsage, "--up: the vector has no direction");
+    return arrayOf((1 / size) * vectorOf(*given));
 }
 
 GeoPlace parsePlace(const std::string& text) {
@@ -124,9 +138,6 @@ double parseUtcOffset(const std::string& text) {
     return text.starts_with('-') ? -offset : offset;
 }
 
-std::array<double, 3> parseTriple(const std::string& text) {
-    const Vec3 vector = parseVector(text);
-    return {vector.x, vector.y, vector.z};
-}
+std::array<double, 3> parseTriple(const std::string& text) { return arrayOf(parseVector(text)); }
 
 } // namespace pointrt

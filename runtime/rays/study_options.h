@@ -18,6 +18,8 @@ struct StudyOptions : CommonOptions {
     std::optional<std::array<double, 3>> up;
 };
 
+/// -o for points with results.
+void addPointOutput(CommandLine& app, StudyOptions& options, bool required = true);
 /// SCENE, -o, --points, --sides, --up.
 void addStudyOptions(CommandLine& app, StudyOptions& options);
 /// Adds an option whose value set parses; a std::invalid_argument of set becomes the error "NAME: reason".
@@ -28,6 +30,11 @@ void addValue(CommandLine& app, const std::string& name, const std::string& type
 std::optional<int> parseStudyLine(CommandLine& app, int argc, const char* const* argv);
 /// checkCommonOptions for studies.
 void checkStudyOptions(const StudyOptions& options);
+
+/// The up that is given, as a unit vector; else that of the scene, else +Z. Throws Error kBadUsage for a zero vector,
+/// TraceError as scanUp does.
+std::array<double, 3> upOfScene(const std::optional<std::array<double, 3>>& given,
+                                const std::vector<std::string>& scene);
 
 /// Each parses all of text and throws std::invalid_argument with the reason.
 GeoPlace parsePlace(const std::string& text);    ///< "LAT,LON"

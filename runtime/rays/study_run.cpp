@@ -6,6 +6,7 @@
 
 #include "format/base/report_file.h"
 #include "format/pointio/point_sink.h"
+#include "runtime/rays/open_scene.h"
 #include "runtime/rays/run_report.h"
 #include "runtime/util/render_progress.h"
 
@@ -23,9 +24,7 @@ struct StudyOutcome {
 };
 
 OpenStudy openStudy(const StudyOptions& options, std::string& device_name) {
-    const TraceDevice device(options.device);
-    device_name = device.name();
-    OpenStudy study{TraceScene(device, options.scene, options.scene_options), {}};
+    OpenStudy study{openScene(options, device_name), {}};
     study.rules.sides = options.sides ? *options.sides : sidesOf(options.scene);
     study.rules.up = options.up ? *options.up : scanUp(options.scene.front());
     if (!options.points.empty()) study.rules.radius = medianRadius(options.scene);
@@ -40,7 +39,7 @@ PointOutline withResults(const PointOutline& points, const std::vector<PointColu
 }
 
 void runBlocks(const StudyOptions& options, const OpenStudy& study, StudyWork& work, PointSource& source,
-               PointSink& sink, StudyOutcome& outcome) {
+               PointSink* sink, StudyOutcome& outcome) {
     RenderProgress progress(options.quiet, options.verbose, false);
     const auto all = static_cast<double>(std::max<std::uint64_t>(1, source.outline().count.value_or(1)));
     StudyBlock block;
@@ -53,7 +52,7 @@ void runBlocks(const StudyOptions& options, const OpenStudy& study, StudyWork& w
         outcome.rays += timed(outcome.seconds.cast,
                               [&] { return work.block(study, block.rows(), count, values, report_progress); });
         for (std::vector<std::byte>& each : values) block.points.columns.push_back(std::move(each));
-        timed(outcome.seconds.write, [&] { sink.add(block.points); });
+        if (sink) timed(outcome.seconds.write, [&] { sink->add(block.points); });
         outcome.points += count;
     }
     progress.finish();
@@ -76,7 +75,7 @@ void report(const StudyOptions& options, const StudyWork& work, const StudyOutco
 }
 
 void runInto(const StudyOptions& options, StudyWork& work, StudyOutcome& outcome) {
-    pointFormat(options.output); // fails early on an unknown suffix
+    if (!options.output.empty()) pointFormat(options.output); // fails early on an unknown suffix
     if (!options.stats.empty()) requireReportWritable(options.stats);
     OpenStudy study = timed(outcome.seconds.open, [&] { return openStudy(options, outcome.device); });
     outcome.splats = study.scene.splatCount();
@@ -85,9 +84,10 @@ void runInto(const StudyOptions& options, StudyWork& work, StudyOutcome& outcome
     for (const PointColumn& column : work.results) names.push_back(column.name);
     const std::unique_ptr<PointSource> source =
         timed(outcome.seconds.read, [&] { return openPoints(options.points, options.scene, names); });
-    const std::unique_ptr<PointSink> sink = openPointSink(options.output, withResults(source->outline(), work.results));
-    runBlocks(options, study, work, *source, *sink, outcome);
-    timed(outcome.seconds.write, [&] { sink->finish(); });
+    std::unique_ptr<PointSink> sink;
+    if (!options.output.empty()) sink = openPointSink(options.output, withResults(source->outline(), work.results));
+    runBlocks(options, study, work, *source, sink.get(), outcome);
+    if (sink) timed(outcome.seconds.write, [&] { sink->finish(); });
 }
 
 } // namespace
@@ -96,10 +96,6 @@ void runStudy(const StudyOptions& options, StudyWork& work) {
     StudyOutcome outcome;
     withToolErrors([&] { timed(outcome.seconds.total, [&] { runInto(options, work, outcome); }); });
     report(options, work, outcome);
-}
-
-void printNote(const StudyOptions& options, const std::string& line) {
-    if (!options.quiet) std::fprintf(stderr, "%s\n", line.c_str());
 }
 
 } // namespace pointrt

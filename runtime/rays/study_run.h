@@ -38,11 +38,8 @@ struct StudyWork {
     std::vector<std::pair<std::string, std::uint64_t>> counts;
 };
 
-/// Memory does not grow with the number of points, but for 4 bytes a point of the largest file or tile. Throws Error
-/// with one line, and then leaves no new output file.
+/// Without options.output, only calls work. Memory does not grow with the number of points, but for 4 bytes a point of
+/// the largest file or tile. Throws Error with one line, and then leaves no new output file.
 void runStudy(const StudyOptions& options, StudyWork& work);
-
-/// Prints a line to standard error unless options.quiet.
-void printNote(const StudyOptions& options, const std::string& line);
 
 } // namespace pointrt

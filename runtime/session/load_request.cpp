@@ -12,7 +12,7 @@ namespace {
 /// Whether a picture is left to us: a PNG of a scan, for which nothing says how to light, shade or sample it.
 bool leavesIntegrator(const Options& options) {
     const RenderChoices& said = options.choices;
-    const bool is_picture = writesPng(options) && options.thumbnail == 0 && options.bench_frames == 0;
+    const bool is_picture = writesToneMapped(options) && options.thumbnail == 0 && options.bench_frames == 0;
     const bool is_limited = options.limits.seconds || options.limits.noise;
     const bool is_sampled = said.integrator || said.spp || said.bounces;
     const bool is_lit = said.room || said.lights || said.background || said.shadows || said.caustics;

@@ -79,9 +79,9 @@ OptionGroup imageOptions() {
     return {
         "Image",
         {{"-o,--output", "FILE",
-          "Render to FILE.png (8-bit sRGB) or FILE.exr (float, with first hits and light components), overwriting an "
-          "existing file; - writes a PNG to standard output",
-          [](Options& o, const std::string& text) { o.output = text; }, ".png .exr"},
+          "Render to FILE.png or FILE.tif (8-bit sRGB) or FILE.exr (float, with first hits and light components), "
+          "overwriting an existing file; - writes a PNG to standard output",
+          [](Options& o, const std::string& text) { o.output = text; }, ".png .tif .exr"},
          {"--turntable", "N",
           "Render N pictures from a camera that circles the target once, to -o frames/%04d.png (default: off; 1 to " +
               std::to_string(kMaxTurntable) + ")",
@@ -133,7 +133,12 @@ OptionGroup cameraOptions() {
           [](Options& o, const std::string& text) { o.fov_deg = parseAngle(text); }},
          {"--ortho", "HEIGHT|fit",
           "Use a parallel projection HEIGHT scene units high; fit shows the whole scene (default: off; not with --fov)",
-          [](Options& o, const std::string& text) { setOrtho(o.camera, text); }}},
+          [](Options& o, const std::string& text) { setOrtho(o.camera, text); }},
+         {"--plan", "SIZE",
+          "Render a plan in true scale: from above, SIZE scene units a pixel, over the whole scan, or --size pixels "
+          "around --target. FILE.png gets a world file FILE.pgw, FILE.tif is a GeoTIFF; transparent where nothing is "
+          "seen, unless --background (default: off)",
+          [](Options& o, const std::string& text) { o.plan = parseRealAbove(text, 0, kMaxHeight); }}},
         {}};
 }
 

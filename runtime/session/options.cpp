@@ -151,8 +151,8 @@ void requireWindow(const Options& options) {
 
 void requireImage(const Options& options) {
     const std::string& path = options.output;
-    if (!path.empty() && !writesPng(options) && !path.ends_with(".exr"))
-        throw Error{ExitCode::kBadUsage, path + ": image files must end in .png or .exr"};
+    if (!path.empty() && !writesToneMapped(options) && !path.ends_with(".exr"))
+        throw Error{ExitCode::kBadUsage, path + ": image files must end in .png, .tif or .exr"};
 }
 
 /// Refuses options that the cameras of a list set themselves, and options that need a single picture.
@@ -203,6 +203,25 @@ void fillThumbnail(Options& options) {
     options.quiet = !options.verbose;
 }
 
+/// A plan sets its camera itself.
+void requirePlan(const Options& options) {
+    const CameraRequest& camera = options.camera;
+    const char* other = options.turntable != 0                   ? "--turntable"
+                        : options.thumbnail != 0                 ? "--thumbnail"
+                        : !options.cameras.empty()               ? "--cameras"
+                        : options.resume                         ? "--resume"
+                        : !options.view.empty()                  ? "--view"
+                        : camera.eye                             ? "--eye"
+                        : camera.up                              ? "--up"
+                        : options.fov_deg                        ? "--fov"
+                        : camera.ortho                           ? "--ortho"
+                        : camera.target && !options.choices.size ? "--target without --size"
+                                                                 : nullptr;
+    if (other) throw Error{ExitCode::kBadUsage, std::string("--plan and ") + other + " exclude each other"};
+    if (!writesToneMapped(options) || options.output == "-")
+        throw Error{ExitCode::kBadUsage, "--plan: needs -o FILE.png or FILE.tif"};
+}
+
 /// --device list does nothing else.
 void requireNothingElse(const Options& options) {
     if (!options.inputs.empty() || !options.output.empty() || options.bench_frames != 0)
@@ -231,7 +250,7 @@ void requireStartPage(const Options& options) {
 void requireInputs(const Options& options) {
     if (options.inputs.empty()) return requireStartPage(options);
     for (const std::string& input : std::span(options.inputs).subspan(1))
-        if (input.ends_with(".png") || input.ends_with(".exr"))
+        if (input.ends_with(".png") || input.ends_with(".tif") || input.ends_with(".exr"))
             throw Error{ExitCode::kBadUsage, "unexpected argument " + input + ", did you mean -o " + input + "?"};
     const auto scene = std::find_if(options.inputs.begin(), options.inputs.end(), isScene);
     if (scene == options.inputs.end()) return requireBakeOptions(options);
@@ -247,6 +266,7 @@ void requireTask(const Options& options) {
         throw Error{ExitCode::kBadUsage,
                     "--fov and --ortho exclude each other: a parallel projection has no field of view"};
     if (options.list_devices) return requireNothingElse(options);
+    if (options.plan > 0) requirePlan(options);
     if (options.thumbnail != 0) requireThumbnail(options);
     if (options.cameras.empty())
         requireNoCameraList(options);
@@ -254,8 +274,8 @@ void requireTask(const Options& options) {
         requireCameraList(options);
     requireOutput(options.resume, options.output.ends_with(".exr"), "--resume", ".exr");
     if (!opensWindow(options) && options.cameras.empty()) {
-        requireOutput(options.choices.exposure.has_value(), writesPng(options), "--exposure", ".png");
-        requireOutput(options.choices.legend.value_or(false), writesPng(options), "--legend", ".png");
+        requireOutput(options.choices.exposure.has_value(), writesToneMapped(options), "--exposure", ".png");
+        requireOutput(options.choices.legend.value_or(false), writesToneMapped(options), "--legend", ".png");
     }
     requireOwnStream(options);
     if (options.resume && options.bench_frames != 0)
@@ -280,9 +300,9 @@ int takeBakeOptions(int argc, const char* const* argv, Options& options) {
 
 } // namespace
 
-bool writesPng(const Options& options) {
-    return options.cameras.empty() &&
-           (options.thumbnail != 0 || options.output == "-" || options.output.ends_with(".png"));
+bool writesToneMapped(const Options& options) {
+    return options.cameras.empty() && (options.thumbnail != 0 || options.output == "-" ||
+                                       options.output.ends_with(".png") || options.output.ends_with(".tif"));
 }
 
 bool opensWindow(const Options& options) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runtime/device_scene/cut.h"
+#include "runtime/image/geo_reference.h"
 #include "runtime/render/frame_limits.h"
 #include "runtime/scene/clip.h"
 #include "runtime/scene/render_settings.h"
@@ -29,7 +30,7 @@ struct Options {
     std::string scene;                     ///< the scene to open: the input, or the .pro baked from scans
     std::string source;                    ///< what users know scene by, such as the scan it was baked from; empty:
                                            ///< by its own name
-    std::string output;                 ///< FILE.png, FILE.exr or "-", or a folder with cameras; empty with a window,
+    std::string output;                 ///< FILE.png, FILE.tif, FILE.exr or "-", or a folder with cameras; empty with a window,
                                         ///< bench_frames or list_devices
     std::string device;                 ///< a selector, see DeviceRequest
     std::string stats;                  ///< file for the report, "-" for standard output, empty for none
@@ -47,6 +48,8 @@ struct Options {
     bool drops_distortion = false;       ///< ignore lens distortion in cameras
     std::uint32_t turntable = 0;         ///< number of pictures, 0: none; output is then a pattern (turntable.h)
     std::uint32_t thumbnail = 0;         ///< side in pixels, 0: none; output is then a PNG with any suffix
+    double plan = 0;                     ///< side of a plan's pixel in scene units, 0: no plan
+    std::optional<GeoReference> place;   ///< of a plan, set by fillPlan (plan_view.h)
     bool resume = false;                 ///< continue the film in output, an .exr
     std::uint32_t bench_frames = 0;      ///< 0: no benchmark
     bool list_devices = false;
@@ -58,8 +61,8 @@ struct Options {
     bool progress_lines = false; ///< machine-readable progress
 };
 
-/// True if output is a PNG: FILE.png, a thumbnail, or "-" for standard output.
-bool writesPng(const Options& options);
+/// True if output is an 8-bit picture: FILE.png, FILE.tif, a thumbnail, or "-" for a PNG on standard output.
+bool writesToneMapped(const Options& options);
 
 /// True if path is opened as it is: a scene file, a tile set or a .pro. Everything else is a scan to bake.
 bool isScene(const std::string& path);

@@ -124,7 +124,7 @@ SceneDescription describeRun(SceneDescription scene, const RenderSettings& setti
 bool wantsDenoising(const Options& options, const RenderSettings& settings, const SceneDescription& scene,
                     std::uint32_t samples, const StudioSubject& subject) {
     if (settings.denoise != DenoiseChoice::kAuto) return settings.denoise == DenoiseChoice::kOn;
-    return writesPng(options) && samples < kCleanSamplesOfLight && isNoisy(settings, scene, subject);
+    return writesToneMapped(options) && samples < kCleanSamplesOfLight && isNoisy(settings, scene, subject);
 }
 
 ToneMapping toneMapping(const SceneDescription& scene, float stops) {

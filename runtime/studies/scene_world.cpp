@@ -2,9 +2,9 @@
 #include "runtime/studies/scene_world.h"
 
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "format/base/require_pro.h"
+#include "format/crs/metadata_crs.h"
 #include "format/set/tile_set.h"
 #include "pointrt/studies.hpp"
 #include "runtime/cast/translated.h"
@@ -13,13 +13,6 @@
 
 namespace pointrt {
 namespace {
-
-std::string crsOf(std::string_view metadata) {
-    const auto json = nlohmann::json::parse(metadata, nullptr, false);
-    if (!json.is_object() || !json.contains("world") || !json["world"].is_object()) return {};
-    const auto crs = json["world"].find("crs");
-    return crs != json["world"].end() && crs->is_string() ? crs->get<std::string>() : std::string();
-}
 
 SceneWorld worldOfSet(const std::string& folder) {
     const TileSet set = readTileSet(folder);
@@ -31,7 +24,7 @@ SceneWorld worldOfFile(const std::string& path) {
     const ProFile file(path, PRO_OPEN_SKIP_CHECKSUMS);
     const float* up = file.world().up;
     return {{double{up[0]}, double{up[1]}, double{up[2]}},
-            crsOf(file.metadata()),
+            crsOfMetadata(file.metadata()),
             {},
             (file.info().flags & PRO_FLAG_ORIENTED) != 0};
 }

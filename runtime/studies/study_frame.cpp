@@ -19,8 +19,6 @@ namespace {
 
 using Numbers = std::array<double, 3>;
 
-Numbers numbersOf(Vec3 v) { return {v.x, v.y, v.z}; }
-
 Vec3 unitOf(const Numbers& numbers, const char* name) {
     const Vec3 vector = vectorOf(numbers);
     if (!(std::isfinite(length(vector)) && length(vector) > 0))
@@ -107,8 +105,8 @@ StudyFrame studyFrame(const std::string& path, GeoPlace place, std::optional<Num
     const Vec3 level = ahead - up * dot(ahead, up);
     if (length(level) < 1e-6) refuseUsage("north must not be along up"); // nothing but rounding is left
     if (!given_up && length(world.up) == 0) frame.note += "; up is assumed to be +Z: the scan does not say";
-    frame.up = numbersOf(up);
-    frame.north = numbersOf(normalize(level));
+    frame.up = arrayOf(up);
+    frame.north = arrayOf(normalize(level));
     return frame;
 }
 

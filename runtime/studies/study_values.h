@@ -2,19 +2,16 @@
 // Internal to runtime/studies: vectors of the public interface, and how it refuses values.
 #pragma once
 
-#include <array>
 #include <numbers>
 #include <string>
 
 #include "pointrt/trace.hpp"
-#include "runtime/util/vec.h"
+#include "runtime/util/vec_array.h"
 
 namespace pointrt {
 
 /// Between consecutive points of Vogel's spiral ("A better way to construct the sunflower head", 1979).
 constexpr double kGoldenAngle = 2 * std::numbers::pi * (2 - std::numbers::phi);
-
-inline Vec3 vectorOf(const std::array<double, 3>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
 
 [[noreturn]] inline void refuseUsage(const std::string& reason) {
     throw TraceError(TraceError::Kind::kBadUsage, reason);

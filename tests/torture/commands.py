@@ -258,6 +258,31 @@ def case_rays_viewshed():
     return of("pointrt-rays viewshed -q in/ball.pro --from 3,0,1 -o out/a.ply", prepare=ball_pro, most=8)
 
 
+def case_view_plan():
+    return of("pointrt-view -q in/ball.pro --plan 0.05 -o out/a.png", prepare=ball_pro, most=8)
+
+
+def case_view_plan_tiff():
+    return of("pointrt-view -q in/ball.pro --plan 0.05 -o out/a.tif", prepare=ball_pro, most=8)
+
+
+RIM = "'-1,-1,0 1,-1,0 1,1,0 -1,1,0'"
+
+
+def case_rays_measure():
+    return of(f"pointrt-rays measure -q in/ball.pro --kind volume --points {RIM} --cell 0.1 -o out/a.geojson",
+              prepare=ball_pro, most=8)
+
+
+def case_rays_profile():
+    return of("pointrt-rays profile -q in/ball.pro --line '-1,0 1,0' --step 0.1 -o out/a.svg", prepare=ball_pro, most=8)
+
+
+def case_rays_compare():
+    return of("pointrt-rays compare -q in/ball.pro in/ball.pro -o out/a.ply --stats out/stats.json", prepare=ball_pro,
+              reports=("out/stats.json",), most=8)
+
+
 SENSOR = """[flash]
 pixels = [16, 16]
 field_of_view_deg = [60, 60]

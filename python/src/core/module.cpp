@@ -37,5 +37,6 @@ NB_MODULE(_core, module) {
     pointrt::python::bindLidar(module);
     pointrt::python::bindRenderer(module);
     pointrt::python::bindStudies(module);
+    pointrt::python::bindMeasures(module);
     pointrt::python::bindScanFile(module);
 }

@@ -14,6 +14,8 @@ void bindLidar(nanobind::module_& module);
 void bindRenderer(nanobind::module_& module);
 /// Studies: lights, occlusion and visibility.
 void bindStudies(nanobind::module_& module);
+/// Measures of paths, fits, volumes, profiles and distances. Call it after bindScene.
+void bindMeasures(nanobind::module_& module);
 /// ScanFile.
 void bindScanFile(nanobind::module_& module);
 

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "module.h"
+#include "owned_array.h"
 
 namespace nb = nanobind;
 
@@ -31,14 +32,6 @@ using Vector = std::array<double, 3>;
 template <typename Array>
 auto numbersOf(const std::optional<Array>& array) {
     return array ? std::span(array->data(), array->size()) : std::span<typename Array::Scalar>();
-}
-
-template <typename Number>
-nb::ndarray<nb::numpy, Number> owned(std::vector<Number> numbers, std::size_t columns) {
-    auto* const kept = new std::vector<Number>(std::move(numbers));
-    nb::capsule owner(kept, [](void* memory) noexcept { delete static_cast<std::vector<Number>*>(memory); });
-    const std::size_t shape[] = {kept->size() / columns, columns};
-    return nb::ndarray<nb::numpy, Number>(kept->data(), columns == 1 ? 1 : 2, shape, owner);
 }
 
 nb::tuple lightsTuple(Lights lights) {

@@ -15,7 +15,9 @@ from ._bake import bake
 from ._camera import Camera
 from ._core import NO_HIT, Device, Error, ScanFile
 from ._hits import Hits
+from ._measures import fit_circle, fit_plane, fit_sphere, measure_path
 from ._picture import LAYERS, Picture
 from ._scene import Scene
 
-__all__ = ["Camera", "Device", "Error", "Hits", "LAYERS", "NO_HIT", "Picture", "ScanFile", "Scene", "bake"]
+__all__ = ["Camera", "Device", "Error", "Hits", "LAYERS", "NO_HIT", "Picture", "ScanFile", "Scene", "bake",
+           "fit_circle", "fit_plane", "fit_sphere", "measure_path"]

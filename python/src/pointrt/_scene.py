@@ -16,9 +16,9 @@ from numpy.typing import ArrayLike
 from . import _core, _lidar
 from ._camera import Camera
 from ._hits import ALIASES, Hits
+from ._measures import Measures
 from ._picture import ALIASES as LAYER_ALIASES
 from ._picture import Picture, setting_text
-from ._studies import Studies
 
 #: Fields of hits in the order of the results, with their type and the shape after that of the rays.
 _LAYOUT = {
@@ -43,7 +43,7 @@ def _default_device() -> _core.Device:
     return _core.Device()
 
 
-class Scene(Studies):
+class Scene(Measures):
     """Scans on a device. Thread-safe.
 
     Args:

@@ -130,6 +130,11 @@ private:
     std::shared_ptr<State> state_;
 };
 
+/// A box in the coordinates of the scene.
+struct SceneBounds {
+    std::array<double, 3> low{}, high{};
+};
+
 /// Scans in their own coordinates, or placed by a scene file, loaded for ray casting.
 class TraceScene {
 public:
@@ -176,6 +181,8 @@ public:
     void readColors(std::span<const std::uint32_t> splat_ids, std::span<const std::uint32_t> instance_ids,
                     std::span<std::uint8_t> colors) const;
 
+    /// A box around all splats, as large as the discs reach; empty, at 0, if the scene has shapes only.
+    SceneBounds bounds() const;
     /// Metres per unit of the scans' coordinates; 0 if unknown, or if the scans differ.
     double metresPerUnit() const;
     /// The splats of all instances; for sets those of the finest level, each once.

@@ -5,13 +5,14 @@
 #include <utility>
 
 #include "format/os/user_folder.h"
+#include "runtime/measure/path_files.h"
 #include "runtime/scene_io/scene_write.h"
 #include "runtime/session/bake_cache.h"
 #include "runtime/util/output_file.h"
 #include "runtime/window/app/window_state.h"
 #include "runtime/window/edit/free_name.h"
 #include "runtime/window/edit/kept_bake.h"
-#include "runtime/window/edit/measurement.h"
+#include "runtime/window/edit/picked_path.h"
 #include "runtime/window/edit/recent_files.h"
 #include "runtime/window/edit/shown_scene.h"
 #include "runtime/window/ui/panel_numbers.h"
@@ -79,13 +80,11 @@ bool Window::saveScene() {
 }
 
 void Window::saveMeasurement() {
-    MeasuredPath path;
-    path.points = pickedPositions(work_.picks);
-    path.measures = measurePath(path.points, work_.scene_up);
+    MeasuredPath path = pickedPath(work_.picks, work_.scene_up);
     path.decimals = decimalsFor(measuredSize(length(work_.scene_max - work_.scene_min)));
     const std::string name = freeName(work_.scene.path, {".csv", ".geojson", ".dxf"});
     const std::pair<const char*, std::string> files[] = {
-        {".csv", csvText(path)}, {".geojson", geoJsonText(path)}, {".dxf", dxfText(path)}};
+        {".csv", pathCsv(path)}, {".geojson", pathGeoJson(path)}, {".dxf", pathDxf(path)}};
     for (const auto& [suffix, text] : files)
         writeFile(name + suffix, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
     notify("saved " + name + ".csv, " + name + ".geojson and " + name + ".dxf", false);

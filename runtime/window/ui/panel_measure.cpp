@@ -8,7 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/window/edit/measurement.h"
+#include "runtime/util/vec_array.h"
+#include "runtime/window/edit/picked_path.h"
 #include "runtime/window/ui/panel_numbers.h"
 #include "runtime/window/ui/panel_parts.h"
 #include "runtime/window/ui/panel_widgets.h"
@@ -63,7 +64,7 @@ std::string pickLine(const PickedPoint& pick, double size) {
 }
 
 /// Of picks, at least two.
-PathMeasures measuresOf(const Workspace& w) { return measurePath(pickedPositions(w.picks), sceneUpright(w)); }
+PathMeasures measuresOf(const Workspace& w) { return pickedPath(w.picks, sceneUpright(w)).measures; }
 
 std::string distanceText(const Workspace& w) { return lengthText(measuresOf(w).last_leg, measuredSize(sceneSize(w))); }
 
@@ -77,7 +78,7 @@ std::vector<MeasureRow> measureRows(const Workspace& w) {
     std::vector<MeasureRow> rows = {{"Length", lengthText(measures.last_leg, size)},
                                     {"Horizontal", lengthText(measures.horizontal, size)},
                                     {"Height", lengthText(measures.height, size)},
-                                    {"dx dy dz", pointText(measures.difference, size)}};
+                                    {"dx dy dz", pointText(vectorOf(measures.difference), size)}};
     if (!measures.angle_deg) return rows;
     constexpr double unit_with_three_decimals = 10;
     rows.emplace_back("Path", lengthText(measures.length, size));

@@ -152,6 +152,16 @@ TEST(Options, TakesParallelProjection) {
     EXPECT_SAYS(refusal({"--ortho", "2", "--fov", "30"}), "--fov *--ortho *exclude");
 }
 
+TEST(Options, APlanSetsItsCameraItself) {
+    EXPECT_EQ(parse({"a.pro", "-o", "a.tif", "--plan", "0.25"}).plan, 0.25);
+    EXPECT_TRUE(writesToneMapped(parse({"a.pro", "-o", "a.tif"})));
+    EXPECT_SAYS(refusal({"--plan", "1", "--view", "top"}), "--plan and --view exclude*");
+    EXPECT_SAYS(refusal({"--plan", "1", "--target", "1,2,3"}), "--plan and --target without --size exclude*");
+    EXPECT_SAYS(refusal({"--plan", "0"}), "--plan: *0*");
+    EXPECT_NO_THROW(parse({"a.pro", "-o", "a.png", "--plan", "1", "--target", "1,2,3", "--size", "8x8"}));
+    EXPECT_THROW(parse({"a.pro", "-o", "a.exr", "--plan", "1"}), Error);
+}
+
 TEST(Options, TakesNegativeCoordinates) {
     const Options options =
         parse({"a.pro", "-o", "a.png", "--eye", "-1,-.5,1e3", "--target=500000.25,-2,0", "--up", "0,0,1"});
@@ -270,7 +280,7 @@ TEST(Options, RefusesBadValuesByName) {
     EXPECT_TRUE(contains(refusal({"--bounces", "65"}), "--bounces: "));
     EXPECT_TRUE(contains(refusal({"--bench", "0"}), "--bench: "));
     EXPECT_TRUE(contains(refusal({"--seed", "-1"}), "--seed: "));
-    EXPECT_SAYS(refusal({"-o", "a.jpeg"}), "a.jpeg: *.png *.exr");
+    EXPECT_SAYS(refusal({"-o", "a.jpeg"}), "a.jpeg: *.png*.tif*.exr");
 }
 
 TEST(Options, RefusesUnknownArguments) {
@@ -282,7 +292,7 @@ TEST(Options, RefusesUnknownArguments) {
 
 TEST(Options, ThumbnailsAreSmallPngsWithATimeLimit) {
     const Options options = parse({"a.pro", "-o", "a.thumb", "--thumbnail", "128"});
-    EXPECT_TRUE(writesPng(options));
+    EXPECT_TRUE(writesToneMapped(options));
     EXPECT_EQ(options.choices.size, (PixelSize{128, 128}));
     EXPECT_EQ(options.choices.spp, 4u);
     EXPECT_EQ(options.limits.seconds, 1);

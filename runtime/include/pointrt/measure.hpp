@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// Measuring scans: distances, angles and areas between points, fitted circles and spheres, volumes over a base plane,
+// profiles of surfaces, and distances between two surfaces.
+//
+//   const pointrt::PathMeasures gap = pointrt::measurePath(std::vector<pointrt::Position>{{0, 0, 0}, {3, 4, 12}}, {0,
+//   0, 1}); gap.last_leg, gap.horizontal, gap.height; // 13, 5, 12 const pointrt::Volume heap =
+//   pointrt::measureVolume(scene, rim, {.up = pointrt::scanUp("heap.pro")}); heap.cut, heap.fill;
+//
+// All lengths are in the unit of the coordinates, areas and volumes in its square and cube. Positions are doubles, so
+// national grids lose nothing. Everything is thread-safe, and throws TraceError or std::bad_alloc.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "pointrt/studies.hpp"
+
+namespace pointrt {
+
+/// x y z in the coordinates of the scene.
+using Position = std::array<double, 3>;
+
+// ---- of points ----
+
+/// Measures of a polyline. The last leg is the one between its last two points.
+struct PathMeasures {
+    double length = 0;            ///< of all legs
+    double horizontal_length = 0; ///< of all legs, across up
+    double last_leg = 0;
+    Position difference{};           ///< along the last leg
+    double horizontal = 0;           ///< of the last leg, across up
+    double height = 0;               ///< of the last leg, along up; negative if it goes down
+    double slope_deg = 0;            ///< of the last leg, from horizontal: -90 to 90
+    std::optional<double> angle_deg; ///< between the last two legs, 0 to 180: 180 if they go straight on
+    /// Of the polygon that the points enclose, from three points on. If it is not flat, its vector area: that of its
+    /// projection to the plane where this is largest.
+    std::optional<double> area;
+    std::optional<double> plan_area; ///< of the polygon seen along up
+    std::optional<double> perimeter; ///< of the polygon
+};
+
+/// @param points at least two
+/// @param up unit length
+/// Coordinates that are not finite give NaN. Throws kBadUsage for fewer points.
+PathMeasures measurePath(std::span<const Position> points, const Position& up);
+
+/// Least-squares fits. rms is the root mean square distance of the points from the fitted shape.
+struct FittedPlane {
+    Position center{}; ///< the points' centroid
+    Position normal{}; ///< unit length; of the two signs, the one whose largest component is positive
+    double rms = 0;
+};
+struct FittedCircle {
+    Position center{}, normal{}; ///< of its plane, which is fitted first
+    double radius = 0, rms = 0;  ///< rms includes the distances from the plane
+};
+struct FittedSphere {
+    Position center{};
+    double radius = 0, rms = 0;
+};
+
+/// Each needs at least three points, a sphere four. Throws kBadUsage for fewer, for points that lie on a line (plane
+/// and circle) or in a plane (sphere), and for coordinates that are not finite.
+FittedPlane fitPlane(std::span<const Position> points);
+FittedCircle fitCircle(std::span<const Position> points);
+FittedSphere fitSphere(std::span<const Position> points);
+
+// ---- of surfaces ----
+
+/// The nearest point of the scene's surface to each point: rays in all directions find the surface, further ones follow
+/// its normals to the foot of the perpendicular. A detail that appears smaller than 10 degrees from the point may be
+/// missed. NaN for a point that no ray leaves to a surface. Throws kBadUsage for coordinates that are not finite.
+std::vector<Position> snapToSurface(const TraceScene& scene, std::span<const Position> points);
+
+/// The surface seen from above at each point: the first hit of a ray down along up, which has unit length. NaN where
+/// there is none. Throws kBadUsage for coordinates that are not finite.
+std::vector<Position> dropToSurface(const TraceScene& scene, std::span<const Position> points, const Position& up);
+
+struct VolumeRules {
+    Position up{0, 0, 1}; ///< unit length
+    /// Height of the base along up; none: the plane fitted to the rim.
+    std::optional<double> base_height = {};
+    /// Side of the cells of the raster; 0: so that the rim's longer side has a thousand.
+    double cell = 0;
+};
+
+struct Volume {
+    double cut = 0;     ///< between the base and surfaces above it
+    double fill = 0;    ///< between the base and surfaces below it
+    double area = 0;    ///< of the rim, seen along up
+    double covered = 0; ///< the part of area where rays hit a surface; the rest counts neither as cut nor as fill
+    double cell = 0;    ///< side of the cells
+    std::uint64_t rays = 0;
+    FittedPlane base; ///< level with base_height
+    double net() const { return cut - fill; }
+};
+
+/// The volume within a rim, by a vertical ray through each cell of a raster, down from above all surfaces: the first
+/// hit counts. Cells that the rim cuts count with their part inside. Throws kBadUsage for a rim of fewer than three
+/// points or without area, a base that is vertical, more than 2^28 cells, and numbers that are not finite.
+Volume measureVolume(const TraceScene& scene, std::span<const Position> rim, const VolumeRules& rules);
+
+enum class ProfileSide {
+    kAbove, ///< rays go down
+    kBelow, ///< rays go up
+};
+
+struct ProfileRules {
+    Position up{0, 0, 1}; ///< unit length
+    double step = 0;      ///< between stations along the line, across up; 0: a thousandth of its length
+    ProfileSide from = ProfileSide::kAbove;
+    std::optional<double> start_height = {}; ///< along up, where rays start; none: outside of the scene
+    bool all = false;                        ///< all surfaces on the rays, else the first
+    double apart = 0; ///< with all: surfaces closer than this behind each other are one; unit of the scene, at least 0
+    double width = 0; ///< of a band along the line: a station has the median of rays across it. 0: one ray
+};
+
+/// A point of a profile.
+struct ProfilePoint {
+    double station = 0;      ///< distance along the line, across up
+    std::uint32_t layer = 0; ///< of the surfaces on the ray, from 0 where it starts
+    bool hit = false;        ///< false: no surface there; then position is on the line
+    Position position{};
+    double height = 0;        ///< position along up
+    double low = 0, high = 0; ///< of all rays across the band; height, without one
+};
+
+/// The surface along a polyline seen along up, by vertical rays. Stations are at multiples of step, and at the end; in
+/// their order. all excludes width. Throws kBadUsage for a line of fewer than two points or without length, more than
+/// 2^22 stations, negative lengths, and numbers that are not finite.
+std::vector<ProfilePoint> surfaceProfile(const TraceScene& scene, std::span<const Position> line,
+                                         const ProfileRules& rules);
+
+/// Distances of points from the scene's surface along their normals, on the nearer side, up to most: positive if the
+/// point lies on the side of the surface that its normal points to, as in M3C2 (Lague, Brodu and Leroux 2013). NaN if
+/// there is no surface.
+/// @param points with normals; with radii, rays start 2% of the radius behind the point to hit what coincides with it
+/// @param most above 0
+/// @return the number of rays cast
+/// Throws kBadUsage for arrays of inconsistent sizes and points without normals, kBadInput "point N: ..." for positions
+/// that are not finite.
+std::uint64_t surfaceDistances(const TraceScene& scene, const StudyPoints& points, double most,
+                               std::span<double> distances);
+
+/// Statistics of signed distances; those that are NaN only count as missing.
+struct DistanceStatistics {
+    std::uint64_t count = 0, missing = 0;
+    double mean = 0, deviation = 0; ///< standard deviation
+    double median = 0;
+    double rms = 0;
+    double percentile_95 = 0; ///< of absolute distances: 95% are at most so large
+    double low = 0, high = 0;
+};
+
+/// All numbers are NaN if no distance is finite. Percentiles are nearest ranks. Overwrites distances.
+DistanceStatistics distanceStatistics(std::span<double> distances);
+
+} // namespace pointrt

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files of a profile.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pointrt/measure.hpp"
+
+namespace pointrt {
+
+/// Numbers of these texts have this many decimals.
+struct ProfileDrawing {
+    std::vector<ProfilePoint> points; ///< as from surfaceProfile
+    std::string unit;                 ///< of lengths, for labels; may be empty
+    int decimals = 3;
+    bool has_band = false; ///< low and high differ from height
+};
+
+/// A row for each point: station, x, y, z, height, with layers their number, with a band low and high. Where nothing is
+/// hit, z, height, low and high are empty.
+std::string profileCsv(const ProfileDrawing& profile);
+/// In the scan's coordinates: a 3D polyline for each run of stations that are hit, or a point for each hit if stations
+/// have several.
+std::string profileDxf(const ProfileDrawing& profile);
+/// A chart of height over station, heights exaggerated by a round factor if they are flat; gaps stay gaps.
+std::string profileSvg(const ProfileDrawing& profile);
+
+} // namespace pointrt

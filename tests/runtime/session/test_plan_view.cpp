@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// The camera and place of plans of a known scan.
+#include "runtime/session/plan_view.h"
+
+#include <gtest/gtest.h>
+
+#include "format/base/error.h"
+#include "tests/runtime/rays/ray_scenes.h"
+#include "tests/support/temporary_folder.h"
+
+namespace pointrt {
+namespace {
+
+/// Of a plane whose splats' centres span 15.36 to 112.64 m of a cube at (500000, 4500000, 100).
+class PlanView : public testing::Test {
+protected:
+    PlanView() {
+        test::writeScan(folder.file("plane.pro"), test::planeSplats(20, 0.5f), {});
+        options.scene = folder.file("plane.pro");
+        options.output = "plan.png";
+    }
+
+    std::string refusal() {
+        try {
+            fillPlan(options);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code, ExitCode::kBadUsage);
+            return error.what();
+        }
+        return "";
+    }
+
+    const test::TemporaryFolder folder;
+    Options options;
+};
+
+TEST_F(PlanView, CoversTheScanOnMultiplesOfThePixel) {
+    options.plan = 0.3;
+    fillPlan(options);
+    const GeoReference& place = *options.place;
+    EXPECT_EQ(place.pixel, 0.3);
+    for (const double edge : {place.west, place.north}) EXPECT_NEAR(edge / 0.3, std::round(edge / 0.3), 1e-6);
+    EXPECT_LE(place.west, 500015.36);
+    EXPECT_GT(place.west, 500015.36 - 0.3);
+    const auto size = *options.choices.size;
+    EXPECT_GE(place.west + 0.3 * size.width, 500112.64 - 1e-3);
+    EXPECT_GE(4500015.36 + 1e-3, place.north - 0.3 * size.height);
+    EXPECT_GE(place.north, 4500112.64 - 1e-3);
+    EXPECT_NEAR(*options.camera.ortho_height, 0.3 * size.height, 1e-9);
+    EXPECT_NEAR(options.camera.eye->x, place.west + 0.15 * size.width, 1e-6);
+    EXPECT_NEAR(options.camera.eye->y, place.north - 0.15 * size.height, 1e-6);
+    EXPECT_GT(options.camera.eye->z, 164);
+    EXPECT_TRUE(options.choices.background->transparent);
+    EXPECT_EQ(options.up_axis, (Vec3{0, 0, 1})) << "heights are along z, north is only up in the picture";
+}
+
+TEST_F(PlanView, ShowsAPartAroundATarget) {
+    options.plan = 0.5;
+    options.choices.size = PixelSize{101, 50};
+    options.camera.target = Vec3{500050, 4500060, 0};
+    fillPlan(options);
+    EXPECT_EQ(*options.choices.size, (PixelSize{101, 50}));
+    EXPECT_NEAR(options.place->west + 0.5 * 50.5, 500050, 0.26);
+    EXPECT_NEAR(options.place->north - 0.5 * 25, 4500060, 0.26);
+}
+
+TEST_F(PlanView, RefusesWhatIsNoPlan) {
+    options.plan = 1e-4;
+    EXPECT_NE(refusal().find("16384"), std::string::npos);
+    options.plan = 1;
+    folder.write("scene.toml", "[[instance]]\nfile = \"plane.pro\"\n");
+    options.scene = folder.file("scene.toml");
+    EXPECT_NE(refusal().find("scene file"), std::string::npos);
+}
+
+} // namespace
+} // namespace pointrt
