@@ -30,12 +30,12 @@ struct Options {
     std::string scene;                     ///< the scene to open: the input, or the .pro baked from scans
     std::string source;                    ///< what users know scene by, such as the scan it was baked from; empty:
                                            ///< by its own name
-    std::string output;                 ///< FILE.png, FILE.tif, FILE.exr or "-", or a folder with cameras; empty with a window,
-                                        ///< bench_frames or list_devices
-    std::string device;                 ///< a selector, see DeviceRequest
-    std::string stats;                  ///< file for the report, "-" for standard output, empty for none
-    RenderChoices choices;              ///< the rows of render_setting_table.h
-    CameraRequest camera;               ///< without its fov_deg
+    std::string output;    ///< FILE.png, FILE.tif, FILE.exr or "-", or a folder with cameras; empty with a window,
+                           ///< bench_frames or list_devices
+    std::string device;    ///< a selector, see DeviceRequest
+    std::string stats;     ///< file for the report, "-" for standard output, empty for none
+    RenderChoices choices; ///< the rows of render_setting_table.h
+    CameraRequest camera;  ///< without its fov_deg
     std::optional<Vec3> up_axis;        ///< also the scene's up unless that has one; also in camera
     std::optional<double> fov_deg;      ///< none: not given
     std::vector<ClipDescription> clips; ///< boxes, besides the clips of the scene file

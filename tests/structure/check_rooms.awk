@@ -32,7 +32,7 @@ function visit(room, path,    names, count, i) {
 
 BEGIN {
     if (!most_purpose) most_purpose = 120
-    if (!most_rooms) most_rooms = 46
+    if (!most_rooms) most_rooms = 47
     if (!os_room) os_room = "format/os"
     of_posix = "aio|arpa/.*|dirent|dlfcn|fcntl|glob|grp|langinfo|libgen|net/.*|netdb|netinet/.*|poll|pthread|pwd|sched|" \
         "semaphore|signal|spawn|strings|sys/.*|syslog|termios|ucontext|unistd|wordexp"
