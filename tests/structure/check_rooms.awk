@@ -2,7 +2,7 @@
 # awk -f check_rooms.awk rooms.txt FILE...: checks that the includes of FILEs, paths from the repository's root, are of rooms
 # that their room may use (cmake/Rooms.cmake writes rooms.txt). Prints a line for each finding; exit status 1 if there is one.
 #   - each file is in a room. The purpose of a room has at most most_purpose (120) characters, because a room that takes
-#     longer to describe holds more than one idea. There are at most most_rooms (46)
+#     longer to describe holds more than one idea. There are at most most_rooms (47)
 #   - an include has the path of its file from the root, which is in the same room or in one that this room uses
 #   - a room includes something of each room that it uses
 #   - no room uses itself by way of others
