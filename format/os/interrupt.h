@@ -8,12 +8,12 @@ namespace pointrt {
 /// Signals that the process was started to ignore stay ignored.
 void catchInterrupts();
 
-/// Whether a signal was caught. Cheap.
-bool interrupted();
-
 /// The same with a handler in place of the flag, which gets the number of each of these signals. It may call
 /// printFromHandler and std::_Exit, little else.
 void handleInterrupts(void (*handler)(int number));
+
+/// Whether catchInterrupts caught a signal. Cheap.
+bool interrupted();
 
 /// Terminates the process by the caught signal, so that its parent sees it. Does nothing if none was caught.
 void raiseInterrupt();
