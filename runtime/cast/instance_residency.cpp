@@ -217,7 +217,7 @@ void InstanceResidency::place(std::uint32_t number) {
     gpu::InstanceParams params = makeInstanceParams(space, scan, instance.placement, instance.scene_instance);
     placed->in_cube = isUnit(params);
     if (instance.core) setCoreBox(scan, *instance.core, params);
-    setClipPlanes(kept, instance.placement, tracedFrame(scan), params);
+    setClipPlanes(kept, instance.placement, scan, params);
     placed->params = createBuffer(device_, "instance parameters", sizeof params, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     placed_[number] = std::move(placed);
     uploadBuffer(device_, placed_[number]->params, &params, sizeof params);

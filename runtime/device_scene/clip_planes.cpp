@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "runtime/device_scene/render_space.h"
+#include "runtime/device_scene/scene_tiles.h"
 #include "runtime/util/pack.h"
 
 namespace pointrt {
@@ -18,6 +19,17 @@ gpu::vec4 inCube(const HalfSpace& kept, const Placement& placement, const pro_in
     return pack(normal, dot(n, kept.point - cube_origin) / (placement.scale * frame.scale));
 }
 
+/// Whether a half-space may cut anything of an instance. False if all corners of its bounds are inside, farther from
+/// the plane than discs reach out of the bounds. Gaussians reach farther.
+bool mayCut(const HalfSpace& kept, const Placement& placement, const DeviceScan& file) {
+    if (file.is_gaussian) return true;
+    const Bounds bounds = placedBounds(placement, file.info);
+    const Vec3 center = 0.5 * (bounds.lo + bounds.hi), half = 0.5 * (bounds.hi - bounds.lo);
+    const double reach =
+        dot(absolute(kept.normal), half) + 2 * placement.scale * file.info.scale * file.info.radius_max;
+    return dot(kept.normal, center - kept.point) < reach;
+}
+
 } // namespace
 
 std::vector<HalfSpace> keptOf(const SceneDescription& scene, const InstanceDescription& instance) {
@@ -29,10 +41,12 @@ bool cutsInstances(const SceneDescription& scene) {
                        [&](const InstanceDescription& each) { return !keptOf(scene, each).empty(); });
 }
 
-void setClipPlanes(std::span<const HalfSpace> kept, const Placement& placement, const pro_info& frame,
+void setClipPlanes(std::span<const HalfSpace> kept, const Placement& placement, const DeviceScan& file,
                    gpu::InstanceParams& params) {
-    params.grid_words.w = static_cast<std::uint32_t>(kept.size());
-    for (std::size_t i = 0; i < kept.size(); ++i) params.clip_planes[i] = inCube(kept[i], placement, frame);
+    std::uint32_t count = 0;
+    for (const HalfSpace& each : kept)
+        if (mayCut(each, placement, file)) params.clip_planes[count++] = inCube(each, placement, tracedFrame(file));
+    params.grid_words.w = count;
 }
 
 } // namespace pointrt

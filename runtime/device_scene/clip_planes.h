@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "pointrt/pro.h"
+#include "runtime/device_scene/device_scan.h"
 #include "runtime/scene/scene_description.h"
 #include "shaders/shared/scene_layout.h"
 
@@ -16,10 +16,9 @@ std::vector<HalfSpace> keptOf(const SceneDescription& scene, const InstanceDescr
 /// Whether the clips cut any instance: programs are specialised for that.
 bool cutsInstances(const SceneDescription& scene);
 
-/// Clips the hits of an instance.
+/// Clips the hits of an instance of file, by the half-spaces that may cut it.
 /// @param kept at most MAX_CLIP_PLANES
-/// @param frame tracedFrame of its file
-void setClipPlanes(std::span<const HalfSpace> kept, const Placement& placement, const pro_info& frame,
+void setClipPlanes(std::span<const HalfSpace> kept, const Placement& placement, const DeviceScan& file,
                    gpu::InstanceParams& params);
 
 } // namespace pointrt

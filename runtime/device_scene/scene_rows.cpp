@@ -8,7 +8,6 @@
 #include "format/base/error.h"
 #include "runtime/device_scene/clip_planes.h"
 #include "runtime/device_scene/render_space.h"
-#include "runtime/device_scene/scene_tiles.h"
 
 namespace pointrt {
 
@@ -42,7 +41,7 @@ public:
         for (const Instance& instance : scene.instances) {
             const InstanceDescription& described = description.instances.at(instance.number);
             if (!sharesRows(instance)) addInstance(described, instance);
-            setClipPlanes(keptOf(description, described), described.placement, tracedFrame(scene.files[instance.file]),
+            setClipPlanes(keptOf(description, described), described.placement, scene.files[instance.file],
                           rows.instances.back());
         }
         if (description.sky && !description.sky->image.empty()) addSkyLight();
