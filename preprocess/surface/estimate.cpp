@@ -241,9 +241,10 @@ float sparseReach(const PointGraph& graph, const Estimation& job) {
 void setRadii(PointGraph& graph, std::size_t filled, bool oriented, const Estimation& job) {
     PointSet& points = graph.points;
     computeRadii(graph, oriented, {job.progress, kRadiusStage, kFillShare, 1});
-    shrinkPlates(graph, sparseReach(graph, job));
+    const auto decided_limit = inPoints(points, job.decided.statistics.radius_limit);
+    shrinkPlates(graph, sparseReach(graph, job), decided_limit);
     shrinkSmoothed(points);
-    limitRadii(points.radii, inPoints(points, job.decided.statistics.radius_limit));
+    limitRadii(points.radii, decided_limit);
     job.report.seen_through = clearSightlines(graph, points.size() - filled, {job.progress, kRadiusStage, 1, 1});
     for (std::size_t i = 0; i < points.given_radii.size(); ++i)
         if (points.given_radii[i] > 0) points.radii[i] = points.given_radii[i];

@@ -7,10 +7,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "preprocess/cloud/median.h"
 #include "preprocess/surface/angle_gaps.h"
 #include "preprocess/surface/plane_fit.h"
+#include "preprocess/surface/scan_lines.h"
 #include "preprocess/surface/voronoi_cell.h"
 
 namespace pointrt::surface {
@@ -266,53 +268,90 @@ bool isSurrounded(const PointGraph& graph, std::size_t point) {
     return gapsBetween(angles).widest < kWidest;
 }
 
+/// What makes a disc part of a surface: points up to so far off its plane, in radii, their share of all around, and how
+/// far away, in radii, those must be that leave no wide angle empty.
+struct Support {
+    float off_plane;
+    double share;
+    float apart;
+};
+/// In ten static frames of a room, rays lose 2% at edges if half of the points must be in the plane, 0.3% at 35%.
+constexpr Support kOfMost{0.25f, 0.35, 0};
+/// Of the largest discs, which are seen first, more is asked: a few points of a line around one would leave as little
+/// empty with one other point on each side of them.
+constexpr Support kOfLargest{0.1f, 0.5, 0.5f};
+
 /// Whether a disc is part of a surface: of all points within 2.5 radii, many are hardly off its plane and leave no
 /// angle of 200 degrees empty. At a straight border half a turn is empty; along an edge about half of the points are
 /// off the plane, and of points in space 85% are. The arcs that a lidar leaves in a crown lie in a plane, too, that of
 /// its beam, but few other points do.
-bool isSupported(const PointGraph& graph, float radius, std::size_t point, std::vector<std::uint32_t>& found) {
-    constexpr float kReach = 2.5f, kOffPlane = 0.25f, kWidest = 2 * std::numbers::pi_v<float> * 200 / 360;
-    constexpr double kMany = 0.35;
+bool isSupported(const PointGraph& graph, float radius, const Support& support, std::size_t point,
+                 std::vector<std::uint32_t>& found) {
+    constexpr float kReach = 2.5f, kWidest = 2 * std::numbers::pi_v<float> * 200 / 360;
     constexpr std::size_t kManyFound = 4096; // the disc would cover hundreds of others
     found.resize(kManyFound);
     const float reach = kReach * radius;
     const TangentPlane plane(graph.points.positions[point], graph.points.normals[point]);
     const std::size_t count = graph.search->within(plane.origin, reach * reach, found);
     if (count > kManyFound) return false;
+    std::size_t in_plane = 0;
     std::vector<float> angles;
     for (std::size_t i = 0; i < count; ++i) {
         const Vec3f offset = graph.points.positions[found[i]] - plane.origin;
+        if (std::abs(plane.normal.dot(offset)) > support.off_plane * radius) continue;
+        ++in_plane;
         const Eigen::Vector2f place = plane.project(offset);
-        if (found[i] != point && std::abs(plane.normal.dot(offset)) <= kOffPlane * radius)
+        if (found[i] != point && place.norm() >= support.apart * radius)
             angles.push_back(std::atan2(place.y(), place.x()));
     }
-    if (angles.size() < 3 || double(angles.size()) < kMany * double(count)) return false;
+    if (angles.size() < 3 || double(in_plane) < support.share * double(count)) return false;
     std::sort(angles.begin(), angles.end());
     return gapsBetween(angles).widest < kWidest;
 }
 
+/// Whether a surface joins the line that a point is on to lines on both sides, if it is on one. The arc of a single
+/// line of a lidar lies in the plane of its beam, which is no surface, but in a corner or all around a sensor it leaves
+/// no angle empty (isSupported).
+bool isBetweenLines(const PointGraph& graph, std::size_t point) {
+    const std::optional<ScanLine> line = lineAt(graph, point);
+    return !line || (facingLine(graph, point, *line, 1) && facingLine(graph, point, *line, -1));
+}
+
+struct PlateLimits {
+    float sparse_reach; ///< as of shrinkPlates
+    float large;        ///< radius above which support must be better
+};
+
 /// The radius of a point, or a smaller one if no plane through its neighbours justifies it.
-float unprovenRadius(const PointGraph& graph, float radius, float sparse_reach, std::size_t point,
+float unprovenRadius(const PointGraph& graph, float radius, const PlateLimits& limits, std::size_t point,
                      std::vector<std::uint32_t>& scratch) {
     // Radii are at most 1.65 times the distance to the sixth neighbour for nine in ten points of sparse scans of all
     // kinds, and 3 to 6 times for the plates among them.
-    constexpr std::size_t kSixth = 6;
-    constexpr float kWide = 2.5f, kWideHeight = 0.5f, kWideUneven = 0.1f;
+    // The third is 0.7 times as far as the sixth on a surface and on a line, and much nearer in the short arcs that a
+    // lidar leaves on what is small and far away.
+    constexpr std::size_t kThird = 3, kSixth = 6;
+    constexpr float kWide = 2.5f, kVeryWide = 4, kSixthOverThird = 1.5f, kWideHeight = 0.5f, kWideUneven = 0.1f;
     // Neighbours of strays are 0.24 radii of their neighbourhood off its plane in maps of moving lidars, 0.4 in sparse
     // reconstructions.
     constexpr float kSparseHeight = 0.07f;
     const NeighborLists& lists = graph.lists;
     if (lists.k < kSixth) return radius;
     const float sixth = lists.distance(graph.points, point, kSixth - 1), reach = lists.radius(graph.points, point);
-    const bool wide = radius > kWide * sixth, sparse = lists.completeRadius(graph.points, point) > sparse_reach;
-    if (wide && !isSupported(graph, radius, point, scratch)) return std::max(kOverlap * sixth, kMinRadius);
-    if (lists.thinned[point] & kClump) return radius; // distances within clumps tell nothing
-    if (!wide && !sparse) return radius;
+    const bool in_clump = lists.thinned[point] & kClump; // distances within clumps tell nothing
+    const float third = in_clump ? sixth : kSixthOverThird * lists.distance(graph.points, point, kThird - 1);
+    const bool wide = radius > kWide * sixth || radius > kVeryWide * third;
+    const bool sparse = lists.completeRadius(graph.points, point) > limits.sparse_reach;
+    const bool large = radius > limits.large;
+    const bool supported = !wide || (isSupported(graph, radius, large ? kOfLargest : kOfMost, point, scratch) &&
+                                     (!large || isBetweenLines(graph, point)));
+    if (!supported) return std::max(kOverlap * std::min(sixth, third), kMinRadius);
+    if (in_clump || (!wide && !sparse)) return radius;
     const float height = heightOver(graph.points, lists, point);
     if (wide && height > std::max(kWideHeight * sixth, kWideUneven * reach)) radius = kOverlap * sixth;
     if (!sparse || (height <= kSparseHeight * reach && isSurrounded(graph, point))) return radius;
     const float half_way = lists.distance(graph.points, point, 1) / 2;
-    return std::max(std::min({radius, kOverlap * half_way, spacingFromRadius(sparse_reach, lists.k)}), kMinRadius);
+    return std::max(std::min({radius, kOverlap * half_way, spacingFromRadius(limits.sparse_reach, lists.k)}),
+                    kMinRadius);
 }
 
 } // namespace
@@ -328,15 +367,19 @@ void computeRadii(PointGraph& graph, bool oriented, const StageShare& share) {
     });
 }
 
-void shrinkPlates(PointGraph& graph, float sparse_reach) {
+void shrinkPlates(PointGraph& graph, float sparse_reach, std::optional<float> decided_limit) {
+    // In frames of spinning lidars, about one disc in a hundred is larger, in rooms scanned from one place hardly any.
+    constexpr float kOfLimit = 1.0f / 6, kOfMedian = 10;
     std::vector<float>& radii = graph.points.radii;
     const std::vector<float> before = radii;
+    std::vector<float> sorted = radii;
+    const float limit = decided_limit ? *decided_limit : radiusLimit(sorted);
+    const PlateLimits limits{sparse_reach, std::max(kOfLimit * limit, kOfMedian * medianInPlace(sorted))};
     const StageProgress silent;
     forRanges(radii.size(), {silent, ""}, [&](std::size_t begin, std::size_t end) {
         std::vector<std::uint32_t> scratch;
         for (std::size_t i = begin; i < end; ++i)
-            radii[i] =
-                std::min(unevenRadius(graph, before, i), unprovenRadius(graph, before[i], sparse_reach, i, scratch));
+            radii[i] = std::min(unevenRadius(graph, before, i), unprovenRadius(graph, before[i], limits, i, scratch));
     });
 }
 

@@ -26,7 +26,8 @@ void shrinkSmoothed(PointSet& points);
 /// between neighbours that are in no plane, and those of sparse points, unless neighbours in a plane surround them.
 /// @param sparse_reach distance of the farthest of the nearest neighbours beyond which a point is sparse, unit of the
 /// points
-void shrinkPlates(PointGraph& graph, float sparse_reach);
+/// @param decided_limit limit of radii decided for a larger cloud; far below it, less must speak for a wide disc
+void shrinkPlates(PointGraph& graph, float sparse_reach, std::optional<float> decided_limit);
 
 /// Shrinks the few radii far above all others. Isolated points are each other's neighbours, and no local rule tells
 /// their spacing from a surface's: their discs would be sails in the picture.

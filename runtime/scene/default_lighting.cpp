@@ -128,6 +128,8 @@ constexpr double kStudioGap = 1e-3;
 /// Radiance of the zenith as a share of the horizon's, which equals the floor's: dark, so that the sky adds little
 /// light.
 constexpr float kStudioZenith = 0.35f;
+/// The same for the nadir under open ground, whose light reaches crowns and eaves from below.
+constexpr float kBelowGround = 0.4f;
 
 /// The lamps are dimmed for subjects of a higher reflectance than kBright, and amplified for those of a lower one than
 /// kDark, by at most kMostGain.
@@ -200,12 +202,15 @@ void addFloor(SceneDescription& scene, const Staging& staging, double level, flo
 constexpr float kSkyOnFloor = 0.2f + 0.8f * kStudioZenith;
 
 /// A sky whose horizon is as bright as the floor, which the lamps give the radiance lit_floor.
-SkyDescription studioSky(Color lit_floor, const StudioLight& light, bool is_path_traced) {
+/// Open ground has no floor around it: below the horizon the picture darkens downwards, where eyes above the ground
+/// look.
+SkyDescription studioSky(Color lit_floor, const StudioLight& light, const StudioSubject& subject) {
+    const bool is_path_traced = subject.is_path_traced;
     SkyDescription sky;
     for (int c = 0; c < 3; ++c) {
         sky.horizon[c] = is_path_traced ? lit_floor[c] / (1 - light.floor * kSkyOnFloor) : lit_floor[c];
         sky.zenith[c] = kStudioZenith * sky.horizon[c];
-        sky.ground[c] = sky.horizon[c];
+        sky.ground[c] = subject.is_ground ? kBelowGround * sky.horizon[c] : sky.horizon[c];
         if (!is_path_traced) sky.horizon[c] += light.floor * sky.ambient * sky.zenith[c]; // ambient light on the floor
     }
     return sky;
@@ -231,7 +236,7 @@ void addStudio(SceneDescription& scene, const Staging& staging, const StudioSubj
         }
         scene.lights.push_back(light);
     }
-    scene.sky = studioSky(lit_floor, studio, subject.is_path_traced);
+    scene.sky = studioSky(lit_floor, studio, subject);
 }
 
 /// Whether neither scene nor settings choose surroundings.

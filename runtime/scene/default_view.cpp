@@ -16,6 +16,8 @@ namespace {
 
 /// A three-quarter view from above: sites are seen in plan, but buildings keep their height.
 constexpr double kSiteElevation = 35 * kDegree, kSiteAzimuth = 30 * kDegree;
+/// Over a wall 3 m high, this shows the floor from 2.5 m behind it.
+constexpr double kWalledElevation = 50 * kDegree;
 /// Another side replaces the front if it shows this many times as much.
 constexpr double kMuchMore = 1.3;
 /// A range image: this share of the splats is within this angle of the line of sight.
@@ -169,15 +171,21 @@ double levelShare(const SceneSample& sample, const Ground& ground, Vec3 side) {
     return visible.seen.empty() ? 0 : level / static_cast<double>(visible.seen.size());
 }
 
+/// Whether a sample in metres may be of rooms.
+bool isAsLargeAsARoom(const SceneSample& sample, const Ground& ground) {
+    constexpr double kLowest = 1.8, kHighest = 8, kWidest = 100;
+    const double height = alongAxis(sample, ground.up).size();
+    const double width = std::max(alongAxis(sample, ground.front).size(), alongAxis(sample, ground.right).size());
+    return height >= kLowest && height <= kHighest && width <= kWidest;
+}
+
 /// True for a closed box of the size of a room, in metres, with the uneven spacing of a scan from one place: nobody
 /// scans the underside of a box that stands, or a hall of walls without a floor. Boxes that were sampled evenly are
 /// models.
 bool isScannedShell(const SceneSample& sample, const Ground& ground) {
-    constexpr double kLowest = 1.8, kHighest = 8, kWidest = 100, kCeiling = 0.5, kUneven = 3;
+    constexpr double kCeiling = 0.5, kUneven = 3;
     constexpr double kFloor = 0.3; // a scanner sees none beneath itself
-    const double height = alongAxis(sample, ground.up).size();
-    const double width = std::max(alongAxis(sample, ground.front).size(), alongAxis(sample, ground.right).size());
-    if (height < kLowest || height > kHighest || width > kWidest) return false;
+    if (!isAsLargeAsARoom(sample, ground)) return false;
     std::vector<double> radii;
     for (const SampledSplat& splat : sample.splats) radii.push_back(splat.radius);
     std::sort(radii.begin(), radii.end());
@@ -271,6 +279,37 @@ std::vector<Vec3> eyesInRoom(const SceneSample& sample, const Ground& ground) {
     std::vector<double> seen;
     for (const Vec3 place : places) seen.push_back(seenAround(sample, weights, ground, place));
     return {places[static_cast<std::size_t>(std::max_element(seen.begin(), seen.end()) - seen.begin())]};
+}
+
+/// True for walls of the size of rooms around a place, with little of a ceiling over it: maps of scanners that were
+/// carried around hold the walls of rooms, but not always their ceilings.
+bool isWalled(const SceneSample& sample, const Ground& ground) {
+    // Within rooms 0.74 and 0.77 of all level directions meet a wall, in streets 0.24 at most.
+    // A ceiling is closed where walls are: of bodies scanned from outside, so is the top.
+    constexpr double kWalls = 0.6, kCeiling = 0.6;
+    if (!isAsLargeAsARoom(sample, ground)) return false;
+    const std::vector<Vec3> places = placesWithin(sample, ground);
+    return std::any_of(places.begin(), places.end(), [&](Vec3 place) {
+        const Surrounding around = surroundingOf(sample, place, ground.up);
+        return around.level >= kWalls && around.above < kCeiling * around.level;
+    });
+}
+
+/// The side from above that shows most of what is low: not the one whose walls and ceilings hide the floor.
+Vec3 sideOverWalls(const SceneSample& sample, const Ground& ground) {
+    const SampleBox box = boundsOf(sample);
+    const double middle = alongAxis(sample, ground.up).middle();
+    const std::vector<double> weights = evenWeights(sample);
+    Vec3 best = ground.front;
+    double most = -1;
+    for (int turn = 0; turn < 8; ++turn) {
+        const Vec3 side = sideAt(ground, kSiteAzimuth + turn * 45 * kDegree, kWalledElevation);
+        double low = 0;
+        for (const std::uint32_t splat : visibleAlong(sample, box, basisFrom(ground, side)).seen)
+            low += dot(sample.splats[splat].position, ground.up) < middle ? weights[splat] : 0;
+        if (low > most) most = low, best = side;
+    }
+    return best;
 }
 
 /// The position and near-horizontal direction that show most.
@@ -384,7 +423,8 @@ ViewChoice chooseView(const SceneSample& sample, Vec3 up) {
     const Ground ground = groundOf(up);
     if (const auto frame = viewOfFrame(sample)) return *frame;
     if (isRoom(sample, ground)) return fullestPlace(sample, ground, eyesInRoom(sample, ground));
-    if (isSite(sample, ground)) return {fullestSide(sample, ground, kSiteAzimuth, kSiteElevation), {}};
+    if (isWalled(sample, ground)) return {sideOverWalls(sample, ground), {}, true};
+    if (isSite(sample, ground)) return {fullestSide(sample, ground, kSiteAzimuth, kSiteElevation), {}, true};
     return {fullestSide(sample, ground, 0, 0), {}};
 }
 

@@ -12,6 +12,7 @@ namespace pointrt {
 struct ViewChoice {
     Vec3 side;               ///< unit vector from the scene to the eye
     std::optional<Vec3> eye; ///< a fixed position: a scanner's, or one inside a room; none: outside the scene
+    bool is_site = false;    ///< a site from above, whose thin surroundings need not be in the picture
 };
 
 /// The side of a standard view. up: unit length
@@ -23,6 +24,7 @@ Vec3 upIn(StandardView view, Vec3 up);
 ///  - range images: from the single scanner that saw everything in front of it, known, or at the origin of the file's
 ///    coordinates if discs grow with their distance from there;
 ///  - rooms, mostly occluded from outside: from a position inside, a scanner's if known;
+///  - walls without a ceiling: from above, so that the nearest wall does not hide what they enclose;
 ///  - sites, wide and flat or with horizontal ground: from above, slightly right of the front;
 ///  - all else: from the front, or from another side if that shows much more.
 /// sample: not empty

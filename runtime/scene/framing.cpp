@@ -6,6 +6,7 @@
 
 #include "format/base/error.h"
 #include "runtime/scene/default_view.h"
+#include "runtime/scene/dense_part.h"
 
 namespace pointrt {
 namespace {
@@ -126,7 +127,7 @@ FramedRequest frameScene(const CameraRequest& request, const SceneSample& all, V
     const Vec3 picture_up = request.view ? upIn(*request.view, up) : tilted ? *request.up : up;
     const Vec3 level = usable(picture_up, choice.side);
     if (!choice.eye || request.ortho || request.ortho_height)
-        return fromOutside(framed.camera, sample, choice.side, level, area);
+        return fromOutside(framed.camera, choice.is_site ? densePart(sample, up) : sample, choice.side, level, area);
     // if the scanner was far away, or a given field of view would crop the scene, frame it from outside instead
     const FixedEyeFit fit = fitFromEye(sample, *choice.eye, -1.0 * choice.side, level, area);
     const bool hardly_seen = fit.fov_deg < (free_fov ? kNarrowest_deg : kNarrowest_deg / 2);

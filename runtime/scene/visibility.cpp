@@ -131,6 +131,14 @@ double medianOf(std::vector<double>& values) {
     return *middle;
 }
 
+/// The share of the cells within 16 degrees of a level picture's middle that are covered.
+double levelShare(const std::vector<double>& depths) {
+    constexpr int kRows = kCells / 7; // on each side: the tangent is 2 / 7
+    const auto first = depths.begin() + (kCells / 2 - kRows) * kCells, last = first + 2 * kRows * kCells;
+    const auto empty = std::count(first, last, kFar);
+    return 1 - static_cast<double>(empty) / static_cast<double>(last - first);
+}
+
 } // namespace
 
 double visibleWeight(const SceneSample& sample, const std::vector<double>& weights, Vec3 eye, const ViewBasis& basis,
@@ -157,6 +165,7 @@ Surrounding surroundingOf(const SceneSample& sample, Vec3 eye, Vec3 up) {
     for (const Vec3 forward : {up, -1.0 * up, front, -1.0 * front, right, -1.0 * right}) {
         const bool steep = std::abs(dot(forward, up)) > 0.5;
         std::vector<double> depths = panelFrom(sample, eye, basisOf(forward, steep ? front : up), 90).depths;
+        if (!steep) surrounding.level += levelShare(depths) / 4;
         std::erase(depths, kFar);
         const double covered = static_cast<double>(depths.size()) / kOutside;
         surrounding.covered += covered / 6;

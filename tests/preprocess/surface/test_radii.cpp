@@ -246,5 +246,38 @@ TEST(Radii, StraysHaveNoPlates) {
     EXPECT_LT(*std::max_element(splats.radii.begin(), splats.radii.end()), 0.15f);
 }
 
+/// The largest radius of points above a plane of points 0.01 apart.
+float largestAbove(const Shape& shape) {
+    SurfaceOptions options;
+    options.remove_outliers = false;
+    const Splats splats = estimate(shape.cloud(), options);
+    float largest = 0;
+    for (std::size_t i = 0; i < splats.positions.size(); ++i)
+        if (splats.positions[i].z() + splats.origin.z() > 0.1) largest = std::max(largest, splats.radii[i]);
+    return largest;
+}
+
+TEST(Radii, ShortArcsHaveNoPlates) {
+    Shape shape = gridPlane(100);
+    Random random(43);
+    for (int arc = 0; arc < 12; ++arc) {
+        const Vec3d from(uniform(random), uniform(random), 0.2 + 0.8 * uniform(random));
+        for (int i = 0; i < 4; ++i) shape.add(from + Vec3d(0.01 * i, 0, 0), Vec3d::UnitZ());
+    }
+    // The next arcs are a third away, the third neighbour 0.02 to 0.03: discs up to 6 times as wide need no support.
+    EXPECT_LT(largestAbove(shape), 6 * 0.03 + 0.001);
+}
+
+TEST(Radii, ArcsAroundCornersHaveNoPlates) {
+    Shape shape = gridPlane(100);
+    for (const double z : {0.4, 0.7, 1.0})
+        for (int i = 0; i < 50; ++i) {
+            shape.add(Vec3d(0.01 * i, 0, z), Vec3d::UnitY());
+            shape.add(Vec3d(0, 0.01 * (i + 1), z), Vec3d::UnitX());
+        }
+    // Three steps to the sixth neighbour, six at the ends.
+    EXPECT_LT(largestAbove(shape), 1.4 * 0.06 + 0.001);
+}
+
 } // namespace
 } // namespace pointrt::test

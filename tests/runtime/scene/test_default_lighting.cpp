@@ -46,6 +46,16 @@ double lampOn(const PointLight& lamp, Vec3 place) {
     return double{lamp.intensity[1]} / (away * away);
 }
 
+TEST(Studio, BehindOpenGroundThePictureDarkensDownwards) {
+    StudioSubject ground;
+    ground.is_ground = ground.is_path_traced = true;
+    SceneDescription scene;
+    addSurroundings(scene, RenderSettings{}, Camera{}, kLow, kHigh, ground);
+    ASSERT_TRUE(scene.sky);
+    EXPECT_TRUE(scene.shapes.empty()) << "no floor";
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(scene.sky->ground[c], 0.4 * scene.sky->horizon[c], 1e-6);
+}
+
 TEST(Studio, InRoomsTheLampIsBetweenEyeAndCeiling) {
     const Vec3 eye{0.5, -0.5, 0};
     const SceneDescription scene = studio(eye, true);
@@ -138,7 +148,7 @@ TEST(Studio, InOneOfManyRoomsTheLampIsUnderItsCeiling) {
     Camera camera;
     camera.eye = {2.5, 0, 0}; // far from the centre of the building
     StudioSubject subject{0.5, true};
-    subject.walls = Surrounding{1, 1, 0.4, 0.6};
+    subject.walls = Surrounding{.covered = 1, .level = 1, .above = 1, .headroom = 0.4, .distance = 0.6};
     addSurroundings(scene, RenderSettings{}, camera, kLow, kHigh, subject);
     const PointLight& lamp = std::get<PointLight>(scene.lights.at(0));
     EXPECT_LT(length(lamp.position - camera.eye), 0.4);

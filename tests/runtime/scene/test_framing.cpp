@@ -146,6 +146,28 @@ TEST(Framing, DropsSparseFringes) {
     expectFramed(scene.sample, kZ, 10.8);
 }
 
+/// Ground of a spinning lidar, whose share of points within a distance is the root of the distance's logarithm, from 1
+/// to 100 m. z is up.
+Scene lidarGround() {
+    Scene scene;
+    for (int i = 0; i < 8000; ++i) {
+        const double angle = 2 * std::numbers::pi * scene.share(), distance = std::pow(100, std::pow(scene.share(), 2));
+        scene.add({distance * std::cos(angle), distance * std::sin(angle), 0}, kZ);
+    }
+    return scene;
+}
+
+TEST(Framing, CutsThinSurroundingsOfSites) {
+    // nine in ten splats are within 100^0.81 = 42 m, where the share grows with the distance's power 0.13
+    expectFramed(lidarGround().sample, kZ, 41.7);
+    Scene even;
+    even.addRectangle({-100, -100, 0}, 200.0 * kX, 200.0 * kY, 8000);
+    expectFramed(even.sample, kZ, 200);
+    Scene corridor;
+    corridor.addRectangle({-100, -5, 0}, 200.0 * kX, 10.0 * kY, 8000);
+    expectFramed(corridor.sample, kZ, 200);
+}
+
 TEST(Framing, KeepsLargeSeparateParts) {
     Scene scene = ball();
     const Vec3 apart{3, 0, 0};
@@ -281,6 +303,24 @@ TEST(DefaultView, SitesFromThreeQuartersAbove) {
     EXPECT_NEAR(std::asin(choice.side.z) / kDegree, 35, 1);
     EXPECT_LT(choice.side.y, -0.3) << "from the front";
     EXPECT_FALSE(choice.eye);
+}
+
+/// Floor and walls of 9 x 7 x 3 without a ceiling, scanned from within; share: of each wall that is there.
+Scene walled(double share) {
+    Scene scene;
+    scene.addRectangle({0, 0, 0}, 9.0 * kX, 7.0 * kY, 2000);
+    scene.addRectangle({0, 0, 0}, 3.0 * kZ, 9.0 * share * kX, 1500);
+    scene.addRectangle({0, 7, 0}, 9.0 * share * kX, 3.0 * kZ, 1500);
+    scene.addRectangle({0, 0, 0}, 7.0 * share * kY, 3.0 * kZ, 1000);
+    scene.addRectangle({9, 0, 0}, 3.0 * kZ, 7.0 * share * kY, 1000);
+    return scene;
+}
+
+TEST(DefaultView, WallsWithoutACeilingFromAbove) {
+    const ViewChoice choice = chooseView(walled(1).sample, kZ);
+    EXPECT_NEAR(std::asin(choice.side.z) / kDegree, 50, 1);
+    EXPECT_FALSE(choice.eye);
+    EXPECT_LT(std::asin(chooseView(walled(0.3).sample, kZ).side.z) / kDegree, 36) << "open on all sides";
 }
 
 TEST(DefaultView, RoomsFromInside) {
