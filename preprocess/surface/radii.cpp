@@ -327,10 +327,8 @@ float unprovenRadius(const PointGraph& graph, float radius, const PlateLimits& l
                      std::vector<std::uint32_t>& scratch) {
     // Radii are at most 1.65 times the distance to the sixth neighbour for nine in ten points of sparse scans of all
     // kinds, and 3 to 6 times for the plates among them.
-    // The third is 0.7 times as far as the sixth on a surface and on a line, and much nearer in the short arcs that a
-    // lidar leaves on what is small and far away.
-    constexpr std::size_t kThird = 3, kSixth = 6;
-    constexpr float kWide = 2.5f, kVeryWide = 4, kSixthOverThird = 1.5f, kWideHeight = 0.5f, kWideUneven = 0.1f;
+    constexpr std::size_t kSixth = 6;
+    constexpr float kWide = 2.5f, kWideHeight = 0.5f, kWideUneven = 0.1f;
     // Neighbours of strays are 0.24 radii of their neighbourhood off its plane in maps of moving lidars, 0.4 in sparse
     // reconstructions.
     constexpr float kSparseHeight = 0.07f;
@@ -338,13 +336,12 @@ float unprovenRadius(const PointGraph& graph, float radius, const PlateLimits& l
     if (lists.k < kSixth) return radius;
     const float sixth = lists.distance(graph.points, point, kSixth - 1), reach = lists.radius(graph.points, point);
     const bool in_clump = lists.thinned[point] & kClump; // distances within clumps tell nothing
-    const float third = in_clump ? sixth : kSixthOverThird * lists.distance(graph.points, point, kThird - 1);
-    const bool wide = radius > kWide * sixth || radius > kVeryWide * third;
+    const bool wide = radius > kWide * sixth;
     const bool sparse = lists.completeRadius(graph.points, point) > limits.sparse_reach;
     const bool large = radius > limits.large;
     const bool supported = !wide || (isSupported(graph, radius, large ? kOfLargest : kOfMost, point, scratch) &&
                                      (!large || isBetweenLines(graph, point)));
-    if (!supported) return std::max(kOverlap * std::min(sixth, third), kMinRadius);
+    if (!supported) return std::max(kOverlap * sixth, kMinRadius);
     if (in_clump || (!wide && !sparse)) return radius;
     const float height = heightOver(graph.points, lists, point);
     if (wide && height > std::max(kWideHeight * sixth, kWideUneven * reach)) radius = kOverlap * sixth;

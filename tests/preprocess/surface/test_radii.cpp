@@ -257,17 +257,6 @@ float largestAbove(const Shape& shape) {
     return largest;
 }
 
-TEST(Radii, ShortArcsHaveNoPlates) {
-    Shape shape = gridPlane(100);
-    Random random(43);
-    for (int arc = 0; arc < 12; ++arc) {
-        const Vec3d from(uniform(random), uniform(random), 0.2 + 0.8 * uniform(random));
-        for (int i = 0; i < 4; ++i) shape.add(from + Vec3d(0.01 * i, 0, 0), Vec3d::UnitZ());
-    }
-    // The next arcs are a third away, the third neighbour 0.02 to 0.03: discs up to 6 times as wide need no support.
-    EXPECT_LT(largestAbove(shape), 6 * 0.03 + 0.001);
-}
-
 TEST(Radii, ArcsAroundCornersHaveNoPlates) {
     Shape shape = gridPlane(100);
     for (const double z : {0.4, 0.7, 1.0})
