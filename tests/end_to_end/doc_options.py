@@ -10,7 +10,7 @@ import re
 import subprocess
 import sys
 
-COMMAND = re.compile(r"\bpointrt-(bake|view|rays|info)\b([^|;#]*)")
+COMMAND = re.compile(r"\bpointrt-(bake|view|rays|info)\b([^|;&#]*)")
 OPTION = re.compile(r"(?<![\w-])--?[a-zA-Z][\w-]*")
 
 
