@@ -90,8 +90,8 @@ TEST_F(CastCommand, WrongUsageExitsWithTwo) {
     const auto refused = [&](const std::string& reason, const std::string& words) {
         expectRefused(2, reason + "*(see --help)", POINTRT_RAYS " " + words);
     };
-    refused("*command*cast, lidar, sun, viewshed", "");
-    refused("throw: *command*cast, lidar, sun, viewshed", "throw plane.pro");
+    refused("*command*cast*lidar*sun*viewshed", "");
+    refused("throw: *command*cast*lidar*sun*viewshed", "throw plane.pro");
     refused("--rays *required", "cast plane.pro -o out.npz");
     refused("*--ray,*--rays", "cast plane.pro --ray rays.npy -o out.npz");
     const std::string cast = "cast plane.pro --rays rays.npy ";
