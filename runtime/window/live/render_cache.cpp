@@ -19,7 +19,9 @@ constexpr float kOccludedDepthRatio = 1.02f;
 /// Of 8 directions or octants, nearer points lie in this many at most beside a straight edge of an occluder.
 constexpr int kMostNearer = 5;
 /// Distance in pixels up to which nearer points are looked for where points are sparse; at most TILE_SIDE.
-constexpr std::int32_t kSparseReach = 8;
+constexpr std::int32_t kSparseReach = 6;
+/// Points are sparse if there is at most one for this many pixels. Denser ones are not searched, which takes time.
+constexpr std::size_t kSparsePixels = 4;
 /// Points traced before the light changed count as at least this many frames old.
 constexpr std::uint32_t kStaleLightAge = 64;
 /// Points in the cache per four pixels: the visible ones, and some that are hidden or outside the frame.
@@ -83,7 +85,8 @@ void RenderCache::reproject(const ViewProjection& view) {
 }
 
 void RenderCache::gatherAllRows() {
-    findNearest();
+    is_sparse_ = point_count_ < keys_.size() / kSparsePixels;
+    if (is_sparse_) findNearest();
     forAll(tilesDown(), [&](std::size_t row) { gatherRow(static_cast<std::uint32_t>(row)); });
     for (const std::vector<std::uint32_t>& row : empty_pixels_)
         for (std::uint32_t pixel : row) keys_[pixel] = kEmptyPixel;
@@ -124,7 +127,7 @@ bool RenderCache::isOccluded(std::uint32_t x, std::uint32_t y, PixelKey key) con
     if (adjacent >= 2)
         return adjacent + before(at - w - 1) + before(at - w + 1) + before(at + w - 1) + before(at + w + 1) >
                kMostNearer;
-    const bool is_alone = filled(at - 1) + filled(at + 1) + filled(at - w) + filled(at + w) < 2;
+    const bool is_alone = is_sparse_ && filled(at - 1) + filled(at + 1) + filled(at - w) + filled(at + w) < 2;
     return is_alone && isNearTiles(x / TILE_SIDE, y / TILE_SIDE, depth) && isAmongNearerPoints(x, y, depth);
 }
 

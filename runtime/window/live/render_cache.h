@@ -114,7 +114,8 @@ private:
     std::vector<std::uint32_t> shown_;
     std::vector<std::vector<std::uint32_t>> empty_pixels_;
     std::vector<TileColorSum> tile_colors_;
-    std::vector<float> nearest_; ///< depth by tile; kSkyDepth without points
+    bool is_sparse_ = false;
+    std::vector<float> nearest_; ///< depth by tile if is_sparse_; kSkyDepth without points
 };
 
 /// Channels of a packed colour, red first.

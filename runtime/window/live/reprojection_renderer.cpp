@@ -81,7 +81,6 @@ std::uint32_t ReprojectionRenderer::pixelBudget(double seconds) const {
 
 ReprojectedFrame ReprojectionRenderer::renderFrame(const ReprojectionView& view, double seconds) {
     const Clock::time_point start = Clock::now();
-    cost_.bulk_per_pixel = view.bulk_per_pixel;
     ++frame_;
     const ViewProjection seen = projectionFor(view);
     const bool camera_moves = camera_ != view.camera;

@@ -25,7 +25,6 @@ struct ReprojectionView {
     double exposure = 0;                 ///< stops
     double focus_x = 0.5, focus_y = 0.5; ///< attention point, as fractions of the picture
     bool compresses_highlights = true;   ///< ToneMapping::compresses_highlights
-    double bulk_per_pixel = 0;           ///< ListCost::bulk_per_pixel, above 0
 };
 
 /// Extra pixels in the device's film and first hits, beyond the full frame's, that hold the pixels traced in one frame.

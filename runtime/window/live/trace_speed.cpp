@@ -19,9 +19,6 @@ constexpr double kMaxDivisor = 16;
 constexpr double kMinPixels = 512;
 /// Share of a frame's time that always goes to tracing.
 constexpr double kMinTracedShare = 0.3;
-/// The same at the cost of whole pictures. It decides where lists cost three times as much, which is where the slowest
-/// ray of each pass takes most of the time: then more pixels hardly take longer.
-constexpr double kMinBulkShare = 0.1;
 /// A finer size must fit in this share of the time to be chosen again (hysteresis).
 constexpr double kComfort = 0.75;
 
@@ -59,8 +56,7 @@ PixelSize TraceSpeed::previewSize(double seconds, PixelSize full, PixelSize last
 
 double pixelsFor(double seconds, const ListCost& cost, double most) {
     const double traced_s = std::max(seconds - cost.other_s, kMinTracedShare * seconds);
-    const double least = std::max(kMinPixels, kMinBulkShare * seconds / cost.bulk_per_pixel);
-    return std::clamp(traced_s / cost.seconds_per_pixel, std::min(least, most), most);
+    return std::clamp(traced_s / cost.seconds_per_pixel, std::min(kMinPixels, most), most);
 }
 
 PixelSize reduced(PixelSize full, double divisor) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 
 #include "runtime/util/pixel_size.h"
 
@@ -44,8 +43,6 @@ private:
 struct ListCost {
     double other_s = 0.01;           ///< of a frame, besides tracing; initial guess
     double seconds_per_pixel = 1e-6; ///< of recent lists; initial guess: two cores, a million splats
-    /// Of whole pictures, where the slowest rays matter less; infinity: unknown.
-    double bulk_per_pixel = std::numeric_limits<double>::infinity();
 };
 
 /// The pixels of such a list that fit in a frame of these seconds, from a minimum up to most.

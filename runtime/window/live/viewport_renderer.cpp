@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "runtime/session/settings.h"
@@ -129,14 +128,8 @@ bool ViewportRenderer::canReproject() const {
 }
 
 ReprojectionView ViewportRenderer::reprojectionView() const {
-    const double unknown = std::numeric_limits<double>::infinity();
-    return {view_.settings,
-            view_.camera,
-            view_.look.exposure,
-            view_.focus_x,
-            view_.focus_y,
-            view_.look.compresses_highlights,
-            refine_speed_.isKnown() ? refine_speed_.secondsFor(1) : unknown};
+    return {view_.settings, view_.camera,  view_.look.exposure,
+            view_.focus_x,  view_.focus_y, view_.look.compresses_highlights};
 }
 
 /// Renders the reprojected frame, and improves it until the view has rested for kRest_s.

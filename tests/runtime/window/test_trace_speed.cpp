@@ -89,12 +89,6 @@ TEST(TraceSpeed, ListsFillTheFrameUpToMost) {
     EXPECT_EQ(pixelsFor(0.030, {0.010, 1e-3}, 1e6), 512);
 }
 
-// Of 1,000 pixels in 30 ms, 29 ms are waiting: 10,000 would take 39.
-TEST(TraceSpeed, ListsThatWaitForTheSlowestRayAreLonger) {
-    EXPECT_NEAR(pixelsFor(0.030, {0.010, 0.030 / 1000, 1e-6}, 1e6), 3000, 1e-6);
-    EXPECT_NEAR(pixelsFor(0.030, {0.010, 2e-6, 1e-6}, 1e6), 10000, 1e-6); // as without
-}
-
 TEST(TraceSpeed, ReducedSizeIsNeverZero) {
     EXPECT_EQ(reduced({1, 1}, 16), (PixelSize{1, 1}));
     EXPECT_EQ(reduced({1280, 720}, 2), (PixelSize{640, 360}));
