@@ -128,7 +128,7 @@ bool RenderCache::isOccluded(std::uint32_t x, std::uint32_t y, PixelKey key) con
         return adjacent + before(at - w - 1) + before(at - w + 1) + before(at + w - 1) + before(at + w + 1) >
                kMostNearer;
     const bool is_alone = is_sparse_ && filled(at - 1) + filled(at + 1) + filled(at - w) + filled(at + w) < 2;
-    return is_alone && isNearTiles(x / TILE_SIDE, y / TILE_SIDE, depth) && isAmongNearerPoints(x, y, depth);
+    return is_alone && mayBeBehind(x / TILE_SIDE, y / TILE_SIDE, depth) && isAmongNearerPoints(x, y, depth);
 }
 
 /// Whether nearer points surround a pixel whose own neighbours are mostly empty: in how many octants of a growing
@@ -153,12 +153,10 @@ bool RenderCache::isAmongNearerPoints(std::uint32_t x, std::uint32_t y, float de
     return std::popcount(octants) > kMostNearer;
 }
 
-/// Whether a point this far ahead may lie behind those of this tile or the ones around it.
-bool RenderCache::isNearTiles(std::uint32_t tile_x, std::uint32_t tile_y, float depth) const {
-    for (std::uint32_t y = tile_y - std::min(tile_y, 1u); y <= std::min(tile_y + 1, tilesDown() - 1); ++y)
-        for (std::uint32_t x = tile_x - std::min(tile_x, 1u); x <= std::min(tile_x + 1, tilesAcross() - 1); ++x)
-            if (nearest_[y * tilesAcross() + x] * kOccludedDepthRatio < depth) return true;
-    return false;
+/// Whether a point at this depth may lie behind points of this tile or its neighbours.
+bool RenderCache::mayBeBehind(std::uint32_t tile_x, std::uint32_t tile_y, float depth) const {
+    return anyTileAround(tile_x, tile_y,
+                         [&](std::uint32_t tile) { return nearest_[tile] * kOccludedDepthRatio < depth; });
 }
 
 void RenderCache::findNearest() {

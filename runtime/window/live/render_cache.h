@@ -7,6 +7,7 @@
 // times as long to do this on the device.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -93,6 +94,14 @@ public:
     const std::vector<TileColorSum>& tileColors() const { return tile_colors_; }
     std::uint32_t tilesAcross() const { return (size_.width + TILE_SIDE - 1) / TILE_SIDE; }
     std::uint32_t tilesDown() const { return (size_.height + TILE_SIDE - 1) / TILE_SIDE; }
+    /// Whether a tile or one of its eight neighbours, by number, satisfies a condition.
+    template <typename Condition>
+    bool anyTileAround(std::uint32_t tile_x, std::uint32_t tile_y, const Condition& condition) const {
+        for (std::uint32_t y = tile_y - std::min(tile_y, 1u); y <= std::min(tile_y + 1, tilesDown() - 1); ++y)
+            for (std::uint32_t x = tile_x - std::min(tile_x, 1u); x <= std::min(tile_x + 1, tilesAcross() - 1); ++x)
+                if (condition(y * tilesAcross() + x)) return true;
+        return false;
+    }
     std::uint64_t bytes() const;
 
 private:
@@ -101,7 +110,7 @@ private:
     void gatherAllRows();
     bool isOccluded(std::uint32_t x, std::uint32_t y, PixelKey key) const;
     bool isAmongNearerPoints(std::uint32_t x, std::uint32_t y, float depth) const;
-    bool isNearTiles(std::uint32_t tile_x, std::uint32_t tile_y, float depth) const;
+    bool mayBeBehind(std::uint32_t tile_x, std::uint32_t tile_y, float depth) const;
     void findNearest();
     std::uint32_t allocatePoint();
 

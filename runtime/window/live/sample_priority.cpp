@@ -92,12 +92,10 @@ public:
 private:
     /// Whether this tile and those around it have points, and all of the sky.
     bool isSky(std::uint32_t tile_x, std::uint32_t tile_y) const {
-        for (std::uint32_t y = tile_y - std::min(tile_y, 1u); y <= std::min(tile_y + 1, cache_.tilesDown() - 1); ++y)
-            for (std::uint32_t x = tile_x - std::min(tile_x, 1u); x <= std::min(tile_x + 1, across_ - 1); ++x) {
-                const TileColorSum& tile = cache_.tileColors()[y * across_ + x];
-                if (tile.count == 0 || tile.surfaces > 0) return false;
-            }
-        return true;
+        return !cache_.anyTileAround(tile_x, tile_y, [&](std::uint32_t tile) {
+            const TileColorSum& sum = cache_.tileColors()[tile];
+            return sum.count == 0 || sum.surfaces > 0;
+        });
     }
 
     template <typename Visit>
