@@ -6,7 +6,8 @@
 
 namespace pointrt {
 
-/// Of "EPSG:N" or of WKT that states it, version 1 or 2; the projected part of a compound system. 0 if there is none.
+/// The EPSG code that "EPSG:N" or WKT (version 1 or 2) states; for a compound system, that of its projected part. 0 if
+/// no code is stated.
 int epsgCode(std::string_view crs);
 
 } // namespace pointrt

@@ -93,7 +93,7 @@ std::vector<ResultNumber> statisticsOf(std::vector<double>& distances, const Com
     return numbers;
 }
 
-/// Distances as floats in a column, NaN where there is none.
+/// The distances as a float32 column. NaN stays NaN: no surface within reach.
 std::vector<std::byte> columnOf(const std::vector<double>& distances) {
     std::vector<std::byte> values(distances.size() * sizeof(float));
     std::ranges::transform(distances, numbersIn<float>(values).begin(),

@@ -30,11 +30,11 @@ struct CameraRequest {
     std::optional<Vec3> eye, target, up;
     double fov_deg = 40; ///< vertical, in (0, 180); not used by parallel projection
     bool ortho = false;  ///< parallel projection; implied by ortho_height
-    /// Height of the picture in the scene, input units, above 0; none: shows the whole scene.
+    /// Height of the picture in the scene, input units, above 0; not set: shows the whole scene.
     std::optional<double> ortho_height;
-    Vec3 side{0, 0, 1};      ///< unit vector from the target to the eye, used if eye is none
-    bool keeps_side = false; ///< frameScene looks from side, not from where it shows most
-    /// The view for frameScene if eye is none; none: chosen automatically.
+    Vec3 side{0, 0, 1};      ///< unit vector from the target to the eye, used if eye is not set
+    bool keeps_side = false; ///< frameScene keeps side and does not look for a better one
+    /// The view for frameScene if eye is not set; if this is not set either, frameScene chooses one.
     std::optional<StandardView> view;
     bool operator==(const CameraRequest&) const = default;
 };

@@ -12,8 +12,8 @@
 
 namespace pointrt {
 
-/// A plane across an axis. Of a vertical one the other coordinate of the plan grows to the right in the picture; a
-/// horizontal one is seen from above, as a floor plan.
+/// A plane perpendicular to an axis. A vertical section is viewed so that the other horizontal coordinate increases to
+/// the right; a horizontal one is viewed from above, as a floor plan.
 struct AxisSection {
     std::size_t axis = 0;  ///< 0, 1, 2: x, y, z
     double at = 0;         ///< world units
@@ -33,7 +33,7 @@ struct SectionRequest {
 };
 
 /// "x=12.5", "-x=12.5", "z=1.2:0.5", "X0,Y0,X1,Y1" or "X0,Y0,X1,Y1:0.5". Throws std::invalid_argument with the reason
-/// if text is none of these.
+/// for any other text.
 SectionRequest parseSection(const std::string& text);
 
 struct Section {

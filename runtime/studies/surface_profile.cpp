@@ -94,7 +94,7 @@ ProfilePoint missAt(const VerticalRays& rays, const Station& station) {
     return {station.along, 0, false, arrayOf(rays.frame.pointAt(station.place)), none, none, none};
 }
 
-/// A ray that goes on behind its last hit.
+/// A ray that continues past its last hit.
 struct OpenRay {
     std::size_t station; ///< among those of the batch
     double z;

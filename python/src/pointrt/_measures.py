@@ -69,7 +69,7 @@ class Measures(Studies):
     """The measurements of ``Scene``."""
 
     def snap(self, points: ArrayLike, *, along: Sequence[float] | None = None) -> np.ndarray:
-        """The nearest surface point to each point, float64 ``[N, 3]``; NaN where there is none.
+        """The surface point closest to each point, float64 ``[N, 3]``; NaN if no surface is found.
 
         Args:
             along: a direction such as up: take the surface that is seen against it instead, from above.

@@ -76,8 +76,8 @@ FittedSphere fitSphere(std::span<const Position> points);
 /// missed. NaN for a point that no ray leaves to a surface. Throws kBadUsage for coordinates that are not finite.
 std::vector<Position> snapToSurface(const TraceScene& scene, std::span<const Position> points);
 
-/// The surface seen from above at each point: the first hit of a ray down along up, which has unit length. NaN where
-/// there is none. Throws kBadUsage for coordinates that are not finite.
+/// Moves each point vertically to the surface visible from above: the first hit of a ray cast against up, a unit
+/// vector. NaN if the ray misses. Throws kBadUsage for coordinates that are not finite.
 std::vector<Position> dropToSurface(const TraceScene& scene, std::span<const Position> points, const Position& up);
 
 struct VolumeRules {
