@@ -14,7 +14,7 @@ constexpr VkBufferUsageFlags kTexels = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
 constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 constexpr VkFormat kFourFloats = VK_FORMAT_R32G32B32A32_SFLOAT;
 constexpr VkFormat kTwoFloats = VK_FORMAT_R32G32_SFLOAT;
-constexpr std::uint64_t kPixelBytes = 4 * sizeof(float);
+constexpr VkFormat kOneFloat = VK_FORMAT_R32_SFLOAT;
 constexpr std::uint32_t kLevels = kDenoiseLevels, kLevelSteps = kDenoiseSteps - kLevels;
 constexpr std::uint32_t kGroupWidth = 16, kGroupHeight = 8; // local_size of the shaders
 /// Height of a picture at distance 1 with the default field of view of 40 degrees: 2 tan(20 degrees).
@@ -29,8 +29,8 @@ struct SizePush {
 };
 
 Buffer createTexels(Device& device, const char* what, std::uint64_t pixels, VkFormat format = kFourFloats) {
-    const std::uint64_t bytes = format == kTwoFloats ? kPixelBytes / 2 : kPixelBytes;
-    Buffer buffer = createBuffer(device, what, pixels * bytes, kTexels | kStorage);
+    const std::uint64_t floats = format == kOneFloat ? 1 : format == kTwoFloats ? 2 : 4;
+    Buffer buffer = createBuffer(device, what, pixels * floats * sizeof(float), kTexels | kStorage);
     createTexelView(device, what, buffer, format);
     return buffer;
 }
@@ -41,6 +41,7 @@ void createBuffers(Device& device, Denoiser& denoiser) {
     denoiser.slope = createTexels(device, "denoiser's slopes", pixels, kTwoFloats);
     denoiser.factor = createTexels(device, "denoiser's albedo", pixels);
     for (Buffer& light : denoiser.light) light = createTexels(device, "denoiser's light", pixels);
+    for (Buffer& guide : denoiser.guide_light) guide = createTexels(device, "denoiser's guide", pixels, kOneFloat);
     denoiser.result = createTexels(device, "denoised picture", pixels);
 }
 
@@ -54,14 +55,17 @@ void createPrograms(Device& device, Denoiser& denoiser, bool has_variance) {
     denoiser.last_level = createProgram(device, "denoise", denoise_spv, {{SPEC_IS_LAST_LEVEL, 1}});
 }
 
-VkDescriptorSet createLevelSet(Device& device, const Denoiser& d, const Program& program, const Buffer& from,
+/// A level that reads light[from], and its guide, and writes to `to`.
+VkDescriptorSet createLevelSet(Device& device, const Denoiser& d, const Program& program, std::size_t from,
                                const Buffer& to) {
     return createDescriptorSet(device, d.pool, program,
-                               {{BINDING_DENOISE_LIGHT, &from},
+                               {{BINDING_DENOISE_LIGHT, &d.light[from]},
                                 {BINDING_DENOISE_SURFACES, &d.surface},
                                 {BINDING_DENOISE_SLOPES, &d.slope},
                                 {BINDING_DENOISE_FACTORS, &d.factor},
-                                {BINDING_DENOISE_LIGHT_OUT, &to}});
+                                {BINDING_DENOISE_GUIDE_LIGHT, &d.guide_light[from]},
+                                {BINDING_DENOISE_LIGHT_OUT, &to},
+                                {BINDING_DENOISE_GUIDE_LIGHT_OUT, &d.guide_light[1 - from]}});
 }
 
 void createSets(Device& device, Denoiser& d, const DenoiseInputs& inputs) {
@@ -78,14 +82,15 @@ void createSets(Device& device, Denoiser& d, const DenoiseInputs& inputs) {
                                       {{BINDING_DENOISE_LIGHT, &light[1]},
                                        {BINDING_DENOISE_SURFACES, &d.surface},
                                        {BINDING_DENOISE_LIGHT_OUT, &light[0]},
-                                       {BINDING_DENOISE_SLOPES_OUT, &d.slope}});
+                                       {BINDING_DENOISE_SLOPES_OUT, &d.slope},
+                                       {BINDING_DENOISE_GUIDE_LIGHT_OUT, &d.guide_light[1]}});
     d.variance_set = createDescriptorSet(device, d.pool, d.variance,
                                          {{BINDING_DENOISE_LIGHT, &light[0]},
                                           {BINDING_DENOISE_SURFACES, &d.surface},
                                           {BINDING_DENOISE_SLOPES, &d.slope},
                                           {BINDING_DENOISE_LIGHT_OUT, &light[1]}});
-    for (std::size_t i = 0; i < 2; ++i) d.level_sets[i] = createLevelSet(device, d, d.level, light[i], light[1 - i]);
-    d.last_set = createLevelSet(device, d, d.last_level, light[kLevels % 2], d.result);
+    for (std::size_t i = 0; i < 2; ++i) d.level_sets[i] = createLevelSet(device, d, d.level, i, light[1 - i]);
+    d.last_set = createLevelSet(device, d, d.last_level, kLevels % 2, d.result);
 }
 
 GroupCount groupsOf(const Denoiser& denoiser) {
@@ -114,7 +119,7 @@ void destroyDenoiser(Device& device, Denoiser& denoiser) {
          {&denoiser.prepare, &denoiser.clean, &denoiser.variance, &denoiser.level, &denoiser.last_level})
         destroyProgram(device, *program);
     for (Buffer* buffer : {&denoiser.surface, &denoiser.slope, &denoiser.factor, &denoiser.light[0], &denoiser.light[1],
-                           &denoiser.result})
+                           &denoiser.guide_light[0], &denoiser.guide_light[1], &denoiser.result})
         destroyBuffer(device, *buffer);
 }
 

@@ -31,11 +31,15 @@ struct Denoiser {
     std::array<VkDescriptorSet, 2> level_sets{}; ///< [i] reads light[i] and writes light[1 - i]
     Buffer surface, slope, factor;               ///< see denoise_surface.glsl; factor: albedo divided out
     std::array<Buffer, 2> light;                 ///< rgb divided by albedo, and variance of its luminance
+    std::array<Buffer, 2> guide_light;           ///< luminance without specks: denoise_clean.comp.glsl
     Buffer result;                               ///< 4 floats per pixel: filtered linear rgb, alpha of the input
 };
 
+/// Four buffers of four floats and the result, slopes of two floats, and two guides of one.
+constexpr std::uint64_t kDenoiserBytes = (5 * 4 + 2 + 2) * sizeof(float);
+
 /// For pictures of width x height pixels (at least 1) in the buffers of inputs, which must outlive the denoiser.
-/// Takes 88 bytes of device memory per pixel. Throws Error kCannotRun if the device lacks memory.
+/// Takes kDenoiserBytes of device memory per pixel. Throws Error kCannotRun if the device lacks memory.
 Denoiser createDenoiser(Device& device, std::uint32_t width, std::uint32_t height, const DenoiseInputs& inputs);
 void destroyDenoiser(Device& device, Denoiser& denoiser);
 
@@ -45,12 +49,13 @@ void destroyDenoiser(Device& device, Denoiser& denoiser);
 /// Method: divides by the albedo; clamps fireflies, pixels over 6 times as bright as their second brightest neighbour
 /// with a standard deviation over a quarter of their brightness, to the brightness of that neighbour, which loses
 /// energy; then applies 5 levels of an a-trous wavelet with taps 1, 2, 4, 8 and 16 pixels apart, weighted by normal,
-/// distance from the plane of the surface, and luminance relative to its variance; and multiplies by the albedo. Pixels
-/// of variance 0 are unchanged. Preserves the mean of symmetric noise; exponential noise at 4 samples loses 1.5%.
-/// Pixels of alpha 0 are copied; partly covered ones are averaged only with those in the same eighth of alpha. Pixels
-/// that are not finite take the mean of their 8 neighbours; light is clamped to 1e9 times the albedo. Dammertz et al.,
-/// Edge-Avoiding A-Trous Wavelet Transform for fast Global Illumination Filtering, HPG 2010; Schied et al.,
-/// Spatiotemporal Variance-Guided Filtering, HPG 2017, without its temporal half.
+/// distance from the plane of the surface, and luminance relative to its variance, where a pixel whose noise explains
+/// it counts with the median luminance around it; and multiplies by the albedo. Pixels of variance 0 are unchanged.
+/// Preserves the mean of symmetric noise; exponential noise at 4 samples loses 1.5%. Pixels of alpha 0 are copied;
+/// partly covered ones are averaged only with those in the same eighth of alpha. Pixels that are not finite take the
+/// mean of their 8 neighbours; light is clamped to 1e9 times the albedo. Dammertz et al., Edge-Avoiding A-Trous Wavelet
+/// Transform for fast Global Illumination Filtering, HPG 2010; Schied et al., Spatiotemporal Variance-Guided Filtering,
+/// HPG 2017, without its temporal half.
 void recordDenoise(VkCommandBuffer commands, const Denoiser& denoiser);
 
 /// The same filter in steps 0 to kDenoiseSteps - 1 that take about equally long.

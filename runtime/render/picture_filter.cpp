@@ -16,7 +16,8 @@ constexpr std::uint32_t kTilePixels = 1u << 21;
 /// Wider tiles would have few rows and large borders.
 constexpr std::uint32_t kTileWidth = 1u << 12;
 constexpr std::uint64_t kTexelBytes = 4 * sizeof(float);
-constexpr std::uint64_t kTileBytes = 88 + 3 * kTexelBytes + kTexelBytes; ///< per pixel: denoiser, inputs, staging copy
+constexpr std::uint64_t kTileBytes =
+    kDenoiserBytes + 3 * kTexelBytes + kTexelBytes; ///< per pixel: denoiser, inputs, staging copy
 
 void requireSize(const char* name, const std::vector<float>& values, std::size_t expected, bool may_be_empty) {
     if (values.size() == expected || (may_be_empty && values.empty())) return;

@@ -16,11 +16,13 @@ layout(push_constant) uniform Push { // x, y: size of the image, z: pixels betwe
     vec4 angles; // x: angle of a pixel, radians
 };
 
-layout(binding = BINDING_DENOISE_LIGHT) uniform samplerBuffer light_texels;   // rgb: light, a: variance
+layout(binding = BINDING_DENOISE_LIGHT) uniform samplerBuffer light_texels;      // rgb: light, a: variance
 layout(binding = BINDING_DENOISE_SURFACES) uniform samplerBuffer surface_texels; // DenoiseSurface
 layout(binding = BINDING_DENOISE_SLOPES) uniform samplerBuffer slope_texels;
-layout(binding = BINDING_DENOISE_FACTORS) uniform samplerBuffer factor_texels; // rgb: albedo divided out, a: alpha
+layout(binding = BINDING_DENOISE_FACTORS) uniform samplerBuffer factor_texels;    // rgb: albedo divided out, a: alpha
+layout(binding = BINDING_DENOISE_GUIDE_LIGHT) uniform samplerBuffer guide_texels; // luminance: denoise_clean.comp.glsl
 layout(std430, binding = BINDING_DENOISE_LIGHT_OUT) writeonly buffer LightBuffer { vec4 lights[]; };
+layout(std430, binding = BINDING_DENOISE_GUIDE_LIGHT_OUT) writeonly buffer GuideBuffer { float guides[]; };
 
 // Squared luminance differences are measured in units of this many variances. The variance is the geometric mean of
 // both pixels': weights are then symmetric and preserve the mean, and a pixel of zero variance, common in mirrors, is
@@ -28,23 +30,26 @@ layout(std430, binding = BINDING_DENOISE_LIGHT_OUT) writeonly buffer LightBuffer
 const float kVarianceScale = 16.0;
 
 struct Sum {
-    vec4 light; // weighted sum; variance weighted by squared weights
+    vec4 light;  // weighted sum; variance weighted by squared weights
+    float guide; // weighted sum
     float weight;
 };
 
-void addTap(inout Sum sum, vec4 light, DenoiseSurface center, vec2 slope, ivec2 pixel, ivec2 offset, float kernel) {
+void addTap(inout Sum sum, vec4 light, float guide, DenoiseSurface center, vec2 slope, ivec2 pixel, ivec2 offset,
+            float kernel) {
     ivec2 other = pixel + offset;
     int texel = texelOf(other, push.xy);
     vec4 tap = texelFetch(light_texels, texel);
     DenoiseSurface surface = unpackSurface(texelFetch(surface_texels, texel));
-    float difference = luminance(tap.rgb - light.rgb);
+    float tap_guide = texelFetch(guide_texels, texel).x, difference = tap_guide - guide;
     float variance = sqrt(light.a * tap.a);
     float dissimilarity = difference * difference / (kVarianceScale * variance + 1e-20) +
-                        surfaceDistance(center, slope, surface, vec2(offset), angles.x);
+                          surfaceDistance(center, slope, surface, vec2(offset), angles.x);
     // Without the last term, a converged pixel would inherit the variance of a noisier neighbour of equal colour.
     bool counts = isInside(other, push.xy) && sameKind(center, surface) && variance > 0.0;
     float weight = counts ? kernel * exp(-dissimilarity) : 0.0;
     sum.light += tap * vec4(vec3(weight), weight * weight);
+    sum.guide += tap_guide * weight;
     sum.weight += weight;
 }
 
@@ -53,22 +58,24 @@ void main() {
     if (!isInside(pixel, push.xy)) return;
     int texel = texelOf(pixel, push.xy), stride = push.z;
     vec4 light = texelFetch(light_texels, texel);
+    float guide = texelFetch(guide_texels, texel).x;
     DenoiseSurface center = unpackSurface(texelFetch(surface_texels, texel));
     vec2 slope = texelFetch(slope_texels, texel).xy;
     // The kernel is (1 2 1)/4 in both directions, scaled to 1 at the centre.
-    Sum sum = Sum(light, 1.0);
-    addTap(sum, light, center, slope, pixel, ivec2(-stride, -stride), 0.25);
-    addTap(sum, light, center, slope, pixel, ivec2(0, -stride), 0.5);
-    addTap(sum, light, center, slope, pixel, ivec2(stride, -stride), 0.25);
-    addTap(sum, light, center, slope, pixel, ivec2(-stride, 0), 0.5);
-    addTap(sum, light, center, slope, pixel, ivec2(stride, 0), 0.5);
-    addTap(sum, light, center, slope, pixel, ivec2(-stride, stride), 0.25);
-    addTap(sum, light, center, slope, pixel, ivec2(0, stride), 0.5);
-    addTap(sum, light, center, slope, pixel, ivec2(stride, stride), 0.25);
+    Sum sum = Sum(light, guide, 1.0);
+    addTap(sum, light, guide, center, slope, pixel, ivec2(-stride, -stride), 0.25);
+    addTap(sum, light, guide, center, slope, pixel, ivec2(0, -stride), 0.5);
+    addTap(sum, light, guide, center, slope, pixel, ivec2(stride, -stride), 0.25);
+    addTap(sum, light, guide, center, slope, pixel, ivec2(-stride, 0), 0.5);
+    addTap(sum, light, guide, center, slope, pixel, ivec2(stride, 0), 0.5);
+    addTap(sum, light, guide, center, slope, pixel, ivec2(-stride, stride), 0.25);
+    addTap(sum, light, guide, center, slope, pixel, ivec2(0, stride), 0.5);
+    addTap(sum, light, guide, center, slope, pixel, ivec2(stride, stride), 0.25);
     vec4 filtered = sum.light / vec4(vec3(sum.weight), sum.weight * sum.weight);
     if (IS_LAST != 0u) {
         vec4 factor = texelFetch(factor_texels, texel);
         filtered = vec4(filtered.rgb * factor.rgb, factor.a);
     }
     lights[texel] = filtered;
+    guides[texel] = sum.guide / sum.weight;
 }

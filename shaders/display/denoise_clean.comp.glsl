@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Denoiser, second pass: replaces pixels that are not finite by the mean of their neighbours, clamps fireflies to the
-// brightness of their neighbours, and estimates the slope of the surface.
+// brightness of their neighbours, finds the luminance that guides the filter, and estimates the slope of the surface.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/display/denoise_grid.glsl"
@@ -10,10 +10,11 @@
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(push_constant) uniform Push { ivec4 push; }; // x, y: size of the image
 
-layout(binding = BINDING_DENOISE_LIGHT) uniform samplerBuffer light_texels;   // rgb: light, a: variance
+layout(binding = BINDING_DENOISE_LIGHT) uniform samplerBuffer light_texels;      // rgb: light, a: variance
 layout(binding = BINDING_DENOISE_SURFACES) uniform samplerBuffer surface_texels; // DenoiseSurface
 layout(std430, binding = BINDING_DENOISE_LIGHT_OUT) writeonly buffer LightBuffer { vec4 lights[]; };
 layout(std430, binding = BINDING_DENOISE_SLOPES_OUT) writeonly buffer SlopeBuffer { vec2 slopes[]; };
+layout(std430, binding = BINDING_DENOISE_GUIDE_LIGHT_OUT) writeonly buffer GuideBuffer { float guides[]; };
 
 // A firefly is at least this many times as bright as its second brightest neighbour; exponentially distributed noise
 // does that in 1 pixel of 430 (the product of k/(k+6) for k from 2 to 8) ...
@@ -51,6 +52,43 @@ vec4 repaired(vec4 light, DenoiseSurface center, Neighbours around) {
     return light * vec4(vec3(scale), scale * scale);
 }
 
+void sortPair(inout float low, inout float high) {
+    float least = min(low, high);
+    high = max(low, high);
+    low = least;
+}
+
+// Median of the luminance of the pixel and its neighbours, of an even number the lower one: a sorting network that
+// sorts just enough (Smith, Implementing median filters in XC4000E FPGAs, 1996). Missing neighbours are by turns darker
+// and brighter than all.
+float medianAround(DenoiseSurface center, ivec2 pixel, float own) {
+    float v[9];
+    float missing = -2.0 * kBrightest;
+    for (int i = 0; i < 9; ++i) {
+        ivec2 other = pixel + ivec2(i % 3 - 1, i / 3 - 1);
+        int texel = texelOf(other, push.xy);
+        bool counts = isInside(other, push.xy) && texelFetch(surface_texels, texel).w == center.kind;
+        v[i] = i == 4 ? own : counts ? luminance(texelFetch(light_texels, texel).rgb) : missing;
+        missing = counts ? missing : -missing;
+    }
+    sortPair(v[1], v[2]), sortPair(v[4], v[5]), sortPair(v[7], v[8]);
+    sortPair(v[0], v[1]), sortPair(v[3], v[4]), sortPair(v[6], v[7]);
+    sortPair(v[1], v[2]), sortPair(v[4], v[5]), sortPair(v[7], v[8]);
+    sortPair(v[0], v[3]), sortPair(v[5], v[8]), sortPair(v[4], v[7]);
+    sortPair(v[3], v[6]), sortPair(v[1], v[4]), sortPair(v[2], v[5]);
+    sortPair(v[4], v[7]), sortPair(v[4], v[2]), sortPair(v[6], v[4]);
+    sortPair(v[4], v[2]);
+    return v[4];
+}
+
+// The luminance by which the filter tells light from light: the median, as far as the pixel's noise explains the
+// difference to it. A bright sample among n makes its pixel stand out by one standard deviation of the mean, so its
+// guide is its neighbours' light, and the filter spreads the sample over them instead of leaving a speck.
+float guideOf(vec4 light, DenoiseSurface center, ivec2 pixel) {
+    float own = luminance(light.rgb), deviation = sqrt(light.a);
+    return clamp(medianAround(center, pixel, own), own - deviation, own + deviation);
+}
+
 // The smaller of the differences to the two sides: the larger one may cross an edge.
 float slopeBetween(DenoiseSurface center, ivec2 before, ivec2 after) {
     float a = texelFetch(surface_texels, texelOf(before, push.xy)).z;
@@ -75,7 +113,9 @@ void main() {
     addNeighbour(around, center, pixel + ivec2(-1, 1));
     addNeighbour(around, center, pixel + ivec2(0, 1));
     addNeighbour(around, center, pixel + ivec2(1, 1));
-    lights[texel] = repaired(texelFetch(light_texels, texel), center, around);
+    vec4 light = repaired(texelFetch(light_texels, texel), center, around);
+    lights[texel] = light;
+    guides[texel] = guideOf(light, center, pixel);
     vec2 slope = vec2(slopeBetween(center, pixel - ivec2(1, 0), pixel + ivec2(1, 0)),
                       slopeBetween(center, pixel - ivec2(0, 1), pixel + ivec2(0, 1)));
     slopes[texel] = center.closeness > 0.0 ? slope : vec2(0.0);

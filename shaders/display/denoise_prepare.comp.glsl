@@ -19,8 +19,6 @@ layout(std430, binding = BINDING_DENOISE_SURFACES_OUT) writeonly buffer SurfaceB
 // rgb: albedo divided out, a: alpha
 layout(std430, binding = BINDING_DENOISE_FACTORS_OUT) writeonly buffer AlbedoBuffer { vec4 factors[]; };
 
-// Largest light: its square, and products of four such values, fit into a float.
-const float kBrightest = 1e9;
 // Lower limit of the divisor: surfaces of lower albedo mostly show gloss.
 const float kAlbedoFloor = 1.0 / 64.0;
 

@@ -17,6 +17,9 @@ const float kSlopeTolerance = 0.25;
 // ... plus this many pixel widths of depth per pixel of distance: a surface that turns away by 45 degrees.
 const float kDepthPixels = 1.0;
 
+// Largest light: its square, and products of four such values, fit into a float.
+const float kBrightest = 1e9;
+
 struct DenoiseSurface {
     vec3 normal;
     float closeness; // 1 / depth, linear in the picture of a plane; 0: unknown

@@ -146,6 +146,27 @@ TEST_F(DenoiserTest, LosesLittleLightToSkewedNoise) {
     EXPECT_NEAR(meanOf(denoised(noisy), everywhere) / meanOf(noisy, everywhere), 1, 0.02);
 }
 
+// In a room, a path that meets the lit patch beside a lamp makes one pixel in ten three times as bright as the wall:
+// too many, and too faint, to clamp as fireflies.
+TEST_F(DenoiserTest, SpreadsBrightSamplesOverTheirSurface) {
+    Film noisy = planeFilm(kSide, kSide);
+    std::mt19937 random(1);
+    std::bernoulli_distribution is_bright(0.1);
+    const float usual = 0.5f, bright = 8, samples = 8;
+    for (std::size_t i = 0; i < noisy.depth.size(); ++i) {
+        const float spread = is_bright(random) ? bright - usual : 0.01f; // of one sample from the others
+        setRgb(noisy, i, usual + spread / samples);
+        noisy.variance[i] = spread * spread / (samples * samples); // (n - 1) / n spread^2 / n / (n - 1)
+    }
+    const Film result = denoised(noisy);
+    const double mean = meanOf(noisy, everywhere);
+    EXPECT_NEAR(meanOf(result, everywhere) / mean, 1, 0.02);
+    std::size_t specks = 0;
+    for (std::size_t i = 0; i < result.depth.size(); ++i) specks += result.rgba[4 * i] > 1.5 * mean;
+    // Those whose 3x3 pixels are bright in their majority: 1 in 1,100 by the binomial distribution.
+    EXPECT_LT(specks, result.depth.size() / 500);
+}
+
 TEST_F(DenoiserTest, EstimatesAMissingVariance) {
     const Film truth = planeFilm(kSide, kSide);
     Film noisy = truth;
