@@ -32,6 +32,6 @@ void main() {
     PooledHit closest = closestInTiles(path, live);
     storeHit(closest.found, path, closest.words);
 #else
-    storeHit(live, path, traceQueued(queuedRay(path), live ? maxDistance(path) : -1.0));
+    storeHit(live, path, tracePath(path, live ? maxDistance(path) : -1.0));
 #endif
 }

@@ -24,3 +24,5 @@ QueuedRay queuedRay(uint path) {
 TraceHit traceQueued(QueuedRay ray, float t_max) {
     return trace(secondaryRay(ray.origin, ray.direction, t_max, ray.self_normal, ray.owner, ray.self_t));
 }
+
+TraceHit tracePath(uint path, float t_max) { return traceQueued(queuedRay(path), t_max); }
