@@ -39,28 +39,23 @@ constexpr std::size_t kIndexBuffers = std::size(kScanBuffers) - 1; // the splats
 static_assert(std::equal(std::begin(kScanBuffers), std::end(kScanBuffers), kPagedPlaces.begin(), kPagedPlaces.end(),
                          [](const ScanBuffer& a, const PagedPlace& b) { return a.further == b.further; }));
 
-void uploadSection(Device& device, DeviceScan& scan, const ScanBuffer& section, const void* data, std::uint64_t bytes) {
-    scan.*section.buffer = createPagedBuffer(device, section.what, data, bytes, section.format);
-    scan.device_bytes += bytes;
-}
-
-void uploadSplats(Device& device, DeviceScan& scan) {
-    const std::uint64_t bytes = std::uint64_t{scan.info.splat_count} * PRO_SPLAT_WORDS * sizeof(std::uint32_t);
-    uploadSection(device, scan, kScanBuffers[kIndexBuffers], scan.view.splats, bytes);
-}
-
 constexpr std::uint32_t kBlank[4] = {}; // one texel, which may be imported as device memory
 constexpr std::uint64_t kTexelBytes = sizeof kBlank;
+constexpr std::uint64_t kSplatBytes = PRO_SPLAT_WORDS * sizeof(std::uint32_t);
 
-/// Rounds up to whole texels, which the last page of a section has room for.
-void uploadNoise(Device& device, DeviceScan& scan) {
+/// The bytes of a buffer.
+struct Section {
+    const void* data = nullptr;
+    std::uint64_t bytes = 0;
+};
+
+/// One byte per splat, rounded up to whole texels, which the last page of a section has room for.
+Section noiseOf(DeviceScan& scan) {
     pro_sampling sampling;
     pro_get_sampling(scan.file, &sampling);
     scan.noisy = sampling.noise != nullptr;
-    const std::uint64_t texels = scan.noisy ? (scan.info.splat_count + kTexelBytes - 1) / kTexelBytes : 1;
-    const void* const data = scan.noisy ? static_cast<const void*>(sampling.noise) : kBlank;
-    scan.noise = createTexelBuffer(device, "noise buffer", data, texels * kTexelBytes, VK_FORMAT_R32G32B32A32_UINT);
-    if (scan.noisy) scan.device_bytes += texels * kTexelBytes;
+    const std::uint64_t texels = (scan.info.splat_count + kTexelBytes - 1) / kTexelBytes;
+    return scan.noisy ? Section{sampling.noise, texels * kTexelBytes} : Section{kBlank, kTexelBytes};
 }
 
 /// The words of each section, in the order of kScanBuffers.
@@ -77,15 +72,65 @@ std::array<std::span<const std::uint32_t>, kIndexBuffers> wordsOf(const pro_inde
             words(index.blending, index.blending_count / 2, 1)};
 }
 
-void uploadIndex(Device& device, DeviceScan& scan) {
+/// All sections of a scan with its index.
+struct Sections {
+    std::array<Section, std::size(kScanBuffers)> paged;
+    Section grid, noise;
+};
+
+Sections sectionsOf(DeviceScan& scan) {
     const pro_index& index = scan.index;
-    const std::uint64_t grid_bytes =
-        std::uint64_t{index.size[0]} * index.size[1] * index.size[2] * sizeof(std::uint32_t);
-    scan.grid_words = createTexelBuffer(device, "grid buffer", index.grid, grid_bytes, VK_FORMAT_R32_UINT);
-    scan.device_bytes += grid_bytes;
+    Sections sections;
     const auto words = wordsOf(index);
-    for (std::size_t k = 0; k < words.size(); ++k)
-        uploadSection(device, scan, kScanBuffers[k], words[k].data(), words[k].size_bytes());
+    for (std::size_t k = 0; k < kIndexBuffers; ++k) sections.paged[k] = {words[k].data(), words[k].size_bytes()};
+    sections.paged[kIndexBuffers] = {scan.view.splats, std::uint64_t{scan.info.splat_count} * kSplatBytes};
+    sections.grid = {index.grid, std::uint64_t{index.size[0]} * index.size[1] * index.size[2] * sizeof(std::uint32_t)};
+    sections.noise = noiseOf(scan);
+    return sections;
+}
+
+std::uint64_t pooledBytes(const Device& device, const Sections& sections) {
+    std::uint64_t bytes = texelRoom(device, sections.grid.bytes) + texelRoom(device, sections.noise.bytes);
+    for (const Section& each : sections.paged) bytes += texelRoom(device, each.bytes);
+    return bytes;
+}
+
+/// Whether a page holds each of them.
+bool fitPages(const Device& device, const Sections& sections) {
+    return std::all_of(sections.paged.begin(), sections.paged.end(), [&](const Section& each) {
+        const std::size_t k = static_cast<std::size_t>(&each - sections.paged.data());
+        return each.bytes <= texelBytes(kScanBuffers[k].format) << device.page_bits;
+    });
+}
+
+/// Copies the sections into a range of the device's texel pool. False if they do not fit in one.
+bool uploadPooled(Device& device, DeviceScan& scan, const Sections& sections) {
+    if (!fitPages(device, sections)) return false;
+    scan.range = device.texel_pool->allocate(device, pooledBytes(device, sections));
+    if (!scan.range.block) return false;
+    TexelPlacer placer(scan.range);
+    const auto place = [&](const char* what, const Section& section, VkFormat format) {
+        return placer.place(device, what, section.data, section.bytes, format);
+    };
+    for (std::size_t k = 0; k < std::size(kScanBuffers); ++k)
+        (scan.*kScanBuffers[k].buffer).pages = {place(kScanBuffers[k].what, sections.paged[k], kScanBuffers[k].format)};
+    scan.grid_words = place("grid buffer", sections.grid, VK_FORMAT_R32_UINT);
+    scan.noise = place("noise buffer", sections.noise, VK_FORMAT_R32G32B32A32_UINT);
+    return true;
+}
+
+void uploadSections(Device& device, DeviceScan& scan, bool pooled) {
+    const Sections sections = sectionsOf(scan);
+    scan.device_bytes += sections.grid.bytes + (scan.noisy ? sections.noise.bytes : 0);
+    for (const Section& each : sections.paged) scan.device_bytes += each.bytes;
+    if (pooled && uploadPooled(device, scan, sections)) return;
+    for (std::size_t k = 0; k < std::size(kScanBuffers); ++k)
+        scan.*kScanBuffers[k].buffer = createPagedBuffer(device, kScanBuffers[k].what, sections.paged[k].data,
+                                                         sections.paged[k].bytes, kScanBuffers[k].format);
+    scan.grid_words =
+        createTexelBuffer(device, "grid buffer", sections.grid.data, sections.grid.bytes, VK_FORMAT_R32_UINT);
+    scan.noise = createTexelBuffer(device, "noise buffer", sections.noise.data, sections.noise.bytes,
+                                   VK_FORMAT_R32G32B32A32_UINT);
 }
 
 /// Builds the index of a file without one. If it can be cached, the cached file replaces the built arrays: the system
@@ -154,10 +199,8 @@ void upload(Device& device, DeviceScan& scan, const ScanUpload& how) {
             scan.pages = pageCounts(device, pagedBuffers(scan));
             return;
         }
-        uploadSplats(device, scan);
-        uploadNoise(device, scan);
         if (pro_get_index(scan.cached ? scan.cached : scan.file, &scan.index) == 0) buildIndex(scan, how);
-        uploadIndex(device, scan);
+        uploadSections(device, scan, how.pooled);
         freeBuilt(scan);
     } catch (const Error& error) {
         throw Error(error.code, scan.path + ": " + error.what());
@@ -237,6 +280,28 @@ std::vector<BufferBinding> scanBindings(const DeviceScan& scan) {
     return bindings;
 }
 
+std::vector<BufferBinding> blockBindings(const TexelBlock& block) {
+    const auto view = [&](VkFormat format) {
+        return format == VK_FORMAT_R32G32B32A32_UINT ? &block.quads : &block.words; // pairs are read by words
+    };
+    std::vector<BufferBinding> bindings{{BINDING_GRID_WORDS, &block.words}, {BINDING_NOISE, &block.quads}};
+    for (const ScanBuffer& each : kScanBuffers) bindings.push_back({each.first, view(each.format)});
+    return bindings;
+}
+
+void setSectionStarts(const DeviceScan& scan, gpu::PooledTile& tile) {
+    const std::uint64_t block = scan.range.block->words.range.offset;
+    const auto words = [&](const Buffer& buffer) {
+        return static_cast<std::uint32_t>((buffer.range.offset - block) / sizeof(std::uint32_t));
+    };
+    const auto quads = [&](const Buffer& buffer) { return words(buffer) / 4; };
+    tile.words = {words(scan.grid_words), words(scan.brick_words.pages[0]), words(scan.slabs.pages[0]),
+                  words(scan.blending.pages[0])};
+    tile.quads = {quads(scan.cells.pages[0]), quads(scan.near.pages[0]), quads(scan.splats.pages[0]),
+                  quads(scan.noise)};
+    tile.listed = {words(scan.listed.pages[0]), 0, 0, 0};
+}
+
 PagedBuffers pagedBuffers(const DeviceScan& scan) {
     PagedBuffers buffers{};
     for (std::size_t k = 0; k < buffers.size(); ++k) buffers[k] = &(scan.*kScanBuffers[k].buffer);
@@ -247,6 +312,7 @@ void destroyScan(Device& device, DeviceScan& scan) {
     for (const ScanBuffer& each : kScanBuffers) destroyPagedBuffer(device, scan.*each.buffer);
     destroyBuffer(device, scan.grid_words);
     destroyBuffer(device, scan.noise);
+    if (scan.range.block) device.texel_pool->free(device, std::exchange(scan.range, {}));
     scan.built = {};
     scan.index = {};
     for (pro_file** file : {&scan.file, &scan.cached})

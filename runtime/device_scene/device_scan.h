@@ -15,6 +15,8 @@
 #include "runtime/gpu/paged_buffer.h"
 #include "runtime/gpu/program.h"
 #include "runtime/gpu/resources.h"
+#include "runtime/gpu/texel_pool.h"
+#include "shaders/shared/scene_layout.h"
 
 namespace pointrt {
 
@@ -34,6 +36,7 @@ struct DeviceScan {
     Buffer grid_words;  ///< never needs pages (PRO_GRID_WORDS_MAX)
     PagedBuffer splats, brick_words, cells, slabs, near, listed, blending;
     PageCounts pages; ///< of those buffers
+    TexelRange range; ///< with a block: all buffers lie in it
     Buffer noise;     ///< a byte per splat; a blank texel if the scan has no noise
     bool noisy = false;
     std::uint32_t most_listed = 0; ///< of GaussianBuffers
@@ -55,6 +58,7 @@ DeviceScan mapTracedScan(const std::string& path);
 struct ScanUpload {
     std::size_t threads = 0; ///< limit for building an index; 0: all cores
     bool verbose = false;
+    bool pooled = false; ///< copy the sections into a block of the device's texel pool, if they fit
 };
 /// Uploads or imports a scan from mapTracedScan. Builds and caches an index that is missing. Throws Error kBadInput
 /// "FILE: reason" or kCannotRun; scan is destroyed then.
@@ -65,6 +69,10 @@ DeviceScan loadScan(Device& device, const std::string& path, bool verbose);
 DeviceScan blankScan(Device& device);
 /// The buffers, of paged ones the first page, for the bindings of shaders/lib/bindings.glsl.
 std::vector<BufferBinding> scanBindings(const DeviceScan& scan);
+/// A block in place of the buffers of one scan, for programs that read the scans in it.
+std::vector<BufferBinding> blockBindings(const TexelBlock& block);
+/// Where the buffers of a scan start in its block.
+void setSectionStarts(const DeviceScan& scan, gpu::PooledTile& tile);
 /// The paged buffers, for shaders/lib/pages.glsl.
 PagedBuffers pagedBuffers(const DeviceScan& scan);
 void destroyScan(Device& device, DeviceScan& scan);

@@ -262,14 +262,18 @@ std::vector<BufferBinding> instanceBindings(const DeviceScene& scene, const Inst
         std::find_if(bindings.begin(), bindings.end(), [](const BufferBinding& each) {
             return each.slot == BINDING_SPLATS;
         })->buffer = &painted->pages[0];
-    bindings.insert(bindings.end(), {{BINDING_INSTANCE, &instance.params_buffer},
-                                     {BINDING_MATERIALS, &scene.materials},
-                                     {BINDING_SHAPES, &scene.shapes},
-                                     {BINDING_LIGHTS, &scene.lights},
-                                     {BINDING_GGX_ALBEDO, &scene.ggx_albedo},
-                                     {BINDING_ENVIRONMENT_TEXELS, &scene.environment_texels},
-                                     {BINDING_ENVIRONMENT_CDF, &scene.environment_cdf}});
+    for (const BufferBinding& each : sceneBindings(scene, instance)) bindings.push_back(each);
     return bindings;
+}
+
+std::vector<BufferBinding> sceneBindings(const DeviceScene& scene, const Instance& instance) {
+    return {{BINDING_INSTANCE, &instance.params_buffer},
+            {BINDING_MATERIALS, &scene.materials},
+            {BINDING_SHAPES, &scene.shapes},
+            {BINDING_LIGHTS, &scene.lights},
+            {BINDING_GGX_ALBEDO, &scene.ggx_albedo},
+            {BINDING_ENVIRONMENT_TEXELS, &scene.environment_texels},
+            {BINDING_ENVIRONMENT_CDF, &scene.environment_cdf}};
 }
 
 void destroyDeviceScene(Device& device, DeviceScene& scene) {

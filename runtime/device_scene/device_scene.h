@@ -108,6 +108,8 @@ PagedBuffers instancePages(const DeviceScene& scene, const Instance& instance);
 
 /// The buffers of an instance, or of scene.blank, for the bindings of shaders/lib/bindings.glsl.
 std::vector<BufferBinding> instanceBindings(const DeviceScene& scene, const Instance& instance);
+/// Those of them that are not of the file.
+std::vector<BufferBinding> sceneBindings(const DeviceScene& scene, const Instance& instance);
 
 void destroyDeviceScene(Device& device, DeviceScene& scene);
 

@@ -37,6 +37,10 @@ constexpr float kCoreSteps = 4, kMatrixRounding = 4e-7f; // a few times 2^-24
 /// Silhouettes).
 constexpr float kMergedSelfShare = 0.5f;
 
+/// Whether tiles are copied into the device's texel pool, where one program traces many of them. GPUs gain: a dispatch
+/// for each tile and list takes them longer than its few rays. CPUs read the pages of the mapped files in place.
+bool poolsTiles(const Device& device) { return device.type != VK_PHYSICAL_DEVICE_TYPE_CPU; }
+
 /// Bytes per splat of an index that has yet to be built, typical of surfaces; lidar takes 30 to 127, mostly 35 to 55.
 /// A constant, whatever is resident: the same command must choose the same tiles.
 constexpr std::uint32_t kBuiltIndexBytes = 82;
@@ -201,7 +205,8 @@ private:
     bool upload(OpenedSet& set, TileFile& file) {
         try {
             if (file.failure) std::rethrow_exception(file.failure);
-            uploadScan(device_, file.scan, {request_.on_all_cores ? 0 : halfOfCores(), request_.verbose});
+            uploadScan(device_, file.scan,
+                       {request_.on_all_cores ? 0 : halfOfCores(), request_.verbose, poolsTiles(device_)});
             loaded_.files.push_back(std::exchange(file.scan, {}));
             request_.resident.insert(loaded_.files.back().path);
             return true;

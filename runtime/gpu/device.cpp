@@ -14,6 +14,7 @@
 #include "runtime/gpu/memory_pool.h"
 #include "runtime/gpu/program_store.h"
 #include "runtime/gpu/staging.h"
+#include "runtime/gpu/texel_pool.h"
 #include "runtime/util/on_error.h"
 
 namespace pointrt {
@@ -216,6 +217,7 @@ void createLogicalDevice(Device& device, const DeviceRequest& request) {
             vkGetInstanceProcAddr(device.instance, "vkSetDebugUtilsObjectNameEXT"));
     device.queue_mutex = std::make_shared<std::mutex>();
     device.memory_pool = std::make_shared<MemoryPool>();
+    device.texel_pool = std::make_shared<TexelPool>();
     createTimeline(device);
     createThreadObjects(device);
 }
@@ -264,6 +266,7 @@ void destroyDevice(Device& device) {
         vkDeviceWaitIdle(device.handle);
         if (device.programs) device.programs->clear(device);
         destroyThreadObjects(device);
+        if (device.texel_pool) device.texel_pool->clear(device);
         if (device.memory_pool) device.memory_pool->clear(device);
         if (device.timeline) vkDestroySemaphore(device.handle, device.timeline->semaphore, nullptr);
         vkDestroyDevice(device.handle, nullptr);

@@ -16,6 +16,7 @@ namespace pointrt {
 class MemoryPool;
 class ProgramStore;
 class Staging;
+class TexelPool;
 
 struct DeviceRequest {
     std::string selector; ///< "" for the best device, an index in listDevices, or part of a name, ignoring case
@@ -69,6 +70,7 @@ struct Device {
     PFN_vkGetMemoryHostPointerPropertiesEXT getMemoryHostPointerProperties = nullptr;
     PFN_vkSetDebugUtilsObjectNameEXT setObjectName = nullptr; ///< null unless debug names are on (nameObject)
     std::shared_ptr<MemoryPool> memory_pool;                  ///< of all buffers, shared with workers
+    std::shared_ptr<TexelPool> texel_pool;                    ///< of the tiles of sets, shared with workers
     std::shared_ptr<Staging> staging;                         ///< of this thread
     std::shared_ptr<ProgramStore> programs; ///< programs that createProgram built, shared with workers
     bool verbose = false;

@@ -18,7 +18,7 @@ struct DescriptorCounts {
     std::uint32_t storage_texel_buffers = 0, uniform_texel_buffers = 0, storage_buffers = 0, uniform_buffers = 0;
 };
 /// The most of any program that renders, without further pages. Vulkan guarantees 4, 16, 4 and 12. Programs that cast a
-/// caller's rays, and those of paged scans, have more; createProgram checks these.
+/// caller's rays, and those of paged scans and pooled tiles, have more; createProgram checks these.
 constexpr DescriptorCounts kRenderDescriptors{7, 18, 14, 3};
 
 /// What the queue must support besides compute.

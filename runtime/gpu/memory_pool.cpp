@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <string>
 
 #include "runtime/gpu/device.h"
@@ -44,10 +43,7 @@ MemoryRange MemoryPool::allocate(const Device& device, const VkMemoryRequirement
 
 MemoryPool::Block& MemoryPool::addBlock(const Device& device, std::uint64_t bytes, std::uint32_t type, bool map,
                                         const char* action) {
-    Block block;
-    block.type = type;
-    block.bytes = bytes;
-    block.gaps[0] = bytes;
+    Block block{VK_NULL_HANDLE, type, false, nullptr, FreeRanges(bytes)};
     VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
     info.allocationSize = bytes;
     info.memoryTypeIndex = type;
@@ -60,20 +56,12 @@ MemoryPool::Block& MemoryPool::addBlock(const Device& device, std::uint64_t byte
     return blocks_.emplace_back(std::move(block));
 }
 
-/// First fit: buffers of a scene come and go together.
 bool MemoryPool::takeFrom(Block& block, const VkMemoryRequirements& requirements, MemoryRange& range) {
-    for (const auto& [start, size] : block.gaps) {
-        const std::uint64_t offset = roundedUp(start, requirements.alignment), lost = offset - start;
-        if (lost > size || requirements.size > size - lost) continue;
-        range = {block.memory, offset, requirements.size, block.type,
-                 block.mapped ? static_cast<std::byte*>(block.mapped) + offset : nullptr};
-        const std::uint64_t gap = start, end = start + size;
-        block.gaps.erase(gap);
-        if (lost > 0) block.gaps[gap] = lost;
-        if (offset + requirements.size < end) block.gaps[offset + requirements.size] = end - offset - requirements.size;
-        return true;
-    }
-    return false;
+    const auto offset = block.gaps.take(requirements.size, requirements.alignment);
+    if (!offset) return false;
+    range = {block.memory, *offset, requirements.size, block.type,
+             block.mapped ? static_cast<std::byte*>(block.mapped) + *offset : nullptr};
+    return true;
 }
 
 void MemoryPool::free(const Device& device, const MemoryRange& range) {
@@ -81,18 +69,8 @@ void MemoryPool::free(const Device& device, const MemoryRange& range) {
     const auto block =
         std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& each) { return each.memory == range.memory; });
     if (block == blocks_.end()) return;
-    auto gap = block->gaps.emplace(range.offset, range.bytes).first;
-    if (const auto next = std::next(gap); next != block->gaps.end() && gap->first + gap->second == next->first) {
-        gap->second += next->second;
-        block->gaps.erase(next);
-    }
-    if (gap != block->gaps.begin())
-        if (const auto before = std::prev(gap); before->first + before->second == gap->first) {
-            before->second += gap->second;
-            block->gaps.erase(gap);
-            gap = before;
-        }
-    if (gap->second != block->bytes || isLastShared(*block)) return;
+    block->gaps.give(range.offset, range.bytes);
+    if (!block->gaps.areAll() || isLastShared(*block)) return;
     vkFreeMemory(device.handle, block->memory, nullptr);
     blocks_.erase(block);
 }

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <list>
-#include <map>
 #include <mutex>
 
+#include "runtime/gpu/free_ranges.h"
 #include "runtime/gpu/vulkan.h"
 
 namespace pointrt {
@@ -42,8 +42,7 @@ private:
         std::uint32_t type = 0;
         bool is_shared = false; ///< by several ranges
         void* mapped = nullptr;
-        std::uint64_t bytes = 0;
-        std::map<std::uint64_t, std::uint64_t> gaps; ///< offset to size
+        FreeRanges gaps;
     };
     Block& addBlock(const Device& device, std::uint64_t bytes, std::uint32_t type, bool map, const char* action);
     bool isLastShared(const Block& block) const;

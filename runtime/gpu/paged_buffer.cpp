@@ -11,13 +11,6 @@
 namespace pointrt {
 namespace {
 
-/// Shaders read some buffers as storage texel buffers (shaders/lib/bindings.glsl), which every device supports for
-/// texels of one or four words.
-VkBufferUsageFlags usageFor(VkFormat format) {
-    constexpr VkBufferUsageFlags kFetched = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
-    return format == VK_FORMAT_R32G32_UINT ? kFetched : kFetched | VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT;
-}
-
 void requireFewPages(const char* what, std::uint64_t bytes, std::uint64_t page_bytes) {
     const std::uint64_t pages = (bytes + page_bytes - 1) / page_bytes;
     if (pages > MAX_PAGES)
@@ -43,10 +36,15 @@ PagedBuffer pagesOf(Device& device, const char* what, std::uint64_t bytes, VkFor
 
 } // namespace
 
+VkBufferUsageFlags texelUsage(VkFormat format) {
+    constexpr VkBufferUsageFlags kFetched = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
+    return format == VK_FORMAT_R32G32_UINT ? kFetched : kFetched | VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT;
+}
+
 Buffer createTexelBuffer(Device& device, const char* what, const void* data, std::uint64_t bytes, VkFormat format) {
     Buffer buffer;
-    if (device.unified_memory) buffer = importHostBuffer(device, data, bytes, usageFor(format));
-    if (!buffer.handle) buffer = createFilledBuffer(device, what, data, bytes, usageFor(format));
+    if (device.unified_memory) buffer = importHostBuffer(device, data, bytes, texelUsage(format));
+    if (!buffer.handle) buffer = createFilledBuffer(device, what, data, bytes, texelUsage(format));
     createTexelView(device, what, buffer, format);
     return buffer;
 }
@@ -60,7 +58,7 @@ PagedBuffer createPagedBuffer(Device& device, const char* what, const void* data
 
 PagedBuffer createEmptyPagedBuffer(Device& device, const char* what, std::uint64_t bytes, VkFormat format) {
     return pagesOf(device, what, bytes, format, [&](std::uint64_t, std::uint64_t page_bytes) {
-        Buffer page = createBuffer(device, what, page_bytes, usageFor(format));
+        Buffer page = createBuffer(device, what, page_bytes, texelUsage(format));
         createTexelView(device, what, page, format);
         return page;
     });

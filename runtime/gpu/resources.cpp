@@ -134,9 +134,32 @@ void destroyBuffer(Device& device, Buffer& buffer) {
     if (buffer.handle) vkDestroyBuffer(device.handle, buffer.handle, nullptr);
     if (buffer.imported && buffer.range.memory)
         vkFreeMemory(device.handle, buffer.range.memory, nullptr);
-    else if (buffer.range.memory)
+    else if (buffer.range.memory && !buffer.placed)
         device.memory_pool->free(device, buffer.range);
     buffer = {};
+}
+
+Buffer createPlacedBuffer(Device& device, const char* what, std::uint64_t bytes, VkBufferUsageFlags usage,
+                          const Buffer& in, std::uint64_t offset) {
+    Buffer buffer;
+    buffer.bytes = bytes;
+    buffer.placed = true;
+    const OnError undo([&] { destroyBuffer(device, buffer); });
+    createHandle(device, what, buffer, usage);
+    VkMemoryRequirements requirements;
+    vkGetBufferMemoryRequirements(device.handle, buffer.handle, &requirements);
+    buffer.range = in.range;
+    buffer.range.offset += offset;
+    const std::uint64_t atom = std::max<std::uint64_t>(device.limits.nonCoherentAtomSize, 1);
+    buffer.range.bytes = (requirements.size + atom - 1) / atom * atom; // what flushBuffer takes
+    if (buffer.range.offset % requirements.alignment != 0 || offset + buffer.range.bytes > in.range.bytes ||
+        (requirements.memoryTypeBits >> in.range.type & 1) == 0)
+        throw std::logic_error(std::string(what) + " does not fit where it was placed");
+    check(vkBindBufferMemory(device.handle, buffer.handle, buffer.range.memory, buffer.range.offset),
+          (std::string("place ") + what).c_str());
+    buffer.mapped = in.mapped ? static_cast<std::byte*>(in.mapped) + offset : nullptr;
+    buffer.coherent = in.coherent;
+    return buffer;
 }
 
 Buffer createFilledBuffer(Device& device, const char* what, const void* data, std::uint64_t bytes,

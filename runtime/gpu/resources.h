@@ -21,6 +21,7 @@ struct Buffer {
     void* mapped = nullptr;             ///< null if the host has no fast access to the memory (memory_types.h)
     bool coherent = true;               ///< if not, hostBytes and flushBuffer keep mapped up to date
     bool imported = false;              ///< the memory is the caller's
+    bool placed = false;                ///< the memory is another buffer's
     std::uint64_t uploaded = 0;         ///< the submission of the last upload
 };
 
@@ -30,6 +31,10 @@ struct Buffer {
 Buffer createBuffer(Device& device, const char* what, std::uint64_t bytes, VkBufferUsageFlags usage,
                     MemoryHome home = MemoryHome::kDevice);
 void destroyBuffer(Device& device, Buffer& buffer);
+
+/// A buffer in the memory of another one, at offset: a multiple of texelAlignment. The other one must outlive it.
+Buffer createPlacedBuffer(Device& device, const char* what, std::uint64_t bytes, VkBufferUsageFlags usage,
+                          const Buffer& in, std::uint64_t offset);
 
 /// createBuffer and uploadBuffer: a device buffer with the bytes at data.
 Buffer createFilledBuffer(Device& device, const char* what, const void* data, std::uint64_t bytes,

@@ -18,6 +18,7 @@
 #include "runtime/render/photon_emission.h"
 #include "runtime/render/traced_instances.h"
 #include "runtime/util/on_error.h"
+#include "shaders/shared/groups_for.h"
 
 namespace pointrt {
 
@@ -108,8 +109,8 @@ public:
         uploadBuffer(device_, buffers_.queues, queue.data(), queue.size() * sizeof queue[0], kBatch * sizeof queue[0]);
         gpu::Control control{};
         control.queued[1] = count_ = static_cast<std::uint32_t>(paths.size());
-        control.ray_groups = {(count_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE, 1, 1};
-        control.hit_groups = {0, 1, 1}; // programs that append hits set x
+        control.ray_groups = gpu::groupsFor(count_);
+        control.hit_groups = gpu::groupsFor(0); // programs that append hits set x
         uploadBuffer(device_, buffers_.control, &control, sizeof control);
     }
 

@@ -50,7 +50,8 @@ FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, FilmRo
     buffers.paths = texels("path buffer", lanes * sizeof(gpu::PathState), VK_FORMAT_R32G32B32A32_UINT, kRead);
     buffers.hits = texels("hit buffer", lanes * sizeof(gpu::uvec4), VK_FORMAT_R32G32B32A32_UINT,
                           VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT);
-    buffers.beams = texels("beam buffer", lanes / TILE_PIXELS * sizeof(float), VK_FORMAT_R32_SFLOAT, kRead);
+    const std::uint64_t beams = lanes / TILE_PIXELS * (culls ? CULL_INSTANCES : 1); // pooled tiles have one each
+    buffers.beams = texels("beam buffer", beams * sizeof(float), VK_FORMAT_R32_SFLOAT, kRead);
     buffers.pixel_list = texels("pixel list", lanes * sizeof(std::uint32_t), VK_FORMAT_R32_UINT, kRead);
     buffers.surfaces =
         texels("surface buffer", lanes * sizeof(gpu::SurfaceInteraction), VK_FORMAT_R32G32B32A32_UINT, kRead);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "runtime/render/pooled_tiles.h"
+
 namespace pointrt {
 namespace {
 
@@ -102,14 +104,17 @@ std::array<std::uint32_t, 2> packBox(const Box& box, const Vector& origin, doubl
 /// whole files.
 bool mayShareGroup(const Instance& a, const Instance& b) { return a.number == b.number || (!a.tile && !b.tile); }
 
-/// The group of count instances from first on, in the frame of the first.
-CullGroupBoxes makeCullGroup(const DeviceScene& scene, std::size_t first, std::size_t count) {
-    CullGroupBoxes group{first, count, {}};
-    const Rows frame = rotationOf(scene.instances[first].params);
+} // namespace
+
+bool mayCull(const DeviceScene& scene) { return !scene.sets.empty() || scene.instances.size() >= kFewestCulled; }
+
+gpu::CullBoxes makeCullBoxes(const DeviceScene& scene, std::span<const std::size_t> places) {
+    gpu::CullBoxes packed{};
+    const Rows frame = rotationOf(scene.instances[places[0]].params);
     std::vector<Box> boxes;
     Box all;
-    for (std::size_t k = first; k < first + count; ++k) {
-        boxes.push_back(boxAround(frame, scene.instances[k].params));
+    for (const std::size_t place : places) {
+        boxes.push_back(boxAround(frame, scene.instances[place].params));
         all.add(boxes.back().low);
         all.add(boxes.back().high);
     }
@@ -120,35 +125,29 @@ CullGroupBoxes makeCullGroup(const DeviceScene& scene, std::size_t first, std::s
         return gpu::vec4{scaled(frame[axis][0]), scaled(frame[axis][1]), scaled(frame[axis][2]),
                          scaled(-all.low[axis])};
     };
-    group.boxes.row_x = row(0);
-    group.boxes.row_y = row(1);
-    group.boxes.row_z = row(2);
-    for (std::size_t k = 0; k < count; ++k) {
+    packed.row_x = row(0);
+    packed.row_y = row(1);
+    packed.row_z = row(2);
+    for (std::size_t k = 0; k < places.size(); ++k) {
         const auto [middle, half] = packBox(boxes[k], all.low, steps);
-        gpu::uvec4& pair = group.boxes.boxes[k / 2];
+        gpu::uvec4& pair = packed.boxes[k / 2];
         (k % 2 == 0 ? pair.x : pair.z) = middle;
         (k % 2 == 0 ? pair.y : pair.w) = half;
-        group.boxes.instances.x |= 1u << k;
+        packed.instances.x |= 1u << k;
     }
-    return group;
+    return packed;
 }
 
-} // namespace
-
-bool mayCull(const DeviceScene& scene) { return !scene.sets.empty() || scene.instances.size() >= kFewestCulled; }
-
-std::vector<CullGroupBoxes> makeCullGroups(const DeviceScene& scene) {
+std::vector<CullGroupBoxes> makeCullGroups(const DeviceScene& scene, const std::vector<std::size_t>& places) {
     std::vector<CullGroupBoxes> groups;
-    const std::vector<Instance>& instances = scene.instances;
-    if (instances.size() < kFewestCulled) return groups;
-    for (std::size_t first = 0; first < instances.size();) {
-        std::size_t end = first + 1;
-        while (end < instances.size() && end < first + CULL_INSTANCES &&
-               mayShareGroup(instances[first], instances[end]))
-            ++end;
-        groups.push_back(makeCullGroup(scene, first, end - first));
-        first = end;
+    if (places.size() < kFewestCulled) return groups;
+    for (const std::size_t place : places) {
+        const bool joins = !groups.empty() && groups.back().places.size() < CULL_INSTANCES &&
+                           mayShareGroup(scene.instances[groups.back().places[0]], scene.instances[place]);
+        if (!joins) groups.emplace_back();
+        groups.back().places.push_back(place);
     }
+    for (CullGroupBoxes& group : groups) group.boxes = makeCullBoxes(scene, group.places);
     return groups;
 }
 
@@ -157,7 +156,8 @@ std::uint32_t cullProgramSize(std::size_t count) { return count <= kFewBoxes ? k
 std::vector<std::uint32_t> cullProgramSizes(const DeviceScene& scene) {
     if (scene.tile_cache_bytes > 0) return {kFewBoxes, CULL_INSTANCES};
     std::vector<std::uint32_t> sizes;
-    for (const CullGroupBoxes& each : makeCullGroups(scene)) sizes.push_back(cullProgramSize(each.count));
+    for (const CullGroupBoxes& each : makeCullGroups(scene, placesApart(scene, makePooledGroups(scene))))
+        sizes.push_back(cullProgramSize(each.places.size()));
     return sizes;
 }
 

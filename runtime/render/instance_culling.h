@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "runtime/device_scene/device_scene.h"
@@ -12,18 +13,21 @@
 
 namespace pointrt {
 
-/// Consecutive instances of a scene and their boxes.
+/// Instances of a scene and their boxes.
 struct CullGroupBoxes {
-    std::size_t first = 0, count = 0; ///< at most CULL_INSTANCES
+    std::vector<std::size_t> places; ///< among the scene's instances, at most CULL_INSTANCES
     gpu::CullBoxes boxes{};
 };
 
 /// Whether the scene may ever need culling. The instances of sets change as tiles are loaded.
 bool mayCull(const DeviceScene& scene);
 
-/// Cull groups of all current instances of a scene; none if there are so few that culling takes longer than
+/// Cull groups of the instances of a scene at these places; none if there are so few that culling takes longer than
 /// intersecting each with all rays.
-std::vector<CullGroupBoxes> makeCullGroups(const DeviceScene& scene);
+std::vector<CullGroupBoxes> makeCullGroups(const DeviceScene& scene, const std::vector<std::size_t>& places);
+
+/// The boxes of instances of a set, or of whole files, in the frame of the first; at most CULL_INSTANCES.
+gpu::CullBoxes makeCullBoxes(const DeviceScene& scene, std::span<const std::size_t> places);
 
 /// Number of boxes that the culling programs of a group of count instances are built for.
 std::uint32_t cullProgramSize(std::size_t count);

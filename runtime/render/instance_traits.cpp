@@ -12,6 +12,7 @@ InstanceTraits traitsOf(const DeviceScan& file, bool oriented, bool is_tile, boo
             clipped,
             has_balls,
             file.is_gaussian,
+            0,
             file.harmonics_degree,
             isPaged(file.pages) ? file.pages : PageCounts{}};
 }

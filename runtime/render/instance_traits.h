@@ -17,8 +17,9 @@ namespace pointrt {
 struct InstanceTraits {
     bool uneven = false, oriented = false, noisy = false, clips_to_core = false, clipped = false, has_balls = false;
     bool is_gaussian = false;
-    std::uint32_t harmonics = 0; ///< degree of the Gaussians' harmonics
-    PageCounts pages;            ///< all 0 if every buffer has a single page
+    std::uint32_t pooled_tiles = 0; ///< most tiles of a PooledGroup; 0: a single instance
+    std::uint32_t harmonics = 0;    ///< degree of the Gaussians' harmonics
+    PageCounts pages;               ///< all 0 if every buffer has a single page
     auto operator<=>(const InstanceTraits&) const = default;
 };
 

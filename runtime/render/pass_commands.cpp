@@ -54,10 +54,17 @@ void PassCommands::run(const Pass& pass) {
         record(pass);
 }
 
-void PassCommands::copyHitCount(const Buffer& counts, std::size_t place) {
+void PassCommands::copyHitCounts(const Buffer& counts, const std::vector<std::size_t>& places) {
     if (profile_) return;
-    const VkBufferCopy copy{offsetof(gpu::Control, hit_count), place * sizeof(std::uint32_t), sizeof(std::uint32_t)};
-    vkCmdCopyBuffer(commands_, control_.handle, counts.handle, 1, &copy);
+    std::vector<VkBufferCopy> copies;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const std::size_t of_tile =
+            offsetof(gpu::Control, lists) + (LIST_CULLED + k) * sizeof(gpu::RayList) + offsetof(gpu::RayList, hits);
+        copies.push_back({places.size() > 1 ? of_tile : offsetof(gpu::Control, hit_count),
+                          places[k] * sizeof(std::uint32_t), sizeof(std::uint32_t)});
+    }
+    vkCmdCopyBuffer(commands_, control_.handle, counts.handle, static_cast<std::uint32_t>(copies.size()),
+                    copies.data());
     recordBarrier(commands_);
 }
 

@@ -36,8 +36,9 @@ public:
     void setParams(const Buffer& buffer, const gpu::FrameParams& params);
     /// Its writes are visible to later passes.
     void run(const Pass& pass);
-    /// Copies the length of the hit list to counts[place]; not while profiling.
-    void copyHitCount(const Buffer& counts, std::size_t place);
+    /// Copies how many rays have hit the instances just traced to counts[place] of each: the length of the hit list, or
+    /// where several tiles were traced together what intersect_closest has counted. Not while profiling.
+    void copyHitCounts(const Buffer& counts, const std::vector<std::size_t>& places);
     /// Keeps the counters as they are after the passes so far. At most `samples` times.
     void endSample();
     /// Records commands that are not passes, after all passes so far.

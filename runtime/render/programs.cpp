@@ -10,6 +10,7 @@
 #include "runtime/render/caustic_map.h"
 #include "runtime/render/frame_buffers.h"
 #include "runtime/render/instance_culling.h"
+#include "runtime/render/pooled_tiles.h"
 #include "runtime/util/on_error.h"
 #include "shaders/accumulate_shadow.spv.h"
 #include "shaders/attenuate_shadow.spv.h"
@@ -17,6 +18,7 @@
 #include "shaders/attenuate_shadow_ray.spv.h"
 #include "shaders/attenuate_shadow_ray_paged.spv.h"
 #include "shaders/beam.spv.h"
+#include "shaders/beam_pooled.spv.h"
 #include "shaders/blend_first_hits.spv.h"
 #include "shaders/blend_gaussians.spv.h"
 #include "shaders/caustic.spv.h"
@@ -34,12 +36,16 @@
 #include "shaders/gaussian_first_hits_paged.spv.h"
 #include "shaders/intersect_camera.spv.h"
 #include "shaders/intersect_camera_paged.spv.h"
+#include "shaders/intersect_camera_pooled.spv.h"
 #include "shaders/intersect_closest.spv.h"
 #include "shaders/intersect_closest_paged.spv.h"
+#include "shaders/intersect_closest_pooled.spv.h"
 #include "shaders/intersect_shadow.spv.h"
 #include "shaders/intersect_shadow_paged.spv.h"
+#include "shaders/intersect_shadow_pooled.spv.h"
 #include "shaders/intersect_shadow_ray.spv.h"
 #include "shaders/intersect_shadow_ray_paged.spv.h"
+#include "shaders/intersect_shadow_ray_pooled.spv.h"
 #include "shaders/intersect_shadow_shapes.spv.h"
 #include "shaders/intersect_shapes.spv.h"
 #include "shaders/megakernel.spv.h"
@@ -51,6 +57,7 @@
 #include "shaders/shade_surface.spv.h"
 #include "shaders/surface.spv.h"
 #include "shaders/surface_paged.spv.h"
+#include "shaders/surface_pooled.spv.h"
 
 namespace pointrt {
 
@@ -120,6 +127,26 @@ bool queuesShadowRays(const Programs& all) {
     return all.catches_shadows || (all.has_direct_lighting && !storesShadowRays(all));
 }
 
+/// Programs for the tiles in a block.
+void orderPooled(Constants constants, const Programs& all, InstancePrograms& programs, std::vector<Order>& orders) {
+    constants.cull_boxes = constants.instance.pooled_tiles;
+    const auto order = [&](Program& program, const char* name, std::span<const std::uint32_t> spirv) {
+        orders.push_back({&program, name, spirv, constants});
+    };
+    order(programs.beam, "beam (pooled)", beam_pooled_spv);
+    order(programs.intersect_camera, "intersect_camera (pooled)", intersect_camera_pooled_spv);
+    if (storesShadowRays(all))
+        order(programs.intersect_shadow_ray, "intersect_shadow_ray (pooled)", intersect_shadow_ray_pooled_spv);
+    if (queuesShadowRays(all))
+        order(programs.intersect_shadow, "intersect_shadow (pooled)", intersect_shadow_pooled_spv);
+    if (all.has_secondary_rays) {
+        order(programs.intersect_closest, "intersect_closest (pooled)", intersect_closest_pooled_spv);
+        order(programs.surface, "surface (pooled)", surface_pooled_spv);
+    }
+    constants.camera_pass = 1;
+    order(programs.camera_surface, "surface (camera, pooled)", surface_pooled_spv);
+}
+
 void orderFor(const InstanceTraits& instance, Constants constants, const Programs& all, InstancePrograms& programs,
               std::vector<Order>& orders) {
     constants.instance = instance;
@@ -153,6 +180,7 @@ void orderFor(const InstanceTraits& instance, Constants constants, const Program
             order(programs.attenuate_shadow, "attenuate_shadow", attenuate_shadow_spv, attenuate_shadow_paged_spv);
         return;
     }
+    if (instance.pooled_tiles > 0) return orderPooled(constants, all, programs, orders);
     order(programs.intersect_camera, "intersect_camera", intersect_camera_spv, intersect_camera_paged_spv);
     order(programs.camera_surface, "surface (camera)", surface_spv, surface_paged_spv, true);
     if (storesShadowRays(all))
@@ -244,10 +272,9 @@ void orderInstances(const DeviceScene& scene, const Constants& constants, Progra
         const auto [variant, is_new] = programs.variants.try_emplace(traits);
         if (is_new) orderFor(variant->first, constants, programs, variant->second, orders);
     };
-    for (const Instance& instance : scene.instances) {
-        InstanceTraits traits = traitsOf(scene, instance);
+    const auto addWithLater = [&](InstanceTraits traits, bool is_tile) {
         add(traits);
-        if (!instance.tile || scene.tile_cache_bytes == 0) continue;
+        if (!is_tile || scene.tile_cache_bytes == 0) return;
         // tiles loaded later may be uneven or not, and without balls
         for (const bool has_balls : {traits.has_balls, false}) {
             traits.has_balls = has_balls;
@@ -256,7 +283,11 @@ void orderInstances(const DeviceScene& scene, const Constants& constants, Progra
                 add(traits);
             }
         }
-    }
+    };
+    const std::vector<PooledGroup> pooled = makePooledGroups(scene);
+    for (const std::size_t place : placesApart(scene, pooled))
+        addWithLater(traitsOf(scene, scene.instances[place]), scene.instances[place].tile.has_value());
+    for (const PooledGroup& group : pooled) addWithLater(group.traits, true);
 }
 
 /// All programs that the scene needs.
@@ -341,10 +372,10 @@ void destroyPrograms(Device& device, Programs& programs) {
         destroyProgram(device, *program);
     for (auto& [traits, variant] : programs.variants)
         for (Program* program :
-             {&variant.intersect_closest, &variant.intersect_camera, &variant.camera_surface, &variant.surface,
-              &variant.intersect_shadow, &variant.intersect_shadow_ray, &variant.composite_camera, &variant.composite,
-              &variant.gaussian_first_hits, &variant.gather_camera, &variant.gather, &variant.attenuate_shadow,
-              &variant.attenuate_shadow_ray})
+             {&variant.beam, &variant.intersect_closest, &variant.intersect_camera, &variant.camera_surface,
+              &variant.surface, &variant.intersect_shadow, &variant.intersect_shadow_ray, &variant.composite_camera,
+              &variant.composite, &variant.gaussian_first_hits, &variant.gather_camera, &variant.gather,
+              &variant.attenuate_shadow, &variant.attenuate_shadow_ray})
             destroyProgram(device, *program);
     programs.variants.clear();
     for (auto& [boxes, cull] : programs.cull)
@@ -371,6 +402,19 @@ DescriptorSets bindInstance(Device& device, VkDescriptorPool pool, const Program
     const Program& tracing = file.is_gaussian ? composite : own.intersect_camera;
     return {common,
             createDescriptorSet(device, pool, tracing, pageBindings(instancePages(scene, instance)), SET_PAGES)};
+}
+
+DescriptorSets bindPooled(Device& device, VkDescriptorPool pool, const Programs& programs, const DeviceScene& scene,
+                          const PooledGroup& group, const PooledBuffers& buffers) {
+    std::vector<BufferBinding> bindings = blockBindings(*group.block);
+    for (const BufferBinding& each : sceneBindings(scene, scene.instances[group.places[0]])) bindings.push_back(each);
+    for (const BufferBinding& each : frameBindings(buffers.frame)) bindings.push_back(each);
+    bindings.push_back({BINDING_CULL_BOXES, &buffers.boxes});
+    for (const BufferBinding& each : causticBindings(buffers.caustics)) bindings.push_back(each);
+    const BufferBinding tiles{BINDING_POOLED_TILES, &buffers.tiles};
+    return {createDescriptorSet(device, pool, programs.prepare, bindings),
+            createDescriptorSet(device, pool, programs.variants.at(group.traits).intersect_camera, std::span(&tiles, 1),
+                                SET_PAGES)};
 }
 
 } // namespace pointrt

@@ -14,8 +14,10 @@ namespace pointrt {
 
 struct CausticMap;
 struct FrameBuffers;
+struct PooledGroup;
 
 struct InstancePrograms {
+    Program beam; ///< of pooled tiles; single instances share Programs::beam
     Program intersect_camera, camera_surface;
     Program intersect_closest, surface; ///< for secondary rays
     Program intersect_shadow,
@@ -70,5 +72,16 @@ const InstancePrograms& programsFor(const Programs& programs, const DeviceScene&
 DescriptorSets bindInstance(Device& device, VkDescriptorPool pool, const Programs& programs, const DeviceScene& scene,
                             const Instance& instance, const FrameBuffers& buffers, const CausticMap& caustics,
                             const Buffer& cull_boxes);
+
+/// What the programs of pooled tiles bind beside the scene.
+struct PooledBuffers {
+    const FrameBuffers& frame;
+    const CausticMap& caustics;
+    const Buffer& boxes; ///< gpu::CullBoxes
+    const Buffer& tiles; ///< gpu::PooledTile rows
+};
+/// The same for the tiles in a block.
+DescriptorSets bindPooled(Device& device, VkDescriptorPool pool, const Programs& programs, const DeviceScene& scene,
+                          const PooledGroup& group, const PooledBuffers& buffers);
 
 } // namespace pointrt

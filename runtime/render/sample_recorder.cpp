@@ -68,8 +68,9 @@ void SampleRecorder::intersectCamera(std::uint32_t bits) {
     for (const TracedInstance& instance : tracer_.instances.each) {
         if (instance.is_gaussian) continue;
         if (!std::exchange(is_first, false)) prepare(bits | STEP_RESET);
-        run(tracer_.programs.beam, instance.sets, bits, PassLanes::kTiles,
-            (tiles_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE);
+        const Program& beam = instance.programs->beam.pipeline ? instance.programs->beam : tracer_.programs.beam;
+        run(beam, instance.sets, bits, PassLanes::kTiles,
+            (tiles_ * instance.beams + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE);
         run(instance.programs->intersect_camera, instance.sets, bits, PassLanes::kTilesLeft);
         run(instance.programs->camera_surface, instance.sets, bits, PassLanes::kHits);
     }
@@ -78,15 +79,14 @@ void SampleRecorder::intersectCamera(std::uint32_t bits) {
 /// Closest hits on all instances of the rays listed for them, and their surface interactions, which a nearer hit on a
 /// later instance overwrites.
 void SampleRecorder::intersectClosest(std::uint32_t bits) {
-    const TracedInstance* const first = tracer_.instances.each.data();
+    const std::uint32_t counting = tracer_.hit_counts ? STEP_COUNT_HITS : 0u;
     bool is_first = true;
     intersectAll(LIST_INSTANCE_RAYS, &CullPrograms::closest, bits,
                  [&](const TracedInstance& instance, std::uint32_t list) {
                      if (!std::exchange(is_first, false)) prepare(bits | STEP_HITS);
-                     runOver(list, instance.programs->intersect_closest, instance.sets, bits);
+                     runOver(list, instance.programs->intersect_closest, instance.sets, bits | counting);
                      run(instance.programs->surface, instance.sets, bits, PassLanes::kHits);
-                     if (tracer_.hit_counts)
-                         commands_.copyHitCount(*tracer_.hit_counts, static_cast<std::size_t>(&instance - first));
+                     if (tracer_.hit_counts) commands_.copyHitCounts(*tracer_.hit_counts, instance.places);
                  });
 }
 

@@ -23,7 +23,7 @@ RenderSettings smallPicture(RenderSettings settings) {
 class HitCounter {
 public:
     HitCounter(Device& device, BandTracer& tracer)
-        : device_(device), tracer_(tracer), counts_(tracer.instances.each.size()) {
+        : device_(device), tracer_(tracer), counts_(tracer.scene->instances.size()) {
         hits_ = createBuffer(device, "tile hit counts", counts_.size() * sizeof counts_[0],
                              VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
         tracer_.hit_counts = &hits_;
@@ -62,7 +62,7 @@ bool markTilesHit(Device& device, BandTracer& tracer, DeviceScene& scene, const 
                   const std::vector<Camera>& cameras) {
     if (!tracer.programs.has_secondary_rays || tracer.instances.each.empty()) return false;
     const RenderSettings small = smallPicture(settings);
-    std::vector<std::uint64_t> hits(tracer.instances.each.size());
+    std::vector<std::uint64_t> hits(scene.instances.size());
     HitCounter counter(device, tracer);
     for (const Camera& camera : cameras) counter.addPicture(small, camera, hits);
     const std::uint64_t pixels = std::uint64_t{small.width} * small.height * cameras.size();

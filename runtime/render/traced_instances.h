@@ -13,17 +13,19 @@
 
 namespace pointrt {
 
-/// An instance with its programs and descriptor sets.
+/// An instance, or the tiles in a block, with their programs and descriptor sets.
 struct TracedInstance {
     const InstancePrograms* programs = nullptr;
     DescriptorSets sets;
+    std::vector<std::size_t> places; ///< of the instances among the scene's
+    std::uint32_t beams = 1;         ///< per tile of pixels
     bool is_gaussian = false;
     std::uint32_t gaussian_runs = 1; ///< of composite_gaussians
 };
 
 /// Consecutive instances that rays are culled for together.
 struct CullGroup {
-    std::size_t first = 0, count = 0;
+    std::size_t first = 0, count = 0; ///< in TracedInstances::each
     const CullPrograms* programs = nullptr;
     Buffer boxes; ///< gpu::CullBoxes
     DescriptorSets sets;
@@ -31,8 +33,9 @@ struct CullGroup {
 
 struct TracedInstances {
     VkDescriptorPool pool = VK_NULL_HANDLE;
-    std::vector<TracedInstance> each;   ///< in the order of the scene's instances
-    std::vector<CullGroup> cull_groups; ///< of all instances, or empty: each instance is intersected with all rays
+    std::vector<TracedInstance> each;   ///< single instances in the order of the scene's, then tiles in blocks
+    std::vector<CullGroup> cull_groups; ///< of all single ones, or empty: each is intersected with all rays
+    std::vector<Buffer> tables;         ///< of the tiles in blocks: gpu::CullBoxes and gpu::PooledTile rows
     DescriptorSets sets;                ///< for programs that read no instance
 };
 

@@ -3,7 +3,7 @@
 // times as fast as storage buffers, and they may hold 2 GiB, while storage buffers end at 128 MiB. Larger buffers have
 // further pages in a descriptor set of their own, for programs built with PAGED (pages.glsl). The loops of traversal
 // and blending read image buffers: lavapipe inlines image loads, while texel fetches are calls that spill all live
-// registers.
+// registers. POOLED: programs for the tiles in a block, each lane of which chooses its tile (pool.glsl).
 #ifndef POINTRT_SHADERS_INSTANCE_BINDINGS_GLSL
 #define POINTRT_SHADERS_INSTANCE_BINDINGS_GLSL
 #include "shaders/shared/bindings.h"
@@ -20,11 +20,20 @@ layout(binding = BINDING_NEAR, rgba32ui) uniform readonly uimageBuffer near_word
 layout(binding = BINDING_BLENDING, r32ui) uniform readonly uimageBuffer blending_words;
 layout(binding = BINDING_SLABS, r32ui) uniform readonly uimageBuffer slab_words;
 layout(binding = BINDING_NOISE) uniform usamplerBuffer noise_words; // 16 bytes per texel: one page holds 2^31 splats
+#ifdef POOLED
+layout(std140, binding = BINDING_INSTANCE) uniform InstanceBuffer { InstanceParams first_instance; };
+#include "shaders/lib/pool.glsl"
+#else
 layout(std140, binding = BINDING_INSTANCE) uniform InstanceBuffer { InstanceParams instance; };
+#define loadClipPlane(i) instance.clip_planes[i]
+#define loadColorRange(i) instance.color_range[i]
+#define loadGrid(i) imageLoad(grid_words, int(i)).x
+#define loadNoise(i) (texelFetch(noise_words, int((i) >> 4))[(i) >> 2 & 3u] >> (8u * ((i) & 3u)) & 0xFFu)
+#endif
 
 #ifdef PAGED
 #include "shaders/lib/pages.glsl"
-#else
+#elif !defined(POOLED)
 #define loadBrickWord(i) imageLoad(brick_words, int(i)).x
 #define loadCell(i) texelFetch(cell_words, int(i))
 #define loadSlab(i) imageLoad(slab_words, int(i)).x
@@ -34,8 +43,6 @@ layout(std140, binding = BINDING_INSTANCE) uniform InstanceBuffer { InstancePara
 #define loadListed(i) loadListedPair((i) >> 1)[(i) & 1u]
 #define loadSplat(i) imageLoad(splat_words, int(i))
 #endif
-#define loadNoise(i) (texelFetch(noise_words, int((i) >> 4))[(i) >> 2 & 3u] >> (8u * ((i) & 3u)) & 0xFFu)
-#define loadGrid(i) imageLoad(grid_words, int(i)).x
 
 // A number below 2^31 from a uniform block that controls a loop or a branch. Without this lavapipe treats it as a
 // constant and recompiles the program at each dispatch, which takes milliseconds.

@@ -3,10 +3,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/bindings.glsl"
+#include "shaders/shared/groups_for.h"
 
 layout(local_size_x = 1) in;
-
-uvec3 groupsFor(uint lanes) { return uvec3((lanes + WORKGROUP_SIZE - 1u) / WORKGROUP_SIZE, 1u, 1u); }
 
 void setList(uint list, uint start, uint count) {
     control.lists[list].groups = groupsFor(count);
@@ -19,6 +18,7 @@ void setList(uint list, uint start, uint count) {
 void emptyHits() {
     control.hit_groups = groupsFor(0u);
     control.hit_count = 0u;
+    for (uint list = LIST_CULLED; list < LISTS; list++) control.lists[list].hits = 0u;
 }
 
 void reset() {

@@ -15,7 +15,8 @@ enum class Binding : std::uint32_t {};
 #define POINTRT_BINDING(number) number
 #endif
 
-// Descriptor set of the second and later pages of an instance's large buffers; everything else is in set 0.
+// Descriptor set of the second and later pages of an instance's large buffers, or of the tiles in a block; everything
+// else is in set 0.
 #define SET_PAGES 1
 
 // Buffers of one instance (runtime/device_scene/device_scan.cpp).
@@ -82,6 +83,9 @@ enum class Binding : std::uint32_t {};
 #define BINDING_LISTED_PAGES POINTRT_BINDING(4)
 #define BINDING_BLENDING_PAGES POINTRT_BINDING(5)
 #define BINDING_SPLAT_PAGES POINTRT_BINDING(6)
+
+// The tiles in a block, in set SET_PAGES (runtime/render/pooled_tiles.h).
+#define BINDING_POOLED_TILES POINTRT_BINDING(7)
 
 // Display pipeline: film to colours and denoiser guides, colours to pixels.
 #define BINDING_RESOLVE_FILM POINTRT_BINDING(36)

@@ -17,7 +17,7 @@ namespace pointrt::gpu {
 // Square tile of pixels whose camera rays share a beam.
 #define TILE_SIDE 8u
 #define TILE_PIXELS 64u
-// Free distance of a beam that misses everything.
+// Free distance of a beam that misses everything. Of pooled tiles each has its own.
 #define BEAM_MISSES 1e30f
 
 // Features of a scene (shaders/lib/features.glsl).
@@ -100,7 +100,7 @@ struct RayList {
     uint start;     // index in queues
     uint appended;  // entries appended so far; prepare turns them into count
     uint compacted; // culled lists: entries that compact has written
-    uint unused;
+    uint hits;      // culled lists: rays that have hit the pooled tile (STEP_COUNT_HITS)
 };
 
 // Counters, and for each indirect dispatch its group count and the length of its list.
@@ -282,6 +282,11 @@ struct PushParams {
 #define STEP_RESUME 2048u     // composite_gaussians: rays that the run before has cut go on; or rays of a list do
 #define STEP_FINAL 4096u      // composite_gaussians: no run of this instance follows; blend_gaussians: no round follows
 #define STEP_FIRST_HITS 8192u // gather_gaussians: for first hits, not for light
+#define STEP_COUNT_HITS 16384u // intersect_closest: count the hits on each pooled tile
+
+// hit_texels, pooled tiles: the tile's place among those of its program, above the owner, until surface has read it.
+#define HIT_PLACE_SHIFT 8u
+#define HIT_OWNER_MASK 0xFFu
 
 // An entry of LIST_SHADOW_RAYS: the path, and above it the index of its light sample.
 #define SHADOW_RAY_LIGHT_SHIFT 27u

@@ -63,11 +63,24 @@ struct InstanceParams {
     vec4 clip_planes[MAX_CLIP_PLANES];   // in the cube: points p with dot(xyz, p) >= w are kept; xyz: unit length
 };
 
+// A tile in a block of the device's texel pool, which programs read through one binding with others. Starts of its
+// sections in the block: in words, and in texels of four words.
+struct PooledTile {
+    InstanceParams instance;
+    uvec4 words;  // grid, bricks, slabs, blending
+    uvec4 quads;  // cells, near splats, splats, noise
+    uvec4 listed; // x: in words
+};
+#define INSTANCE_VECTORS 52
+#define POOLED_TILE_VECTORS 55
+
 #ifdef __cplusplus
 POINTRT_ROWS(Material, MATERIAL_VECTORS);
 POINTRT_ROWS(Shape, SHAPE_VECTORS);
 POINTRT_ROWS(Light, LIGHT_VECTORS);
-POINTRT_ROWS(InstanceParams, 12 + MAX_COLOR_RANGES + MAX_CLIP_PLANES);
+POINTRT_ROWS(InstanceParams, INSTANCE_VECTORS);
+static_assert(INSTANCE_VECTORS == 12 + MAX_COLOR_RANGES + MAX_CLIP_PLANES);
+POINTRT_ROWS(PooledTile, POOLED_TILE_VECTORS);
 } // namespace pointrt::gpu
 #endif
 

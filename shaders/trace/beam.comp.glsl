@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Beam tracing: the distance that all camera rays of a tile of pixels can skip. One lane per tile marches a beam around
 // its rays through the entry grid: a cone, or a prism with parallel projection. Tiles whose beam leaves the grid are
-// done; the others are queued for intersect_camera.
+// done; the others are queued for intersect_camera. Of tiles in a block each takes a lane per tile of pixels.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_ballot : require
@@ -85,21 +85,54 @@ float marchBeam(Beam beam) {
     return t < t_far ? max(0.0, t * (1.0 - 1e-6) / scale - 2.0 * PRO_POSITION_STEP) : BEAM_MISSES;
 }
 
-void main() {
-    uint tile = gl_GlobalInvocationID.x;
-    bool live = tile < bandTiles();
+// Of all rays of a tile of pixels.
+float freeDistance(uint tile) {
     // around the picture's whole tile, of which a band may hold only some rows: distances do not depend on the bands
     float rows_above = float(params.first_row % TILE_SIDE);
     float safe = marchBeam(tileBeam(pixelCorner(tileCorner(tile)) - vec2(0.0, rows_above)));
-    if (hasStep(STEP_PIXEL_LIST)) safe = 0.0; // the pixels of a list are not neighbours
-    if (live) beams[tile] = safe;
+    return hasStep(STEP_PIXEL_LIST) ? 0.0 : safe; // the pixels of a list are not neighbours
+}
 
-    uvec4 ballot = subgroupBallot(live && safe < BEAM_MISSES);
+// All lanes of the subgroup must call it.
+void queueTile(bool queues_it, uint tile) {
+    uvec4 ballot = subgroupBallot(queues_it);
     uint count = subgroupBallotBitCount(ballot), start = 0u;
     if (subgroupElect() && count > 0u) {
         start = atomicAdd(control.tile_count, count);
         atomicMax(control.tile_groups.x, ((start + count) * TILE_PIXELS + WORKGROUP_SIZE - 1u) / WORKGROUP_SIZE);
     }
     start = subgroupBroadcastFirst(start);
-    if (live && safe < BEAM_MISSES) queues[start + subgroupBallotExclusiveBitCount(ballot)] = tile;
+    if (queues_it) queues[start + subgroupBallotExclusiveBitCount(ballot)] = tile;
 }
+
+#ifdef POOLED
+#include "shaders/trace/pool_beam.glsl"
+
+// Of the tiles of pixels of this workgroup, at most one for each lane.
+shared uint masks[WORKGROUP_SIZE];
+
+void main() {
+    masks[gl_LocalInvocationID.x] = 0u;
+    barrier();
+    uint tile = gl_GlobalInvocationID.x / kCullBoxes, place = gl_GlobalInvocationID.x % kCullBoxes;
+    uint in_group = gl_LocalInvocationID.x / kCullBoxes;
+    bool in_band = tile < bandTiles(), live = in_band && (cull.instances.x >> place & 1u) != 0u;
+    selectTile(live ? place : 0u);
+    float safe = freeDistance(in_band ? tile : 0u);
+    if (live) beams[beamPlace(tile, place)] = safe;
+    if (live && safe < BEAM_MISSES) atomicOr(masks[in_group], 1u << place);
+    barrier();
+    uint mask = masks[in_group];
+    bool is_first = place == 0u && in_band && mask != 0u;
+    if (is_first) queues[beamMaskPlace(tile)] = mask;
+    queueTile(is_first, tile);
+}
+#else
+void main() {
+    uint tile = gl_GlobalInvocationID.x;
+    bool live = tile < bandTiles();
+    float safe = freeDistance(tile);
+    if (live) beams[tile] = safe;
+    queueTile(live && safe < BEAM_MISSES, tile);
+}
+#endif

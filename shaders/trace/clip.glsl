@@ -13,7 +13,7 @@ vec2 keptInterval(vec3 origin, vec3 direction) {
     vec2 kept = vec2(-kUnclipped, kUnclipped);
     uint planes = ofLane(instance.grid_words.w);
     for (uint i = 0u; i < planes; i++) {
-        vec4 plane = instance.clip_planes[i];
+        vec4 plane = loadClipPlane(i);
         float slope = dot(plane.xyz, direction), height = plane.w - dot(plane.xyz, origin);
         // of a ray parallel to the plane this is far before or far behind everything, as it lies inside or outside
         float t = height / (slope == 0.0 ? 1e-20 : slope);

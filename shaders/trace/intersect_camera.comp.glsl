@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Closest hits on one instance of the camera rays, in the tiles of pixels whose beam did not miss it.
+// Closest hits of the camera rays on one instance, in the tiles of pixels whose beam did not miss it, or on the tiles in
+// a block.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/bindings.glsl"
@@ -9,6 +10,26 @@
 #include "shaders/lib/camera_ray.glsl"
 #include "shaders/lib/append.glsl"
 #include "shaders/trace/store_hit.glsl"
+#ifdef POOLED
+#include "shaders/trace/pool_beam.glsl"
+#include "shaders/trace/pool_hit.glsl"
+
+// tile: of the picture.
+PooledHit closestInTiles(CameraRay ray, uint tile, bool live, uvec4 hit) {
+    PooledHit closest = PooledHit(hit, false);
+    uint tiles = live ? beamMask(tile) : 0u;
+    while (tiles != 0u) {
+        uint place = uint(findLSB(tiles));
+        tiles &= tiles - 1u;
+        selectTile(place);
+        takeHit(place,
+                trace(TraceRay(cubePoint(ray.origin), cubeDirection(ray.direction), loadBeam(beamPlace(tile, place)),
+                               maxDistance(closest), vec3(0.0), 0.0)),
+                closest);
+    }
+    return closest;
+}
+#endif
 
 void main() {
     uint lane = balancedLane();
@@ -17,6 +38,11 @@ void main() {
     bool live = queued && isPixel(index);
     index = live ? index : 0u; // idle lanes take part: appending needs the whole subgroup
     CameraRay ray = cameraRay(tilePixel(tile, lane % TILE_PIXELS));
+#ifdef POOLED
+    PooledHit closest = closestInTiles(ray, tile, live, loadHit(index));
+    storeHit(closest.found, index, closest.words);
+#else
     storeHit(live, index, trace(TraceRay(cubePoint(ray.origin), cubeDirection(ray.direction), loadBeam(tile),
                                          live ? maxDistance(index) : -1.0, vec3(0.0), 0.0)));
+#endif
 }

@@ -1,14 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
-// Closest hits on one instance of the rays of LIST_INSTANCE_RAYS, or of what culling left of them.
+// Closest hits of the rays of LIST_INSTANCE_RAYS, or of what culling left of them, on one instance or on the tiles in a
+// block.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/trace/trace_queued.glsl"
 #include "shaders/lib/append.glsl"
 #include "shaders/trace/store_hit.glsl"
+#ifdef POOLED
+#include "shaders/trace/cull.glsl"
+#include "shaders/trace/pool_hit.glsl"
+
+PooledHit closestInTiles(uint path, bool live) {
+    QueuedRay ray = queuedRay(path);
+    PooledHit closest = PooledHit(loadHit(path), false);
+    uint tiles = live ? cullMask(cullRay(ray.origin, ray.direction, uintBitsToFloat(closest.words.x))) : 0u;
+    while (tiles != 0u) {
+        uint place = uint(findLSB(tiles));
+        tiles &= tiles - 1u;
+        selectTile(place);
+        takeHit(place, traceQueued(ray, maxDistance(closest)), closest);
+    }
+    return closest;
+}
+#endif
 
 void main() {
     uint path = listEntry(balancedLane());
     bool live = path != NO_INDEX; // idle lanes take part: appending to the hit list needs the whole subgroup
     path = live ? path : 0u;
+#ifdef POOLED
+    PooledHit closest = closestInTiles(path, live);
+    storeHit(closest.found, path, closest.words);
+#else
     storeHit(live, path, tracePath(path, live ? maxDistance(path) : -1.0));
+#endif
 }

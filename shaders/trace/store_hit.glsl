@@ -6,13 +6,19 @@
 // t_max of the ray of a path, in cube units: the closest hit so far.
 float maxDistance(uint path) { return uintBitsToFloat(loadHit(path).x) * cubeScale(); }
 
-// Stores a hit nearer than the one so far, with t in render units, and appends the path to the hit list for surface.
-void storeHit(bool live, uint path, TraceHit hit) {
-    bool hits = live && hit.disc != NO_INDEX;
-    if (hits)
-        imageStore(hit_texels, int(path),
-                   uvec4(floatBitsToUint(hit.t / cubeScale()), hit.cell, hit.disc, instance.materials.x));
+// A hit as hit_texels has it, with t in render units.
+uvec4 storedHit(TraceHit hit) {
+    return uvec4(floatBitsToUint(hit.t / cubeScale()), hit.cell, hit.disc, instance.materials.x);
+}
+
+// Stores a hit nearer than the one so far and appends the path to the hit list for surface.
+void storeHit(bool hits, uint path, uvec4 hit) {
+    if (hits) imageStore(hit_texels, int(path), hit);
     appendEntry(APPEND_HIT, hits, path);
+}
+
+void storeHit(bool live, uint path, TraceHit hit) {
+    storeHit(live && hit.disc != NO_INDEX, path, storedHit(hit));
 }
 
 #endif

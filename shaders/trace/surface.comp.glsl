@@ -20,7 +20,7 @@ uint materialOf(BlendedSurface surface) {
     uint material = instance.materials.y + surface.material;
     uint ranges = ofLane(instance.materials.z);
     for (uint i = 0u; i < ranges; i++) {
-        uvec4 range = instance.color_range[i];
+        uvec4 range = loadColorRange(i);
         if (between(surface.color, range.x, range.y)) material = range.z;
     }
     return material;
@@ -32,6 +32,10 @@ void main() {
     uint index = loadQueue(hitListStart() + lane);
     PathState path = pathOf(index);
     uvec4 hit = loadHit(index);
+#ifdef POOLED
+    selectTile(hit.w >> HIT_PLACE_SHIFT);
+    hit.w &= HIT_OWNER_MASK;
+#endif
     hit.x = floatBitsToUint(uintBitsToFloat(hit.x) * cubeScale());
     BlendedSurface surface = surfaceAt(cubePoint(path.origin), cubeDirection(path.direction), path.self_t * cubeScale(), hit,
                                        isSeen(path.bits));

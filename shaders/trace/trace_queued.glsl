@@ -5,9 +5,24 @@
 #include "shaders/trace/splat.glsl"
 #include "shaders/trace/trace.glsl"
 
-// Up to t_max, in cube units.
-TraceHit tracePath(uint path, float t_max) {
+// The part of a PathState that is traced.
+struct QueuedRay {
+    vec3 origin;
+    float self_t;
+    vec3 direction;
+    vec3 self_normal;
+    uint owner;
+};
+
+QueuedRay queuedRay(uint path) {
     uvec4 origin = loadPathTexel(path, PATH_ORIGIN), left = loadPathTexel(path, PATH_SELF_NORMAL);
-    return trace(secondaryRay(asVector(origin), asVector(loadPathTexel(path, PATH_DIRECTION)), t_max, asVector(left),
-                              left.w >> PATH_OWNER_SHIFT, asFloat(origin.w)));
+    return QueuedRay(asVector(origin), asFloat(origin.w), asVector(loadPathTexel(path, PATH_DIRECTION)), asVector(left),
+                     left.w >> PATH_OWNER_SHIFT);
 }
+
+// Up to t_max, in cube units.
+TraceHit traceQueued(QueuedRay ray, float t_max) {
+    return trace(secondaryRay(ray.origin, ray.direction, t_max, ray.self_normal, ray.owner, ray.self_t));
+}
+
+TraceHit tracePath(uint path, float t_max) { return traceQueued(queuedRay(path), t_max); }

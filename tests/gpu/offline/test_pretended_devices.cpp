@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A Vulkan layer (layer.cpp) makes the local device look like others. Tests that pictures equal the CPU's to the bit,
 // count submissions, waits and allocations, and check that devices without the required limits are refused.
-#include <dlfcn.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <map>
 #include <memory>
 #include <string>
@@ -14,6 +12,7 @@
 #include "runtime/gpu/memory_budget.h"
 #include "runtime/render/loaded_scene.h"
 #include "runtime/render/progressive_renderer.h"
+#include "tests/gpu/offline/pretended.h"
 #include "tests/support/says.h"
 #include "tests/support/validated_device.h"
 #include "tests/trace/render_helper.h"
@@ -23,49 +22,6 @@ namespace {
 
 constexpr std::uint32_t kSide = 48;
 constexpr std::uint32_t kBounces = 4;
-
-/// Variables of the environment while it lives.
-class Environment {
-public:
-    explicit Environment(std::map<std::string, std::string> variables) : variables_(std::move(variables)) {
-        for (const auto& [name, value] : variables_) setenv(name.c_str(), value.c_str(), 1);
-    }
-    ~Environment() {
-        for (const auto& [name, value] : variables_) unsetenv(name.c_str());
-    }
-    Environment(const Environment&) = delete;
-    Environment& operator=(const Environment&) = delete;
-
-private:
-    std::map<std::string, std::string> variables_;
-};
-
-/// With the layer, beside others that are installed.
-std::map<std::string, std::string> layered(std::map<std::string, std::string> more = {}) {
-    more["VK_ADD_LAYER_PATH"] = POINTRT_LAYER_FOLDER;
-    more["VK_INSTANCE_LAYERS"] = "VK_LAYER_POINTRT_pretend";
-    return more;
-}
-
-/// The layer's count of that name.
-std::uint64_t counted(const char* name) {
-    static const auto count = reinterpret_cast<std::uint64_t (*)(const char*)>(
-        dlsym(dlopen(POINTRT_LAYER_FOLDER "/libpointrt_pretend.so", RTLD_NOW), "pointrtLayerCount"));
-    return count ? count(name) : 0;
-}
-
-/// Counts of Vulkan calls since construction.
-class Counts {
-public:
-    std::uint64_t of(const char* name) const { return counted(name) - before_.at(name); }
-
-private:
-    std::map<std::string, std::uint64_t> before_{{"submits", counted("submits")},
-                                                 {"waits", counted("waits")},
-                                                 {"allocations", counted("allocations")},
-                                                 {"dispatches", counted("dispatches")},
-                                                 {"barriers", counted("barriers")}};
-};
 
 RenderSettings pathSettings() {
     RenderSettings settings = square(kSide);

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tiles that lie in one block (runtime/gpu/texel_pool.h): a lane selects a tile and then reads it as other programs read
+// their instance.
+#ifndef POINTRT_SHADERS_POOL_GLSL
+#define POINTRT_SHADERS_POOL_GLSL
+
+layout(set = SET_PAGES, binding = BINDING_POOLED_TILES) uniform usamplerBuffer pooled_tiles; // PooledTile
+
+// What InstanceParams has but for its arrays and the harmonics, and the starts of the sections.
+struct PooledInstance {
+    vec4 row_x;
+    vec4 row_y;
+    vec4 row_z;
+    vec4 splat;
+    vec4 grid_scale;
+    uvec4 grid_origin;
+    uvec4 grid_size;
+    uvec4 grid_words;
+    uvec4 materials;
+    vec4 core_low;
+    vec4 core_high;
+    uvec4 words;
+    uvec4 quads;
+    uint listed;
+};
+
+PooledInstance instance; // of the lane's tile
+int pooled_row;          // of that tile in the table
+
+uvec4 pooledRow(int row) { return texelFetch(pooled_tiles, pooled_row + row); }
+vec4 pooledVector(int row) { return uintBitsToFloat(pooledRow(row)); }
+
+const int kColorRangeRow = INSTANCE_VECTORS - MAX_CLIP_PLANES - MAX_COLOR_RANGES;
+const int kClipPlaneRow = INSTANCE_VECTORS - MAX_CLIP_PLANES;
+
+// place: of the tile among those of the program.
+void selectTile(uint place) {
+    pooled_row = int(place) * POOLED_TILE_VECTORS;
+    instance = PooledInstance(pooledVector(0), pooledVector(1), pooledVector(2), pooledVector(3), pooledVector(4),
+                              pooledRow(5), pooledRow(6), pooledRow(7), pooledRow(8), pooledVector(9), pooledVector(10),
+                              pooledRow(INSTANCE_VECTORS), pooledRow(INSTANCE_VECTORS + 1),
+                              pooledRow(INSTANCE_VECTORS + 2).x);
+}
+
+#define loadClipPlane(i) pooledVector(kClipPlaneRow + int(i))
+#define loadColorRange(i) pooledRow(kColorRangeRow + int(i))
+#define loadGrid(i) imageLoad(grid_words, int((i) + instance.words.x)).x
+#define loadBrickWord(i) imageLoad(brick_words, int((i) + instance.words.y)).x
+#define loadSlab(i) imageLoad(slab_words, int((i) + instance.words.z)).x
+#define loadBlending(i) imageLoad(blending_words, int((i) + instance.words.w)).x
+#define loadCell(i) texelFetch(cell_words, int((i) + instance.quads.x))
+#define loadNearPair(i) imageLoad(near_words, int((i) + instance.quads.y))
+#define loadSplat(i) imageLoad(splat_words, int((i) + instance.quads.z))
+#define loadListed(i) texelFetch(listed_words, int((i) + instance.listed)).x
+#define loadNoise(i) \
+    (texelFetch(noise_words, int(((i) >> 4) + instance.quads.w))[(i) >> 2 & 3u] >> (8u * ((i) & 3u)) & 0xFFu)
+
+#endif
