@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A desktop window (X11 or Wayland, through GLFW): input, clipboard, cursor and a Vulkan surface. Main thread only,
+// A desktop window (X11, Wayland or Windows, through GLFW): input, clipboard, cursor and a Vulkan surface. Main thread only,
 // except wakePlatform.
 #pragma once
 
