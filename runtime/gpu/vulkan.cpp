@@ -38,8 +38,7 @@ void loadInstanceFunction(VkInstance instance, const char* name, Function& funct
 void* openVulkan() {
     void* opened = openLibrary(kVulkan);
     if (!opened)
-        throw Error{ExitCode::kCannotRun, std::string("no Vulkan loader (") + kVulkan.here() +
-                                              "): " + kAdvice.here()};
+        throw Error{ExitCode::kCannotRun, std::string("no Vulkan loader (") + kVulkan.here() + "): " + kAdvice.here()};
 #define POINTRT_LOAD_VULKAN(name) loadFunction(opened, #name, name);
     POINTRT_VULKAN_FUNCTIONS(POINTRT_LOAD_VULKAN)
 #undef POINTRT_LOAD_VULKAN

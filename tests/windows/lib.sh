@@ -42,7 +42,7 @@ needs() {
 needsDisplay() {
     command -v Xvfb >/dev/null || skip "no Xvfb here"
     mkfifo display
-    Xvfb -displayfd 3 -screen 0 800x600x24 -nolisten tcp 3>display 2>/dev/null &
+    Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp 3>display 2>/dev/null &
     x_server=$!
     read -r number <display
     export DISPLAY=:$number

@@ -80,8 +80,8 @@ cmp path.exr continued.exr
 wine "$build/bin/pointrt-view.exe" sphere.pro -q --cameras cameras.json --spp 2 -o cameras
 diff -r here.cameras cameras || fail "pictures of cameras differ"
 mkdir here windows
-"$bin/pointrt-view" sphere.pro -q --turntable 3 --size 20x20 --spp 1 -o here/t.png
-wine "$build/bin/pointrt-view.exe" sphere.pro -q --turntable 3 --size 20x20 --spp 1 -o windows/t.png
+"$bin/pointrt-view" sphere.pro -q --turntable 3 --size 20x20 --spp 1 -o here/%d.png
+wine "$build/bin/pointrt-view.exe" sphere.pro -q --turntable 3 --size 20x20 --spp 1 -o windows/%d.png
 diff -r here windows || fail "turntables differ"
 
 for name in "${names[@]}"; do

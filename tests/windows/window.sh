@@ -9,12 +9,12 @@ needs pointrt-view
 sphere 3000 | awk '$1 > 0' >half.xyz
 "$bin/pointrt-bake" -q half.xyz -o half.pro
 cat >user.txt <<'END'
-pointrt-recording 1 window 900x600 scale 1
+pointrt-recording 1 window 640x480 scale 1
 0 wait 1
-1 cursor 280 260
+1 cursor 150 200
 1 button down left
-2 cursor 300 265
-3 cursor 320 270
+2 cursor 170 205
+3 cursor 190 210
 4 button up left
 4 wait 4
 5 screenshot shown
