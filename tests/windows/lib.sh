@@ -68,7 +68,8 @@ refused() {
     [ "$(wc -l <windows.err)" = 1 ] || fail "$*: not one line: $(cat windows.err)"
     grep -q "^$1: error: " windows.err || fail "$*: $(cat windows.err)"
 }
-# written FILE TOOL ARGUMENT...: with -o FILE, both write the same file, and print the same.
+# written FILE TOOL ARGUMENT...: with -o FILE, both write the same file, and say the same but for the \ that Windows joins
+# names with.
 written() {
     local file=$1 tool=$2 name
     shift 2
@@ -78,7 +79,7 @@ written() {
     wine "$build/bin/$tool.exe" "$@" -o "$file" >windows.out 2>windows.err </dev/null ||
         fail "$tool $*: fails in Windows: $(cat windows.err)"
     cmp "here.$name" "$file" || fail "$tool $* -o $file: another file in Windows"
-    cmp here.err windows.err || fail "$tool $*: says otherwise in Windows: $(cat windows.err)"
+    tr '\\' / <windows.err | cmp here.err - || fail "$tool $*: says otherwise in Windows: $(cat windows.err)"
 }
 
 # Names of any characters, and paths longer than the 260 characters of old.

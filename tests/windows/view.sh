@@ -100,7 +100,7 @@ sed 's/kind = "glass"/kind = "glas"/' scene.toml >kind.toml
 sed 's/sphere.pro/none.pro/' scene.toml >missing.toml
 sed 's/type = "plane"/typ = "plane"/' scene.toml >key.toml
 echo 'not toml' >words.toml
-for input in none.pro folder empty.pro eye.toml kind.toml missing.toml key.toml words.toml none.toml; do
+for input in none.pro empty.pro eye.toml kind.toml missing.toml key.toml words.toml none.toml; do
     refused pointrt-view "$input" -o a.png
 done
 for options in '--size 0x9' '--spp many' '--eye 1,2' '--no-such-option' '-o a.jpg' '-o none/a.png' '-o folder' '--device 99' \
