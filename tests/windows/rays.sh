@@ -33,7 +33,7 @@ cmp here.columns windows.columns || fail "pointrt-rays ${scan[*]}: other points 
 paste -d, <(cut -d, -f11 here.csv) <(cut -d, -f11 windows.csv) |
     awk -F, 'NR > 1 && ($1 - $2) ^ 2 > 3e-5 ^ 2 { bad = 1 } END { exit bad }' || # two steps of a float of 90
     fail "incidence_deg differs"
-for kind in distance polyline volume; do
+for kind in angle polyline volume; do
     for suffix in csv geojson dxf json; do
         [ $kind.$suffix != volume.json ] || continue
         written $kind.$suffix pointrt-rays measure sphere.pro --kind $kind --points "0.5,0,2 0,0.5,2 -0.5,-0.5,2" --up 0,0,1

@@ -119,7 +119,7 @@ DISPLAY='' run pointrt-view sphere.pro -o a.png --device 99 # no driver
 (exec wine "$build/bin/pointrt-view.exe" scene.toml --size 200x150 --spp 60000 --progress lines -o stopped.exr 2>progress) &
 viewer=$!
 for _ in $(seq 600); do
-    ! grep -q 'progress 0\.0*[1-9]' progress || break
+    ! grep -q '^progress .* samples' progress || break
     sleep 0.1
 done
 kill -INT $viewer
