@@ -15,7 +15,7 @@ if(WIN32)
   enable_language(RC)
   target_sources(pointrt_os INTERFACE
     $<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:${PROJECT_SOURCE_DIR}/packaging/windows/pointrt.rc>)
-  target_link_options(pointrt_os INTERFACE -Wl,-u,mbrtowc)
+  target_link_options(pointrt_os INTERFACE -Wl,--wrap=mbrtowc -Wl,-u,__wrap_mbrtowc)
   target_link_libraries(pointrt_os PRIVATE psapi)
 endif()
 

@@ -5,7 +5,7 @@
 
 namespace pointrt {
 
-const char* LibraryName::here() const { return linux_name; }
+const char* SystemWords::here() const { return on_linux; }
 
 void* openLibrary(const LibraryName& name) { return dlopen(name.here(), RTLD_NOW | RTLD_LOCAL); }
 

@@ -4,12 +4,15 @@
 
 namespace pointrt {
 
-/// A library's file by system, looked up where the system keeps libraries.
-struct LibraryName {
-    const char *linux_name, *windows_name;
-    /// The one of this system.
+/// Words that differ by system.
+struct SystemWords {
+    const char *on_linux, *on_windows;
+    /// Those of this system.
     const char* here() const;
 };
+
+/// A library's file, looked up where the system keeps libraries, and on Windows beside the program.
+using LibraryName = SystemWords;
 
 /// Opens a library for the rest of the process. Null if it is missing.
 void* openLibrary(const LibraryName& name);

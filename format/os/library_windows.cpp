@@ -5,7 +5,7 @@
 
 namespace pointrt {
 
-const char* LibraryName::here() const { return windows_name; }
+const char* SystemWords::here() const { return on_windows; }
 
 void* openLibrary(const LibraryName& name) {
     // not the working folder, where anybody may have put a file of that name

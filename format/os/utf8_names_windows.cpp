@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // std::filesystem::path of libstdc++ makes names in bytes wide by the C library's mbrtowc. That of msvcrt.dll knows no
-// UTF-8, whatever the code page of the process; this one, which programs are linked with in its place, knows nothing
-// else.
+// UTF-8, whatever the code page of the process; this one knows nothing else. The linker gives it to who calls mbrtowc
+// (--wrap): libstdc++ also links others of msvcrt's functions, which bring msvcrt's own mbrtowc.
 #include <algorithm>
 #include <cerrno>
 #include <cwchar>
@@ -19,7 +19,7 @@ std::size_t lengthFrom(unsigned char lead) { return lead < 0x80 ? 1 : lead < 0xE
 } // namespace
 
 /// Of a character outside the basic plane the first call reads all bytes but the last, the second that.
-extern "C" std::size_t mbrtowc(wchar_t* to, const char* from, std::size_t bytes, std::mbstate_t* state) {
+extern "C" std::size_t __wrap_mbrtowc(wchar_t* to, const char* from, std::size_t bytes, std::mbstate_t* state) {
     static thread_local std::mbstate_t own_state = 0;
     std::mbstate_t& second_unit = state ? *state : own_state;
     if (!from || bytes == 0) return second_unit = 0;

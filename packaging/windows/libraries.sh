@@ -52,8 +52,9 @@ build glfw3 -D BUILD_SHARED_LIBS=ON -D GLFW_BUILD_DOCS=OFF -D GLFW_BUILD_TESTS=O
 
 # Dear ImGui has no build of its own
 mkdir -p "$prefix/include/imgui"
-cp "$work"/imgui-*/*.h "$prefix/include/imgui/"
-for source in imgui imgui_draw imgui_tables imgui_widgets; do
-    x86_64-w64-mingw32-g++-posix -O2 -I/usr/include/stb -c "$work"/imgui-*/"$source.cpp" -o "$work/$source.o"
+cp "$work"/imgui-*/*.h "$work"/imgui-*/misc/cpp/*.h "$prefix/include/imgui/"
+for source in imgui imgui_draw imgui_tables imgui_widgets misc/cpp/imgui_stdlib; do
+    x86_64-w64-mingw32-g++-posix -O2 -w -I"$prefix/include/imgui" -I/usr/include/stb \
+        -c "$work"/imgui-*/"$source.cpp" -o "$work/${source##*/}.o"
 done
 x86_64-w64-mingw32-ar rcsD "$prefix/lib/libimgui.a" "$work"/imgui*.o

@@ -20,6 +20,8 @@ namespace pointrt {
 
 namespace {
 
+using gpu::uint; // the masks of FEATURE_* cast to it
+
 /// Does nothing if the file is loaded.
 void loadFile(Device& device, DeviceScene& scene, const std::string& path, bool verbose) {
     if (scene.files.find(path)) return;

@@ -13,6 +13,8 @@ namespace pointrt {
 
 namespace {
 
+using gpu::uint; // the masks of FEATURE_* cast to it
+
 /// A row of a .pro as a material.
 MaterialDescription materialOfRow(const float* row, const RenderSettings& settings) {
     MaterialDescription material;

@@ -82,8 +82,7 @@ void requireValidationLayer() {
 void requireLoaderVersion() {
     std::uint32_t version = 0;
     check(vkEnumerateInstanceVersion(&version), "query the Vulkan loader's version");
-    if (version < kApiVersion)
-        throw Error{ExitCode::kCannotRun, "the Vulkan loader (libvulkan.so.1) is older than Vulkan 1.2"};
+    if (version < kApiVersion) throw Error{ExitCode::kCannotRun, "the Vulkan loader is older than Vulkan 1.2"};
 }
 
 VkInstance createInstance(std::vector<const char*> extensions) {

@@ -16,6 +16,8 @@ POINTRT_VULKAN_WINDOW_FUNCTIONS(POINTRT_DEFINE_VULKAN)
 namespace {
 
 constexpr LibraryName kVulkan{"libvulkan.so.1", "vulkan-1.dll"};
+constexpr SystemWords kAdvice{"install it and a driver (Debian, Ubuntu: libvulkan1 mesa-vulkan-drivers)",
+                              "install the graphics card's driver, which has it"};
 
 std::string loaderName() { return std::string("the Vulkan loader (") + kVulkan.here() + ")"; }
 
@@ -36,9 +38,7 @@ void loadInstanceFunction(VkInstance instance, const char* name, Function& funct
 void* openVulkan() {
     void* opened = openLibrary(kVulkan);
     if (!opened)
-        throw Error{ExitCode::kCannotRun, std::string("no Vulkan loader (") + kVulkan.here() +
-                                              "): install it and a driver "
-                                              "(Debian, Ubuntu: libvulkan1 mesa-vulkan-drivers)"};
+        throw Error{ExitCode::kCannotRun, std::string("no Vulkan loader (") + kVulkan.here() + "): " + kAdvice.here()};
 #define POINTRT_LOAD_VULKAN(name) loadFunction(opened, #name, name);
     POINTRT_VULKAN_FUNCTIONS(POINTRT_LOAD_VULKAN)
 #undef POINTRT_LOAD_VULKAN

@@ -63,6 +63,8 @@ namespace pointrt {
 
 namespace {
 
+using gpu::uint; // the masks of FEATURE_* cast to it
+
 /// Values of the specialization constants.
 struct Constants {
     InstanceTraits instance;

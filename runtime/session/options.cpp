@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <functional>
 #include <span>
 #include <stdexcept>
@@ -12,6 +11,7 @@
 #include "format/base/error.h"
 #include "format/base/require_pro.h"
 #include "format/cli/command_line.h"
+#include "format/os/desktop.h"
 #include "runtime/scene/turntable.h"
 #include "runtime/scene_io/scene_file.h"
 #include "runtime/session/option_table.h"
@@ -239,10 +239,9 @@ void requireBakeOptions(const Options& options) {
                             "--bake: " + std::string(refused) + " is not possible here; run pointrt-bake"};
 }
 
-/// Without a scene, a window opens with a page to start from, if there is a display or a recording.
+/// Without a scene, a window opens with a page to start from, if there is a desktop or a recording.
 void requireStartPage(const Options& options) {
-    const auto is_set = [](const char* name) { return std::getenv(name) && *std::getenv(name) != '\0'; };
-    const bool can_show = is_set("DISPLAY") || is_set("WAYLAND_DISPLAY") || !options.replay.empty();
+    const bool can_show = hasDesktop() || !options.replay.empty();
     if (!opensWindow(options) || !can_show) throw Error{ExitCode::kBadUsage, "no SCENE given"};
 }
 

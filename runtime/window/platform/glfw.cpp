@@ -10,6 +10,7 @@ namespace pointrt {
 namespace {
 
 constexpr LibraryName kGlfw{"libglfw.so.3", "glfw3.dll"};
+constexpr SystemWords kAdvice{"install it (Debian, Ubuntu: libglfw3)", "it belongs beside pointrt-view.exe"};
 
 template <typename Function>
 void loadFunction(void* library, const char* name, Function& function) {
@@ -21,9 +22,8 @@ void loadFunction(void* library, const char* name, Function& function) {
 Glfw openGlfw() {
     void* library = openLibrary(kGlfw);
     if (!library)
-        throw Error{ExitCode::kCannotRun, std::string("a window needs GLFW (") + kGlfw.here() +
-                                              "): install it (Debian, Ubuntu: libglfw3), "
-                                              "or render without one with -o FILE"};
+        throw Error{ExitCode::kCannotRun, std::string("a window needs GLFW (") + kGlfw.here() + "): " + kAdvice.here() +
+                                              ", or render without one with -o FILE"};
     Glfw functions;
 #define POINTRT_LOAD_GLFW(name) loadFunction(library, #name, functions.name);
     POINTRT_GLFW_FUNCTIONS(POINTRT_LOAD_GLFW)

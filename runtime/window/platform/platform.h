@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A desktop window (X11 or Wayland, through GLFW): input, clipboard, cursor and a Vulkan surface. Main thread only,
-// except wakePlatform.
+// A desktop window (X11, Wayland or Windows, through GLFW): input, clipboard, cursor and a Vulkan surface. Main thread
+// only, except wakePlatform.
 #pragma once
 
 #include <array>

@@ -6,23 +6,22 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <string>
+
+#include "format/os/desktop.h"
 
 namespace pointrt {
 namespace {
 
-// Sans serif fonts of Debian, Fedora and Arch. All are optional: Dear ImGui has a built-in font.
-constexpr const char* kFonts[] = {
-    "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
-    "/usr/share/fonts/TTF/DejaVuSans.ttf", "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
-    "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf"};
-
 /// Dear ImGui's built-in font is a 13-pixel bitmap.
 constexpr float kBitmapHeight = 13;
 
+/// False if the system has none; Dear ImGui has a built-in one.
 bool addOutlineFont(ImFontAtlas& atlas, float pixels) {
-    for (const char* path : kFonts) {
+    for (const std::string& path : interfaceFonts()) {
         std::error_code missing;
-        if (std::filesystem::is_regular_file(path, missing) && atlas.AddFontFromFileTTF(path, pixels)) return true;
+        if (std::filesystem::is_regular_file(path, missing) && atlas.AddFontFromFileTTF(path.c_str(), pixels))
+            return true;
     }
     return false;
 }

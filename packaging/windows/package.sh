@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Makes an archive of the tools for 64-bit Windows, which run wherever it is unpacked, and an installer of the same files:
+# pointrt-view, pointrt-rays, pointrt-info, GLFW's library, documentation and licences.
+#   packaging/windows/package.sh BUILD   BUILD: a build folder of cmake/mingw-w64.cmake
+# Prints both, pointrt-VERSION-windows-x86_64.zip and .exe in BUILD/packages. The archive has no date but that of the newest
+# commit.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+. .ci/common.sh
+
+export SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || stat -c %Y CHANGELOG.md)}
+umask 022
+for tool in zip makensis; do command -v $tool >/dev/null || die "$tool is missing: install the packages zip and nsis"; done
+build=$(cd "$1" && pwd)
+version=$(sed -n 's/^project(pointrt VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+name=pointrt-$version-windows-x86_64
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+tree=$work/$name
+
+for component in tools docs licences; do
+    cmake --install "$build" --prefix "$tree" --component $component --strip >"$work/log" || die "$(tail -1 "$work/log")"
+done
+rm -rf "$tree/share/mime" "$tree/share/applications" "$tree/share/icons" "$tree/share/thumbnailers" # of Linux's desktops
+
+# what the programs are linked with
+mkdir -p "$tree/share/doc/pointrt/libraries"
+for package in libcli11-dev libfmt-dev libglfw3-dev libimgui-dev libpng-dev libproj-dev libstb-dev libtinyexr-dev \
+    libtomlplusplus-dev libvulkan-dev libxxhash-dev libz-mingw-w64-dev nlohmann-json3-dev; do
+    cp -L "/usr/share/doc/$package/copyright" "$tree/share/doc/pointrt/libraries/$package.copyright"
+done
+
+out=$build/packages
+mkdir -p "$out"
+rm -f "$out/$name.zip"
+find "$tree" -exec touch -d "@$SOURCE_DATE_EPOCH" {} +
+(cd "$work" && find "$name" -type f | LC_ALL=C sort | TZ=UTC zip -9 -X -q "$out/$name.zip" -@)
+makensis -V2 -NOCD -DVERSION="$version" -DTREE="$tree" -DOUT="$out/$name.exe" packaging/windows/installer.nsi >"$work/log" ||
+    die "$(cat "$work/log")"
+say "installer: $out/$name.exe, $(du -h "$out/$name.exe" | cut -f1)"
+say "archive: $out/$name.zip, $(du -h "$out/$name.zip" | cut -f1); unpacked $(du -sh "$tree" | cut -f1)"

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: Apache-2.0
+# shellcheck shell=bash
+# Tests of the tools for Windows in Wine, beside those of this system: a script sources this with
+#   REPOSITORY BIN BUILD   BIN: the tools of this system; BUILD: where build.sh has built those for Windows
+# and is then in an empty folder.
+set -euo pipefail
+repository=$1 bin=$2 build=$3
+golden=$repository/tests/format/golden
+
+fail() {
+    echo "$*" >&2
+    exit 1
+}
+# skip REASON: CTest counts exit status 77 as a skipped test.
+skip() {
+    echo "SKIPPED: $*"
+    exit 77
+}
+
+command -v wine >/dev/null || skip "no wine here"
+
+work=$(mktemp -d)
+x_server=
+finish() {
+    wineserver -k 2>/dev/null || true # this prefix's alone
+    [ -z "$x_server" ] || kill "$x_server"
+    rm -rf "$work"
+}
+trap finish EXIT
+export WINEPREFIX=$work/wine WINEDEBUG=-all LC_ALL=C.UTF-8 POINTRT_INDEX_CACHE=off
+unset DISPLAY WAYLAND_DISPLAY
+cd "$work"
+
+# needs TOOL: skips the test if there is no such tool for Windows, else sets Wine up.
+needs() {
+    [ -e "$build/bin/$1.exe" ] || skip "$1.exe was not built: windows.build says why"
+    wineboot --init >log 2>&1 || fail "Wine does not start: $(cat log)"
+    cp "$build/bcryptprimitives.dll" "$WINEPREFIX/drive_c/windows/system32/"
+    wine "$build/bin/$1.exe" --version >log 2>&1 || fail "$1.exe does not run in Wine: $(cat log)"
+}
+# needsDisplay: starts an X server. Without one Wine shows neither windows nor Vulkan devices.
+needsDisplay() {
+    command -v Xvfb >/dev/null || skip "no Xvfb here"
+    mkfifo display
+    Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp 3>display 2>/dev/null &
+    x_server=$!
+    read -r number <display
+    export DISPLAY=:$number
+}
+
+# run TOOL ARGUMENT...: both, into here.out, here.err, windows.out, windows.err; their exit codes must be the same.
+run() {
+    local code=0 code_there=0 tool=$1
+    shift
+    "$bin/$tool" "$@" >here.out 2>here.err </dev/null || code=$?
+    wine "$build/bin/$tool.exe" "$@" >windows.out 2>windows.err </dev/null || code_there=$?
+    [ $code = $code_there ] || fail "$tool $*: exit code $code_there in Windows, $code here: $(cat windows.err)"
+}
+# alike TOOL ARGUMENT...: prints the same.
+alike() {
+    run "$@"
+    cmp here.out windows.out || fail "$*: prints otherwise in Windows: $(head -c 300 windows.out)"
+    cmp here.err windows.err || fail "$*: complains otherwise in Windows: $(cat windows.err)"
+}
+# refused TOOL ARGUMENT...: one line says why, and the exit code is the same.
+refused() {
+    run "$@"
+    [ "$(wc -l <windows.err)" = 1 ] || fail "$*: not one line: $(cat windows.err)"
+    grep -q "^$1: error: " windows.err || fail "$*: $(cat windows.err)"
+}
+# written FILE TOOL ARGUMENT...: with -o FILE, both write the same file, and say the same but for the \ that Windows joins
+# names with.
+written() {
+    local file=$1 tool=$2 name
+    shift 2
+    name=$(basename "$file")
+    "$bin/$tool" "$@" -o "$file" >here.out 2>here.err </dev/null || fail "$tool $*: $(cat here.err)"
+    mv "$file" "here.$name"
+    wine "$build/bin/$tool.exe" "$@" -o "$file" >windows.out 2>windows.err </dev/null ||
+        fail "$tool $*: fails in Windows: $(cat windows.err)"
+    cmp "here.$name" "$file" || fail "$tool $* -o $file: another file in Windows"
+    tr '\\' / <windows.err | cmp here.err - || fail "$tool $*: says otherwise in Windows: $(cat windows.err)"
+}
+
+# Names of any characters, and paths longer than the 260 characters of old.
+long=$(printf '%0100d/' 1 2 3)
+mkdir -p "$long"
+names=('Müller, Straße' 'скан 点群' 'emoji 😀' "${long}scan")
+
+# sphere COUNT: COUNT points spread over a unit sphere, as text.
+sphere() {
+    awk -v count="$1" 'BEGIN {
+        for (i = 0; i < count; i++) {
+            z = 1 - (2 * i + 1) / count; r = sqrt(1 - z * z); phi = i * 2.399963229728653
+            printf "%.6f %.6f %.6f %d %d %d\n", r * cos(phi), r * sin(phi), z, i % 256, 255 - i % 256, 128
+        }
+    }'
+}
