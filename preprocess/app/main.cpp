@@ -3,6 +3,7 @@
 
 #include "format/base/printable.h"
 #include "format/base/run_tool.h"
+#include "format/os/heap.h"
 #include "format/os/process.h"
 #include "preprocess/app/bake.h"
 #include "preprocess/app/bake_set.h"
@@ -26,6 +27,7 @@ int main(int argc, char** argv) {
     return runTool("pointrt-bake", [&] {
         BakeOptions options;
         if (!parseOptions(argc, argv, options)) return static_cast<int>(ExitCode::kDone);
+        returnLargeBlocks();
         installInterruptHandlers();
         keepWorkingWithoutReaders();
         if (options.isTileSet())

@@ -61,7 +61,7 @@ bool isTooSparse(const PointGraph& graph) {
     if (count >= kMostSparsePoints) return false;
     std::size_t volumetric = 0;
     for (std::size_t i = 0; i < count; ++i)
-        volumetric += fitPlane(momentsOf(graph.points, graph.lists.of(i), i)).misfit > kNoSurface;
+        volumetric += misfitOf(momentsOf(graph.points, graph.lists.of(i), i)) > kNoSurface;
     return double(volumetric) > kMostlySparse * double(count);
 }
 

@@ -4,9 +4,10 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
-#include "preprocess/surface/neighbors.h"
+#include "preprocess/surface/candidates.h"
 
 namespace pointrt::surface {
 
@@ -21,21 +22,9 @@ public:
     void fill(std::size_t begin, std::size_t end);
 
 private:
-    /// A struct of arrays, which compilers vectorise.
-    struct Candidates {
-        std::vector<std::uint32_t> indices;
-        std::vector<float> x, y, z;
-        std::size_t count = 0;
-    };
-
     void fillBlock(std::size_t begin, std::size_t end);
     void fillAlone(std::size_t point);
-    bool fetch(const Vec3f& center, float radius);
-    void measure(const Vec3f& from);
-    void keepWithin(float squared_radius);
-    void thinKept(float squared_radius);
-    void sortKept();
-    void storeKept(std::size_t point);
+    void store(std::size_t point, std::span<const std::uint32_t> nearest, std::span<const float> squared);
     float radiusByWindow(const Vec3f& center, std::size_t begin, std::size_t end);
 
     const PointSet& points_;
@@ -45,11 +34,8 @@ private:
     /// Distance from the point last filled to its last neighbour; infinite before the first.
     float radius_ = std::numeric_limits<float>::infinity();
     Candidates near_;
-    std::vector<float> squared_; ///< of near_, to one point
-    std::vector<float> kept_, sorted_;
-    std::vector<std::uint32_t> kept_indices_, sorted_indices_;
-    std::vector<std::uint16_t> used_; ///< [ranks], number of points with that rank
-    std::size_t kept_count_ = 0;
+    std::vector<std::uint32_t> alone_; ///< of fillAlone
+    std::vector<float> alone_squared_;
     std::vector<float> window_;
 };
 

@@ -50,7 +50,7 @@ struct OutlierJob {
 /// conspicuous.
 bool isFloater(const OutlierJob& job, std::size_t point) {
     if (job.distances[point] <= job.floater_distance) return false;
-    const float misfit = fitPlane(momentsOf(job.points, job.lists.of(point), point)).misfit;
+    const float misfit = misfitOf(momentsOf(job.points, job.lists.of(point), point));
     const float flat = job.distances[point] > kFarOut * job.floater_distance ? kNoPlaneFarOut : kNoPlane;
     return misfit > flat && std::isfinite(misfit); // infinite: on a line, such as a sparse scan line
 }

@@ -78,11 +78,11 @@ std::vector<std::uint8_t> markUneven(const PointSet& points, const NeighborLists
 /// The weight of a point that is not flat, from its neighbourhood.
 float ownWeight(const PointSet& points, const NeighborLists& lists, const std::vector<Moments>& moments,
                 std::size_t point) {
-    const float misfit = fitPlane(moments[point]).misfit;
+    const float misfit = misfitOf(moments[point]);
     if (misfit <= kPlanar) return 1;
     const float faces = ramp(faceShare(points, lists, point), kNoFaces, kFaces);
     if (faces == 1) return 1;
-    const float wider = fitPlane(spreadMoments(moments, points, lists, point)).misfit;
+    const float wider = misfitOf(spreadMoments(moments, points, lists, point));
     return std::max(faces, ramp(std::min(misfit, wider), kVolumetric, kPlanar));
 }
 

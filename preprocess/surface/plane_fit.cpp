@@ -50,6 +50,14 @@ Eigen::Matrix3d covarianceOf(const Moments& moments) {
     return matrix;
 }
 
+/// @param values eigenvalues in increasing order
+float misfitOf(const Vec3d& values) {
+    // A strip 30 times as long as wide determines a line, not a plane.
+    constexpr double kLine = 1.0 / (30 * 30);
+    const bool line = !(values[1] > kLine * values[2]);
+    return line ? std::numeric_limits<float>::infinity() : float(std::max(0.0, values[0]) / values[1]);
+}
+
 } // namespace
 
 PlaneFit fitPlane(const Moments& moments) {
@@ -59,11 +67,14 @@ PlaneFit fitPlane(const Moments& moments) {
     PlaneFit fit;
     const Vec3f normal = vectors.col(0).cast<float>();
     if (normal.allFinite() && normal.squaredNorm() > 0.5f) fit.normal = normal.normalized();
-    // A strip 30 times as long as wide determines a line, not a plane.
-    constexpr double kLine = 1.0 / (30 * 30);
-    const bool line = !(values[1] > kLine * values[2]);
-    fit.misfit = line ? std::numeric_limits<float>::infinity() : float(std::max(0.0, values[0]) / values[1]);
+    fit.misfit = misfitOf(values);
     return fit;
+}
+
+float misfitOf(const Moments& moments) {
+    Vec3d values;
+    pcl::eigen33(covarianceOf(moments), values);
+    return misfitOf(values);
 }
 
 Moments momentsOf(const PointSet& points, std::span<const std::uint32_t> neighbors, std::size_t point) {

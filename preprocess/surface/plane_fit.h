@@ -28,6 +28,9 @@ struct PlaneFit {
 /// not return the middle eigenvalue.
 PlaneFit fitPlane(const Moments& moments);
 
+/// fitPlane(moments).misfit, without the time that the normal takes: more than half.
+float misfitOf(const Moments& moments);
+
 /// Moments of a point and its neighbours with equal weights, by pcl::computeMeanAndCovarianceMatrix in double.
 Moments momentsOf(const PointSet& points, std::span<const std::uint32_t> neighbors, std::size_t point);
 

@@ -9,9 +9,11 @@
 #include <numbers>
 #include <optional>
 #include <span>
+#include <tbb/enumerable_thread_specific.h>
 
 #include "preprocess/cloud/median.h"
 #include "preprocess/surface/angle_gaps.h"
+#include "preprocess/surface/nearest_cache.h"
 #include "preprocess/surface/plane_fit.h"
 #include "preprocess/surface/thinned_cloud.h"
 
@@ -187,12 +189,13 @@ struct SurroundSearch {
     const std::vector<std::uint32_t>& isolated; ///< ThinnedCloud::findIsolated
     const std::vector<Suspicion>& suspicions;   ///< of the nearest neighbours
     std::span<const std::uint8_t> found_before; ///< NeighborLists::thinned after the first round; empty in that
-    std::vector<std::uint8_t>& hopeless;        ///< [points] set in the first round: at no level is there even a corner
+    std::vector<std::uint32_t>& hopeless; ///< [points] set in the first round: bit n: at level n is not even a corner
+    std::vector<std::optional<NearestCache>>& caches; ///< [levels] of this thread
     std::array<std::uint32_t, kExamined> found{};
     std::array<float, kExamined> squared{};
 
     Around examine(std::size_t point, std::span<const std::uint32_t> others, float least, float misfit) const;
-    Around examineLevel(const ThinnedLevel& level, std::size_t point, float least, float misfit);
+    Around examineLevel(std::size_t number, std::size_t point, float least, float misfit);
     std::optional<std::size_t> isolatedLevel(std::size_t point) const;
     bool isBetter(const Around& around, Suspicion suspicion) const;
     bool isAmongFound(std::size_t point, bool maybe) const;
@@ -220,9 +223,9 @@ Around SurroundSearch::examine(std::size_t point, std::span<const std::uint32_t>
                                float misfit) const {
     Around around;
     const Moments moments = momentsOf(points, others, point);
-    const PlaneFit plane = fitPlane(moments);
-    around.misfit = isElongated(moments, kSureLine) ? std::numeric_limits<float>::infinity() : plane.misfit;
+    around.misfit = isElongated(moments, kSureLine) ? std::numeric_limits<float>::infinity() : misfitOf(moments);
     if (!(around.misfit < misfit)) return around;
+    const PlaneFit plane = fitPlane(moments);
     const Vec3f u = plane.normal.unitOrthogonal(), v = plane.normal.cross(u);
     std::vector<Direction> directions;
     for (const std::uint32_t other : others) {
@@ -236,8 +239,10 @@ Around SurroundSearch::examine(std::size_t point, std::span<const std::uint32_t>
 }
 
 /// The representatives of a level around a point.
-Around SurroundSearch::examineLevel(const ThinnedLevel& level, std::size_t point, float least, float misfit) {
-    const std::size_t count = level.search.nearest(points.positions[point], found, squared);
+Around SurroundSearch::examineLevel(std::size_t number, std::size_t point, float least, float misfit) {
+    const ThinnedLevel& level = thinned.level(number);
+    if (!caches[number]) caches[number].emplace(level.search, level.positions);
+    const std::size_t count = caches[number]->nearest(points.positions[point], found, squared);
     for (std::size_t i = 0; i < count; ++i) found[i] = level.points[found[i]];
     return examine(point, {found.data(), count}, std::max(least, level.edge / 2), misfit);
 }
@@ -290,7 +295,7 @@ std::optional<Around> SurroundSearch::surroundInNoise(std::size_t point, const S
     std::optional<Around> best;
     const std::size_t end = std::min(thinned.levelCount(), plan.level + kNoiseLevels);
     for (std::size_t number = plan.level; number < end; ++number) {
-        Around around = examineLevel(thinned.level(number), point, plan.least, kFlatAroundClump);
+        Around around = examineLevel(number, point, plan.least, kFlatAroundClump);
         around.flags = std::uint8_t(kThinned | kClump | (around.widest_gap < kWidestGap ? 0 : kOpen));
         const float flat = (around.flags & kOpen) ? kInNoPlane : kFlatAroundClump;
         if (around.near.size() < lists.k - lists.denseCount() || !(around.misfit < flat)) continue;
@@ -308,7 +313,7 @@ std::optional<Around> SurroundSearch::surroundInNoise(std::size_t point, const S
 std::optional<Around> SurroundSearch::acrossGap(std::size_t point, const SurroundPlan& plan) {
     const std::size_t end = std::min(thinned.levelCount(), plan.level + kMoreLevels + 1);
     for (std::size_t number = plan.level; number < end; ++number) {
-        Around around = examineLevel(thinned.level(number), point, plan.least, kFlatAroundLine);
+        Around around = examineLevel(number, point, plan.least, kFlatAroundLine);
         if (around.near.size() < lists.k - lists.denseCount() || !(around.misfit < kFlatAroundLine) ||
             !(around.widest_gap < kWidestGap))
             continue;
@@ -386,7 +391,6 @@ std::optional<Around> SurroundSearch::surround(std::size_t point) {
     const bool searched_before = !found_before.empty(); // these two would find nothing again
     if (suspicion == Suspicion::kInNoise) return searched_before ? std::nullopt : surroundInNoise(point, planned);
     if (suspicion == Suspicion::kOnOneSide) return searched_before ? std::nullopt : acrossGap(point, planned);
-    if (searched_before && hopeless[point]) return {};
     const std::uint8_t flags = kThinned | (suspicion >= Suspicion::kInClump ? kClump : 0);
     const auto take = [&, suspicion = suspicion](Around& around) {
         around.flags = std::uint8_t(flags | (around.widest_gap < kWidestGap ? 0 : kOpen));
@@ -394,12 +398,12 @@ std::optional<Around> SurroundSearch::surround(std::size_t point) {
     };
     // In the first round, isBetter takes nothing else; in the second, corners.
     const float misfit = found_before.empty() ? flatFor(suspicion) : kCorner;
-    hopeless[point] = 1;
     std::optional<Around> border;
     std::size_t end = thinned.levelCount();
     for (std::size_t number = first_level; number < end; ++number) {
-        Around around = examineLevel(thinned.level(number), point, least, misfit);
-        if (around.misfit < kCorner) hopeless[point] = 0;
+        if (hopeless[point] >> number & 1) continue;
+        Around around = examineLevel(number, point, least, misfit);
+        if (!(around.misfit < kCorner)) hopeless[point] |= std::uint32_t(1) << number;
         if (!take(around)) continue;
         if (suspicion == Suspicion::kOnLine) turnAcross(point, around);
         if (!(around.flags & kOpen)) return around;
@@ -464,7 +468,7 @@ bool isIsolated(const NeighborLists& lists, const PointSet& points, const Neares
 }
 
 bool isInNoPlane(const NeighborLists& lists, const PointSet& points, std::size_t point, float misfit) {
-    const float own = fitPlane(quickMoments(lists, points, point)).misfit;
+    const float own = misfitOf(quickMoments(lists, points, point));
     return own > misfit && std::isfinite(own);
 }
 
@@ -507,12 +511,12 @@ bool isAtGap(const NeighborLists& lists, const PointSet& points, const NearestSe
 /// plane.
 bool isBlurred(const NeighborLists& lists, const PointSet& points, const NearestSearch& nearest, std::size_t point,
                std::vector<std::uint32_t>& found) {
-    // Nine in ten points of a solid ball are above kScattered. Noise of 2 spacings has a misfit of 0.02 within 8 radii,
+    // Nine in ten points of a solid ball are above kBlurred. Noise of 2 spacings has a misfit of 0.02 within 8 radii,
     // noise of 4 spacings of 0.09, and there are 1,400 and 2,300 points.
-    constexpr float kScattered = 0.25f, kFlat = 0.12f, kWider = 8;
-    if (!isInNoPlane(lists, points, point, kScattered)) return false;
+    constexpr float kBlurred = 0.25f, kFlat = 0.12f, kWider = 8;
+    if (!isInNoPlane(lists, points, point, kBlurred)) return false;
     findWithin(points, nearest, point, kWider * lists.radius(points, point), found);
-    return fitPlane(momentsOf(points, found, point)).misfit < kFlat;
+    return misfitOf(momentsOf(points, found, point)) < kFlat;
 }
 
 } // namespace
@@ -565,10 +569,13 @@ void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, const N
     });
     const ThinnedCloud thinned(points, thinning.finest_cells);
     const std::vector<std::uint32_t> isolated = thinned.findIsolated();
-    std::vector<std::uint8_t> hopeless(points.size());
+    std::vector<std::uint32_t> hopeless(points.size());
+    // Made once: small arrays that come and go between those that stay leave memory in pieces.
+    tbb::enumerable_thread_specific<std::vector<std::optional<NearestCache>>> caches(thinned.levelCount());
     const auto replaceLists = [&](std::span<const std::uint8_t> found_before, const StageShare& part) {
         forRanges(points.size(), part, [&](std::size_t begin, std::size_t end) {
-            SurroundSearch search{lists, points, nearest, thinned, isolated, suspicions, found_before, hopeless};
+            SurroundSearch search{lists,      points,       nearest,  thinned,       isolated,
+                                  suspicions, found_before, hopeless, caches.local()};
             for (std::size_t i = begin; i < end; ++i) {
                 if (!found_before.empty() && found_before[i]) continue;
                 if (const auto around = search.surround(i)) adopt(lists, points, i, *around);

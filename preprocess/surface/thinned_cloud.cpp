@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
@@ -112,11 +113,11 @@ std::vector<std::uint32_t> ThinnedCloud::findIsolated() const {
     for (std::size_t number = 0; number < levels_.size(); ++number) {
         const ThinnedLevel& level = levels_[number];
         if (level.points.size() < kFewestCells) break;
+        const float beyond =
+            std::nextafter(kAlone * kAlone * level.edge * level.edge, std::numeric_limits<float>::max());
         tbb::parallel_for(std::size_t(0), level.points.size(), [&](std::size_t cell) {
-            std::array<std::uint32_t, kInRing> found;
-            std::array<float, kInRing> squared;
-            level.search.nearest(level.positions[cell], found, squared);
-            if (squared.back() <= kAlone * kAlone * level.edge * level.edge) return;
+            std::array<std::uint32_t, kInRing - 1> found; // a search ends when it finds more
+            if (level.search.within(level.positions[cell], beyond, found) == kInRing) return;
             for (std::uint32_t i = level.first[cell]; i < level.first[cell + 1]; ++i)
                 isolated[order_[i]] |= std::uint32_t(1) << number;
         });

@@ -5,6 +5,7 @@
 #include <array>
 #include <random>
 
+#include "preprocess/surface/nearest_cache.h"
 #include "preprocess/surface/neighbors.h"
 
 namespace pointrt::test {
@@ -69,6 +70,60 @@ TEST(NearestSearch, FindsAllWithin) {
         std::sort(expected.begin(), expected.end());
         std::sort(found.begin(), found.end());
         EXPECT_EQ(found, expected);
+    }
+}
+
+/// Places along a curve through the cloud: steps much shorter than between points, then jumps.
+std::vector<Vec3f> placesAlong(const std::vector<Vec3f>& points) {
+    std::vector<Vec3f> places;
+    for (std::size_t i = 0; i + 1 < points.size(); i += 997)
+        for (int step = 0; step < 12; ++step)
+            places.push_back(points[i] + float(step) / 300 * (points[i + 1] - points[i]));
+    for (int repeat = 0; repeat < 3; ++repeat) places.push_back({3, 3, 3}); // a point of the grid, in the clump
+    return places;
+}
+
+TEST(NearestCache, FindsWhatSingleSearchesFind) {
+    const std::vector<Vec3f> points = unevenPoints();
+    const NearestSearch search(points);
+    for (const std::size_t wanted : {1u, 4u, 24u}) {
+        NearestCache cache(search, points);
+        std::vector<std::uint32_t> expected(wanted), found(wanted);
+        std::vector<float> expected_squared(wanted), found_squared(wanted);
+        for (const Vec3f& place : placesAlong(points)) {
+            ASSERT_EQ(search.nearest(place, expected, expected_squared), wanted);
+            ASSERT_EQ(cache.nearest(place, found, found_squared), wanted);
+            EXPECT_EQ(found, expected);
+            EXPECT_EQ(found_squared, expected_squared);
+        }
+    }
+}
+
+TEST(NearestCache, StopsBelowTheLimit) {
+    const std::vector<Vec3f> points = unevenPoints();
+    const NearestSearch search(points);
+    NearestCache cache(search, points);
+    std::array<std::uint32_t, 6> expected, found;
+    std::array<float, 6> expected_squared, found_squared;
+    for (const Vec3f& place : placesAlong(points)) {
+        const float limit = rankedByDistance(points, place)[4].first; // a point is at the limit, so not below it
+        const std::size_t count = search.nearest(place, expected, expected_squared, limit);
+        ASSERT_EQ(cache.nearest(place, found, found_squared, limit), count);
+        EXPECT_TRUE(std::equal(found.begin(), found.begin() + std::ptrdiff_t(count), expected.begin()));
+    }
+}
+
+TEST(NearestCache, FindsPointsAtNoDistance) {
+    std::vector<Vec3f> points(400, Vec3f(0.25f, 0.5f, 0.75f)); // fewer than a cache holds, more than are wanted
+    points.resize(500, Vec3f(1, 1, 1));
+    const NearestSearch search(points);
+    NearestCache cache(search, points);
+    std::array<std::uint32_t, 3> found;
+    std::array<float, 3> squared;
+    for (int repeat = 0; repeat < 3; ++repeat) {
+        ASSERT_EQ(cache.nearest(points[0], found, squared), 3u);
+        EXPECT_EQ(squared, (std::array<float, 3>{0, 0, 0}));
+        EXPECT_LT(std::max({found[0], found[1], found[2]}), 400u);
     }
 }
 

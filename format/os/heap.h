@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the C library's heap keeps freed memory.
+#pragma once
+
+namespace pointrt {
+
+/// Makes the heap return blocks of 4 MiB and more to the system as soon as they are freed. glibc otherwise learns from
+/// the first such block to keep later ones, whose space small blocks then divide. Does nothing where the heap is not
+/// glibc's. Call it before other threads start.
+void returnLargeBlocks();
+
+} // namespace pointrt
