@@ -244,14 +244,13 @@ void renderPicture(RenderSession& session, const Options& options, Report& repor
 }
 
 void renderTurntable(RenderSession& session, const Options& options, Report& report) {
-    const TurntableAxis axis = turntableAxis(*session.loaded);
     const Camera first = session.camera;
     requirePictureMemory(session, options);
     catchInterrupts();
     RenderProgress progress(options.quiet, options.verbose, options.progress_lines);
     std::uint32_t turn = 0;
     for (; turn < options.turntable; ++turn) {
-        session.camera = turntableCamera(first, axis, turn, options.turntable);
+        session.camera = movingCamera(*session.loaded, first, options.follows_views, turn, options.turntable);
         if (!renderTurntablePicture(session, options, turn, progress, report)) break;
     }
     progress.finish();

@@ -2,12 +2,14 @@
 #include "runtime/cast/describe_instances.h"
 
 #include <algorithm>
+#include <iterator>
 #include <unordered_map>
 #include <utility>
 
 #include "format/base/error.h"
 #include "format/set/open_tile.h"
 #include "runtime/device_scene/core_reach.h"
+#include "runtime/scene/kept.h"
 #include "runtime/scene_io/scene_file.h"
 
 namespace pointrt {
@@ -80,14 +82,15 @@ private:
         scene.clips.insert(scene.clips.end(), clips_.begin(), clips_.end());
         requireFewHalfSpaces(scene.clips);
         for (const InstanceDescription& each : scene.instances) addInstance(each, scene.clips);
-        list_.shapes.insert(list_.shapes.end(), scene.shapes.begin(), scene.shapes.end());
+        std::copy_if(scene.shapes.begin(), scene.shapes.end(), std::back_inserter(list_.shapes),
+                     [](const ShapeDescription& shape) { return shape.visible; });
     }
 
     void addInstance(const InstanceDescription& described, const std::vector<ClipDescription>& clips) {
         const std::string& path = described.path;
         const Placement& placement = described.placement;
         InstanceRun run;
-        if (described.clipped) run.kept = keptHalfSpaces(clips);
+        run.kept = keptOf(clips, described);
         run.first = static_cast<std::uint32_t>(list_.instances.size());
         if (isTileSet(path)) {
             run.set = setOf(path);

@@ -5,6 +5,7 @@
 
 #include "runtime/device_scene/render_space.h"
 #include "runtime/device_scene/scene_tiles.h"
+#include "runtime/scene/kept.h"
 #include "runtime/util/pack.h"
 
 namespace pointrt {
@@ -33,7 +34,7 @@ bool mayCut(const HalfSpace& kept, const Placement& placement, const DeviceScan&
 } // namespace
 
 std::vector<HalfSpace> keptOf(const SceneDescription& scene, const InstanceDescription& instance) {
-    return instance.clipped ? keptHalfSpaces(scene.clips) : std::vector<HalfSpace>();
+    return keptOf(scene.clips, instance);
 }
 
 bool cutsInstances(const SceneDescription& scene) {

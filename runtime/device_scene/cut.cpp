@@ -57,6 +57,19 @@ double unseenFactor(const TileBox& core, const CutView& view) {
     return isInPicture(core, view) ? 1 : kUnseenPixelScale;
 }
 
+/// Whether all hits of a tile are cut away. Its discs may reach out of the core, by less than half an edge.
+bool isCutAway(const TileBox& core, const std::vector<HalfSpace>& kept) {
+    constexpr double reach = 0.5;
+    TileBox around = core;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double edge = core.high[axis] - core.low[axis];
+        around.low[axis] -= reach * edge;
+        around.high[axis] += reach * edge;
+    }
+    return std::any_of(kept.begin(), kept.end(),
+                       [&](const HalfSpace& each) { return farthestAlong(around, each.point, each.normal) < 0; });
+}
+
 class CutRefiner {
 public:
     CutRefiner(const TileSet& set, const std::vector<std::vector<std::uint32_t>>& children, const CutRequest& request)
@@ -87,6 +100,7 @@ private:
 
     double pixelsOf(std::uint32_t tile) const {
         const TileBox core = coreOf(set_, set_.tiles[tile]);
+        if (isCutAway(core, request_.kept)) return 0;
         double most = 0;
         for (const CutView& view : request_.views) {
             const double factor = marked(request_.hit_unseen, tile) ? 1 : unseenFactor(core, view);

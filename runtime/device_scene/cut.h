@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "format/set/tile_set.h"
+#include "runtime/scene/clip.h"
 #include "runtime/scene/render_settings.h"
 
 namespace pointrt {
@@ -33,6 +34,7 @@ struct CutRequest {
     std::uint64_t memory = 0;      ///< limit for the tiles, bytes; the root is exempt
     std::uint32_t splat_bytes = 0; ///< per stored splat in addition to the file: paint, an index that must be built
     std::vector<bool> hit_unseen;  ///< for each tile, or empty: many secondary rays hit it outside every view
+    std::vector<HalfSpace> kept;   ///< in the set's coordinates: tiles outside are not refined; empty: nothing is cut
     std::vector<bool> missing;     ///< for each tile, or empty: it cannot be opened, its parent is used instead
 };
 

@@ -41,6 +41,7 @@ struct ToRenderUnits {
         field.v = units * field.v;
     }
     void operator()(const VisibleField&) const {}
+    void operator()(const LayerField&) const {}
     void operator()(const EmissionField& field) const {
         if (field.quantity == EmissionField::Quantity::kIntensity)
             field.value = scaled(field.value, 1.0 / (space.scale * space.scale));
@@ -142,7 +143,8 @@ Bounds joined(const Bounds& a, const Bounds& b) {
 std::optional<Bounds> boundsOfShapes(const SceneDescription& scene) {
     std::optional<Bounds> all;
     for (const ShapeDescription& shape : scene.shapes)
-        if (const auto bounds = shapeBounds(shape)) all = all ? joined(*all, *bounds) : *bounds;
+        if (const auto bounds = shape.visible ? shapeBounds(shape) : std::nullopt)
+            all = all ? joined(*all, *bounds) : *bounds;
     return all;
 }
 

@@ -69,6 +69,7 @@ private:
 
     /// Planes and boxes around the scene (rooms) cast no caustics: they are no bounded target for photons.
     void addShape(const ShapeDescription& description) {
+        if (!description.visible) return rows.casting_shapes.push_back(false);
         gpu::Shape shape = packShape(scene_.space, description);
         const Vec3 half = 0.5 * (scene_.bounds.hi - scene_.bounds.lo);
         const double size = length(description.u) + length(description.v) + length(description.w);
@@ -84,6 +85,7 @@ private:
 
     /// An area light is also a shape, whose material names the light.
     void addLight(const LightDescription& light) {
+        if (!isVisible(light)) return;
         gpu::Light row = packLight(scene_.space, light);
         if (const auto shape = lampShape(scene_.space, light, static_cast<std::uint32_t>(rows.materials.size()))) {
             LIGHT_SHAPE(row) = std::bit_cast<float>(static_cast<std::uint32_t>(rows.shapes.size()));

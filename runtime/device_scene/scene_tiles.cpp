@@ -15,6 +15,7 @@
 #include "format/base/parallel.h"
 #include "format/base/printable.h"
 #include "format/set/open_tile.h"
+#include "runtime/device_scene/clip_planes.h"
 #include "runtime/device_scene/core_reach.h"
 #include "runtime/gpu/memory_budget.h"
 #include "runtime/util/memory_text.h"
@@ -225,10 +226,25 @@ private:
     Clock::time_point begun_ = Clock::now();
 };
 
+/// What clips keep of a set, in its own coordinates. Nothing is said of Gaussians, which reach far out of their tiles.
+std::vector<HalfSpace> keptOfSet(const DeviceScene& scene, const SceneSet& set) {
+    const InstanceDescription& instance = scene.description.instances[set.number];
+    const Placement& placement = instance.placement;
+    const std::array<Vec3, 3>& r = placement.rotation;
+    const auto turnedBack = [&](Vec3 v) { return v.x * r[0] + v.y * r[1] + v.z * r[2]; };
+    std::vector<HalfSpace> kept;
+    if (set.opened.set.gaussians) return kept;
+    for (const HalfSpace& each : keptOf(scene.description, instance))
+        kept.push_back(
+            {(1 / placement.scale) * turnedBack(each.point - placement.translation), turnedBack(each.normal)});
+    return kept;
+}
+
 CutRequest cutRequest(const DeviceScene& scene, const SceneSet& set, const TileRequest& request) {
     CutRequest cut;
     const Placement& placement = scene.description.instances[set.number].placement;
     for (const Camera& camera : request.cameras) cut.views.push_back(cutView(placement, camera, request.size));
+    cut.kept = keptOfSet(scene, set);
     cut.detail = request.detail;
     cut.memory = request.memory / scene.sets.size();
     cut.splat_bytes = request.painted ? PRO_SPLAT_WORDS * sizeof(std::uint32_t) : 0;

@@ -77,7 +77,9 @@ void addDeviceAndReport(CommandLine& app, CommonOptions& options) {
                    "Vulkan device, by index or part of its name (default: the best one); list them with "
                    "pointrt-view --device list")
         ->type_name("DEVICE");
-    app.add_option("--stats", options.stats, "Write a JSON report of the run; - is standard output")->type_name("FILE");
+    app.add_option("--stats", options.stats,
+                   "Write a JSON report of the run; - is standard output, for commands that print no results there")
+        ->type_name("FILE");
     completes(app, "--stats", ".json");
     app.add_flag("-q,--quiet", options.quiet, "Print errors only");
     app.add_flag("-v,--verbose", options.verbose, "Print what was done and how fast");

@@ -51,14 +51,14 @@ Bounds boundsWithShapes(const DeviceScene& scene) {
 }
 
 /// A sphere around the shape; its transform is a similarity except for unequal edges.
-PhotonTarget shapeTarget(const DeviceScene& scene, std::size_t number) {
-    const ShapeDescription& shape = scene.description.shapes[number];
+/// row: of the shape on the device.
+PhotonTarget shapeTarget(const DeviceScene& scene, const ShapeDescription& shape, std::size_t row) {
     const bool round = shape.kind == ShapeKind::kSphere || shape.kind == ShapeKind::kDisc;
     const bool flat = shape.kind == ShapeKind::kQuad;
     const double uu = dot(shape.u, shape.u), vv = dot(shape.v, shape.v), ww = dot(shape.w, shape.w);
     const double squared = round ? std::max(uu, vv) : uu + vv + (flat ? 0 : ww);
     return {renderPoint(scene.space, shape.center), std::sqrt(squared) / scene.space.scale,
-            OWNER_SHAPES | static_cast<std::uint32_t>(number) << PHOTON_SHAPE_SHIFT};
+            OWNER_SHAPES | static_cast<std::uint32_t>(row) << PHOTON_SHAPE_SHIFT};
 }
 
 std::vector<PhotonTarget> findTargets(const DeviceScene& scene) {
@@ -74,8 +74,12 @@ std::vector<PhotonTarget> findTargets(const DeviceScene& scene) {
         const RenderSphere around = sphereAround(scene.space, bounds);
         targets.push_back({around.center, around.radius, i});
     }
-    for (std::size_t i = 0; i < scene.description.shapes.size(); ++i)
-        if (scene.casting_shapes[i]) targets.push_back(shapeTarget(scene, i));
+    std::size_t row = 0; // hidden shapes have none
+    for (std::size_t i = 0; i < scene.description.shapes.size(); ++i) {
+        const ShapeDescription& shape = scene.description.shapes[i];
+        if (scene.casting_shapes[i]) targets.push_back(shapeTarget(scene, shape, row));
+        if (shape.visible) ++row;
+    }
     return targets;
 }
 

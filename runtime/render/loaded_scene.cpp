@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "format/base/error.h"
 #include "runtime/device_scene/clip_planes.h"
 #include "runtime/device_scene/color_choice.h"
 #include "runtime/device_scene/gather_sample.h"
@@ -11,6 +12,7 @@
 #include "runtime/render/default_colors.h"
 #include "runtime/render/picture_tiles.h"
 #include "runtime/scene/camera.h"
+#include "runtime/scene/camera_path.h"
 #include "runtime/scene/framing.h"
 #include "runtime/scene/upright.h"
 
@@ -157,6 +159,21 @@ TracerSize wholeFrames(const Device& device, const RenderSettings& settings) {
 }
 
 } // namespace
+
+Camera movingCamera(const LoadedScene& loaded, const Camera& first, bool follows_views, std::uint32_t frame,
+                    std::uint32_t frames) {
+    if (!follows_views) return turntableCamera(first, turntableAxis(loaded), frame, frames);
+    const SceneDescription& scene = loaded.scene.description;
+    if (scene.views.size() < 2)
+        throw Error{ExitCode::kBadUsage, "--path: " + scene.path + " has " + std::to_string(scene.views.size()) +
+                                             " [[view]]; a path needs at least two"};
+    const double aspect = static_cast<double>(loaded.settings.width) / loaded.settings.height;
+    std::vector<Camera> keys;
+    for (const NamedView& view : scene.views)
+        keys.push_back(frameCamera(view.camera, loaded.shown.lo, loaded.shown.hi, aspect));
+    const double share = frames > 1 ? static_cast<double>(frame) / (frames - 1) : 0;
+    return cameraOnPath(keys, share * static_cast<double>(keys.size() - 1));
+}
 
 TurntableAxis turntableAxis(const LoadedScene& loaded) {
     const Vec3 center = 0.5 * (loaded.scene.bounds.lo + loaded.scene.bounds.hi);

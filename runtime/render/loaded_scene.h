@@ -61,6 +61,13 @@ struct LoadedScene {
 /// The axis that turntables of the scene rotate about.
 TurntableAxis turntableAxis(const LoadedScene& loaded);
 
+/// The camera of a picture of a moving camera: of a turntable, or on the path through the scene's views. Throws Error
+/// kBadUsage if the path has fewer than two views, and as frameCamera does.
+/// @param first of the turntable
+/// @param frame below frames
+Camera movingCamera(const LoadedScene& loaded, const Camera& first, bool follows_views, std::uint32_t frame,
+                    std::uint32_t frames);
+
 struct LoadRequest {
     SceneDescription scene;
     RenderSettings settings;
@@ -75,7 +82,8 @@ struct LoadRequest {
     double free_share = 1;                 ///< uncovered share of the picture's width, from the left
     std::uint64_t memory = kTileMemory;    ///< bytes, for pictures of sets
     bool roots_alone = false;              ///< load only the root tiles of sets now; others follow later
-    std::uint32_t turntable = 0; ///< pictures of the turntable to select tiles for; 0: the initial camera only
+    std::uint32_t turntable = 0; ///< pictures of a moving camera to select tiles for; 0: the initial camera only
+    bool follows_views = false;  ///< the camera moves through the scene's views, not around it
     bool refines_tiles = false;  ///< also refine tiles outside the views where secondary rays hit them
     bool verbose = false;
     FormRequest form; ///< of its kernels

@@ -13,7 +13,7 @@ namespace {
 /// tiles outside the views to their pixel size (kUnseenPixelScale); the third finds nothing left to refine.
 constexpr int kTileRounds = 3;
 
-/// Cameras that a turntable selects its tiles by.
+/// Cameras that the pictures of a moving camera select their tiles by.
 constexpr std::uint32_t kTurntableCameras = 64;
 
 /// Memory of a process beside tiles and the filter, measured with lavapipe: the driver and its programs up to 190 MB, a
@@ -24,10 +24,10 @@ constexpr std::uint64_t kProcessBytes = 305'000'000;
 /// The cameras to select tiles for.
 std::vector<Camera> pictureCameras(const LoadedScene& loaded, const LoadRequest& request) {
     if (request.turntable == 0) return {loaded.camera};
-    const TurntableAxis axis = turntableAxis(loaded);
     const std::uint32_t count = std::min(request.turntable, kTurntableCameras);
     std::vector<Camera> cameras;
-    for (std::uint32_t i = 0; i < count; ++i) cameras.push_back(turntableCamera(loaded.camera, axis, i, count));
+    for (std::uint32_t i = 0; i < count; ++i)
+        cameras.push_back(movingCamera(loaded, loaded.camera, request.follows_views, i, count));
     return cameras;
 }
 

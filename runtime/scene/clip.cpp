@@ -51,6 +51,11 @@ void requireFewHalfSpaces(std::span<const ClipDescription> clips) {
         throw Error{ExitCode::kBadUsage, "clips have at most 32 planes together, a box counts as six"};
 }
 
+HalfSpace nothingKept() {
+    constexpr double beyond = 1e13; // ten times the largest coordinate of scene files
+    return {{beyond, 0, 0}, {1, 0, 0}};
+}
+
 bool isKept(std::span<const HalfSpace> kept, Vec3 point) {
     return std::all_of(kept.begin(), kept.end(),
                        [&](const HalfSpace& each) { return dot(each.normal, point - each.point) >= 0; });

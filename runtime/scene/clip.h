@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "runtime/scene/layer.h"
 #include "runtime/util/vec.h"
 
 namespace pointrt {
@@ -29,6 +30,7 @@ struct ClipPlane {
 struct ClipDescription {
     std::variant<ClipBox, ClipPlane> form;
     bool enabled = true; ///< false: cuts nothing
+    Layer layer{};
     bool operator==(const ClipDescription&) const = default;
 };
 
@@ -48,6 +50,9 @@ std::size_t countHalfSpaces(std::span<const ClipDescription> clips);
 
 /// Throws Error kBadUsage if that is more than a scene may have.
 void requireFewHalfSpaces(std::span<const ClipDescription> clips);
+
+/// A half-space that keeps no point of a scene.
+HalfSpace nothingKept();
 
 /// Whether a point is inside all half-spaces.
 bool isKept(std::span<const HalfSpace> kept, Vec3 point);

@@ -88,6 +88,7 @@ void addRoom(SceneDescription& scene, const Staging& staging, Room room) {
     wall.kind = mirror ? MaterialKind::kMirror : MaterialKind::kMatte;
     wall.color = mirror ? kMirrorWall : kMatteWall;
     scene.shapes.push_back({ShapeKind::kBox, center, half[0], half[1], half[2], addMaterial(scene, wall)});
+    scene.shapes.back().of_surroundings = true;
 }
 
 /// Lights on a ring above the scene, the first to the left of the eye.
@@ -193,7 +194,7 @@ void addFloor(SceneDescription& scene, const Staging& staging, double level, flo
     ShapeDescription plane{ShapeKind::kPlane, staging.center + level * staging.up,
                            staging.right,     -1.0 * staging.towards_eye,
                            staging.up,        addMaterial(scene, floor)};
-    plane.backdrop = true;
+    plane.backdrop = plane.of_surroundings = true;
     scene.shapes.push_back(plane);
 }
 
@@ -297,6 +298,8 @@ void addSurroundings(SceneDescription& scene, const RenderSettings& settings, co
     Staging staging = stageBounds(sceneUp(scene, settings), eye, low, high);
     if (subject.lowest) staging.floor = *subject.lowest - dot(staging.center, staging.up);
     const bool by_default = isLeftToDefaults(scene, settings, room);
+    const bool is_unlit = scene.lights.empty() && !scene.sky;
+    if (!scene.surroundings) scene.surroundings = AddedSurroundings{settings.room, settings.lights, is_unlit};
     scene.background = settings.background;
     if (!scene.background && by_default && subject.only_gaussians) scene.background = Background{};
     if (!scene.background && by_default) return addStudio(scene, staging, subject, true);

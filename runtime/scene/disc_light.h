@@ -15,6 +15,8 @@ struct DiscLight {
     double radius = 1;
     Color radiance;
     bool seen_by_camera = true;
+    bool visible = true; ///< false: it is off, and its surface is not there
+    Layer layer{};
     bool operator==(const DiscLight&) const = default;
 
     static constexpr LightNames kNames{"disc", "a disc light", "Disc", "flat and round, soft shadows"};
@@ -29,6 +31,7 @@ struct DiscLight {
         on(RadiusField{radius});
         on(emission());
         on(VisibleField{seen_by_camera});
+        on(LayerField{visible, layer});
     }
 
     Vec3 facing() const { return normal; }

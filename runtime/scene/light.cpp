@@ -46,6 +46,10 @@ EmissionField emissionField(LightDescription& light) {
     return std::visit([](auto& kind) { return kind.emission(); }, light);
 }
 
+bool isVisible(const LightDescription& light) {
+    return std::visit([](const auto& kind) { return kind.visible; }, light);
+}
+
 bool isSoft(const LightDescription& light) {
     return std::visit([](const auto& kind) { return kind.isSoft(); }, light);
 }

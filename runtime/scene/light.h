@@ -67,6 +67,7 @@ const LightNames& namesOf(std::size_t kind);
 bool hasSurface(std::size_t kind);
 /// The light's strength, by reference to its value.
 EmissionField emissionField(LightDescription& light);
+bool isVisible(const LightDescription& light);
 /// True for lights with a size: their soft shadows are sampled.
 bool isSoft(const LightDescription& light);
 std::optional<LampSurface> surfaceOf(const LightDescription& light);

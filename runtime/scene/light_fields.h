@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/scene/layer.h"
 #include "runtime/util/color.h"
 #include "runtime/util/vec.h"
 
@@ -73,6 +74,13 @@ struct HalfEdgesField {
 struct VisibleField {
     bool& value;
     FieldKeys keys() const { return {"seen_by_camera"}; }
+};
+
+/// Whether the light is on, its name, and whether it is locked.
+struct LayerField {
+    bool& visible;
+    Layer& layer;
+    FieldKeys keys() const { return {"name", "visible", "locked"}; }
 };
 
 /// The strength of a light, and its quantity.

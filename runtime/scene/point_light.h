@@ -10,7 +10,9 @@ namespace pointrt {
 
 struct PointLight {
     Vec3 position;
-    Color intensity; ///< irradiance on a facing surface at unit distance
+    Color intensity;     ///< irradiance on a facing surface at unit distance
+    bool visible = true; ///< false: it is off, and its surface is not there
+    Layer layer{};
     bool operator==(const PointLight&) const = default;
 
     static constexpr LightNames kNames{"point", "a point light", "Point", "no size, hard shadows"};
@@ -19,6 +21,7 @@ struct PointLight {
     void eachField(auto&& on) {
         on(PositionField{"position", position});
         on(emission());
+        on(LayerField{visible, layer});
     }
 
     static PointLight newAt(const LightPlace& place) { return {place.position, {}}; }

@@ -14,6 +14,8 @@ struct QuadLight {
     Vec3 center, u, v; ///< u, v: perpendicular half edges; both sides emit
     Color radiance;
     bool seen_by_camera = true;
+    bool visible = true; ///< false: it is off, and its surface is not there
+    Layer layer{};
     bool operator==(const QuadLight&) const = default;
 
     static constexpr LightNames kNames{"quad", "a quad light", "Softbox", "a rectangle, soft shadows"};
@@ -26,6 +28,7 @@ struct QuadLight {
         on(HalfEdgesField{u, v});
         on(emission());
         on(VisibleField{seen_by_camera});
+        on(LayerField{visible, layer});
     }
 
     Vec3 facing() const {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "runtime/scene/clip.h"
+#include "runtime/scene/layer.h"
 #include "runtime/scene/light.h"
 #include "runtime/scene/material_kinds.h"
 #include "runtime/scene/render_settings.h"
@@ -72,6 +73,9 @@ struct InstanceDescription {
     std::optional<std::uint32_t> material;   ///< for all splats, instead of the scan's materials
     std::vector<MaterialOverride> overrides; ///< later ones take precedence; at most 8 colour ranges
     bool clipped = true;                     ///< cut by the scene's clips
+    bool visible = true;                     ///< false: no ray hits it
+    bool deleted = false;                    ///< in the window: hidden, and left out of the scene file
+    Layer layer{};
     bool operator==(const InstanceDescription&) const = default;
 };
 
@@ -84,7 +88,10 @@ struct ShapeDescription {
     Vec3 center, u{1, 0, 0}, v{0, 0, -1}, w{0, 1, 0};
     std::uint32_t material = 0;
     bool seen_by_camera = true;
-    bool backdrop = false; ///< not part of the scene: no first hits, no coverage
+    bool backdrop = false;        ///< not part of the scene: no first hits, no coverage
+    bool of_surroundings = false; ///< belongs to SceneDescription::surroundings
+    bool visible = true;
+    Layer layer{};
     bool operator==(const ShapeDescription&) const = default;
 };
 
@@ -104,6 +111,15 @@ struct NamedView {
     std::string name; ///< unique, not empty
     CameraRequest camera;
     bool operator==(const NamedView&) const = default;
+};
+
+/// What addSurroundings was asked for when it added to a scene. The scene keeps its lights and shapes itself; this says
+/// which room the window shows as chosen, and what it replaces when another is chosen.
+struct AddedSurroundings {
+    std::optional<Room> room;           ///< none: the studio, or the defaults of a scene with its own lights
+    std::optional<std::uint32_t> lamps; ///< RenderSettings::lights
+    bool has_lights = false;            ///< all lights and the sky belong to it
+    bool operator==(const AddedSurroundings&) const = default;
 };
 
 /// A sun with a known position in the sky, to be placed once the up direction is known.
@@ -133,6 +149,7 @@ struct SceneDescription {
     std::optional<Background> background;
     /// The eye for which the default room, lights or studio are placed; none: the camera's.
     std::optional<Vec3> staged_for;
+    std::optional<AddedSurroundings> surroundings; ///< none: nothing is added yet
     bool operator==(const SceneDescription&) const = default;
 };
 

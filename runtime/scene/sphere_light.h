@@ -16,6 +16,8 @@ struct SphereLight {
     double radius = 1;
     Color radiance;
     bool seen_by_camera = true;
+    bool visible = true; ///< false: it is off, and its surface is not there
+    Layer layer{};
     bool operator==(const SphereLight&) const = default;
 
     static constexpr LightNames kNames{"sphere", "a sphere light", "Sphere", "a ball, soft shadows"};
@@ -29,6 +31,7 @@ struct SphereLight {
         on(RadiusField{radius});
         on(emission());
         on(VisibleField{seen_by_camera});
+        on(LayerField{visible, layer});
     }
 
     static SphereLight newAt(const LightPlace& place) {

@@ -15,6 +15,8 @@ struct SpotLight {
     double outer_deg = 30;    ///< half angle of the cone, in (0, 90]
     double inner_deg = 25;    ///< full intensity within this half angle, at most outer_deg
     Color intensity;
+    bool visible = true; ///< false: it is off, and its surface is not there
+    Layer layer{};
     bool operator==(const SpotLight&) const = default;
 
     static constexpr LightNames kNames{"spot", "a spot light", "Spot", "a cone, hard shadows"};
@@ -25,6 +27,7 @@ struct SpotLight {
         on(AimField{"direction", direction, {"position", position}});
         on(ConeField{outer_deg, inner_deg});
         on(emission());
+        on(LayerField{visible, layer});
     }
 
     Vec3 facing() const { return direction; }

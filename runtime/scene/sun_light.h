@@ -14,6 +14,8 @@ struct SunLight {
     Vec3 towards;               ///< unit vector to the sun
     double radius_deg = 0.2665; ///< angular radius of its disc, 0 to 45; 0 gives hard shadows
     Color irradiance;           ///< on a surface that faces the sun
+    bool visible = true;        ///< false: it is off, and its surface is not there
+    Layer layer{};
     bool operator==(const SunLight&) const = default;
 
     static constexpr LightNames kNames{"sun", "a sun", "Sun", "from far away, parallel"};
@@ -23,6 +25,7 @@ struct SunLight {
         on(SunwardField{towards});
         on(AngularRadiusField{radius_deg});
         on(emission());
+        on(LayerField{visible, layer});
     }
 
     static SunLight newAt(const LightPlace& place) { return {-1.0 * place.ahead, SunLight{}.radius_deg, {}}; }

@@ -51,17 +51,18 @@ Camera turntableCamera(const Camera& camera, const TurntableAxis& axis, std::uin
     return moved;
 }
 
-void requireFrameNames(const std::string& path, bool turntable) {
+void requireFrameNames(const std::string& path, const char* option) {
     const auto place = firstNumberPlace(path);
     const auto fail = [&](const std::string& reason) { throw Error{ExitCode::kBadUsage, path + ": " + reason}; };
-    if (!turntable) {
-        if (place) fail("\"" + path.substr(place->at, place->size) + "\" needs --turntable");
+    if (!option) {
+        if (place) fail("\"" + path.substr(place->at, place->size) + "\" needs --turntable or --path");
         return;
     }
-    if (path.empty()) throw Error{ExitCode::kBadUsage, "--turntable: needs -o FILE%d.png, e.g. frames/%04d.png"};
-    if (!place) fail("--turntable needs %d or %0Nd in the name, e.g. frames/%04d.png");
+    if (path.empty())
+        throw Error{ExitCode::kBadUsage, std::string(option) + ": needs -o FILE%d.png, e.g. frames/%04d.png"};
+    if (!place) fail(std::string(option) + " needs %d or %0Nd in the name, e.g. frames/%04d.png");
     if (std::count(path.begin(), path.end(), '%') != 1)
-        fail("--turntable allows only one % in the name, e.g. frames/%04d.png");
+        fail(std::string(option) + " allows only one % in the name, e.g. frames/%04d.png");
 }
 
 std::string frameName(const std::string& pattern, std::uint32_t frame) {

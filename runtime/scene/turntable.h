@@ -21,9 +21,10 @@ struct TurntableAxis {
 /// bit-identical to camera. frame < frames.
 Camera turntableCamera(const Camera& camera, const TurntableAxis& axis, std::uint32_t frame, std::uint32_t frames);
 
-/// Checks that path has exactly one %d or %0Nd (N from 1 to 9) for a turntable, and none otherwise. Throws Error
+/// Checks that path has exactly one %d or %0Nd (N from 1 to 9) for option, one that asks for several pictures, and none
+/// if that is null. Throws Error
 /// kBadUsage "PATH: reason".
-void requireFrameNames(const std::string& path, bool turntable);
+void requireFrameNames(const std::string& path, const char* option);
 
 /// pattern with its %d or %0Nd replaced by frame. pattern: checked by requireFrameNames
 std::string frameName(const std::string& pattern, std::uint32_t frame);

@@ -20,13 +20,14 @@ ClipDescription clipOf(const SceneValue& table) {
     const bool is_box = choiceOf(require(table, "type"), {"box", "plane"}) == 0;
     ClipDescription clip;
     if (is_box) {
-        requireKnownKeys(table, "a box", {"type", "enabled", "min", "max", "rotate"});
+        requireKnownKeys(table, "a box", {"type", "enabled", "name", "locked", "min", "max", "rotate"});
         clip.form = clipBoxOf(table);
     } else {
-        requireKnownKeys(table, "a plane", {"type", "enabled", "point", "normal"});
+        requireKnownKeys(table, "a plane", {"type", "enabled", "name", "locked", "point", "normal"});
         clip.form = ClipPlane{vectorOf(require(table, "point")), directionOf(require(table, "normal"))};
     }
     takeFlag(table, "enabled", clip.enabled);
+    takeLayer(table, clip.layer);
     return clip;
 }
 

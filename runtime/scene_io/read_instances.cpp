@@ -117,12 +117,16 @@ MaterialOverride overrideOf(const SceneValue& table, const SceneReading& reading
 }
 
 InstanceDescription instanceOf(const SceneValue& table, const SceneReading& reading) {
-    requireKnownKeys(table, "an instance", {"file", "translate", "rotate", "scale", "material", "clip", "override"});
+    requireKnownKeys(
+        table, "an instance",
+        {"file", "name", "visible", "locked", "translate", "rotate", "scale", "material", "clip", "override"});
     InstanceDescription instance;
     instance.path = fileOf(require(table, "file"), reading);
     instance.placement = placementOf(table);
     if (const auto material = find(table, "material")) instance.material = materialOf(*material, reading);
     takeFlag(table, "clip", instance.clipped);
+    takeFlag(table, "visible", instance.visible);
+    takeLayer(table, instance.layer);
     std::size_t ranges = 0;
     for (const SceneValue& each : findTables(table, "override")) {
         instance.overrides.push_back(overrideOf(each, reading));

@@ -123,6 +123,11 @@ struct FieldReader {
 
     void operator()(const VisibleField& field) const { takeFlag(table, "seen_by_camera", field.value); }
 
+    void operator()(const LayerField& field) const {
+        takeFlag(table, "visible", field.visible);
+        takeLayer(table, field.layer);
+    }
+
     void operator()(const EmissionField& field) const {
         field.value = field.watts_of_one ? strengthOrPower(table, field.key(), *field.watts_of_one)
                                          : strengthOf(table, field.key());

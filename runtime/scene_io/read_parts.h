@@ -30,6 +30,9 @@ void readShapes(const SceneValue& file, SceneReading& reading);
 void readLights(const SceneValue& file, SceneReading& reading);
 void readSky(const SceneValue& file, SceneReading& reading);
 
+/// Reads the keys "name" and "locked".
+void takeLayer(const SceneValue& table, Layer& layer);
+
 /// Number of the material that value names.
 std::uint32_t materialOf(const SceneValue& value, const SceneReading& reading);
 /// The path of the file that value names relative to the scene file's folder. Refuses missing files.

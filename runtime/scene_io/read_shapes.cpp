@@ -130,7 +130,8 @@ ShapeDescription shapeOf(const SceneValue& table, SceneReading& reading) {
     std::vector<std::string_view> names;
     for (const ShapeRow& each : kinds()) names.push_back(each.name);
     const ShapeRow& kind = kinds()[choiceOf(require(table, "type"), names)];
-    std::vector<std::string_view> keys = {"type", "material", "seen_by_camera", "backdrop", "center", "axes"};
+    std::vector<std::string_view> keys = {"type", "material", "seen_by_camera", "backdrop", "of_surroundings",
+                                          "name", "visible",  "locked",         "center",   "axes"};
     keys.insert(keys.end(), kind.keys.begin(), kind.keys.end());
     requireKnownKeys(table, "a " + std::string(kind.name), keys);
 
@@ -143,6 +144,9 @@ ShapeDescription shapeOf(const SceneValue& table, SceneReading& reading) {
     shape.material = shapeMaterial(table, reading);
     takeFlag(table, "seen_by_camera", shape.seen_by_camera);
     takeFlag(table, "backdrop", shape.backdrop);
+    takeFlag(table, "of_surroundings", shape.of_surroundings);
+    takeFlag(table, "visible", shape.visible);
+    takeLayer(table, shape.layer);
     return shape;
 }
 

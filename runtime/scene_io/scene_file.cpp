@@ -11,6 +11,7 @@
 #include "format/base/error.h"
 #include "format/base/printable.h"
 #include "format/set/tile_set.h"
+#include "runtime/scene/added_surroundings.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/upright.h"
 #include "runtime/scene_io/read_parts.h"
@@ -72,6 +73,25 @@ void readViews(const SceneValue& file, SceneDescription& scene) {
     }
 }
 
+/// The room of [surroundings]: one of --room, or the studio.
+std::optional<Room> roomOf(const SceneValue& value) {
+    if (value.node->is_string() && textOf(value) == kStudioWord) return std::nullopt;
+    std::vector<std::string_view> words = wordsOf(kRoomNames);
+    words.push_back(kStudioWord);
+    return kRoomNames[choiceOf(value, words)].value;
+}
+
+void readSurroundings(const SceneValue& file, SceneDescription& scene) {
+    const auto table = findTable(file, "surroundings");
+    if (!table) return;
+    requireKnownKeys(*table, "surroundings", {"room", "lamps", "lights"});
+    AddedSurroundings added{roomOf(require(*table, "room")), {}, false};
+    const CountRange lamps = rowOf<&RenderSettings::lights>().limits;
+    if (const auto value = find(*table, "lamps")) added.lamps = wholeNumberOf(*value, lamps.low, lamps.high);
+    takeFlag(*table, "lights", added.has_lights);
+    scene.surroundings = added;
+}
+
 /// Reads a direction; an axis, which also selects the front for cameras; or "auto": from the scans.
 void readUp(const SceneValue& value, SceneDescription& scene) {
     if (!value.node->is_string()) {
@@ -90,8 +110,8 @@ void readUp(const SceneValue& value, SceneDescription& scene) {
 void readWhole(const SceneValue& file, SceneDescription& scene) {
     std::vector<std::string_view> keys = settingKeys(FileTable::kScene);
     keys.insert(keys.begin(), "up");
-    keys.insert(keys.end(),
-                {"staged_for", "camera", "view", "render", "instance", "clip", "material", "shape", "light", "sky"});
+    keys.insert(keys.end(), {"staged_for", "camera", "view", "render", "instance", "clip", "material", "shape", "light",
+                             "sky", "surroundings"});
     requireKnownKeys(file, "a scene", keys);
     readSettings(file, FileTable::kScene, scene.render);
     if (const auto up = find(file, "up")) readUp(*up, scene);
@@ -117,14 +137,21 @@ SceneDescription parseScene(std::string_view text, const std::string& path) {
     readShapes(file, reading);
     readLights(file, reading);
     readSky(file, reading);
+    readSurroundings(file, reading.scene);
     if (reading.scene.instances.empty() && reading.scene.shapes.empty())
         refuse(file, "the scene has neither an [[instance]] nor a [[shape]]");
+    moveSurroundingMaterialsLast(reading.scene);
     return reading.scene;
 }
 
 bool isSceneOrSet(const std::string& path) { return isSceneFile(path) || isTileSet(path); }
 
 SceneDescription readSceneFile(const std::string& path) { return parseScene(readText(path), path); }
+
+void takeLayer(const SceneValue& table, Layer& layer) {
+    if (const auto name = find(table, "name")) layer.name = textOf(*name);
+    takeFlag(table, "locked", layer.locked);
+}
 
 std::string fileOf(const SceneValue& value, const SceneReading& reading) {
     const std::string name = textOf(value);

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "format/base/error.h"
+#include "runtime/scene/added_surroundings.h"
 #include "runtime/scene/upright.h"
 #include "runtime/scene_io/scene_file.h"
 #include "runtime/scene_io/write_parts.h"
@@ -52,6 +53,15 @@ void writeViews(SceneWriting& writing) {
     }
 }
 
+void writeSurroundings(SceneWriting& writing) {
+    if (!writing.scene.surroundings) return;
+    const AddedSurroundings& added = *writing.scene.surroundings;
+    begin(writing, "[surroundings]");
+    put(writing, "room", tomlOf(std::string(added.room ? nameOf(kRoomNames, *added.room) : kStudioWord)));
+    putOptional(writing, "lamps", added.lamps);
+    if (added.has_lights) put(writing, "lights", "true");
+}
+
 void writeSky(SceneWriting& writing) {
     if (!writing.scene.sky) return;
     const SkyDescription& sky = *writing.scene.sky;
@@ -81,6 +91,11 @@ std::string pathFrom(const std::string& folder, const std::string& path) {
     return std::filesystem::absolute(path, error).string();
 }
 
+void putLayer(SceneWriting& writing, const Layer& layer) {
+    if (!layer.name.empty()) put(writing, "name", tomlOf(layer.name));
+    if (layer.locked) put(writing, "locked", "true");
+}
+
 std::string sceneText(const SceneDescription& scene, const std::string& scene_dir) {
     SceneWriting writing{scene, scene_dir, materialNames(scene), "# Written by pointrt-view.\n"};
     putUp(writing);
@@ -90,6 +105,7 @@ std::string sceneText(const SceneDescription& scene, const std::string& scene_di
     putCamera(writing, scene.camera);
     writeViews(writing);
     writeRender(writing);
+    writeSurroundings(writing);
     writeSky(writing);
     writeMaterials(writing);
     writeInstances(writing);

@@ -48,6 +48,8 @@ void writeInstance(SceneWriting& writing, const InstanceDescription& instance) {
     if (placement.translation != Vec3{}) put(writing, "translate", tomlOf(placement.translation));
     if (instance.material) put(writing, "material", tomlOf(writing.material_names.at(*instance.material)));
     if (!instance.clipped) put(writing, "clip", "false");
+    if (!instance.visible) put(writing, "visible", "false");
+    putLayer(writing, instance.layer);
     for (const MaterialOverride& over : instance.overrides) writeOverride(writing, over);
 }
 
@@ -129,12 +131,16 @@ void writeShape(SceneWriting& writing, const ShapeDescription& shape) {
     if (!material.empty()) put(writing, "material", tomlOf(material));
     if (!shape.seen_by_camera) put(writing, "seen_by_camera", "false");
     if (shape.backdrop) put(writing, "backdrop", "true");
+    if (shape.of_surroundings) put(writing, "of_surroundings", "true");
+    if (!shape.visible) put(writing, "visible", "false");
+    putLayer(writing, shape.layer);
 }
 
 } // namespace
 
 void writeInstances(SceneWriting& writing) {
-    for (const InstanceDescription& instance : writing.scene.instances) writeInstance(writing, instance);
+    for (const InstanceDescription& instance : writing.scene.instances)
+        if (!instance.deleted) writeInstance(writing, instance);
 }
 
 void writeShapes(SceneWriting& writing) {

@@ -24,6 +24,7 @@ void writeClips(SceneWriting& writing) {
         begin(writing, "[[clip]]");
         std::visit([&](const auto& form) { putForm(writing, form); }, clip.form);
         if (!clip.enabled) put(writing, "enabled", "false");
+        putLayer(writing, clip.layer);
     }
 }
 

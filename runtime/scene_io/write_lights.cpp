@@ -24,6 +24,10 @@ struct FieldWriter {
     void operator()(const VisibleField& field) const {
         if (!field.value) put(writing, "seen_by_camera", "false");
     }
+    void operator()(const LayerField& field) const {
+        putLayer(writing, field.layer);
+        if (!field.visible) put(writing, "visible", "false");
+    }
     void operator()(const EmissionField& field) const { put(writing, field.key(), tomlOf(field.value)); }
 };
 

@@ -35,6 +35,8 @@ void writeClips(SceneWriting& writing);
 void writeShapes(SceneWriting& writing);
 void writeLights(SceneWriting& writing);
 
+/// The keys "name" and "locked", where they are set.
+void putLayer(SceneWriting& writing, const Layer& layer);
 /// An empty line, and a header such as "[camera]".
 void begin(SceneWriting& writing, const std::string& header);
 /// "key = value"

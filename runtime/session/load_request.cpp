@@ -56,6 +56,7 @@ LoadRequest loadRequest(const Options& options, SceneDescription scene) {
     if (isSceneFile(options.scene)) request.fallback_up = Vec3{0, 1, 0}; // not the camera's up, which may be tilted
     request.memory = options.memory.value_or(kTileMemory);
     request.turntable = options.turntable;
+    request.follows_views = options.follows_views;
     request.verbose = options.verbose;
     return request;
 }

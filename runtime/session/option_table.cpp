@@ -75,6 +75,13 @@ void setDevice(Options& options, const std::string& text) {
     options.device = options.list_devices ? "" : text;
 }
 
+void setMoving(Options& options, const std::string& text, bool follows_views) {
+    if (options.turntable != 0 && options.follows_views != follows_views)
+        throw std::invalid_argument("--turntable and --path exclude each other");
+    options.turntable = parseCount(text, 1, kMaxTurntable);
+    options.follows_views = follows_views;
+}
+
 OptionGroup imageOptions() {
     return {
         "Image",
@@ -85,7 +92,12 @@ OptionGroup imageOptions() {
          {"--turntable", "N",
           "Render N pictures from a camera that circles the target once, to -o frames/%04d.png (default: off; 1 to " +
               std::to_string(kMaxTurntable) + ")",
-          [](Options& o, const std::string& text) { o.turntable = parseCount(text, 1, kMaxTurntable); }},
+          [](Options& o, const std::string& text) { setMoving(o, text, false); }},
+         {"--path", "N",
+          "Render N pictures from a camera that moves smoothly through the views of the scene file, in their order, "
+          "from the first to the last, to -o frames/%04d.png (default: off; 1 to " +
+              std::to_string(kMaxTurntable) + ")",
+          [](Options& o, const std::string& text) { setMoving(o, text, true); }},
          {"--thumbnail", "N",
           "Render a PNG of N x N pixels in about a second, for file managers; -o FILE may have any suffix (default: "
           "off; 1 to " +
@@ -153,6 +165,14 @@ OptionGroup clipOptions() {
           "(default: "
           "everything)",
           [](Options& o, const std::string& text) { o.clips.push_back(clipBox(parseBox(text))); },
+          {},
+          nullptr,
+          true},
+         {"--hide",
+          "NAME",
+          "Hide a scan, shape, light or clip by its name in the scene file, or by the scan's file name, or as in "
+          "'light 2' (default: only those with visible = false)",
+          [](Options& o, const std::string& text) { o.hidden.push_back(text); },
           {},
           nullptr,
           true},

@@ -159,7 +159,7 @@ void requireImage(const Options& options) {
 void requireCameraList(const Options& options) {
     if (options.output.empty() || options.output == "-") throw Error{ExitCode::kBadUsage, "--cameras: needs -o FOLDER"};
     const CameraRequest& camera = options.camera;
-    const char* other = options.turntable != 0                   ? "--turntable"
+    const char* other = options.turntable != 0                   ? movingOption(options)
                         : options.bench_frames != 0              ? "--bench"
                         : options.resume                         ? "--resume"
                         : options.profile                        ? "--profile"
@@ -185,7 +185,7 @@ void requireNoCameraList(const Options& options) {
 void requireThumbnail(const Options& options) {
     if (options.output.empty()) throw Error{ExitCode::kBadUsage, "--thumbnail: needs -o FILE"};
     const char* other = options.choices.size               ? "--size"
-                        : options.turntable != 0           ? "--turntable"
+                        : options.turntable != 0           ? movingOption(options)
                         : options.bench_frames != 0        ? "--bench"
                         : options.resume                   ? "--resume"
                         : !options.cameras.empty()         ? "--cameras"
@@ -206,7 +206,7 @@ void fillThumbnail(Options& options) {
 /// A plan sets its camera itself.
 void requirePlan(const Options& options) {
     const CameraRequest& camera = options.camera;
-    const char* other = options.turntable != 0                   ? "--turntable"
+    const char* other = options.turntable != 0                   ? movingOption(options)
                         : options.thumbnail != 0                 ? "--thumbnail"
                         : !options.cameras.empty()               ? "--cameras"
                         : options.resume                         ? "--resume"
@@ -245,7 +245,7 @@ void requireStartPage(const Options& options) {
     if (!opensWindow(options) || !can_show) throw Error{ExitCode::kBadUsage, "no SCENE given"};
 }
 
-/// A scene must be alone; scans may be several.
+/// A scene file must be alone; scans may be several, if all of them are baked or none is.
 void requireInputs(const Options& options) {
     if (options.inputs.empty()) return requireStartPage(options);
     for (const std::string& input : std::span(options.inputs).subspan(1))
@@ -253,9 +253,10 @@ void requireInputs(const Options& options) {
             throw Error{ExitCode::kBadUsage, "unexpected argument " + input + ", did you mean -o " + input + "?"};
     const auto scene = std::find_if(options.inputs.begin(), options.inputs.end(), isScene);
     if (scene == options.inputs.end()) return requireBakeOptions(options);
-    if (options.inputs.size() > 1)
-        throw Error{ExitCode::kBadUsage,
-                    *scene + ": a scene cannot be opened with other files; name them in a scene file (docs/SCENES.md)"};
+    if (options.inputs.size() > 1 && !areBakedScans(options.inputs))
+        throw Error{ExitCode::kBadUsage, *scene + ": a scene file or a baked scan cannot be opened with files of other "
+                                                  "kinds; bake scans, or name them in a "
+                                                  "scene file (docs/SCENES.md)"};
     if (!options.bake_options.empty()) throw Error{ExitCode::kBadUsage, "--bake: " + *scene + " is baked already"};
 }
 
@@ -280,11 +281,20 @@ void requireTask(const Options& options) {
     if (options.resume && options.bench_frames != 0)
         throw Error{ExitCode::kBadUsage, "--resume and --bench exclude each other"};
     if (options.turntable != 0 && (options.resume || options.bench_frames != 0))
-        throw Error{ExitCode::kBadUsage, std::string("--turntable and ") + (options.resume ? "--resume" : "--bench") +
-                                             " exclude each other"};
+        throw Error{ExitCode::kBadUsage, std::string(movingOption(options)) + " and " +
+                                             (options.resume ? "--resume" : "--bench") + " exclude each other"};
     requireInputs(options);
-    if (options.cameras.empty()) requireFrameNames(options.output, options.turntable != 0);
+    if (options.cameras.empty())
+        requireFrameNames(options.output, options.turntable != 0 ? movingOption(options) : nullptr);
     requireWindow(options);
+}
+
+/// What is baked needs no bake: the scene, and the scans beside it.
+void takeScene(Options& options) {
+    const std::vector<std::string>& inputs = options.inputs;
+    if (inputs.empty() || (inputs.size() > 1 && !areBakedScans(inputs))) return;
+    options.scene = inputs.front();
+    options.added.assign(inputs.begin() + 1, inputs.end());
 }
 
 /// Takes the options after --bake, which belong to pointrt-bake. Returns the number of arguments before it.
@@ -310,12 +320,20 @@ bool opensWindow(const Options& options) {
 
 bool isScene(const std::string& path) { return path.ends_with(".pro") || isSceneOrSet(path) || beginsAsPro(path); }
 
+const char* movingOption(const Options& options) { return options.follows_views ? "--path" : "--turntable"; }
+
+bool areBakedScans(const std::vector<std::string>& paths) {
+    return std::all_of(paths.begin(), paths.end(),
+                       [](const std::string& path) { return isScene(path) && !isSceneFile(path); });
+}
+
 std::optional<int> parseOptions(int argc, const char* const* argv, Options& options) {
     CommandLine app("View and render point scans by ray tracing on a Vulkan device.", "pointrt-view");
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     app.add_option("SCENE", options.inputs,
                    "Scans to render: files or a folder, of any format that pointrt-bake reads, baked together; or "
-                   "FILE.pro or NAME.proset from pointrt-bake; or a scene file FILE.toml (docs/SCENES.md), which "
+                   "FILE.pro or NAME.proset from pointrt-bake, one or several; or a scene file FILE.toml "
+                   "(docs/SCENES.md), which "
                    "options override")
         ->type_name("")
         ->group("Scene")
@@ -325,7 +343,7 @@ std::optional<int> parseOptions(int argc, const char* const* argv, Options& opti
     const int own_arguments = takeBakeOptions(argc, argv, options);
     if (const auto done = parseCommandLine(app, own_arguments, argv, {{".png", "-o"}, {".exr", "-o"}})) return done;
     requireTask(options);
-    if (options.inputs.size() == 1) options.scene = options.inputs.front();
+    takeScene(options);
     if (options.thumbnail != 0) fillThumbnail(options);
     return {};
 }

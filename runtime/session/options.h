@@ -28,6 +28,7 @@ struct Options {
     std::vector<std::string> inputs;       ///< a scene, or scans to bake, as named on the command line
     std::vector<std::string> bake_options; ///< of pointrt-bake, for scans
     std::string scene;                     ///< the scene to open: the input, or the .pro baked from scans
+    std::vector<std::string> added;        ///< further scans (.pro, .proset) beside scene
     std::string source;                    ///< what users know scene by, such as the scan it was baked from; empty:
                                            ///< by its own name
     std::string output;    ///< FILE.png, FILE.tif, FILE.exr or "-", or a folder with cameras; empty with a window,
@@ -39,6 +40,7 @@ struct Options {
     std::optional<Vec3> up_axis;        ///< also the scene's up unless that has one; also in camera
     std::optional<double> fov_deg;      ///< none: not given
     std::vector<ClipDescription> clips; ///< boxes, besides the clips of the scene file
+    std::vector<std::string> hidden;    ///< names of layers (layers.h)
     std::optional<SectionRequest> section;
     FrameLimits limits;
     std::optional<std::uint64_t> memory; ///< bytes for the tiles of sets; none: kTileMemory
@@ -46,12 +48,13 @@ struct Options {
     std::string cameras;                 ///< a list of cameras, empty for none; output is then a folder
     CameraOutput camera_output;          ///< layers of each camera
     bool drops_distortion = false;       ///< ignore lens distortion in cameras
-    std::uint32_t turntable = 0;         ///< number of pictures, 0: none; output is then a pattern (turntable.h)
-    std::uint32_t thumbnail = 0;         ///< side in pixels, 0: none; output is then a PNG with any suffix
-    double plan = 0;                     ///< side of a plan's pixel in scene units, 0: no plan
-    std::optional<GeoReference> place;   ///< of a plan, set by fillPlan (plan_view.h)
-    bool resume = false;                 ///< continue the film in output, an .exr
-    std::uint32_t bench_frames = 0;      ///< 0: no benchmark
+    std::uint32_t turntable = 0;       ///< pictures of a moving camera, 0: none; output is then a pattern (turntable.h)
+    bool follows_views = false;        ///< it moves through the scene's views, not around the target
+    std::uint32_t thumbnail = 0;       ///< side in pixels, 0: none; output is then a PNG with any suffix
+    double plan = 0;                   ///< side of a plan's pixel in scene units, 0: no plan
+    std::optional<GeoReference> place; ///< of a plan, set by fillPlan (plan_view.h)
+    bool resume = false;               ///< continue the film in output, an .exr
+    std::uint32_t bench_frames = 0;    ///< 0: no benchmark
     bool list_devices = false;
     bool profile = false; ///< needs output or bench_frames
     // without output and bench_frames a window opens
@@ -66,6 +69,12 @@ bool writesToneMapped(const Options& options);
 
 /// True if path is opened as it is: a scene file, a tile set or a .pro. Everything else is a scan to bake.
 bool isScene(const std::string& path);
+
+/// True if all paths are scans that are baked: files or sets that can be opened together.
+bool areBakedScans(const std::vector<std::string>& paths);
+
+/// The option that asks for pictures of a moving camera.
+const char* movingOption(const Options& options);
 
 /// True if options open a window.
 bool opensWindow(const Options& options);

@@ -5,6 +5,8 @@
 
 #include "format/base/error.h"
 #include "runtime/device_scene/color_choice.h"
+#include "runtime/scene/added_surroundings.h"
+#include "runtime/scene/layers.h"
 #include "runtime/scene/render_setting_table.h"
 #include "runtime/scene_io/scene_file.h"
 
@@ -80,7 +82,9 @@ bool isNoisy(const RenderSettings& settings, const SceneDescription& scene, cons
     if (subject.only_gaussians && scene.shapes.empty()) return false;
     if (hasTrait(settings.integrator, INTEGRATOR_IS_STOCHASTIC)) return true;
     if (!usesLights(settings.integrator)) return false;
-    return std::any_of(scene.lights.begin(), scene.lights.end(), isSoft) || (scene.sky && !scene.sky->image.empty());
+    return std::any_of(scene.lights.begin(), scene.lights.end(),
+                       [](const LightDescription& light) { return isVisible(light) && isSoft(light); }) ||
+           (scene.sky && !scene.sky->image.empty());
 }
 
 SceneDescription describeScene(const Options& options) {
@@ -89,13 +93,16 @@ SceneDescription describeScene(const Options& options) {
         scene = readSceneFile(options.scene);
         if (!options.source.empty()) scene.path = options.source;
         if (!scene.up) scene.up = options.up_axis;
+        if (options.choices.room || options.choices.lights) removeSurroundings(scene); // replaced by others
     } else {
         scene.path = options.source.empty() ? options.scene : options.source;
         scene.instances.push_back({options.scene, {}, {}, {}});
+        for (const std::string& path : options.added) scene.instances.push_back({path, {}, {}, {}});
         scene.up = options.up_axis;
     }
     scene.clips.insert(scene.clips.end(), options.clips.begin(), options.clips.end());
     requireFewHalfSpaces(scene.clips);
+    hideLayers(scene, options.hidden);
     return scene;
 }
 

@@ -81,6 +81,23 @@ case_an_interrupt_leaves_whole_pictures() {
     done
 }
 
+case_path_through_the_views() {
+    writeScene
+    # shellcheck disable=SC2086 # words
+    {
+        expectDone pointrt-view scene.toml $small --lights 3 --path 3 -o out/p%d.png
+        expectDone pointrt-view scene.toml $small --lights 3 --integrator depth --path 2 -o out/d%d.png
+        expectDone pointrt-view scene.toml $small --lights 3 --integrator depth --view "top view" -o out/last.png
+    }
+    [ "$(echo out/p*)" = "out/p0.png out/p1.png out/p2.png" ] || fail "there is $(echo out/p*)"
+    ! cmp -s out/p0.png out/p1.png || fail "the second picture is the first"
+    ! cmp -s out/p1.png out/p2.png || fail "the third picture is the second"
+    cmp out/d1.png out/last.png || fail "the path does not end at the last view"
+    expectError 2 "--path: .*half.pro has 0 .*two" pointrt-view half.pro -q --path 3 -o out/%d.png
+    expectError 2 "--path: .*--turntable and --path" pointrt-view scene.toml --turntable 2 --path 3 -o out/%d.png
+    expectError 2 "out/a.png: --path .*%d" pointrt-view scene.toml --path 3 -o out/a.png
+}
+
 case_views() {
     writeScene
     # shellcheck disable=SC2086 # words

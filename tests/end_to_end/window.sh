@@ -62,6 +62,69 @@ case_colours_are_those_of_files() {
     ! cmp -s bare.png file.png || fail "no legend"
 }
 
+# A saved scene shows its room as chosen, and saved again it is the same.
+case_saved_room_is_chosen_again() {
+    bakeHalf
+    save='0 wait 1
+6 key down Control
+6 key down S
+7 key up S
+7 key up Control
+12 quit'
+    for room in studio matte; do
+        option=() && [ $room = studio ] || option=(--room $room)
+        replay "$save" --spp 1 "${option[@]}"
+        grep -A1 '^\[surroundings\]' half-1.toml | grep -q "^room = \"$room\"" || fail "the scene does not name its room"
+        expectDone pointrt-view half-1.toml --replay user.txt --offscreen
+        cmp half-1.toml half-1-1.toml || fail "the reopened scene is another one, room $room"
+        expectDone pointrt-view half-1.toml --room none --size 32x24 -o none.png
+        grep -v of_surroundings half-1.toml | sed '/^\[surroundings\]/,/^$/d' >own.toml
+        expectDone pointrt-view own.toml --room none --size 32x24 -o own.png
+        ! cmp -s none.png own.png || fail "the room stays, and another one is put around it"
+        rm half-1*.toml
+    done
+}
+
+case_hides_layers() {
+    bakeHalf
+    sphere 500 | awk '{ print $1 + 3, $2, $3 }' >other.xyz
+    pointrt-bake -q other.xyz -o other.pro
+    expectDone pointrt-view half.pro other.pro --size 64x48 --lights 1 -o both.png
+    expectDone pointrt-view half.pro other.pro --size 64x48 --lights 1 --hide other.pro -o one.png
+    expectDone pointrt-view half.pro --size 64x48 --lights 1 --integrator phong -o alone.png
+    ! cmp -s both.png one.png || fail "nothing is hidden"
+    expectError 2 "--hide: .*\"tower.*half.pro, other.pro" pointrt-view half.pro other.pro --hide tower.pro -o none.png
+    cat >scene.toml <<'END'
+[camera]
+eye = [6, 0, 0]
+target = [0, 0, 0]
+[[instance]]
+file = "half.pro"
+name = "the half"
+[[shape]]
+type = "sphere"
+center = [0, 0, 0]
+radius = 2
+visible = false
+[[light]]
+type = "point"
+position = [9, 9, 9]
+intensity = 300
+[[light]]
+type = "sphere"
+center = [2, 0, 0]
+radius = 0.5
+radiance = 9
+visible = false
+END
+    expectDone pointrt-view scene.toml --size 64x48 -o hidden.png
+    awk '/\[\[shape/ { drop = 1 } /\[\[light/ { drop = ++lights > 1 } !drop' scene.toml >bare.toml
+    expectDone pointrt-view bare.toml --size 64x48 -o bare.png
+    cmp hidden.png bare.png || fail "a hidden shape or light is seen"
+    expectDone pointrt-view scene.toml --size 64x48 --hide "the half" -o empty.png
+    ! cmp -s hidden.png empty.png || fail "the scan is seen"
+}
+
 case_studio_follows_the_scene_not_the_camera() {
     bakeHalf
     replay "$orbit

@@ -155,6 +155,12 @@ def three_cameras(torture):
     (torture.folder / "in/list.json").write_text(json.dumps({"w": 32, "h": 32, "fl_x": 30, "frames": frames}))
 
 
+def two_views(torture):
+    ball_pro(torture)
+    views = "".join(f'[[view]]\nname = "{x}"\neye = [{x}, 0, 9]\n' for x in range(2))
+    (torture.folder / "in/views.toml").write_text(views + '[[instance]]\nfile = "ball.pro"\n')
+
+
 def bare_ball(torture):
     ball(torture)
     torture.tool("pointrt-bake", "-q", "--compact", "in/ball.xyz", "-o", "in/ball.pro")
@@ -174,6 +180,10 @@ def case_view_named():
 
 def case_view_resume():
     return of(RESUME + "--spp 4", prepare=film, most=8)
+
+
+def case_view_path():
+    return of("pointrt-view -q in/views.toml --size 32x32 --spp 1 --path 2 -o out/%02d.png", prepare=two_views, most=8)
 
 
 def case_view_turntable():

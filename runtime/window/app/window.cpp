@@ -26,6 +26,7 @@ namespace {
 /// Poll interval when idle, for jobs and notices.
 constexpr double kIdle_s = 0.1;
 constexpr double kNotice_s = 6;
+constexpr double kError_s = 20; // a long path and its reason, read twice
 
 HostRequest hostRequest(const Options& options, const RecordReplay& tape) {
     HostRequest request;
@@ -94,14 +95,12 @@ Window::Window(const Options& options)
           jobs_, [this](const std::string& text, bool error) { notify(text, error); },
           [this](const SceneSource& scene, bool first) { return startLoad(scene, first); }) {
     if (!options.record.empty()) session_.startRecording(options.record, host_.size());
-    if (options.inputs.empty())
-        work_.recent_files = recentFiles(userStateFolder());
-    else
-        opener_.openNamed({options.inputs, options.bake_options});
+    work_.recent_files = recentFiles(userStateFolder());
+    if (!options.inputs.empty()) opener_.openNamed({options.inputs, options.bake_options});
 }
 
 void Window::notify(const std::string& text, bool error) {
-    work_.notices.push_back({text, error, session_.now() + kNotice_s});
+    work_.notices.push_back({text, error, session_.now() + (error ? kError_s : kNotice_s)});
     if (options_.verbose || error)
         std::fprintf(stderr, "pointrt-view: %s%s\n", error ? "error: " : "",
                      printable(text, std::string::npos).c_str());
@@ -123,7 +122,7 @@ double Window::inputTimeout() const {
     // a replay need not be displayed smoothly, but drawing while it loads would slow down the loading
     const bool hurries = session_.isReplaying() && image_.live();
     if (hurries || traces || view_.moves() || input_.any || image_.hasPendingRequest()) return 0;
-    return work_.job || !work_.notices.empty() || ui_.isDragging() ? kReplayFrame_s : kIdle_s;
+    return work_.job || dialog_ || !work_.notices.empty() || ui_.isDragging() ? kReplayFrame_s : kIdle_s;
 }
 
 std::vector<InputEvent> Window::collectInput() {
@@ -164,8 +163,7 @@ void Window::execute(const Command& command) {
     if (const auto* at = std::get_if<CentreCommand>(&command))
         image_.pick({at->x / size.width, at->y / size.height, true});
     if (const auto* fly = std::get_if<FlyCommand>(&command)) view_.flyAlong(fly->direction);
-    if (const auto* drop = std::get_if<DropEvent>(&command))
-        afterSaving([this, paths = drop->paths] { opener_.drop(paths); });
+    if (const auto* drop = std::get_if<DropEvent>(&command)) openFiles(drop->paths);
     if (const auto* action = std::get_if<Action>(&command)) execute(*action);
 }
 
@@ -197,12 +195,14 @@ void Window::handleRequests() {
     handleEdits(requests);
     if (loaded_ && !changesScene(jobs_) && !jobs_.has(JobKind::kTiles))
         editScene(requests.dragging, requests.dragging || requests.typing);
+    if (requests.action) execute(*requests.action);
     if (requests.quit) afterSaving([this] { quit_ = true; });
     if (requests.cancel_job) jobs_.cancel();
     if (requests.home) flyTo(view_.home);
     if (requests.save_view) saveView(work_);
     if (requests.screenshot && loaded_) image_.requestFilm();
-    if (requests.turntable_pictures && loaded_) tryOrNotify("", [&] { renderTurntable(*requests.turntable_pictures); });
+    if (requests.turntable_pictures && loaded_)
+        tryOrNotify("", [&] { renderTurntable(*requests.turntable_pictures, requests.follows_views); });
     std::vector<NamedView>& views = work_.scene.views;
     if (requests.go_to_view && *requests.go_to_view < views.size()) {
         const NamedView& view = views[*requests.go_to_view];

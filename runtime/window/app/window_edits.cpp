@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Undo, saving, and questions before unsaved edits would be lost.
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "format/os/user_folder.h"
@@ -19,6 +21,8 @@
 
 namespace pointrt {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// At most this long of work is lost.
 constexpr double kAutosaveEvery_s = 1;
@@ -43,9 +47,49 @@ void Window::afterSaving(std::function<void()> next) {
         });
 }
 
-void Window::handleEdits(const Requests& requests) {
+void Window::openFiles(const std::vector<std::string>& paths) {
+    if (!paths.empty()) afterSaving([this, paths] { opener_.drop(paths); });
+}
+
+/// Opens the desktop's file dialog, or the browser where there is none, and in replays.
+void Window::chooseFiles() {
+    const auto variable = [](const char* name) {
+        const char* value = std::getenv(name);
+        return std::string(value ? value : "");
+    };
+    std::error_code ignored;
+    const fs::path shown = fs::absolute(work_.scene.path.empty() ? "x" : work_.scene.path, ignored);
+    const std::string folder = shown.parent_path().string();
+    const std::vector<std::string> command = dialogCommand(folder, variable("PATH"), variable("XDG_CURRENT_DESKTOP"));
+    if (session_.isReplaying() || command.empty()) {
+        work_.browser = browse(folder);
+        return;
+    }
+    try {
+        if (!dialog_) dialog_ = std::make_unique<FileDialog>(command);
+    } catch (const std::system_error&) {
+        work_.browser = browse(folder);
+    }
+}
+
+void Window::handleChoice(const Requests& requests) {
+    if (requests.open) chooseFiles();
+    if (requests.browse) work_.browser = browse(*requests.browse);
+    if (!requests.open_files.empty()) {
+        work_.browser.reset();
+        openFiles(requests.open_files);
+    }
     if (requests.open_recent && *requests.open_recent < work_.recent_files.size())
-        opener_.drop({work_.recent_files[*requests.open_recent]});
+        openFiles({work_.recent_files[*requests.open_recent]});
+    if (!dialog_) return;
+    if (const auto chosen = dialog_->result()) {
+        dialog_.reset();
+        openFiles(*chosen);
+    }
+}
+
+void Window::handleEdits(const Requests& requests) {
+    handleChoice(requests);
     if (requests.answer && work_.question) {
         work_.question.reset();
         std::exchange(on_answer_, {})(*requests.answer);

@@ -87,6 +87,7 @@ StartedJob Window::startLoad(const SceneSource& scene, bool first) {
     Options options = options_;
     options.scene = scene.path;
     options.source = scene.source;
+    options.added = scene.added;
     if (loaded_ && !scene.follows_quick) { // camera options are for the scene of the command line only
         options.camera = {};
         options.up_axis.reset();
@@ -149,14 +150,20 @@ void Window::editScene(bool dragging, bool in_progress) {
     });
 }
 
-bool Window::needsTiles() const {
-    return loaded_ && !loaded_->scene.sets.empty() && complete_for_ != TileView{cameraOf(work_.camera), host_.pixels()};
+bool Window::needsTiles() const { return loaded_ && !loaded_->scene.sets.empty() && complete_for_ != tileView(); }
+
+/// Clips and hidden scans are those on the device.
+TileView Window::tileView() const {
+    const SceneDescription& scene = loaded_->scene.description;
+    TileView view{cameraOf(work_.camera), host_.pixels(), scene.clips, {}};
+    for (const InstanceDescription& each : scene.instances) view.visible.push_back(each.visible && !each.deleted);
+    return view;
 }
 
 /// Starts loading the next tiles for the camera once no other job uses the scene.
 void Window::requestTiles() {
     if (!needsTiles() || session_.now() - last_tile_request_s_ < kTilesEvery_s) return;
-    const TileView view{cameraOf(work_.camera), host_.pixels()};
+    const TileView view = tileView();
     TileRequest request;
     request.cameras = {view.camera};
     request.size = view.size;
@@ -252,12 +259,12 @@ void Window::saveFilm() {
     });
 }
 
-void Window::renderTurntable(std::uint32_t pictures) {
+void Window::renderTurntable(std::uint32_t pictures, bool follows_views) {
     const PixelSize size{host_.pixels().width, host_.pixels().height};
     jobs_.start(JobKind::kTurntable, [&] {
-        return startedJob<TurntableJob>(
-            std::make_unique<TurntableJob>(sceneAsShown(work_, size), work_.turntable_path, pictures, options_.device),
-            [this](TurntableJob&) { notify("rendered " + work_.turntable_path, false); });
+        return startedJob<TurntableJob>(std::make_unique<TurntableJob>(sceneAsShown(work_, size), work_.turntable_path,
+                                                                       pictures, follows_views, options_.device),
+                                        [this](TurntableJob&) { notify("rendered " + work_.turntable_path, false); });
     });
 }
 

@@ -12,6 +12,7 @@
 #include "runtime/window/app/host.h"
 #include "runtime/window/app/user_interface.h"
 #include "runtime/window/edit/autosave.h"
+#include "runtime/window/edit/file_dialog.h"
 #include "runtime/window/edit/file_opener.h"
 #include "runtime/window/edit/job_queue.h"
 #include "runtime/window/edit/load_job.h"
@@ -29,6 +30,8 @@ namespace pointrt {
 struct TileView {
     Camera camera;
     PixelSize size;
+    std::vector<ClipDescription> clips;
+    std::vector<bool> visible; ///< instances
     bool operator==(const TileView&) const = default;
 };
 
@@ -60,6 +63,9 @@ private:
     void handleEdits(const Requests& requests);
     bool saveScene();
     void saveMeasurement();
+    void openFiles(const std::vector<std::string>& paths);
+    void chooseFiles();
+    void handleChoice(const Requests& requests);
     void autosave();
     void offerAutosave(const SceneSource& scene);
 
@@ -69,12 +75,13 @@ private:
     void showColors();
     void editScene(bool dragging, bool in_progress);
     bool needsTiles() const;
+    TileView tileView() const;
     void requestTiles();
     void showTiles(TileJob& job, const TileView& view);
     void updatePicture();
     void refineWithoutRedraw();
     void saveFilm();
-    void renderTurntable(std::uint32_t pictures);
+    void renderTurntable(std::uint32_t pictures, bool follows_views);
 
     /// Input of this frame and for later ones.
     struct Input {
@@ -104,6 +111,7 @@ private:
     ImageController image_;
     JobQueue jobs_; ///< after the members that jobs use, so that jobs end first
     FileOpener opener_;
+    std::unique_ptr<FileDialog> dialog_; ///< while the desktop's dialog is open
     bool quit_ = false;
 };
 

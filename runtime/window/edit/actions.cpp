@@ -12,6 +12,10 @@ void toggleMeasurement(Workspace& work) {
 void goBack(Workspace& work) {
     if (work.question)
         work.requests.answer = work.question->answers.size() - 1;
+    else if (work.show_palette)
+        work.show_palette = false;
+    else if (work.browser)
+        work.browser.reset();
     else if (work.show_cheat_sheet)
         work.show_cheat_sheet = false;
     else if (work.job && work.job->can_cancel)
@@ -29,6 +33,8 @@ constexpr struct {
     {Action::kPause, [](Workspace& w) { w.paused = !w.paused; }},
     {Action::kScreenshot, [](Workspace& w) { w.requests.screenshot = true; }},
     {Action::kSaveScene, [](Workspace& w) { w.requests.save_scene = true; }},
+    {Action::kOpen, [](Workspace& w) { w.requests.open = true; }},
+    {Action::kPalette, [](Workspace& w) { w.show_palette = !w.show_palette; }},
     {Action::kPanel, [](Workspace& w) { w.show_panel = !w.show_panel; }},
     {Action::kCheatSheet, [](Workspace& w) { w.show_cheat_sheet = !w.show_cheat_sheet; }},
     {Action::kUndo, [](Workspace& w) { w.requests.undo = true; }},

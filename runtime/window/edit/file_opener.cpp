@@ -33,8 +33,8 @@ void FileOpener::open(const SceneSource& scene) {
 
 void FileOpener::openNamed(const ScanBake& inputs) {
     first_ = true;
-    if (isScene(inputs.scans.front())) return open({inputs.scans.front(), {}, false});
-    bake(inputs);
+    if (!isScene(inputs.scans.front())) return bake(inputs);
+    openBaked(inputs.scans);
 }
 
 void FileOpener::drop(const std::vector<std::string>& paths) {
@@ -44,8 +44,15 @@ void FileOpener::drop(const std::vector<std::string>& paths) {
     } catch (const Error& error) {
         return notify_(error.what(), true);
     }
+    if (areBakedScans(paths)) return openBaked(paths);
     if (paths.size() > 1) notify_("opening only the first of " + std::to_string(paths.size()) + " files", false);
     open({paths.front(), {}, false});
+}
+
+void FileOpener::openBaked(const std::vector<std::string>& paths) {
+    SceneSource scene{paths.front(), {}, false};
+    scene.added.assign(paths.begin() + 1, paths.end());
+    open(scene);
 }
 
 void FileOpener::bake(const ScanBake& scans) {

@@ -14,10 +14,11 @@ namespace pointrt {
 /// A scene to load.
 struct SceneSource {
     std::string path;
-    std::string source;         ///< what users know it by, such as the scan it was baked from; empty: by path
-    bool is_autosave = false;   ///< path has edits of source that are in no file of the user
-    bool is_quick = false;      ///< path is a quick bake of source
-    bool follows_quick = false; ///< the full bake, after a quick one
+    std::string source;                  ///< what users know it by, such as the scan it was baked from; empty: by path
+    bool is_autosave = false;            ///< path has edits of source that are in no file of the user
+    bool is_quick = false;               ///< path is a quick bake of source
+    bool follows_quick = false;          ///< the full bake, after a quick one
+    std::vector<std::string> added = {}; ///< further scans (.pro, .proset) beside path
 
     const std::string& name() const { return source.empty() ? path : source; }
 };
@@ -35,12 +36,14 @@ public:
     /// The same for the scene of the command line, or for its scans, which are baked first: quickly, to have something
     /// to show, then fully. Errors are thrown, from here or from JobQueue::poll, while there is nothing else to show.
     void openNamed(const ScanBake& inputs);
-    /// Opens the first file if it is a scene. Otherwise all are scans, which are baked together.
+    /// Opens baked scans together, each as a layer, or a scene file, which must be alone. All others are scans to bake
+    /// together.
     void drop(const std::vector<std::string>& paths);
     /// Opens the scene step files after path in its folder, if there is another one.
     void openNeighbour(const std::string& path, int step);
 
 private:
+    void openBaked(const std::vector<std::string>& paths);
     void bake(const ScanBake& scans);
     void bakeFully(const ScanBake& scans, bool follows_quick);
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "runtime/device_scene/color_choice.h"
+#include "runtime/scene/layers.h"
 #include "runtime/scene/point_classes.h"
 #include "runtime/scene_io/scene_file.h"
 
@@ -60,6 +61,13 @@ std::string sourceName(const SceneDescription& scene, const std::string& path) {
     return std::filesystem::path(is_scan ? scene.path : path).filename().string();
 }
 
+/// row: of the shape on the device, where hidden shapes have none.
+std::string shapeName(const SceneDescription& scene, std::uint32_t row) {
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i)
+        if (scene.shapes[i].visible && row-- == 0) return layerName(scene, {LayerKind::kShape, i});
+    return "shape"; // of a lamp
+}
+
 void describeSplat(const DeviceScene& scene, const Pick& pick, PickedPoint& point) {
     const Placement& placement = scene.description.instances.at(pick.owner).placement;
     const Vec3 input = unrotated(placement, pick.position - placement.translation) * (1 / placement.scale);
@@ -83,7 +91,7 @@ PickedPoint describePick(const DeviceScene& scene, const Pick& pick) {
     point.normal = pick.normal;
     point.distance = pick.distance;
     if (pick.owner == OWNER_SHAPES)
-        point.source = "shape " + std::to_string(pick.splat + 1);
+        point.source = shapeName(scene.description, pick.splat);
     else
         describeSplat(scene, pick, point);
     return point;

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
+#include "runtime/scene/added_surroundings.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/default_lighting.h"
 #include "runtime/scene/framing.h"
@@ -16,21 +18,20 @@
 namespace pointrt {
 namespace {
 
-bool isUsed(const SceneDescription& scene, std::uint32_t material) {
-    const auto of_shape = [&](const ShapeDescription& shape) { return shape.material == material; };
-    const auto of_part = [&](const MaterialOverride& part) { return part.material == material; };
-    const auto of_instance = [&](const InstanceDescription& instance) {
-        return instance.material == material ||
-               std::any_of(instance.overrides.begin(), instance.overrides.end(), of_part);
-    };
-    return std::any_of(scene.shapes.begin(), scene.shapes.end(), of_shape) ||
-           std::any_of(scene.instances.begin(), scene.instances.end(), of_instance);
-}
-
 /// Removes unused materials at the end of the list: those of a former room.
 void dropUnused(SceneDescription& scene, std::size_t fewest) {
-    while (scene.materials.size() > fewest && !isUsed(scene, static_cast<std::uint32_t>(scene.materials.size() - 1)))
+    while (scene.materials.size() > fewest &&
+           !usesMaterial(scene, static_cast<std::uint32_t>(scene.materials.size() - 1)))
         scene.materials.pop_back();
+}
+
+/// A saved scene contains its surroundings: the window offers them as the choice that they were made by.
+void takeOutSurroundings(OpenedScene& opened) {
+    const std::optional<AddedSurroundings> added = opened.file_scene.surroundings;
+    if (!added) return;
+    removeSurroundings(opened.file_scene);
+    opened.settings.room = added->room;
+    opened.settings.lights = added->lamps;
 }
 
 bool wantsFilter(const OpenedScene& scene) {
@@ -43,6 +44,7 @@ bool wantsFilter(const OpenedScene& scene) {
 
 ViewCamera SceneEditor::open(OpenedScene opened, std::uint32_t samples) {
     opened_ = std::move(opened);
+    takeOutSurroundings(*opened_);
     const OpenedScene& scene = *opened_;
     const Vec3 size = scene.bounds_max - scene.bounds_min, centre = 0.5 * (scene.bounds_min + scene.bounds_max);
     work_.scene = scene.resolved;
@@ -188,6 +190,9 @@ void SceneEditor::rebuildSurroundings() {
     scene.instances = work_.scene.instances;
     scene.views = work_.scene.views;
     scene.clips = work_.scene.clips;
+    scene.shapes.clear();
+    std::copy_if(work_.scene.shapes.begin(), work_.scene.shapes.end(), std::back_inserter(scene.shapes),
+                 [](const ShapeDescription& shape) { return !shape.of_surroundings; });
     if (hasFileLights()) {
         scene.lights = work_.scene.lights;
         scene.sky = work_.scene.sky;

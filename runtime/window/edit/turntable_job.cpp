@@ -39,6 +39,8 @@ private:
     fs::path folder_;
 };
 
+const char* optionOf(bool follows_views) { return follows_views ? "--path" : "--turntable"; }
+
 /// Parses "progress SHARE DETAIL" of pointrt-view --progress lines.
 bool parseProgress(const std::string& line, JobControl& control) {
     double share = 0;
@@ -49,11 +51,11 @@ bool parseProgress(const std::string& line, JobControl& control) {
     return true;
 }
 
-void render(const SceneDescription& scene, const std::string& pattern, std::uint32_t pictures,
+void render(const SceneDescription& scene, const std::string& pattern, std::uint32_t pictures, const char* option,
             const std::string& device, JobControl& control) {
     const TemporarySceneFile file(scene);
-    std::vector<std::string> arguments{programPath(), file.path(), "--turntable", std::to_string(pictures),
-                                       "--progress",  "lines",     "-o",          safeArgument(pattern)};
+    std::vector<std::string> arguments{programPath(), file.path(), option, std::to_string(pictures),
+                                       "--progress",  "lines",     "-o",   safeArgument(pattern)};
     if (!device.empty()) arguments.insert(arguments.end(), {"--device", device});
     const ToolResult end = runTool(
         arguments, "pointrt-view", [&] { return control.cancelled(); },
@@ -62,8 +64,8 @@ void render(const SceneDescription& scene, const std::string& pattern, std::uint
     if (end.wait_status != 0) throw Error{ExitCode::kCannotRun, describeFailure(end, "pointrt-view")};
 }
 
-std::string makeFolder(const std::string& pattern) {
-    requireFrameNames(pattern, true);
+std::string makeFolder(const std::string& pattern, const char* option) {
+    requireFrameNames(pattern, option);
     const fs::path folder = fs::path(pattern).parent_path();
     std::error_code error;
     if (!folder.empty()) fs::create_directories(folder, error);
@@ -74,8 +76,10 @@ std::string makeFolder(const std::string& pattern) {
 } // namespace
 
 TurntableJob::TurntableJob(const SceneDescription& scene, const std::string& pattern, std::uint32_t pictures,
-                           const std::string& device)
-    : job_("Turntable of " + std::to_string(pictures) + " pictures",
-           [=, path = makeFolder(pattern)](JobControl& control) { render(scene, path, pictures, device, control); }) {}
+                           bool follows_views, const std::string& device)
+    : job_(std::string(follows_views ? "Path of " : "Turntable of ") + std::to_string(pictures) + " pictures",
+           [=, path = makeFolder(pattern, optionOf(follows_views))](JobControl& control) {
+               render(scene, path, pictures, optionOf(follows_views), device, control);
+           }) {}
 
 } // namespace pointrt

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Renders a turntable in the background with a pointrt-view process, so that pictures equal those of the command line.
+// Renders a turntable, or a path through the views, in the background with a pointrt-view process, so that pictures
+// equal those of the command line.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +13,10 @@ namespace pointrt {
 
 class TurntableJob {
 public:
+    /// follows_views: the camera moves through the views of the scene, not around it.
     /// Renders pictures frames of scene to pattern (turntable.h) on the selected device. Creates pattern's folder.
     /// Throws Error kBadUsage or kCannotWrite for an unusable pattern.
-    TurntableJob(const SceneDescription& scene, const std::string& pattern, std::uint32_t pictures,
+    TurntableJob(const SceneDescription& scene, const std::string& pattern, std::uint32_t pictures, bool follows_views,
                  const std::string& device);
 
     Job& job() { return job_; }

@@ -12,6 +12,8 @@
 #include "runtime/scene/legend.h"
 #include "runtime/scene/render_settings.h"
 #include "runtime/scene/scene_description.h"
+#include "runtime/window/edit/file_browser.h"
+#include "runtime/window/input/controls.h"
 #include "runtime/window/input/view_camera.h"
 #include "runtime/window/live/display_pipeline.h"
 
@@ -72,13 +74,18 @@ struct Requests {
     bool dragging = false;         ///< an edit is in progress: more changes of its kind follow
     bool typing = false;           ///< a text field has the keyboard
     bool undo = false, redo = false;
-    std::optional<Vec3> up; ///< new up axis
+    bool open = false;                   ///< ask for files to open
+    std::optional<Action> action;        ///< chosen from a list
+    std::optional<std::string> browse;   ///< folder for the browser
+    std::vector<std::string> open_files; ///< chosen in the browser
+    std::optional<Vec3> up;              ///< new up axis
     bool save_measurement = false;
     bool save_scene = false, screenshot = false, save_view = false, home = false, quit = false;
     bool cancel_job = false;
     std::optional<std::size_t> answer;                  ///< index into question's answers
     std::optional<std::size_t> open_recent;             ///< index into recent_files
     std::optional<std::size_t> go_to_view, delete_view; ///< indices into scene.views
+    bool follows_views = false;                         ///< of turntable_pictures: through the views
     std::optional<std::uint32_t> turntable_pictures;    ///< number of frames to render to turntable_path
 };
 
@@ -93,6 +100,7 @@ struct Workspace {
     Vec3 scene_min, scene_max; ///< of the scans, input coordinates
     bool paused = false;
     bool show_panel = true, show_cheat_sheet = false, show_hud = true;
+    bool show_palette = false;
     bool pin_measurement = false;
     std::vector<PickedPoint> picks;       ///< oldest first; the last two, or all of a path with pin_measurement
     std::vector<std::string> color_words; ///< choices for settings.color_by
@@ -100,6 +108,7 @@ struct Workspace {
     HudStats hud;
     std::optional<JobStatus> job;
     std::vector<std::string> recent_files; ///< to start with; paths, the latest first
+    std::optional<FileBrowser> browser;    ///< while files are chosen in it
     std::optional<Question> question;
     bool can_undo = false, can_redo = false;
     bool scan_in_view = true;    ///< false: the camera looks past the scans

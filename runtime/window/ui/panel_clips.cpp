@@ -3,7 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <string>
 
 #include "runtime/window/edit/clip_edit.h"
 #include "runtime/window/ui/panel_edit.h"
@@ -30,13 +30,14 @@ void drawClipList(Workspace& w) {
     if (w.scene.clips.empty()) return dimText("Nothing is cut away.");
     for (std::size_t c = 0; c < w.scene.clips.size(); ++c) {
         ClipDescription& clip = w.scene.clips[c];
-        char name[32];
-        std::snprintf(name, sizeof name, "%s %d", isBox(clip) ? "Box" : "Plane", static_cast<int>(c) + 1);
+        std::string name = clip.layer.name;
+        if (name.empty()) name = (isBox(clip) ? "Box " : "Plane ") + std::to_string(c + 1);
         ImGui::PushID(static_cast<int>(c));
         reportSceneEdit(w, ImGui::Checkbox("##enabled", &clip.enabled));
         tooltip("whether it cuts");
         ImGui::SameLine();
-        if (ImGui::Selectable(name, static_cast<int>(c) == selectedClip(w))) selectedClip(w) = static_cast<int>(c);
+        if (ImGui::Selectable(name.c_str(), static_cast<int>(c) == selectedClip(w)))
+            selectedClip(w) = static_cast<int>(c);
         ImGui::PopID();
     }
 }
@@ -67,7 +68,9 @@ void drawClipButtons(Workspace& w) {
     addClipButton(w, "Box", newClipBox(w.scene_min, w.scene_max), "add a box around the scan, then move its sides");
     addClipButton(w, "Plane", planeFor(w),
                   "cut away what is in front of the last picked point; without one, what is above the middle");
-    ImGui::BeginDisabled(w.scene.clips.empty());
+    const bool is_locked =
+        !w.scene.clips.empty() && w.scene.clips[static_cast<std::size_t>(selectedClip(w))].layer.locked;
+    ImGui::BeginDisabled(w.scene.clips.empty() || is_locked);
     if (columnButton("Delete", 3)) {
         w.scene.clips.erase(w.scene.clips.begin() + selectedClip(w));
         w.requests.scene_changed = true;
@@ -114,8 +117,10 @@ void drawClips(Workspace& w) {
     const int selected = selectedClip(w);
     ImGui::PushID(selected);
     ClipDescription& clip = w.scene.clips[static_cast<std::size_t>(selected)];
+    ImGui::BeginDisabled(clip.layer.locked);
     if (auto* box = std::get_if<ClipBox>(&clip.form)) drawBoxSides(w, *box);
     if (auto* plane = std::get_if<ClipPlane>(&clip.form)) drawPlaneValues(w, *plane);
+    ImGui::EndDisabled();
     ImGui::PopID();
 }
 

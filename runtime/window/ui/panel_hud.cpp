@@ -59,10 +59,10 @@ float drawBox(const char* name, float top, float width, const std::function<void
 
 } // namespace
 
-void drawHud(const Workspace& w, FreeArea area) {
+void drawHud(const Workspace& w, FreeArea area, float top) {
     const float margin = kHudMargin * uiScale(), width = area.width / uiScale() - kHudMargin;
     if (width < kHudWidth || w.hud.picture_width == 0) return;
-    const float bottom = drawBox("Statistics", margin, kHudWidth, [&] { drawStats(w); });
+    const float bottom = drawBox("Statistics", top + margin, kHudWidth, [&] { drawStats(w); });
     if (!w.picks.empty() && width >= kPickWidth) drawBox("Pick", bottom + margin, kPickWidth, [&] { drawLastPick(w); });
 }
 

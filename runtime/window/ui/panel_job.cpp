@@ -127,7 +127,8 @@ void drawJobAndNotices(Workspace& w, FreeArea area) {
 void drawEmptyState(Workspace& w, FreeArea area) {
     if (!w.scene.instances.empty() || !w.scene.shapes.empty()) return;
     const std::string state = w.job ? stateOf(*w.job) : "";
-    const std::string text = w.job ? w.job->title + (state.empty() ? "" : "\n" + state) : "Drop scans or a scene here";
+    const std::string text = w.job ? w.job->title + (state.empty() ? "" : "\n" + state)
+                                   : "Open scans or a scene with Ctrl + O, or drop them here";
     const float size = 1.6f * ImGui::GetFontSize();
     const ImVec2 extent = ImGui::GetFont()->CalcTextSizeA(size, area.width, area.width, text.c_str());
     const float top = (area.height - extent.y) / (w.job || w.recent_files.empty() ? 2 : 4);

@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <numeric>
+#include <string>
 
+#include "runtime/scene/layers.h"
 #include "runtime/window/edit/light_edit.h"
 #include "runtime/window/ui/panel_edit.h"
 #include "runtime/window/ui/panel_parts.h"
@@ -67,11 +68,12 @@ void drawList(Workspace& w) {
     ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
     for (int l = 0; l < count; ++l) {
         const LightDescription& light = w.scene.lights[static_cast<std::size_t>(l)];
-        char name[32];
-        std::snprintf(name, sizeof name, "%s %d", namesOf(light.index()).label, l + 1);
+        const LayerId id{LayerKind::kLight, static_cast<std::size_t>(l)};
+        std::string name = layerAt(w.scene, id).name;
+        if (name.empty()) name = std::string(namesOf(light.index()).label) + " " + std::to_string(l + 1);
         ImGui::PushID(l);
         drawSwatch(light);
-        if (ImGui::Selectable(name, l == selectedLight(w))) selectedLight(w) = l;
+        if (ImGui::Selectable(name.c_str(), l == selectedLight(w))) selectedLight(w) = l;
         ImGui::PopID();
     }
     ImGui::PopStyleColor();
@@ -109,7 +111,7 @@ void drawButtons(Workspace& w) {
         addLight(w, LightDescription(w.scene.lights[selected]));
     ImGui::EndDisabled();
     ImGui::SameLine();
-    ImGui::BeginDisabled(!any);
+    ImGui::BeginDisabled(!any || !mayDelete(w.scene, {LayerKind::kLight, selected}));
     if (columnButton("Delete", 3)) {
         w.scene.lights.erase(w.scene.lights.begin() + static_cast<std::ptrdiff_t>(selected));
         w.requests.scene_changed = true;
@@ -125,7 +127,10 @@ void drawLights(Workspace& w) {
     if (w.scene.lights.empty()) return;
     const int selected = selectedLight(w);
     ImGui::PushID(selected);
-    drawLightValues(w, w.scene.lights[static_cast<std::size_t>(selected)]);
+    const LayerId id{LayerKind::kLight, static_cast<std::size_t>(selected)};
+    ImGui::BeginDisabled(layerAt(w.scene, id).locked);
+    drawLightValues(w, w.scene.lights[id.number]);
+    ImGui::EndDisabled();
     ImGui::PopID();
 }
 

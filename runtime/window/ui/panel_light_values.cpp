@@ -116,6 +116,7 @@ struct FieldRows {
         reportSceneEdit(w, checkboxRow("Visible", field.value, "show the lamp itself in the picture"));
     }
 
+    void operator()(const LayerField&) const {}    // in the list of layers
     void operator()(const EmissionField&) const {} // drawn above, for all lights alike
 };
 

@@ -57,6 +57,10 @@ std::optional<std::uint32_t> sharedMaterial(const SceneDescription& scene, Insta
 
 void drawScan(Workspace& w) {
     const InstanceRange range = chosenInstances(w.scene);
+    const auto first = w.scene.instances.begin() + static_cast<std::ptrdiff_t>(range.first);
+    const bool is_locked = std::any_of(first, first + static_cast<std::ptrdiff_t>(range.count),
+                                       [](const InstanceDescription& each) { return each.layer.locked; });
+    ImGui::BeginDisabled(is_locked);
     auto material = sharedMaterial(w.scene, range);
     int kind = material ? 1 + static_cast<int>(w.scene.materials[*material].kind) : 0;
     if (reportSceneEdit(w,
@@ -66,6 +70,7 @@ void drawScan(Workspace& w) {
         material = sharedMaterial(w.scene, range);
     }
     if (material) drawMaterialValues(w, w.scene.materials[*material]);
+    ImGui::EndDisabled();
 }
 
 void drawShapeMaterial(Workspace& w, std::uint32_t number) {

@@ -27,7 +27,14 @@ void drawOutput(Workspace& w) {
         storedInt("turntable pictures", kPictures) = static_cast<int>(pictures);
     textRow("Files", w.turntable_path, "turntable/%04d.png", "%04d is replaced by the picture's number");
     ImGui::BeginDisabled(w.job.has_value() || w.turntable_path.empty());
-    if (columnButton("Render turntable", 1)) w.requests.turntable_pictures = pictures;
+    if (columnButton("Turntable", 2, false, "circles the target once")) w.requests.turntable_pictures = pictures;
+    ImGui::SameLine();
+    ImGui::BeginDisabled(w.scene.views.size() < 2);
+    if (columnButton("Path", 2, false, "moves smoothly through the list of views, at least two")) {
+        w.requests.turntable_pictures = pictures;
+        w.requests.follows_views = true;
+    }
+    ImGui::EndDisabled();
     ImGui::EndDisabled();
 }
 

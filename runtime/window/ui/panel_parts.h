@@ -19,6 +19,7 @@ constexpr SliderRange sliderRange(CountRange range, bool logarithmic = false) {
 }
 
 /// Sections of the panel, below their headers.
+void drawLayers(Workspace& w);
 void drawLights(Workspace& w);
 void drawSky(Workspace& w);
 void drawMaterials(Workspace& w);
@@ -47,13 +48,19 @@ struct FreeArea {
 
 /// Over the picture:
 void drawPickMarks(const Workspace& w);
-/// Statistics and the last pick, upper left corner. Boxes wider than area are omitted.
-void drawHud(const Workspace& w, FreeArea area);
+/// Buttons of the most used actions, along the upper edge. Returns the lower edge.
+float drawToolbar(Workspace& w, FreeArea area);
+/// Statistics and the last pick, below top at the left. Boxes wider than area are omitted.
+void drawHud(const Workspace& w, FreeArea area, float top);
 /// Properties of the last of w.picks, which must not be empty.
 void drawLastPick(const Workspace& w);
 /// The legend of the current colours, if any, lower left corner.
 void drawLegendBox(const Workspace& w, FreeArea area);
 void drawCheatSheet(Workspace& w, FreeArea area);
+/// All commands, found by their words.
+void drawPalette(Workspace& w, FreeArea area);
+/// Files to open, if w.browser is set.
+void drawBrowser(Workspace& w, FreeArea area);
 /// The running job, with notices above it, at the middle of the lower edge.
 void drawJobAndNotices(Workspace& w, FreeArea area);
 /// In the middle while nothing is open: what is being opened, or how to open something.

@@ -25,11 +25,11 @@ struct Section {
     bool open;
 };
 constexpr Section kSections[] = {
-    {"Light", drawLights, true},    {"Sky", drawSky, false},         {"Materials", drawMaterials, false},
-    {"Room", drawRoom, true},       {"Render", drawRender, false},   {"Picture", drawPicture, true},
-    {"Colours", drawColors, false}, {"Camera", drawCamera, false},   {"Views", drawViews, false},
-    {"Clip", drawClips, false},     {"Measure", drawMeasure, false}, {"Output", drawOutput, false},
-    {"About", drawAbout, false},
+    {"Layers", drawLayers, false},       {"Light", drawLights, true},    {"Sky", drawSky, false},
+    {"Materials", drawMaterials, false}, {"Room", drawRoom, true},       {"Render", drawRender, false},
+    {"Picture", drawPicture, true},      {"Colours", drawColors, false}, {"Camera", drawCamera, false},
+    {"Views", drawViews, false},         {"Clip", drawClips, false},     {"Measure", drawMeasure, false},
+    {"Output", drawOutput, false},       {"About", drawAbout, false},
 };
 
 float shownWidth() { return panelWidth(ImGui::GetIO().DisplaySize.x, uiScale()); }
@@ -75,13 +75,16 @@ void drawUi(Workspace& w) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const FreeArea area{std::max(1.0f, window.x - (w.show_panel ? shownWidth() : 0)), std::max(1.0f, window.y)};
     drawPickMarks(w);
-    if (w.show_hud) drawHud(w, area);
+    const float below = drawToolbar(w, area);
+    if (w.show_hud) drawHud(w, area, below);
     drawLegendBox(w, area);
     drawEmptyState(w, area);
     drawWayBack(w, area);
     if (w.show_panel) drawPanel(w);
     drawJobAndNotices(w, area);
     if (w.show_cheat_sheet) drawCheatSheet(w, area);
+    drawBrowser(w, area);
+    drawPalette(w, area);
     drawQuestion(w);
     w.requests.typing = ImGui::GetIO().WantTextInput;
     endEdits(w.requests);

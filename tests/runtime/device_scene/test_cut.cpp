@@ -123,6 +123,15 @@ TEST(Cut, DetailZero_TakesTheFinestTiles) {
     EXPECT_FALSE(cutOf(set, request).fits);
 }
 
+TEST(Cut, TilesThatAreCutAway_StayCoarse) {
+    const TileSet set = rowOfFour();
+    CutRequest request = requestOf(fromTheLeft(100));
+    request.kept = {{{3.2, 0, 0}, {1, 0, 0}}}; // beyond x = 2, where tile 1 ends, by more than half its edge
+    EXPECT_EQ(cutOf(set, request).tiles, (TileNumbers{1, 5, 6}));
+    request.kept = {nothingKept()};
+    EXPECT_EQ(cutOf(set, request).tiles, TileNumbers{0});
+}
+
 TEST(Cut, LargestDetail_TakesTheRoot) {
     const TileSet set = rowOfFour();
     CutRequest request = requestOf(fromTheLeft(100));

@@ -14,7 +14,7 @@ void expectNear(Vec3 a, Vec3 b) { EXPECT_LT(length(a - b), 1e-12); }
 
 std::string refusal(const std::string& path, bool turntable) {
     try {
-        requireFrameNames(path, turntable);
+        requireFrameNames(path, turntable ? "--turntable" : nullptr);
     } catch (const Error& error) {
         EXPECT_EQ(error.code, ExitCode::kBadUsage);
         return error.what();

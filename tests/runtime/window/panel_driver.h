@@ -10,6 +10,7 @@
 #include <string>
 
 #include "runtime/window/ui/panel_ui.h"
+#include "runtime/window/ui/ui_input.h"
 #include "runtime/window/ui/ui_style.h"
 
 namespace pointrt {
@@ -27,6 +28,7 @@ class PanelDriver {
 public:
     explicit PanelDriver(float width = 1280, float height = 3000) {
         ImGui::CreateContext();
+        setUpUiInput();
         setUpUiStyle(1);
         unsigned char* texels = nullptr;
         int w = 0, h = 0;
@@ -56,8 +58,8 @@ public:
     }
     void openAll(Workspace& w) {
         frame(w);
-        for (const char* name : {"Light", "Sky", "Materials", "Room", "Render", "Picture", "Colours", "Camera", "Views",
-                                 "Clip", "Measure", "Output", "About"})
+        for (const char* name : {"Layers", "Light", "Sky", "Materials", "Room", "Render", "Picture", "Colours",
+                                 "Camera", "Views", "Clip", "Measure", "Output", "About"})
             open(name);
     }
 
@@ -90,12 +92,29 @@ public:
         return release(w);
     }
 
+    /// The full name of a child window, by the beginning that its owner gives it.
+    static std::string childOf(const char* beginning) {
+        for (const ImGuiWindow* window : GImGui->Windows)
+            if (std::string(window->Name).starts_with(beginning)) return window->Name;
+        return {};
+    }
+    void hold(Key key, bool down) { feedImGui(input_, KeyEvent{key, down}); }
+    /// Presses a key and releases it. Returns the requests of the press.
+    Requests hit(Workspace& w, Key key) {
+        hold(key, true);
+        const Requests requests = frame(w);
+        input_ = {};
+        hold(key, false);
+        return requests;
+    }
+
 private:
     static ImGuiID idOf(ImGuiID seed, std::initializer_list<IdStep> path) {
         for (const IdStep& step : path)
             seed = step.text ? ImHashStr(step.text, 0, seed) : ImHashData(&step.number, sizeof step.number, seed);
         return seed;
     }
+    UiInput input_;
     Requests button(Workspace& w, bool down) {
         ImGui::GetIO().MouseDown[0] = down;
         return frame(w);

@@ -44,6 +44,7 @@ protected:
                       [this](const std::string& text, bool error) { messages += (error ? "error: " : "") + text; },
                       [this](const SceneSource& scene, bool first) {
                           loads += std::filesystem::path(scene.path).filename().string() + (first ? " first" : "");
+                          for (const std::string& added : scene.added) loads += " + " + added;
                           return startedJob<NoWork>(std::make_unique<NoWork>(), {});
                       }};
 };
@@ -62,9 +63,17 @@ TEST_F(FileOpenerTest, OpensTheFirstDroppedScene) {
     opener.drop({"a.toml"});
     EXPECT_EQ(messages, "");
     EXPECT_EQ(next(), "a.toml");
-    opener.drop({"b.pro", "c.pro"});
+    opener.drop({"b.toml", "c.pro"});
     EXPECT_SAYS(messages, "*first *2 files");
-    EXPECT_EQ(next(), "b.pro");
+    EXPECT_EQ(next(), "b.toml");
+}
+
+TEST_F(FileOpenerTest, OpensBakedScansTogether) {
+    opener.drop({"b.pro", "c.pro"});
+    EXPECT_EQ(next(), "b.pro + c.pro");
+    EXPECT_EQ(messages, "");
+    opener.openNamed({{"d.pro", "e.pro"}, {}});
+    EXPECT_EQ(next(), "d.pro first + e.pro");
 }
 
 TEST_F(FileOpenerTest, ReportsMissingScans) {

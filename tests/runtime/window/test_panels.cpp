@@ -78,6 +78,86 @@ TEST(Panels, DrawingChangesNothing) {
     showAll(many);
 }
 
+TEST(Panels, LayersHideAndDelete) {
+    Workspace w = litScan();
+    PanelDriver driver;
+    driver.openAll(w);
+    ASSERT_TRUE(driver.find(w, "Panel", {"Layers", "Lights", 1, "##visible"}));
+    EXPECT_TRUE(driver.click(w).scene_changed);
+    EXPECT_FALSE(isVisible(w.scene.lights[1]));
+    ASSERT_TRUE(driver.find(w, "Panel", {"Layers", "Lights", 1, "light 2##name"}));
+    driver.click(w);
+    ASSERT_TRUE(driver.find(w, "Panel", {"Layers", "Delete"}));
+    EXPECT_TRUE(driver.click(w).scene_changed);
+    EXPECT_EQ(w.scene.lights.size(), 1u);
+}
+
+TEST(Panels, LockedLayersStay) {
+    Workspace w = litScan();
+    w.scene.lights[0] = SunLight{Vec3{0, 1, 0}, 0.3, {3, 3, 3}};
+    std::get<SunLight>(w.scene.lights[0]).layer.locked = true;
+    PanelDriver driver;
+    driver.openAll(w);
+    ASSERT_TRUE(driver.find(w, "Panel", {"Light", "Copy"}));
+    EXPECT_FALSE(driver.find(w, "Panel", {"Light", "Delete"})) << "disabled";
+}
+
+TEST(Panels, PaletteRunsCommands) {
+    Workspace w = litScan();
+    w.show_palette = true;
+    PanelDriver driver(1280, 720);
+    for (int f = 0; f < 3; ++f) driver.frame(w);
+    ImGui::GetIO().AddInputCharactersUTF8("picture EXR");
+    driver.frame(w);
+    EXPECT_TRUE(w.show_palette);
+    EXPECT_EQ(driver.hit(w, Key::kEnter).action, Action::kScreenshot);
+    EXPECT_FALSE(w.show_palette);
+}
+
+TEST(Panels, ToolbarButtonsRunTheirActions) {
+    Workspace w = litScan();
+    PanelDriver driver(800, 600);
+    ASSERT_TRUE(driver.find(w, "Toolbar", {"Open"}));
+    EXPECT_EQ(driver.click(w).action, Action::kOpen);
+    EXPECT_FALSE(driver.find(w, "Toolbar", {"Undo"})) << "nothing to undo";
+    ASSERT_TRUE(driver.find(w, "Toolbar", {"Commands"}));
+}
+
+/// The toolbar, the statistics and the panel share the window without overlapping.
+TEST(Panels, DoNotOverlapFrom800x600On) {
+    for (const float width : {800.0f, 1280.0f}) {
+        Workspace w = busyScan();
+        w.show_cheat_sheet = false;
+        w.hud.picture_width = 500;
+        PanelDriver driver(width, 600);
+        for (int f = 0; f < 3; ++f) driver.frame(w);
+        const ImRect toolbar = ImGui::FindWindowByName("Toolbar")->Rect();
+        const ImRect statistics = ImGui::FindWindowByName("Statistics")->Rect();
+        const ImRect panel = ImGui::FindWindowByName("Panel")->Rect();
+        EXPECT_LE(toolbar.Max.y, statistics.Min.y);
+        EXPECT_LE(toolbar.Max.x, panel.Min.x);
+    }
+}
+
+TEST(Panels, BrowserOpensFilesAndFolders) {
+    Workspace w;
+    w.browser = FileBrowser{"/scans", {{"site", true}, {"nave.laz"}, {"tower.laz"}}, ""};
+    PanelDriver driver(1280, 720);
+    driver.frame(w);
+    const std::string list = PanelDriver::childOf("Open/entries");
+    ASSERT_TRUE(driver.find(w, list.c_str(), {0, "site/"}));
+    EXPECT_EQ(driver.click(w).browse, "/scans/site");
+    ASSERT_TRUE(driver.find(w, list.c_str(), {1, "nave.laz"}));
+    driver.click(w);
+    EXPECT_TRUE(w.browser->entries[1].chosen);
+    ASSERT_TRUE(driver.find(w, list.c_str(), {2, "tower.laz"}));
+    driver.hold(Key::kControl, true);
+    driver.click(w);
+    driver.hold(Key::kControl, false);
+    ASSERT_TRUE(driver.find(w, "Open", {"Open"}));
+    EXPECT_EQ(driver.click(w).open_files, (std::vector<std::string>{"/scans/nave.laz", "/scans/tower.laz"}));
+}
+
 TEST(Panels, FitAnyWindow) {
     for (const float side : {1.0f, 20.0f, 150.0f, 8000.0f}) showAll(busyScan(), side, side);
     showAll(busyScan(), 1, 2000);
@@ -315,7 +395,7 @@ TEST(Panels, RequestTheTurntable) {
     Workspace w = litScan();
     PanelDriver driver;
     driver.openAll(w);
-    ASSERT_TRUE(driver.find(w, "Panel", {"Output", "Render turntable"}));
+    ASSERT_TRUE(driver.find(w, "Panel", {"Output", "Turntable"}));
     EXPECT_EQ(driver.click(w).turntable_pictures, 36u);
     w.job = JobStatus{};
     EXPECT_FALSE(driver.click(w).turntable_pictures.has_value());

@@ -13,6 +13,7 @@
 #include "runtime/device_scene/scene_rows.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/default_lighting.h"
+#include "runtime/scene/render_setting_table.h"
 #include "runtime/scene_io/scene_file.h"
 #include "runtime/scene_io/scene_write.h"
 #include "runtime/window/edit/autosave.h"
@@ -168,6 +169,63 @@ TEST_F(SceneEditorTest, SavesTheDefaultBackgroundOfGaussianCaptures) {
     EXPECT_EQ(pictureBackground(work.scene), Background{}) << "as it was";
     work.scene.sky->zenith = {0, 0, 1};
     EXPECT_FALSE(sceneAsShown(work, {64, 48}).render.background) << "the sky was edited";
+}
+
+class SavedRoom : public SceneEditorTest {
+protected:
+    /// The displayed scene, saved and read again, as pointrt-view opens it.
+    OpenedScene reopened() {
+        const test::TemporaryFolder folder;
+        folder.write("statue.pro", "");
+        SceneDescription shown = sceneAsShown(work, {64, 48});
+        shown.instances = {{folder.file("statue.pro"), {}, {}, {}}};
+        writeSceneFile(folder.file("statue.toml"), shown);
+        OpenedScene scene = opened({});
+        scene.file_scene = scene.resolved = readSceneFile(folder.file("statue.toml"));
+        applyChoices(scene.file_scene.render, scene.settings);
+        addSurroundings(scene.resolved, scene.settings, scene.camera, scene.bounds_min, scene.bounds_max);
+        return scene;
+    }
+};
+
+TEST_F(SavedRoom, IsChosenWhenItIsReopened) {
+    editor.open(opened({}), 4);
+    const std::optional<Room> rooms[] = {std::nullopt, Room::kMatte, Room::kMirror, Room::kNone};
+    for (const std::optional<Room> room : rooms) {
+        goTo(room, room ? std::optional(2u) : std::nullopt);
+        work.scene.lights.back() = lampAt(7);
+        const SceneDescription saved = work.scene;
+        editor.open(reopened(), 4);
+        EXPECT_EQ(work.settings.room, room);
+        EXPECT_EQ(work.settings.lights, room ? std::optional(2u) : std::nullopt);
+        EXPECT_EQ(work.scene.shapes, saved.shapes);
+        EXPECT_EQ(work.scene.lights, saved.lights);
+        EXPECT_EQ(work.scene.sky, saved.sky);
+    }
+}
+
+TEST_F(SavedRoom, IsReplacedByAnotherOne) {
+    editor.open(opened({}), 4);
+    const SceneDescription studio = work.scene;
+    editor.open(reopened(), 4);
+    goTo(Room::kNone);
+    EXPECT_TRUE(work.scene.shapes.empty()) << "no studio floor";
+    EXPECT_TRUE(work.scene.materials.empty());
+    goTo(std::nullopt);
+    EXPECT_EQ(work.scene.lights, studio.lights);
+    EXPECT_EQ(work.scene.shapes, studio.shapes);
+}
+
+TEST_F(SavedRoom, LeavesTheScenesOwnLights) {
+    SceneDescription scene;
+    scene.lights = {lampAt(2)};
+    editor.open(opened(scene), 4);
+    goTo(Room::kMatte);
+    editor.open(reopened(), 4);
+    EXPECT_EQ(work.settings.room, Room::kMatte);
+    goTo(Room::kNone);
+    EXPECT_TRUE(work.scene.shapes.empty());
+    EXPECT_EQ(work.scene.lights, (std::vector<LightDescription>{lampAt(2)}));
 }
 
 TEST_F(SceneEditorTest, ChangesTheUpAxis) {

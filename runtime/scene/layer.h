@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace pointrt {
+
+/// How lists present a part of a scene: an instance, a shape, a light or a clip.
+struct Layer {
+    std::string name;    ///< empty: named by its kind and number
+    bool locked = false; ///< the window does not edit or delete it
+    bool operator==(const Layer&) const = default;
+};
+
+} // namespace pointrt

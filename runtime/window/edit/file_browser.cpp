@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/edit/file_browser.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include "runtime/scene_io/scene_file.h"
+#include "runtime/window/edit/file_list.h"
+
+namespace pointrt {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool comesBefore(const FileBrowser::Entry& a, const FileBrowser::Entry& b) {
+    return a.is_folder != b.is_folder ? a.is_folder : naturallyLess(a.name, b.name);
+}
+
+} // namespace
+
+FileBrowser browse(const std::string& folder) {
+    std::error_code error;
+    FileBrowser browser;
+    browser.folder = fs::absolute(folder.empty() ? "." : folder, error).lexically_normal().string();
+    fs::directory_iterator entry(browser.folder, error);
+    for (const fs::directory_iterator end; !error && entry != end; entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        std::error_code ignored;
+        const bool is_folder = entry->is_directory(ignored) && !isSceneOrSet(entry->path().string());
+        if (!name.starts_with('.')) browser.entries.push_back({name, is_folder, false});
+    }
+    if (error) browser.error = browser.folder + ": " + error.message();
+    std::sort(browser.entries.begin(), browser.entries.end(), comesBefore);
+    return browser;
+}
+
+std::vector<std::string> chosenFiles(const FileBrowser& browser) {
+    std::vector<std::string> paths;
+    for (const FileBrowser::Entry& entry : browser.entries)
+        if (entry.chosen && !entry.is_folder) paths.push_back((fs::path(browser.folder) / entry.name).string());
+    return paths;
+}
+
+} // namespace pointrt

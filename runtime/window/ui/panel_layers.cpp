@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// The Layers section: every part of the scene, to show, name, lock and delete.
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+#include <vector>
+
+#include "runtime/scene/layers.h"
+#include "runtime/window/ui/panel_edit.h"
+#include "runtime/window/ui/panel_parts.h"
+#include "runtime/window/ui/panel_widgets.h"
+
+namespace pointrt {
+namespace {
+
+struct KindRow {
+    LayerKind kind;
+    const char* heading;
+    const char* selection; ///< stored number that the kind's own section selects by; null: it has none
+};
+constexpr KindRow kKindRows[] = {{LayerKind::kScan, "Scans", nullptr},
+                                 {LayerKind::kShape, "Shapes", nullptr},
+                                 {LayerKind::kLight, "Lights", "selected light"},
+                                 {LayerKind::kClip, "Clips", "selected clip"}};
+
+LayerId selectedLayer() {
+    const auto kind = static_cast<LayerKind>(storedInt("selected layer kind", 0));
+    return {kind, static_cast<std::size_t>(storedInt("selected layer", 0))};
+}
+
+void select(LayerId id, const KindRow& row) {
+    storedInt("selected layer kind", 0) = static_cast<int>(id.kind);
+    storedInt("selected layer", 0) = static_cast<int>(id.number);
+    if (row.selection) storedInt(row.selection, 0) = static_cast<int>(id.number);
+}
+
+void drawLayerRow(Workspace& w, LayerId id, const KindRow& row) {
+    ImGui::PushID(static_cast<int>(id.number));
+    bool visible = isLayerVisible(w.scene, id);
+    if (reportSceneEdit(w, ImGui::Checkbox("##visible", &visible))) setLayerVisible(w.scene, id, visible);
+    tooltip(id.kind == LayerKind::kClip ? "whether it cuts" : "show or hide");
+    ImGui::SameLine();
+    const std::string name = layerName(w.scene, id) + (layerAt(w.scene, id).locked ? "  (locked)" : "");
+    if (ImGui::Selectable((name + "##name").c_str(), id == selectedLayer())) select(id, row);
+    ImGui::PopID();
+}
+
+void drawKind(Workspace& w, const KindRow& row, const std::vector<LayerId>& layers) {
+    const auto is_row = [&](LayerId id) { return id.kind == row.kind; };
+    const auto count = static_cast<int>(std::count_if(layers.begin(), layers.end(), is_row));
+    if (count == 0) return;
+    if (!ImGui::TreeNodeEx(row.heading, ImGuiTreeNodeFlags_DefaultOpen, "%s (%d)", row.heading, count)) return;
+    for (const LayerId id : layers)
+        if (is_row(id)) drawLayerRow(w, id, row);
+    ImGui::TreePop();
+}
+
+void drawMeasurement(Workspace& w) {
+    if (w.picks.empty()) return;
+    ImGui::AlignTextToFramePadding();
+    ImGui::Text("Measurement, %d points", static_cast<int>(w.picks.size()));
+    ImGui::SameLine();
+    if (ImGui::SmallButton("Clear")) w.picks.clear();
+}
+
+/// Neither name nor lock change the picture, so they request no update.
+void drawSelected(Workspace& w, LayerId id) {
+    Layer& layer = layerAt(w.scene, id);
+    textRow("Name", layer.name, layerName(w.scene, id).c_str(), "in lists, and for --hide");
+    std::erase_if(layer.name, [](unsigned char c) { return std::iscntrl(c) != 0; });
+    checkboxRow("Locked", layer.locked, "keeps it from being edited or deleted");
+    ImGui::BeginDisabled(!mayDelete(w.scene, id));
+    if (columnButton("Delete", 1, false, "Ctrl + Z brings it back")) {
+        deleteLayer(w.scene, id);
+        w.requests.scene_changed = true;
+    }
+    ImGui::EndDisabled();
+}
+
+} // namespace
+
+void drawLayers(Workspace& w) {
+    const std::vector<LayerId> layers = layersOf(w.scene);
+    if (layers.empty()) return dimText("No scene is open.");
+    for (const KindRow& row : kKindRows) drawKind(w, row, layers);
+    drawMeasurement(w);
+    const LayerId selected = selectedLayer();
+    if (std::find(layers.begin(), layers.end(), selected) == layers.end()) return;
+    ImGui::Separator();
+    drawSelected(w, selected);
+}
+
+} // namespace pointrt
