@@ -123,7 +123,7 @@ constexpr Control kControls[] = {
     controlKey("Ctrl + K", "Window", "find a command by its words", 'K', Action::kPalette),
     keyControl("Left, Right", "Window", "previous file, next file", Key::kLeft, Action::kPreviousFile),
     keyControl("", "Window", "", Key::kRight, Action::kNextFile),
-    keyControl("P, Tab", "Window", "show or hide the panel", keyOf('P'), Action::kPanel),
+    keyControl("P, Tab", "Window", "show or hide the panel and the toolbar", keyOf('P'), Action::kPanel),
     keyControl("", "Window", "", Key::kTab, Action::kPanel),
     keyControl("H", "Window", "show or hide this list", keyOf('H'), Action::kCheatSheet),
     keyControl("Esc", "Window", "close an open list or window, or cancel the running job, or drop the picks",

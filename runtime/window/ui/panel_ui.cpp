@@ -75,7 +75,7 @@ void drawUi(Workspace& w) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const FreeArea area{std::max(1.0f, window.x - (w.show_panel ? shownWidth() : 0)), std::max(1.0f, window.y)};
     drawPickMarks(w);
-    const float below = drawToolbar(w, area);
+    const float below = w.show_panel ? drawToolbar(w, area) : 0; // without the panel, nothing but the picture
     if (w.show_hud) drawHud(w, area, below);
     drawLegendBox(w, area);
     drawEmptyState(w, area);

@@ -70,7 +70,7 @@ TEST_F(SceneFile, RefusesClipsThatCutNothingOrAll) {
     EXPECT_SAYS(refusal("[[clip]]\ntype = 'plane'\npoint = [0, 0, 0]\nnormal = [0, 0, 0]"),
                 "scene.toml:4: key \"clip[0].normal\": *zero");
     EXPECT_SAYS(refusal("[[clip]]\ntype = 'plane'\nmin = [0, 0, 0]"),
-                "scene.toml:3: key \"clip[0].min\": *\"min\"*plane *type, enabled, point, normal");
+                "scene.toml:3: key \"clip[0].min\": *\"min\"*plane *type, enabled, name, locked, point, normal");
     EXPECT_SAYS(refusal("[[clip]]\ntype = 'plane'\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\nenabled = 1"),
                 "scene.toml:5: key \"clip[0].enabled\": *true *false");
     std::string boxes;

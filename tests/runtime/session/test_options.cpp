@@ -285,7 +285,7 @@ TEST(Options, RefusesBadValuesByName) {
 
 TEST(Options, RefusesUnknownArguments) {
     EXPECT_TRUE(contains(refusal({"--frobnicate"}), "frobnicate"));
-    EXPECT_TRUE(contains(refusal({"second.pro"}), "a.pro"));
+    EXPECT_TRUE(contains(refusal({"second.toml"}), "a.pro"));
     EXPECT_NE(refusal({"--spp"}), "");
     EXPECT_NE(refusal({"-q", "-v"}), "");
 }
