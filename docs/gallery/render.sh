@@ -5,7 +5,8 @@
 #   autzen.laz         airborne lidar, 3.8 M points, PDAL/data (entwine/data/binary), CC BY 4.0
 #   lion.ply           stone lion, potree/potree (pointclouds/lion_takanawa)
 #   nefertiti.obj      bust, alecjacobson/common-3d-test-models (data)
-#   room_scan1.pcd     room, PointCloudLibrary/data (tutorials), BSD-3
+#   indoor.laz         building from within, visgl/loaders.gl (modules/las/test/data)
+#   stadium.laz        Autzen Stadium, a crop of the same scan as autzen.laz
 #   pc_tree.txt        tree, rTLS (inst/extdata)
 #   playbot            Gaussian capture by Stephane Agullo as a SOG folder, CC BY 4.0
 # POINTRT_BIN: the tools (default: build/release/bin). Needs cwebp. An hour on two cores.
@@ -27,7 +28,7 @@ view() {
 }
 keep() { cwebp -quiet -m 6 -q 88 "$work/$1.png" -o "$1.webp"; }
 
-[ $# -gt 0 ] || set -- dragon buddha statue evening lion garden tree room window
+[ $# -gt 0 ] || set -- dragon buddha statue evening lion garden tree building hall sun normals window
 for picture in "$@"; do
     case $picture in
     dragon)
@@ -58,9 +59,19 @@ for picture in "$@"; do
         bake pc_tree.txt tree
         view tree tree.toml --size 1280x800 --spp 32
         ;;
-    room)
-        bake room_scan1.pcd room --neighbors 24
-        view room room.toml --size 1280x800 --spp 32
+    building | hall)
+        bake indoor.laz indoor
+        view "$picture" "$picture.toml" --size 1280x800 --spp 16
+        ;;
+    sun)
+        bake stadium.laz stadium --up z
+        "$bin/pointrt-rays" sun "$work/stadium.pro" --at 44.058,-123.068 --date 2026-12-21 --every 30 -o "$work/winter.laz"
+        "$bin/pointrt-bake" "$work/winter.laz" --up z -o "$work/winter.pro"
+        view sun winter.pro --view iso --size 1280x800 --color-by sun_hours --color-map inferno --legend on
+        ;;
+    normals)
+        bake lion.ply lion
+        view normals lion.pro --integrator normal --size 1280x800
         ;;
     window)
         bake dragon/dragonStandRight.conf dragon
