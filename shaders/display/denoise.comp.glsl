@@ -75,7 +75,8 @@ void main() {
     if (IS_LAST != 0u) {
         vec4 factor = texelFetch(factor_texels, texel);
         filtered = vec4(filtered.rgb * factor.rgb, factor.a);
+    } else {
+        guides[texel] = sum.guide / sum.weight;
     }
     lights[texel] = filtered;
-    guides[texel] = sum.guide / sum.weight;
 }

@@ -23,14 +23,17 @@ const float kFireflyRatio = 6.0;
 // mean.
 const float kFireflyDeviation = 0.25;
 
-// Statistics of the valid neighbours.
+// The valid neighbours.
 struct Neighbours {
     vec4 sum; // light and variance
     float count;
     float brightest, second;
+    float shown[9]; // luminance, by place in the 3x3 pixels; of missing ones see addNeighbour
+    float missing;  // of the next missing one
 };
 
-void addNeighbour(inout Neighbours around, DenoiseSurface center, ivec2 pixel) {
+// Missing neighbours are by turns darker and brighter than all, so that they hardly move the median.
+void addNeighbour(inout Neighbours around, DenoiseSurface center, ivec2 pixel, int place) {
     int texel = texelOf(pixel, push.xy);
     vec4 light = texelFetch(light_texels, texel);
     vec4 words = texelFetch(surface_texels, texel);
@@ -41,6 +44,19 @@ void addNeighbour(inout Neighbours around, DenoiseSurface center, ivec2 pixel) {
     around.count += counts ? 1.0 : 0.0;
     around.second = max(around.second, min(around.brightest, shown));
     around.brightest = max(around.brightest, shown);
+    around.shown[place] = counts ? shown : around.missing;
+    around.missing = counts ? around.missing : -around.missing;
+}
+
+// In two parts, as the pixel between them is no neighbour.
+Neighbours neighboursOf(DenoiseSurface center, ivec2 pixel) {
+    Neighbours around;
+    around.sum = vec4(0.0);
+    around.count = around.brightest = around.second = 0.0;
+    around.missing = -2.0 * kBrightest;
+    for (int i = 0; i < 4; ++i) addNeighbour(around, center, pixel + ivec2(i % 3 - 1, i / 3 - 1), i);
+    for (int i = 5; i < 9; ++i) addNeighbour(around, center, pixel + ivec2(i % 3 - 1, i / 3 - 1), i);
+    return around;
 }
 
 vec4 repaired(vec4 light, DenoiseSurface center, Neighbours around) {
@@ -59,18 +75,10 @@ void sortPair(inout float low, inout float high) {
 }
 
 // Median of the luminance of the pixel and its neighbours, of an even number the lower one: a sorting network that
-// sorts just enough (Smith, Implementing median filters in XC4000E FPGAs, 1996). Missing neighbours are by turns darker
-// and brighter than all.
-float medianAround(DenoiseSurface center, ivec2 pixel, float own) {
-    float v[9];
-    float missing = -2.0 * kBrightest;
-    for (int i = 0; i < 9; ++i) {
-        ivec2 other = pixel + ivec2(i % 3 - 1, i / 3 - 1);
-        int texel = texelOf(other, push.xy);
-        bool counts = isInside(other, push.xy) && texelFetch(surface_texels, texel).w == center.kind;
-        v[i] = i == 4 ? own : counts ? luminance(texelFetch(light_texels, texel).rgb) : missing;
-        missing = counts ? missing : -missing;
-    }
+// sorts just enough (Smith, Implementing median filters in XC4000E FPGAs, 1996).
+float medianAround(Neighbours around, float own) {
+    float v[9] = around.shown;
+    v[4] = own;
     sortPair(v[1], v[2]), sortPair(v[4], v[5]), sortPair(v[7], v[8]);
     sortPair(v[0], v[1]), sortPair(v[3], v[4]), sortPair(v[6], v[7]);
     sortPair(v[1], v[2]), sortPair(v[4], v[5]), sortPair(v[7], v[8]);
@@ -84,9 +92,9 @@ float medianAround(DenoiseSurface center, ivec2 pixel, float own) {
 // The luminance by which the filter tells light from light: the median, as far as the pixel's noise explains the
 // difference to it. A bright sample among n makes its pixel stand out by one standard deviation of the mean, so its
 // guide is its neighbours' light, and the filter spreads the sample over them instead of leaving a speck.
-float guideOf(vec4 light, DenoiseSurface center, ivec2 pixel) {
+float guideOf(vec4 light, Neighbours around) {
     float own = luminance(light.rgb), deviation = sqrt(light.a);
-    return clamp(medianAround(center, pixel, own), own - deviation, own + deviation);
+    return clamp(medianAround(around, own), own - deviation, own + deviation);
 }
 
 // The smaller of the differences to the two sides: the larger one may cross an edge.
@@ -104,18 +112,10 @@ void main() {
     if (!isInside(pixel, push.xy)) return;
     int texel = texelOf(pixel, push.xy);
     DenoiseSurface center = unpackSurface(texelFetch(surface_texels, texel));
-    Neighbours around = Neighbours(vec4(0.0), 0.0, 0.0, 0.0);
-    addNeighbour(around, center, pixel + ivec2(-1, -1));
-    addNeighbour(around, center, pixel + ivec2(0, -1));
-    addNeighbour(around, center, pixel + ivec2(1, -1));
-    addNeighbour(around, center, pixel + ivec2(-1, 0));
-    addNeighbour(around, center, pixel + ivec2(1, 0));
-    addNeighbour(around, center, pixel + ivec2(-1, 1));
-    addNeighbour(around, center, pixel + ivec2(0, 1));
-    addNeighbour(around, center, pixel + ivec2(1, 1));
+    Neighbours around = neighboursOf(center, pixel);
     vec4 light = repaired(texelFetch(light_texels, texel), center, around);
     lights[texel] = light;
-    guides[texel] = guideOf(light, center, pixel);
+    guides[texel] = guideOf(light, around);
     vec2 slope = vec2(slopeBetween(center, pixel - ivec2(1, 0), pixel + ivec2(1, 0)),
                       slopeBetween(center, pixel - ivec2(0, 1), pixel + ivec2(0, 1)));
     slopes[texel] = center.closeness > 0.0 ? slope : vec2(0.0);
