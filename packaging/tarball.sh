@@ -9,9 +9,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . .ci/common.sh
-
-export SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || stat -c %Y CHANGELOG.md)}
-umask 022
+. packaging/archive.sh
 
 command -v patchelf >/dev/null || die "patchelf is missing: install the package of that name"
 build=${1:-}
@@ -20,15 +18,8 @@ if [ -z "$build" ]; then
     buildPreset package
     build=build/package
 fi
-version=$(sed -n 's/^project(pointrt VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 name=pointrt-$version-linux-$(uname -m)
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-tree=$work/$name
-
-for component in tools docs licences; do
-    cmake --install "$build" --prefix "$tree" --component $component --strip >"$work/log" || die "$(tail -1 "$work/log")"
-done
+installTree "$build" "$name"
 
 # Libraries that are the system's: glibc, GCC's runtimes, X11.
 of_system='^(ld-linux.*|libc|libm|libdl|libpthread|librt|libresolv|libstdc\+\+|libgcc_s|libX.*|libxcb.*)\.so'

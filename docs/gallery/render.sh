@@ -19,8 +19,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cp ./*.toml window.txt "$work"
 
-# bake SCAN NAME [OPTION...]
-bake() { "$bin/pointrt-bake" "$data/$1" -o "$work/$2.pro" "${@:3}"; }
+# bake SCAN NAME [OPTION...]: once, also for several pictures
+bake() { [ -e "$work/$2.pro" ] || "$bin/pointrt-bake" "$data/$1" -o "$work/$2.pro" "${@:3}"; }
 # view NAME SOURCE [OPTION...]: pointrt-view SOURCE to NAME.webp
 view() {
     "$bin/pointrt-view" "$work/$2" -o "$work/$1.png" "${@:3}"

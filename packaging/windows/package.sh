@@ -8,20 +8,12 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . .ci/common.sh
+. packaging/archive.sh
 
-export SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || stat -c %Y CHANGELOG.md)}
-umask 022
 for tool in zip makensis; do command -v $tool >/dev/null || die "$tool is missing: install the packages zip and nsis"; done
 build=$(cd "$1" && pwd)
-version=$(sed -n 's/^project(pointrt VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 name=pointrt-$version-windows-x86_64
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-tree=$work/$name
-
-for component in tools docs licences; do
-    cmake --install "$build" --prefix "$tree" --component $component --strip >"$work/log" || die "$(tail -1 "$work/log")"
-done
+installTree "$build" "$name"
 rm -rf "$tree/share/mime" "$tree/share/applications" "$tree/share/icons" "$tree/share/thumbnailers" # of Linux's desktops
 
 # what the programs are linked with

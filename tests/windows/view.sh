@@ -115,7 +115,7 @@ for bytes in 0 64 511 $((size / 2)) $((size - 1)); do
 done
 DISPLAY='' run pointrt-view sphere.pro -o a.png --device 99 # no driver
 
-# Ctrl-C saves what there is; the exit status is the system's, 0xC000013A, of which a shell keeps one byte
+# Ctrl-C saves the samples so far. Windows ends the program with 0xC000013A, of which a shell sees the lowest byte.
 (exec wine "$build/bin/pointrt-view.exe" scene.toml --size 200x150 --spp 60000 --progress lines -o stopped.exr 2>progress) &
 viewer=$!
 for _ in $(seq 600); do
