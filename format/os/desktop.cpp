@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "format/os/desktop.h"
 
-#include <cstdlib>
+#include "format/os/environment.h"
 
 namespace pointrt {
-namespace {
 
-bool isSet(const char* variable) {
-    const char* value = std::getenv(variable);
-    return value && *value != '\0';
-}
-
-} // namespace
-
-bool hasDesktop() { return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY"); }
+bool hasDesktop() { return !environmentVariable("DISPLAY").empty() || !environmentVariable("WAYLAND_DISPLAY").empty(); }
 
 std::vector<std::string> interfaceFonts() {
     // of Debian, Fedora and Arch

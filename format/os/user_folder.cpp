@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "format/os/user_folder.h"
+#include "format/os/environment.h"
 
 #include <sys/stat.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <filesystem>
 #include <system_error>
 
@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 
 /// The specification says to ignore relative paths.
 std::string absoluteFrom(const char* variable) {
-    const char* value = std::getenv(variable);
-    return value && *value == '/' ? value : "";
+    const std::string value = environmentVariable(variable);
+    return value.starts_with('/') ? value : "";
 }
 
 std::string userFolder(const char* variable, const char* below_home) {

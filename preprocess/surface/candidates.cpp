@@ -9,6 +9,20 @@ namespace {
 /// Ranks counted at once: two vector registers of any x86-64.
 constexpr std::size_t kLanes = 8;
 
+/// Copies the values up to a limit, with their indices, to the front of kept, which may be the same arrays. Returns
+/// their number. Writes every value, but advances only past those to keep: no branch to mispredict.
+std::size_t keepUpTo(float limit, const float* squared, const std::uint32_t* indices, std::size_t count, float* kept,
+                     std::uint32_t* kept_indices) {
+    std::size_t end = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const float value = squared[i];
+        kept[end] = value;
+        kept_indices[end] = indices[i];
+        end += value <= limit;
+    }
+    return end;
+}
+
 } // namespace
 
 Candidates::Candidates(std::size_t most) {
@@ -49,19 +63,9 @@ void Candidates::measure(const Vec3f& from) {
     }
 }
 
-/// Writes every candidate, but advances only past those to keep: no branch to mispredict.
 void Candidates::keepWithin(float squared_radius) {
-    const float* squared = squared_.data();
-    const std::uint32_t* indices = indices_.data();
-    float* kept = kept_.data();
-    std::uint32_t* kept_indices = kept_indices_.data();
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < count_; ++i) {
-        kept[count] = squared[i];
-        kept_indices[count] = indices[i];
-        count += squared[i] <= squared_radius;
-    }
-    kept_count_ = count;
+    kept_count_ =
+        keepUpTo(squared_radius, squared_.data(), indices_.data(), count_, kept_.data(), kept_indices_.data());
 }
 
 /// On a surface, the number of points grows with the square of the radius: drops those beyond the radius that should
@@ -72,13 +76,7 @@ void Candidates::thinKept(float squared_radius, std::size_t wanted) {
     const auto enough = std::count_if(kept_.begin(), kept_.begin() + std::ptrdiff_t(kept_count_),
                                       [&](float squared) { return squared <= limit; });
     if (std::size_t(enough) < wanted) return;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < kept_count_; ++i) {
-        kept_[count] = kept_[i];
-        kept_indices_[count] = kept_indices_[i];
-        count += kept_[i] <= limit;
-    }
-    kept_count_ = count;
+    kept_count_ = keepUpTo(limit, kept_.data(), kept_indices_.data(), kept_count_, kept_.data(), kept_indices_.data());
 }
 
 /// Sorts by distance, then index. Counts the rank of each against all others: for the usual 25, that takes half the

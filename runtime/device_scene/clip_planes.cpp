@@ -13,11 +13,9 @@ namespace {
 
 /// The half-space in the cube of an instance. In doubles: the two points may be far from the origin of the world.
 gpu::vec4 inCube(const HalfSpace& kept, const Placement& placement, const pro_info& frame) {
-    const std::array<Vec3, 3>& r = placement.rotation;
-    const Vec3 n = kept.normal;
-    const Vec3 normal = n.x * r[0] + n.y * r[1] + n.z * r[2]; // turned back
     const Vec3 cube_origin = placed(placement, {frame.origin[0], frame.origin[1], frame.origin[2]});
-    return pack(normal, dot(n, kept.point - cube_origin) / (placement.scale * frame.scale));
+    return pack(unrotated(placement, kept.normal),
+                dot(kept.normal, kept.point - cube_origin) / (placement.scale * frame.scale));
 }
 
 /// Whether a half-space may cut anything of an instance. False if all corners of its bounds are inside, farther from
@@ -33,13 +31,9 @@ bool mayCut(const HalfSpace& kept, const Placement& placement, const DeviceScan&
 
 } // namespace
 
-std::vector<HalfSpace> keptOf(const SceneDescription& scene, const InstanceDescription& instance) {
-    return keptOf(scene.clips, instance);
-}
-
 bool cutsInstances(const SceneDescription& scene) {
     return std::any_of(scene.instances.begin(), scene.instances.end(),
-                       [&](const InstanceDescription& each) { return !keptOf(scene, each).empty(); });
+                       [&](const InstanceDescription& each) { return !keptOf(scene.clips, each).empty(); });
 }
 
 void setClipPlanes(std::span<const HalfSpace> kept, const Placement& placement, const DeviceScan& file,

@@ -10,9 +10,6 @@
 
 namespace pointrt {
 
-/// What the scene's clips keep of an instance; empty if they do not cut it.
-std::vector<HalfSpace> keptOf(const SceneDescription& scene, const InstanceDescription& instance);
-
 /// Whether the clips cut any instance: programs are specialised for that.
 bool cutsInstances(const SceneDescription& scene);
 

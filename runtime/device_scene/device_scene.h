@@ -53,7 +53,7 @@ struct DeviceScene {
     Bounds bounds; ///< of the instances; of the bounded shapes if there are none
     std::vector<gpu::Light> light_rows;
     std::vector<gpu::Shape> shape_rows;
-    std::vector<bool> casting_shapes;    ///< whether each of description.shapes casts caustics
+    std::vector<bool> casting_shapes;    ///< [shownShapes] whether each casts caustics
     std::uint32_t features = 0;          ///< FEATURE_* of shaders/shared/params.h, for the current settings
     std::uint32_t sky_light = NO_LIGHT;  ///< number of the sky image's light
     gpu::EnvironmentFrame environment{}; ///< of the sky image

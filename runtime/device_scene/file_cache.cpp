@@ -2,13 +2,13 @@
 #include "runtime/device_scene/file_cache.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
 #include <vector>
 
 #include "format/base/error.h"
+#include "format/os/environment.h"
 #include "format/os/user_folder.h"
 #include "runtime/util/parse.h"
 
@@ -52,8 +52,7 @@ std::uint64_t roomOf(const FileCache& cache, std::uint64_t there) {
 
 FileCache userFileCache(const UserCache& user) {
     FileCache cache{userCacheFolder(), user.suffix, user.most_bytes};
-    const char* limit = std::getenv(user.variable);
-    const std::string size = limit ? limit : "";
+    const std::string size = environmentVariable(user.variable);
     if (size == "off") cache.folder.clear();
     if (!cache.folder.empty()) cache.folder += std::string("/") + user.name;
     if (size.empty() || size == "off") return cache;

@@ -12,6 +12,7 @@
 #include "runtime/device_scene/clip_planes.h"
 #include "runtime/device_scene/render_space.h"
 #include "runtime/device_scene/representative_tiles.h"
+#include "runtime/scene/kept.h"
 
 namespace pointrt {
 namespace {
@@ -150,7 +151,7 @@ SceneSample gather(const DeviceScene& scene, std::uint64_t step, bool clips) {
         const DeviceScan& file = *scans[i];
         const InstanceDescription& described = scene.description.instances[i];
         SampledInstance instance{described.placement, {}};
-        if (clips) instance.kept = keptOf(scene.description, described);
+        if (clips) instance.kept = keptOf(scene.description.clips, described);
         sample.oriented = sample.oriented && (file.info.flags & PRO_FLAG_ORIENTED) != 0;
         const auto set =
             std::find_if(scene.sets.begin(), scene.sets.end(), [&](const SceneSet& each) { return each.number == i; });

@@ -4,16 +4,10 @@
 #include <limits>
 
 #include "format/set/open_tile.h"
+#include "runtime/device_scene/render_space.h"
 
 namespace pointrt {
-namespace {
-
-/// Applies the inverse of the placement's rotation.
-Vec3 unrotated(const Placement& placement, Vec3 v) {
-    return v.x * placement.rotation[0] + v.y * placement.rotation[1] + v.z * placement.rotation[2];
-}
-
-} // namespace
+namespace {} // namespace
 
 OpenedSet openSet(const std::string& folder) {
     OpenedSet set;
@@ -29,7 +23,7 @@ std::string tilePath(const OpenedSet& set, std::uint32_t tile) { return tilePath
 
 CutView cutView(const Placement& placement, const Camera& camera, PixelSize size) {
     CutView view;
-    view.camera.eye = unrotated(placement, camera.eye - placement.translation) * (1 / placement.scale);
+    view.camera.eye = unplaced(placement, camera.eye);
     view.camera.right = unrotated(placement, camera.right);
     view.camera.up = unrotated(placement, camera.up);
     view.camera.forward = unrotated(placement, camera.forward);

@@ -78,6 +78,15 @@ Vec3 placed(const Placement& placement, Vec3 input) {
     return placement.translation + placement.scale * turned(placement, input);
 }
 
+Vec3 unplaced(const Placement& placement, Vec3 world) {
+    return unrotated(placement, world - placement.translation) * (1 / placement.scale);
+}
+
+Vec3 unrotated(const Placement& placement, Vec3 direction) {
+    const std::array<Vec3, 3>& r = placement.rotation;
+    return direction.x * r[0] + direction.y * r[1] + direction.z * r[2];
+}
+
 RenderSpace chooseRenderSpace(const SceneDescription& scene, std::span<const pro_info> infos) {
     if (!scene.instances.empty() && !infos.empty()) {
         const Placement& placement = scene.instances.front().placement;

@@ -36,6 +36,10 @@ RenderSpace chooseRenderSpace(const SceneDescription& scene, std::span<const pro
 /// A direction, or a point, of an instance's input in world coordinates.
 Vec3 turned(const Placement& placement, Vec3 input);
 Vec3 placed(const Placement& placement, Vec3 input);
+/// The inverse of placed: from the world to input coordinates.
+Vec3 unplaced(const Placement& placement, Vec3 world);
+/// A direction of the world, turned back by the placement's rotation, whose rows are orthonormal.
+Vec3 unrotated(const Placement& placement, Vec3 direction);
 
 Vec3 renderPoint(const RenderSpace& space, Vec3 world);
 Vec3 worldPoint(const RenderSpace& space, Vec3 point);

@@ -8,6 +8,7 @@
 #include "format/base/error.h"
 #include "runtime/device_scene/clip_planes.h"
 #include "runtime/device_scene/render_space.h"
+#include "runtime/scene/kept.h"
 
 namespace pointrt {
 
@@ -43,7 +44,7 @@ public:
         for (const Instance& instance : scene.instances) {
             const InstanceDescription& described = description.instances.at(instance.number);
             if (!sharesRows(instance)) addInstance(described, instance);
-            setClipPlanes(keptOf(description, described), described.placement, scene.files[instance.file],
+            setClipPlanes(keptOf(description.clips, described), described.placement, scene.files[instance.file],
                           rows.instances.back());
         }
         if (description.sky && !description.sky->image.empty()) addSkyLight();
@@ -69,7 +70,7 @@ private:
 
     /// Planes and boxes around the scene (rooms) cast no caustics: they are no bounded target for photons.
     void addShape(const ShapeDescription& description) {
-        if (!description.visible) return rows.casting_shapes.push_back(false);
+        if (!description.visible) return;
         gpu::Shape shape = packShape(scene_.space, description);
         const Vec3 half = 0.5 * (scene_.bounds.hi - scene_.bounds.lo);
         const double size = length(description.u) + length(description.v) + length(description.w);

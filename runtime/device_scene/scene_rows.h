@@ -15,7 +15,7 @@ struct SceneRows {
     std::vector<gpu::Shape> shapes;       ///< of the description, then of its area lights
     std::vector<gpu::Light> lights;       ///< of the description, then of its sky image
     std::vector<gpu::InstanceParams> instances;
-    std::vector<bool> casting_shapes;   ///< whether each of the description's shapes casts caustics
+    std::vector<bool> casting_shapes;   ///< [shownShapes] whether each casts caustics
     std::uint32_t sky_light = NO_LIGHT; ///< number of the sky image's light
     std::uint32_t features = 0;         ///< FEATURE_* of shaders/shared/params.h
 };

@@ -15,9 +15,10 @@
 #include "format/base/parallel.h"
 #include "format/base/printable.h"
 #include "format/set/open_tile.h"
-#include "runtime/device_scene/clip_planes.h"
 #include "runtime/device_scene/core_reach.h"
+#include "runtime/device_scene/render_space.h"
 #include "runtime/gpu/memory_budget.h"
+#include "runtime/scene/kept.h"
 #include "runtime/util/memory_text.h"
 #include "runtime/util/on_error.h"
 #include "runtime/util/parse.h"
@@ -226,17 +227,15 @@ private:
     Clock::time_point begun_ = Clock::now();
 };
 
-/// What clips keep of a set, in its own coordinates. Nothing is said of Gaussians, which reach far out of their tiles.
+/// The half-spaces that clips keep of a set, in the set's coordinates; none for Gaussians, which extend far beyond
+/// their tiles.
 std::vector<HalfSpace> keptOfSet(const DeviceScene& scene, const SceneSet& set) {
     const InstanceDescription& instance = scene.description.instances[set.number];
     const Placement& placement = instance.placement;
-    const std::array<Vec3, 3>& r = placement.rotation;
-    const auto turnedBack = [&](Vec3 v) { return v.x * r[0] + v.y * r[1] + v.z * r[2]; };
     std::vector<HalfSpace> kept;
     if (set.opened.set.gaussians) return kept;
-    for (const HalfSpace& each : keptOf(scene.description, instance))
-        kept.push_back(
-            {(1 / placement.scale) * turnedBack(each.point - placement.translation), turnedBack(each.normal)});
+    for (const HalfSpace& each : keptOf(scene.description.clips, instance))
+        kept.push_back({unplaced(placement, each.point), unrotated(placement, each.normal)});
     return kept;
 }
 

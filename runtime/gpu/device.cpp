@@ -5,11 +5,11 @@
 #include <atomic>
 #include <bit>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <vector>
 
 #include "format/base/error.h"
+#include "format/os/environment.h"
 #include "runtime/gpu/device_choice.h"
 #include "runtime/gpu/memory_pool.h"
 #include "runtime/gpu/program_store.h"
@@ -44,8 +44,8 @@ VkDebugUtilsMessengerCreateInfoEXT messengerInfo() {
 }
 
 bool isSet(const char* variable) {
-    const char* value = std::getenv(variable);
-    return value && std::strcmp(value, "") != 0 && std::strcmp(value, "0") != 0;
+    const std::string value = environmentVariable(variable);
+    return !value.empty() && value != "0";
 }
 
 bool wantsValidation() { return isSet("POINTRT_VALIDATION"); }

@@ -17,6 +17,7 @@
 #include "runtime/render/map_schedule.h"
 #include "runtime/render/photon_emission.h"
 #include "runtime/render/traced_instances.h"
+#include "runtime/scene/layers.h"
 #include "runtime/util/on_error.h"
 #include "shaders/shared/groups_for.h"
 
@@ -74,12 +75,9 @@ std::vector<PhotonTarget> findTargets(const DeviceScene& scene) {
         const RenderSphere around = sphereAround(scene.space, bounds);
         targets.push_back({around.center, around.radius, i});
     }
-    std::size_t row = 0; // hidden shapes have none
-    for (std::size_t i = 0; i < scene.description.shapes.size(); ++i) {
-        const ShapeDescription& shape = scene.description.shapes[i];
-        if (scene.casting_shapes[i]) targets.push_back(shapeTarget(scene, shape, row));
-        if (shape.visible) ++row;
-    }
+    const std::vector<std::size_t> shown = shownShapes(scene.description);
+    for (std::size_t row = 0; row < shown.size(); ++row)
+        if (scene.casting_shapes[row]) targets.push_back(shapeTarget(scene, scene.description.shapes[shown[row]], row));
     return targets;
 }
 

@@ -20,7 +20,7 @@ InstanceTraits sharedTraits(InstanceTraits traits) {
     return traits;
 }
 
-/// The last group that takes the tile; null if it is full or there is none.
+/// The last group whose programs suit the tile; null if there is no such group or it is full.
 PooledGroup* groupFor(const DeviceScene& scene, const Instance& tile, std::vector<PooledGroup>& groups) {
     const InstanceTraits traits = sharedTraits(traitsOf(scene, tile));
     const auto group = std::find_if(groups.rbegin(), groups.rend(), [&](const PooledGroup& each) {

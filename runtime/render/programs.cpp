@@ -323,6 +323,14 @@ void buildAll(Device& device, std::vector<Order> orders) {
     forAll(orders.size(), [&](std::size_t i) { build(device, orders[i]); });
 }
 
+/// Adds what all programs of instances bind beside the instance and the scene.
+void addFrame(std::vector<BufferBinding>& bindings, const FrameBuffers& buffers, const CausticMap& caustics,
+              const Buffer& cull_boxes) {
+    for (const BufferBinding& each : frameBindings(buffers)) bindings.push_back(each);
+    bindings.push_back({BINDING_CULL_BOXES, &cull_boxes});
+    for (const BufferBinding& each : causticBindings(caustics)) bindings.push_back(each);
+}
+
 } // namespace
 
 Programs createPrograms(Device& device, const DeviceScene& scene, const RenderSettings& settings, FormRequest form) {
@@ -393,9 +401,7 @@ DescriptorSets bindInstance(Device& device, VkDescriptorPool pool, const Program
                             const Instance& instance, const FrameBuffers& buffers, const CausticMap& caustics,
                             const Buffer& cull_boxes) {
     std::vector<BufferBinding> bindings = instanceBindings(scene, instance);
-    for (const BufferBinding& each : frameBindings(buffers)) bindings.push_back(each);
-    bindings.push_back({BINDING_CULL_BOXES, &cull_boxes});
-    for (const BufferBinding& each : causticBindings(caustics)) bindings.push_back(each);
+    addFrame(bindings, buffers, caustics, cull_boxes);
     const DeviceScan& file = scene.files[instance.file];
     const VkDescriptorSet common = createDescriptorSet(device, pool, programs.prepare, bindings);
     if (!isPaged(file.pages)) return common;
@@ -410,9 +416,7 @@ DescriptorSets bindPooled(Device& device, VkDescriptorPool pool, const Programs&
                           const PooledGroup& group, const PooledBuffers& buffers) {
     std::vector<BufferBinding> bindings = blockBindings(*group.block);
     for (const BufferBinding& each : sceneBindings(scene, scene.instances[group.places[0]])) bindings.push_back(each);
-    for (const BufferBinding& each : frameBindings(buffers.frame)) bindings.push_back(each);
-    bindings.push_back({BINDING_CULL_BOXES, &buffers.boxes});
-    for (const BufferBinding& each : causticBindings(buffers.caustics)) bindings.push_back(each);
+    addFrame(bindings, buffers.frame, buffers.caustics, buffers.boxes);
     const BufferBinding tiles{BINDING_POOLED_TILES, &buffers.tiles};
     return {createDescriptorSet(device, pool, programs.prepare, bindings),
             createDescriptorSet(device, pool, programs.variants.at(group.traits).intersect_camera, std::span(&tiles, 1),

@@ -75,10 +75,11 @@ private:
     }
 
     void addPooled(const PooledGroup& group) {
-        instances_.tables.push_back(uploadBoxes(makeCullBoxes(scene_, group.places)));
-        instances_.tables.push_back(
+        std::vector<Buffer>& tables = instances_.tables;
+        tables.push_back(uploadBoxes(makeCullBoxes(scene_, group.places)));
+        tables.push_back(
             createTexelRows(device_, "pooled tiles", pooledTiles(scene_, group), VK_FORMAT_R32G32B32A32_UINT));
-        const Buffer &tiles = instances_.tables.back(), &boxes = *(&tiles - 1);
+        const Buffer &boxes = tables[tables.size() - 2], &tiles = tables.back();
         TracedInstance& together = instances_.each.emplace_back();
         together.programs = &programs_.variants.at(group.traits);
         together.sets =

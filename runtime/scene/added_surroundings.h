@@ -8,7 +8,7 @@
 
 namespace pointrt {
 
-/// The room of [surroundings] that is none of kRoomNames.
+/// The word for the studio in [surroundings]; --room has no name for it.
 inline constexpr const char* kStudioWord = "studio";
 
 /// Whether a shape or an instance uses a material.

@@ -93,6 +93,13 @@ void setLayerVisible(SceneDescription& scene, LayerId id, bool visible) {
     visitLayer(scene, id, [&](Layer&, bool& member) { member = visible; });
 }
 
+std::vector<std::size_t> shownShapes(const SceneDescription& scene) {
+    std::vector<std::size_t> shown;
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i)
+        if (scene.shapes[i].visible) shown.push_back(i);
+    return shown;
+}
+
 bool mayDelete(const SceneDescription& scene, LayerId id) {
     if (layerAt(scene, id).locked) return false;
     const bool is_body =

@@ -35,12 +35,15 @@ bool isLayerVisible(const SceneDescription& scene, LayerId id);
 /// A hidden clip cuts nothing.
 void setLayerVisible(SceneDescription& scene, LayerId id, bool visible);
 
+/// Numbers of the shapes that are not hidden. The row of each on the device is its place here.
+std::vector<std::size_t> shownShapes(const SceneDescription& scene);
+
 /// False for locked layers, and for the last scan or shape: a scene needs one.
 bool mayDelete(const SceneDescription& scene, LayerId id);
 /// Numbers of later layers of its kind change, except for scans.
 void deleteLayer(SceneDescription& scene, LayerId id);
 
-/// Hides the layers of these names. Throws Error kBadUsage "--hide: ..." if there is none of a name.
+/// Hides the layers with these names. Throws Error kBadUsage "--hide: ..." for a name that no layer has.
 void hideLayers(SceneDescription& scene, const std::vector<std::string>& names);
 
 } // namespace pointrt

@@ -113,8 +113,8 @@ struct NamedView {
     bool operator==(const NamedView&) const = default;
 };
 
-/// What addSurroundings was asked for when it added to a scene. The scene keeps its lights and shapes itself; this says
-/// which room the window shows as chosen, and what it replaces when another is chosen.
+/// The room and lamps that addSurroundings has added. The scene lists their lights and shapes like any others; this
+/// records which room the window shows as selected, and what it removes when another is selected.
 struct AddedSurroundings {
     std::optional<Room> room;           ///< none: the studio, or the defaults of a scene with its own lights
     std::optional<std::uint32_t> lamps; ///< RenderSettings::lights

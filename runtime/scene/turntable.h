@@ -21,9 +21,8 @@ struct TurntableAxis {
 /// bit-identical to camera. frame < frames.
 Camera turntableCamera(const Camera& camera, const TurntableAxis& axis, std::uint32_t frame, std::uint32_t frames);
 
-/// Checks that path has exactly one %d or %0Nd (N from 1 to 9) for option, one that asks for several pictures, and none
-/// if that is null. Throws Error
-/// kBadUsage "PATH: reason".
+/// Checks that path has exactly one %d or %0Nd (N from 1 to 9) if option, such as "--turntable", asks for several
+/// pictures, and none if option is null. Throws Error kBadUsage "PATH: reason".
 void requireFrameNames(const std::string& path, const char* option);
 
 /// pattern with its %d or %0Nd replaced by frame. pattern: checked by requireFrameNames

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/session/bake_tool.h"
 
-#include <cstdlib>
 #include <filesystem>
 
 #include "format/base/error.h"
+#include "format/os/environment.h"
 #include "format/os/find_program.h"
 #include "format/os/program.h"
 
@@ -25,8 +25,7 @@ std::string findBakeTool(const std::string& folder, const std::string& search_pa
 }
 
 std::string findBakeTool() {
-    const char* path = std::getenv("PATH");
-    return findBakeTool(fs::path(programPath()).parent_path().string(), path ? path : "");
+    return findBakeTool(fs::path(programPath()).parent_path().string(), environmentVariable("PATH"));
 }
 
 } // namespace pointrt

@@ -159,7 +159,7 @@ void requireImage(const Options& options) {
 void requireCameraList(const Options& options) {
     if (options.output.empty() || options.output == "-") throw Error{ExitCode::kBadUsage, "--cameras: needs -o FOLDER"};
     const CameraRequest& camera = options.camera;
-    const char* other = options.turntable != 0                   ? movingOption(options)
+    const char* other = options.turntable != 0                   ? movingOption(options.follows_views)
                         : options.bench_frames != 0              ? "--bench"
                         : options.resume                         ? "--resume"
                         : options.profile                        ? "--profile"
@@ -185,7 +185,7 @@ void requireNoCameraList(const Options& options) {
 void requireThumbnail(const Options& options) {
     if (options.output.empty()) throw Error{ExitCode::kBadUsage, "--thumbnail: needs -o FILE"};
     const char* other = options.choices.size               ? "--size"
-                        : options.turntable != 0           ? movingOption(options)
+                        : options.turntable != 0           ? movingOption(options.follows_views)
                         : options.bench_frames != 0        ? "--bench"
                         : options.resume                   ? "--resume"
                         : !options.cameras.empty()         ? "--cameras"
@@ -206,7 +206,7 @@ void fillThumbnail(Options& options) {
 /// A plan sets its camera itself.
 void requirePlan(const Options& options) {
     const CameraRequest& camera = options.camera;
-    const char* other = options.turntable != 0                   ? movingOption(options)
+    const char* other = options.turntable != 0                   ? movingOption(options.follows_views)
                         : options.thumbnail != 0                 ? "--thumbnail"
                         : !options.cameras.empty()               ? "--cameras"
                         : options.resume                         ? "--resume"
@@ -281,11 +281,11 @@ void requireTask(const Options& options) {
     if (options.resume && options.bench_frames != 0)
         throw Error{ExitCode::kBadUsage, "--resume and --bench exclude each other"};
     if (options.turntable != 0 && (options.resume || options.bench_frames != 0))
-        throw Error{ExitCode::kBadUsage, std::string(movingOption(options)) + " and " +
+        throw Error{ExitCode::kBadUsage, std::string(movingOption(options.follows_views)) + " and " +
                                              (options.resume ? "--resume" : "--bench") + " exclude each other"};
     requireInputs(options);
     if (options.cameras.empty())
-        requireFrameNames(options.output, options.turntable != 0 ? movingOption(options) : nullptr);
+        requireFrameNames(options.output, options.turntable != 0 ? movingOption(options.follows_views) : nullptr);
     requireWindow(options);
 }
 
@@ -320,7 +320,7 @@ bool opensWindow(const Options& options) {
 
 bool isScene(const std::string& path) { return path.ends_with(".pro") || isSceneOrSet(path) || beginsAsPro(path); }
 
-const char* movingOption(const Options& options) { return options.follows_views ? "--path" : "--turntable"; }
+const char* movingOption(bool follows_views) { return follows_views ? "--path" : "--turntable"; }
 
 bool areBakedScans(const std::vector<std::string>& paths) {
     return std::all_of(paths.begin(), paths.end(),

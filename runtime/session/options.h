@@ -73,8 +73,8 @@ bool isScene(const std::string& path);
 /// True if all paths are scans that are baked: files or sets that can be opened together.
 bool areBakedScans(const std::vector<std::string>& paths);
 
-/// The option that asks for pictures of a moving camera.
-const char* movingOption(const Options& options);
+/// The option that asks for pictures of a moving camera: --path or --turntable.
+const char* movingOption(bool follows_views);
 
 /// True if options open a window.
 bool opensWindow(const Options& options);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Undo, saving, and questions before unsaved edits would be lost.
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
+#include "format/os/environment.h"
 #include "format/os/user_folder.h"
 #include "runtime/measure/path_files.h"
 #include "runtime/scene_io/scene_write.h"
@@ -51,16 +51,13 @@ void Window::openFiles(const std::vector<std::string>& paths) {
     if (!paths.empty()) afterSaving([this, paths] { opener_.drop(paths); });
 }
 
-/// Opens the desktop's file dialog, or the browser where there is none, and in replays.
+/// Opens the desktop's file dialog. Without one, and in replays, opens the window's own browser.
 void Window::chooseFiles() {
-    const auto variable = [](const char* name) {
-        const char* value = std::getenv(name);
-        return std::string(value ? value : "");
-    };
     std::error_code ignored;
     const fs::path shown = fs::absolute(work_.scene.path.empty() ? "x" : work_.scene.path, ignored);
     const std::string folder = shown.parent_path().string();
-    const std::vector<std::string> command = dialogCommand(folder, variable("PATH"), variable("XDG_CURRENT_DESKTOP"));
+    const std::vector<std::string> command =
+        dialogCommand(folder, environmentVariable("PATH"), environmentVariable("XDG_CURRENT_DESKTOP"));
     if (session_.isReplaying() || command.empty()) {
         work_.browser = browse(folder);
         return;

@@ -6,17 +6,13 @@
 #include <filesystem>
 
 #include "runtime/device_scene/color_choice.h"
+#include "runtime/device_scene/render_space.h"
 #include "runtime/scene/layers.h"
 #include "runtime/scene/point_classes.h"
 #include "runtime/scene_io/scene_file.h"
 
 namespace pointrt {
 namespace {
-
-/// Applies the inverse rotation (its rows are orthonormal).
-Vec3 unrotated(const Placement& placement, Vec3 v) {
-    return v.x * placement.rotation[0] + v.y * placement.rotation[1] + v.z * placement.rotation[2];
-}
 
 /// With as many digits as the file's type has.
 std::string shortText(double number, const pro_attribute& attribute) {
@@ -61,16 +57,15 @@ std::string sourceName(const SceneDescription& scene, const std::string& path) {
     return std::filesystem::path(is_scan ? scene.path : path).filename().string();
 }
 
-/// row: of the shape on the device, where hidden shapes have none.
+/// row: of the shape on the device.
 std::string shapeName(const SceneDescription& scene, std::uint32_t row) {
-    for (std::size_t i = 0; i < scene.shapes.size(); ++i)
-        if (scene.shapes[i].visible && row-- == 0) return layerName(scene, {LayerKind::kShape, i});
-    return "shape"; // of a lamp
+    const std::vector<std::size_t> shown = shownShapes(scene);
+    return row < shown.size() ? layerName(scene, {LayerKind::kShape, shown[row]}) : "shape"; // of a lamp
 }
 
 void describeSplat(const DeviceScene& scene, const Pick& pick, PickedPoint& point) {
     const Placement& placement = scene.description.instances.at(pick.owner).placement;
-    const Vec3 input = unrotated(placement, pick.position - placement.translation) * (1 / placement.scale);
+    const Vec3 input = unplaced(placement, pick.position);
     const Instance& instance = pickedInstance(scene, pick);
     const DeviceScan& file = scene.files.at(instance.file);
     const pro_splat splat = splatOf(file, pick.splat);

@@ -10,6 +10,7 @@
 #include "format/os/temporary_folder.h"
 #include "runtime/scene/turntable.h"
 #include "runtime/scene_io/scene_write.h"
+#include "runtime/session/options.h"
 #include "runtime/session/tool_run.h"
 
 namespace pointrt {
@@ -38,8 +39,6 @@ public:
 private:
     fs::path folder_;
 };
-
-const char* optionOf(bool follows_views) { return follows_views ? "--path" : "--turntable"; }
 
 /// Parses "progress SHARE DETAIL" of pointrt-view --progress lines.
 bool parseProgress(const std::string& line, JobControl& control) {
@@ -78,8 +77,8 @@ std::string makeFolder(const std::string& pattern, const char* option) {
 TurntableJob::TurntableJob(const SceneDescription& scene, const std::string& pattern, std::uint32_t pictures,
                            bool follows_views, const std::string& device)
     : job_(std::string(follows_views ? "Path of " : "Turntable of ") + std::to_string(pictures) + " pictures",
-           [=, path = makeFolder(pattern, optionOf(follows_views))](JobControl& control) {
-               render(scene, path, pictures, optionOf(follows_views), device, control);
+           [=, path = makeFolder(pattern, movingOption(follows_views))](JobControl& control) {
+               render(scene, path, pictures, movingOption(follows_views), device, control);
            }) {}
 
 } // namespace pointrt

@@ -121,4 +121,7 @@ struct Workspace {
     Requests requests;
 };
 
+/// Whether a scene is open.
+inline bool hasScene(const Workspace& work) { return !work.scene.instances.empty() || !work.scene.shapes.empty(); }
+
 } // namespace pointrt

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "runtime/scene/layers.h"
 #include "runtime/window/edit/clip_edit.h"
 #include "runtime/window/ui/panel_edit.h"
 #include "runtime/window/ui/panel_parts.h"
@@ -68,11 +69,10 @@ void drawClipButtons(Workspace& w) {
     addClipButton(w, "Box", newClipBox(w.scene_min, w.scene_max), "add a box around the scan, then move its sides");
     addClipButton(w, "Plane", planeFor(w),
                   "cut away what is in front of the last picked point; without one, what is above the middle");
-    const bool is_locked =
-        !w.scene.clips.empty() && w.scene.clips[static_cast<std::size_t>(selectedClip(w))].layer.locked;
-    ImGui::BeginDisabled(w.scene.clips.empty() || is_locked);
+    const LayerId selected{LayerKind::kClip, static_cast<std::size_t>(selectedClip(w))};
+    ImGui::BeginDisabled(w.scene.clips.empty() || !mayDelete(w.scene, selected));
     if (columnButton("Delete", 3)) {
-        w.scene.clips.erase(w.scene.clips.begin() + selectedClip(w));
+        deleteLayer(w.scene, selected);
         w.requests.scene_changed = true;
     }
     ImGui::EndDisabled();

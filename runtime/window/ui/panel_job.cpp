@@ -125,7 +125,7 @@ void drawJobAndNotices(Workspace& w, FreeArea area) {
 }
 
 void drawEmptyState(Workspace& w, FreeArea area) {
-    if (!w.scene.instances.empty() || !w.scene.shapes.empty()) return;
+    if (hasScene(w)) return;
     const std::string state = w.job ? stateOf(*w.job) : "";
     const std::string text = w.job ? w.job->title + (state.empty() ? "" : "\n" + state)
                                    : "Open scans or a scene with Ctrl + O, or drop them here";

@@ -113,7 +113,7 @@ void drawButtons(Workspace& w) {
     ImGui::SameLine();
     ImGui::BeginDisabled(!any || !mayDelete(w.scene, {LayerKind::kLight, selected}));
     if (columnButton("Delete", 3)) {
-        w.scene.lights.erase(w.scene.lights.begin() + static_cast<std::ptrdiff_t>(selected));
+        deleteLayer(w.scene, {LayerKind::kLight, selected});
         w.requests.scene_changed = true;
     }
     ImGui::EndDisabled();

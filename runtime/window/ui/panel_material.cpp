@@ -90,7 +90,7 @@ void drawShapeMaterial(Workspace& w, std::uint32_t number) {
 } // namespace
 
 void drawMaterials(Workspace& w) {
-    if (w.scene.instances.empty() && w.scene.shapes.empty()) dimText("No scene is open.");
+    if (!hasScene(w)) dimText("No scene is open.");
     if (!w.scene.instances.empty()) drawScan(w);
     for (std::uint32_t m = 0; m < w.scene.materials.size(); ++m)
         if (usedByShapes(w.scene, m)) drawShapeMaterial(w, m);

@@ -20,8 +20,6 @@ struct ToolButton {
     bool (*is_on)(const Workspace&); ///< shown as pressed; null: never
 };
 
-bool hasScene(const Workspace& w) { return !w.scene.instances.empty() || !w.scene.shapes.empty(); }
-
 constexpr ToolButton kButtons[] = {
     {Action::kOpen, "Open", [](const Workspace&) { return true; }, nullptr},
     {Action::kSaveScene, "Save", hasScene, nullptr},

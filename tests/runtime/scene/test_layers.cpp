@@ -44,7 +44,7 @@ TEST(Layers, AreHiddenByName) {
     EXPECT_TRUE(scene.instances[1].visible);
     try {
         hideLayers(scene, {"spire"});
-        FAIL() << "there is none";
+        FAIL() << "no layer is named spire";
     } catch (const Error& error) {
         EXPECT_EQ(error.code, ExitCode::kBadUsage);
     }
