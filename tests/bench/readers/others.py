@@ -5,6 +5,8 @@ import os
 
 import numpy as np
 
+import other_kinds
+
 # laspy's dimensions that are not attributes here: positions and colours
 LAS_ROLES = {"X", "Y", "Z", "red", "green", "blue"}
 # not read here
@@ -133,6 +135,15 @@ def read_ply(path):
     return theirs
 
 
+def read_any_ply(path):
+    """plyfile refuses the headers of Cyberware's scans, and knows no packed Gaussians."""
+    if path.endswith(".compressed.ply"):
+        return other_kinds.read_gaussians(path)
+    with open(path, "rb") as file:
+        cyberware = b"is_cyberware_data" in file.read(256)
+    return other_kinds.read_mesh(path) if cyberware else read_ply(path)
+
+
 def pcd_in_this_process(path):
     import open3d
     points = open3d.t.io.read_point_cloud(path).point
@@ -152,12 +163,23 @@ def read_pcd(path):
         return pool.submit(pcd_in_this_process, path).result()
 
 
-READERS = {".pcd": read_pcd, ".las": read_las, ".laz": read_las, ".e57": read_e57, ".ply": read_ply}
+READERS = {".pcd": read_pcd, ".las": read_las, ".laz": read_las, ".e57": read_e57, ".ply": read_any_ply,
+           ".obj": other_kinds.read_mesh, ".off": other_kinds.read_mesh, ".stl": other_kinds.read_mesh,
+           ".glb": other_kinds.read_mesh, ".gltf": other_kinds.read_mesh, ".drc": other_kinds.read_draco,
+           ".asc": other_kinds.read_grid, ".ptx": other_kinds.read_ptx, ".splat": other_kinds.read_splat,
+           ".spz": other_kinds.read_spz, ".sog": other_kinds.read_gaussians,
+           ".xyz": other_kinds.read_table, ".txt": other_kinds.read_table, ".csv": other_kinds.read_table,
+           ".pts": other_kinds.read_table}
+
+
+def reader_of(path):
+    return other_kinds.read_gaussians if path.endswith("_sog/meta.json") else \
+        READERS.get(os.path.splitext(path)[1].lower())
 
 
 def read(path):
     """A dictionary, or None and the reason."""
-    reader = READERS.get(os.path.splitext(path)[1].lower())
+    reader = reader_of(path)
     if reader is None:
         return None, None
     try:
