@@ -22,8 +22,8 @@ constexpr AxisNames kAxisNames[] = {
     {"longitude lon long lng", "latitude lat", true},
     {"points0", "points1"}, // ParaView: "Points:0" or "Points_0"
 };
-/// Heights are named the same whatever x and y are.
-constexpr std::string_view kHeights = "z height elevation elev altitude alt h hoehe höhe cota quota up points2";
+/// Heights are named the same whatever x and y are; "Höhe" in UTF-8 and in Latin-1, as German programs write it.
+constexpr std::string_view kHeights = "z height elevation elev altitude alt h hoehe höhe h\xf6he cota quota up points2";
 
 bool isWordOf(std::string_view words, std::string_view wanted) {
     while (!words.empty()) {

@@ -9,6 +9,9 @@
 namespace pointrt {
 namespace {
 
+constexpr double kFarZero = 10;   // times the extent of the others
+constexpr std::uint64_t kFew = 4; // fewer than one in 4 points
+
 /// Whether programs use a value for missing data: three nines or more, the ends of 16- and 32-bit integers, powers of
 /// ten from 1e5 on. Values of LAS files are off by rounding.
 bool isCustomaryValue(double value) {
@@ -47,19 +50,17 @@ double NoDataSurvey::timesAsFar(std::size_t axis, bool is_low) const {
 
 /// Points at x = y = 0 far from the others, as writers without a return put them.
 std::optional<NoData> NoDataSurvey::zeroPlace() const {
-    constexpr double kFar = 10;
     for (const bool x_low : {true, false})
         for (const bool y_low : {true, false}) {
             const NoData x = candidate(0, x_low), y = candidate(1, y_low);
             if (x.value != 0 || y.value != 0 || x.points != y.points) continue;
-            if (timesAsFar(0, x_low) > kFar && timesAsFar(1, y_low) > kFar) return x;
+            if (timesAsFar(0, x_low) > kFarZero && timesAsFar(1, y_low) > kFarZero) return x;
         }
     return std::nullopt;
 }
 
 std::vector<NoData> NoDataSurvey::find() const {
     constexpr double kVeryFar = 100;
-    constexpr std::uint64_t kFew = 4; // fewer than one in 4 points
     std::vector<NoData> all;
     const auto zero = zeroPlace();
     if (zero) all.push_back(*zero);
@@ -70,8 +71,9 @@ std::vector<NoData> NoDataSurvey::find() const {
             if (!(far > 1)) continue;
             NoData found = candidate(axis, is_low);
             if (zero && found.points == zero->points) continue;
-            found.is_customary = isCustomaryValue(found.value);
-            if (found.is_customary || (far > kVeryFar && kFew * found.points < points_)) all.push_back(found);
+            const bool few = kFew * found.points < points_, height_0 = axis == 2 && found.value == 0;
+            found.is_customary = isCustomaryValue(found.value) || (height_0 && few && far > kFarZero);
+            if (found.is_customary || (few && far > kVeryFar)) all.push_back(found);
         }
     return all;
 }

@@ -40,8 +40,8 @@ public:
     }
 
     /// Values that two points or more share and that are far from all others: a customary value farther than the
-    /// others are from each other, x = y = 0 ten times as far, and, not customary, any value of a few points a hundred
-    /// times as far.
+    /// others are from each other, x = y = 0, or z = 0 of a few points, ten times as far, and, not customary, any value
+    /// of a few points a hundred times as far.
     std::vector<NoData> find() const;
 
 private:

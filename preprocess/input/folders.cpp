@@ -10,6 +10,7 @@
 #include "preprocess/input/gaussian/sog_files.h"
 #include "preprocess/input/points/colmap.h"
 #include "preprocess/input/points/octree_folder.h"
+#include "preprocess/input/points/xyz_layout.h"
 
 namespace pointrt {
 namespace {
@@ -37,6 +38,16 @@ std::vector<std::string> filesBelow(const std::string& folder, int depth) {
     return files;
 }
 
+/// Whether a text has points: many folders of scans have one about them.
+bool isTable(const std::string& path) {
+    try {
+        readPrologue(openInputFile(path, NamedBy::kFile));
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
 std::vector<std::string> scansIn(const std::string& folder) {
     std::vector<std::string> scans, texts;
     std::error_code failure;
@@ -46,7 +57,7 @@ std::vector<std::string> scansIn(const std::string& folder) {
         if (name.starts_with('.') || kind == SuffixOf::kOther || !entry->is_regular_file(failure)) continue;
         (kind == SuffixOf::kScan ? scans : texts).push_back(entry->path().string());
     }
-    if (scans.empty()) scans = texts;
+    if (scans.empty() && std::any_of(texts.begin(), texts.end(), isTable)) scans = texts;
     if (failure) throw Error(ExitCode::kBadInput, folder + ": " + failure.message());
     std::sort(scans.begin(), scans.end());
     return scans;

@@ -11,6 +11,7 @@
 #include <filesystem>
 
 #include "preprocess/ingest/named_file.h"
+#include "preprocess/ingest/text.h"
 
 namespace pointrt {
 namespace {
@@ -149,6 +150,10 @@ std::optional<InputFile> openBeside(const InputFile& input, std::string name) {
         const auto path = pathInFolder(folder, each);
         if (path && fs::is_regular_file(*path, failure)) return openInputFile(path->string(), NamedBy::kFile);
     }
+    const std::string wanted = lowerCase(fs::path(name).filename().string());
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder.empty() ? "." : folder, failure))
+        if (lowerCase(entry.path().filename().string()) == wanted && entry.is_regular_file(failure))
+            return openInputFile(entry.path().string(), NamedBy::kFile);
     return std::nullopt;
 }
 

@@ -27,7 +27,7 @@ std::optional<std::uint32_t> addPicture(const InputFile& input, const InputFile&
 void noteUnreadTexture(const InputFile& input, const Error& error, Sink& sink);
 
 /// Opens a file that an input names with the path as written on another machine, perhaps: the path itself if it lies
-/// in the input's folder, else its last part there. Nothing if no such file is there.
+/// in the input's folder, else its last part there, whatever the case of its letters. Nothing if no such file is there.
 std::optional<InputFile> openBeside(const InputFile& input, std::string name);
 
 } // namespace pointrt

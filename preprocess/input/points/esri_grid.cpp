@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "preprocess/ingest/formats.h"
+#include "preprocess/ingest/number_style.h"
 #include "preprocess/ingest/text.h"
 #include "preprocess/input/points/height_grid.h"
 
@@ -21,6 +22,11 @@ struct GridHeader {
     double cells() const { return static_cast<double>(columns) * static_cast<double>(rows); }
 };
 
+/// Numbers with a decimal point, or a comma where programs write in the language of the country.
+bool gridNumber(std::string_view word, double& value) {
+    return wholeNumber(word, value) || styledNumber(word, {.decimal = ','}, value);
+}
+
 /// Takes one line of the header; false if it is not one.
 bool takeEntry(const InputFile& input, std::string_view line, GridHeader& header, bool& corner_x, bool& corner_y) {
     const char* const place = line.data();
@@ -30,7 +36,7 @@ bool takeEntry(const InputFile& input, std::string_view line, GridHeader& header
     double value = 0;
     const bool counts = key == "ncols" || key == "nrows";
     const bool good = counts ? wholeInteger(word, key == "ncols" ? header.columns : header.rows)
-                             : wholeNumber(word, value) && (std::isfinite(value) || key == "nodata_value");
+                             : gridNumber(word, value) && (std::isfinite(value) || key == "nodata_value");
     if (!good) refuseLine(input, place, fmt::format("{} takes a number, not {}", inQuotes(key), inQuotes(word)));
     if (key == "xllcorner" || key == "xllcenter") header.x = value, corner_x = key == "xllcorner";
     if (key == "yllcorner" || key == "yllcenter") header.y = value, corner_y = key == "yllcorner";
@@ -81,7 +87,7 @@ std::uint64_t addCells(const InputFile& input, const GridHeader& header, Sink& s
             sink.acceptShort(input, i, cells);
             break;
         }
-        if (!wholeNumber(word, row[kZ]))
+        if (!gridNumber(word, row[kZ]))
             refuseLine(input, word.data(), fmt::format("{} is not a number", inQuotes(word)));
         if (row[kZ] == header.no_data || !std::isfinite(row[kZ])) {
             ++missing;

@@ -242,8 +242,15 @@ std::uint64_t addPoints(RowReader& reader, Sink& sink) {
     });
 }
 
+void noteWords(const InputFile& input, const Layout& layout, Sink& sink) {
+    std::string words;
+    for (const std::string_view line : layout.left_out) addQuoted(line, words);
+    if (!words.empty()) sink.note(input, "lines of words before the header and below it are not read: " + words);
+}
+
 void readTable(const InputFile& input, Sink& sink) {
     Layout layout = readPrologue(input);
+    noteWords(input, layout, sink);
     const NumberSurvey numbers = surveyNumbers(layout);
     layout.style = numbers.style();
     if (numbers.isAmbiguous())

@@ -89,12 +89,17 @@ double correlation(const ColumnStatistics& statistics, std::size_t column) {
     return (statistics.products[column] - statistics.sum[column] * statistics.sum[column + 1] / rows) / std::sqrt(both);
 }
 
+/// Whether three columns of colours go beyond half of a byte's range, but not beyond a byte.
+bool areBright(const ColumnStatistics& statistics, std::size_t colors) {
+    const auto most = std::max({statistics.most[colors], statistics.most[colors + 1], statistics.most[colors + 2]});
+    return most >= 128 && most <= 255;
+}
+
 /// Whether a column of integers is a class number beside three colours: small, where the colours are not.
 bool isLabel(const ColumnStatistics& statistics, std::size_t column, std::size_t colors) {
-    constexpr double kMostLabels = 64, kLeastColor = 128; // half of a byte's range
-    const auto most = std::max({statistics.most[colors], statistics.most[colors + 1], statistics.most[colors + 2]});
+    constexpr double kMostLabels = 64;
     return statistics.whole[column] && statistics.least[column] >= 0 && statistics.most[column] < kMostLabels &&
-           !isConstant(statistics, column) && most >= kLeastColor && most <= 255;
+           !isConstant(statistics, column) && areBright(statistics, colors);
 }
 
 /// Which of the integer columns a, b, c and d is an intensity or a label: 'a', 'd', or 0 if undecided. A label is
@@ -150,15 +155,17 @@ std::optional<ColorPlace> findColors(const ColumnStatistics& statistics, std::si
 
 constexpr std::string_view kAdvice = "a header line such as '//X Y Z R G B I' defines";
 
-std::string doubtOf(const std::optional<ColorPlace>& colors, bool normals, std::size_t unread, std::size_t before) {
+/// label: the words for the column that is read as one, if any.
+std::string doubtOf(const std::optional<ColorPlace>& colors, bool normals, std::string_view label, std::size_t unread,
+                    std::size_t before) {
     if (colors && colors->doubtful)
         return fmt::format("has no header: columns {} to {} are read as red, green and blue, the others are not "
                            "read; {} them",
                            before + colors->first + 4, before + colors->first + 6, kAdvice);
-    if (colors && colors->label)
-        return fmt::format("has no header: columns {} to {} are read as red, green and blue, the one beside them as "
-                           "'label'; {} them",
-                           before + colors->first + 4, before + colors->first + 6, kAdvice);
+    if (colors && !label.empty())
+        return fmt::format("has no header: columns {} to {} are read as red, green and blue, {} as 'label'{}; {} them",
+                           before + colors->first + 4, before + colors->first + 6, label,
+                           unread > 0 ? ", the last is not read" : "", kAdvice);
     if (unread == 0) return {};
     const bool one = unread == 1;
     return fmt::format(
@@ -245,28 +252,39 @@ ColumnGuess guessColumns(const ColumnStatistics& statistics, std::size_t column_
     assign(guess.dimensions, 0, kX);
     const std::size_t extras = column_count - 3;
     if (is_pts && extras == 1) guess.intensity = 3;
-    if (column_count != 6 && column_count != 7 && column_count != 9 && column_count != 10) {
-        guess.doubt = doubtOf(std::nullopt, false, guess.intensity ? 0 : extras, before);
+    if (column_count < 6 || column_count > 10) {
+        guess.doubt = doubtOf(std::nullopt, false, {}, guess.intensity ? 0 : extras, before);
         return guess;
     }
     const auto normals = findNormals(statistics, extras);
-    const auto colors = findColors(statistics, extras, normals, is_pts);
+    // Of five, the last is a class or the number of an object beside colours, and an intensity or a class.
+    const bool five = extras == 5 && !normals;
+    auto colors = findColors(statistics, five ? 4 : extras, normals, is_pts);
+    if (five && colors && !areBright(statistics, colors->first)) colors.reset();
     if (normals) assign(guess.dimensions, 3 + *normals, kNormalX);
     if (colors) {
         assign(guess.dimensions, 3 + colors->first, kRed);
         guess.real_colors = !wholeNumbers(statistics, colors->first);
     }
-    const auto left = std::find(guess.dimensions.begin() + 3, guess.dimensions.end(), kIgnored);
+    const auto end = guess.dimensions.end() - (five && colors ? 1 : 0);
+    const auto left = std::find(guess.dimensions.begin() + 3, end, kIgnored);
     auto unread = static_cast<std::size_t>(std::count(left, guess.dimensions.end(), kIgnored));
-    if (colors && unread == 1) {
+    std::string_view label;
+    if (colors && std::count(left, end, kIgnored) == 1) {
         const auto column = static_cast<std::size_t>(left - guess.dimensions.begin());
-        if (colors->label)
+        if (colors->label) {
             guess.label = column;
-        else if (!isOpaque(statistics, column - 3) && !colors->doubtful)
+            label = "the one beside them";
+        } else if (!isOpaque(statistics, column - 3) && !colors->doubtful)
             guess.intensity = column;
-        unread = 0;
+        --unread;
     }
-    guess.doubt = doubtOf(colors, normals.has_value(), unread, before);
+    if (five && colors && !guess.label && isLabel(statistics, 4, colors->first)) {
+        guess.label = column_count - 1;
+        label = "the last";
+        --unread;
+    }
+    guess.doubt = doubtOf(colors, normals.has_value(), label, unread, before);
     return guess;
 }
 

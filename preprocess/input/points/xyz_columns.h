@@ -64,6 +64,8 @@ struct ColumnGuess {
 /// Guesses the columns of a list with column_count columns, of which the first three are x, y and z:
 ///  - 6: normals or rgb
 ///  - 7: rgb and an intensity, alpha or label, or normals and a column that is not read
+///  - 8: rgb up to 255 beside an intensity or a label, and as the last a label or the number of an object, which is not
+///    read; or normals
 ///  - 9 or 10: normals and, before or after them, rgb, perhaps with an intensity or alpha
 ///  - others: only x, y and z are read
 /// Colours are integers up to 65535, or numbers in [0, 1]. The intensity may be before or after rgb: if the values fit

@@ -107,6 +107,28 @@ void takeFirstPoint(std::string_view data, std::string_view line, char delimiter
     layout.first_line = trimmedRecord(line, layout.delimiter);
 }
 
+/// Whether a line below the header has words and no number: units, such as m,m,m,-.
+bool isUnitLine(std::string_view line, char delimiter) {
+    Fields fields{line, delimiter};
+    std::size_t words = 0;
+    for (std::string_view field; fields.next(field);) {
+        if (isAnyNumber(field)) return false;
+        words += !field.empty() && !isMissingWord(field);
+    }
+    return words >= 3;
+}
+
+[[noreturn]] void refuseTitle(const InputFile& input, std::string_view line) {
+    refuseLine(input, line.data(), fmt::format("neither a point nor a header with x, y and z: {}", inQuotes(line)));
+}
+
+/// Takes a line that is neither header nor point: a title, if a header follows.
+void takeTitle(const InputFile& input, std::string_view line, Layout& layout) {
+    constexpr std::size_t kMostTitles = 10;
+    layout.left_out.push_back(line);
+    if (layout.left_out.size() > kMostTitles) refuseTitle(input, layout.left_out.front());
+}
+
 /// Whether a column of the first point is read as a number: if no header says so, all of its first run are.
 bool isNumberColumn(const Layout& layout, std::size_t column) {
     if (layout.named()) return column < layout.dimensions.size() && layout.dimensions[column] != kIgnored;
@@ -134,7 +156,7 @@ Layout readPrologue(const InputFile& input) {
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
     Layout layout;
     std::optional<char> separator;
-    bool rows_are_numbered = false;
+    bool rows_are_numbered = false, has_units = false;
     std::string_view rest = input.bytes, line;
     if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
     const auto next = [&] { return nextRecord(rest, line, layout.named() ? layout.delimiter : ' '); };
@@ -164,14 +186,18 @@ Layout readPrologue(const InputFile& input) {
             takeCount(input, line, layout);
         } else if (takeHeader(line, delimiter, layout)) {
             layout.delimiter = delimiter;
+        } else if (layout.named() && isUnitLine(line, delimiter) && !has_units) {
+            has_units = true;
+            layout.left_out.push_back(line);
         } else if (isPoint(shape) || layout.named()) {
+            if (!layout.named() && !layout.left_out.empty()) refuseTitle(input, layout.left_out.front());
             takeFirstPoint(here, untrimmed, delimiter, shape, layout);
             return layout;
         } else {
-            refuseLine(input, line.data(),
-                       fmt::format("neither a point nor a header with x, y and z: {}", inQuotes(line)));
+            takeTitle(input, line, layout);
         }
     }
+    if (!layout.named() && !layout.left_out.empty()) refuseTitle(input, layout.left_out.front());
     refuse(input, "holds no points");
 }
 

@@ -15,9 +15,10 @@
 namespace pointrt {
 
 struct Layout {
-    std::vector<Dimension> dimensions; ///< one per column
-    std::vector<std::string> names;    ///< one per column, as in the header; empty without a header
-    bool real_colors = true;           ///< colours may be in [0, 1]
+    std::vector<Dimension> dimensions;      ///< one per column
+    std::vector<std::string> names;         ///< one per column, as in the header; empty without a header
+    std::vector<std::string_view> left_out; ///< lines of words: titles before the header, units below it
+    bool real_colors = true;                ///< colours may be in [0, 1]
     char delimiter = ' ';
     bool counted = false;             ///< lines with a single number give the number of points that follow
     std::uint64_t counted_points = 0; ///< from the first such line

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Reads meshes, grids, tables, PTX scans and Gaussians with other readers, with results like those of others.py."""
+import concurrent.futures
 import csv
 import gzip
 import io
@@ -34,7 +35,7 @@ def read_mesh(path):
     return theirs
 
 
-def read_draco(path):
+def draco_in_this_process(path):
     import DracoPy
     with open(path, "rb") as file:
         decoded = DracoPy.decode(file.read())
@@ -42,6 +43,12 @@ def read_draco(path):
     if decoded.colors is not None and decoded.colors.dtype == np.uint8:  # ours rounds other kinds
         theirs["colors"] = [float(column.sum()) for column in decoded.colors[:, :3].astype(np.float64).T]
     return theirs
+
+
+def read_draco(path):
+    """In a process of its own, whose heap DracoPy may damage."""
+    with concurrent.futures.ProcessPoolExecutor(1) as pool:
+        return pool.submit(draco_in_this_process, path).result()
 
 
 def read_grid(path):

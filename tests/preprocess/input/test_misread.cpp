@@ -51,7 +51,19 @@ TEST_F(MisreadTest, PointsAtZeroFarFromTheOthersAreLeftOut) {
     const Cloud cloud = readText("a.xyz", terrain(marked));
     EXPECT_EQ(cloud.positions.size(), 392u);
     EXPECT_EQ(cloud.points_no_data, 8u);
-    EXPECT_EQ(readText("b.xyz", terrain(marked, -10, -10)).points_no_data, 0u); // there, zero is a place
+    const auto place = [](int i) { return i % 50 == 7 ? "0 0 352\n" : ""; };
+    EXPECT_EQ(readText("b.xyz", terrain(place, -10, -10)).points_no_data, 0u);
+}
+
+TEST_F(MisreadTest, HeightsOfZeroFarBelowTheOthersAreLeftOut) {
+    const auto marked = [](int i) {
+        return i % 10 == 0 ? fmt::format("{} {} 0\n", 512345 + i % 20, 5403210 + i / 20) : std::string();
+    };
+    const Cloud cloud = readText("a.xyz", terrain(marked));
+    EXPECT_EQ(cloud.points_no_data, 40u);
+    EXPECT_HAS(notesOf(cloud), "z = 0, *left out");
+    const auto half = [&](int i) { return i % 2 == 0 ? marked(i / 20 * 20) : std::string(); }; // a floor
+    EXPECT_EQ(readText("b.xyz", terrain(half)).points_no_data, 0u);
 }
 
 TEST_F(MisreadTest, DataStays) {

@@ -178,6 +178,8 @@ TEST_F(PaintTest, MissingMaterialsAndTexturesAreNoted) {
     write("c.mtl", "newmtl m\nmap_Kd c.tga\n");
     write("c.tga", "what");
     EXPECT_HAS(notesOf(readText("c.obj", "mtllib c.mtl\n" + square)), "c.obj: *c.tga: ");
+    write("E.MTL", "newmtl m\nKd 0 0 1\n"); // Windows ignores the case of names
+    EXPECT_EQ(sampled(write("e.obj", "mtllib e.Mtl\n" + square)).colors.at(0), (Rgb8{0, 0, 255}));
     write("d.mtl", "newmtl m\nmap_Kd ../../../etc/passwd\n");
     EXPECT_HAS(notesOf(readText("d.obj", "mtllib d.mtl\n" + square)), "d.obj: *passwd");
 }

@@ -218,6 +218,8 @@ TEST_F(FolderTest, FoldersInFolders) {
     const std::string b = writeIn("top/b/2.ply", "x"), a = writeIn("top/a/deep/1.xyz", "x");
     writeIn("top/.hidden/3.ply", "x");
     EXPECT_EQ(filesOf({(folder / "top").string()}), (std::vector{a, b}));
+    writeIn("top/readme.txt", "Scans of the castle\n"); // no points: those below are meant
+    EXPECT_EQ(filesOf({(folder / "top").string()}), (std::vector{a, b}));
     writeIn("top/scene.bin", "x");                     // a part of another file, perhaps
     const std::string own = writeIn("top/0.ply", "x"); // then the folder itself is meant
     EXPECT_EQ(filesOf({(folder / "top").string()}), std::vector{own});
@@ -240,6 +242,8 @@ TEST_F(FolderTest, EsriGrids) {
     EXPECT_EQ(world(centres, 1), Vec3d(5, 7, 2));
     // ESRI's default
     EXPECT_HAS(notesOf(readText("e.asc", "ncols 3\nnrows 1\ncellsize 1\n1 -9999 2")), "1 of 3 cells *no data");
+    EXPECT_EQ(world(readText("f.asc", "ncols 2\nnrows 1\nxllcorner 0,5\nyllcorner 0\ncellsize 1\n1,25 2\n"), 0),
+              Vec3d(1, 0.5, 1.25)); // with commas
     EXPECT_HAS(reasonOfText("c.asc", header + "1 2 3 4"), "c.asc: *3 x 2 cells");
     EXPECT_HAS(reasonOfText("c.asc", header + "1 2 3 4 5        "), "c.asc: *5 of 6 ");
     EXPECT_HAS(reasonOfText("c.asc", header + "1 2 3 four 5 6"), "c.asc:7: 'four'");

@@ -204,6 +204,45 @@ TEST_F(TableTest, ListsOfSurveyors) {
 }
 
 /// Red, green and blue of photographs resemble each other; a label or an intensity does not resemble them.
+TEST_F(TableTest, ColorsStandBesideTwoOtherColumns) {
+    std::mt19937 random(7);
+    const auto below = [&](int end) { return static_cast<int>(random() % static_cast<unsigned>(end)); };
+    std::string label_and_object, intensity_and_label;
+    for (int i = 0; i < 200; ++i) {
+        const int grey = 20 + below(200);
+        const std::string xyz = fmt::format("{} {} {}", i % 20 * 0.5, i / 20 * 0.5, below(9) * 0.1);
+        const std::string rgb = i == 0 ? "200 150 100" : fmt::format("{} {} {}", grey, grey + 9, grey + below(20));
+        label_and_object += fmt::format("{} {} {} {}\n", xyz, rgb, i % 13, i / 10 * 7);
+        intensity_and_label += fmt::format("{} {} {} {}\n", xyz, below(4096), rgb, i % 13);
+    }
+    const Cloud objects = readText("objects.txt", label_and_object),
+                classes = readText("classes.txt", intensity_and_label);
+    for (const Cloud* cloud : {&objects, &classes}) EXPECT_EQ(cloud->colors.at(0), (Rgb8{200, 150, 100}));
+    EXPECT_EQ(attributeNames(objects), (Names{"label"}));
+    EXPECT_HAS(notesOf(objects), "columns 4 to 6 are read as red, green and blue, the one beside them as 'label', the "
+                                 "last is not read");
+    EXPECT_EQ(attributeNames(classes), (Names{"intensity", "label"}));
+    EXPECT_HAS(notesOf(classes), "columns 5 to 7 are read as red, green and blue, the last as 'label'");
+}
+
+TEST_F(TableTest, TitlesAndUnitsAroundTheHeaderAreLeftOut) {
+    const Cloud cloud =
+        readText("a.csv", "Survey of the castle\n3 May 2020\nx,y,z,intensity\nm,m,m,-\n1,2,3,7\n4,5,6,8\n");
+    EXPECT_EQ(cloud.positions.size(), 2u);
+    EXPECT_EQ(attributeNames(cloud), (Names{"intensity"}));
+    EXPECT_HAS(notesOf(cloud), "not read: 'Survey of the castle', '3 May 2020', 'm,m,m,-'");
+    EXPECT_HAS(reasonOfText("a.txt", "Survey of the castle\n1 2 3\n4 5 6\n"),
+               ":1: *neither a point nor a header*castle");
+    std::string titles;
+    for (int i = 0; i < 11; ++i) titles += "title\n";
+    EXPECT_HAS(reasonOfText("a.txt", titles + "x y z\n1 2 3\n"), ":1: *neither a point nor a header");
+    EXPECT_HAS(reasonOfText("a.csv", "x,y,z\nm,m,m\nm,m,m\n1,2,3\n"), "a.csv:3: *not a number");
+}
+
+TEST_F(TableTest, HeightsAreNamedInLatin1) {
+    EXPECT_EQ(readText("a.csv", "Rechtswert;Hochwert;H\xf6he;Art\n3;4;5;Eiche\n6;7;9;Buche\n").positions.size(), 2u);
+}
+
 TEST_F(TableTest, ColorsAreToldFromLabelsAndIntensities) {
     std::mt19937 random(7);
     const auto below = [&](int end) { return static_cast<int>(random() % static_cast<unsigned>(end)); };
