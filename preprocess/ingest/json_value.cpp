@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "format/base/json_integer.h"
+#include "format/base/printable.h"
 
 namespace pointrt {
 
@@ -21,7 +22,8 @@ bool JsonValue::has(const char* key) const {
 }
 
 JsonValue JsonValue::member(const char* key) const {
-    const std::string place = place_.empty() ? key : place_ + "." + key;
+    const std::string name = printable(key); // of a table in a PNTS file, a name is anyone's
+    const std::string place = place_.empty() ? name : place_ + "." + name;
     if (!has(key)) refuseAt(*input_, place, "is missing");
     return {*input_, *value_->find(key), place};
 }
