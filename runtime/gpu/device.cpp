@@ -12,6 +12,7 @@
 #include "format/os/environment.h"
 #include "runtime/gpu/device_choice.h"
 #include "runtime/gpu/memory_pool.h"
+#include "runtime/gpu/pipeline_cache.h"
 #include "runtime/gpu/program_store.h"
 #include "runtime/gpu/staging.h"
 #include "runtime/gpu/texel_pool.h"
@@ -187,6 +188,16 @@ void createTimeline(Device& device) {
     check(vkCreateSemaphore(device.handle, &info, nullptr, &device.timeline->semaphore), "create a semaphore");
 }
 
+/// Null where the instance has no VK_EXT_debug_utils.
+void loadDebugFunctions(Device& device) {
+    device.setObjectName = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
+        vkGetInstanceProcAddr(device.instance, "vkSetDebugUtilsObjectNameEXT"));
+    device.beginLabel = reinterpret_cast<PFN_vkCmdBeginDebugUtilsLabelEXT>(
+        vkGetInstanceProcAddr(device.instance, "vkCmdBeginDebugUtilsLabelEXT"));
+    device.endLabel = reinterpret_cast<PFN_vkCmdEndDebugUtilsLabelEXT>(
+        vkGetInstanceProcAddr(device.instance, "vkCmdEndDebugUtilsLabelEXT"));
+}
+
 void createLogicalDevice(Device& device, const DeviceRequest& request) {
     const float priority = 1;
     VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
@@ -210,14 +221,13 @@ void createLogicalDevice(Device& device, const DeviceRequest& request) {
     if (device.external_memory_host)
         device.getMemoryHostPointerProperties = reinterpret_cast<PFN_vkGetMemoryHostPointerPropertiesEXT>(
             vkGetDeviceProcAddr(device.handle, "vkGetMemoryHostPointerPropertiesEXT"));
-    // null where the instance has no VK_EXT_debug_utils
-    if (wantsDebugNames())
-        device.setObjectName = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
-            vkGetInstanceProcAddr(device.instance, "vkSetDebugUtilsObjectNameEXT"));
+    if (wantsDebugNames()) loadDebugFunctions(device);
     device.queue_mutex = std::make_shared<std::mutex>();
     device.memory_pool = std::make_shared<MemoryPool>();
     device.texel_pool = std::make_shared<TexelPool>();
     createTimeline(device);
+    device.pipelines = std::make_shared<PipelineCache>();
+    device.pipelines->open(device);
     createThreadObjects(device);
 }
 
@@ -264,6 +274,7 @@ void destroyDevice(Device& device) {
     if (device.handle) {
         vkDeviceWaitIdle(device.handle);
         if (device.programs) device.programs->clear(device);
+        if (device.pipelines) device.pipelines->close(device);
         destroyThreadObjects(device);
         if (device.texel_pool) device.texel_pool->clear(device);
         if (device.memory_pool) device.memory_pool->clear(device);

@@ -14,6 +14,7 @@
 namespace pointrt {
 
 class MemoryPool;
+class PipelineCache;
 class ProgramStore;
 class Staging;
 class TexelPool;
@@ -69,6 +70,9 @@ struct Device {
     std::uint64_t host_import_alignment = 0; ///< bytes, for pointers and sizes given to importHostBuffer
     PFN_vkGetMemoryHostPointerPropertiesEXT getMemoryHostPointerProperties = nullptr;
     PFN_vkSetDebugUtilsObjectNameEXT setObjectName = nullptr; ///< null unless debug names are on (nameObject)
+    PFN_vkCmdBeginDebugUtilsLabelEXT beginLabel = nullptr;    ///< the same (CommandLabel)
+    PFN_vkCmdEndDebugUtilsLabelEXT endLabel = nullptr;        ///< the same
+    std::shared_ptr<PipelineCache> pipelines;                 ///< shared with workers
     std::shared_ptr<MemoryPool> memory_pool;                  ///< of all buffers, shared with workers
     std::shared_ptr<TexelPool> texel_pool;                    ///< of the tiles of sets, shared with workers
     std::shared_ptr<Staging> staging;                         ///< of this thread
@@ -108,6 +112,27 @@ void nameObject(const Device& device, VkObjectType type, Handle handle, const ch
     info.pObjectName = name;
     device.setObjectName(device.handle, &info); // only runs out of memory, which the next call reports
 }
+
+/// A name for debuggers over the commands recorded while it lives; where object names are on (nameObject). Nothing
+/// without commands.
+class CommandLabel {
+public:
+    CommandLabel(const Device& device, VkCommandBuffer commands, const char* name)
+        : end_(commands ? device.endLabel : nullptr), commands_(commands) {
+        VkDebugUtilsLabelEXT label{VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT};
+        label.pLabelName = name;
+        if (end_) device.beginLabel(commands, &label);
+    }
+    ~CommandLabel() {
+        if (end_) end_(commands_);
+    }
+    CommandLabel(const CommandLabel&) = delete;
+    CommandLabel& operator=(const CommandLabel&) = delete;
+
+private:
+    PFN_vkCmdEndDebugUtilsLabelEXT end_;
+    VkCommandBuffer commands_;
+};
 
 /// A command buffer in the recording state, for submit.
 /// @param name for debuggers

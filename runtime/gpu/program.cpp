@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "format/base/error.h"
+#include "runtime/gpu/pipeline_cache.h"
 #include "runtime/gpu/program_store.h"
 #include "runtime/util/on_error.h"
 
@@ -134,7 +135,7 @@ void createPipeline(Device& device, Program& program, std::span<const std::uint3
     const std::string what = "build the " + program.name + " pipeline";
     check(vkCreateShaderModule(device.handle, &module_info, nullptr, &info.stage.module), what.c_str());
     const VkResult result =
-        vkCreateComputePipelines(device.handle, VK_NULL_HANDLE, 1, &info, nullptr, &program.pipeline);
+        vkCreateComputePipelines(device.handle, device.pipelines->handle(), 1, &info, nullptr, &program.pipeline);
     vkDestroyShaderModule(device.handle, info.stage.module, nullptr);
     check(result, what.c_str());
     nameObject(device, VK_OBJECT_TYPE_PIPELINE, program.pipeline, program.name.c_str());

@@ -57,6 +57,7 @@ namespace pointrt {
     X(vkCreateImage)                                                                                                   \
     X(vkCreateImageView)                                                                                               \
     X(vkCreateInstance)                                                                                                \
+    X(vkCreatePipelineCache)                                                                                           \
     X(vkCreatePipelineLayout)                                                                                          \
     X(vkCreateQueryPool)                                                                                               \
     X(vkCreateRenderPass)                                                                                              \
@@ -75,6 +76,7 @@ namespace pointrt {
     X(vkDestroyImageView)                                                                                              \
     X(vkDestroyInstance)                                                                                               \
     X(vkDestroyPipeline)                                                                                               \
+    X(vkDestroyPipelineCache)                                                                                          \
     X(vkDestroyPipelineLayout)                                                                                         \
     X(vkDestroyQueryPool)                                                                                              \
     X(vkDestroyRenderPass)                                                                                             \
@@ -103,6 +105,7 @@ namespace pointrt {
     X(vkGetPhysicalDeviceProperties)                                                                                   \
     X(vkGetPhysicalDeviceProperties2)                                                                                  \
     X(vkGetPhysicalDeviceQueueFamilyProperties)                                                                        \
+    X(vkGetPipelineCacheData)                                                                                          \
     X(vkGetQueryPoolResults)                                                                                           \
     X(vkGetSemaphoreCounterValue)                                                                                      \
     X(vkInvalidateMappedMemoryRanges)                                                                                  \

@@ -6,6 +6,7 @@
 // POINTRT_LAYER_SUBMIT_US=N, POINTRT_LAYER_ALLOCATE_US=N    latency added to each submission and allocation
 // POINTRT_LAYER_LOST_AT=N                    the N-th submission and all after it lose the device
 // POINTRT_LAYER_BUDGET=N                     bytes of the heap that VK_EXT_memory_budget allows; half are in use
+// POINTRT_LAYER_PIPELINES=1                  pipeline caches keep something: a word for each pipeline built with them
 // POINTRT_LAYER_COUNTS=FILE                  the counts as JSON, written as the instance is destroyed
 // pointrtLayerCount gives a process the counts while it runs. One instance and one device at a time.
 //
@@ -44,7 +45,10 @@ namespace {
     X(dispatches)                                                                                                      \
     X(barriers)                                                                                                        \
     X(copies)                                                                                                          \
-    X(pipelines)
+    X(pipelines)                                                                                                       \
+    X(kept_pipelines)                                                                                                  \
+    X(labels)                                                                                                          \
+    X(ended_labels)
 #define LAYER_ENUMERATE(name) name,
 enum class Count { LAYER_COUNTS(LAYER_ENUMERATE) kEnd };
 #define LAYER_NAME(name) #name,
@@ -187,6 +191,10 @@ VkInstance the_instance = VK_NULL_HANDLE;
     X(vkWaitSemaphores)                                                                                                \
     X(vkCreateBuffer)                                                                                                  \
     X(vkCreateComputePipelines)                                                                                        \
+    X(vkCreatePipelineCache)                                                                                           \
+    X(vkGetPipelineCacheData)                                                                                          \
+    X(vkCmdBeginDebugUtilsLabelEXT)                                                                                    \
+    X(vkCmdEndDebugUtilsLabelEXT)                                                                                      \
     X(vkCmdDispatch)                                                                                                   \
     X(vkCmdDispatchIndirect)                                                                                           \
     X(vkCmdPipelineBarrier)                                                                                            \
@@ -334,10 +342,43 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateBuffer(VkDevice device, const VkBufferCreat
     count(Count::buffers);
     return driver.vkCreateBuffer(device, info, callbacks, buffer);
 }
+VKAPI_ATTR void VKAPI_CALL CmdBeginDebugUtilsLabelEXT(VkCommandBuffer commands, const VkDebugUtilsLabelEXT* label) {
+    count(Count::labels);
+    if (driver.vkCmdBeginDebugUtilsLabelEXT) driver.vkCmdBeginDebugUtilsLabelEXT(commands, label);
+}
+VKAPI_ATTR void VKAPI_CALL CmdEndDebugUtilsLabelEXT(VkCommandBuffer commands) {
+    count(Count::ended_labels);
+    if (driver.vkCmdEndDebugUtilsLabelEXT) driver.vkCmdEndDebugUtilsLabelEXT(commands);
+}
+
+// --- Pipeline caches: lavapipe's never contain anything ---
+
+/// Pipelines in the cache of the process.
+std::atomic<std::uint64_t> cached_pipelines = 0;
+
+VKAPI_ATTR VkResult VKAPI_CALL CreatePipelineCache(VkDevice device, const VkPipelineCacheCreateInfo* info,
+                                                   const VkAllocationCallbacks* callbacks, VkPipelineCache* cache) {
+    constexpr std::size_t kHeader = sizeof(VkPipelineCacheHeaderVersionOne);
+    cached_pipelines = info->initialDataSize > kHeader ? (info->initialDataSize - kHeader) / sizeof(std::uint64_t) : 0;
+    counts[static_cast<std::size_t>(Count::kept_pipelines)] += cached_pipelines;
+    VkPipelineCacheCreateInfo header = *info;
+    header.initialDataSize = std::min(info->initialDataSize, kHeader);
+    return driver.vkCreatePipelineCache(device, &header, callbacks, cache);
+}
+VKAPI_ATTR VkResult VKAPI_CALL GetPipelineCacheData(VkDevice device, VkPipelineCache cache, std::size_t* bytes,
+                                                    void* data) {
+    std::size_t header = sizeof(VkPipelineCacheHeaderVersionOne);
+    const std::size_t more = number("POINTRT_LAYER_PIPELINES") ? cached_pipelines * sizeof(std::uint64_t) : 0;
+    if (data && *bytes < header + more) return VK_INCOMPLETE;
+    *bytes = header + more;
+    if (data) std::memset(data, 0, *bytes);
+    return data ? driver.vkGetPipelineCacheData(device, cache, &header, data) : VK_SUCCESS;
+}
 VKAPI_ATTR VkResult VKAPI_CALL CreateComputePipelines(VkDevice device, VkPipelineCache cache, std::uint32_t n,
                                                       const VkComputePipelineCreateInfo* infos,
                                                       const VkAllocationCallbacks* callbacks, VkPipeline* pipelines) {
     count(Count::pipelines);
+    if (cache) ++cached_pipelines;
     return driver.vkCreateComputePipelines(device, cache, n, infos, callbacks, pipelines);
 }
 VKAPI_ATTR void VKAPI_CALL CmdDispatch(VkCommandBuffer commands, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
@@ -488,6 +529,10 @@ PFN_vkVoidFunction hookOf(std::string_view name) {
                                   LAYER_HOOK(WaitSemaphores),
                                   LAYER_HOOK(CreateBuffer),
                                   LAYER_HOOK(CreateComputePipelines),
+                                  LAYER_HOOK(CreatePipelineCache),
+                                  LAYER_HOOK(GetPipelineCacheData),
+                                  LAYER_HOOK(CmdBeginDebugUtilsLabelEXT),
+                                  LAYER_HOOK(CmdEndDebugUtilsLabelEXT),
                                   LAYER_HOOK(CmdDispatch),
                                   LAYER_HOOK(CmdDispatchIndirect),
                                   LAYER_HOOK(CmdPipelineBarrier),

@@ -107,6 +107,42 @@ TEST_F(PretendedDevices, TraceASampleInOneSubmission) {
     EXPECT_EQ(films[0], films[1]);
 }
 
+/// Milliseconds and lanes of passes, without a submission for each.
+TEST_F(PretendedDevices, ProfilePassesWithinASubmission) {
+    const Environment environment(layered({{"POINTRT_LAYER_TYPE", "discrete"}, {"POINTRT_LAYER_MEMORY", "discrete"}}));
+    ValidatedDevice validated;
+    Device& device = validated.device;
+    const std::unique_ptr<LoadedScene> loaded = loadBall(device, ball);
+    PassProfile profile;
+    profile.clock = createPassClock(device);
+    ASSERT_NE(profile.clock.timer.pool, VK_NULL_HANDLE);
+    RayCounts rays[2];
+    std::vector<float> films[2];
+    for (const std::size_t profiled : {0u, 1u}) {
+        loaded->tracer.profile = profiled ? &profile : nullptr;
+        BandSample sample = openBand(loaded->tracer, pathSettings(), loaded->camera, {0, kSide}, {kSide * kSide, 0});
+        const Counts counts;
+        tracePasses(device, loaded->tracer, sample, kBounces, rays[profiled]);
+        EXPECT_EQ(counts.of("submits"), 1u);
+        EXPECT_EQ(counts.of("labels"), counts.of("ended_labels"));
+        EXPECT_GE(counts.of("labels"), counts.of("dispatches"));
+        films[profiled].resize(loaded->tracer.buffers.film.bytes / sizeof(float));
+        downloadBuffer(device, loaded->tracer.buffers.film, films[profiled].data(), loaded->tracer.buffers.film.bytes);
+    }
+    EXPECT_EQ(films[0], films[1]);
+    EXPECT_EQ(rays[0].secondary, rays[1].secondary);
+    std::uint64_t camera = 0, secondary = 0;
+    for (const PassTally& pass : profile.passes) {
+        EXPECT_GT(pass.device_ms, 0) << pass.name;
+        if (pass.name == "megakernel (camera)") camera = pass.lanes_in;
+        if (pass.name == "megakernel") secondary = pass.lanes_in;
+    }
+    EXPECT_EQ(camera, rays[1].primary);
+    EXPECT_GT(secondary, 0u);
+    EXPECT_LE(secondary, rays[1].secondary);
+    destroyPassClock(device, profile.clock);
+}
+
 TEST_F(PretendedDevices, ThatAreLost_EndWithAnError) {
     for (const std::uint64_t after : {1, 4}) {
         const std::string number = std::to_string(counted("submits") + after);
