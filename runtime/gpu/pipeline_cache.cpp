@@ -20,11 +20,11 @@ namespace {
 
 /// Twenty programs of ten kinds of scenes, each with up to 200 KB for its code and the driver's notes.
 constexpr std::uint64_t kMostBytes = 40ull << 20;
-constexpr std::array<char, 8> kMagic = {'P', 'R', 'T', 'P', 'I', 'P', 'E', '1'};
+constexpr std::array<char, 8> kPipelineFileMagic = {'P', 'R', 'T', 'P', 'I', 'P', 'E', '1'};
 
 /// Start of the file. Drivers trust what they are given: the hash tells damaged bytes before they see them.
 struct FileHeader {
-    std::array<char, 8> magic = kMagic;
+    std::array<char, 8> magic = kPipelineFileMagic;
     std::uint32_t vendor = 0, device = 0, driver = 0; ///< driver: its version
     std::uint32_t unused = 0;
     std::array<std::uint8_t, VK_UUID_SIZE> uuid{}; ///< changes with what the driver's caches contain

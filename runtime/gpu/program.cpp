@@ -130,6 +130,10 @@ void createPipeline(Device& device, Program& program, std::span<const std::uint3
     info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
     info.stage.pName = "main";
     info.stage.pSpecializationInfo = &specialization;
+    VkPipelineShaderStageRequiredSubgroupSizeCreateInfoEXT subgroup{
+        VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_REQUIRED_SUBGROUP_SIZE_CREATE_INFO_EXT};
+    subgroup.requiredSubgroupSize = device.subgroup_size;
+    if (device.sets_subgroup_size) info.stage.pNext = &subgroup;
     info.layout = program.layout;
 
     const std::string what = "build the " + program.name + " pipeline";
@@ -261,6 +265,7 @@ void destroyProgram(Device& device, Program& program) {
 }
 
 void freeProgram(Device& device, Program& program) {
+    finishSubmitted(device);
     if (program.pipeline) vkDestroyPipeline(device.handle, program.pipeline, nullptr);
     if (program.layout) vkDestroyPipelineLayout(device.handle, program.layout, nullptr);
     for (VkDescriptorSetLayout layout : program.set_layouts)
@@ -281,6 +286,7 @@ VkDescriptorPool createDescriptorPool(Device& device, std::uint32_t max_sets) {
 }
 
 void destroyDescriptorPool(Device& device, VkDescriptorPool& pool) {
+    if (pool) finishSubmitted(device);
     if (pool) vkDestroyDescriptorPool(device.handle, pool, nullptr);
     pool = VK_NULL_HANDLE;
 }

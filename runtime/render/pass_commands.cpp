@@ -4,6 +4,7 @@
 #include <ctime>
 #include <utility>
 
+#include "runtime/render/frame_buffers.h"
 #include "runtime/util/clock.h"
 
 namespace pointrt {
@@ -28,8 +29,14 @@ std::size_t groupsOf(PassLanes lanes, std::uint32_t list) {
 
 } // namespace
 
-PassCommands::PassCommands(Device& device, const Buffer& control, const Buffer& read, PassProfile* profile)
-    : device_(device), control_(control), read_(read), profile_(profile) {
+std::vector<gpu::Control> readCounters(const Device& device, const PassReadback& readback, std::uint32_t samples) {
+    const auto* read = reinterpret_cast<const gpu::Control*>(hostBytes(device, readback.counters));
+    read += readback.place * kSamplesAtOnce;
+    return {read, read + samples};
+}
+
+PassCommands::PassCommands(Device& device, const Buffer& control, const PassReadback& readback, PassProfile* profile)
+    : device_(device), control_(control), readback_(readback), profile_(profile) {
     if (submitsEach()) {
         const HostSpan span(profile_, kReadSpan);
         counters_ = readControl();
@@ -37,6 +44,7 @@ PassCommands::PassCommands(Device& device, const Buffer& control, const Buffer& 
     }
     commands_ = beginCommands(device_, "samples");
     if (profile_) copyCounters(0);
+    if (readback_.timer) recordTimerStart(commands_, *readback_.timer, readback_.place);
 }
 
 void PassCommands::setParams(const Buffer& buffer, const gpu::FrameParams& params) {
@@ -76,8 +84,9 @@ void PassCommands::endSample() {
         ended_.push_back(counters_);
         return;
     }
-    const VkBufferCopy copy{0, samples_++ * sizeof(gpu::Control), sizeof(gpu::Control)};
-    vkCmdCopyBuffer(commands_, control_.handle, read_.handle, 1, &copy);
+    const VkBufferCopy copy{0, (readback_.place * kSamplesAtOnce + samples_++) * sizeof(gpu::Control),
+                            sizeof(gpu::Control)};
+    vkCmdCopyBuffer(commands_, control_.handle, readback_.counters.handle, 1, &copy);
 }
 
 void PassCommands::record(const std::function<void(VkCommandBuffer)>& commands) {
@@ -91,9 +100,13 @@ std::vector<gpu::Control> PassCommands::finish() {
     if (profile_)
         readTimed();
     else
-        submitAndWait(device_, commands_);
-    const auto* read = reinterpret_cast<const gpu::Control*>(hostBytes(device_, read_));
-    return {read, read + samples_};
+        waitFor(device_, submit());
+    return readCounters(device_, readback_, samples_);
+}
+
+std::uint64_t PassCommands::submit() {
+    if (readback_.timer) recordTimerEnd(commands_, *readback_.timer, readback_.place);
+    return pointrt::submit(device_, commands_);
 }
 
 void PassCommands::record(const Pass& pass) {

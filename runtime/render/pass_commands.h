@@ -23,12 +23,21 @@ struct Pass {
     std::uint32_t list = 0;   ///< for kList: LIST_* or a culled list
 };
 
+/// Where a submission leaves counters of its samples and its time.
+struct PassReadback {
+    const Buffer& counters; ///< host-readable, with room for kSamplesAtOnce of each submission
+    std::uint32_t place = 0;
+    const GpuTimer* timer = nullptr; ///< times the submission as its range `place`; optional
+};
+
+/// The counters of `samples` samples of a submission that is done.
+std::vector<gpu::Control> readCounters(const Device& device, const PassReadback& readback, std::uint32_t samples);
+
 class PassCommands {
 public:
-    /// Of samples whose counters, gpu::Control, are in control. profile may be null; it and the buffers must outlive
-    /// this.
-    /// @param read room for the counters of samples, host-readable
-    PassCommands(Device& device, const Buffer& control, const Buffer& read, PassProfile* profile);
+    /// Of samples whose counters, gpu::Control, are in control. profile may be null; it, the timer and the buffers must
+    /// outlive this.
+    PassCommands(Device& device, const Buffer& control, const PassReadback& readback, PassProfile* profile);
 
     /// A name for the passes recorded while it lives, for debuggers; none while profiling.
     CommandLabel label(const char* name) const { return {device_, profile_ ? VK_NULL_HANDLE : commands_, name}; }
@@ -48,6 +57,10 @@ public:
     void record(const std::function<void(VkCommandBuffer)>& commands);
     /// Waits for all passes and returns the counters that endSample kept.
     std::vector<gpu::Control> finish();
+    /// Submits all passes in place of finish, and returns the submission's number; its counters are read with
+    /// readCounters. Not while profiling.
+    std::uint64_t submit();
+    std::uint32_t samples() const { return samples_; } ///< ended
 
 private:
     bool submitsEach() const { return profile_ && !profile_->clock.counters.handle; }
@@ -59,7 +72,8 @@ private:
     gpu::Control readControl();
 
     Device& device_;
-    const Buffer &control_, &read_;
+    const Buffer& control_;
+    PassReadback readback_;
     std::uint32_t tiles_ = 0;
     PassProfile* profile_;
     VkCommandBuffer commands_ = VK_NULL_HANDLE; ///< unless each pass is submitted by itself

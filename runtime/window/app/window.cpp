@@ -245,7 +245,7 @@ bool Window::frame() {
     autosave();
     requestTiles();
     updatePicture();
-    ui_.present();
+    ui_.present(std::exchange(uploads_, {}));
     meter_.end(Clock::now(), shownPicture(image_));
     for (const std::string& name : std::exchange(input_.screenshots, {})) ui_.savePng(name + ".png");
     return !quit_ || jobs_.has(JobKind::kSave) ||

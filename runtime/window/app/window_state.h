@@ -109,6 +109,7 @@ private:
     double autosaved_s_ = 0;                     ///< on the window's clock
     std::function<void(std::size_t)> on_answer_; ///< of work_.question
     ImageController image_;
+    std::function<void(VkCommandBuffer)> uploads_; ///< records what brings the canvas up to date; empty: it is
     JobQueue jobs_; ///< after the members that jobs use, so that jobs end first
     FileOpener opener_;
     std::unique_ptr<FileDialog> dialog_; ///< while the desktop's dialog is open

@@ -48,12 +48,16 @@ public:
     std::uint64_t of(const char* name) const { return counted(name) - before_.at(name); }
 
 private:
-    std::map<std::string, std::uint64_t> before_{
-        {"submits", counted("submits")},         {"waits", counted("waits")},
-        {"allocations", counted("allocations")}, {"dispatches", counted("dispatches")},
-        {"pipelines", counted("pipelines")},     {"kept_pipelines", counted("kept_pipelines")},
-        {"labels", counted("labels")},           {"ended_labels", counted("ended_labels")},
-        {"barriers", counted("barriers")}};
+    std::map<std::string, std::uint64_t> before_{{"submits", counted("submits")},
+                                                 {"waits", counted("waits")},
+                                                 {"allocations", counted("allocations")},
+                                                 {"dispatches", counted("dispatches")},
+                                                 {"pipelines", counted("pipelines")},
+                                                 {"kept_pipelines", counted("kept_pipelines")},
+                                                 {"pipelines_of_32", counted("pipelines_of_32")},
+                                                 {"labels", counted("labels")},
+                                                 {"ended_labels", counted("ended_labels")},
+                                                 {"barriers", counted("barriers")}};
 };
 
 } // namespace pointrt::test
