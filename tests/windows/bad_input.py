@@ -20,6 +20,8 @@ LIDAR = ["pointrt-rays", "lidar", "sphere.pro", "--sensor", "sensor.toml", "--po
 VIEW = ["pointrt-view", "sphere.pro", "-o", "a.png"]
 WORDS = ["", "0", "-1", "nan", "inf", "1e999", "0x10", "word", "99999999999999999999", "1,2", "1;2", "on", "ü", "点", "😀",
          "none/a.json", "folder", '"', "[", "--", "-q", "%s%n", "a" * 300, " ", "\\", "NUL", "con"]
+# No names of files in Windows. It refuses them too, but not always for that reason: docs/INSTALL.md.
+NO_NAMES = {'"', "a" * 300}
 # which answer without input, name this machine's devices, or open a window
 LEFT_OUT = {"--help", "--version", "--generate", "--device", "--bake", "--record", "--replay", "--offscreen", "--quiet"}
 
@@ -120,7 +122,7 @@ def main():
         here = answer([BIN / tool], arguments)
         there = answer(["wine", BUILD / "bin" / f"{tool}.exe"], arguments)
         refused += here[0] in (1, 2, 3, 4)
-        if here != there:
+        if here != there and not (NO_NAMES & set(arguments) and there[0] in (1, 2, 3, 4)):
             differing.append(f"case {number}: {tool} {arguments}\n  here:    {here}\n  Windows: {there}")
     print("\n".join(differing))
     print(f"{COUNT} cases, {refused} refused, {len(differing)} answered otherwise in Windows")

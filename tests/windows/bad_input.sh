@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Bad command lines, scans, rays, scenes, sensors and lists of cameras: the same error lines and exit codes as here.
-#   POINTRT_WINDOWS_BAD_INPUTS: how many (default 70; a second each)
+#   POINTRT_WINDOWS_BAD_INPUTS: how many (default 35)
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 needsDisplay
@@ -21,4 +21,4 @@ with open("rays.npy", "wb") as file:
     file.write(b"\x93NUMPY\x01\x00" + len(header).to_bytes(2, "little") + header + bytes(2 * 6 * 4))
 END
 mkdir folder
-python3 "$(dirname "$0")/bad_input.py" "$bin" "$build" "${POINTRT_WINDOWS_BAD_INPUTS:-70}"
+python3 "$(dirname "$0")/bad_input.py" "$bin" "$build" "${POINTRT_WINDOWS_BAD_INPUTS:-35}"
