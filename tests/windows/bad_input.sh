@@ -21,4 +21,4 @@ with open("rays.npy", "wb") as file:
     file.write(b"\x93NUMPY\x01\x00" + len(header).to_bytes(2, "little") + header + bytes(2 * 6 * 4))
 END
 mkdir folder
-python3 "$(dirname "$0")/bad_input.py" "$bin" "$build" "${POINTRT_WINDOWS_BAD_INPUTS:-35}"
+python3 "$repository/tests/windows/bad_input.py" "$bin" "$build" "${POINTRT_WINDOWS_BAD_INPUTS:-35}"
