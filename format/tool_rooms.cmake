@@ -11,10 +11,7 @@ target_sources(pointrt_os PRIVATE $<TARGET_OBJECTS:pointrt_os_objects>)
 target_link_libraries(pointrt_os PRIVATE ${CMAKE_DL_LIBS})
 target_compile_options(pointrt_os PRIVATE -Wconversion)
 if(WIN32)
-  # Names of files are UTF-8 in all programs: by their manifest, and by utf8_names_windows.cpp.
-  enable_language(RC)
-  target_sources(pointrt_os INTERFACE
-    $<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:${PROJECT_SOURCE_DIR}/packaging/windows/pointrt.rc>)
+  # Names of files are UTF-8 in all programs: by their manifest (WindowsResources), and by utf8_names_windows.cpp.
   target_link_options(pointrt_os INTERFACE -Wl,--wrap=mbrtowc -Wl,-u,__wrap_mbrtowc)
   target_link_libraries(pointrt_os PRIVATE psapi)
 endif()

@@ -1,13 +1,15 @@
 ; SPDX-License-Identifier: Apache-2.0
-; The installer, for makensis: -DVERSION=1.2.3 -DTREE=FOLDER -DOUT=FILE.exe. It installs what is in TREE for all users, with
-; an entry of the start menu, and offers pointrt-view for .pro files, which other programs have too. /S: without questions;
-; /D=FOLDER, last and without quotation marks: where to.
+; The installer, for makensis: -DVERSION=1.2.3 -DTREE=FOLDER -DFILES=LIST.nsh -DOUT=FILE.exe. It installs TREE, by the
+; instructions in FILES, for all users, with an entry of the start menu, and offers pointrt-view for .pro files, which other
+; programs have too. /S: without questions; /D=FOLDER, last and without quotation marks: where to.
 Target amd64-unicode
 Unicode True
 SetCompressor /SOLID lzma
 SetDateSave off
 Name "pointrt ${VERSION}"
 OutFile "${OUT}"
+Icon "${__FILEDIR__}/pointrt.ico"
+UninstallIcon "${__FILEDIR__}/pointrt.ico"
 RequestExecutionLevel admin
 InstallDir "$PROGRAMFILES64\pointrt"
 InstallDirRegKey HKLM "Software\pointrt" ""
@@ -34,8 +36,8 @@ Section
     SetShellVarContext all
     RMDir /r "$INSTDIR\bin" ; of an older version
     RMDir /r "$INSTDIR\share"
+    !include "${FILES}"
     SetOutPath "$INSTDIR"
-    File /r "${TREE}\*"
     WriteUninstaller "$INSTDIR\uninstall.exe"
     CreateShortcut "$SMPROGRAMS\pointrt.lnk" "$INSTDIR\bin\pointrt-view.exe"
     WriteRegStr HKLM "Software\pointrt" "" "$INSTDIR"

@@ -2,16 +2,23 @@
 # SPDX-License-Identifier: Apache-2.0
 # Makes an archive of the tools for 64-bit Windows, which run wherever it is unpacked, and an installer of the same files:
 # pointrt-view, pointrt-rays, pointrt-info, GLFW's library, documentation and licences.
-#   packaging/windows/package.sh BUILD   BUILD: a build folder of cmake/mingw-w64.cmake
-# Prints both, pointrt-VERSION-windows-x86_64.zip and .exe in BUILD/packages. The archive has no date but that of the newest
-# commit.
+#   packaging/windows/package.sh [BUILD]   BUILD: a build folder of cmake/mingw-w64.cmake (default: build/windows, built first)
+# Prints both, pointrt-VERSION-windows-x86_64.zip and .exe in BUILD/packages. They have no date but that of the newest commit,
+# and no path of this machine.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . .ci/common.sh
 . packaging/archive.sh
 
 for tool in zip makensis; do command -v $tool >/dev/null || die "$tool is missing: install the packages zip and nsis"; done
-build=$(cd "$1" && pwd)
+build=${1:-}
+if [ -z "$build" ]; then
+    installPackages build view package windows
+    build=build/windows
+    packaging/windows/libraries.sh $build/libraries
+    buildPreset windows
+fi
+build=$(cd "$build" && pwd)
 name=pointrt-$version-windows-x86_64
 installTree "$build" "$name"
 rm -rf "$tree/share/mime" "$tree/share/applications" "$tree/share/icons" "$tree/share/thumbnailers" # of Linux's desktops
@@ -28,7 +35,14 @@ mkdir -p "$out"
 rm -f "$out/$name.zip"
 find "$tree" -exec touch -d "@$SOURCE_DATE_EPOCH" {} +
 (cd "$work" && find "$name" -type f | LC_ALL=C sort | TZ=UTC zip -9 -X -q "$out/$name.zip" -@)
-makensis -V2 -NOCD -DVERSION="$version" -DTREE="$tree" -DOUT="$out/$name.exe" packaging/windows/installer.nsi >"$work/log" ||
-    die "$(cat "$work/log")"
+# Folder by folder, sorted: makensis takes the files of a folder in the order of the file system.
+(cd "$tree" && find . -type f | LC_ALL=C sort) | awk -v tree="$tree" '{
+    folder = $0; sub(/^\.\/?/, "", folder); sub(/\/?[^\/]*$/, "", folder); gsub(/\//, "\\", folder)
+    if (folder != last) print "SetOutPath \"$INSTDIR\\" folder "\""
+    last = folder
+    print "File \"" tree substr($0, 2) "\""
+}' >"$work/files.nsh"
+makensis -V2 -NOCD -DVERSION="$version" -DTREE="$tree" -DFILES="$work/files.nsh" -DOUT="$out/$name.exe" \
+    packaging/windows/installer.nsi >"$work/log" || die "$(cat "$work/log")"
 say "installer: $out/$name.exe, $(du -h "$out/$name.exe" | cut -f1)"
 say "archive: $out/$name.zip, $(du -h "$out/$name.zip" | cut -f1); unpacked $(du -sh "$tree" | cut -f1)"

@@ -1,11 +1,17 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Builds the Debian packages of the last commit twice, in folders of different depths and in different time zones. Fails if
-# a byte differs.
-#   reproducible.sh [FOLDER]   FOLDER: where to build, or to resume interrupted builds (default: a new folder)
+# Builds packages of the last commit twice, in folders of different depths and in different time zones. Fails if a byte
+# differs.
+#   reproducible.sh deb|tarball|windows [FOLDER]
+#   FOLDER: where to build, or to resume interrupted builds (default: a new folder)
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-work=${1:-$(mktemp -d)}
+case ${1:-} in
+    deb | tarball) script=packaging/$1.sh packages=build/package/packages ;;
+    windows) script=packaging/windows/package.sh packages=build/windows/packages ;;
+    *) echo "usage: reproducible.sh deb|tarball|windows [FOLDER]" >&2 && exit 2 ;;
+esac
+work=${2:-$(mktemp -d)}
 
 first=$work/first second=$work/the/second/build
 for folder in "$first" "$second"; do
@@ -13,9 +19,8 @@ for folder in "$first" "$second"; do
 done
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
 export SOURCE_DATE_EPOCH
-TZ=UTC "$first/packaging/deb.sh"
-TZ=Asia/Tokyo "$second/packaging/deb.sh"
+TZ=UTC "$first/$script"
+TZ=Asia/Tokyo "$second/$script"
 
-packages=build/package/packages
 diff -r "$first/$packages" "$second/$packages" && (cd "$first/$packages" && sha256sum ./*) &&
     echo "the same bytes twice"

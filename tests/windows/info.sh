@@ -34,6 +34,16 @@ for name in "${names[@]}"; do
     wine "$build/bin/pointrt-info.exe" scan.pro --export "$name.ply" && cmp here.ply "$name.ply"
 done
 
+# what the Explorer shows of each program, and what lets it open names of any characters
+version=$("$bin/pointrt-info" --version | awk '{ print $2; exit }')
+for program in "$build"/bin/*.exe; do
+    x86_64-w64-mingw32-windres -J coff -i "$program" -O rc -o resources
+    for words in "\"OriginalFilename\", \"$(basename "$program")\"" "\"ProductVersion\", \"$version\"" \
+        '"GLFW_ICON" 14 /* RT_GROUP_ICON */' '1 24 /* RT_MANIFEST */'; do
+        grep -aqF "$words" resources || fail "$program: no resource says $words"
+    done
+done
+
 # files that are missing, folders, and hostile files: one line, the same code
 mkdir folder
 refused pointrt-info none.pro

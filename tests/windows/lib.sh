@@ -17,25 +17,24 @@ skip() {
     exit 77
 }
 
-command -v wine >/dev/null || skip "no wine here"
+command -v wine >/dev/null || skip "no wine here: install wine and wine64"
+[ -e "$build/wine" ] || skip "Wine was not set up: windows.build says why"
 
 work=$(mktemp -d)
 x_server=
 finish() {
-    wineserver -k 2>/dev/null || true # this prefix's alone
+    wineserver -k 2>/dev/null || true # this prefix's alone; CMakeLists.txt lets one test at a time use it
     [ -z "$x_server" ] || kill "$x_server"
     rm -rf "$work"
 }
 trap finish EXIT
-export WINEPREFIX=$work/wine WINEDEBUG=-all LC_ALL=C.UTF-8 POINTRT_INDEX_CACHE=off
+export WINEPREFIX=$build/wine WINEDEBUG=-all LC_ALL=C.UTF-8 POINTRT_INDEX_CACHE=off
 unset DISPLAY WAYLAND_DISPLAY
 cd "$work"
 
-# needs TOOL: skips the test if there is no such tool for Windows, else sets Wine up.
+# needs TOOL: skips the test if there is no such tool for Windows.
 needs() {
     [ -e "$build/bin/$1.exe" ] || skip "$1.exe was not built: windows.build says why"
-    wineboot --init >log 2>&1 || fail "Wine does not start: $(cat log)"
-    cp "$build/bcryptprimitives.dll" "$WINEPREFIX/drive_c/windows/system32/"
     wine "$build/bin/$1.exe" --version >log 2>&1 || fail "$1.exe does not run in Wine: $(cat log)"
 }
 # needsDisplay: starts an X server. Without one Wine shows neither windows nor Vulkan devices.
@@ -95,4 +94,45 @@ sphere() {
             printf "%.6f %.6f %.6f %d %d %d\n", r * cos(phi), r * sin(phi), z, i % 256, 255 - i % 256, 128
         }
     }'
+}
+# writeScene: scene.toml, spheres of glass, splats and mirror on a plane, of sphere.pro
+writeScene() {
+    cat >scene.toml <<'END'
+[camera]
+eye = [0, 2, 6]
+target = [0, 0.5, 0]
+[material.glass]
+kind = "glass"
+[material.mirror]
+kind = "mirror"
+[[instance]]
+file = "sphere.pro"
+material = "glass"
+[[instance]]
+file = "sphere.pro"
+translate = [-2, 0, -1]
+scale = 0.5
+[[shape]]
+type = "sphere"
+center = [2, 0, -1]
+radius = 1
+material = "mirror"
+[[shape]]
+type = "plane"
+point = [0, -1, 0]
+normal = [0, 1, 0]
+[[light]]
+type = "sphere"
+center = [3, 5, 2]
+radius = 0.5
+power = 500
+END
+}
+# writeCameras: cameras.json, two pinhole cameras
+writeCameras() {
+    cat >cameras.json <<'END'
+{"w": 48, "h": 32, "fl_x": 40, "frames": [
+{"file_path": "in/1.jpg", "transform_matrix": [[1,0,0,0],[0,1,0,0],[0,0,1,3],[0,0,0,1]]},
+{"file_path": "in/2.jpg", "transform_matrix": [[1,0,0,0],[0,1,0,0],[0,0,1,4],[0,0,0,1]]}]}
+END
 }

@@ -70,6 +70,6 @@ for words in 'cast none.pro --rays rays.txt' 'cast folder --rays rays.txt' 'cast
     'cast sphere.pro --rays rays.txt -o a.jpg' 'cast sphere.pro --rays rays.txt --device 99' 'cost sphere.pro' \
     'lidar sphere.pro --sensor rays.txt' 'measure sphere.pro --kind area --points 1,2' 'sun sphere.pro --at 99,0' \
     'viewshed sphere.pro --from 1,2' 'compare sphere.pro none.pro' 'profile sphere.pro --line 1'; do
-    refused pointrt-rays $words -o a.csv
+    refused pointrt-rays ${words%% *} -o a.csv ${words#* } # of two -o the last counts
 done
 echo "the same in Windows"

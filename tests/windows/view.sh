@@ -14,46 +14,13 @@ alike pointrt-view --device list
 sphere 3000 >sphere.xyz
 "$bin/pointrt-bake" -q sphere.xyz -o sphere.pro
 "$bin/pointrt-bake" -q sphere.xyz -o set.proset --tile-splats 1000
-cat >scene.toml <<'END'
-[camera]
-eye = [0, 2, 6]
-target = [0, 0.5, 0]
-[material.glass]
-kind = "glass"
-[material.mirror]
-kind = "mirror"
-[[instance]]
-file = "sphere.pro"
-material = "glass"
-[[instance]]
-file = "sphere.pro"
-translate = [-2, 0, -1]
-scale = 0.5
-[[shape]]
-type = "sphere"
-center = [2, 0, -1]
-radius = 1
-material = "mirror"
-[[shape]]
-type = "plane"
-point = [0, -1, 0]
-normal = [0, 1, 0]
-[[light]]
-type = "sphere"
-center = [3, 5, 2]
-radius = 0.5
-power = 500
-END
+writeScene
 # three round Gaussians in a row
 for x in '\0\0\0\0' '\0\0\x80\x3f' '\0\0\0\x40'; do
     printf "$x"'\0\0\0\0\0\0\0\0\0\0\x80\x3d\0\0\x80\x3d\0\0\x80\x3d\xff\xff\xff\xff\xff\x80\x80\x80'
 done >row.splat
 "$bin/pointrt-bake" -q row.splat -o row.pro 2>log
-cat >cameras.json <<'END'
-{"w": 48, "h": 32, "fl_x": 40, "frames": [
-{"file_path": "in/1.jpg", "transform_matrix": [[1,0,0,0],[0,1,0,0],[0,0,1,3],[0,0,0,1]]},
-{"file_path": "in/2.jpg", "transform_matrix": [[1,0,0,0],[0,1,0,0],[0,0,1,4],[0,0,0,1]]}]}
-END
+writeCameras
 
 small="--size 80x60"
 written phong.png pointrt-view sphere.pro $small
