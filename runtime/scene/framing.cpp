@@ -95,7 +95,7 @@ FramedRequest fromOutside(CameraRequest request, const SceneSample& sample, Vec3
 FramedRequest fromWithin(const CameraRequest& request, const SceneSample& sample, Vec3 up) {
     const ViewChoice choice = chosen(request, thinned(sample), up);
     if (!choice.eye)
-        throw Error{ExitCode::kBadUsage, "--panorama: needs --eye X,Y,Z, as no scan tells where its scanner was"};
+        throw Error{ExitCode::kBadUsage, "--panorama: needs --eye X,Y,Z: no scan contains its scanner's position"};
     FramedRequest framed{request, {}};
     framed.camera.view.reset();
     framed.camera.eye = choice.eye;
