@@ -153,7 +153,7 @@ private:
         reportCutRays(plan_.names[i], report_.rays);
         report_.samples = series_.state().samples;
         report_.noise = relativeNoise(film);
-        if (filtered) (files_.tone.has_alpha ? denoiseFilm : denoisePicture)(session_.device, film);
+        if (filtered) (files_.tone.has_alpha ? denoiseFilm : denoisePicture)(session_.device, film, false);
         farther_ += writeCameraFiles(files_, plan_.names[i], shot.lens, film);
         list_.shots.push_back({shot, fileNames(options_.camera_output, plan_.names[i])});
         return true;

@@ -16,6 +16,7 @@
 #include "runtime/app/bake_inputs.h"
 #include "runtime/app/camera_job.h"
 #include "runtime/app/render_job.h"
+#include "runtime/app/video.h"
 #include "runtime/gpu/device.h"
 #include "runtime/scene/turntable.h"
 #include "runtime/scene_io/scene_file.h"
@@ -38,13 +39,16 @@ using namespace pointrt;
 void render(Options options) {
     std::optional<CameraPlan> cameras;
     if (!options.cameras.empty()) cameras = planCameras(options);
+    const std::string encoder = options.video.empty() ? "" : findEncoder(options.video);
+    if (!options.video.empty()) requireWritable(options.video);
+    requireOutputsApart(options, {});
+    if (!options.video.empty()) prepareVideo(options);
     const std::string first = options.turntable != 0 ? frameName(options.output, 0) : options.output;
     if (!first.empty() && !cameras) requireWritable(first);
     if (!options.stats.empty()) requireReportWritable(options.stats);
-    requireOutputsApart(options, {});
     if (!bakeInputs(options)) return;
-    fillPlan(options);
     SceneDescription description = describeScene(options);
+    fillPlan(options, description);
     requireOutputsApart(options, description);
     if (!isSceneOrSet(options.scene)) requirePro(options.scene);
     Report report;
@@ -54,6 +58,7 @@ void render(Options options) {
         renderCameras(session, *cameras, options, report);
     else
         (options.turntable != 0 ? renderTurntable : renderPicture)(session, options, report);
+    if (!options.video.empty() && !interrupted()) encodeVideo(options, encoder);
     printNotes(session, options);
     if (session.profile) {
         report.profile = profileJson(*session.profile);

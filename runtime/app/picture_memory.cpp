@@ -22,7 +22,9 @@ bool mayBeFiltered(const RenderSession& session, const Options& options) {
 
 std::uint64_t bytesOfFilter(const RenderSession& session, const Options& options) {
     const PixelSize size{session.settings.width, session.settings.height};
-    return mayBeFiltered(session, options) ? filterBytes({.picture = size, .tile = filterTileFor(size)}) : 0;
+    const bool wraps = session.camera.panorama;
+    if (!mayBeFiltered(session, options)) return 0;
+    return filterBytes({.picture = size, .tile = filterTileFor(size, wraps), .wraps = wraps});
 }
 
 std::uint64_t bytesInRows(const RenderSession& session, const Options& options) {

@@ -6,6 +6,7 @@
 
 #include "runtime/image/image_png.h"
 #include "runtime/image/image_tiff.h"
+#include "runtime/image/panorama_metadata.h"
 #include "runtime/util/clock.h"
 
 namespace pointrt {
@@ -28,7 +29,8 @@ bool isTiff(const PngPlan& plan) { return plan.writing == Writing::kWhole && pla
 std::unique_ptr<RowWriter> openPicture(const PngPlan& plan, std::uint32_t channels) {
     const auto& [width, height] = plan.size;
     if (isTiff(plan)) return std::make_unique<TiffWriter>(plan.path, TiffSize{width, height, channels}, plan.place);
-    return std::make_unique<PngWriter>(plan.path, PngSize{width, height, channels}, plan.writing);
+    const std::string xmp = plan.is_panorama ? panoramaXmp(plan.size) : "";
+    return std::make_unique<PngWriter>(plan.path, PngSize{width, height, channels}, plan.writing, xmp);
 }
 
 } // namespace

@@ -28,6 +28,7 @@ struct PngPlan {
     std::optional<Legend> legend; ///< composited over the picture
     Writing writing = Writing::kWhole;
     std::optional<GeoReference> place = {}; ///< of a plan
+    bool is_panorama = false;               ///< a PNG says so, for viewers that show it all around
 };
 
 class PngPicture {

@@ -98,7 +98,7 @@ Film finishFilm(RenderSession& session, Film film, const Options& options, const
     report.noise = relativeNoise(film);
     if (!wantsDenoising(session, options, report.samples)) return film;
     const Clock::time_point start = Clock::now();
-    (toneMappingOf(session).has_alpha ? denoiseFilm : denoisePicture)(session.device, film);
+    (toneMappingOf(session).has_alpha ? denoiseFilm : denoisePicture)(session.device, film, session.camera.panorama);
     report.denoise_ms = millisecondsSince(start);
     return film;
 }
@@ -109,6 +109,7 @@ PngPlan pngPlan(const RenderSession& session, const Options& options, const std:
     PngPlan plan{path, {settings.width, settings.height}, toneMappingOf(session), {}, {}, Writing::kWhole};
     if (options.thumbnail != 0) plan.writing = Writing::kInPlace;
     plan.place = options.place;
+    plan.is_panorama = session.camera.panorama && session.camera.eyes_apart == 0;
     if (settings.legend.value_or(false)) plan.legend = session.loaded->scene.paint.legend;
     return plan;
 }
@@ -167,8 +168,9 @@ void reportEnd(const Options& options, const RenderSession& session, const Frame
 PngPlan pngPlanFiltered(const RenderSession& session, const Options& options) {
     const RenderSettings& settings = session.settings;
     PngPlan plan = pngPlan(session, options, options.output);
+    const bool wraps = session.camera.panorama;
     if (wantsDenoising(session, options, settings.spp))
-        plan.filter = {plan.size, settings.spp > 1, !plan.tone.has_alpha, filterTileFor(plan.size)};
+        plan.filter = {plan.size, settings.spp > 1, !plan.tone.has_alpha, filterTileFor(plan.size, wraps), wraps};
     return plan;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <queue>
 
@@ -35,6 +36,7 @@ double farthestAlong(const TileBox& box, Vec3 from, Vec3 normal) {
 /// The edge of a pixel at a distance from the eye.
 double pixelAt(const CutView& view, double distance) {
     const Camera& camera = view.camera;
+    if (camera.panorama) return 2 * std::numbers::pi * distance / (view.aspect * view.height);
     const double height =
         camera.ortho_height > 0 ? camera.ortho_height : 2 * std::tan(verticalHalfAngle(camera.fov_deg)) * distance;
     return height / view.height;
@@ -178,6 +180,7 @@ TileCell cellBeside(const TileCell& cell, const TileCell& steps) {
 
 bool isInPicture(const TileBox& box, const CutView& view) {
     const Camera& camera = view.camera;
+    if (camera.panorama) return true;
     const bool parallel = camera.ortho_height > 0;
     const double up = parallel ? camera.ortho_height / 2 : std::tan(verticalHalfAngle(camera.fov_deg));
     const double right = up * view.aspect;

@@ -252,6 +252,17 @@ std::optional<Vec3> knownUp(const DeviceScene& scene) {
     return std::nullopt;
 }
 
+double metresPerUnit(const DeviceScene& scene) {
+    const std::vector<const DeviceScan*> scans = representativeScans(scene);
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+        pro_world world;
+        pro_get_world(scans[i]->file, &world);
+        const double metres = world.metres_per_unit / scene.description.instances[i].placement.scale;
+        if (metres > 0) return metres;
+    }
+    return 0;
+}
+
 PagedBuffers instancePages(const DeviceScene& scene, const Instance& instance) {
     PagedBuffers buffers = pagedBuffers(scene.files[instance.file]);
     if (const PagedBuffer* painted = paintedSplats(scene, instance)) buffers.back() = painted; // the splats are last

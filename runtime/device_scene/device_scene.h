@@ -85,6 +85,9 @@ void uploadSceneRows(Device& device, DeviceScene& scene, const SceneDescription&
 /// The up direction of the first instance whose file has one, in the world; unit length.
 std::optional<Vec3> knownUp(const DeviceScene& scene);
 
+/// Metres per unit of the scene, according to the first scan that stores it; 0 if none does.
+double metresPerUnit(const DeviceScene& scene);
+
 /// Whether both have the same files with the same placements.
 bool haveSamePlacements(const SceneDescription& a, const SceneDescription& b);
 

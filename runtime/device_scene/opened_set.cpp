@@ -28,6 +28,7 @@ CutView cutView(const Placement& placement, const Camera& camera, PixelSize size
     view.camera.up = unrotated(placement, camera.up);
     view.camera.forward = unrotated(placement, camera.forward);
     view.camera.fov_deg = camera.fov_deg;
+    view.camera.panorama = camera.panorama;
     view.camera.ortho_height = camera.ortho_height / placement.scale;
     view.aspect = static_cast<double>(size.width) / size.height;
     view.height = size.height;

@@ -52,7 +52,18 @@ void flushNothing(png_structp) {}
 void ignoreMessage(png_structp, png_const_charp) {}
 void jumpOut(png_structp png, png_const_charp) { png_longjmp(png, 1); }
 
-void setHeader(png_structp png, png_infop info, PngSize size) {
+void setXmp(png_structp png, png_infop info, const std::string& xmp) {
+    if (xmp.empty()) return;
+    char keyword[] = "XML:com.adobe.xmp", none[] = "";
+    png_text text{};
+    text.compression = PNG_ITXT_COMPRESSION_NONE; // viewers search the file for it
+    text.key = keyword;
+    text.text = const_cast<char*>(xmp.c_str()); // libpng copies it
+    text.lang = text.lang_key = none;
+    png_set_text(png, info, &text, 1);
+}
+
+void setHeader(png_structp png, png_infop info, PngSize size, const std::string& xmp) {
     const int color = size.channels == 1   ? PNG_COLOR_TYPE_GRAY
                       : size.channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA
                                            : PNG_COLOR_TYPE_RGB;
@@ -65,13 +76,14 @@ void setHeader(png_structp png, png_infop info, PngSize size) {
     text.key = keyword;
     text.text = writer;
     png_set_text(png, info, &text, 1);
+    setXmp(png, info, xmp);
 }
 
 // False if libpng failed. No local variable may need a destructor: libpng uses longjmp.
 
-bool writeHeader(png_structp png, png_infop info, PngSize size) {
+bool writeHeader(png_structp png, png_infop info, PngSize size, const std::string& xmp) {
     if (setjmp(png_jmpbuf(png))) return false;
-    setHeader(png, info, size);
+    setHeader(png, info, size, xmp);
     png_write_info(png, info);
     if (size.bits == 16 && std::endian::native == std::endian::little) png_set_swap(png);
     return true;
@@ -99,7 +111,7 @@ void require(bool done, const State& state) {
 
 } // namespace
 
-PngWriter::PngWriter(const std::string& path, PngSize size, Writing writing)
+PngWriter::PngWriter(const std::string& path, PngSize size, Writing writing, const std::string& xmp)
     : state_(std::make_unique<State>(path, writing)) {
     State& state = *state_;
     state.row_bytes = std::size_t{size.width} * size.channels * (size.bits / 8);
@@ -107,7 +119,7 @@ PngWriter::PngWriter(const std::string& path, PngSize size, Writing writing)
     if (state.png) state.info = png_create_info_struct(state.png);
     require(state.info != nullptr, state);
     png_set_write_fn(state.png, &state, appendBytes<State>, flushNothing);
-    require(writeHeader(state.png, state.info, size), state);
+    require(writeHeader(state.png, state.info, size, xmp), state);
 }
 
 PngWriter::~PngWriter() = default;

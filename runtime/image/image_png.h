@@ -24,7 +24,8 @@ struct PngSize {
 /// Each function throws Error kCannotWrite "PATH: reason".
 class PngWriter final : public RowWriter {
 public:
-    PngWriter(const std::string& path, PngSize size, Writing writing = Writing::kWhole);
+    /// xmp: a metadata packet, or empty.
+    PngWriter(const std::string& path, PngSize size, Writing writing = Writing::kWhole, const std::string& xmp = {});
     ~PngWriter() override;
 
     /// Appends whole rows.

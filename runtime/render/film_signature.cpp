@@ -56,10 +56,14 @@ std::string sceneHash(const DeviceScene& scene) {
     return text;
 }
 
+std::string lensText(const Camera& camera) {
+    if (camera.panorama) return "panorama " + exact(camera.eyes_apart);
+    return camera.ortho_height > 0 ? "ortho " + exact(camera.ortho_height) : exact(camera.fov_deg);
+}
+
 std::string cameraText(const Camera& camera) {
     return vectorText(camera.eye) + " " + vectorText(camera.right) + " " + vectorText(camera.up) + " " +
-           vectorText(camera.forward) + " " +
-           (camera.ortho_height > 0 ? "ortho " + exact(camera.ortho_height) : exact(camera.fov_deg));
+           vectorText(camera.forward) + " " + lensText(camera);
 }
 
 /// Real numbers with all digits.

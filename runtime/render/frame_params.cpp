@@ -8,6 +8,7 @@
 
 #include "runtime/scene/camera.h"
 #include "runtime/scene/default_lighting.h"
+#include "runtime/scene/panorama.h"
 
 namespace pointrt {
 
@@ -51,6 +52,10 @@ Vec3 pixelOffset(const RenderSettings& settings, const Camera& camera, std::uint
     const double across = (2.0 * (x + 0.5) / settings.width - 1.0) * aspect;
     const double upwards = 1.0 - 2.0 * (y + 0.5) / settings.height;
     return across * camera.right + upwards * camera.up;
+}
+
+PanoramaRay panoramaCenterRay(const RenderSettings& settings, const Camera& camera, std::uint32_t x, std::uint32_t y) {
+    return panoramaRay(camera, (x + 0.5) / settings.width, (y + 0.5) / settings.height);
 }
 
 /// Margin of the box around all instances, as a share of its size: more than the rounding error of the ray test.
@@ -121,6 +126,8 @@ gpu::FrameParams makeFrameParams(const DeviceScene& scene, const RenderSettings&
     params.up = packed(camera.up);
     params.half_window = static_cast<float>(half.window / space.scale);
     params.forward = packed(camera.forward);
+    params.is_panorama = camera.panorama ? 1 : 0;
+    params.half_eye_distance = static_cast<float>(camera.eyes_apart / 2 / space.scale);
     setSky(scene.description.sky.value_or(SkyDescription{}), params);
     params.sky_up = packed(sceneUp(scene.description, settings));
     params.depth_black = static_cast<float>((length(camera.eye - center) + radius) / space.scale);
@@ -144,10 +151,12 @@ gpu::FrameParams makeFrameParams(const DeviceScene& scene, const RenderSettings&
 }
 
 Vec3 centerRayOrigin(const RenderSettings& settings, const Camera& camera, std::uint32_t x, std::uint32_t y) {
+    if (camera.panorama) return panoramaCenterRay(settings, camera, x, y).origin;
     return camera.eye + halfHeights(camera).window * pixelOffset(settings, camera, x, y);
 }
 
 Vec3 centerRayDirection(const RenderSettings& settings, const Camera& camera, std::uint32_t x, std::uint32_t y) {
+    if (camera.panorama) return panoramaCenterRay(settings, camera, x, y).direction;
     return normalize(camera.forward + halfHeights(camera).at_distance_1 * pixelOffset(settings, camera, x, y));
 }
 

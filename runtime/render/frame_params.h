@@ -18,7 +18,8 @@ void setInstanceBounds(const DeviceScene& scene, gpu::FrameParams& params);
 /// Sets the shapes of the scene in params.
 void setShapes(const DeviceScene& scene, gpu::FrameParams& params);
 
-/// Origin of the ray through the centre of pixel (x, y), input coordinates: the eye, except with parallel projection.
+/// Origin of the ray through the centre of pixel (x, y), input coordinates: the eye, except with parallel projection
+/// and in a stereo panorama.
 Vec3 centerRayOrigin(const RenderSettings& settings, const Camera& camera, std::uint32_t x, std::uint32_t y);
 
 /// Unit direction of that ray, input coordinates.

@@ -25,8 +25,20 @@ constexpr double kFilesShare = 0.0, kRowsShare = 0.15, kProgramsShare = 0.2, kPh
 
 double aspectOf(const RenderSettings& settings) { return static_cast<double>(settings.width) / settings.height; }
 
+/// Scans of unknown units are taken to be in metres.
+double unitsOf(double metres, const DeviceScene& scene) {
+    const double metres_per_unit = metresPerUnit(scene);
+    return metres_per_unit > 0 ? metres / metres_per_unit : metres;
+}
+
+Camera cameraWithin(const LoadedScene& loaded, const CameraRequest& request, const Bounds& bounds) {
+    Camera camera = frameCamera(request, bounds.lo, bounds.hi, aspectOf(loaded.settings));
+    camera.eyes_apart = unitsOf(request.eyes_apart_m, loaded.scene);
+    return camera;
+}
+
 Camera framedCamera(const LoadedScene& loaded, const CameraRequest& request) {
-    return frameCamera(request, loaded.scene.bounds.lo, loaded.scene.bounds.hi, aspectOf(loaded.settings));
+    return cameraWithin(loaded, request, loaded.scene.bounds);
 }
 
 /// The request resolved for the current scene.
@@ -90,6 +102,7 @@ StudioSubject subjectOf(const LoadedScene& loaded, const Camera& camera, const F
                           meanReflectance(loaded.kept_sample)};
     subject.lowest = lowestIfTilted(loaded.sample, sceneUp(loaded.scene.description, loaded.settings));
     if (!view.within) return subject;
+    if (camera.panorama) return subject; // sees all of it
     const ViewBasis basis{camera.right, camera.up, camera.forward};
     const SceneSample visible = visibleFrom(loaded.kept_sample, camera.eye, basis, camera.fov_deg);
     subject.reflectance = loaded.colored_by_default ? kViridisMean : meanReflectance(visible);
@@ -167,10 +180,13 @@ Camera movingCamera(const LoadedScene& loaded, const Camera& first, bool follows
     if (scene.views.size() < 2)
         throw Error{ExitCode::kBadUsage, "--path: " + scene.path + " has " + std::to_string(scene.views.size()) +
                                              " [[view]]; a path needs at least two"};
-    const double aspect = static_cast<double>(loaded.settings.width) / loaded.settings.height;
     std::vector<Camera> keys;
-    for (const NamedView& view : scene.views)
-        keys.push_back(frameCamera(view.camera, loaded.shown.lo, loaded.shown.hi, aspect));
+    for (const NamedView& view : scene.views) {
+        CameraRequest key = view.camera;
+        key.panorama = first.panorama;
+        key.eyes_apart_m = loaded.settings.camera.eyes_apart_m;
+        keys.push_back(cameraWithin(loaded, key, loaded.shown));
+    }
     const double share = frames > 1 ? static_cast<double>(frame) / (frames - 1) : 0;
     return cameraOnPath(keys, share * static_cast<double>(keys.size() - 1));
 }

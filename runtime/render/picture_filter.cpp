@@ -54,12 +54,26 @@ void dropFront(std::vector<float>& texels, std::size_t count) {
     texels.erase(texels.begin(), texels.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
-void filterWhole(Device& device, Film& film, bool covers_all) {
+/// Puts margin pixels from the other end before and after the row that texels, 4 floats per pixel, end with.
+void wrapRow(std::vector<float>& texels, std::size_t width, std::size_t margin) {
+    if (margin == 0) return;
+    const std::size_t begin = texels.size() - 4 * width;
+    const std::vector<float> row(texels.begin() + static_cast<std::ptrdiff_t>(begin), texels.end());
+    texels.resize(begin + 4 * (width + 2 * margin));
+    for (std::size_t column = 0; column < width + 2 * margin; ++column) {
+        const std::size_t from = (column + width - margin % width) % width;
+        std::copy_n(row.data() + 4 * from, 4, texels.data() + begin + 4 * column);
+    }
+}
+
+std::uint32_t marginOf(bool wraps) { return wraps ? kDenoiseReach : 0; }
+
+void filterWhole(Device& device, Film& film, bool covers_all, bool wraps) {
     requireSizes(film);
     if (film.rgba.empty()) return;
     const PixelSize size{film.width, film.height};
     float* next = film.rgba.data();
-    PictureFilter filter(device, {size, hasVariance(film), covers_all, filterTileFor(size)},
+    PictureFilter filter(device, {size, hasVariance(film), covers_all, filterTileFor(size, wraps), wraps},
                          [&](std::span<const float> rgba) {
                              for (std::size_t i = 0; i < rgba.size(); i += 4) std::copy_n(rgba.data() + i, 3, next + i);
                              next += rgba.size();
@@ -69,8 +83,8 @@ void filterWhole(Device& device, Film& film, bool covers_all) {
 
 } // namespace
 
-FilterTile filterTileFor(PixelSize picture) {
-    FilterTile tile{picture.width, picture.height};
+FilterTile filterTileFor(PixelSize picture, bool wraps) {
+    FilterTile tile{picture.width + 2 * marginOf(wraps), picture.height};
     if (std::uint64_t{tile.width} * tile.rows <= kTilePixels) return tile;
     tile.width = std::min(tile.width, kTileWidth);
     tile.rows = std::min(tile.rows, kTilePixels / tile.width);
@@ -79,14 +93,14 @@ FilterTile filterTileFor(PixelSize picture) {
 
 std::uint64_t filterBytes(const FilterPlan& plan) {
     const std::uint64_t rows = plan.tile.rows;
-    const std::uint64_t gathered = 3 * kTexelBytes * rows * plan.picture.width;
+    const std::uint64_t gathered = 3 * kTexelBytes * rows * (plan.picture.width + 2 * marginOf(plan.wraps));
     const std::uint64_t done = kTexelBytes * rows * plan.picture.width;
     return gathered + done + kTileBytes * rows * plan.tile.width;
 }
 
 PictureFilter::PictureFilter(Device& device, const FilterPlan& plan, TakeRows take)
     : device_(device), plan_(plan), take_(std::move(take)) {
-    const std::size_t gathered = std::size_t{4} * plan.picture.width * plan.tile.rows;
+    const std::size_t gathered = std::size_t{4} * gatheredWidth() * plan.tile.rows;
     for (Texels* texels : {&colors_, &surfaces_, &albedos_}) texels->reserve(gathered);
     createTile();
 }
@@ -130,6 +144,7 @@ void PictureFilter::gather(const Film& film, std::uint32_t row) {
             if (colors_[i] == 0) colors_[i] = 1;
     interleave(film.normal, 0, film.depth, first, count, surfaces_);
     interleave(film.albedo, 1, film.variance, first, count, albedos_);
+    for (Texels* texels : {&colors_, &surfaces_, &albedos_}) wrapRow(*texels, count, margin());
     ++rows_;
 }
 
@@ -138,23 +153,24 @@ void PictureFilter::filterRows() {
     const std::uint32_t width = plan_.picture.width, end = first_row_ + rows_;
     const std::uint32_t done_end = end == plan_.picture.height ? end : end - kDenoiseReach;
     done_.resize(std::size_t{4} * width * (done_end - done_rows_));
-    const std::uint32_t step = plan_.tile.width >= width ? width : innerWidth(plan_.tile.width);
+    const std::uint32_t step = plan_.tile.width >= gatheredWidth() ? width : innerWidth(plan_.tile.width);
     for (std::uint32_t column = 0; column < width; column += step)
         filterTile(column, std::min(step, width - column), done_end - done_rows_);
     take_(done_);
     done_rows_ = done_end;
     if (end == plan_.picture.height) return;
     const std::uint32_t dropped = done_end - std::min(done_end, kDenoiseReach) - first_row_;
-    for (Texels* texels : {&colors_, &surfaces_, &albedos_}) dropFront(*texels, std::size_t{4} * width * dropped);
+    for (Texels* texels : {&colors_, &surfaces_, &albedos_})
+        dropFront(*texels, std::size_t{4} * gatheredWidth() * dropped);
     first_row_ += dropped;
     rows_ -= dropped;
 }
 
 /// Filters columns of the next rows into done_.
 void PictureFilter::filterTile(std::uint32_t first_column, std::uint32_t columns, std::uint32_t rows) {
-    const std::uint32_t width = plan_.picture.width;
-    const std::uint32_t left = first_column - std::min(first_column, kDenoiseReach);
-    denoiser_.width = std::min(first_column + columns + kDenoiseReach, width) - left;
+    const std::uint32_t width = plan_.picture.width, begin = first_column + margin();
+    const std::uint32_t left = begin - std::min(begin, kDenoiseReach);
+    denoiser_.width = std::min(begin + columns + kDenoiseReach, gatheredWidth()) - left;
     denoiser_.height = rows_;
     upload(color_, colors_, left, denoiser_.width);
     upload(surface_, surfaces_, left, denoiser_.width);
@@ -166,7 +182,7 @@ void PictureFilter::filterTile(std::uint32_t first_column, std::uint32_t columns
     downloadBuffer(device_, denoiser_.result, tile_.data(), tile_.size() * sizeof(float));
     const std::uint32_t above = done_rows_ - first_row_;
     for (std::uint32_t row = 0; row < rows; ++row)
-        std::copy_n(tile_.data() + std::size_t{4} * (std::size_t{above + row} * denoiser_.width + first_column - left),
+        std::copy_n(tile_.data() + std::size_t{4} * (std::size_t{above + row} * denoiser_.width + begin - left),
                     std::size_t{4} * columns,
                     done_.data() + std::size_t{4} * (std::size_t{row} * width + first_column));
 }
@@ -175,8 +191,8 @@ void PictureFilter::upload(Buffer& buffer, const Texels& texels, std::uint32_t f
     const std::size_t row_floats = std::size_t{4} * columns;
     tile_.resize(row_floats * rows_);
     for (std::uint32_t row = 0; row < rows_; ++row)
-        std::copy_n(texels.data() + std::size_t{4} * (std::size_t{row} * plan_.picture.width + first_column),
-                    row_floats, tile_.data() + row_floats * row);
+        std::copy_n(texels.data() + std::size_t{4} * (std::size_t{row} * gatheredWidth() + first_column), row_floats,
+                    tile_.data() + row_floats * row);
     uploadBuffer(device_, buffer, tile_.data(), tile_.size() * sizeof(float));
 }
 
@@ -185,8 +201,8 @@ bool hasVariance(const Film& film) {
            std::all_of(film.samples.begin(), film.samples.end(), [](float samples) { return samples >= 2; });
 }
 
-void denoiseFilm(Device& device, Film& film) { filterWhole(device, film, false); }
+void denoiseFilm(Device& device, Film& film, bool wraps) { filterWhole(device, film, false, wraps); }
 
-void denoisePicture(Device& device, Film& film) { filterWhole(device, film, true); }
+void denoisePicture(Device& device, Film& film, bool wraps) { filterWhole(device, film, true, wraps); }
 
 } // namespace pointrt

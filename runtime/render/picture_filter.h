@@ -21,14 +21,15 @@ struct FilterTile {
 };
 
 /// At most 2 million pixels, whose buffers are a quarter of what every Vulkan device can bind. Smaller pictures are one
-/// tile; in large ones a sixth of the work is repeated in borders.
-FilterTile filterTileFor(PixelSize picture);
+/// tile; in large ones a sixth of the work is repeated in borders. wraps: as in FilterPlan.
+FilterTile filterTileFor(PixelSize picture, bool wraps = false);
 
 struct FilterPlan {
     PixelSize picture;
     bool has_variance = false; ///< the film has the variance of the mean; else spatial variance is used
     bool covers_all = false;   ///< also filter pixels the scene does not cover: shadows on the backdrop are noisy too
     FilterTile tile;
+    bool wraps = false; ///< the left and right edges of the picture meet: it is a panorama
 };
 
 /// Memory of a PictureFilter in bytes, host and device together.
@@ -55,6 +56,8 @@ private:
 
     void createTile();
     void gather(const Film& film, std::uint32_t row);
+    std::uint32_t margin() const { return plan_.wraps ? kDenoiseReach : 0; }
+    std::uint32_t gatheredWidth() const { return plan_.picture.width + 2 * margin(); }
     void filterRows();
     void filterTile(std::uint32_t first_column, std::uint32_t columns, std::uint32_t rows);
     void upload(Buffer& buffer, const Texels& texels, std::uint32_t first_column, std::uint32_t columns);
@@ -64,8 +67,9 @@ private:
     TakeRows take_;
     Buffer color_, surface_, albedo_; ///< DenoiseInputs of a tile
     Denoiser denoiser_;
-    Texels colors_, surfaces_, albedos_; ///< input rows from first_row_ on that are still needed
-    Texels tile_;                        ///< staging to and from the device
+    /// Input rows from first_row_ on that are still needed, each with a margin of pixels from the other edge.
+    Texels colors_, surfaces_, albedos_;
+    Texels tile_; ///< staging to and from the device
     Texels done_;
     std::uint32_t first_row_ = 0, rows_ = 0; ///< of the input rows
     std::uint32_t done_rows_ = 0;            ///< rows of the picture passed to take_
@@ -77,10 +81,11 @@ bool hasVariance(const Film& film);
 /// Filters the colours of film.rgba on device; changes nothing else. Guides are film.normal, depth, albedo and
 /// variance; empty ones are ignored. Without valid variance (hasVariance) it uses the spatial variance of similar
 /// pixels, which mistakes the edges of sharp shadows for noise. A film without pixels is unchanged. Throws
-/// std::logic_error if an array has the wrong size, Error kCannotRun if the device lacks memory.
-void denoiseFilm(Device& device, Film& film);
+/// std::logic_error if an array has the wrong size, Error kCannotRun if the device lacks memory. wraps: as in
+/// FilterPlan.
+void denoiseFilm(Device& device, Film& film, bool wraps = false);
 
 /// The same, but also filters pixels that the scene does not cover: shadows on the backdrop are noisy too.
-void denoisePicture(Device& device, Film& film);
+void denoisePicture(Device& device, Film& film, bool wraps = false);
 
 } // namespace pointrt

@@ -9,6 +9,7 @@
 
 #include "format/base/error.h"
 #include "runtime/scene/camera_range.h"
+#include "runtime/scene/panorama.h"
 
 namespace pointrt {
 namespace {
@@ -121,7 +122,8 @@ Camera frameCamera(const CameraRequest& request, Vec3 bounds_min, Vec3 bounds_ma
     camera.right =
         normalize(cross(camera.forward, usableUp(withinRange(request.up.value_or(Vec3{0, 1, 0})), camera.forward)));
     camera.up = cross(camera.right, camera.forward);
-    return camera;
+    camera.panorama = request.panorama;
+    return camera.panorama ? levelCamera(camera, request.up ? withinRange(*request.up) : Vec3{0, 1, 0}) : camera;
 }
 
 } // namespace pointrt

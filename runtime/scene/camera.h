@@ -10,6 +10,7 @@ namespace pointrt {
 ///  - nothing given: the bounding sphere just fills the narrower field of view, seen from request.side with +Y up;
 ///  - parallel projection: the same position, moved back if part of the sphere would be behind the eye; without a
 ///    height the sphere just fills the narrower side of the picture;
+///  - panorama: level, with the given up; eyes_apart is left at 0, as it needs the scene's unit;
 ///  - only eye: looks at the centre of the bounds;
 ///  - only target: same direction and distance as with nothing given;
 ///  - an up along the view direction (given or not) is replaced by -Z, or by +Y for a view along Z.

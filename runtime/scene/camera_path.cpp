@@ -39,7 +39,7 @@ Camera cameraOnPath(std::span<const Camera> keys, double at) {
     if (share == 1) return keys[first + 1];
     const SplinePart part{keys, first, share};
     const Camera &from = keys[first], &to = keys[first + 1];
-    Camera camera;
+    Camera camera = from;
     camera.eye = part.at(&Camera::eye);
     const Vec3 forward = part.at(&Camera::forward), right = cross(forward, part.at(&Camera::up));
     if (!(length(forward) > 0) || !(length(right) > 0)) return share < 0.5 ? from : to; // opposite views

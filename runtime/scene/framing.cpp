@@ -91,6 +91,19 @@ FramedRequest fromOutside(CameraRequest request, const SceneSample& sample, Vec3
     return framed;
 }
 
+/// Where a panorama is seen from if no eye is given: a scanner's position, or the middle of a room.
+FramedRequest fromWithin(const CameraRequest& request, const SceneSample& sample, Vec3 up) {
+    const ViewChoice choice = chosen(request, thinned(sample), up);
+    if (!choice.eye)
+        throw Error{ExitCode::kBadUsage, "--panorama: needs --eye X,Y,Z: no scan contains its scanner's position"};
+    FramedRequest framed{request, {}};
+    framed.camera.view.reset();
+    framed.camera.eye = choice.eye;
+    if (!request.target) framed.camera.target = *choice.eye - choice.side;
+    if (!request.up) framed.camera.up = up;
+    return framed;
+}
+
 /// Fills in the walls around the eye.
 FramedRequest fromGivenEye(FramedRequest framed, const SceneSample& sample, Vec3 up) {
     const Surrounding surrounding = surroundingOf(sample, *framed.camera.eye, up);
@@ -115,7 +128,9 @@ FramedRequest frameScene(const CameraRequest& request, const SceneSample& all, V
                          bool free_fov) {
     FramedRequest framed{request, {}};
     framed.camera.view.reset();
-    if (request.eye && !all.splats.empty() && !all.has_shapes) return fromGivenEye(framed, all, up);
+    if (request.panorama && !request.eye && !all.splats.empty()) framed = fromWithin(request, withoutStrays(all), up);
+    if (framed.camera.eye && !all.splats.empty() && !all.has_shapes) return fromGivenEye(framed, all, up);
+    if (request.panorama) return framed;
     if (request.view && request.target && !request.eye && !all.splats.empty())
         return fromSideOf(request, thinned(withoutStrays(all)), up);
     if (request.eye || request.target || all.splats.empty() || (all.has_shapes && !request.view)) return framed;

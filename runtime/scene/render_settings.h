@@ -32,6 +32,8 @@ struct CameraRequest {
     bool ortho = false;  ///< parallel projection; implied by ortho_height
     /// Height of the picture in the scene, input units, above 0; not set: shows the whole scene.
     std::optional<double> ortho_height;
+    bool panorama = false;   ///< equirectangular, all around the eye; not with parallel projection
+    double eyes_apart_m = 0; ///< of a panorama: above 0 in stereo
     Vec3 side{0, 0, 1};      ///< unit vector from the target to the eye, used if eye is not set
     bool keeps_side = false; ///< frameScene keeps side and does not look for a better one
     /// The view for frameScene if eye is not set; if this is not set either, frameScene chooses one.
@@ -45,6 +47,8 @@ struct Camera {
     Vec3 eye, right, up, forward;
     double fov_deg = 40;     ///< vertical
     double ortho_height = 0; ///< above 0: parallel projection, with the picture's height in input units
+    bool panorama = false;   ///< equirectangular (panorama.h); forward is in the middle of the picture
+    double eyes_apart = 0;   ///< of a panorama, input units; above 0: the left eye's picture above the right eye's
     bool operator==(const Camera&) const = default;
 };
 

@@ -7,6 +7,7 @@
 
 #include "format/base/printable.h"
 #include "runtime/scene/default_view.h"
+#include "runtime/scene/upright.h"
 #include "runtime/util/parse.h"
 
 namespace pointrt {
@@ -61,9 +62,9 @@ struct Vertical {
     Vec3 up;
 };
 Vertical verticalOf(Vec3 up) {
-    const Vec3 size = absolute(up);
-    const std::size_t axis = size.z >= size.x && size.z >= size.y ? 2 : size.y >= size.x ? 1 : 0;
-    return {axis, component(up, axis) < 0 ? -1.0 * unitAlong(axis) : unitAlong(axis)};
+    const Vec3 nearest = nearestAxis(up).value();
+    const std::size_t axis = nearest.z != 0 ? 2 : nearest.y != 0 ? 1 : 0;
+    return {axis, nearest};
 }
 
 /// A point of the cut, and the direction in which the view looks, of unit length.

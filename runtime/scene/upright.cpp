@@ -37,6 +37,14 @@ std::optional<Vec3> axisNamed(const std::string& word) {
     return axis ? std::optional(Vec3{(*axis)[0], (*axis)[1], (*axis)[2]}) : std::nullopt;
 }
 
+std::optional<Vec3> nearestAxis(Vec3 direction) {
+    const Vec3 size = absolute(direction);
+    if (!(length(size) > 0)) return std::nullopt;
+    if (size.z >= size.x && size.z >= size.y) return Vec3{0, 0, direction.z < 0 ? -1.0 : 1.0};
+    if (size.y >= size.x) return Vec3{0, direction.y < 0 ? -1.0 : 1.0, 0};
+    return Vec3{direction.x < 0 ? -1.0 : 1.0, 0, 0};
+}
+
 void resolveUp(SceneDescription& scene, CameraRequest& camera, CameraRequest& staging, const UpRequest& request) {
     // for a single scan, an up of the camera is also that of the scene
     const bool is_given = scene.up || (!request.fallback && camera.up);

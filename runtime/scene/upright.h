@@ -15,6 +15,9 @@ std::optional<Vec3> axisNamed(const std::string& word);
 /// The name of a unit vector along an axis; "" for other vectors.
 std::string axisName(Vec3 axis);
 
+/// The axis, in either direction, that is nearest to a direction; none for the zero vector.
+std::optional<Vec3> nearestAxis(Vec3 direction);
+
 /// The sources of the up direction after the scene itself.
 struct UpRequest {
     std::optional<Vec3> known;    ///< from the scans, unit length

@@ -22,7 +22,8 @@ bool leavesIntegrator(const Options& options) {
 
 /// Whether the camera looks at the section: no option places it elsewhere.
 bool facesSection(const Options& options) {
-    return options.section && !options.camera.eye && !options.camera.target && options.view.empty();
+    return options.section && !options.camera.eye && !options.camera.target && options.view.empty() &&
+           !options.panorama;
 }
 
 /// The lens of the camera that looks at the section, and an up that only rotates the picture.

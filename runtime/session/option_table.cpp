@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::uint32_t kMaxBenchFrames = 100000;
 constexpr std::uint32_t kMaxThumbnail = 1024; // the largest size that file managers request
+constexpr std::uint32_t kMaxFps = 240;        // of the fastest screens
 constexpr double kMaxSeconds = 1e7;           // 116 days
 constexpr double kMaxHeight = 1e12;           // the limit of lengths in scene files
 
@@ -22,6 +23,7 @@ constexpr std::array kProgressNames = {Name{"auto", false}, Name{"lines", true}}
 
 constexpr std::array kDistortionNames = {Name{"refuse", false}, Name{"drop", true}};
 constexpr double kMaxDepthUnit = 1e9;
+constexpr double kMaxEyesApart = 1e6; // metres: a planet as a toy
 
 /// A layer of --cameras, and the flag that selects it.
 struct LayerName {
@@ -87,17 +89,20 @@ OptionGroup imageOptions() {
         "Image",
         {{"-o,--output", "FILE",
           "Render to FILE.png or FILE.tif (8-bit sRGB) or FILE.exr (float, with first hits and light components), "
-          "overwriting an existing file; - writes a PNG to standard output",
+          "overwriting an existing file; - writes a PNG to standard output; for moving cameras see --turntable",
           [](Options& o, const std::string& text) { o.output = text; }, ".png .tif .exr"},
          {"--turntable", "N",
-          "Render N pictures from a camera that circles the target once, to -o frames/%04d.png (default: off; 1 to " +
+          "Render N pictures from a camera that circles the target once, to -o frames/%04d.png, or with ffmpeg as a "
+          "video to -o FILE.mp4 or FILE.webm (default: off; 1 to " +
               std::to_string(kMaxTurntable) + ")",
           [](Options& o, const std::string& text) { setMoving(o, text, false); }},
          {"--path", "N",
           "Render N pictures from a camera that moves smoothly through the views of the scene file, in their order, "
-          "from the first to the last, to -o frames/%04d.png (default: off; 1 to " +
+          "from the first to the last, to -o frames/%04d.png, or as a video (default: off; 1 to " +
               std::to_string(kMaxTurntable) + ")",
           [](Options& o, const std::string& text) { setMoving(o, text, true); }},
+         {"--fps", "N", "Pictures per second of a video (default 25; 1 to " + std::to_string(kMaxFps) + ")",
+          [](Options& o, const std::string& text) { o.fps = parseCount(text, 1, kMaxFps); }},
          {"--thumbnail", "N",
           "Render a PNG of N x N pixels in about a second, for file managers; -o FILE may have any suffix (default: "
           "off; 1 to " +
@@ -146,6 +151,15 @@ OptionGroup cameraOptions() {
          {"--ortho", "HEIGHT|fit",
           "Use a parallel projection HEIGHT scene units high; fit shows the whole scene (default: off; not with --fov)",
           [](Options& o, const std::string& text) { setOrtho(o.camera, text); }},
+         {.names = "--panorama",
+          .help = "Render a panorama of 360 degrees, equirectangular and twice as wide as high (default: off; --size "
+                  "2048x1024), level, from --eye or else from the scanner's position or the middle of a room; viewers "
+                  "know a PNG by its metadata",
+          .flag = &Options::panorama},
+         {"--stereo", "METRES",
+          "With --panorama: two eyes so far apart, such as 0.063; the left eye's picture is above the right eye's, and "
+          "the whole is square (default: off)",
+          [](Options& o, const std::string& text) { o.camera.eyes_apart_m = parseRealAbove(text, 0, kMaxEyesApart); }},
          {"--plan", "SIZE",
           "Render a plan in true scale: from above, SIZE scene units a pixel, over the whole scan, or --size pixels "
           "around --target. FILE.png gets a world file FILE.pgw, FILE.tif is a GeoTIFF; transparent where nothing is "

@@ -12,6 +12,7 @@
 #include "format/base/require_pro.h"
 #include "format/cli/command_line.h"
 #include "format/os/desktop.h"
+#include "runtime/scene/panorama.h"
 #include "runtime/scene/turntable.h"
 #include "runtime/scene_io/scene_file.h"
 #include "runtime/session/option_table.h"
@@ -152,7 +153,8 @@ void requireWindow(const Options& options) {
 void requireImage(const Options& options) {
     const std::string& path = options.output;
     if (!path.empty() && !writesToneMapped(options) && !path.ends_with(".exr"))
-        throw Error{ExitCode::kBadUsage, path + ": image files must end in .png, .tif or .exr"};
+        throw Error{ExitCode::kBadUsage,
+                    path + ": files must end in .png, .tif or .exr, or for moving cameras in .mp4 or .webm"};
 }
 
 /// Refuses options that the cameras of a list set themselves, and options that need a single picture.
@@ -212,7 +214,7 @@ void requirePlan(const Options& options) {
                         : options.resume                         ? "--resume"
                         : !options.view.empty()                  ? "--view"
                         : camera.eye                             ? "--eye"
-                        : camera.up                              ? "--up"
+                        : camera.up && !options.up_axis          ? "--up"
                         : options.fov_deg                        ? "--fov"
                         : camera.ortho                           ? "--ortho"
                         : camera.target && !options.choices.size ? "--target without --size"
@@ -220,6 +222,30 @@ void requirePlan(const Options& options) {
     if (other) throw Error{ExitCode::kBadUsage, std::string("--plan and ") + other + " exclude each other"};
     if (!writesToneMapped(options) || options.output == "-")
         throw Error{ExitCode::kBadUsage, "--plan: needs -o FILE.png or FILE.tif"};
+}
+
+/// A panorama has no lens, and its size a fixed shape.
+void requirePanorama(const Options& options) {
+    if (!options.panorama) throw Error{ExitCode::kBadUsage, "--stereo: needs --panorama"};
+    if (opensWindow(options)) throw Error{ExitCode::kBadUsage, "--panorama: needs -o FILE.png, FILE.tif or FILE.exr"};
+    const char* other = options.plan > 0           ? "--plan"
+                        : options.thumbnail != 0   ? "--thumbnail"
+                        : !options.cameras.empty() ? "--cameras"
+                        : options.fov_deg          ? "--fov"
+                        : options.camera.ortho     ? "--ortho"
+                                                   : nullptr;
+    if (other) throw Error{ExitCode::kBadUsage, std::string("--panorama and ") + other + " exclude each other"};
+    const bool in_stereo = options.camera.eyes_apart_m > 0;
+    const PixelSize size = options.choices.size.value_or(PixelSize{});
+    if (options.choices.size && (size.width % 2 != 0 || !(size == panoramaSize(size.width, in_stereo))))
+        throw Error{ExitCode::kBadUsage, in_stereo ? "--size: a panorama in stereo is square, such as 2048x2048"
+                                                   : "--size: a panorama is twice as wide as high, such as 2048x1024"};
+}
+
+void fillPanorama(Options& options) {
+    constexpr std::uint32_t kWidth = 2048; // sharp enough to look around on a screen, at two megapixels
+    options.camera.panorama = true;
+    if (!options.choices.size) options.choices.size = panoramaSize(kWidth, options.camera.eyes_apart_m > 0);
 }
 
 /// --device list does nothing else.
@@ -267,6 +293,7 @@ void requireTask(const Options& options) {
                     "--fov and --ortho exclude each other: a parallel projection has no field of view"};
     if (options.list_devices) return requireNothingElse(options);
     if (options.plan > 0) requirePlan(options);
+    if (options.panorama || options.camera.eyes_apart_m > 0) requirePanorama(options);
     if (options.thumbnail != 0) requireThumbnail(options);
     if (options.cameras.empty())
         requireNoCameraList(options);
@@ -287,6 +314,18 @@ void requireTask(const Options& options) {
     if (options.cameras.empty())
         requireFrameNames(options.output, options.turntable != 0 ? movingOption(options.follows_views) : nullptr);
     requireWindow(options);
+}
+
+/// A video is made of pictures in a folder beside it.
+void takeVideo(Options& options) {
+    if (!isVideo(options.output)) return;
+    if (options.turntable == 0)
+        throw Error{ExitCode::kBadUsage, options.output + ": a video needs --turntable or --path"};
+    if (options.choices.background && options.choices.background->transparent)
+        throw Error{ExitCode::kBadUsage,
+                    options.output + ": videos cannot be transparent; choose another --background"};
+    options.video = options.output;
+    options.output += ".frames/%06d.png";
 }
 
 /// What is baked needs no bake: the scene, and the scans beside it.
@@ -322,6 +361,8 @@ bool isScene(const std::string& path) { return path.ends_with(".pro") || isScene
 
 const char* movingOption(bool follows_views) { return follows_views ? "--path" : "--turntable"; }
 
+bool isVideo(const std::string& path) { return path.ends_with(".mp4") || path.ends_with(".webm"); }
+
 bool areBakedScans(const std::vector<std::string>& paths) {
     return std::all_of(paths.begin(), paths.end(),
                        [](const std::string& path) { return isScene(path) && !isSceneFile(path); });
@@ -342,9 +383,11 @@ std::optional<int> parseOptions(int argc, const char* const* argv, Options& opti
     addGroups(app, options);
     const int own_arguments = takeBakeOptions(argc, argv, options);
     if (const auto done = parseCommandLine(app, own_arguments, argv, {{".png", "-o"}, {".exr", "-o"}})) return done;
+    takeVideo(options);
     requireTask(options);
     takeScene(options);
     if (options.thumbnail != 0) fillThumbnail(options);
+    if (options.panorama) fillPanorama(options);
     return {};
 }
 

@@ -49,8 +49,11 @@ struct Options {
     CameraOutput camera_output;          ///< layers of each camera
     bool drops_distortion = false;       ///< ignore lens distortion in cameras
     std::uint32_t turntable = 0;       ///< pictures of a moving camera, 0: none; output is then a pattern (turntable.h)
+    std::string video;                 ///< FILE.mp4 or FILE.webm made of them, empty: none
+    std::uint32_t fps = 25;            ///< pictures per second of the video
     bool follows_views = false;        ///< it moves through the scene's views, not around the target
     std::uint32_t thumbnail = 0;       ///< side in pixels, 0: none; output is then a PNG with any suffix
+    bool panorama = false;             ///< all around the eye; also in camera
     double plan = 0;                   ///< side of a plan's pixel in scene units, 0: no plan
     std::optional<GeoReference> place; ///< of a plan, set by fillPlan (plan_view.h)
     bool resume = false;               ///< continue the film in output, an .exr
@@ -75,6 +78,9 @@ bool areBakedScans(const std::vector<std::string>& paths);
 
 /// The option that asks for pictures of a moving camera: --path or --turntable.
 const char* movingOption(bool follows_views);
+
+/// True if path is a video's: FILE.mp4 or FILE.webm.
+bool isVideo(const std::string& path);
 
 /// True if options open a window.
 bool opensWindow(const Options& options);

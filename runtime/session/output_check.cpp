@@ -32,7 +32,9 @@ std::vector<std::string> filesOf(const Options& options, const SceneDescription&
 void requireOutputsApart(const Options& options, const SceneDescription& scene) {
     if (options.output == "-" && isTerminal(kStandardOutput))
         refuse("-o -: standard output is a terminal; redirect the picture to a file or a pipe");
-    const NamedOutput outputs[] = {{"-o", options.output}, {"--stats", options.stats}, {"--record", options.record}};
+    const NamedOutput outputs[] = {{"-o", options.video.empty() ? options.output : options.video},
+                                   {"--stats", options.stats},
+                                   {"--record", options.record}};
     const std::vector<std::string> inputs = filesOf(options, scene);
     for (const NamedOutput& output : outputs) {
         if (output.path.empty() || output.path == "-") continue;

@@ -2,7 +2,6 @@
 #include "runtime/session/plan_view.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "format/base/error.h"
@@ -11,15 +10,16 @@
 #include "format/crs/metadata_crs.h"
 #include "format/set/tile_set.h"
 #include "pointrt/pro.hpp"
+#include "runtime/device_scene/render_space.h"
 #include "runtime/scene/background.h"
-#include "runtime/scene_io/scene_file.h"
+#include "runtime/scene/upright.h"
 #include "runtime/util/parse.h"
 #include "runtime/util/vec_array.h"
 
 namespace pointrt {
 namespace {
 
-/// What a plan needs to know of a scan.
+/// What a plan needs to know of a scan, in its own coordinates.
 struct PlanScan {
     Vec3 low, high; ///< of its splats
     Vec3 up;        ///< 0 if unknown
@@ -50,10 +50,64 @@ PlanScan planOfSet(const std::string& folder) {
     return {vectorOf(set.bounds_min), vectorOf(set.bounds_max), {set.up[0], set.up[1], set.up[2]}, set.crs, set.metres};
 }
 
-PlanScan planScan(const std::string& path) {
-    if (isTileSet(path)) return planOfSet(path);
-    if (isSceneFile(path)) refusePlan("needs a scan or a tile set, not a scene file");
-    return planOfFile(path);
+/// What a plan needs to know of a scene.
+struct PlanScene {
+    Vec3 low, high;         ///< of its visible scans
+    std::optional<Vec3> up; ///< of the first scan that knows it
+    int epsg = 0;           ///< of all scans, if they are where their files say; 0: unknown
+};
+
+Vec3 corner(const PlanScan& scan, unsigned bits) {
+    return {bits & 1 ? scan.high.x : scan.low.x, bits & 2 ? scan.high.y : scan.low.y,
+            bits & 4 ? scan.high.z : scan.low.z};
+}
+
+void addScan(const PlanScan& scan, const Placement& placement, bool is_first, PlanScene& scene) {
+    for (unsigned bits = 0; bits < 8; ++bits) {
+        const Vec3 at = placed(placement, corner(scan, bits));
+        if (is_first && bits == 0) scene.low = scene.high = at;
+        scene.low = {std::min(scene.low.x, at.x), std::min(scene.low.y, at.y), std::min(scene.low.z, at.z)};
+        scene.high = {std::max(scene.high.x, at.x), std::max(scene.high.y, at.y), std::max(scene.high.z, at.z)};
+    }
+    if (!scene.up && scan.up != Vec3{}) scene.up = normalize(turned(placement, scan.up));
+    const bool is_on_the_map = placement == Placement{} && scan.metres_per_unit > 0;
+    const int epsg = is_on_the_map ? epsgCode(scan.crs) : 0;
+    scene.epsg = is_first || scene.epsg == epsg ? epsg : 0;
+}
+
+PlanScene planScene(const SceneDescription& description) {
+    PlanScene scene;
+    bool is_first = true;
+    for (const InstanceDescription& each : description.instances) {
+        if (!each.visible) continue;
+        addScan(isTileSet(each.path) ? planOfSet(each.path) : planOfFile(each.path), each.placement, is_first, scene);
+        is_first = false;
+    }
+    if (is_first) refusePlan(description.path + " shows no scan");
+    return scene;
+}
+
+/// The axes of the map: east, north and up, orthonormal. East is along x, or along y if x is vertical.
+struct MapAxes {
+    Vec3 east, north, up;
+};
+
+MapAxes mapAxes(Vec3 up) {
+    constexpr double kLevel = 0.999; // cos(2.6 degrees): the grid's plane is the ground
+    const std::optional<Vec3> axis = nearestAxis(up);
+    if (!axis || dot(up, *axis) < kLevel) refusePlan("no axis is up");
+    const Vec3 east = axis->x != 0 ? Vec3{0, 1, 0} : Vec3{1, 0, 0};
+    return {east, cross(*axis, east), *axis};
+}
+
+/// The lowest and the highest place along an axis, which may point backwards.
+struct PlanExtent {
+    double low = 0, high = 0;
+};
+
+PlanExtent extentAlong(const PlanScene& scene, Vec3 axis) {
+    const double from = dot(scene.low, axis), to = dot(scene.high, axis);
+    return {std::min(from, to), std::max(from, to)};
 }
 
 /// The pixels of an axis: from a multiple of their size, over all of [low, high], or count of them around the middle.
@@ -73,17 +127,18 @@ PixelRange pixelsAround(double middle, double count, double pixel) {
 
 } // namespace
 
-void fillPlan(Options& options) {
+void fillPlan(Options& options, SceneDescription& description) {
     if (options.plan == 0) return;
-    constexpr double kLevel = 0.999; // cos(2.6 degrees): the grid's plane is the ground
-    const PlanScan scan = planScan(options.scene);
-    if (scan.up != Vec3{} && normalize(scan.up).z < kLevel) refusePlan("the scan's z axis is not up");
+    const PlanScene scene = planScene(description);
+    const MapAxes axes = mapAxes(description.up.value_or(scene.up.value_or(Vec3{0, 0, 1})));
+    const PlanExtent across = extentAlong(scene, axes.east), along = extentAlong(scene, axes.north);
+    const PlanExtent heights = extentAlong(scene, axes.up);
     const double pixel = options.plan;
-    const Vec3 middle = options.camera.target.value_or(0.5 * (scan.low + scan.high));
-    PixelRange columns = pixelsOver(scan.low.x, scan.high.x, pixel), rows = pixelsOver(scan.low.y, scan.high.y, pixel);
+    const Vec3 middle = options.camera.target.value_or(0.5 * (scene.low + scene.high));
+    PixelRange columns = pixelsOver(across.low, across.high, pixel), rows = pixelsOver(along.low, along.high, pixel);
     if (const auto size = options.choices.size) {
-        columns = pixelsAround(middle.x, size->width, pixel);
-        rows = pixelsAround(middle.y, size->height, pixel);
+        columns = pixelsAround(dot(middle, axes.east), size->width, pixel);
+        rows = pixelsAround(dot(middle, axes.north), size->height, pixel);
     }
     if (!(columns.count <= kMaxPixelSide && rows.count <= kMaxPixelSide))
         refusePlan("the scan has " + plainText(columns.count) + " x " + plainText(rows.count) +
@@ -91,16 +146,18 @@ void fillPlan(Options& options) {
                    " on a side are possible: choose larger ones, or a part with --size and --target");
     options.choices.size = PixelSize{static_cast<std::uint32_t>(columns.count), static_cast<std::uint32_t>(rows.count)};
     if (!options.choices.background) options.choices.background = Background{.transparent = true};
-    const double x = pixel * (columns.first + columns.count / 2), y = pixel * (rows.first + rows.count / 2);
+    const Vec3 centre =
+        pixel * (columns.first + columns.count / 2) * axes.east + pixel * (rows.first + rows.count / 2) * axes.north;
     const double height = pixel * rows.count;
-    options.camera.eye = Vec3{x, y, scan.high.z + std::max(height, scan.high.z - scan.low.z)};
-    options.camera.target = Vec3{x, y, scan.low.z};
-    options.camera.up = Vec3{0, 1, 0}; // north; the scene's own up is
-    options.up_axis = Vec3{0, 0, 1};
+    options.camera.eye = centre + (heights.high + std::max(height, heights.high - heights.low)) * axes.up;
+    options.camera.target = centre + heights.low * axes.up;
+    options.camera.up = axes.north; // the scene's own up is below
+    options.up_axis = axes.up;
+    if (!description.up) description.up = axes.up;
     options.camera.ortho = true;
     options.camera.ortho_height = height;
-    options.place = GeoReference{pixel, pixel * columns.first, pixel * (rows.first + rows.count),
-                                 scan.metres_per_unit > 0 ? epsgCode(scan.crs) : 0};
+    options.place =
+        GeoReference{pixel, pixel * columns.first, pixel * (rows.first + rows.count), axes.up.z > 0 ? scene.epsg : 0};
 }
 
 } // namespace pointrt

@@ -35,7 +35,7 @@ CameraRequest resolveCamera(const Options& options, const CameraRequest& filed) 
     }
     camera.view = filed.view;
     camera.fov_deg = options.fov_deg.value_or(filed.fov_deg);
-    if (!camera.ortho && !camera.ortho_height && !options.fov_deg) {
+    if (!camera.ortho && !camera.ortho_height && !options.fov_deg && !camera.panorama) {
         camera.ortho = filed.ortho;
         camera.ortho_height = filed.ortho_height;
     }

@@ -2,7 +2,9 @@
 // Camera rays, generated where they are needed: computing one is faster than loading it.
 #ifndef POINTRT_SHADERS_CAMERA_RAY_GLSL
 #define POINTRT_SHADERS_CAMERA_RAY_GLSL
+#include "shaders/lib/math.glsl"
 #include "shaders/lib/random.glsl"
+#include "shaders/shared/panorama.h"
 
 // Pixels are ordered in tiles of 8 x 8, and within a tile in blocks of 4 x 2, one for the 8 lanes of lavapipe.
 uvec2 tileCorner(uint tile) {
@@ -47,9 +49,33 @@ vec2 onPlane(vec2 pixel, float half_height) {
 
 vec3 displaced(vec3 middle, vec2 plane) { return middle + plane.x * params.right + plane.y * params.up; }
 
-// One formula for both projections. A pinhole: origins coincide (half_window is 0), directions spread over the plane at
+// A panorama's longitude, 0 at forward and growing to the right, and latitude over the horizon. In stereo the left eye's
+// picture is above the right eye's.
+vec2 panoramaAngles(vec2 pixel) {
+    vec2 at = pixel / vec2(params.picture_width, params.picture_height);
+    if (params.half_eye_distance > 0.0) at.y = fract(2.0 * at.y);
+    return vec2((2.0 * at.x - 1.0) * kPi, (0.5 - at.y) * kPi);
+}
+
+// How far an eye is to the right of the middle of the head, at a latitude with this cosine.
+float eyeAside(vec2 pixel, float cosine) {
+    bool is_left = 2.0 * pixel.y < float(params.picture_height);
+    return (is_left ? -1.0 : 1.0) * params.half_eye_distance * min(1.0, cosine / PANORAMA_FULL_STEREO_COSINE);
+}
+
+// The head turns to each longitude in turn, around up, and its eyes with it.
+CameraRay panoramaRay(vec2 pixel) {
+    vec2 angles = panoramaAngles(pixel);
+    float sine = sin(angles.x), cosine = cos(angles.x), level = cos(angles.y);
+    vec3 direction = level * (sine * params.right + cosine * params.forward) + sin(angles.y) * params.up;
+    vec3 aside = cosine * params.right - sine * params.forward;
+    return CameraRay(params.eye + eyeAside(pixel, level) * aside, normalize(direction));
+}
+
+// One formula for both projections of a plane. A pinhole: origins coincide (half_window is 0), directions spread over the plane at
 // distance 1. A parallel projection: origins spread over the image plane, directions coincide.
 CameraRay rayThrough(vec2 pixel) {
+    if (params.is_panorama != 0u) return panoramaRay(pixel);
     return CameraRay(displaced(params.eye, onPlane(pixel, params.half_window)),
                      normalize(displaced(params.forward, onPlane(pixel, params.tan_half_fov))));
 }

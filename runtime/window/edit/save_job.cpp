@@ -25,7 +25,7 @@ void save(Device& device, const std::string& name, SavedFilm& saved, const SaveO
     writeSavedFilm(name + ".exr", saved);
     control.setProgress(kExrShare);
     control.setDetail(name + ".png");
-    if (look.denoise) (look.tone.has_alpha ? denoiseFilm : denoisePicture)(device, saved.film);
+    if (look.denoise) (look.tone.has_alpha ? denoiseFilm : denoisePicture)(device, saved.film, false);
     writePng(name + ".png", withLegend(tonemapFilm(saved.film, look.tone), look.legend));
 }
 

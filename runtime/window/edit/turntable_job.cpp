@@ -64,7 +64,7 @@ void render(const SceneDescription& scene, const std::string& pattern, std::uint
 }
 
 std::string makeFolder(const std::string& pattern, const char* option) {
-    requireFrameNames(pattern, option);
+    if (!isVideo(pattern)) requireFrameNames(pattern, option);
     const fs::path folder = fs::path(pattern).parent_path();
     std::error_code error;
     if (!folder.empty()) fs::create_directories(folder, error);

@@ -10,6 +10,7 @@
 #include <limits>
 #include <random>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "runtime/render/picture_filter.h"
@@ -372,11 +373,12 @@ Film unevenFilm(std::uint32_t width, std::uint32_t height) {
 TEST_F(DenoiserTest, DoesNotDependOnTiles) {
     const PixelSize size{203, 171};
     const Film film = unevenFilm(size.width, size.height);
-    for (const bool has_variance : {true, false}) {
+    for (const auto& [has_variance, wraps] : {std::pair{true, false}, {false, false}, {true, true}}) {
         std::vector<std::vector<float>> pictures;
-        for (const FilterTile tile : {FilterTile{203, 171}, {203, 71}, {81, 171}, {73, 75}}) {
+        const std::uint32_t whole = filterTileFor(size, wraps).width;
+        for (const FilterTile tile : {FilterTile{whole, 171}, {whole, 71}, {81, 171}, {73, 75}}) {
             std::vector<float>& picture = pictures.emplace_back();
-            PictureFilter filter(device, {size, has_variance, true, tile}, [&](std::span<const float> rgba) {
+            PictureFilter filter(device, {size, has_variance, true, tile, wraps}, [&](std::span<const float> rgba) {
                 picture.insert(picture.end(), rgba.begin(), rgba.end());
             });
             for (std::uint32_t row = 0, rows = 1; row < size.height;
@@ -387,6 +389,37 @@ TEST_F(DenoiserTest, DoesNotDependOnTiles) {
         for (std::size_t i = 1; i < pictures.size(); ++i)
             EXPECT_EQ(std::memcmp(pictures[i].data(), pictures[0].data(), film.rgba.size() * sizeof(float)), 0) << i;
     }
+}
+
+/// Of a panorama it does not matter which column is the first.
+TEST_F(DenoiserTest, ThePicturesEdgesMeetIfItWraps) {
+    const PixelSize size{203, 71};
+    constexpr std::uint32_t kTurn = 50;
+    const Film film = unevenFilm(size.width, size.height);
+    Film turned = film;
+    const auto turn = [&](std::vector<float>& to, const std::vector<float>& from, std::size_t channels) {
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            const std::size_t pixel = i / channels, row = pixel / size.width;
+            const std::size_t column = (pixel % size.width + kTurn) % size.width;
+            to[channels * (row * size.width + column) + i % channels] = from[i];
+        }
+    };
+    turn(turned.rgba, film.rgba, 4);
+    turn(turned.normal, film.normal, 3);
+    turn(turned.depth, film.depth, 1);
+    turn(turned.albedo, film.albedo, 3);
+    turn(turned.variance, film.variance, 1);
+    Film expected = film;
+    denoiseFilm(device, turned, true);
+    Film straight = film, cut = film;
+    denoiseFilm(device, straight, true);
+    denoiseFilm(device, cut);
+    turn(expected.rgba, straight.rgba, 4);
+    const auto differ = [](const Film& a, const Film& b) { // some values are not numbers
+        return std::memcmp(a.rgba.data(), b.rgba.data(), a.rgba.size() * sizeof(float)) != 0;
+    };
+    EXPECT_FALSE(differ(turned, expected));
+    EXPECT_TRUE(differ(straight, cut)) << "else the test says nothing";
 }
 
 TEST_F(DenoiserTest, TilesFitTheBuffersOfAnyDevice) {

@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "format/base/error.h"
+#include "runtime/session/settings.h"
 #include "tests/runtime/rays/ray_scenes.h"
 #include "tests/support/temporary_folder.h"
 
@@ -20,9 +23,14 @@ protected:
         options.output = "plan.png";
     }
 
+    void fill() {
+        SceneDescription scene = describeScene(options);
+        fillPlan(options, scene);
+    }
+
     std::string refusal() {
         try {
-            fillPlan(options);
+            fill();
         } catch (const Error& error) {
             EXPECT_EQ(error.code, ExitCode::kBadUsage);
             return error.what();
@@ -36,7 +44,7 @@ protected:
 
 TEST_F(PlanView, CoversTheScanOnMultiplesOfThePixel) {
     options.plan = 0.3;
-    fillPlan(options);
+    fill();
     const GeoReference& place = *options.place;
     EXPECT_EQ(place.pixel, 0.3);
     for (const double edge : {place.west, place.north}) EXPECT_NEAR(edge / 0.3, std::round(edge / 0.3), 1e-6);
@@ -58,7 +66,7 @@ TEST_F(PlanView, ShowsAPartAroundATarget) {
     options.plan = 0.5;
     options.choices.size = PixelSize{101, 50};
     options.camera.target = Vec3{500050, 4500060, 0};
-    fillPlan(options);
+    fill();
     EXPECT_EQ(*options.choices.size, (PixelSize{101, 50}));
     EXPECT_NEAR(options.place->west + 0.5 * 50.5, 500050, 0.26);
     EXPECT_NEAR(options.place->north - 0.5 * 25, 4500060, 0.26);
@@ -68,9 +76,54 @@ TEST_F(PlanView, RefusesWhatIsNoPlan) {
     options.plan = 1e-4;
     EXPECT_NE(refusal().find("16384"), std::string::npos);
     options.plan = 1;
-    folder.write("scene.toml", "[[instance]]\nfile = \"plane.pro\"\n");
+    folder.write("tilted.toml", "up = [1, 0, 1]\n[[instance]]\nfile = \"plane.pro\"\n");
+    options.scene = folder.file("tilted.toml");
+    EXPECT_NE(refusal().find("axis"), std::string::npos);
+    folder.write("empty.toml", "[[instance]]\nfile = \"plane.pro\"\nvisible = false\n");
+    options.scene = folder.file("empty.toml");
+    EXPECT_NE(refusal().find("no scan"), std::string::npos);
+}
+
+/// Beside the plane of 97.28 m another one of half the size, turned a quarter to the left about the origin of the map.
+TEST_F(PlanView, CoversAllVisibleScansOfAScene) {
+    folder.write("scene.toml", "[[instance]]\nfile = \"plane.pro\"\n"
+                               "[[instance]]\nfile = \"plane.pro\"\nscale = 0.5\n"
+                               "rotate = [{axis = [0, 0, 1], degrees = 90}]\n"
+                               "[[instance]]\nfile = \"plane.pro\"\nscale = 100\nvisible = false\n");
     options.scene = folder.file("scene.toml");
-    EXPECT_NE(refusal().find("scene file"), std::string::npos);
+    options.plan = 1000;
+    fill();
+    const GeoReference& place = *options.place;
+    EXPECT_EQ(place.west, std::floor(-4500112.64 / 2 / 1000) * 1000);
+    EXPECT_EQ(place.north, std::ceil(4500112.64 / 1000) * 1000);
+    const auto size = *options.choices.size;
+    EXPECT_EQ(place.west + 1000 * size.width, std::ceil(500112.64 / 1000) * 1000);
+    EXPECT_EQ(place.north - 1000 * size.height, std::floor(500015.36 / 2 / 1000) * 1000);
+    EXPECT_EQ(place.epsg, 0) << "the second one is not where its file says";
+}
+
+/// With y up, x is east and -z is north, as in a picture from above.
+TEST_F(PlanView, LooksAlongAnyAxis) {
+    folder.write("scene.toml", "up = \"y\"\n[[instance]]\nfile = \"plane.pro\"\n");
+    options.scene = folder.file("scene.toml");
+    options.plan = 0.5;
+    fill();
+    EXPECT_EQ(options.up_axis, (Vec3{0, 1, 0}));
+    EXPECT_EQ(options.camera.up, (Vec3{0, 0, -1}));
+    EXPECT_EQ(options.camera.eye->x, options.camera.target->x);
+    EXPECT_EQ(options.camera.eye->z, options.camera.target->z);
+    EXPECT_GT(options.camera.eye->y, 4500112);
+    EXPECT_EQ(options.place->west, 500015);
+    EXPECT_NEAR(options.place->north, -options.camera.target->z, 0.5) << "one row of pixels: the plane is level";
+    folder.write("x.toml", "up = \"-x\"\n[[instance]]\nfile = \"plane.pro\"\n");
+    options = {};
+    options.output = "plan.png";
+    options.scene = folder.file("x.toml");
+    options.plan = 0.5;
+    fill();
+    EXPECT_EQ(options.camera.up, (Vec3{0, 0, -1})) << "north is up x east, and east is y";
+    EXPECT_LT(options.camera.eye->x, 500015);
+    EXPECT_EQ(options.place->west, 4500015);
 }
 
 } // namespace

@@ -161,6 +161,19 @@ TEST(Panels, BrowserOpensFilesAndFolders) {
     EXPECT_EQ(driver.click(w).open_files, (std::vector<std::string>{"/scans/nave.laz", "/scans/tower.laz"}));
 }
 
+/// Folders open with a click. Whoever double-clicks one must not open what is then under the cursor.
+TEST(Panels, BrowserOpensNoFileByADoubleClickOnAFolder) {
+    Workspace w;
+    w.browser = FileBrowser{"/scans", {{"site", true}}, ""};
+    PanelDriver driver(1280, 720);
+    driver.frame(w);
+    ASSERT_TRUE(driver.find(w, PanelDriver::childOf("Open/entries").c_str(), {0, "site/"}));
+    EXPECT_EQ(driver.click(w).browse, "/scans/site");
+    w.browser = FileBrowser{"/scans/site", {{"tower.laz"}}, ""};
+    EXPECT_TRUE(driver.click(w).open_files.empty());
+    EXPECT_TRUE(w.browser->entries[0].chosen);
+}
+
 TEST(Panels, FitAnyWindow) {
     for (const float side : {1.0f, 20.0f, 150.0f, 8000.0f}) showAll(busyScan(), side, side);
     showAll(busyScan(), 1, 2000);

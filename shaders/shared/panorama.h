@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+// Panoramas in stereo, as host and shaders share them. Valid in C++ and GLSL.
+#ifndef POINTRT_SHADERS_PANORAMA_H
+#define POINTRT_SHADERS_PANORAMA_H
+
+// Eyes are the full distance apart up to a latitude of 60 degrees, whose cosine this is. From there on they approach
+// each other: at the poles every longitude looks the same way, from as many places, and what is there would swirl.
+#define PANORAMA_FULL_STEREO_COSINE 0.5f
+
+#endif
