@@ -194,7 +194,8 @@ void checkSums(const TileSet& set) {
     for (std::size_t i = 0; i < sums.size(); ++i) {
         const std::string place = placeIn("levels", i);
         requireOf(sums[i].tiles > 0, place.c_str(), "has no tiles");
-        requireOf(sums[i].tiles == set.levels[i].tiles, place.c_str(), "tiles are not as many as there are");
+        requireOf(sums[i].tiles == set.levels[i].tiles, place.c_str(),
+                  "tiles is not the number of tiles of this level");
         requireOf(sums[i].splats == set.levels[i].splats, place.c_str(), "splats are not the sum of its tiles'");
         requireOf(sums[i].error == set.levels[i].error, place.c_str(), "error is not the largest of its tiles'");
     }

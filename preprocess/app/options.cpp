@@ -172,7 +172,7 @@ void addFilterOptions(CommandLine& app, BakeOptions& options) {
         ->type_name("N");
     app.add_flag(
         "--salvage", read.salvages,
-        "Read the whole points of files that are cut short or promise more than they hold (default: refuse them)");
+        "Read the undamaged points of files that are truncated or announce more than they hold (default: refuse them)");
     app.add_flag_callback(
         "--keep-withheld", [&] { read.drops_withheld = false; },
         "Keep points that LAS files flag as withheld (default: leave them out)");

@@ -100,8 +100,9 @@ std::vector<std::string> filesOf(const std::vector<std::string>& paths) {
         }
         const std::vector<std::string> scans = filesIn(path, 0);
         if (scans.empty())
-            throw Error(ExitCode::kBadInput, path + ": neither the folder nor those in it have a scan that this build "
-                                                    "reads");
+            throw Error(ExitCode::kBadInput, path +
+                                                 ": neither the folder nor its subfolders have a scan that this build "
+                                                 "reads");
         files.insert(files.end(), scans.begin(), scans.end());
     }
     return files;

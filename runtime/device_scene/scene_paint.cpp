@@ -120,7 +120,7 @@ std::vector<std::uint32_t> paintedMaterials(const InstanceDescription& instance,
         materials.push_back(over.material);
         if (file.info.material_count + materials.size() > kMostRows)
             throw Error{ExitCode::kBadInput,
-                        over.place + file.path + " has more than 256 materials with those of overrides"};
+                        over.place + file.path + " has more than 256 materials, counting those of overrides"};
     }
     return materials;
 }

@@ -63,7 +63,8 @@ void addDeviceAndReport(CommandLine& app, CommonOptions& options) {
            [&options](const std::vector<std::string>& texts) {
                for (const std::string& text : texts) options.scene_options.clips.push_back(boxOf(text));
            },
-           "Let rays hit only what is inside this box of scans, in their coordinates; of several boxes, what is inside "
+           "Let rays hit only what is inside this box of scans, in their coordinates; with several boxes, what is "
+           "inside "
            "all of them. Shapes stay whole (default: everything)")
         ->type_name("MINX,MINY,MINZ,MAXX,MAXY,MAXZ")
         ->allow_extra_args(false)

@@ -65,7 +65,7 @@ void addOptions(CommandLine& app, ProfileOptions& options) {
              [&](const std::string& text) { options.rules.start_height = parseReal(text, -kFarthest, kFarthest); });
     app.add_flag("--all", options.rules.all, "Write all surfaces on the rays, not only the first");
     addValue(app, "--apart", "LENGTH",
-             "With --all: surfaces closer than this behind each other are one (default: the scan's point spacing, two "
+             "With --all: count surfaces closer together than this as one (default: the scan's point spacing, two "
              "median radii)",
              [&](const std::string& text) { options.apart = parseReal(text, 0, kFarthest); });
     addValue(app, "--up", "X,Y,Z", "Up in the scan's coordinates (default: the scan's up, else +Z)",

@@ -67,7 +67,8 @@ void addStudyOptions(CommandLine& app, StudyOptions& options) {
         ->type_name("FILE");
     completes(app, "--points", ".pro .proset .toml .las .laz .ply .npy .csv .txt");
     addValue(app, "--sides", "auto|front|both",
-             "Sides of a point's disc that receive light (default auto: front if the scans' normals are oriented)",
+             "Sides of a point's disc that receive light or are visible (default auto: front if the scans' normals are "
+             "oriented)",
              [&](const std::string& text) {
                  if (text == "auto")
                      options.sides.reset();

@@ -175,7 +175,7 @@ OptionGroup clipOptions() {
           "MINX,MINY,MINZ,MAXX,MAXY,MAXZ",
           "Show only what is inside this box of scans and Gaussians, for all rays; shapes, lights and rooms stay "
           "whole. "
-          "Of several boxes, what is inside all of them; a scene file's [[clip]] adds planes and turned boxes "
+          "With several boxes, what is inside all of them; a scene file's [[clip]] adds planes and turned boxes "
           "(default: "
           "everything)",
           [](Options& o, const std::string& text) { o.clips.push_back(clipBox(parseBox(text))); },

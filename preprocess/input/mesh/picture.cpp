@@ -121,7 +121,8 @@ std::uint32_t takePicture(const InputFile& file, const std::string& key, MeshPai
     for (const Picture& each : paint.pictures) bytes += each.rgb.size();
     paint.picture_file_bytes += file.bytes.size();
     if (bytes > kFree + kPerByte * paint.picture_file_bytes)
-        refuse(file, fmt::format("has too many pixels with those of {} textures before", paint.pictures.size()));
+        refuse(file,
+               fmt::format("has too many pixels, together with the {} textures before it", paint.pictures.size()));
     paint.pictures.push_back(std::move(picture));
     const auto index = static_cast<std::uint32_t>(paint.pictures.size() - 1);
     paint.picture_of_file.emplace(key, index);

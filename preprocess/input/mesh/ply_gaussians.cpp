@@ -279,7 +279,7 @@ RestLayout packedRest(const InputFile& input, const PlyHeader& header) {
         if (property.is_list || property.type != Scalar::kU8)
             refuse(input, fmt::format("{} must have type uchar", inQuotes(property.name)));
     if (rest.element <= &vertex || rest.element->count != vertex.count)
-        refuse(input, fmt::format("has {} packed splats, which as many {} must follow", vertex.count,
+        refuse(input, fmt::format("has {} packed splats, but not as many {} after them", vertex.count,
                                   pluralOf(*rest.element)));
     return rest;
 }

@@ -187,7 +187,7 @@ void readLas(const InputFile& input, Sink& sink) {
         sink.note(
             input,
             "has points far outside the bounds in its header, and another size than it states: a transfer in text "
-            "mode damages files so");
+            "mode damages files this way");
     const LasCrs crs = lasCrs(file);
     setLasFrame(crs, input, sink);
     const bool will_be_scaled =

@@ -123,7 +123,7 @@ std::string unpackBody(const InputFile& input, const PcdHeader& header, Sink& si
     const auto size = static_cast<std::size_t>(loadScalar(header.body.data() + 4, Scalar::kU32, false));
     const std::string_view packed = header.body.substr(8);
     if (size / header.point_size != header.points || size % header.point_size != 0)
-        refuse(input, fmt::format("{} points of {} bytes do not make the {} bytes announced", header.points,
+        refuse(input, fmt::format("{} points of {} bytes do not add up to the {} bytes announced", header.points,
                                   header.point_size, size));
     std::string bytes;
     const bool is_cut = packed_size > packed.size();
