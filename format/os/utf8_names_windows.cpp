@@ -18,7 +18,7 @@ std::size_t lengthFrom(unsigned char lead) { return lead < 0x80 ? 1 : lead < 0xE
 
 } // namespace
 
-/// Of a character outside the basic plane the first call reads all bytes but the last, the second that.
+/// For a character outside the basic plane, the first call reads all bytes but the last, and the second call the last.
 extern "C" std::size_t __wrap_mbrtowc(wchar_t* to, const char* from, std::size_t bytes, std::mbstate_t* state) {
     static thread_local std::mbstate_t own_state = 0;
     std::mbstate_t& second_unit = state ? *state : own_state;

@@ -86,7 +86,7 @@ std::vector<E57Stream> streamsOf(const PointOutline& outline) {
     return streams;
 }
 
-/// Of the scan's content, so that the same scan gives the same file.
+/// A GUID computed from the scan's content, so that the same scan gives the same file.
 std::string guidOf(const PointOutline& outline, std::uint64_t count, std::uint32_t part) {
     std::vector<std::uint32_t> seeds{static_cast<std::uint32_t>(count), part};
     for (const char letter : outline.metadata) seeds.push_back(static_cast<unsigned char>(letter));

@@ -33,7 +33,7 @@ struct BatchOptions {
     /// first pass, whose batches have no colours but 8-bit ones.
     const std::vector<float>* largest_color = nullptr;
     std::uint64_t points_before = 0; ///< points handed on by a reading that this one continues
-    /// A scan with a grid is handed on whole if its grid has at most so many cells, and it as many points.
+    /// A scan with a grid is handed on as one batch if neither its cells nor its points exceed this number.
     std::uint64_t most_in_grid = std::uint64_t{1} << 24;
 };
 

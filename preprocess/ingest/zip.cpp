@@ -16,7 +16,7 @@ constexpr std::uint32_t kZip64 = 0xffffffff; ///< in place of sizes and offsets 
 
 /// The limits of unpackGzip.
 
-/// A little-endian number of so many bytes.
+/// A little-endian number of this many bytes.
 std::uint32_t loadNumber(std::string_view bytes, std::size_t at, std::size_t size) {
     std::uint32_t number = 0;
     for (std::size_t i = size; i-- > 0;) number = number << 8 | static_cast<unsigned char>(bytes[at + i]);

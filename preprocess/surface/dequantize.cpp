@@ -25,7 +25,7 @@ constexpr std::array<int, 5> kRadii = {Arms::kLongest, 24, 12, 6, 3};
 /// Window for measuring noise: wide enough for a plane to average it, narrow enough to be planar.
 constexpr int kNoiseRadius = 6;
 
-/// A plane fits if its residual is at most so many times the noise: edges and curvature add to that.
+/// A plane fits if its residual is at most this many times the noise: edges and curvature add to that.
 constexpr double kFits = 1.5;
 
 /// Largest error of a sample in standard deviations.

@@ -70,7 +70,8 @@ Eigen::Vector2d evenlySpread(std::size_t number) {
     return at - at.array().floor().matrix();
 }
 
-/// A place on a Gaussian's ellipse of one deviation, and its normal.
+/// Adds a disc within the ellipse of one standard deviation of Gaussian i. number: of the disc, spreads them evenly.
+/// Its normal is the shortest axis, or 0 if the Gaussian is not flat.
 void addDisc(const Cloud& cloud, const GaussianColumns& gaussians, std::size_t i, std::size_t number, Splats& splats) {
     const float* const deviations = gaussians.deviation + 3 * i;
     const float* const turn = gaussians.rotation + 4 * i;

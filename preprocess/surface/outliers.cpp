@@ -107,8 +107,8 @@ constexpr std::size_t kAround = 24;
 /// Edge of the finest cells over the distance of floaters: an eighth of the reach that 95% of the points have. Sparse
 /// samples have more, and tiles know it as well as the whole.
 constexpr float kFinestShare = 1.0f / 32;
-/// Of representatives around a sparse sample of a surface, so few are on one side at least, even at a border: half of
-/// those at a straight border, but for chance.
+/// Fewest representatives on one side of a sparse sample of a surface, even at a straight border, where about half of
+/// them are left.
 constexpr std::size_t kFewOnASide = 3;
 /// Largest height over the plane of the representatives, over their own standard deviation.
 constexpr float kAmongHeights = 2;

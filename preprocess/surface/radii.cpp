@@ -277,8 +277,8 @@ struct Support {
 };
 /// In ten static frames of a room, rays lose 2% at edges if half of the points must be in the plane, 0.3% at 35%.
 constexpr Support kOfMost{0.25f, 0.35, 0};
-/// Of the largest discs, which are seen first, more is asked: a few points of a line around one would leave as little
-/// empty with one other point on each side of them.
+/// The largest discs are the most visible, so they need more support: a few points on a line, with one other point on
+/// each side, would leave as little empty.
 constexpr Support kOfLargest{0.1f, 0.5, 0.5f};
 
 /// Whether a disc is part of a surface: of all points within 2.5 radii, many are hardly off its plane and leave no

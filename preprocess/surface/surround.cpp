@@ -543,10 +543,10 @@ void countUnsurrounded(const NeighborLists& lists, const PointSet& points, const
 
 Thinning thinningOf(SurroundCounts counts) {
     if (counts.sampled == 0) return {};
-    // Of random samples of a surface, 1 list in 80 is on a line: thinned clouds would take time for nothing.
+    // In random samples of a surface, 1 list in 80 is on a line, where thinning takes time and gains nothing.
     constexpr double kFewLists = 1.0 / 45, kFewIsolated = 1.0 / 50, kAllButFew = 0.02;
-    // Of raw range scans, up to a quarter of the lists are blurred and up to a fifteenth at gaps, by noise of half a
-    // spacing; of merged frames of depth cameras and of moving lidars, 58 to 77% are blurred, or many on lines.
+    // In raw range scans, noise of half a spacing blurs up to a quarter of the lists and up to a fifteenth are at gaps.
+    // In merged frames of depth cameras and of moving lidars 58 to 77% are blurred, or many are on lines.
     constexpr double kNoisyShare = 1.0 / 2, kGapShare = 1.0 / 20;
     const auto sampled = double(counts.sampled);
     const bool has_some =

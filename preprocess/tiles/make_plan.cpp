@@ -264,7 +264,7 @@ StreamOptions streamOptionsOf(const SetRequest& request) {
     constexpr std::uint64_t kBytesPerPoint = 1024; // a batch with its attributes, in three copies
     constexpr std::uint64_t kFewest = 1 << 14, kMost = 1 << 20;
     options.batch_points = std::clamp(request.bake.max_memory / 8 / kBytesPerPoint, kFewest, kMost);
-    // Of a scan with a grid: its points in two copies with their values, the cells, and the records.
+    // Memory per cell of a grid: two copies of the point with its values, the cell, and the record.
     constexpr std::uint64_t kBytesPerCell = 128;
     options.most_in_grid = request.bake.max_memory / 4 / kBytesPerCell;
     options.largest_whole_file =

@@ -53,7 +53,7 @@ TexelRange TexelPool::allocate(Device& device, std::uint64_t bytes) {
     return {&block, block.gaps.take(bytes, alignment).value(), bytes};
 }
 
-/// A block for at least so many bytes: a smaller one than usual if memory is short.
+/// A block for at least this many bytes: a smaller one than usual if memory is short.
 TexelBlock& TexelPool::addBlock(Device& device, std::uint64_t needed) {
     const std::uint64_t present =
         std::accumulate(blocks_.begin(), blocks_.end(), std::uint64_t{0},

@@ -6,7 +6,7 @@
 #include "shaders/shared/gaussian_layout.h"
 #include "shaders/trace/instance.glsl"
 
-// Of the harmonics of an instance's Gaussians, 0 to 3.
+// Degree of the spherical harmonics of an instance's Gaussians, 0 to 3.
 layout(constant_id = SPEC_HARMONICS) const uint kHarmonics = 3u;
 
 // The four coefficients of a texel, weighted by the values of their basis functions.

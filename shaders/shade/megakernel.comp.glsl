@@ -66,7 +66,7 @@ void shadeBounce(inout PathLoop loop, SurfaceInteraction hit, uint index) {
 // loops of unknown length: gathering takes an iteration per photon, one or two thousand where photons are dense.
 const uint kMostIterations = 32768u, kMostGathers = 16u;
 
-// Iterations per bounce: the shapes, for the next ray and the one light sampled together.
+// Loop iterations per bounce: one per shape, for the next ray and the shadow ray together, and one for the bounce.
 uint iterationsPerBounce() { return ofLane(params.shape_count) + 1u; }
 
 // Whether another iteration pays: at most one lane in eight may be waiting for instances.

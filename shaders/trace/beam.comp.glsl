@@ -102,7 +102,7 @@ float marchBeam(Beam beam) {
     return t < t_far ? max(0.0, t * (1.0 - 1e-6) / scale - 2.0 * PRO_POSITION_STEP) : BEAM_MISSES;
 }
 
-// Of all rays of a tile of pixels.
+// The distance that all rays of a tile of pixels travel without a hit.
 float freeDistance(uint tile) {
     // around the picture's whole tile, of which a band may hold only some rows: distances do not depend on the bands
     float rows_above = float(params.first_row % TILE_SIDE);
@@ -125,7 +125,7 @@ void queueTile(bool queues_it, uint tile) {
 #ifdef POOLED
 #include "shaders/trace/pool_beam.glsl"
 
-// Of the tiles of pixels of this workgroup, at most one for each lane.
+// A mask for each tile of pixels of this workgroup, which has at most one per lane.
 shared uint masks[WORKGROUP_SIZE];
 
 void main() {

@@ -4,7 +4,7 @@
 #define POINTRT_SHADERS_GAUSSIAN_FIRST_HIT_GLSL
 #include "shaders/trace/gaussian_hits.glsl"
 
-// Of the light.
+// A ray hits Gaussians where they have absorbed this share of the light.
 const float kHalf = 0.5;
 
 // The flattest axis, of any length, against the direction; both in the cube.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The closest hit of a ray on the tiles in a block, which it meets in their order as if each were traced by a dispatch of
-// its own: pictures are the same to the bit.
+// The closest hit of a ray on the tiles of a block. Tiles are tested in order, as if each had a dispatch of its own, so
+// pictures are the same to the bit.
 #ifndef POINTRT_SHADERS_POOL_HIT_GLSL
 #define POINTRT_SHADERS_POOL_HIT_GLSL
 
-// The closest hit so far, as hit_texels has it.
+// The closest hit so far, encoded as in hit_texels.
 struct PooledHit {
     uvec4 words;
     bool found; // in one of these tiles

@@ -86,7 +86,7 @@ public:
     }
     bool isOfPoints() const { return modeOf(part_) == kModePoints; }
 
-    /// Of points with indices, those that these name.
+    /// Points with indices: one for each index.
     std::uint64_t vertexCount() const { return isOfPoints() ? cornerCount() : positions_.count(); }
 
     /// row: all values of a vertex

@@ -257,7 +257,7 @@ ColumnGuess guessColumns(const ColumnStatistics& statistics, std::size_t column_
         return guess;
     }
     const auto normals = findNormals(statistics, extras);
-    // Of five, the last is a class or the number of an object beside colours, and an intensity or a class.
+    // With five columns, the last is a class or an object number; the others are colours and an intensity or a class.
     const bool five = extras == 5 && !normals;
     auto colors = findColors(statistics, five ? 4 : extras, normals, is_pts);
     if (five && colors && !areBright(statistics, colors->first)) colors.reset();

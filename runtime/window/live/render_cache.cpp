@@ -16,7 +16,7 @@ namespace {
 /// A neighbouring pixel whose depth is smaller by more than this factor occludes a point. Floors seen at a grazing
 /// angle stay below it.
 constexpr float kOccludedDepthRatio = 1.02f;
-/// Of 8 directions or octants, nearer points lie in this many at most beside a straight edge of an occluder.
+/// Beside a straight edge of an occluder, nearer points lie in at most this many of the 8 directions or octants.
 constexpr int kMostNearer = 5;
 /// Distance in pixels up to which nearer points are looked for where points are sparse; at most TILE_SIDE.
 constexpr std::int32_t kSparseReach = 6;

@@ -63,7 +63,7 @@ std::string pickLine(const PickedPoint& pick, double size) {
            "\tcolour " + colorText(pick) + (pick.value.empty() ? "" : "\t" + pick.value) + "\n";
 }
 
-/// Of picks, at least two.
+/// Measures of the picked points, of which there are at least two.
 PathMeasures measuresOf(const Workspace& w) { return pickedPath(w.picks, sceneUpright(w)).measures; }
 
 std::string distanceText(const Workspace& w) { return lengthText(measuresOf(w).last_leg, measuredSize(sceneSize(w))); }
