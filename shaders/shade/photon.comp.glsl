@@ -39,7 +39,7 @@ void main() {
         float chance = 1.0 - bsdf.reflect_chance - bsdf.refract_chance;
         photons[index] = Photon(vec4(point.position, uintBitsToFloat(packSnorm4x8(vec4(normal, 0.0)))), vec4(flux / chance, 1.0));
     }
-    // radiance is transported without the factor eta^2 at boundaries (setGlass), so the flux of photons takes it instead
+    // radiance is transported without the factor eta^2 at boundaries (setGlass), so the flux takes it instead
     float boundary = bsdf.thin ? 1.0 : bsdf.eta * bsdf.eta;
     NextRay ray = NextRay(refracts ? refractedThrough(bsdf, normal, view) : reflect(-view, normal),
                           flux * (refracts ? bsdf.albedo * boundary : bsdf.reflect_tint), 0.0);
