@@ -50,8 +50,6 @@ enum class SpecId : std::uint32_t {};
 #define SPEC_ONE_BOUNCE POINTRT_SPEC(25)
 // Whether the scene has clips.
 #define SPEC_CLIPPED POINTRT_SPEC(26)
-// Whether the instance's buffers are read as storage buffers (shaders/lib/instance_bindings.glsl).
-#define SPEC_READS_STORAGE POINTRT_SPEC(27)
 // Display pipeline and denoiser.
 #define SPEC_HAS_FIRST_HITS POINTRT_SPEC(14)
 #define SPEC_KNOWS_VARIANCE POINTRT_SPEC(15)

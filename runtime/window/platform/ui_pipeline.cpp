@@ -206,10 +206,8 @@ UiRenderer createUiRenderer(Device& device, VkFormat format) {
 }
 
 void destroyUiRenderer(Device& device, UiRenderer& ui) {
-    for (UiBuffers& buffers : ui.buffers) {
-        destroyBuffer(device, buffers.vertices);
-        destroyBuffer(device, buffers.indices);
-    }
+    destroyBuffer(device, ui.vertices);
+    destroyBuffer(device, ui.indices);
     destroyImage(device, ui.font);
     if (ui.pipeline) vkDestroyPipeline(device.handle, ui.pipeline, nullptr);
     if (ui.layout) vkDestroyPipelineLayout(device.handle, ui.layout, nullptr);
