@@ -126,7 +126,6 @@ gpu::FrameParams makeFrameParams(const DeviceScene& scene, const RenderSettings&
     params.up = packed(camera.up);
     params.half_window = static_cast<float>(half.window / space.scale);
     params.forward = packed(camera.forward);
-    params.is_panorama = camera.panorama ? 1 : 0;
     params.half_eye_distance = static_cast<float>(camera.eyes_apart / 2 / space.scale);
     setSky(scene.description.sky.value_or(SkyDescription{}), params);
     params.sky_up = packed(sceneUp(scene.description, settings));

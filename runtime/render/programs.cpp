@@ -69,7 +69,7 @@ using gpu::uint; // the masks of FEATURE_* cast to it
 struct Constants {
     InstanceTraits instance;
     std::uint32_t sky_image = 0, integrator = 0, features = 0, camera_pass = 0, gathers_photons = 0, shape_kinds = 0;
-    std::uint32_t cull_boxes = 0, one_bounce = 0;
+    std::uint32_t cull_boxes = 0, one_bounce = 0, panorama_eyes = 0;
 };
 
 std::vector<SpecConstant> listed(const Constants& c) {
@@ -81,7 +81,8 @@ std::vector<SpecConstant> listed(const Constants& c) {
                                  {SPEC_GATHERS_PHOTONS, c.gathers_photons},
                                  {SPEC_SHAPE_KINDS, c.shape_kinds},
                                  {SPEC_CULL_BOXES, c.cull_boxes},
-                                 {SPEC_ONE_BOUNCE, c.one_bounce}});
+                                 {SPEC_ONE_BOUNCE, c.one_bounce},
+                                 {SPEC_PANORAMA_EYES, c.panorama_eyes}});
     return values;
 }
 
@@ -101,6 +102,7 @@ void build(Device& device, const Order& order) {
 Constants constantsFor(const Device& device, const DeviceScene& scene, const RenderSettings& settings) {
     Constants constants;
     constants.one_bounce = device.type != VK_PHYSICAL_DEVICE_TYPE_CPU;
+    if (settings.camera.panorama) constants.panorama_eyes = settings.camera.eyes_apart_m > 0 ? 2 : 1;
     constants.sky_image = scene.sky_light != NO_LIGHT;
     constants.integrator = static_cast<std::uint32_t>(settings.integrator);
     constants.features = scene.features;

@@ -5,6 +5,11 @@
 #include "shaders/lib/math.glsl"
 #include "shaders/lib/random.glsl"
 #include "shaders/shared/panorama.h"
+#include "shaders/shared/spec_constants.h"
+
+// A constant: lavapipe would compile a program anew, at each binding, for the value in params that a branch depends on.
+layout(constant_id = SPEC_PANORAMA_EYES) const uint kPanoramaEyes = 0u;
+const bool kIsPanorama = kPanoramaEyes != 0u, kIsStereo = kPanoramaEyes == 2u;
 
 // Pixels are ordered in tiles of 8 x 8, and within a tile in blocks of 4 x 2, one for the 8 lanes of lavapipe.
 uvec2 tileCorner(uint tile) {
@@ -53,7 +58,7 @@ vec3 displaced(vec3 middle, vec2 plane) { return middle + plane.x * params.right
 // picture is above the right eye's.
 vec2 panoramaAngles(vec2 pixel) {
     vec2 at = pixel / vec2(params.picture_width, params.picture_height);
-    if (params.half_eye_distance > 0.0) at.y = fract(2.0 * at.y);
+    if (kIsStereo) at.y = fract(2.0 * at.y);
     return vec2((2.0 * at.x - 1.0) * kPi, (0.5 - at.y) * kPi);
 }
 
@@ -72,10 +77,10 @@ CameraRay panoramaRay(vec2 pixel) {
     return CameraRay(params.eye + eyeAside(pixel, level) * aside, normalize(direction));
 }
 
-// One formula for both projections of a plane. A pinhole: origins coincide (half_window is 0), directions spread over the plane at
-// distance 1. A parallel projection: origins spread over the image plane, directions coincide.
+// One formula for both projections onto a plane. A pinhole: origins coincide (half_window is 0), directions spread over
+// the plane at distance 1. A parallel projection: origins spread over the image plane, directions coincide.
 CameraRay rayThrough(vec2 pixel) {
-    if (params.is_panorama != 0u) return panoramaRay(pixel);
+    if (kIsPanorama) return panoramaRay(pixel);
     return CameraRay(displaced(params.eye, onPlane(pixel, params.half_window)),
                      normalize(displaced(params.forward, onPlane(pixel, params.tan_half_fov))));
 }

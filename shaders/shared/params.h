@@ -51,11 +51,11 @@ struct FrameParams {
     vec3 up;
     float half_window; // half the height of the image plane with parallel projection; 0 for a pinhole
     vec3 forward;
-    uint is_panorama;    // equirectangular: rays go in all directions
+    float unused_0;
     vec3 sky_zenith;     // radiance by the square root of the height over the horizon
     float ambient_share; // of the sky, which phong and whitted add as unshadowed ambient light
     vec3 sky_horizon;
-    float half_eye_distance; // of a panorama in stereo; 0: seen by one eye
+    float half_eye_distance; // of a panorama in stereo
     vec3 sky_ground;
     float unused_2;
     vec3 sky_up;       // unit vector

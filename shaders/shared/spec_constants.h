@@ -50,6 +50,8 @@ enum class SpecId : std::uint32_t {};
 #define SPEC_ONE_BOUNCE POINTRT_SPEC(25)
 // Whether the scene has clips.
 #define SPEC_CLIPPED POINTRT_SPEC(26)
+// Eyes of a panorama (shaders/lib/camera_ray.glsl); 0: another camera.
+#define SPEC_PANORAMA_EYES POINTRT_SPEC(27)
 // Display pipeline and denoiser.
 #define SPEC_HAS_FIRST_HITS POINTRT_SPEC(14)
 #define SPEC_KNOWS_VARIANCE POINTRT_SPEC(15)

@@ -56,21 +56,20 @@ const float kStartRounding = 1e-6;
 // sqrt(d^2 + cos cos e^2) apart, with the cosines of both latitudes.
 Beam panoramaBeam(vec2 middle) {
     vec2 angles = panoramaAngles(middle), size = vec2(params.picture_width, params.picture_height);
-    bool stereo = params.half_eye_distance > 0.0;
-    vec2 reach = 0.5 * TILE_SIDE * kPi * vec2(2.0, stereo ? 2.0 : 1.0) / size;
+    vec2 reach = 0.5 * TILE_SIDE * kPi * vec2(2.0, kIsStereo ? 2.0 : 1.0) / size;
     float cosine = abs(cos(angles.y)), spread = length(reach * vec2(sqrt(cosine * min(1.0, cosine + reach.y)), 1.0));
     // eyes move along their circle, and towards its middle by what the cosine changes
     float width = params.half_eye_distance * (reach.x + reach.y / PANORAMA_FULL_STEREO_COSINE);
     // rows of both eyes
     float to_other_eye = abs(middle.y - 0.5 * size.y);
-    if (stereo && to_other_eye < 0.5 * TILE_SIDE) width = 2.0 * params.half_eye_distance, spread = 2.0;
+    if (kIsStereo && to_other_eye < 0.5 * TILE_SIDE) width = 2.0 * params.half_eye_distance, spread = 2.0;
     CameraRay ray = panoramaRay(middle);
     return Beam(CameraRay(cubePoint(ray.origin), cubeDirection(ray.direction)), width * cubeScale(), spread);
 }
 
 Beam tileBeam(vec2 corner) {
     vec2 middle = corner + 0.5 * TILE_SIDE;
-    if (params.is_panorama != 0u) return panoramaBeam(middle);
+    if (kIsPanorama) return panoramaBeam(middle);
     CameraRay ray = rayThrough(middle);
     vec2 start = onPlane(middle, params.half_window);
     float width = distance(onPlane(corner, params.half_window), start) + kStartRounding * length(start);

@@ -125,7 +125,8 @@ struct RayCaster::State {
                                        {SPEC_CAMERA_PASS, 0},
                                        {SPEC_GATHERS_PHOTONS, 0},
                                        {SPEC_ONE_BOUNCE, 0},
-                                       {SPEC_SHAPE_KINDS, 0}};
+                                       {SPEC_SHAPE_KINDS, 0},
+                                       {SPEC_PANORAMA_EYES, 0}};
         const auto build = [&](const char* name, std::span<const std::uint32_t> spirv) {
             return createProgram(device, name, spirv, traits);
         };
