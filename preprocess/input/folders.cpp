@@ -38,8 +38,9 @@ std::vector<std::string> filesBelow(const std::string& folder, int depth) {
     return files;
 }
 
-/// Whether a text has points: many folders of scans have one about them.
-bool isTable(const std::string& path) {
+/// Whether a file may be a scan. A text must have points: many folders of scans have one about them.
+bool mayBeScan(const std::string& path) {
+    if (suffixKind(path) == SuffixOf::kScan) return true;
     try {
         readPrologue(openInputFile(path, NamedBy::kFile));
         return true;
@@ -48,7 +49,8 @@ bool isTable(const std::string& path) {
     }
 }
 
-std::vector<std::string> scansIn(const std::string& folder) {
+/// The scans of a folder, or else its texts.
+std::vector<std::string> scansOrTextsIn(const std::string& folder) {
     std::vector<std::string> scans, texts;
     std::error_code failure;
     for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end; entry.increment(failure)) {
@@ -57,7 +59,7 @@ std::vector<std::string> scansIn(const std::string& folder) {
         if (name.starts_with('.') || kind == SuffixOf::kOther || !entry->is_regular_file(failure)) continue;
         (kind == SuffixOf::kScan ? scans : texts).push_back(entry->path().string());
     }
-    if (scans.empty() && std::any_of(texts.begin(), texts.end(), isTable)) scans = texts;
+    if (scans.empty()) scans = texts;
     if (failure) throw Error(ExitCode::kBadInput, folder + ": " + failure.message());
     std::sort(scans.begin(), scans.end());
     return scans;
@@ -81,11 +83,14 @@ void keepPosed(std::vector<std::string>& scans) {
     if (std::any_of(scans.begin(), scans.end(), is_conf)) std::erase_if(scans, std::not_fn(is_conf));
 }
 
+/// Texts are passed over if none has points and depth is above 0 or there are scans below: they are about those.
 std::vector<std::string> filesIn(const std::string& folder, int depth) {
     if (const std::string description = descriptionIn(folder); !description.empty()) return {description};
-    std::vector<std::string> scans = scansIn(folder);
+    std::vector<std::string> scans = scansOrTextsIn(folder);
     keepPosed(scans);
-    return scans.empty() ? filesBelow(folder, depth) : scans;
+    if (std::any_of(scans.begin(), scans.end(), mayBeScan)) return scans;
+    const std::vector<std::string> below = filesBelow(folder, depth);
+    return below.empty() && depth == 0 ? scans : below; // whose errors name file and line
 }
 
 } // namespace

@@ -7,8 +7,6 @@
 #include "runtime/device_scene/render_space.h"
 
 namespace pointrt {
-namespace {} // namespace
-
 OpenedSet openSet(const std::string& folder) {
     OpenedSet set;
     set.folder = folder;

@@ -48,7 +48,7 @@ bool isLitByDefault(const SceneDescription& scene, const RenderSettings& setting
 ///    black background instead.
 ///  - settings.background: a sky of that colour in place of the scene's. Unlit scenes then get the studio's lamps
 ///    without its floor, and only_gaussians none unless settings.lights or a room asks for them.
-/// Records in scene.surroundings which room and lamps were asked for, unless it is set already.
+/// Stores the chosen room and number of lamps in scene.surroundings, unless a choice is already there.
 /// They are placed for the eye scene.staged_for, else for camera's eye, and do not move with it.
 /// low and high: corners of the scene's bounds, world frame.
 void addSurroundings(SceneDescription& scene, const RenderSettings& settings, const Camera& camera, Vec3 low, Vec3 high,

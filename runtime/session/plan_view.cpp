@@ -21,8 +21,8 @@ namespace {
 
 /// What a plan needs to know of a scan, in its own coordinates.
 struct PlanScan {
-    Vec3 low, high; ///< of its splats
-    Vec3 up;        ///< 0 if unknown
+    Bounds bounds; ///< of its splats
+    Vec3 up;       ///< 0 if unknown
     std::string crs;
     double metres_per_unit = 0; ///< 0: unknown, or degrees
 };
@@ -35,8 +35,8 @@ PlanScan planOfFile(const std::string& path) {
         const ProFile file(path, PRO_OPEN_SKIP_CHECKSUMS);
         const pro_info& info = file.info();
         const float* up = file.world().up;
-        return {{info.bounds_min[0], info.bounds_min[1], info.bounds_min[2]},
-                {info.bounds_max[0], info.bounds_max[1], info.bounds_max[2]},
+        return {{{info.bounds_min[0], info.bounds_min[1], info.bounds_min[2]},
+                 {info.bounds_max[0], info.bounds_max[1], info.bounds_max[2]}},
                 {double{up[0]}, double{up[1]}, double{up[2]}},
                 crsOfMetadata(file.metadata()),
                 file.world().metres_per_unit};
@@ -47,27 +47,27 @@ PlanScan planOfFile(const std::string& path) {
 
 PlanScan planOfSet(const std::string& folder) {
     const TileSet set = readTileSet(folder);
-    return {vectorOf(set.bounds_min), vectorOf(set.bounds_max), {set.up[0], set.up[1], set.up[2]}, set.crs, set.metres};
+    return {
+        {vectorOf(set.bounds_min), vectorOf(set.bounds_max)}, {set.up[0], set.up[1], set.up[2]}, set.crs, set.metres};
 }
 
 /// What a plan needs to know of a scene.
 struct PlanScene {
-    Vec3 low, high;         ///< of its visible scans
-    std::optional<Vec3> up; ///< of the first scan that knows it
-    int epsg = 0;           ///< of all scans, if they are where their files say; 0: unknown
+    std::optional<Bounds> bounds; ///< of its visible scans; none without one
+    std::optional<Vec3> up;       ///< of the first scan that knows it
+    int epsg = 0;                 ///< of all scans, if they are where their files say; 0: unknown
 };
 
 Vec3 corner(const PlanScan& scan, unsigned bits) {
-    return {bits & 1 ? scan.high.x : scan.low.x, bits & 2 ? scan.high.y : scan.low.y,
-            bits & 4 ? scan.high.z : scan.low.z};
+    const auto& [low, high] = scan.bounds;
+    return {bits & 1 ? high.x : low.x, bits & 2 ? high.y : low.y, bits & 4 ? high.z : low.z};
 }
 
-void addScan(const PlanScan& scan, const Placement& placement, bool is_first, PlanScene& scene) {
+void addScan(const PlanScan& scan, const Placement& placement, PlanScene& scene) {
+    const bool is_first = !scene.bounds;
     for (unsigned bits = 0; bits < 8; ++bits) {
         const Vec3 at = placed(placement, corner(scan, bits));
-        if (is_first && bits == 0) scene.low = scene.high = at;
-        scene.low = {std::min(scene.low.x, at.x), std::min(scene.low.y, at.y), std::min(scene.low.z, at.z)};
-        scene.high = {std::max(scene.high.x, at.x), std::max(scene.high.y, at.y), std::max(scene.high.z, at.z)};
+        scene.bounds = joined(scene.bounds.value_or(Bounds{at, at}), {at, at});
     }
     if (!scene.up && scan.up != Vec3{}) scene.up = normalize(turned(placement, scan.up));
     const bool is_on_the_map = placement == Placement{} && scan.metres_per_unit > 0;
@@ -77,13 +77,10 @@ void addScan(const PlanScan& scan, const Placement& placement, bool is_first, Pl
 
 PlanScene planScene(const SceneDescription& description) {
     PlanScene scene;
-    bool is_first = true;
-    for (const InstanceDescription& each : description.instances) {
-        if (!each.visible) continue;
-        addScan(isTileSet(each.path) ? planOfSet(each.path) : planOfFile(each.path), each.placement, is_first, scene);
-        is_first = false;
-    }
-    if (is_first) refusePlan(description.path + " shows no scan");
+    for (const InstanceDescription& each : description.instances)
+        if (each.visible)
+            addScan(isTileSet(each.path) ? planOfSet(each.path) : planOfFile(each.path), each.placement, scene);
+    if (!scene.bounds) refusePlan(description.path + " shows no scan");
     return scene;
 }
 
@@ -105,8 +102,8 @@ struct PlanExtent {
     double low = 0, high = 0;
 };
 
-PlanExtent extentAlong(const PlanScene& scene, Vec3 axis) {
-    const double from = dot(scene.low, axis), to = dot(scene.high, axis);
+PlanExtent extentAlong(const Bounds& bounds, Vec3 axis) {
+    const double from = dot(bounds.lo, axis), to = dot(bounds.hi, axis);
     return {std::min(from, to), std::max(from, to)};
 }
 
@@ -131,10 +128,11 @@ void fillPlan(Options& options, SceneDescription& description) {
     if (options.plan == 0) return;
     const PlanScene scene = planScene(description);
     const MapAxes axes = mapAxes(description.up.value_or(scene.up.value_or(Vec3{0, 0, 1})));
-    const PlanExtent across = extentAlong(scene, axes.east), along = extentAlong(scene, axes.north);
-    const PlanExtent heights = extentAlong(scene, axes.up);
+    const Bounds& bounds = *scene.bounds;
+    const PlanExtent across = extentAlong(bounds, axes.east), along = extentAlong(bounds, axes.north);
+    const PlanExtent heights = extentAlong(bounds, axes.up);
     const double pixel = options.plan;
-    const Vec3 middle = options.camera.target.value_or(0.5 * (scene.low + scene.high));
+    const Vec3 middle = options.camera.target.value_or(0.5 * (bounds.lo + bounds.hi));
     PixelRange columns = pixelsOver(across.low, across.high, pixel), rows = pixelsOver(along.low, along.high, pixel);
     if (const auto size = options.choices.size) {
         columns = pixelsAround(dot(middle, axes.east), size->width, pixel);

@@ -139,6 +139,14 @@ Vec3 colorDirection(const Film& film, std::size_t i) {
     return {2.0 * c[0] - 1, 2.0 * c[1] - 1, 2.0 * c[2] - 1};
 }
 
+std::optional<double> meetSphere(Vec3 start, Vec3 direction) {
+    const double along = dot(start, direction), half2 = along * along - dot(start, start) + 1;
+    if (half2 < 0) return {};
+    for (const double t : {-along - std::sqrt(half2), -along + std::sqrt(half2)})
+        if (t > 0) return t;
+    return {};
+}
+
 double angleBetween(Vec3 a, Vec3 b) { return std::atan2(length(cross(a, b)), dot(a, b)) * 180 / std::numbers::pi; }
 
 Spread spreadOf(std::vector<double> values) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -59,6 +60,9 @@ std::string writeSky(const std::string& name, std::uint32_t height, const std::f
 Color directionColor(Vec3 direction);
 /// The direction whose directionColor is in pixel i, not normalized: of unit length only if all samples have the same.
 Vec3 colorDirection(const Film& film, std::size_t i);
+
+/// Distance of a ray's first hit with the unit sphere around the origin. direction: of unit length
+std::optional<double> meetSphere(Vec3 start, Vec3 direction);
 
 /// Degrees between two directions.
 double angleBetween(Vec3 a, Vec3 b);

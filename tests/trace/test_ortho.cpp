@@ -50,15 +50,6 @@ struct SphereErrors {
     double depth = 0, position = 0, normal_deg = 0; ///< largest
 };
 
-/// Distance of the ray's first hit with the unit sphere.
-std::optional<double> meetSphere(Vec3 start, Vec3 direction) {
-    const double along = dot(start, direction), half2 = along * along - dot(start, start) + 1;
-    if (half2 < 0) return {};
-    for (const double t : {-along - std::sqrt(half2), -along + std::sqrt(half2)})
-        if (t > 0) return t;
-    return {};
-}
-
 /// Errors of the first hits of the unit sphere.
 SphereErrors compareWithSphere(const Rendered& rendered) {
     const Film& film = rendered.film;

@@ -29,23 +29,11 @@ RenderSettings panoramaFrom(Vec3 eye, std::uint32_t width, double eyes_apart_m =
     return settings;
 }
 
-/// Distance of the ray's first hit with the unit sphere; none if it misses, or if it nearly does.
-struct SphereHit {
-    std::optional<double> t;
-    bool is_near_rim = false;
-};
-
-SphereHit meetSphereFrom(const PanoramaRay& ray) {
+/// Whether a ray from outside the unit sphere nearly grazes it.
+bool isNearRim(const PanoramaRay& ray) {
     const double along = dot(ray.origin, ray.direction);
     const double across = std::sqrt(std::max(0.0, dot(ray.origin, ray.origin) - along * along));
-    SphereHit hit;
-    const bool is_inside = length(ray.origin) < 1;
-    hit.is_near_rim = !is_inside && std::abs(across - 1) < kPanoramaRim;
-    if (across >= 1) return hit;
-    const double half = std::sqrt(1 - across * across);
-    if (is_inside) hit.t = half - along;
-    if (!is_inside && along < 0) hit.t = -along - half;
-    return hit;
+    return length(ray.origin) >= 1 && std::abs(across - 1) < kPanoramaRim;
 }
 
 struct PanoramaErrors {
@@ -60,16 +48,16 @@ PanoramaErrors compareWithPanorama(const Rendered& rendered) {
         for (std::uint32_t x = 0; x < film.width; ++x) {
             const std::size_t i = std::size_t{y} * film.width + x;
             const PanoramaRay ray = panoramaRay(rendered.camera, (x + 0.5) / film.width, (y + 0.5) / film.height);
-            const SphereHit hit = meetSphereFrom(ray);
+            const std::optional<double> t = meetSphere(ray.origin, ray.direction);
             const bool has_hit = std::isfinite(film.depth[i]);
             errors.hits += has_hit;
-            if (hit.is_near_rim) continue;
-            errors.wrong += has_hit != hit.t.has_value();
-            if (!has_hit || !hit.t) continue;
-            const Vec3 at = ray.origin + *hit.t * ray.direction;
+            if (isNearRim(ray)) continue;
+            errors.wrong += has_hit != t.has_value();
+            if (!has_hit || !t) continue;
+            const Vec3 at = ray.origin + *t * ray.direction;
             if (std::abs(dot(at, ray.direction)) < 0.15) continue; // meets discs far from the sphere
             ++errors.compared;
-            errors.depth = std::max(errors.depth, std::abs(film.depth[i] - *hit.t));
+            errors.depth = std::max(errors.depth, std::abs(film.depth[i] - *t));
             const Vec3 found{film.position[3 * i], film.position[3 * i + 1], film.position[3 * i + 2]};
             errors.position = std::max(errors.position, length(found - at));
         }

@@ -155,16 +155,17 @@ std::optional<ColorPlace> findColors(const ColumnStatistics& statistics, std::si
 
 constexpr std::string_view kAdvice = "a header line such as '//X Y Z R G B I' defines";
 
-/// label: the words for the column that is read as one, if any.
-std::string doubtOf(const std::optional<ColorPlace>& colors, bool normals, std::string_view label, std::size_t unread,
+/// has_label: a column is read as one; unread: the number of columns that are not read
+std::string doubtOf(const std::optional<ColorPlace>& colors, bool normals, bool has_label, std::size_t unread,
                     std::size_t before) {
     if (colors && colors->doubtful)
         return fmt::format("has no header: columns {} to {} are read as red, green and blue, the others are not "
                            "read; {} them",
                            before + colors->first + 4, before + colors->first + 6, kAdvice);
-    if (colors && !label.empty())
+    if (has_label)
         return fmt::format("has no header: columns {} to {} are read as red, green and blue, {} as 'label'{}; {} them",
-                           before + colors->first + 4, before + colors->first + 6, label,
+                           before + colors->first + 4, before + colors->first + 6,
+                           colors->label ? "the one beside them" : "the last",
                            unread > 0 ? ", the last is not read" : "", kAdvice);
     if (unread == 0) return {};
     const bool one = unread == 1;
@@ -173,6 +174,14 @@ std::string doubtOf(const std::optional<ColorPlace>& colors, bool normals, std::
         "read; {} {}",
         unread, one ? "" : "s", normals ? " and normals" : "", one ? "s" : "", one ? "is" : "are", kAdvice,
         one ? "it" : "them");
+}
+
+/// Reads the column beside colours as a label or an intensity, unless it is an alpha or in doubt.
+void takeBeside(const ColumnStatistics& statistics, const ColorPlace& colors, std::size_t column, ColumnGuess& guess) {
+    if (colors.label)
+        guess.label = column;
+    else if (!isOpaque(statistics, column - 3) && !colors.doubtful)
+        guess.intensity = column;
 }
 
 void assign(std::vector<Dimension>& dimensions, std::size_t first, Dimension dimension) {
@@ -253,7 +262,7 @@ ColumnGuess guessColumns(const ColumnStatistics& statistics, std::size_t column_
     const std::size_t extras = column_count - 3;
     if (is_pts && extras == 1) guess.intensity = 3;
     if (column_count < 6 || column_count > 10) {
-        guess.doubt = doubtOf(std::nullopt, false, {}, guess.intensity ? 0 : extras, before);
+        guess.doubt = doubtOf(std::nullopt, false, false, guess.intensity ? 0 : extras, before);
         return guess;
     }
     const auto normals = findNormals(statistics, extras);
@@ -266,25 +275,17 @@ ColumnGuess guessColumns(const ColumnStatistics& statistics, std::size_t column_
         assign(guess.dimensions, 3 + colors->first, kRed);
         guess.real_colors = !wholeNumbers(statistics, colors->first);
     }
-    const auto end = guess.dimensions.end() - (five && colors ? 1 : 0);
-    const auto left = std::find(guess.dimensions.begin() + 3, end, kIgnored);
+    const auto left = std::find(guess.dimensions.begin() + 3, guess.dimensions.end(), kIgnored);
     auto unread = static_cast<std::size_t>(std::count(left, guess.dimensions.end(), kIgnored));
-    std::string_view label;
-    if (colors && std::count(left, end, kIgnored) == 1) {
-        const auto column = static_cast<std::size_t>(left - guess.dimensions.begin());
-        if (colors->label) {
-            guess.label = column;
-            label = "the one beside them";
-        } else if (!isOpaque(statistics, column - 3) && !colors->doubtful)
-            guess.intensity = column;
+    if (colors && unread == (five ? 2 : 1)) {
+        takeBeside(statistics, *colors, static_cast<std::size_t>(left - guess.dimensions.begin()), guess);
         --unread;
     }
     if (five && colors && !guess.label && isLabel(statistics, 4, colors->first)) {
         guess.label = column_count - 1;
-        label = "the last";
         --unread;
     }
-    guess.doubt = doubtOf(colors, normals.has_value(), label, unread, before);
+    guess.doubt = doubtOf(colors, normals.has_value(), guess.label.has_value(), unread, before);
     return guess;
 }
 

@@ -122,6 +122,11 @@ bool isUnitLine(std::string_view line, char delimiter) {
     refuseLine(input, line.data(), fmt::format("neither a point nor a header with x, y and z: {}", inQuotes(line)));
 }
 
+/// Words before the points are titles only if a header follows them.
+void requireHeaderAfterTitles(const InputFile& input, const Layout& layout) {
+    if (!layout.named() && !layout.left_out.empty()) refuseTitle(input, layout.left_out.front());
+}
+
 /// Takes a line that is neither header nor point: a title, if a header follows.
 void takeTitle(const InputFile& input, std::string_view line, Layout& layout) {
     constexpr std::size_t kMostTitles = 10;
@@ -190,14 +195,14 @@ Layout readPrologue(const InputFile& input) {
             has_units = true;
             layout.left_out.push_back(line);
         } else if (isPoint(shape) || layout.named()) {
-            if (!layout.named() && !layout.left_out.empty()) refuseTitle(input, layout.left_out.front());
+            requireHeaderAfterTitles(input, layout);
             takeFirstPoint(here, untrimmed, delimiter, shape, layout);
             return layout;
         } else {
             takeTitle(input, line, layout);
         }
     }
-    if (!layout.named() && !layout.left_out.empty()) refuseTitle(input, layout.left_out.front());
+    requireHeaderAfterTitles(input, layout);
     refuse(input, "holds no points");
 }
 

@@ -28,13 +28,11 @@ void drawEntry(Workspace& w, FileBrowser& browser, FileBrowser::Entry& entry) {
     const std::string name = printable(entry.name, std::string::npos) + (entry.is_folder ? "/" : "");
     if (!ImGui::Selectable(name.c_str(), entry.chosen, ImGuiSelectableFlags_AllowDoubleClick)) return;
     const std::string path = (std::filesystem::path(browser.folder) / entry.name).string();
-    // the second click of a double click on a folder comes when its entries are listed: it opens nothing
     const bool is_second = ImGui::IsMouseDoubleClicked(0);
-    if (entry.is_folder && !is_second)
-        w.requests.browse = path;
-    else if (entry.is_folder)
-        return;
-    else if (is_second && entry.chosen)
+    if (entry.is_folder) {
+        // the first click of a double click has listed the folder's entries: the second one falls on one of them
+        if (!is_second) w.requests.browse = path;
+    } else if (is_second && entry.chosen)
         w.requests.open_files = {path};
     else
         chooseAlone(browser, entry, ImGui::GetIO().KeyCtrl);

@@ -9,13 +9,14 @@ their number, and for each parameter the largest difference. Prints a Markdown r
 with 1 if a number differs, or a difference is larger than what a .pro's own steps explain. Needs numpy and plyfile (PyPI), and splat-transform (npm) on PATH or in SPLAT_TRANSFORM.
 """
 import os
-import shutil
 import subprocess
 import sys
 import tempfile
 
 import numpy as np
 from plyfile import PlyData
+
+from results import splat_transform
 
 
 def columns(vertex, names):
@@ -88,9 +89,9 @@ def compare(bin_dir, tool, capture, folder):
 
 
 def main():
-    tool = os.environ.get("SPLAT_TRANSFORM") or shutil.which("splat-transform")
-    if len(sys.argv) < 3 or tool is None:
+    if len(sys.argv) < 3:
         sys.exit(__doc__)
+    tool = splat_transform()
     print("| capture | Gaussians | splat-transform | parameter | largest difference | explained by .pro |\n|---|---|---|---|---|---|")
     with tempfile.TemporaryDirectory() as folder:
         good = [compare(sys.argv[1], tool, capture, folder) for capture in sys.argv[2:]]

@@ -1,24 +1,23 @@
 # SPDX-License-Identifier: Apache-2.0
 """Reads meshes, grids, tables, PTX scans and Gaussians with other readers, with results like those of others.py."""
-import concurrent.futures
 import csv
 import gzip
 import io
 import os
 import re
-import shutil
 import subprocess
 import tempfile
 
 import numpy as np
 
+from results import in_own_process, splat_transform, with_extents
+
 
 def plain(reader, positions, step=0.0):
-    """positions: three columns; rows that are not finite do not count. step: the precision of their numbers."""
-    positions = np.asarray(positions, np.float64).reshape(-1, 3)
-    positions = positions[np.isfinite(positions).all(axis=1)]
-    extents = [(float(column.min()), float(column.max())) for column in positions.T] if len(positions) else []
-    return {"reader": reader, "points": len(positions), "extents": extents, "attributes": {}, "relative_step": step}
+    """positions: in rows of three; step: the precision of their numbers, relative to their size."""
+    theirs = with_extents(reader, np.asarray(positions, np.float64).reshape(-1, 3), {})
+    theirs["relative_step"] = step
+    return theirs
 
 
 def used_vertices(mesh):
@@ -46,9 +45,8 @@ def draco_in_this_process(path):
 
 
 def read_draco(path):
-    """In a process of its own, whose heap DracoPy may damage."""
-    with concurrent.futures.ProcessPoolExecutor(1) as pool:
-        return pool.submit(draco_in_this_process, path).result()
+    """DracoPy may damage the heap."""
+    return in_own_process(draco_in_this_process, path)
 
 
 def read_grid(path):
@@ -97,13 +95,10 @@ def read_ptx(path):
 
 
 def read_gaussians(path, turned=(1, 1, 1)):
-    """Gaussians through splat-transform (npm, @playcanvas/splat-transform), times the signs that undo its axes."""
-    tool = os.environ.get("SPLAT_TRANSFORM") or shutil.which("splat-transform")
-    if tool is None:
-        raise FileNotFoundError("no splat-transform on PATH or in SPLAT_TRANSFORM")
+    """Gaussians through splat-transform, times the signs that undo its axes."""
     with tempfile.TemporaryDirectory() as folder:
         table = os.path.join(folder, "all.csv")
-        subprocess.run([tool, "-q", "-g", "cpu", path, table], check=True, capture_output=True, text=True)
+        subprocess.run([splat_transform(), "-q", "-g", "cpu", path, table], check=True, capture_output=True, text=True)
         with open(table, encoding="ascii", newline="") as file:
             rows = list(csv.DictReader(file))
     positions = np.array([[float(row[axis]) for axis in "xyz"] for row in rows])

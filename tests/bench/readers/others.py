@@ -1,36 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """Reads scans with other readers, with results like those of read_scan."""
-import concurrent.futures
 import os
 
 import numpy as np
 
 import other_kinds
+from results import in_own_process, with_extents
 
 # laspy's dimensions that are not attributes here: positions and colours
 LAS_ROLES = {"X", "Y", "Z", "red", "green", "blue"}
 # not read here
 LAS_WAVEFORM = {"wavepacket_index", "wavepacket_offset", "wavepacket_size", "return_point_wave_location", "x_t", "y_t",
                 "z_t"}
-
-
-def summary(array):
-    """Statistics of the finite numbers."""
-    array = np.asarray(array).reshape(-1)
-    finite = array[np.isfinite(array)].astype(np.float64) if array.dtype.kind == "f" else array.astype(np.float64)
-    if len(finite) == 0:
-        return {"size": 0.0}
-    return {"min": float(finite.min()), "max": float(finite.max()), "sum": float(finite.sum()),
-            "size": float(np.abs(finite).sum())}
-
-
-def with_extents(reader, positions, attributes):
-    """positions: three columns of doubles; rows that are not finite do not count."""
-    good = np.isfinite(positions).all(axis=1)
-    positions = positions[good]
-    extents = [(float(column.min()), float(column.max())) for column in positions.T] if len(positions) else []
-    return {"reader": reader, "points": int(good.sum()), "extents": extents,
-            "attributes": {name: summary(array[good]) for name, array in attributes.items()}}
 
 
 def read_las(path):
@@ -158,9 +139,8 @@ def pcd_in_this_process(path):
 
 
 def read_pcd(path):
-    """In a process of its own, which some files end."""
-    with concurrent.futures.ProcessPoolExecutor(1) as pool:
-        return pool.submit(pcd_in_this_process, path).result()
+    """Some files end the process."""
+    return in_own_process(pcd_in_this_process, path)
 
 
 READERS = {".pcd": read_pcd, ".las": read_las, ".laz": read_las, ".e57": read_e57, ".ply": read_any_ply,

@@ -220,7 +220,9 @@ TEST_F(FolderTest, FoldersInFolders) {
     EXPECT_EQ(filesOf({(folder / "top").string()}), (std::vector{a, b}));
     writeIn("top/readme.txt", "Scans of the castle\n"); // no points: those below are meant
     EXPECT_EQ(filesOf({(folder / "top").string()}), (std::vector{a, b}));
-    writeIn("top/scene.bin", "x");                     // a part of another file, perhaps
+    writeIn("top/scene.bin", "x");                                               // a part of another file, perhaps
+    const std::string text = writeIn("about/scan.txt", "Scans of the castle\n"); // whose reader says what is wrong
+    EXPECT_EQ(filesOf({(folder / "about").string()}), std::vector{text});
     const std::string own = writeIn("top/0.ply", "x"); // then the folder itself is meant
     EXPECT_EQ(filesOf({(folder / "top").string()}), std::vector{own});
     std::filesystem::create_directories(folder / "loop");
