@@ -71,6 +71,16 @@ void render(Options options) {
         writeReport(options.stats, json);
 }
 
+/// A device that hung, or whose driver was updated, may do better the second time.
+void renderOnceMoreIfLost(const Options& options) {
+    try {
+        return render(options);
+    } catch (const DeviceLost& lost) {
+        std::fprintf(stderr, "pointrt-view: warning: %s; rendering again from the start\n", lost.what());
+    }
+    render(options);
+}
+
 void showWindow(const Options& options) {
     requireOutputsApart(options, {});
     if (!options.stats.empty()) requireReportWritable(options.stats);
@@ -95,7 +105,7 @@ int run(int argc, const char* const* argv) {
     else if (opensWindow(options))
         showWindow(options);
     else
-        render(options);
+        renderOnceMoreIfLost(options);
     if (const std::uint64_t messages = validationMessages())
         throw Error{ExitCode::kCannotRun,
                     "the Vulkan validation layer reported " + std::to_string(messages) + " messages"};

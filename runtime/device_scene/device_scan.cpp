@@ -20,21 +20,28 @@ namespace pointrt {
 
 namespace {
 
-/// A section of the file on the device, and the bindings of its first page and of further pages.
+/// A section of the file on the device, and the bindings of its first page, of that as a storage buffer, and of further
+/// pages.
 struct ScanBuffer {
     PagedBuffer DeviceScan::*buffer;
     const char* what;
     VkFormat format;
-    gpu::Binding first, further;
+    gpu::Binding first, stored, further;
 };
 constexpr ScanBuffer kScanBuffers[] = {
-    {&DeviceScan::brick_words, "brick buffer", VK_FORMAT_R32_UINT, BINDING_BRICK_WORDS, BINDING_BRICK_PAGES},
-    {&DeviceScan::cells, "cell buffer", VK_FORMAT_R32G32B32A32_UINT, BINDING_CELLS, BINDING_CELL_PAGES},
-    {&DeviceScan::slabs, "slab buffer", VK_FORMAT_R32_UINT, BINDING_SLABS, BINDING_SLAB_PAGES},
-    {&DeviceScan::near, "near splat buffer", VK_FORMAT_R32G32B32A32_UINT, BINDING_NEAR, BINDING_NEAR_PAGES},
-    {&DeviceScan::listed, "listed splat buffer", VK_FORMAT_R32G32_UINT, BINDING_LISTED, BINDING_LISTED_PAGES},
-    {&DeviceScan::blending, "blending splat buffer", VK_FORMAT_R32_UINT, BINDING_BLENDING, BINDING_BLENDING_PAGES},
-    {&DeviceScan::splats, "splat buffer", VK_FORMAT_R32G32B32A32_UINT, BINDING_SPLATS, BINDING_SPLAT_PAGES}};
+    {&DeviceScan::brick_words, "brick buffer", VK_FORMAT_R32_UINT, BINDING_BRICK_WORDS, BINDING_BRICK_STORED,
+     BINDING_BRICK_PAGES},
+    {&DeviceScan::cells, "cell buffer", VK_FORMAT_R32G32B32A32_UINT, BINDING_CELLS, BINDING_CELL_STORED,
+     BINDING_CELL_PAGES},
+    {&DeviceScan::slabs, "slab buffer", VK_FORMAT_R32_UINT, BINDING_SLABS, BINDING_SLAB_STORED, BINDING_SLAB_PAGES},
+    {&DeviceScan::near, "near splat buffer", VK_FORMAT_R32G32B32A32_UINT, BINDING_NEAR, BINDING_NEAR_STORED,
+     BINDING_NEAR_PAGES},
+    {&DeviceScan::listed, "listed splat buffer", VK_FORMAT_R32G32_UINT, BINDING_LISTED, BINDING_LISTED_STORED,
+     BINDING_LISTED_PAGES},
+    {&DeviceScan::blending, "blending splat buffer", VK_FORMAT_R32_UINT, BINDING_BLENDING, BINDING_BLENDING_STORED,
+     BINDING_BLENDING_PAGES},
+    {&DeviceScan::splats, "splat buffer", VK_FORMAT_R32G32B32A32_UINT, BINDING_SPLATS, BINDING_SPLAT_STORED,
+     BINDING_SPLAT_PAGES}};
 constexpr std::size_t kIndexBuffers = std::size(kScanBuffers) - 1; // the splats are last
 static_assert(std::equal(std::begin(kScanBuffers), std::end(kScanBuffers), kPagedPlaces.begin(), kPagedPlaces.end(),
                          [](const ScanBuffer& a, const PagedPlace& b) { return a.further == b.further; }));
@@ -190,14 +197,29 @@ void uploadGaussians(Device& device, DeviceScan& scan, const pro_gaussians& gaus
     std::copy_n(gaussians.harmonic_max, 3, scan.harmonics_max.begin());
 }
 
+/// Whether programs read storage buffers: on GPUs, if each buffer is a single page that can be bound as one. CPU
+/// devices read texels three times as fast.
+bool readsStorage(const Device& device, const DeviceScan& scan) {
+    if (device.type == VK_PHYSICAL_DEVICE_TYPE_CPU || isPaged(scan.pages)) return false;
+    const std::uint64_t most = device.limits.maxStorageBufferRange;
+    return scan.grid_words.bytes <= most &&
+           std::all_of(std::begin(kScanBuffers), std::end(kScanBuffers),
+                       [&](const ScanBuffer& each) { return (scan.*each.buffer).pages[0].bytes <= most; });
+}
+
+/// How programs read the buffers.
+void setReads(const Device& device, DeviceScan& scan) {
+    scan.pages = pageCounts(device, pagedBuffers(scan));
+    scan.reads_storage = readsStorage(device, scan);
+}
+
 /// Uploads everything that the device reads. Errors name the file.
 void upload(Device& device, DeviceScan& scan, const ScanUpload& how) {
     pro_gaussians gaussians;
     try {
         if (pro_get_gaussians(scan.file, &gaussians) == 1) {
             uploadGaussians(device, scan, gaussians);
-            scan.pages = pageCounts(device, pagedBuffers(scan));
-            return;
+            return setReads(device, scan);
         }
         if (pro_get_index(scan.cached ? scan.cached : scan.file, &scan.index) == 0) buildIndex(scan, how);
         uploadSections(device, scan, how.pooled);
@@ -205,7 +227,7 @@ void upload(Device& device, DeviceScan& scan, const ScanUpload& how) {
     } catch (const Error& error) {
         throw Error(error.code, scan.path + ": " + error.what());
     }
-    scan.pages = pageCounts(device, pagedBuffers(scan));
+    setReads(device, scan);
 }
 
 const char* sourceWord(IndexSource source) {
@@ -275,8 +297,14 @@ DeviceScan blankScan(Device& device) {
 }
 
 std::vector<BufferBinding> scanBindings(const DeviceScan& scan) {
-    std::vector<BufferBinding> bindings{{BINDING_GRID_WORDS, &scan.grid_words}, {BINDING_NOISE, &scan.noise}};
-    for (const ScanBuffer& each : kScanBuffers) bindings.push_back({each.first, &(scan.*each.buffer).pages[0]});
+    std::vector<BufferBinding> bindings{
+        {BINDING_GRID_WORDS, &scan.grid_words}, {BINDING_GRID_STORED, &scan.grid_words}, {BINDING_NOISE, &scan.noise}};
+    for (const ScanBuffer& each : kScanBuffers) {
+        const Buffer& page = (scan.*each.buffer).pages[0];
+        bindings.push_back({each.first, &page});
+        // the grid, which every device can bind, in place of what is not read
+        bindings.push_back({each.stored, scan.reads_storage ? &page : &scan.grid_words});
+    }
     return bindings;
 }
 
@@ -284,8 +312,12 @@ std::vector<BufferBinding> blockBindings(const TexelBlock& block) {
     const auto view = [&](VkFormat format) {
         return format == VK_FORMAT_R32G32B32A32_UINT ? &block.quads : &block.words; // pairs are read by words
     };
-    std::vector<BufferBinding> bindings{{BINDING_GRID_WORDS, &block.words}, {BINDING_NOISE, &block.quads}};
-    for (const ScanBuffer& each : kScanBuffers) bindings.push_back({each.first, view(each.format)});
+    std::vector<BufferBinding> bindings{
+        {BINDING_GRID_WORDS, &block.words}, {BINDING_GRID_STORED, &block.words}, {BINDING_NOISE, &block.quads}};
+    for (const ScanBuffer& each : kScanBuffers) {
+        bindings.push_back({each.first, view(each.format)});
+        bindings.push_back({each.stored, &block.words});
+    }
     return bindings;
 }
 

@@ -35,9 +35,10 @@ struct DeviceScan {
     TracingIndex built; ///< an index that could not be cached, as far as device memory is imported from it
     Buffer grid_words;  ///< never needs pages (PRO_GRID_WORDS_MAX)
     PagedBuffer splats, brick_words, cells, slabs, near, listed, blending;
-    PageCounts pages; ///< of those buffers
-    TexelRange range; ///< with a block: all buffers lie in it
-    Buffer noise;     ///< a byte per splat; a blank texel if the scan has no noise
+    PageCounts pages;           ///< of those buffers
+    bool reads_storage = false; ///< programs read those of storage in place of texels
+    TexelRange range;           ///< with a block: all buffers lie in it
+    Buffer noise;               ///< a byte per splat; a blank texel if the scan has no noise
     bool noisy = false;
     std::uint32_t most_listed = 0; ///< of GaussianBuffers
     bool is_gaussian = false; ///< holds Gaussians: the buffers have the contents of gaussian_layout.h, and no index

@@ -272,9 +272,10 @@ PagedBuffers instancePages(const DeviceScene& scene, const Instance& instance) {
 std::vector<BufferBinding> instanceBindings(const DeviceScene& scene, const Instance& instance) {
     std::vector<BufferBinding> bindings = scanBindings(scene.files[instance.file]);
     if (const PagedBuffer* painted = paintedSplats(scene, instance))
-        std::find_if(bindings.begin(), bindings.end(), [](const BufferBinding& each) {
-            return each.slot == BINDING_SPLATS;
-        })->buffer = &painted->pages[0];
+        for (BufferBinding& each : bindings)
+            if (each.slot == BINDING_SPLATS ||
+                (each.slot == BINDING_SPLAT_STORED && scene.files[instance.file].reads_storage))
+                each.buffer = &painted->pages[0];
     for (const BufferBinding& each : sceneBindings(scene, instance)) bindings.push_back(each);
     return bindings;
 }

@@ -12,6 +12,7 @@
 #include "format/os/environment.h"
 #include "runtime/gpu/device_choice.h"
 #include "runtime/gpu/memory_pool.h"
+#include "runtime/gpu/pipeline_cache.h"
 #include "runtime/gpu/program_store.h"
 #include "runtime/gpu/staging.h"
 #include "runtime/gpu/texel_pool.h"
@@ -139,7 +140,8 @@ void describe(const Candidate& candidate, Device& device) {
     device.memory = candidate.memory;
     device.max_allocation_bytes = candidate.maintenance3.maxMemoryAllocationSize;
     device.page_bits = pageBits(device);
-    device.subgroup_size = candidate.subgroup.subgroupSize;
+    device.sets_subgroup_size = subgroupSizeFor(candidate) != 0;
+    device.subgroup_size = device.sets_subgroup_size ? subgroupSizeFor(candidate) : candidate.subgroup.subgroupSize;
     device.unified_memory =
         device.type == VK_PHYSICAL_DEVICE_TYPE_CPU || device.type == VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU;
     device.doubles = candidate.doubles;
@@ -150,6 +152,7 @@ void describe(const Candidate& candidate, Device& device) {
 std::vector<const char*> deviceExtensions(const Device& device, const DeviceRequest& request) {
     std::vector<const char*> extensions;
     if (device.external_memory_host) extensions.push_back(VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME);
+    if (device.sets_subgroup_size) extensions.push_back(VK_EXT_SUBGROUP_SIZE_CONTROL_EXTENSION_NAME);
     if (!request.instance_extensions.empty()) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     return extensions;
 }
@@ -166,13 +169,7 @@ void createThreadObjects(Device& device) {
 /// Waits for its submissions, unless the device is lost.
 void destroyThreadObjects(Device& device) {
     if (!device.command_pool) return;
-    if (!device.in_flight.empty()) {
-        VkSemaphoreWaitInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO};
-        info.semaphoreCount = 1;
-        info.pSemaphores = &device.timeline->semaphore;
-        info.pValues = &device.in_flight.back().number;
-        vkWaitSemaphores(device.handle, &info, UINT64_MAX);
-    }
+    finishSubmitted(device);
     device.in_flight.clear();
     if (device.staging) device.staging->clear(device);
     vkDestroyCommandPool(device.handle, device.command_pool, nullptr);
@@ -187,6 +184,16 @@ void createTimeline(Device& device) {
     check(vkCreateSemaphore(device.handle, &info, nullptr, &device.timeline->semaphore), "create a semaphore");
 }
 
+/// Null where the instance has no VK_EXT_debug_utils.
+void loadDebugFunctions(Device& device) {
+    device.setObjectName = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
+        vkGetInstanceProcAddr(device.instance, "vkSetDebugUtilsObjectNameEXT"));
+    device.beginLabel = reinterpret_cast<PFN_vkCmdBeginDebugUtilsLabelEXT>(
+        vkGetInstanceProcAddr(device.instance, "vkCmdBeginDebugUtilsLabelEXT"));
+    device.endLabel = reinterpret_cast<PFN_vkCmdEndDebugUtilsLabelEXT>(
+        vkGetInstanceProcAddr(device.instance, "vkCmdEndDebugUtilsLabelEXT"));
+}
+
 void createLogicalDevice(Device& device, const DeviceRequest& request) {
     const float priority = 1;
     VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
@@ -196,9 +203,15 @@ void createLogicalDevice(Device& device, const DeviceRequest& request) {
     const std::vector<const char*> extensions = deviceExtensions(device, request);
     VkPhysicalDeviceFeatures features{};
     features.shaderFloat64 = device.doubles;
+    // every device has it; GPUs would fault where texels of a damaged file's indices are 0
+    features.robustBufferAccess = device.type != VK_PHYSICAL_DEVICE_TYPE_CPU;
     // every device of Vulkan 1.2 has them
     VkPhysicalDeviceTimelineSemaphoreFeatures timelines{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_TIMELINE_SEMAPHORE_FEATURES};
     timelines.timelineSemaphore = VK_TRUE;
+    VkPhysicalDeviceSubgroupSizeControlFeaturesEXT subgroups{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_SIZE_CONTROL_FEATURES_EXT};
+    subgroups.subgroupSizeControl = VK_TRUE;
+    if (device.sets_subgroup_size) timelines.pNext = &subgroups;
     VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &timelines};
     info.pEnabledFeatures = &features;
     info.queueCreateInfoCount = 1;
@@ -210,14 +223,13 @@ void createLogicalDevice(Device& device, const DeviceRequest& request) {
     if (device.external_memory_host)
         device.getMemoryHostPointerProperties = reinterpret_cast<PFN_vkGetMemoryHostPointerPropertiesEXT>(
             vkGetDeviceProcAddr(device.handle, "vkGetMemoryHostPointerPropertiesEXT"));
-    // null where the instance has no VK_EXT_debug_utils
-    if (wantsDebugNames())
-        device.setObjectName = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
-            vkGetInstanceProcAddr(device.instance, "vkSetDebugUtilsObjectNameEXT"));
+    if (wantsDebugNames()) loadDebugFunctions(device);
     device.queue_mutex = std::make_shared<std::mutex>();
     device.memory_pool = std::make_shared<MemoryPool>();
     device.texel_pool = std::make_shared<TexelPool>();
     createTimeline(device);
+    device.pipelines = std::make_shared<PipelineCache>();
+    device.pipelines->open(device);
     createThreadObjects(device);
 }
 
@@ -264,6 +276,7 @@ void destroyDevice(Device& device) {
     if (device.handle) {
         vkDeviceWaitIdle(device.handle);
         if (device.programs) device.programs->clear(device);
+        if (device.pipelines) device.pipelines->close(device);
         destroyThreadObjects(device);
         if (device.texel_pool) device.texel_pool->clear(device);
         if (device.memory_pool) device.memory_pool->clear(device);
@@ -280,6 +293,7 @@ void destroyDevice(Device& device) {
 }
 
 Device workerDevice(const Device& device) {
+    waitForSubmitted(device);
     Device worker = device;
     worker.command_pool = VK_NULL_HANDLE;
     worker.in_flight.clear();

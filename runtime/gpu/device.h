@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 namespace pointrt {
 
 class MemoryPool;
+class PipelineCache;
 class ProgramStore;
 class Staging;
 class TexelPool;
@@ -43,6 +45,9 @@ struct SubmittedCommands {
     std::uint64_t number = 0; ///< of the submission
 };
 
+/// Frames that are recorded and traced at the same time: the host records one while the device works on the last.
+constexpr std::uint32_t kFramesInFlight = 2;
+
 /// A logical device with one compute queue. Free it with destroyDevice after everything made from it.
 struct Device {
     VkInstance instance = VK_NULL_HANDLE;
@@ -63,12 +68,16 @@ struct Device {
     std::uint64_t max_allocation_bytes = 0;
     std::uint32_t page_bits = 0; ///< log2 of the texels in a page (paged_buffer.h)
     std::uint32_t subgroup_size = 0;
+    bool sets_subgroup_size = false;         ///< programs ask for subgroup_size (VK_EXT_subgroup_size_control)
     bool unified_memory = false;             ///< CPU or integrated GPU: memory is the host's, so importing saves a copy
     bool doubles = false;                    ///< shaders may use 64-bit floats
     bool external_memory_host = false;       ///< VK_EXT_external_memory_host is enabled
     std::uint64_t host_import_alignment = 0; ///< bytes, for pointers and sizes given to importHostBuffer
     PFN_vkGetMemoryHostPointerPropertiesEXT getMemoryHostPointerProperties = nullptr;
     PFN_vkSetDebugUtilsObjectNameEXT setObjectName = nullptr; ///< null unless debug names are on (nameObject)
+    PFN_vkCmdBeginDebugUtilsLabelEXT beginLabel = nullptr;    ///< the same (CommandLabel)
+    PFN_vkCmdEndDebugUtilsLabelEXT endLabel = nullptr;        ///< the same
+    std::shared_ptr<PipelineCache> pipelines;                 ///< shared with workers
     std::shared_ptr<MemoryPool> memory_pool;                  ///< of all buffers, shared with workers
     std::shared_ptr<TexelPool> texel_pool;                    ///< of the tiles of sets, shared with workers
     std::shared_ptr<Staging> staging;                         ///< of this thread
@@ -83,6 +92,7 @@ Device createDevice(const DeviceRequest& request);
 void destroyDevice(Device& device);
 
 /// The same device for another thread: it shares the queue, under a mutex, and has its own command pool and staging.
+/// Waits for what device has submitted, whose objects the thread may change.
 /// Objects created through one may be used and freed through the other. Free it with destroyWorkerDevice before device.
 Device workerDevice(const Device& device);
 void destroyWorkerDevice(Device& worker);
@@ -109,16 +119,47 @@ void nameObject(const Device& device, VkObjectType type, Handle handle, const ch
     device.setObjectName(device.handle, &info); // only runs out of memory, which the next call reports
 }
 
+/// A name for debuggers over the commands recorded while it lives; where object names are on (nameObject). Nothing
+/// without commands.
+class CommandLabel {
+public:
+    CommandLabel(const Device& device, VkCommandBuffer commands, const char* name)
+        : end_(commands ? device.endLabel : nullptr), commands_(commands) {
+        VkDebugUtilsLabelEXT label{VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT};
+        label.pLabelName = name;
+        if (end_) device.beginLabel(commands, &label);
+    }
+    ~CommandLabel() {
+        if (end_) end_(commands_);
+    }
+    CommandLabel(const CommandLabel&) = delete;
+    CommandLabel& operator=(const CommandLabel&) = delete;
+
+private:
+    PFN_vkCmdEndDebugUtilsLabelEXT end_;
+    VkCommandBuffer commands_;
+};
+
 /// A command buffer in the recording state, for submit.
 /// @param name for debuggers
 VkCommandBuffer beginCommands(Device& device, const char* name = "commands");
+/// Of commands that draw to an image of the display.
+struct DisplaySync {
+    VkSemaphore acquired = VK_NULL_HANDLE; ///< waited for before the image is written
+    VkSemaphore drawn = VK_NULL_HANDLE;    ///< signalled when the image may be shown
+};
+
 /// Ends and submits commands, which run after all earlier submissions. When they are done, their writes are visible to
 /// the host and to later commands. Returns the number of the submission. Throws Error kCannotRun (device lost).
-std::uint64_t submit(Device& device, VkCommandBuffer commands);
+std::uint64_t submit(Device& device, VkCommandBuffer commands, const std::optional<DisplaySync>& display = {});
 /// Whether a submission is done.
 bool isDone(const Device& device, std::uint64_t submission);
 /// Waits for a submission; returns at once for 0. Throws Error kCannotRun (device lost).
 void waitFor(const Device& device, std::uint64_t submission);
+/// Waits for all that this thread has submitted. Throws Error kCannotRun (device lost).
+void waitForSubmitted(const Device& device);
+/// The same before objects are freed: a device that is lost runs nothing any more.
+void finishSubmitted(const Device& device) noexcept;
 void submitAndWait(Device& device, VkCommandBuffer commands);
 
 } // namespace pointrt

@@ -112,6 +112,21 @@ const char* missingQueue(const QueueNeeds& needs) {
     return needs.graphics ? "no queue that both computes and draws" : "no compute queue";
 }
 
+void inspectSubgroupSizes(Candidate& candidate) {
+    if (!hasExtension(candidate.physical, VK_EXT_SUBGROUP_SIZE_CONTROL_EXTENSION_NAME)) return;
+    VkPhysicalDeviceSubgroupSizeControlFeaturesEXT control{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_SIZE_CONTROL_FEATURES_EXT};
+    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &control};
+    vkGetPhysicalDeviceFeatures2(candidate.physical, &features);
+    VkPhysicalDeviceSubgroupSizeControlPropertiesEXT sizes{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_SIZE_CONTROL_PROPERTIES_EXT};
+    VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &sizes};
+    vkGetPhysicalDeviceProperties2(candidate.physical, &properties);
+    if (!control.subgroupSizeControl || !(sizes.requiredSubgroupSizeStages & VK_SHADER_STAGE_COMPUTE_BIT)) return;
+    candidate.least_subgroup = sizes.minSubgroupSize;
+    candidate.largest_subgroup = sizes.maxSubgroupSize;
+}
+
 Candidate inspect(VkPhysicalDevice physical, const QueueNeeds& needs) {
     Candidate candidate;
     candidate.physical = physical;
@@ -137,6 +152,7 @@ Candidate inspect(VkPhysicalDevice physical, const QueueNeeds& needs) {
         vkGetPhysicalDeviceProperties2(physical, &properties);
         candidate.host_import_alignment = host.minImportedHostPointerAlignment;
         candidate.maintenance3.pNext = candidate.subgroup.pNext = nullptr;
+        inspectSubgroupSizes(candidate);
     }
     candidate.refusal = refusalOf(candidate);
     return candidate;
@@ -168,6 +184,12 @@ bool hasExtension(VkPhysicalDevice physical, const char* name) {
     check(vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, extensions.data()), "list device extensions");
     return std::any_of(extensions.begin(), extensions.end(),
                        [&](const VkExtensionProperties& e) { return std::strcmp(e.extensionName, name) == 0; });
+}
+
+std::uint32_t subgroupSizeFor(const Candidate& candidate) {
+    constexpr std::uint32_t kLanes = 32;
+    const bool may_ask = candidate.least_subgroup <= kLanes && kLanes <= candidate.largest_subgroup;
+    return may_ask && candidate.subgroup.subgroupSize > kLanes ? kLanes : 0;
 }
 
 std::string refusalOf(const Candidate& candidate) {

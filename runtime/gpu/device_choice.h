@@ -19,7 +19,7 @@ struct DescriptorCounts {
 };
 /// The most of any program that renders, without further pages. Vulkan guarantees 4, 16, 4 and 12. Programs that cast a
 /// caller's rays, and those of paged scans and pooled tiles, have more; createProgram checks these.
-constexpr DescriptorCounts kRenderDescriptors{7, 18, 14, 3};
+constexpr DescriptorCounts kRenderDescriptors{7, 18, 22, 3};
 
 /// What the queue must support besides compute.
 struct QueueNeeds {
@@ -41,13 +41,19 @@ struct Candidate {
     bool external_memory_host = false;
     std::uint64_t host_import_alignment = 0; ///< bytes
     bool doubles = false;                    ///< shaders may use 64-bit floats
-    bool reads_texels = false;               ///< supports texel buffers in the formats of scenes
-    std::string refusal;                     ///< empty if usable
+    /// Sizes of subgroups that compute programs may ask for (VK_EXT_subgroup_size_control); 0 if they may not.
+    std::uint32_t least_subgroup = 0, largest_subgroup = 0;
+    bool reads_texels = false; ///< supports texel buffers in the formats of scenes
+    std::string refusal;       ///< empty if usable
 };
 
 std::vector<Candidate> enumerateCandidates(VkInstance instance, const QueueNeeds& needs = {});
 
 bool hasExtension(VkPhysicalDevice physical, const char* name);
+
+/// The subgroup size that programs are to have; 0: the driver chooses. 32 where the driver would take more, as those of
+/// AMD do, and the hardware has both: rays of a subgroup wait for the slowest of fewer (tests/bench/NOTES.md).
+std::uint32_t subgroupSizeFor(const Candidate& candidate);
 
 /// Why candidate is unusable; empty if it is usable. Does not read candidate.physical and refusal.
 std::string refusalOf(const Candidate& candidate);

@@ -37,7 +37,8 @@ PagedBuffer pagesOf(Device& device, const char* what, std::uint64_t bytes, VkFor
 } // namespace
 
 VkBufferUsageFlags texelUsage(VkFormat format) {
-    constexpr VkBufferUsageFlags kFetched = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
+    constexpr VkBufferUsageFlags kFetched =
+        VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
     return format == VK_FORMAT_R32G32_UINT ? kFetched : kFetched | VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT;
 }
 

@@ -22,8 +22,8 @@ namespace pointrt {
 /// than the device supports in a buffer.
 Buffer createTexelBuffer(Device& device, const char* what, const void* data, std::uint64_t bytes, VkFormat format);
 
-/// The usage of texel buffers. Shaders read some as storage texel buffers (shaders/lib/instance_bindings.glsl), which
-/// every device supports for texels of one or four words.
+/// The usage of texel buffers. Shaders read some as storage texel buffers, which every device supports for texels of
+/// one or four words, or as storage buffers (shaders/lib/instance_bindings.glsl).
 VkBufferUsageFlags texelUsage(VkFormat format);
 
 /// Pages of 2^device.page_bits texels; the last may be shorter. Plain data: free it with destroyPagedBuffer, once.

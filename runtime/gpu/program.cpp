@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "format/base/error.h"
+#include "runtime/gpu/pipeline_cache.h"
 #include "runtime/gpu/program_store.h"
 #include "runtime/util/on_error.h"
 
@@ -129,12 +130,16 @@ void createPipeline(Device& device, Program& program, std::span<const std::uint3
     info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
     info.stage.pName = "main";
     info.stage.pSpecializationInfo = &specialization;
+    VkPipelineShaderStageRequiredSubgroupSizeCreateInfoEXT subgroup{
+        VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_REQUIRED_SUBGROUP_SIZE_CREATE_INFO_EXT};
+    subgroup.requiredSubgroupSize = device.subgroup_size;
+    if (device.sets_subgroup_size) info.stage.pNext = &subgroup;
     info.layout = program.layout;
 
     const std::string what = "build the " + program.name + " pipeline";
     check(vkCreateShaderModule(device.handle, &module_info, nullptr, &info.stage.module), what.c_str());
     const VkResult result =
-        vkCreateComputePipelines(device.handle, VK_NULL_HANDLE, 1, &info, nullptr, &program.pipeline);
+        vkCreateComputePipelines(device.handle, device.pipelines->handle(), 1, &info, nullptr, &program.pipeline);
     vkDestroyShaderModule(device.handle, info.stage.module, nullptr);
     check(result, what.c_str());
     nameObject(device, VK_OBJECT_TYPE_PIPELINE, program.pipeline, program.name.c_str());
@@ -260,6 +265,7 @@ void destroyProgram(Device& device, Program& program) {
 }
 
 void freeProgram(Device& device, Program& program) {
+    finishSubmitted(device);
     if (program.pipeline) vkDestroyPipeline(device.handle, program.pipeline, nullptr);
     if (program.layout) vkDestroyPipelineLayout(device.handle, program.layout, nullptr);
     for (VkDescriptorSetLayout layout : program.set_layouts)
@@ -280,6 +286,7 @@ VkDescriptorPool createDescriptorPool(Device& device, std::uint32_t max_sets) {
 }
 
 void destroyDescriptorPool(Device& device, VkDescriptorPool& pool) {
+    if (pool) finishSubmitted(device);
     if (pool) vkDestroyDescriptorPool(device.handle, pool, nullptr);
     pool = VK_NULL_HANDLE;
 }

@@ -47,7 +47,7 @@ Program createProgram(Device& device, const char* name, std::span<const std::uin
 /// Releases the program to the store, which keeps some unused ones (program_store.h).
 void destroyProgram(Device& device, Program& program);
 
-/// A pool for up to max_sets descriptor sets, which are freed with it.
+/// A pool for up to max_sets descriptor sets, which are freed with it, after this thread's submissions.
 VkDescriptorPool createDescriptorPool(Device& device, std::uint32_t max_sets);
 void destroyDescriptorPool(Device& device, VkDescriptorPool& pool);
 

@@ -129,6 +129,7 @@ Buffer createBuffer(Device& device, const char* what, std::uint64_t bytes, VkBuf
 }
 
 void destroyBuffer(Device& device, Buffer& buffer) {
+    if (buffer.handle) finishSubmitted(device);
     waitForUpload(device, buffer);
     if (buffer.view) vkDestroyBufferView(device.handle, buffer.view, nullptr);
     if (buffer.handle) vkDestroyBuffer(device.handle, buffer.handle, nullptr);
@@ -219,6 +220,7 @@ void uploadBuffer(Device& device, Buffer& buffer, const void* data, std::uint64_
         buffer.uploaded = device.staging->upload(device, buffer, data, bytes, offset);
         return;
     }
+    waitForSubmitted(device);
     std::memcpy(static_cast<std::byte*>(buffer.mapped) + offset, data, bytes);
     flushBuffer(device, buffer);
 }
@@ -232,10 +234,12 @@ void copyBuffer(Device& device, const Buffer& from, Buffer& to, std::uint64_t by
 void downloadBuffer(Device& device, const Buffer& buffer, void* data, std::uint64_t bytes, std::uint64_t offset) {
     requireInside(buffer, bytes, offset);
     if (bytes == 0) return;
-    if (buffer.mapped)
+    if (buffer.mapped) {
+        waitForSubmitted(device);
         std::memcpy(data, hostBytes(device, buffer) + offset, bytes);
-    else
+    } else {
         device.staging->download(device, buffer, data, bytes, offset);
+    }
 }
 
 const std::byte* hostBytes(const Device& device, const Buffer& buffer) {

@@ -30,6 +30,7 @@ struct Buffer {
 /// Throws Error kCannotRun if out of memory, or larger than the device's largest allocation.
 Buffer createBuffer(Device& device, const char* what, std::uint64_t bytes, VkBufferUsageFlags usage,
                     MemoryHome home = MemoryHome::kDevice);
+/// Waits for this thread's submissions, which may use it.
 void destroyBuffer(Device& device, Buffer& buffer);
 
 /// A buffer in the memory of another one, at offset: a multiple of texelAlignment. The other one must outlive it.
@@ -66,12 +67,12 @@ Buffer createTexelRows(Device& device, const char* what, std::vector<Row> rows, 
     return buffer;
 }
 
-/// Copies bytes from data to buffer at offset, both multiples of 4, before all later submissions. No earlier
-/// submission that uses the buffer may still be running.
+/// Copies bytes from data to buffer at offset, both multiples of 4, before all later submissions and after this
+/// thread's earlier ones. No other thread's submission that uses the buffer may still be running.
 void uploadBuffer(Device& device, Buffer& buffer, const void* data, std::uint64_t bytes, std::uint64_t offset = 0);
 /// Copies the first bytes of a buffer to the start of another, and waits.
 void copyBuffer(Device& device, const Buffer& from, Buffer& to, std::uint64_t bytes);
-/// Copies bytes at offset of buffer to data, after all earlier submissions.
+/// Copies bytes at offset of buffer to data, after this thread's earlier submissions.
 void downloadBuffer(Device& device, const Buffer& buffer, void* data, std::uint64_t bytes, std::uint64_t offset = 0);
 
 /// The mapped bytes of a buffer as the device's submissions left them, which must be done.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Command buffers and their submission, in an order that the timeline numbers.
+#include "format/base/error.h"
 #include "runtime/gpu/device.h"
 
 namespace pointrt {
@@ -46,18 +47,25 @@ VkCommandBuffer beginCommands(Device& device, const char* name) {
     return commands;
 }
 
-std::uint64_t submit(Device& device, VkCommandBuffer commands) {
+std::uint64_t submit(Device& device, VkCommandBuffer commands, const std::optional<DisplaySync>& display) {
     recordEnd(commands);
     check(vkEndCommandBuffer(commands), "record commands");
+    const VkSemaphore signalled[] = {device.timeline->semaphore, display ? display->drawn : VK_NULL_HANDLE};
+    const VkPipelineStageFlags first_use = VK_PIPELINE_STAGE_TRANSFER_BIT; // of the display's image
     VkTimelineSemaphoreSubmitInfo numbers{VK_STRUCTURE_TYPE_TIMELINE_SEMAPHORE_SUBMIT_INFO};
     VkSubmitInfo info{VK_STRUCTURE_TYPE_SUBMIT_INFO, &numbers};
     info.commandBufferCount = 1;
     info.pCommandBuffers = &commands;
-    info.signalSemaphoreCount = numbers.signalSemaphoreValueCount = 1;
-    info.pSignalSemaphores = &device.timeline->semaphore;
+    info.signalSemaphoreCount = numbers.signalSemaphoreValueCount = display ? 2 : 1;
+    info.pSignalSemaphores = signalled;
+    info.waitSemaphoreCount = numbers.waitSemaphoreValueCount = display ? 1 : 0;
+    info.pWaitSemaphores = display ? &display->acquired : nullptr;
+    info.pWaitDstStageMask = &first_use;
     const auto lock = lockQueue(device);
     const std::uint64_t number = device.timeline->submitted + 1;
-    numbers.pSignalSemaphoreValues = &number;
+    const std::uint64_t values[] = {number, 0}, no_value = 0; // those of the display have none
+    numbers.pSignalSemaphoreValues = values;
+    numbers.pWaitSemaphoreValues = &no_value;
     check(vkQueueSubmit(device.queue, 1, &info, VK_NULL_HANDLE), "submit work to the device");
     device.timeline->submitted = number;
     device.in_flight.push_back({commands, number});
@@ -71,12 +79,23 @@ bool isDone(const Device& device, std::uint64_t submission) {
 }
 
 void waitFor(const Device& device, std::uint64_t submission) {
-    if (submission == 0) return;
+    if (submission == 0 || isDone(device, submission)) return;
     VkSemaphoreWaitInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO};
     info.semaphoreCount = 1;
     info.pSemaphores = &device.timeline->semaphore;
     info.pValues = &submission;
     check(vkWaitSemaphores(device.handle, &info, UINT64_MAX), "wait for the device");
+}
+
+void waitForSubmitted(const Device& device) {
+    if (!device.in_flight.empty()) waitFor(device, device.in_flight.back().number);
+}
+
+void finishSubmitted(const Device& device) noexcept {
+    try {
+        waitForSubmitted(device);
+    } catch (const Error&) { // it is lost
+    }
 }
 
 void submitAndWait(Device& device, VkCommandBuffer commands) { waitFor(device, submit(device, commands)); }

@@ -15,12 +15,14 @@ namespace {
 /// Each block is as large as all before it, so that a large set lies in few and at most half of the memory is unused.
 /// The smallest holds about a million splats with their index.
 constexpr std::uint64_t kSmallestBlock = 64ull << 20;
-/// The largest has 2^27 words, the most texels of a view that common devices support.
+/// The largest has 2^27 words, the most texels of a view that common devices support, and can be bound as a storage
+/// buffer.
 constexpr std::uint64_t kLargestBlock = 512ull << 20;
 
 std::uint64_t largestBlock(const Device& device) {
     const std::uint64_t words = std::uint64_t{device.limits.maxTexelBufferElements} * sizeof(std::uint32_t);
-    return std::min({kLargestBlock, words, device.max_allocation_bytes});
+    return std::min(
+        {kLargestBlock, words, device.max_allocation_bytes, std::uint64_t{device.limits.maxStorageBufferRange}});
 }
 
 TexelBlock createBlock(Device& device, std::uint64_t bytes) {

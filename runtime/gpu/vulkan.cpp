@@ -95,8 +95,10 @@ std::string resultName(VkResult result) {
 }
 
 void check(VkResult result, const char* what) {
-    if (result != VK_SUCCESS)
-        throw Error{ExitCode::kCannotRun, std::string("cannot ") + what + ": " + resultName(result)};
+    if (result == VK_SUCCESS) return;
+    const std::string message = std::string("cannot ") + what + ": " + resultName(result);
+    if (result == VK_ERROR_DEVICE_LOST) throw DeviceLost(ExitCode::kCannotRun, message);
+    throw Error(ExitCode::kCannotRun, message);
 }
 
 } // namespace pointrt

@@ -11,7 +11,14 @@
 
 #include <string>
 
+#include "format/base/error.h"
+
 namespace pointrt {
+
+/// The device is lost, after a hang or a driver's update: all that was on it is gone, and a new one can be created.
+struct DeviceLost : Error {
+    using Error::Error;
+};
 
 /// Every core function the viewer calls; add a name here to use one more.
 #define POINTRT_VULKAN_FUNCTIONS(X)                                                                                    \
@@ -57,6 +64,7 @@ namespace pointrt {
     X(vkCreateImage)                                                                                                   \
     X(vkCreateImageView)                                                                                               \
     X(vkCreateInstance)                                                                                                \
+    X(vkCreatePipelineCache)                                                                                           \
     X(vkCreatePipelineLayout)                                                                                          \
     X(vkCreateQueryPool)                                                                                               \
     X(vkCreateRenderPass)                                                                                              \
@@ -75,6 +83,7 @@ namespace pointrt {
     X(vkDestroyImageView)                                                                                              \
     X(vkDestroyInstance)                                                                                               \
     X(vkDestroyPipeline)                                                                                               \
+    X(vkDestroyPipelineCache)                                                                                          \
     X(vkDestroyPipelineLayout)                                                                                         \
     X(vkDestroyQueryPool)                                                                                              \
     X(vkDestroyRenderPass)                                                                                             \
@@ -97,12 +106,14 @@ namespace pointrt {
     X(vkGetImageMemoryRequirements)                                                                                    \
     X(vkGetInstanceProcAddr)                                                                                           \
     X(vkGetPhysicalDeviceFeatures)                                                                                     \
+    X(vkGetPhysicalDeviceFeatures2)                                                                                    \
     X(vkGetPhysicalDeviceFormatProperties)                                                                             \
     X(vkGetPhysicalDeviceMemoryProperties)                                                                             \
     X(vkGetPhysicalDeviceMemoryProperties2)                                                                            \
     X(vkGetPhysicalDeviceProperties)                                                                                   \
     X(vkGetPhysicalDeviceProperties2)                                                                                  \
     X(vkGetPhysicalDeviceQueueFamilyProperties)                                                                        \
+    X(vkGetPipelineCacheData)                                                                                          \
     X(vkGetQueryPoolResults)                                                                                           \
     X(vkGetSemaphoreCounterValue)                                                                                      \
     X(vkInvalidateMappedMemoryRanges)                                                                                  \
@@ -142,7 +153,7 @@ void loadWindowFunctions(VkInstance instance);
 /// "VK_ERROR_DEVICE_LOST" for messages; an unknown value comes back as "VkResult -123".
 std::string resultName(VkResult result);
 
-/// Throws Error kCannotRun "cannot WHAT: VK_ERROR_..." unless result is VK_SUCCESS.
+/// Throws Error kCannotRun "cannot WHAT: VK_ERROR_..." unless result is VK_SUCCESS; DeviceLost for that.
 /// @param what a verb phrase
 void check(VkResult result, const char* what);
 

@@ -74,6 +74,16 @@ void recordPasses(PassCommands& commands, const BandTracer& tracer, BandSample& 
     commands.endSample();
 }
 
+/// Passes of all parts of a sample, and what follows them.
+void recordParts(PassCommands& commands, const BandTracer& tracer, BandSample& sample, std::uint32_t passes,
+                 const std::function<void(VkCommandBuffer)>& then) {
+    for (BandSample part : partsOf(tracer, sample)) {
+        recordPasses(commands, tracer, part, passes);
+        sample.pass = part.pass;
+    }
+    if (then) commands.record(then);
+}
+
 /// Whether no path is left.
 bool hasEnded(const gpu::Control& control) { return control.queued[0] + control.queued[1] == 0; }
 
@@ -96,10 +106,13 @@ void createBandTracer(Device& device, BandTracer& tracer, const DeviceScene& sce
         createFrameBuffers(device, lanes, {film_pixels, settings.spp}, mayCull(scene), gaussianRoom(scene));
     tracer.programs = createPrograms(device, scene, settings, form);
     tracer.caustics.first = emptyCaustics(device);
+    if (device.type != VK_PHYSICAL_DEVICE_TYPE_CPU) tracer.timer = createGpuTimer(device, kFramesInFlight);
     bind(device, tracer);
 }
 
 void destroyBandTracer(Device& device, BandTracer& tracer) {
+    finishSubmitted(device);
+    destroyGpuTimer(device, tracer.timer);
     destroyPrograms(device, tracer.programs);
     destroyTracedInstances(device, tracer.instances);
     destroyFrameBuffers(device, tracer.buffers);
@@ -191,19 +204,37 @@ BandSample openPixelList(const BandTracer& tracer, const RenderSettings& setting
 
 void tracePasses(Device& device, const BandTracer& tracer, BandSample& sample, std::uint32_t passes, RayCounts& counts,
                  const std::function<void(VkCommandBuffer)>& then) {
-    PassCommands commands(device, tracer.buffers.control, tracer.buffers.control_read, tracer.profile);
+    waitForSubmitted(device); // their counters are read from the same place
+    PassCommands commands(device, tracer.buffers.control, {tracer.buffers.control_read}, tracer.profile);
     const std::uint32_t first_pass = sample.pass;
-    for (BandSample part : partsOf(tracer, sample)) {
-        recordPasses(commands, tracer, part, passes);
-        sample.pass = part.pass;
-    }
-    if (then) commands.record(then);
+    recordParts(commands, tracer, sample, passes, then);
     const std::vector<gpu::Control> parts = commands.finish();
     sample.done = std::all_of(parts.begin(), parts.end(), hasEnded);
     if (parts.size() > 1 && (!sample.done || first_pass > 0))
         throw std::logic_error("a sample of more lanes than the tracer has was not traced at once");
     if (!sample.done) return;
     for (const gpu::Control& part : parts) addRays(part, counts);
+}
+
+bool canOverlap(const BandTracer& tracer) { return tracer.timer.pool && !tracer.profile; }
+
+PassesInFlight submitPasses(Device& device, BandTracer& tracer, BandSample& sample, std::uint32_t passes,
+                            const std::function<void(VkCommandBuffer)>& then) {
+    tracer.place = (tracer.place + 1) % kFramesInFlight;
+    PassCommands commands(device, tracer.buffers.control, {tracer.buffers.control_read, tracer.place, &tracer.timer},
+                          nullptr);
+    recordParts(commands, tracer, sample, passes, then);
+    sample.done = true;
+    return {commands.submit(), tracer.place, commands.samples()};
+}
+
+double finishPasses(Device& device, const BandTracer& tracer, const PassesInFlight& passes, RayCounts& counts) {
+    waitFor(device, passes.submission);
+    for (const gpu::Control& part : readCounters(device, {tracer.buffers.control_read, passes.place}, passes.samples)) {
+        if (!hasEnded(part)) throw std::logic_error("paths go on after the passes that were to end them");
+        addRays(part, counts);
+    }
+    return elapsedMilliseconds(device, tracer.timer, passes.place).value() / 1e3;
 }
 
 bool endsIn(const BandTracer& tracer, const RenderSettings& settings, std::uint32_t passes) {

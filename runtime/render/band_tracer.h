@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/device_scene/device_scene.h"
+#include "runtime/gpu/gpu_timer.h"
 #include "runtime/image/film.h"
 #include "runtime/render/caustics.h"
 #include "runtime/render/frame_buffers.h"
@@ -26,6 +27,8 @@ struct BandTracer {
     CausticMaps caustics;
     TracedInstances instances;
     PassProfile* profile = nullptr; ///< optional: records its passes
+    GpuTimer timer;          ///< of kFramesInFlight submissions; without a pool where none overlap (submitPasses)
+    std::uint32_t place = 0; ///< of the last submission that submitPasses made, in control_read and timer
     const Buffer* hit_counts =
         nullptr; ///< optional: receives the number of rays of the last pass that hit each instance
 
@@ -94,6 +97,23 @@ BandSample openPixelList(const BandTracer& tracer, const RenderSettings& setting
 /// @param then records commands to run after the passes in the same submission
 void tracePasses(Device& device, const BandTracer& tracer, BandSample& sample, std::uint32_t passes, RayCounts& counts,
                  const std::function<void(VkCommandBuffer)>& then = {});
+
+/// Whether submitPasses can be used: not on CPU devices, where the host has the same cores, and where it is not known
+/// how long a submission took.
+bool canOverlap(const BandTracer& tracer);
+
+/// Passes that the device may still be tracing.
+struct PassesInFlight {
+    std::uint64_t submission = 0;
+    std::uint32_t place = 0, samples = 0; ///< of their counters
+};
+
+/// Submits a sample that ends with these passes (endsIn), as tracePasses does, without waiting for it. Of the
+/// submissions before, all but kFramesInFlight - 1 must have been finished.
+PassesInFlight submitPasses(Device& device, BandTracer& tracer, BandSample& sample, std::uint32_t passes,
+                            const std::function<void(VkCommandBuffer)>& then = {});
+/// Waits for them, and adds their rays to counts. Returns the seconds that the device took.
+double finishPasses(Device& device, const BandTracer& tracer, const PassesInFlight& passes, RayCounts& counts);
 
 /// Whether a sample is known to be done after its camera rays and this many bounces. Deferred rays, of surfaces that
 /// reflect and refract, take more.

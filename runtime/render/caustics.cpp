@@ -119,7 +119,7 @@ public:
     /// Traces to the next hits, in a submission of its own, so that a window sharing the queue can draw in between.
     /// False once no photon of the batch is in flight.
     bool pass() {
-        PassCommands commands(device_, buffers_.control, buffers_.control_read, nullptr);
+        PassCommands commands(device_, buffers_.control, {buffers_.control_read}, nullptr);
         record(commands, pass_++);
         commands.endSample();
         const gpu::Control control = commands.finish().front();

@@ -28,6 +28,7 @@ std::size_t pixelCount(Band band, const Film& film) { return std::size_t{band.ro
 
 /// The vectors of buffer in host-readable memory: in place if mapped, else in copy.
 const gpu::vec4* readVectors(Device& device, const Buffer& buffer, std::size_t count, std::vector<gpu::vec4>& copy) {
+    if (buffer.mapped) waitForSubmitted(device);
     if (buffer.mapped) return reinterpret_cast<const gpu::vec4*>(hostBytes(device, buffer));
     copy.resize(count);
     downloadBuffer(device, buffer, copy.data(), count * sizeof copy[0]);

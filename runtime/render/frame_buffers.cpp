@@ -41,8 +41,8 @@ FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, FilmRo
     buffers.params = storage("frame parameters", sizeof(gpu::FrameParams), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     buffers.control = storage("control buffer", sizeof(gpu::Control), VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
     buffers.lanes = lane_count;
-    buffers.control_read =
-        createBuffer(device, "control readback", kSamplesAtOnce * sizeof(gpu::Control), 0, MemoryHome::kReadback);
+    buffers.control_read = createBuffer(
+        device, "control readback", kFramesInFlight * kSamplesAtOnce * sizeof(gpu::Control), 0, MemoryHome::kReadback);
     // words per lane, see shaders/lib/bindings.glsl
     constexpr std::uint64_t kQueueWords = 5 + SHADOW_RAYS_PER_PATH, kCullWords = SHADOW_RAYS_PER_PATH + CULLED_ENTRIES;
     const std::uint64_t queue_words = kQueueWords + (culls ? kCullWords : 0);

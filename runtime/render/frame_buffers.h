@@ -14,7 +14,8 @@ struct FrameBuffers {
     Buffer params, control, queues, paths, hits, surfaces, light_queries, light_masks, deferred, film, first_hits,
         beams, pixel_list, gaussian_light, waiting_gaussians;
     Buffer no_cull_boxes; ///< for programs that cull nothing
-    Buffer control_read;  ///< for the host: the control buffer after each of kSamplesAtOnce samples
+    /// For the host: the control buffer after each of kSamplesAtOnce samples of kFramesInFlight submissions.
+    Buffer control_read;
     std::uint32_t lanes = 0;
     std::uint64_t film_pixels = 0;
     std::uint32_t film_layers = 0; ///< filmLayers of the most samples that the film has room for

@@ -12,6 +12,7 @@ InstanceTraits traitsOf(const DeviceScan& file, bool oriented, bool is_tile, boo
             clipped,
             has_balls,
             file.is_gaussian,
+            file.reads_storage,
             0,
             file.harmonics_degree,
             isPaged(file.pages) ? file.pages : PageCounts{}};
@@ -26,7 +27,7 @@ std::vector<SpecConstant> traitConstants(const InstanceTraits& traits) {
     std::vector<SpecConstant> values{{SPEC_UNEVEN, traits.uneven},       {SPEC_ORIENTED, traits.oriented},
                                      {SPEC_NOISY, traits.noisy},         {SPEC_CLIPS_TO_CORE, traits.clips_to_core},
                                      {SPEC_HAS_BALLS, traits.has_balls}, {SPEC_HARMONICS, traits.harmonics},
-                                     {SPEC_CLIPPED, traits.clipped}};
+                                     {SPEC_CLIPPED, traits.clipped},     {SPEC_READS_STORAGE, traits.reads_storage}};
     if (!isPaged(traits.pages)) return values;
     for (const SpecConstant& each : pageConstants(traits.pages)) values.push_back(each);
     return values;

@@ -4,6 +4,7 @@
 #include <ctime>
 #include <utility>
 
+#include "runtime/render/frame_buffers.h"
 #include "runtime/util/clock.h"
 
 namespace pointrt {
@@ -28,34 +29,44 @@ std::size_t groupsOf(PassLanes lanes, std::uint32_t list) {
 
 } // namespace
 
-PassCommands::PassCommands(Device& device, const Buffer& control, const Buffer& read, PassProfile* profile)
-    : device_(device), control_(control), read_(read), profile_(profile) {
-    if (!profile_) {
-        commands_ = beginCommands(device_, "samples");
+std::vector<gpu::Control> readCounters(const Device& device, const PassReadback& readback, std::uint32_t samples) {
+    const auto* read = reinterpret_cast<const gpu::Control*>(hostBytes(device, readback.counters));
+    read += readback.place * kSamplesAtOnce;
+    return {read, read + samples};
+}
+
+PassCommands::PassCommands(Device& device, const Buffer& control, const PassReadback& readback, PassProfile* profile)
+    : device_(device), control_(control), readback_(readback), profile_(profile) {
+    if (submitsEach()) {
+        const HostSpan span(profile_, kReadSpan);
+        counters_ = readControl();
         return;
     }
-    const HostSpan span(profile_, kReadSpan);
-    counters_ = readControl();
+    commands_ = beginCommands(device_, "samples");
+    if (profile_) copyCounters(0);
+    if (readback_.timer) recordTimerStart(commands_, *readback_.timer, readback_.place);
 }
 
 void PassCommands::setParams(const Buffer& buffer, const gpu::FrameParams& params) {
     static_assert(sizeof params <= 65536 && sizeof params % 4 == 0, "limits of vkCmdUpdateBuffer");
-    if (profile_) commands_ = beginCommands(device_);
-    vkCmdUpdateBuffer(commands_, buffer.handle, 0, sizeof params, &params);
-    recordBarrier(commands_);
     const HostSpan span(profile_, "parameters");
-    if (profile_) submitAndWait(device_, commands_);
+    record([&](VkCommandBuffer commands) {
+        vkCmdUpdateBuffer(commands, buffer.handle, 0, sizeof params, &params);
+        recordBarrier(commands);
+    });
 }
 
 void PassCommands::run(const Pass& pass) {
-    if (profile_)
-        runTimed(pass);
+    if (submitsEach())
+        runAlone(pass);
+    else if (profile_)
+        recordTimed(pass);
     else
         record(pass);
 }
 
 void PassCommands::copyHitCounts(const Buffer& counts, const std::vector<std::size_t>& places) {
-    if (profile_) return;
+    if (submitsEach()) return;
     std::vector<VkBufferCopy> copies;
     for (std::size_t k = 0; k < places.size(); ++k) {
         const std::size_t of_tile =
@@ -69,28 +80,37 @@ void PassCommands::copyHitCounts(const Buffer& counts, const std::vector<std::si
 }
 
 void PassCommands::endSample() {
-    if (profile_) {
+    if (submitsEach()) {
         ended_.push_back(counters_);
         return;
     }
-    const VkBufferCopy copy{0, samples_++ * sizeof(gpu::Control), sizeof(gpu::Control)};
-    vkCmdCopyBuffer(commands_, control_.handle, read_.handle, 1, &copy);
+    const VkBufferCopy copy{0, (readback_.place * kSamplesAtOnce + samples_++) * sizeof(gpu::Control),
+                            sizeof(gpu::Control)};
+    vkCmdCopyBuffer(commands_, control_.handle, readback_.counters.handle, 1, &copy);
 }
 
 void PassCommands::record(const std::function<void(VkCommandBuffer)>& commands) {
-    if (profile_) commands_ = beginCommands(device_);
+    if (submitsEach()) commands_ = beginCommands(device_);
     commands(commands_);
-    if (profile_) submitAndWait(device_, commands_);
+    if (submitsEach()) submitAndWait(device_, commands_);
 }
 
 std::vector<gpu::Control> PassCommands::finish() {
-    if (profile_) return std::move(ended_);
-    submitAndWait(device_, commands_);
-    const auto* read = reinterpret_cast<const gpu::Control*>(hostBytes(device_, read_));
-    return {read, read + samples_};
+    if (submitsEach()) return std::move(ended_);
+    if (profile_)
+        readTimed();
+    else
+        waitFor(device_, submit());
+    return readCounters(device_, readback_, samples_);
+}
+
+std::uint64_t PassCommands::submit() {
+    if (readback_.timer) recordTimerEnd(commands_, *readback_.timer, readback_.place);
+    return pointrt::submit(device_, commands_);
 }
 
 void PassCommands::record(const Pass& pass) {
+    const CommandLabel label(device_, commands_, pass.program.name.c_str());
     if (pass.groups != 0)
         recordDispatch(commands_, pass.program, pass.sets, pass.push, {pass.groups, 1, 1});
     else
@@ -99,21 +119,62 @@ void PassCommands::record(const Pass& pass) {
     recordBarrier(commands_);
 }
 
-void PassCommands::runTimed(const Pass& pass) {
+void PassCommands::runAlone(const Pass& pass) {
     PassRun run{pass.program.name.c_str(), pass.lanes, tiles_, counters_, {}, 0, 0, {}, pass.list};
     const Clock::time_point start = Clock::now();
     const std::clock_t cpu = std::clock();
     commands_ = beginCommands(device_);
-    recordTimerStart(commands_, profile_->clock);
+    recordTimerStart(commands_, profile_->clock.timer);
     record(pass);
-    recordTimerEnd(commands_, profile_->clock);
+    recordTimerEnd(commands_, profile_->clock.timer);
     submitAndWait(device_, commands_);
     run.cpu_ms = 1e3 * static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
     run.host_ms = millisecondsSince(start);
     const HostSpan span(profile_, kReadSpan);
-    run.device_ms = elapsedMilliseconds(device_, profile_->clock);
+    run.device_ms = elapsedMilliseconds(device_, profile_->clock.timer);
     run.after = counters_ = readControl();
     addRun(*profile_, run);
+}
+
+void PassCommands::recordTimed(const Pass& pass) {
+    const GpuTimer& timer = profile_->clock.timer;
+    if (timed_.size() == timer.ranges) {
+        readTimed();
+        commands_ = beginCommands(device_, "samples");
+        copyCounters(0);
+    }
+    const Clock::time_point start = Clock::now();
+    const auto range = static_cast<std::uint32_t>(timed_.size());
+    recordTimerStart(commands_, timer, range);
+    record(pass);
+    recordTimerEnd(commands_, timer, range);
+    copyCounters(range + 1);
+    timed_.push_back(
+        {pass.program.name.c_str(), pass.lanes, tiles_, {}, {}, millisecondsSince(start), 0, {}, pass.list});
+}
+
+/// Keeps the counters as they are before the next pass.
+void PassCommands::copyCounters(std::size_t place) {
+    const VkBufferCopy copy{0, place * sizeof(gpu::Control), sizeof(gpu::Control)};
+    vkCmdCopyBuffer(commands_, control_.handle, profile_->clock.counters.handle, 1, &copy);
+    recordBarrier(commands_); // the next pass changes them
+}
+
+/// Submits the passes recorded since the last call, and adds them to the profile.
+void PassCommands::readTimed() {
+    {
+        const HostSpan span(profile_, "wait for the device");
+        submitAndWait(device_, commands_);
+    }
+    const HostSpan span(profile_, kReadSpan);
+    const auto* counters = reinterpret_cast<const gpu::Control*>(hostBytes(device_, profile_->clock.counters));
+    for (std::uint32_t i = 0; i < timed_.size(); ++i) {
+        timed_[i].before = counters[i];
+        timed_[i].after = counters[i + 1];
+        timed_[i].device_ms = elapsedMilliseconds(device_, profile_->clock.timer, i);
+        addRun(*profile_, timed_[i]);
+    }
+    timed_.clear();
 }
 
 gpu::Control PassCommands::readControl() {

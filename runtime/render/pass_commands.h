@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Records and submits passes: all in one submission, or when profiling one submission per pass.
+// Records and submits passes: all in one submission, or when profiling on a CPU device one submission per pass.
 #pragma once
 
 #include <chrono>
@@ -23,13 +23,24 @@ struct Pass {
     std::uint32_t list = 0;   ///< for kList: LIST_* or a culled list
 };
 
+/// Where a submission leaves counters of its samples and its time.
+struct PassReadback {
+    const Buffer& counters; ///< host-readable, with room for kSamplesAtOnce of each submission
+    std::uint32_t place = 0;
+    const GpuTimer* timer = nullptr; ///< times the submission as its range `place`; optional
+};
+
+/// The counters of `samples` samples of a submission that is done.
+std::vector<gpu::Control> readCounters(const Device& device, const PassReadback& readback, std::uint32_t samples);
+
 class PassCommands {
 public:
-    /// Of samples whose counters, gpu::Control, are in control. profile may be null; it and the buffers must outlive
-    /// this.
-    /// @param read room for the counters of samples, host-readable
-    PassCommands(Device& device, const Buffer& control, const Buffer& read, PassProfile* profile);
+    /// Of samples whose counters, gpu::Control, are in control. profile may be null; it, the timer and the buffers must
+    /// outlive this.
+    PassCommands(Device& device, const Buffer& control, const PassReadback& readback, PassProfile* profile);
 
+    /// A name for the passes recorded while it lives, for debuggers; none while profiling.
+    CommandLabel label(const char* name) const { return {device_, profile_ ? VK_NULL_HANDLE : commands_, name}; }
     /// Starts a sample or its next passes. tiles: of the band.
     void beginSample(std::uint32_t tiles) { tiles_ = tiles; }
     /// Sets the parameters of later passes.
@@ -37,7 +48,8 @@ public:
     /// Its writes are visible to later passes.
     void run(const Pass& pass);
     /// Copies how many rays have hit the instances just traced to counts[place] of each: the length of the hit list, or
-    /// where several tiles were traced together what intersect_closest has counted. Not while profiling.
+    /// where several tiles were traced together what intersect_closest has counted. Not where each pass is submitted
+    /// by itself.
     void copyHitCounts(const Buffer& counts, const std::vector<std::size_t>& places);
     /// Keeps the counters as they are after the passes so far. At most `samples` times.
     void endSample();
@@ -45,20 +57,30 @@ public:
     void record(const std::function<void(VkCommandBuffer)>& commands);
     /// Waits for all passes and returns the counters that endSample kept.
     std::vector<gpu::Control> finish();
+    /// Submits all passes in place of finish, and returns the submission's number; its counters are read with
+    /// readCounters. Not while profiling.
+    std::uint64_t submit();
+    std::uint32_t samples() const { return samples_; } ///< ended
 
 private:
+    bool submitsEach() const { return profile_ && !profile_->clock.counters.handle; }
     void record(const Pass& pass);
-    void runTimed(const Pass& pass);
+    void runAlone(const Pass& pass);
+    void recordTimed(const Pass& pass);
+    void copyCounters(std::size_t place);
+    void readTimed();
     gpu::Control readControl();
 
     Device& device_;
-    const Buffer &control_, &read_;
+    const Buffer& control_;
+    PassReadback readback_;
     std::uint32_t tiles_ = 0;
     PassProfile* profile_;
-    VkCommandBuffer commands_ = VK_NULL_HANDLE; ///< when not profiling
+    VkCommandBuffer commands_ = VK_NULL_HANDLE; ///< unless each pass is submitted by itself
     std::uint32_t samples_ = 0;                 ///< ended
-    gpu::Control counters_{};                   ///< when profiling: after the last pass
-    std::vector<gpu::Control> ended_;           ///< when profiling
+    std::vector<PassRun> timed_;                ///< recorded, when profiling
+    gpu::Control counters_{};                   ///< after the last pass that was submitted by itself
+    std::vector<gpu::Control> ended_;           ///< of samples whose passes were submitted by themselves
 };
 
 } // namespace pointrt

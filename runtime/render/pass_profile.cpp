@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "runtime/util/clock.h"
+#include "runtime/util/on_error.h"
 
 namespace pointrt {
 namespace {
@@ -67,6 +68,10 @@ constexpr PassBytes kPassBytes[] = {
     {"caustic", kWord + kQuery + kAddedLight},
 };
 
+/// Passes timed in one submission: those of a sample of a long path, or of many lamps. A submission with more is
+/// divided.
+constexpr std::uint32_t kTimedPasses = 256;
+
 /// Entries that a run has appended to queues and lists, and the bytes stored with them.
 struct Appended {
     std::uint64_t entries = 0, bytes = 0;
@@ -110,8 +115,27 @@ Tally& tallyOf(std::vector<Tally>& tallies, const std::string& name) {
 
 } // namespace
 
+PassClock createPassClock(Device& device) {
+    PassClock clock;
+    if (device.type == VK_PHYSICAL_DEVICE_TYPE_CPU) {
+        clock.timer = createGpuTimer(device);
+        return clock;
+    }
+    clock.timer = createGpuTimer(device, kTimedPasses);
+    const OnError undo([&] { destroyPassClock(device, clock); });
+    if (clock.timer.pool)
+        clock.counters = createBuffer(device, "profile counters", (kTimedPasses + 1) * sizeof(gpu::Control), 0,
+                                      MemoryHome::kReadback);
+    return clock;
+}
+
+void destroyPassClock(Device& device, PassClock& clock) {
+    destroyGpuTimer(device, clock.timer);
+    destroyBuffer(device, clock.counters);
+}
+
 void clearProfile(PassProfile& profile) {
-    const GpuTimer clock = profile.clock;
+    const PassClock clock = profile.clock;
     profile = {};
     profile.clock = clock;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runtime/gpu/gpu_timer.h"
+#include "runtime/gpu/resources.h"
 #include "shaders/shared/params.h"
 
 namespace pointrt {
@@ -18,8 +19,8 @@ struct PassTally {
     std::string name; ///< of the program
     std::uint64_t runs = 0;
     double device_ms = 0;        ///< by the device's clock, if it has one
-    double host_ms = 0;          ///< recording, submission and waiting, by the host's clock
-    double cpu_ms = 0;           ///< CPU time of this process meanwhile, including a CPU device's threads
+    double host_ms = 0;          ///< by the host's clock: recording and, of a submission of its own, the rest of it
+    double cpu_ms = 0;           ///< CPU time of this process meanwhile, including a CPU device's threads; or 0
     std::uint64_t lanes_in = 0;  ///< lanes with work
     std::uint64_t lanes_out = 0; ///< entries they appended to queues and lists
     /// Bytes of queues, paths, hits, surfaces, light and film loaded and stored, by the sources. Excludes what
@@ -33,8 +34,20 @@ struct HostTally {
     double ms = 0;
 };
 
+/// What measures passes. On a CPU device, or without timestamps, each pass is a submission of its own, whose processor
+/// time is measured too; elsewhere the passes of a submission are timed within it.
+struct PassClock {
+    GpuTimer timer;
+    Buffer
+        counters; ///< gpu::Control before each pass of a submission and after the last; without a handle: one pass each
+};
+
+/// Owned by the caller: free it with destroyPassClock before the device.
+PassClock createPassClock(Device& device);
+void destroyPassClock(Device& device, PassClock& clock);
+
 struct PassProfile {
-    GpuTimer clock; ///< owned by the session
+    PassClock clock; ///< owned by the session
     std::uint64_t frames = 0;
     double frames_ms = 0;          ///< total time of the frames, by the host's clock
     std::vector<PassTally> passes; ///< ordered by first run

@@ -110,6 +110,9 @@ Constants constantsFor(const Device& device, const DeviceScene& scene, const Ren
     constants.gathers_photons = castsCaustics(scene) && usesLights(settings.integrator);
     // beam is shared by all instances; for whole files the core is the whole grid
     constants.instance.clips_to_core = !scene.sets.empty();
+    constants.instance.reads_storage =
+        device.type != VK_PHYSICAL_DEVICE_TYPE_CPU &&
+        std::all_of(scene.files.begin(), scene.files.end(), [](const DeviceScan& each) { return each.reads_storage; });
     return constants;
 }
 

@@ -28,6 +28,7 @@ void ProgressiveRenderer::begin(const RenderPlan& plan, const FrameJob& job, std
     plan_ = plan;
     take_rows_ = job.take_rows;
     may_abort_ = job.interrupted || job.limits.seconds;
+    may_overlap_ = !job.limits.seconds;
     film_.width = 0; // keeps its memory
     const std::uint32_t rows = plan.tiling.band_rows;
     std::vector<FrameBand> bands = start ? frameBands(*start, rows) : emptyBands(plan.settings.height, rows);
@@ -63,6 +64,7 @@ bool ProgressiveRenderer::openStrip(std::uint32_t most_rows) {
     sample.preview = plan_.preview;
     sample.first_hits = traces_hits_ && open_->samples == 0;
     strip_ = Strip{rows_done_, sample};
+    strip_seconds_ = 0;
     return true;
 }
 
@@ -82,8 +84,16 @@ bool ProgressiveRenderer::openNextBand() {
 }
 
 bool ProgressiveRenderer::traceStrip(std::uint32_t bounces, const std::function<void(VkCommandBuffer)>& then) {
-    tracePasses(device_, tracer_, strip_->sample, bounces, rays_, then);
-    if (!strip_->sample.done) return false;
+    if (overlaps(bounces)) {
+        submitStrip(bounces, then);
+    } else {
+        finishAll();
+        const double start = steadySeconds();
+        tracePasses(device_, tracer_, strip_->sample, bounces, rays_, then);
+        strip_seconds_ += steadySeconds() - start;
+        if (!strip_->sample.done) return false;
+        times_.push_back(timeOf(strip_->sample, strip_seconds_));
+    }
     const std::uint32_t rows = strip_->sample.rows;
     strip_.reset();
     light_waits_ = true;
@@ -92,16 +102,42 @@ bool ProgressiveRenderer::traceStrip(std::uint32_t bounces, const std::function<
     return true;
 }
 
+/// Whether the strip can be left to the device while the next is recorded.
+bool ProgressiveRenderer::overlaps(std::uint32_t bounces) const {
+    return may_overlap_ && strip_->sample.pass == 0 && canOverlap(tracer_) && endsIn(tracer_, plan_.settings, bounces);
+}
+
+void ProgressiveRenderer::submitStrip(std::uint32_t bounces, const std::function<void(VkCommandBuffer)>& then) {
+    // with what else was submitted before the last strip, such as its presentation
+    if (in_flight_.size() == kFramesInFlight) waitFor(device_, in_flight_.back().passes.submission - 1);
+    while (in_flight_.size() >= kFramesInFlight) finishOldest();
+    in_flight_.push_back({submitPasses(device_, tracer_, strip_->sample, bounces, then), timeOf(strip_->sample, 0)});
+}
+
+void ProgressiveRenderer::finishOldest() {
+    StripTime time = in_flight_.front().time;
+    time.seconds = finishPasses(device_, tracer_, in_flight_.front().passes, rays_);
+    in_flight_.pop_front();
+    times_.push_back(time);
+}
+
+void ProgressiveRenderer::finishAll() {
+    while (!in_flight_.empty()) finishOldest();
+}
+
+StripTime ProgressiveRenderer::timeOf(const BandSample& sample, double seconds) const {
+    return {std::uint64_t{sample.width} * sample.rows, seconds, plan_.preview, sample.first_hits};
+}
+
 FrameState ProgressiveRenderer::run() {
     StripPace pace(splatsPerCell(*tracer_.scene), device_.type);
     const std::uint32_t width = plan_.settings.width, most = plan_.tiling.strip_rows;
     while (openStrip(may_abort_ ? pace.rowsFor(width, most) : most)) {
-        const double start = steadySeconds();
-        const std::uint64_t pixels = std::uint64_t{width} * strip_->sample.rows;
         while (!traceStrip(plan_.settings.bounces)) {
         }
-        pace.update(pixels, steadySeconds() - start);
+        for (const StripTime& each : takeTimes()) pace.update(each.pixels, each.seconds);
     }
+    finishAll();
     store();
     return schedule_->state();
 }

@@ -4,8 +4,11 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "runtime/image/film.h"
 #include "runtime/render/band_tracer.h"
@@ -29,6 +32,14 @@ struct Strip {
     BandSample sample;
 };
 
+/// What a strip took that is complete.
+struct StripTime {
+    std::uint64_t pixels = 0;
+    double seconds = 0;      ///< of the device, if strips overlap; else by the host's clock
+    bool is_preview = false; ///< of the plan
+    bool has_first_hits = false;
+};
+
 class ProgressiveRenderer {
 public:
     /// tracer must outlive it, have a scene with its tables on the device, and room for the pixels rendered.
@@ -46,7 +57,9 @@ public:
     /// Starts a strip of at most `rows` rows once its photons are ready. Call only between strips. False if the job is
     /// done, interrupted or late.
     bool openStrip(std::uint32_t rows);
-    /// Traces the strip further in one submission: the camera rays, and `bounces` bounces. True once it is complete.
+    /// Traces the strip further in one submission: the camera rays, and `bounces` bounces. True once it is complete, or
+    /// will be before what is submitted next: where strips overlap, waits for all that was submitted before the last
+    /// strip, and not for this one.
     /// @param then records commands to run in the same submission
     bool traceStrip(std::uint32_t bounces, const std::function<void(VkCommandBuffer)>& then = {});
     /// Completes the job, in strips of the plan's rows, or fewer if those take long (strip_pace.h) and the frame may be
@@ -58,6 +71,10 @@ public:
         if (schedule_) schedule_->setSamples(samples);
     }
 
+    /// Whether the device may still be tracing strips that count as complete.
+    bool isAhead() const { return !in_flight_.empty(); }
+    /// Times of the strips completed since the last call, without those that the device may still be tracing.
+    std::vector<StripTime> takeTimes() { return std::exchange(times_, {}); }
     const std::optional<Strip>& strip() const { return strip_; } ///< in progress
     /// Samples that every pixel has.
     std::uint32_t samples() const { return schedule_ ? schedule_->samples() : 0; }
@@ -72,6 +89,16 @@ public:
     Film takeFilm();
 
 private:
+    struct StripInFlight {
+        PassesInFlight passes;
+        StripTime time;
+    };
+
+    bool overlaps(std::uint32_t bounces) const;
+    void submitStrip(std::uint32_t bounces, const std::function<void(VkCommandBuffer)>& then);
+    void finishOldest();
+    void finishAll();
+    StripTime timeOf(const BandSample& sample, double seconds) const;
     bool openNextBand();
     bool showPhotonsFor(std::uint32_t sample);
     void store();
@@ -88,7 +115,11 @@ private:
     bool light_waits_ = false;        ///< its light is not on the host yet
     bool hits_wait_ = false;          ///< its first hits are not on the host yet
     std::uint32_t rows_done_ = 0;
+    bool may_overlap_ = false; ///< the job has no time limit, which a strip more would overrun
     std::optional<Strip> strip_;
+    double strip_seconds_ = 0;            ///< of its submissions so far
+    std::deque<StripInFlight> in_flight_; ///< oldest first, at most kFramesInFlight
+    std::vector<StripTime> times_;
     RayCounts rays_;
     Film film_;                     ///< on the host; width 0 until something is stored
     std::uint32_t film_origin_ = 0; ///< row of the picture where it starts

@@ -2,6 +2,7 @@
 #include "runtime/render/sample_recorder.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace pointrt {
@@ -20,6 +21,7 @@ SampleRecorder::SampleRecorder(PassCommands& commands, const BandTracer& tracer,
       stores_first_hits_(sample.at_listed_pixels && sample.first_hits) {}
 
 void SampleRecorder::firstHits() {
+    const CommandLabel label = commands_.label("first hits");
     const std::uint32_t bits = STEP_CENTER | (pixel_list_ ? 0u : STEP_FIRST_HIT);
     prepare(bits | STEP_RESET);
     intersectCamera(bits);
@@ -28,6 +30,7 @@ void SampleRecorder::firstHits() {
 }
 
 void SampleRecorder::begin() {
+    const CommandLabel label = commands_.label("camera rays");
     prepare(STEP_RESET);
     if (sample_ > 0 && sample_ % FILM_BATCH == 0) run(tracer_.programs.fold_film, tracer_.instances.sets, 0, rays_);
     intersectCamera(center_);
@@ -44,6 +47,7 @@ void SampleRecorder::begin() {
 }
 
 void SampleRecorder::pass(std::uint32_t index) {
+    const CommandLabel label = commands_.label(("bounce " + std::to_string(index)).c_str());
     const std::uint32_t queue = index % 2 ? STEP_QUEUE_ONE : 0u;
     rays_ = index % 2 ? PassLanes::kQueueOne : PassLanes::kQueueZero;
     const PassPrograms& programs = tracer_.programs.queued;

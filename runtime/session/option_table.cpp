@@ -254,8 +254,9 @@ OptionGroup runOptions() {
          {"--stats", "FILE", "Write counts and timings as JSON to FILE, - for standard output (default: off)",
           [](Options& o, const std::string& text) { o.stats = text; }, ".json"},
          {.names = "--profile",
-          .help = "Print the time of each pass to standard error, and add it to --stats and --bench as \"profile\"; "
-                  "passes no longer overlap, so frames take slightly longer (default: off)",
+          .help =
+              "Print the time of each pass to standard error, and add it to --stats and --bench as \"profile\"; "
+              "passes no longer overlap, so frames take slightly longer; GPUs time passes themselves (default: off)",
           .flag = &Options::profile},
          {"--progress", "auto|lines",
           "Progress on standard error: auto redraws one line on a terminal, lines prints 'progress SHARE DETAIL' for "

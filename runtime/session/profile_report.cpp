@@ -9,10 +9,20 @@
 namespace pointrt {
 namespace {
 
-std::string passJson(const PassTally& pass, bool has_clock) {
+/// Whether the processor's time of each pass is known.
+bool hasCpuTime(const PassProfile& profile) { return profile.clock.counters.handle == VK_NULL_HANDLE; }
+bool hasDeviceTime(const PassProfile& profile) { return profile.clock.timer.pool != VK_NULL_HANDLE; }
+
+/// What a pass takes: where it is timed within a submission, the device's time alone.
+double timeOf(const PassProfile& profile, const PassTally& pass) {
+    return hasCpuTime(profile) ? pass.host_ms : pass.device_ms;
+}
+
+std::string passJson(const PassProfile& profile, const PassTally& pass) {
     return "{\"pass\": " + jsonText(pass.name) + ", \"runs\": " + std::to_string(pass.runs) +
-           ", \"device_ms\": " + (has_clock ? jsonNumber(pass.device_ms) : "null") +
-           ", \"host_ms\": " + jsonNumber(pass.host_ms) + ", \"cpu_ms\": " + jsonNumber(pass.cpu_ms) +
+           ", \"device_ms\": " + (hasDeviceTime(profile) ? jsonNumber(pass.device_ms) : "null") +
+           ", \"host_ms\": " + jsonNumber(pass.host_ms) +
+           ", \"cpu_ms\": " + (hasCpuTime(profile) ? jsonNumber(pass.cpu_ms) : "null") +
            ", \"lanes_in\": " + std::to_string(pass.lanes_in) + ", \"lanes_out\": " + std::to_string(pass.lanes_out) +
            ", \"bytes\": " + std::to_string(pass.bytes) + "}";
 }
@@ -38,13 +48,14 @@ std::string line(const char* format, Values... values) {
 
 double millions(std::uint64_t count) { return 1e-6 * static_cast<double>(count); }
 
-std::string passLine(const PassTally& pass, bool has_clock) {
-    const std::string device = has_clock ? line("%10.1f", pass.device_ms) : "         -";
+std::string passLine(const PassProfile& profile, const PassTally& pass) {
+    const std::string device = hasDeviceTime(profile) ? line("%10.1f", pass.device_ms) : "         -";
+    const std::string cpu = hasCpuTime(profile) ? line("%10.1f", pass.cpu_ms) : "         -";
     const bool over_lists = pass.lanes_in > pass.runs; // lanes are queue entries
     const std::string lane_ns =
-        over_lists ? line("%9.1f", 1e6 * pass.host_ms / static_cast<double>(pass.lanes_in)) : "        -";
-    return line("  %-34s %7llu %s %10.1f %10.1f %10.3f %10.3f %9.1f %s\n", pass.name.c_str(),
-                static_cast<unsigned long long>(pass.runs), device.c_str(), pass.host_ms, pass.cpu_ms,
+        over_lists ? line("%9.1f", 1e6 * timeOf(profile, pass) / static_cast<double>(pass.lanes_in)) : "        -";
+    return line("  %-34s %7llu %s %10.1f %s %10.3f %10.3f %9.1f %s\n", pass.name.c_str(),
+                static_cast<unsigned long long>(pass.runs), device.c_str(), pass.host_ms, cpu.c_str(),
                 millions(pass.lanes_in), millions(pass.lanes_out), millions(pass.bytes), lane_ns.c_str());
 }
 
@@ -53,10 +64,9 @@ std::string hostLine(const char* name, double ms) { return line("  %-34s %29.1f\
 } // namespace
 
 std::string profileJson(const PassProfile& profile) {
-    const bool has_clock = profile.clock.pool != VK_NULL_HANDLE;
     return "{\"frames\": " + std::to_string(profile.frames) + ", \"frames_ms\": " + jsonNumber(profile.frames_ms) +
            ",\n   \"passes\": " +
-           listed(profile.passes, [&](const PassTally& pass) { return passJson(pass, has_clock); }) +
+           listed(profile.passes, [&](const PassTally& pass) { return passJson(profile, pass); }) +
            ",\n   \"host\": " + listed(profile.host, hostJson) +
            ",\n   \"unaccounted_ms\": " + jsonNumber(unaccountedMilliseconds(profile)) + "}";
 }
@@ -64,10 +74,10 @@ std::string profileJson(const PassProfile& profile) {
 std::string profileTable(const PassProfile& profile) {
     std::vector<PassTally> passes = profile.passes;
     std::stable_sort(passes.begin(), passes.end(),
-                     [](const PassTally& a, const PassTally& b) { return a.host_ms > b.host_ms; });
+                     [&](const PassTally& a, const PassTally& b) { return timeOf(profile, a) > timeOf(profile, b); });
     std::string table = line("  %-34s %7s %10s %10s %10s %10s %10s %9s %9s\n", "pass", "runs", "device ms", "host ms",
                              "cpu ms", "M lanes in", "M out", "MB", "ns/lane");
-    for (const PassTally& pass : passes) table += passLine(pass, profile.clock.pool != VK_NULL_HANDLE);
+    for (const PassTally& pass : passes) table += passLine(profile, pass);
     for (const HostTally& span : profile.host) table += hostLine(span.name.c_str(), span.ms);
     table += hostLine("unaccounted for", unaccountedMilliseconds(profile));
     return table +

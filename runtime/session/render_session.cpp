@@ -72,7 +72,7 @@ RenderSession::RenderSession(const Options& options) : device(createDevice({opti
 RenderSession::~RenderSession() {
     renderer.reset();
     loaded.reset();
-    if (profile) destroyGpuTimer(device, profile->clock);
+    if (profile) destroyPassClock(device, profile->clock);
     destroyDevice(device);
 }
 
@@ -90,7 +90,7 @@ void loadSession(RenderSession& session, SceneDescription description, const Opt
     chooseLayers(session, options);
     if (options.profile) {
         session.profile.emplace();
-        session.profile->clock = createGpuTimer(session.device);
+        session.profile->clock = createPassClock(session.device);
         session.loaded->tracer.profile = &*session.profile;
     }
     session.renderer.emplace(session.device, session.loaded->tracer);

@@ -44,14 +44,15 @@ void selectTile(uint place) {
 
 #define loadClipPlane(i) pooledVector(kClipPlaneRow + int(i))
 #define loadColorRange(i) pooledRow(kColorRangeRow + int(i))
-#define loadGrid(i) imageLoad(grid_words, int((i) + instance.words.x)).x
-#define loadBrickWord(i) imageLoad(brick_words, int((i) + instance.words.y)).x
-#define loadSlab(i) imageLoad(slab_words, int((i) + instance.words.z)).x
-#define loadBlending(i) imageLoad(blending_words, int((i) + instance.words.w)).x
-#define loadCell(i) texelFetch(cell_words, int((i) + instance.quads.x))
-#define loadNearPair(i) imageLoad(near_words, int((i) + instance.quads.y))
-#define loadSplat(i) imageLoad(splat_words, int((i) + instance.quads.z))
-#define loadListed(i) texelFetch(listed_words, int((i) + instance.listed)).x
+#define loadGrid(i) LOAD_IMAGE_WORD(grid_array, grid_words, (i) + instance.words.x)
+#define loadBrickWord(i) LOAD_IMAGE_WORD(brick_array, brick_words, (i) + instance.words.y)
+#define loadSlab(i) LOAD_IMAGE_WORD(slab_array, slab_words, (i) + instance.words.z)
+#define loadBlending(i) LOAD_IMAGE_WORD(blending_array, blending_words, (i) + instance.words.w)
+#define loadCell(i) LOAD_TEXEL(cell_array, cell_words, (i) + instance.quads.x)
+#define loadNearPair(i) LOAD_IMAGE(near_array, near_words, (i) + instance.quads.y)
+#define loadSplat(i) LOAD_IMAGE(splat_array, splat_words, (i) + instance.quads.z)
+#define loadListed(i) \
+    (kReadsStorage ? listed_array[(i) + instance.listed] : texelFetch(listed_words, int((i) + instance.listed)).x)
 #define loadNoise(i) \
     (texelFetch(noise_words, int(((i) >> 4) + instance.quads.w))[(i) >> 2 & 3u] >> (8u * ((i) & 3u)) & 0xFFu)
 

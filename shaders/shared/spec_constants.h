@@ -51,7 +51,9 @@ enum class SpecId : std::uint32_t {};
 // Whether the scene has clips.
 #define SPEC_CLIPPED POINTRT_SPEC(26)
 // Eyes of a panorama (shaders/lib/camera_ray.glsl); 0: another camera.
-#define SPEC_PANORAMA_EYES POINTRT_SPEC(27)
+#define SPEC_PANORAMA_EYES POINTRT_SPEC(28)
+// Whether the instance's buffers are read as storage buffers (shaders/lib/instance_bindings.glsl).
+#define SPEC_READS_STORAGE POINTRT_SPEC(27)
 // Display pipeline and denoiser.
 #define SPEC_HAS_FIRST_HITS POINTRT_SPEC(14)
 #define SPEC_KNOWS_VARIANCE POINTRT_SPEC(15)

@@ -120,6 +120,7 @@ struct RayCaster::State {
                                        {SPEC_CLIPS_TO_CORE, 0},
                                        {SPEC_CLIPPED, scene.features & FEATURE_CLIPS},
                                        {SPEC_HAS_BALLS, (file().info.flags & PRO_FLAG_BALLS) != 0},
+                                       {SPEC_READS_STORAGE, file().reads_storage},
                                        {SPEC_INTEGRATOR, 0},
                                        {SPEC_FEATURES, ~0u},
                                        {SPEC_CAMERA_PASS, 0},

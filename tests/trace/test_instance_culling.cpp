@@ -33,8 +33,8 @@ protected:
         writeHandCutSet(folder, {{-1.25, -1.25, -1.25}, 1.25, 2, 1, splats.radii[0]}, splats, splats);
     }
     ~InstanceCulling() override { std::filesystem::remove_all(folder); }
-    void SetUp() override { profile.clock = createGpuTimer(device); }
-    void TearDown() override { destroyGpuTimer(device, profile.clock); }
+    void SetUp() override { profile.clock = createPassClock(device); }
+    void TearDown() override { destroyPassClock(device, profile.clock); }
 
     /// Scattered balls of different sizes.
     SceneDescription crowd(std::uint32_t count) const {

@@ -44,7 +44,9 @@ void UserInterface::draw(Workspace& work, double seconds) {
     host_.setCursor(uiCursor());
 }
 
-void UserInterface::present() { pointrt::present(host_.device(), host_.presenter(), ImGui::GetDrawData()); }
+void UserInterface::present(const std::function<void(VkCommandBuffer)>& uploads) {
+    pointrt::present(host_.device(), host_.presenter(), ImGui::GetDrawData(), uploads);
+}
 
 void UserInterface::savePng(const std::string& path) {
     writePng(path, readFrame(host_.device(), host_.presenter(), ImGui::GetDrawData()));

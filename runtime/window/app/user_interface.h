@@ -29,7 +29,7 @@ public:
     /// Draws the panels, which write the user's requests to work. seconds: since the last frame.
     void draw(Workspace& work, double seconds);
     /// Presents the picture with the panels on top.
-    void present();
+    void present(const std::function<void(VkCommandBuffer)>& uploads);
     /// Writes the same to a PNG.
     void savePng(const std::string& path);
 

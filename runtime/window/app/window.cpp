@@ -88,15 +88,20 @@ std::optional<ShownPicture> shownPicture(const ImageController& image) {
 
 } // namespace
 
-Window::Window(const Options& options)
-    : options_(options), session_(options.replay), host_(hostRequest(options, session_)), ui_(host_),
-      meter_(Clock::now()), editor_(work_), jobs_([this](const std::string& text, bool error) { notify(text, error); }),
+Window::Window(const Options& options, std::optional<ReopenedWindow> reopened)
+    : options_(options), session_(reopened ? std::move(reopened->session) : RecordReplay(options.replay)),
+      host_(hostRequest(options, session_)), ui_(host_), meter_(Clock::now()), editor_(work_),
+      jobs_([this](const std::string& text, bool error) { notify(text, error); }),
       opener_(
           jobs_, [this](const std::string& text, bool error) { notify(text, error); },
           [this](const SceneSource& scene, bool first) { return startLoad(scene, first); }) {
-    if (!options.record.empty()) session_.startRecording(options.record, host_.size());
+    if (!options.record.empty() && !reopened) session_.startRecording(options.record, host_.size());
     work_.recent_files = recentFiles(userStateFolder());
-    if (!options.inputs.empty()) opener_.openNamed({options.inputs, options.bake_options});
+    if (reopened) notify("the graphics device was lost and has been opened again", true);
+    if (reopened && reopened->scene)
+        opener_.open(*reopened->scene);
+    else if (!options.inputs.empty())
+        opener_.openNamed({options.inputs, options.bake_options});
 }
 
 void Window::notify(const std::string& text, bool error) {
@@ -245,7 +250,7 @@ bool Window::frame() {
     autosave();
     requestTiles();
     updatePicture();
-    ui_.present();
+    ui_.present(std::exchange(uploads_, {}));
     meter_.end(Clock::now(), shownPicture(image_));
     for (const std::string& name : std::exchange(input_.screenshots, {})) ui_.savePng(name + ".png");
     return !quit_ || jobs_.has(JobKind::kSave) ||
@@ -263,6 +268,16 @@ void Window::run() {
     if (!options_.stats.empty()) writeReport(options_.stats, windowReportJson(report));
 }
 
-void runWindow(const Options& options) { Window(options).run(); }
+void runWindow(const Options& options) {
+    auto window = std::make_unique<Window>(options);
+    std::optional<ReopenedWindow> left;
+    try {
+        return window->run();
+    } catch (const DeviceLost&) {
+        left = window->handOver();
+    }
+    window.reset();                         // the device of a process is one at a time
+    Window(options, std::move(left)).run(); // a device that is lost again ends the program; edits are in the autosave
+}
 
 } // namespace pointrt

@@ -147,12 +147,19 @@ void Window::autosave() {
 /// Offers the edits of scene that a program that was killed has left.
 void Window::offerAutosave(const SceneSource& scene) {
     autosaved_revision_ = editor_.revision();
-    if (scene.is_autosave) return editor_.markUnsaved();
+    const std::string folder = userStateFolder();
+    const auto takeAutosave = [&] {
+        autosave_ = std::make_unique<Autosave>(folder.empty() ? folder : folder + "/autosave", scene.name());
+    };
+    if (scene.is_autosave) {
+        if (!autosave_) takeAutosave(); // it was reopened with the device
+        if (!scene.only_view) editor_.markUnsaved();
+        return;
+    }
     if (scene.follows_quick) return; // it has been offered with the quick bake
     if (autosave_) autosave_->discard();
-    const std::string folder = userStateFolder();
     addRecentFile(folder, scene.name());
-    autosave_ = std::make_unique<Autosave>(folder.empty() ? folder : folder + "/autosave", scene.name());
+    takeAutosave();
     if (autosave_->left().empty()) return;
     ask({"pointrt ended before the changes to " + nameOf(work_) + " were saved.", {"Discard them", "Restore them"}},
         [this, scene](std::size_t answer) {
@@ -161,6 +168,15 @@ void Window::offerAutosave(const SceneSource& scene) {
             else
                 opener_.open({autosave_->left(), scene.name(), true});
         });
+}
+
+ReopenedWindow Window::handOver() {
+    ReopenedWindow next{std::move(session_), {}};
+    if (!loaded_ || !autosave_ || autosave_->path().empty() || shows_quick_bake_) return next;
+    autosave_->write(sceneAsShown(work_, {host_.pixels().width, host_.pixels().height}));
+    next.scene = SceneSource{autosave_->path(), work_.scene.path, true};
+    next.scene->only_view = !editor_.isModified();
+    return next;
 }
 
 } // namespace pointrt

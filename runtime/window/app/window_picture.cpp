@@ -59,26 +59,30 @@ ImageRequest imageRequest(const Workspace& work, PixelSize pixels) {
     return request;
 }
 
-/// Copies the picture's changed rows to the canvas. Returns false if nothing has changed.
-bool uploadPicture(Host& host, ImageController& image) {
-    ViewportRenderer& live = *image.live();
-    if (live.updates().empty()) return false;
+/// Copies the picture's changed rows to the canvas.
+void recordUploads(VkCommandBuffer commands, Host& host, const Buffer& pixels,
+                   const std::vector<PictureUpdate>& updates) {
     const PixelSize canvas{host.pixels().width, host.pixels().height};
-    if (canvas != image.size()) { // the window was resized: its picture comes with the next frame
-        live.clearUpdates();
-        return false;
-    }
-    const VkCommandBuffer commands = beginCommands(host.device());
     std::optional<PixelSize> scaled;
-    for (const PictureUpdate& update : live.updates())
+    for (const PictureUpdate& update : updates)
         if (update.size == canvas)
-            recordUploadRows(commands, host.presenter(), live.pixels(), update.first_row, update.rows);
+            recordUploadRows(commands, host.presenter(), pixels, update.first_row, update.rows);
         else
             scaled = update.size;
-    submitAndWait(host.device(), commands);
+    if (scaled) recordUploadPreview(host.device(), commands, host.presenter(), pixels, scaled->width, scaled->height);
+}
+
+/// What records the copy of the picture's changed rows to the canvas; empty if nothing has changed.
+std::function<void(VkCommandBuffer)> takeUploads(Host& host, ImageController& image) {
+    ViewportRenderer& live = *image.live();
+    std::vector<PictureUpdate> updates = live.updates();
     live.clearUpdates();
-    if (scaled) uploadScaled(host.device(), host.presenter(), live.pixels(), scaled->width, scaled->height);
-    return true;
+    const PixelSize canvas{host.pixels().width, host.pixels().height};
+    // after a change of the window's size, its picture comes with the next frame
+    if (updates.empty() || canvas != image.size()) return {};
+    return [&host, &pixels = live.pixels(), updates = std::move(updates)](VkCommandBuffer commands) {
+        recordUploads(commands, host, pixels, updates);
+    };
 }
 
 } // namespace
@@ -219,8 +223,8 @@ void Window::updatePicture() {
     }
     work_.requests.look_changed = false;
     if (image_.work()) refineWithoutRedraw();
-    if (uploadPicture(host_, image_) && meter_.report.first_picture_s < 0)
-        meter_.report.first_picture_s = secondsSinceStart();
+    uploads_ = takeUploads(host_, image_);
+    if (uploads_ && meter_.report.first_picture_s < 0) meter_.report.first_picture_s = secondsSinceStart();
     if (image_.isFilmReady() && !jobs_.has(JobKind::kSave)) tryOrNotify("", [&] { saveFilm(); });
 }
 

@@ -35,14 +35,23 @@ struct TileView {
     bool operator==(const TileView&) const = default;
 };
 
+/// What a window that lost its device leaves to the next one.
+struct ReopenedWindow {
+    RecordReplay session;
+    std::optional<SceneSource> scene; ///< none: it opens what the options name
+};
+
 class Window {
 public:
-    explicit Window(const Options& options);
+    /// reopened: of the window in whose place it is opened, if there is one.
+    explicit Window(const Options& options, std::optional<ReopenedWindow> reopened = {});
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    /// Runs until the window is closed.
+    /// Runs until the window is closed. Throws DeviceLost; then only handOver and the destructor may follow.
     void run();
+    /// Keeps the scene with its edits and view in its autosave.
+    ReopenedWindow handOver();
 
 private:
     // window.cpp
@@ -109,7 +118,8 @@ private:
     double autosaved_s_ = 0;                     ///< on the window's clock
     std::function<void(std::size_t)> on_answer_; ///< of work_.question
     ImageController image_;
-    JobQueue jobs_; ///< after the members that jobs use, so that jobs end first
+    std::function<void(VkCommandBuffer)> uploads_; ///< records what brings the canvas up to date; empty: it is
+    JobQueue jobs_;                                ///< after the members that jobs use, so that jobs end first
     FileOpener opener_;
     std::unique_ptr<FileDialog> dialog_; ///< while the desktop's dialog is open
     bool quit_ = false;

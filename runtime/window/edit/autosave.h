@@ -22,6 +22,8 @@ public:
 
     /// Path of the scene file with unsaved edits from a session that crashed; empty if there is none.
     const std::string& left() const { return left_; }
+    /// Where write puts the scene; empty if nowhere.
+    const std::string& path() const { return path_; }
     /// Throws Error as writeSceneFile does.
     void write(const SceneDescription& scene);
     /// Deletes the file: the edits are saved, or not wanted.

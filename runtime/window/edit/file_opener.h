@@ -19,6 +19,7 @@ struct SceneSource {
     bool is_quick = false;               ///< path is a quick bake of source
     bool follows_quick = false;          ///< the full bake, after a quick one
     std::vector<std::string> added = {}; ///< further scans (.pro, .proset) beside path
+    bool only_view = false;              ///< of an autosave: it differs from source in the view alone
 
     const std::string& name() const { return source.empty() ? path : source; }
 };

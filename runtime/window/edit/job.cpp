@@ -47,7 +47,7 @@ void Job::run(const Work& work) {
     } catch (const JobCancelled&) {
         end(JobState::kCancelled);
     } catch (const Error& error) {
-        end(JobState::kFailed, error.what(), error.code);
+        end(JobState::kFailed, error.what(), error.code, std::current_exception());
     } catch (const std::bad_alloc&) {
         end(JobState::kFailed, "out of memory");
     } catch (const std::exception& error) {
@@ -57,8 +57,9 @@ void Job::run(const Work& work) {
     }
 }
 
-void Job::end(JobState state, const std::string& error, ExitCode code) {
+void Job::end(JobState state, const std::string& error, ExitCode code, std::exception_ptr thrown) {
     const std::lock_guard lock(control_.mutex_);
+    control_.thrown_ = std::move(thrown);
     control_.error_ = error;
     control_.code_ = code;
     control_.state_ = state;
@@ -79,6 +80,11 @@ ExitCode Job::errorCode() const {
     return control_.code_;
 }
 
+std::exception_ptr Job::thrown() const {
+    const std::lock_guard lock(control_.mutex_);
+    return control_.thrown_;
+}
+
 JobStatus Job::status() const {
     const std::lock_guard lock(control_.mutex_);
     JobStatus status;
@@ -93,7 +99,9 @@ JobStatus Job::status() const {
 }
 
 void throwIfFailed(const Job& job) {
-    if (job.state() == JobState::kFailed) throw Error{job.errorCode(), job.error()};
+    if (job.state() != JobState::kFailed) return;
+    if (const std::exception_ptr thrown = job.thrown()) std::rethrow_exception(thrown);
+    throw Error{job.errorCode(), job.error()};
 }
 
 std::optional<double> secondsLeft(double share, double reported_s, double now_s) {

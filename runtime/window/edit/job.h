@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -38,6 +39,7 @@ private:
     std::string detail_, error_;
     std::optional<double> progress_;
     Clock::time_point start_ = Clock::now(), progress_time_;
+    std::exception_ptr thrown_; ///< an Error that the work failed with
     ExitCode code_ = ExitCode::kDone;
     JobState state_ = JobState::kRunning;
     std::stop_token stop_;
@@ -63,11 +65,14 @@ public:
     std::string error() const;
     /// The exit code for that error.
     ExitCode errorCode() const;
+    /// The Error that it failed with, of the type that was thrown; null if there is none.
+    std::exception_ptr thrown() const;
     JobStatus status() const;
 
 private:
     void run(const Work& work);
-    void end(JobState state, const std::string& error = {}, ExitCode code = ExitCode::kCannotRun);
+    void end(JobState state, const std::string& error = {}, ExitCode code = ExitCode::kCannotRun,
+             std::exception_ptr thrown = {});
 
     const std::string title_;
     const bool can_cancel_;

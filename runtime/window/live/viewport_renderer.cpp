@@ -238,11 +238,12 @@ bool ViewportRenderer::work(double seconds) {
         begin(size_.width < reduced(full_, kCoarseDivisor).width ? Stage::kCoarse : Stage::kRefine);
     }
     double left = seconds;
+    planned_s_ = 0;
     while (stage_ != Stage::kIdle && (left > kMin_s || stage_ == Stage::kInteractive)) {
         if (mustShow()) return true;
         traceSlice(left);
         if (stage_ == Stage::kInteractive && renderer_.samples() > 0) return true;
-        left = seconds - since(start);
+        left = seconds - std::max(since(start), planned_s_);
     }
     return true;
 }
@@ -253,22 +254,21 @@ void ViewportRenderer::traceSlice(double seconds_left) {
     if (stage_ == Stage::kDenoising) return continueDenoising();
     if (stage_ == Stage::kFillCache) return fillCache();
     if (!renderer_.strip()) {
-        slice_seconds_ = 0;
         if (!renderer_.preparePhotons()) return;
         if (!renderer_.openStrip(sliceRows(seconds_left))) return next();
     }
-    const Clock::time_point start = Clock::now();
     const Strip strip = *renderer_.strip();
+    const double predicted_s = speed().secondsFor(std::uint64_t{size_.width} * strip.sample.rows);
     // what does not fit in one submission is submitted bounce by bounce
-    const bool fits = speed().secondsFor(std::uint64_t{size_.width} * strip.sample.rows) <= seconds_left;
-    const bool is_whole = fits || stage_ == Stage::kInteractive;
+    const bool is_whole = predicted_s <= seconds_left || stage_ == Stage::kInteractive;
     const std::uint32_t passes = is_whole ? bounces() : strip.sample.pass == 0 ? 0 : 1;
     const bool shows = showsAfter(strip) && is_whole && endsIn(tracer_, view_.settings, passes);
     const auto show = [&](VkCommandBuffer commands) {
         recordRows(commands, strip.first_row, strip.sample.rows, strip.sample.number + 1);
     };
     const bool done = renderer_.traceStrip(passes, shows ? show : std::function<void(VkCommandBuffer)>());
-    slice_seconds_ += since(start);
+    if (renderer_.isAhead()) planned_s_ += predicted_s;
+    addTimes();
     if (done) finishSlice(strip, shows);
 }
 
@@ -308,8 +308,6 @@ std::uint32_t ViewportRenderer::sliceRows(double seconds_left) const {
 
 void ViewportRenderer::finishSlice(const Strip& strip, bool is_drawn) {
     const std::uint32_t rows = strip.sample.rows, sample = strip.sample.number;
-    if (!strip.sample.first_hits) speed().addMeasurement(std::uint64_t{size_.width} * rows, slice_seconds_);
-    traced_seconds_ += slice_seconds_;
     const RayCounts rays = renderer_.takeRays();
     rays_ += rays.primary + rays.shadow + rays.secondary;
     if (is_drawn)
@@ -317,6 +315,14 @@ void ViewportRenderer::finishSlice(const Strip& strip, bool is_drawn) {
     else if (showsAfter(strip))
         showRows(strip.first_row, rows, sample + 1);
     if (renderer_.rowsDone() == 0) finishSample();
+}
+
+void ViewportRenderer::addTimes() {
+    for (const StripTime& each : renderer_.takeTimes()) {
+        traced_seconds_ += each.seconds;
+        if (!each.has_first_hits)
+            (each.is_preview ? preview_speed_ : refine_speed_).addMeasurement(each.pixels, each.seconds);
+    }
 }
 
 void ViewportRenderer::finishSample() {

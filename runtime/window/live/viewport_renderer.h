@@ -114,6 +114,7 @@ private:
     std::uint32_t bounces() const;
     bool showsAfter(const Strip& strip) const;
     void finishSlice(const Strip& strip, bool is_drawn);
+    void addTimes();
     void finishSample();
     void continueDenoising();
     bool isFullSize() const;
@@ -149,7 +150,7 @@ private:
     std::uint32_t denoised_samples_ = 0; ///< in the denoised picture; 0: none for this view
     bool denoise_due_ = false;           ///< denoise after the next sample, whatever its number
     std::uint32_t denoise_step_ = 0;
-    double slice_seconds_ = 0, denoise_step_seconds_ = 0;
+    double planned_s_ = 0; ///< predicted time of the slices that this call of work has left to the device
     std::uint64_t rays_ = 0;
     double traced_seconds_ = 0;
     std::vector<PictureUpdate> updates_;

@@ -23,6 +23,7 @@ void upscaleOnHost(Device& device, Presenter& presenter, VkCommandBuffer command
         destroyBuffer(device, presenter.host_upscaled);
         presenter.host_upscaled = createBuffer(device, "upscaled picture", bytes, 0, MemoryHome::kUpload);
     }
+    waitForSubmitted(device); // the last frame may still read it
     upscale(static_cast<const std::uint32_t*>(pixels.mapped), size,
             static_cast<std::uint32_t*>(presenter.host_upscaled.mapped), {canvas.width, canvas.height});
     recordUploadRows(commands, presenter, presenter.host_upscaled, 0, canvas.height);
@@ -61,15 +62,13 @@ void recordUploadScaled(VkCommandBuffer commands, const Presenter& presenter, co
     recordImageBarrier(commands, presenter.canvas.handle, kTransferDst, kTransferSrc);
 }
 
-void uploadScaled(Device& device, Presenter& presenter, const Buffer& pixels, std::uint32_t width,
-                  std::uint32_t height) {
+void recordUploadPreview(Device& device, VkCommandBuffer commands, Presenter& presenter, const Buffer& pixels,
+                         std::uint32_t width, std::uint32_t height) {
     requireUpscalable(presenter.canvas.extent, width, height);
-    const VkCommandBuffer commands = beginCommands(device);
     if (device.type == VK_PHYSICAL_DEVICE_TYPE_CPU && pixels.mapped)
         upscaleOnHost(device, presenter, commands, pixels, {width, height});
     else
         recordUploadScaled(commands, presenter, pixels, width, height);
-    submitAndWait(device, commands);
 }
 
 } // namespace pointrt

@@ -68,6 +68,7 @@ Image createImage(Device& device, const char* what, VkFormat format, VkExtent2D 
 }
 
 void destroyImage(Device& device, Image& image) {
+    if (image.handle) finishSubmitted(device);
     if (image.view) vkDestroyImageView(device.handle, image.view, nullptr);
     if (image.handle) vkDestroyImage(device.handle, image.handle, nullptr);
     if (image.memory) vkFreeMemory(device.handle, image.memory, nullptr);

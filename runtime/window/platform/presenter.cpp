@@ -19,7 +19,7 @@ void destroyFramebuffers(Device& device, Presenter& presenter) {
 void destroyCanvas(Device& device, Presenter& presenter) {
     if (presenter.framebuffer) vkDestroyFramebuffer(device.handle, presenter.framebuffer, nullptr);
     presenter.framebuffer = VK_NULL_HANDLE;
-    destroyImage(device, presenter.frame);
+    destroyImage(device, presenter.target);
     destroyImage(device, presenter.low_res);
     destroyBuffer(device, presenter.host_upscaled);
     destroyImage(device, presenter.canvas);
@@ -30,23 +30,14 @@ VkFormat frameFormat(const Presenter& presenter) {
     return presenter.surface ? presenter.swapchain.format : kCanvasFormat;
 }
 
-void createFrameObjects(Device& device, Presenter& presenter) {
-    VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
-    allocate.commandPool = device.command_pool;
-    allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-    allocate.commandBufferCount = 1;
-    check(vkAllocateCommandBuffers(device.handle, &allocate, &presenter.commands), "allocate a command buffer");
-    const VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
-    check(vkCreateFence(device.handle, &fence, nullptr, &presenter.done), "create a fence");
-}
-
 /// Creates everything that depends on the window's size. The new canvas shows old scaled, or black without old.
 void createCanvas(Device& device, Presenter& presenter, VkExtent2D extent, const Image* old) {
     presenter.canvas = createImage(device, "canvas", kCanvasFormat, extent, 0);
     // one more pixel each way, for interpolation at the edge
     presenter.low_res = createImage(device, "preview image", kCanvasFormat, {extent.width + 1, extent.height + 1}, 0);
-    presenter.frame = createImage(device, "frame", frameFormat(presenter), extent, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
-    presenter.framebuffer = createUiFramebuffer(device, presenter.ui, presenter.frame.view, extent);
+    presenter.target =
+        createImage(device, "frame", frameFormat(presenter), extent, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
+    presenter.framebuffer = createUiFramebuffer(device, presenter.ui, presenter.target.view, extent);
     const VkCommandBuffer commands = beginCommands(device);
     recordImageBarrier(commands, presenter.canvas.handle, discarded(kTransferDst), kTransferDst);
     if (old)
@@ -55,20 +46,6 @@ void createCanvas(Device& device, Presenter& presenter, VkExtent2D extent, const
         recordBlack(commands, presenter.canvas);
     recordImageBarrier(commands, presenter.canvas.handle, kTransferDst, kTransferSrc);
     submitAndWait(device, commands);
-}
-
-void waitForFrame(Device& device, Presenter& presenter) {
-    if (!presenter.in_flight) return;
-    check(vkWaitForFences(device.handle, 1, &presenter.done, VK_TRUE, UINT64_MAX), "wait for a frame");
-    check(vkResetFences(device.handle, 1, &presenter.done), "reset a fence");
-    presenter.in_flight = false;
-}
-
-void beginFrame(Presenter& presenter) {
-    check(vkResetCommandBuffer(presenter.commands, 0), "reset a command buffer");
-    VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
-    begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-    check(vkBeginCommandBuffer(presenter.commands, &begin), "begin a command buffer");
 }
 
 void recordFrame(Device& device, Presenter& presenter, VkCommandBuffer commands, const FrameTarget& target,
@@ -83,22 +60,11 @@ void recordFrame(Device& device, Presenter& presenter, VkCommandBuffer commands,
     recordImageBarrier(commands, target.image, last, target.end);
 }
 
-/// Submits the frame, synchronised with a swapchain image if there is one.
-void submitFrame(Device& device, Presenter& presenter, const std::uint32_t* image) {
-    check(vkEndCommandBuffer(presenter.commands), "record a frame");
-    const VkPipelineStageFlags first_use = VK_PIPELINE_STAGE_TRANSFER_BIT;
-    VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
-    submit.commandBufferCount = 1;
-    submit.pCommandBuffers = &presenter.commands;
-    if (image) {
-        submit.waitSemaphoreCount = submit.signalSemaphoreCount = 1;
-        submit.pWaitSemaphores = &presenter.swapchain.acquired;
-        submit.pWaitDstStageMask = &first_use;
-        submit.pSignalSemaphores = &presenter.swapchain.drawn[*image];
-    }
-    const auto lock = lockQueue(device);
-    check(vkQueueSubmit(device.queue, 1, &submit, presenter.done), "submit a frame");
-    presenter.in_flight = true;
+/// Ends a frame whose commands are recorded.
+void submitFrame(Device& device, Presenter& presenter, VkCommandBuffer commands,
+                 const std::optional<DisplaySync>& display) {
+    presenter.frames[presenter.frame] = submit(device, commands, display);
+    presenter.frame = (presenter.frame + 1) % kFramesInFlight;
 }
 
 void rebuild(Device& device, Presenter& presenter) {
@@ -115,17 +81,20 @@ std::optional<std::uint32_t> nextImage(Device& device, Presenter& presenter) {
     for (int attempt = 0; attempt < 2; ++attempt) {
         if (presenter.outdated || !presenter.swapchain.handle) rebuild(device, presenter);
         if (!presenter.swapchain.handle) return {};
-        const auto image = acquireImage(device, presenter.swapchain, presenter.outdated);
+        const VkSemaphore acquired = presenter.swapchain.acquired[presenter.frame];
+        const auto image = acquireImage(device, presenter.swapchain, acquired, presenter.outdated);
         if (image || !presenter.outdated) return image;
     }
     return {};
 }
 
-bool presentHeadless(Device& device, Presenter& presenter, const ImDrawData* ui) {
-    beginFrame(presenter);
-    recordFrame(device, presenter, presenter.commands, frameTarget(presenter.frame, presenter.framebuffer), ui);
-    submitFrame(device, presenter, nullptr);
-    return true;
+/// The image of the display to draw to, or the frame without a window; none if nothing can be shown.
+std::optional<FrameTarget> nextTarget(Device& device, Presenter& presenter, std::optional<std::uint32_t>& image) {
+    if (!presenter.surface) return frameTarget(presenter.target, presenter.framebuffer);
+    image = nextImage(device, presenter);
+    if (!image) return {};
+    return FrameTarget{presenter.swapchain.images[*image], presenter.swapchain.format, presenter.framebuffers[*image],
+                       presenter.swapchain.extent, kPresentSrc};
 }
 
 } // namespace
@@ -136,7 +105,6 @@ Presenter createPresenter(Device& device, VkSurfaceKHR surface, std::uint32_t wi
     const OnError undo([&] { destroyPresenter(device, presenter); });
     if (surface) presenter.swapchain = createSwapchain(device, surface);
     presenter.ui = createUiRenderer(device, frameFormat(presenter));
-    createFrameObjects(device, presenter);
     createCanvas(device, presenter, {width, height}, nullptr);
     return presenter;
 }
@@ -148,8 +116,6 @@ void destroyPresenter(Device& device, Presenter& presenter) {
     }
     destroyFramebuffers(device, presenter);
     destroyCanvas(device, presenter);
-    if (presenter.commands) vkFreeCommandBuffers(device.handle, device.command_pool, 1, &presenter.commands);
-    if (presenter.done) vkDestroyFence(device.handle, presenter.done, nullptr);
     destroyUiRenderer(device, presenter.ui);
     if (presenter.surface) {
         destroySwapchain(device, presenter.swapchain);
@@ -160,7 +126,7 @@ void destroyPresenter(Device& device, Presenter& presenter) {
 
 void resizeCanvas(Device& device, Presenter& presenter, std::uint32_t width, std::uint32_t height) {
     if (width == 0 || height == 0) return;
-    waitForFrame(device, presenter);
+    waitForSubmitted(device);
     presenter.outdated = true;
     if (presenter.canvas.extent.width == width && presenter.canvas.extent.height == height) return;
     Image old = std::exchange(presenter.canvas, {});
@@ -174,22 +140,24 @@ void resizeCanvas(Device& device, Presenter& presenter, std::uint32_t width, std
     destroyImage(device, old);
 }
 
-bool present(Device& device, Presenter& presenter, const ImDrawData* ui) {
-    waitForFrame(device, presenter);
-    if (!presenter.surface) return presentHeadless(device, presenter, ui);
-    const std::optional<std::uint32_t> image = nextImage(device, presenter);
-    if (!image) return false;
-    beginFrame(presenter);
-    const FrameTarget target{presenter.swapchain.images[*image], presenter.swapchain.format,
-                             presenter.framebuffers[*image], presenter.swapchain.extent, kPresentSrc};
-    recordFrame(device, presenter, presenter.commands, target, ui);
-    submitFrame(device, presenter, &*image);
-    if (!presentImage(device, presenter.swapchain, *image)) presenter.outdated = true;
-    return true;
+bool present(Device& device, Presenter& presenter, const ImDrawData* ui,
+             const std::function<void(VkCommandBuffer)>& uploads) {
+    waitFor(device, presenter.frames[presenter.frame]);
+    std::optional<std::uint32_t> image;
+    const std::optional<FrameTarget> target = nextTarget(device, presenter, image);
+    if (!target && !uploads) return false;
+    const VkCommandBuffer commands = beginCommands(device, "frame");
+    if (uploads) uploads(commands);
+    if (target) recordFrame(device, presenter, commands, *target, ui);
+    std::optional<DisplaySync> display;
+    if (image) display = {presenter.swapchain.acquired[presenter.frame], presenter.swapchain.drawn[*image]};
+    submitFrame(device, presenter, commands, display);
+    if (image && !presentImage(device, presenter.swapchain, *image)) presenter.outdated = true;
+    return target.has_value();
 }
 
 void setUiFont(Device& device, Presenter& presenter) {
-    waitForFrame(device, presenter);
+    waitForSubmitted(device);
     uploadUiFont(device, presenter.ui);
 }
 
@@ -199,10 +167,10 @@ Image8 readCanvas(Device& device, Presenter& presenter) {
 }
 
 Image8 readFrame(Device& device, Presenter& presenter, const ImDrawData* ui) {
-    waitForFrame(device, presenter);
+    waitForSubmitted(device);
     const VkCommandBuffer commands = beginCommands(device);
-    recordFrame(device, presenter, commands, frameTarget(presenter.frame, presenter.framebuffer), ui);
-    return readImage(device, commands, presenter.frame);
+    recordFrame(device, presenter, commands, frameTarget(presenter.target, presenter.framebuffer), ui);
+    return readImage(device, commands, presenter.target);
 }
 
 } // namespace pointrt

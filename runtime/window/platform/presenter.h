@@ -3,7 +3,9 @@
 // can be read back.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "runtime/gpu/resources.h"
@@ -26,12 +28,11 @@ struct Presenter {
     Image canvas;                               ///< holds the last picture; in kTransferSrc
     Image low_res;                              ///< a preview, to be scaled to the canvas
     Buffer host_upscaled;                       ///< the scaled preview, when scaled on the host
-    Image frame;                                ///< picture and UI when there is no window
-    VkFramebuffer framebuffer = VK_NULL_HANDLE; ///< of frame
+    Image target;                               ///< picture and UI when there is no window
+    VkFramebuffer framebuffer = VK_NULL_HANDLE; ///< of target
     UiRenderer ui;
-    VkCommandBuffer commands = VK_NULL_HANDLE;
-    VkFence done = VK_NULL_HANDLE; ///< of the frame in flight
-    bool in_flight = false;
+    std::array<std::uint64_t, kFramesInFlight> frames{}; ///< submissions of the last frames
+    std::uint32_t frame = 0;                             ///< index of the next one
 };
 
 /// For a window's surface, or headless without one. Owns the surface, even if this throws. The canvas is black, width x
@@ -54,15 +55,16 @@ void recordUploadRows(VkCommandBuffer commands, const Presenter& presenter, cons
 void recordUploadScaled(VkCommandBuffer commands, const Presenter& presenter, const Buffer& pixels, std::uint32_t width,
                         std::uint32_t height);
 
-/// The same, executed at once: returns when the canvas has the picture. Writes to pixels must have finished. CPU
-/// devices scale on the host, in a third of the time.
-void uploadScaled(Device& device, Presenter& presenter, const Buffer& pixels, std::uint32_t width,
-                  std::uint32_t height);
+/// The same; CPU devices scale on the host at once, in a third of the time. Writes to pixels must have finished there.
+void recordUploadPreview(Device& device, VkCommandBuffer commands, Presenter& presenter, const Buffer& pixels,
+                         std::uint32_t width, std::uint32_t height);
 
-/// Presents the canvas with ui on top (null: none) and returns without waiting for the device; waits for the previous
-/// frame first. If the window's size has just changed, the canvas is scaled. Returns false if nothing can be shown:
-/// minimised or hidden. Throws Error kCannotRun (surface or device lost).
-bool present(Device& device, Presenter& presenter, const ImDrawData* ui);
+/// Presents the canvas with ui on top (null: none) and returns without waiting for the device; waits for the frame
+/// kFramesInFlight before. If the window's size has just changed, the canvas is scaled. Returns false if nothing can be
+/// shown: minimised or hidden. Throws Error kCannotRun (surface or device lost).
+/// @param uploads records commands that bring the canvas up to date, in the same submission; they run in any case
+bool present(Device& device, Presenter& presenter, const ImDrawData* ui,
+             const std::function<void(VkCommandBuffer)>& uploads = {});
 
 /// Uploads ImGui's font atlas between frames (uploadUiFont).
 void setUiFont(Device& device, Presenter& presenter);

@@ -120,17 +120,17 @@ void listImages(Device& device, Swapchain& swapchain) {
         swapchain.views.push_back(createView(device, image, swapchain.format));
         swapchain.drawn.push_back(createSemaphore(device));
     }
-    swapchain.acquired = createSemaphore(device);
+    for (VkSemaphore& acquired : swapchain.acquired) acquired = createSemaphore(device);
 }
 
 void destroyImages(Device& device, Swapchain& swapchain) {
     for (VkImageView view : swapchain.views) vkDestroyImageView(device.handle, view, nullptr);
     for (VkSemaphore semaphore : swapchain.drawn) vkDestroySemaphore(device.handle, semaphore, nullptr);
-    if (swapchain.acquired) vkDestroySemaphore(device.handle, swapchain.acquired, nullptr);
+    for (VkSemaphore acquired : swapchain.acquired) vkDestroySemaphore(device.handle, acquired, nullptr);
     swapchain.images.clear();
     swapchain.views.clear();
     swapchain.drawn.clear();
-    swapchain.acquired = VK_NULL_HANDLE;
+    swapchain.acquired = {};
 }
 
 } // namespace
@@ -170,10 +170,11 @@ void rebuildSwapchain(Device& device, Swapchain& swapchain, VkExtent2D wanted) {
     if (swapchain.handle) listImages(device, swapchain);
 }
 
-std::optional<std::uint32_t> acquireImage(Device& device, const Swapchain& swapchain, bool& outdated) {
+std::optional<std::uint32_t> acquireImage(Device& device, const Swapchain& swapchain, VkSemaphore acquired,
+                                          bool& outdated) {
     std::uint32_t image = 0;
-    const VkResult result = vkAcquireNextImageKHR(device.handle, swapchain.handle, kAcquireNanoseconds,
-                                                  swapchain.acquired, VK_NULL_HANDLE, &image);
+    const VkResult result =
+        vkAcquireNextImageKHR(device.handle, swapchain.handle, kAcquireNanoseconds, acquired, VK_NULL_HANDLE, &image);
     if (result == VK_SUCCESS || result == VK_SUBOPTIMAL_KHR) return image;
     outdated = result == VK_ERROR_OUT_OF_DATE_KHR;
     if (!outdated && result != VK_TIMEOUT && result != VK_NOT_READY)

@@ -2,6 +2,7 @@
 // The window's swapchain.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -19,8 +20,8 @@ struct Swapchain {
     VkPresentModeKHR present_mode = VK_PRESENT_MODE_FIFO_KHR;
     std::vector<VkImage> images;
     std::vector<VkImageView> views;
-    std::vector<VkSemaphore> drawn; ///< one per image, signalled when it may be presented
-    VkSemaphore acquired = VK_NULL_HANDLE;
+    std::vector<VkSemaphore> drawn;                      ///< one per image, signalled when it may be presented
+    std::array<VkSemaphore, kFramesInFlight> acquired{}; ///< one per frame
 };
 
 /// Chooses format and present mode; rebuildSwapchain creates the images. Throws Error kCannotRun if the surface has no
@@ -33,9 +34,10 @@ void destroySwapchain(Device& device, Swapchain& swapchain);
 /// until the old images are idle. Throws Error kCannotRun (surface or device lost).
 void rebuildSwapchain(Device& device, Swapchain& swapchain, VkExtent2D wanted);
 
-/// Acquires the next image, ready when swapchain.acquired is signalled. None if the swapchain must be rebuilt (sets
+/// Acquires the next image, ready when the semaphore is signalled. None if the swapchain must be rebuilt (sets
 /// outdated), or if no image is free (hidden windows). Throws Error kCannotRun (surface or device lost).
-std::optional<std::uint32_t> acquireImage(Device& device, const Swapchain& swapchain, bool& outdated);
+std::optional<std::uint32_t> acquireImage(Device& device, const Swapchain& swapchain, VkSemaphore acquired,
+                                          bool& outdated);
 
 /// Presents image once drawn[image] is signalled. Returns false if the swapchain should be rebuilt. Throws as
 /// acquireImage.

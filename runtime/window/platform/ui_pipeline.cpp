@@ -206,8 +206,10 @@ UiRenderer createUiRenderer(Device& device, VkFormat format) {
 }
 
 void destroyUiRenderer(Device& device, UiRenderer& ui) {
-    destroyBuffer(device, ui.vertices);
-    destroyBuffer(device, ui.indices);
+    for (UiBuffers& buffers : ui.buffers) {
+        destroyBuffer(device, buffers.vertices);
+        destroyBuffer(device, buffers.indices);
+    }
     destroyImage(device, ui.font);
     if (ui.pipeline) vkDestroyPipeline(device.handle, ui.pipeline, nullptr);
     if (ui.layout) vkDestroyPipelineLayout(device.handle, ui.layout, nullptr);

@@ -20,13 +20,13 @@ void reserve(Device& device, Buffer& buffer, const char* what, std::uint64_t byt
     buffer = createBuffer(device, what, bytes + bytes / 2, usage, MemoryHome::kUpload);
 }
 
-void fillBuffers(Device& device, UiRenderer& ui, const ImDrawData& data) {
+void fillBuffers(Device& device, UiBuffers& buffers, const ImDrawData& data) {
     const auto vertices = static_cast<std::uint64_t>(data.TotalVtxCount) * sizeof(ImDrawVert);
     const auto indices = static_cast<std::uint64_t>(data.TotalIdxCount) * sizeof(ImDrawIdx);
-    reserve(device, ui.vertices, "UI vertices", vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
-    reserve(device, ui.indices, "UI indices", indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
-    auto* vertex = static_cast<ImDrawVert*>(ui.vertices.mapped);
-    auto* index = static_cast<ImDrawIdx*>(ui.indices.mapped);
+    reserve(device, buffers.vertices, "UI vertices", vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+    reserve(device, buffers.indices, "UI indices", indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+    auto* vertex = static_cast<ImDrawVert*>(buffers.vertices.mapped);
+    auto* index = static_cast<ImDrawIdx*>(buffers.indices.mapped);
     for (int i = 0; i < data.CmdListsCount; ++i) {
         const ImDrawList& list = *data.CmdLists[i];
         std::memcpy(vertex, list.VtxBuffer.Data, static_cast<std::size_t>(list.VtxBuffer.size_in_bytes()));
@@ -40,9 +40,9 @@ void recordState(const UiRenderer& ui, VkCommandBuffer commands, VkExtent2D exte
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, ui.pipeline);
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, ui.layout, 0, 1, &ui.set, 0, nullptr);
     const VkDeviceSize start = 0;
-    vkCmdBindVertexBuffers(commands, 0, 1, &ui.vertices.handle, &start);
+    vkCmdBindVertexBuffers(commands, 0, 1, &ui.buffers[ui.frame].vertices.handle, &start);
     static_assert(sizeof(ImDrawIdx) == 2);
-    vkCmdBindIndexBuffer(commands, ui.indices.handle, 0, VK_INDEX_TYPE_UINT16);
+    vkCmdBindIndexBuffer(commands, ui.buffers[ui.frame].indices.handle, 0, VK_INDEX_TYPE_UINT16);
     const VkViewport viewport{0, 0, static_cast<float>(extent.width), static_cast<float>(extent.height), 0, 1};
     vkCmdSetViewport(commands, 0, 1, &viewport);
     UiPush push;
@@ -150,7 +150,8 @@ void recordUi(Device& device, UiRenderer& ui, VkCommandBuffer commands, VkFrameb
               const ImDrawData& data) {
     if (!ui.font.handle) throw std::logic_error("recordUi before uploadUiFont");
     if (data.TotalIdxCount == 0) return;
-    fillBuffers(device, ui, data);
+    ui.frame = (ui.frame + 1) % kFramesInFlight;
+    fillBuffers(device, ui.buffers[ui.frame], data);
     VkRenderPassBeginInfo begin{VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO};
     begin.renderPass = ui.pass;
     begin.framebuffer = framebuffer;

@@ -2,6 +2,8 @@
 // Draws Dear ImGui's triangles over an image.
 #pragma once
 
+#include <array>
+
 #include "runtime/gpu/device.h"
 #include "runtime/gpu/resources.h"
 #include "runtime/window/platform/image.h"
@@ -10,7 +12,12 @@ struct ImDrawData;
 
 namespace pointrt {
 
-/// Vulkan objects to draw the UI. One frame at a time: recordUi overwrites the buffers of the previous one.
+/// Triangles of a frame.
+struct UiBuffers {
+    Buffer vertices, indices;
+};
+
+/// Vulkan objects to draw the UI: recordUi overwrites the buffers of the frame kFramesInFlight before.
 struct UiRenderer {
     VkRenderPass pass = VK_NULL_HANDLE;
     VkSampler sampler = VK_NULL_HANDLE;
@@ -20,7 +27,8 @@ struct UiRenderer {
     VkPipelineLayout layout = VK_NULL_HANDLE;
     VkPipeline pipeline = VK_NULL_HANDLE;
     Image font;
-    Buffer vertices, indices;
+    std::array<UiBuffers, kFramesInFlight> buffers;
+    std::uint32_t frame = 0; ///< index of the last frame's buffers
 };
 
 /// For images of this format. device was requested with graphics. Throws Error kCannotRun if the driver fails.
@@ -35,7 +43,7 @@ void uploadUiFont(Device& device, UiRenderer& ui);
 VkFramebuffer createUiFramebuffer(Device& device, const UiRenderer& ui, VkImageView view, VkExtent2D extent);
 
 /// Records drawing data over the contents of framebuffer, which is in kColorAttachment before and after. Requires
-/// uploadUiFont; the previous frame must have finished.
+/// uploadUiFont; frames but the last kFramesInFlight - 1 must have finished.
 void recordUi(Device& device, UiRenderer& ui, VkCommandBuffer commands, VkFramebuffer framebuffer, VkExtent2D extent,
               const ImDrawData& data);
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// A Vulkan layer for tests: counts calls, and makes the driver below look like another device. Environment variables:
-// POINTRT_LAYER_TYPE=discrete|integrated     the device's type
+// A Vulkan layer for tests: counts calls (of waits, those that block), and makes the driver below look like another
+// device. Environment variables: POINTRT_LAYER_TYPE=discrete|integrated     the device's type
 // POINTRT_LAYER_MEMORY=discrete|write_combined|incoherent   its memory types (kTables)
 // POINTRT_LAYER_LIMITS=NAME=N,...            smaller limits: members of VkPhysicalDeviceLimits (setLimit)
+// POINTRT_LAYER_SUBGROUPS=N                  subgroups of N lanes, and of 32 to N for programs that ask for them
 // POINTRT_LAYER_SUBMIT_US=N, POINTRT_LAYER_ALLOCATE_US=N    latency added to each submission and allocation
-// POINTRT_LAYER_LOST_AT=N                    the N-th submission and all after it lose the device
+// POINTRT_LAYER_LOST_AT=N                    the N-th submission to a device and all after it lose the device
+// POINTRT_LAYER_LOST_DEVICES=N               only the first N devices of the process are lost
 // POINTRT_LAYER_BUDGET=N                     bytes of the heap that VK_EXT_memory_budget allows; half are in use
+// POINTRT_LAYER_PIPELINES=1                  pipeline caches keep something: a word for each pipeline built with them
 // POINTRT_LAYER_COUNTS=FILE                  the counts as JSON, written as the instance is destroyed
 // pointrtLayerCount gives a process the counts while it runs. One instance and one device at a time.
 //
@@ -44,7 +47,11 @@ namespace {
     X(dispatches)                                                                                                      \
     X(barriers)                                                                                                        \
     X(copies)                                                                                                          \
-    X(pipelines)
+    X(pipelines)                                                                                                       \
+    X(pipelines_of_32)                                                                                                 \
+    X(kept_pipelines)                                                                                                  \
+    X(labels)                                                                                                          \
+    X(ended_labels)
 #define LAYER_ENUMERATE(name) name,
 enum class Count { LAYER_COUNTS(LAYER_ENUMERATE) kEnd };
 #define LAYER_NAME(name) #name,
@@ -187,6 +194,10 @@ VkInstance the_instance = VK_NULL_HANDLE;
     X(vkWaitSemaphores)                                                                                                \
     X(vkCreateBuffer)                                                                                                  \
     X(vkCreateComputePipelines)                                                                                        \
+    X(vkCreatePipelineCache)                                                                                           \
+    X(vkGetPipelineCacheData)                                                                                          \
+    X(vkCmdBeginDebugUtilsLabelEXT)                                                                                    \
+    X(vkCmdEndDebugUtilsLabelEXT)                                                                                      \
     X(vkCmdDispatch)                                                                                                   \
     X(vkCmdDispatchIndirect)                                                                                           \
     X(vkCmdPipelineBarrier)                                                                                            \
@@ -312,20 +323,31 @@ VKAPI_ATTR VkResult VKAPI_CALL GetMemoryHostPointerPropertiesEXT(VkDevice device
 
 // --- Work ---
 
+std::atomic<std::uint64_t> submits_to_device = 0, devices = 0;
+
+/// Whether a device is lost after so many submissions.
+bool isLost(std::uint64_t submits) {
+    const std::uint64_t lost_at = number("POINTRT_LAYER_LOST_AT"), most = number("POINTRT_LAYER_LOST_DEVICES");
+    return lost_at > 0 && submits >= lost_at && (most == 0 || devices <= most);
+}
+
 VKAPI_ATTR VkResult VKAPI_CALL QueueSubmit(VkQueue queue, std::uint32_t n, const VkSubmitInfo* submits, VkFence fence) {
     count(Count::submits);
-    const std::uint64_t lost_at = number("POINTRT_LAYER_LOST_AT");
-    if (lost_at > 0 && counts[static_cast<std::size_t>(Count::submits)] >= lost_at) return VK_ERROR_DEVICE_LOST;
+    if (isLost(++submits_to_device)) return VK_ERROR_DEVICE_LOST;
     delay("POINTRT_LAYER_SUBMIT_US");
     flushCoherent();
     return driver.vkQueueSubmit(queue, n, submits, fence);
 }
 VKAPI_ATTR VkResult VKAPI_CALL WaitForFences(VkDevice device, std::uint32_t n, const VkFence* fences, VkBool32 all,
                                              std::uint64_t timeout) {
+    const VkResult now = driver.vkWaitForFences(device, n, fences, all, 0);
+    if (now != VK_TIMEOUT || timeout == 0) return now;
     count(Count::waits);
     return driver.vkWaitForFences(device, n, fences, all, timeout);
 }
 VKAPI_ATTR VkResult VKAPI_CALL WaitSemaphores(VkDevice device, const VkSemaphoreWaitInfo* info, std::uint64_t timeout) {
+    const VkResult now = driver.vkWaitSemaphores(device, info, 0);
+    if (now != VK_TIMEOUT || timeout == 0) return now;
     count(Count::waits);
     return driver.vkWaitSemaphores(device, info, timeout);
 }
@@ -334,11 +356,54 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateBuffer(VkDevice device, const VkBufferCreat
     count(Count::buffers);
     return driver.vkCreateBuffer(device, info, callbacks, buffer);
 }
+VKAPI_ATTR void VKAPI_CALL CmdBeginDebugUtilsLabelEXT(VkCommandBuffer commands, const VkDebugUtilsLabelEXT* label) {
+    count(Count::labels);
+    if (driver.vkCmdBeginDebugUtilsLabelEXT) driver.vkCmdBeginDebugUtilsLabelEXT(commands, label);
+}
+VKAPI_ATTR void VKAPI_CALL CmdEndDebugUtilsLabelEXT(VkCommandBuffer commands) {
+    count(Count::ended_labels);
+    if (driver.vkCmdEndDebugUtilsLabelEXT) driver.vkCmdEndDebugUtilsLabelEXT(commands);
+}
+
+/// Takes away a pretended size of subgroups, which is the only structure in the chain.
+void takeSubgroupSize(VkPipelineShaderStageCreateInfo& stage) {
+    const auto* size = static_cast<const VkPipelineShaderStageRequiredSubgroupSizeCreateInfo*>(stage.pNext);
+    if (!size || size->sType != VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_REQUIRED_SUBGROUP_SIZE_CREATE_INFO) return;
+    if (size->requiredSubgroupSize == 32) count(Count::pipelines_of_32);
+    stage.pNext = nullptr;
+}
+
+// --- Pipeline caches: lavapipe's never contain anything ---
+
+/// Pipelines in the cache of the process.
+std::atomic<std::uint64_t> cached_pipelines = 0;
+
+VKAPI_ATTR VkResult VKAPI_CALL CreatePipelineCache(VkDevice device, const VkPipelineCacheCreateInfo* info,
+                                                   const VkAllocationCallbacks* callbacks, VkPipelineCache* cache) {
+    constexpr std::size_t kHeader = sizeof(VkPipelineCacheHeaderVersionOne);
+    cached_pipelines = info->initialDataSize > kHeader ? (info->initialDataSize - kHeader) / sizeof(std::uint64_t) : 0;
+    counts[static_cast<std::size_t>(Count::kept_pipelines)] += cached_pipelines;
+    VkPipelineCacheCreateInfo header = *info;
+    header.initialDataSize = std::min(info->initialDataSize, kHeader);
+    return driver.vkCreatePipelineCache(device, &header, callbacks, cache);
+}
+VKAPI_ATTR VkResult VKAPI_CALL GetPipelineCacheData(VkDevice device, VkPipelineCache cache, std::size_t* bytes,
+                                                    void* data) {
+    std::size_t header = sizeof(VkPipelineCacheHeaderVersionOne);
+    const std::size_t more = number("POINTRT_LAYER_PIPELINES") ? cached_pipelines * sizeof(std::uint64_t) : 0;
+    if (data && *bytes < header + more) return VK_INCOMPLETE;
+    *bytes = header + more;
+    if (data) std::memset(data, 0, *bytes);
+    return data ? driver.vkGetPipelineCacheData(device, cache, &header, data) : VK_SUCCESS;
+}
 VKAPI_ATTR VkResult VKAPI_CALL CreateComputePipelines(VkDevice device, VkPipelineCache cache, std::uint32_t n,
                                                       const VkComputePipelineCreateInfo* infos,
                                                       const VkAllocationCallbacks* callbacks, VkPipeline* pipelines) {
     count(Count::pipelines);
-    return driver.vkCreateComputePipelines(device, cache, n, infos, callbacks, pipelines);
+    if (cache) ++cached_pipelines;
+    std::vector<VkComputePipelineCreateInfo> real(infos, infos + n);
+    for (VkComputePipelineCreateInfo& info : real) takeSubgroupSize(info.stage);
+    return driver.vkCreateComputePipelines(device, cache, n, real.data(), callbacks, pipelines);
 }
 VKAPI_ATTR void VKAPI_CALL CmdDispatch(VkCommandBuffer commands, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
     count(Count::dispatches);
@@ -373,9 +438,27 @@ VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceProperties(VkPhysicalDevice device, 
     driver.vkGetPhysicalDeviceProperties(device, out);
     pretend(*out);
 }
+/// The structure of that type in a chain that starts at it; null if there is none.
+template <typename Structure>
+Structure* findIn(void* chain, VkStructureType type) {
+    auto* at = static_cast<VkBaseOutStructure*>(chain);
+    while (at && at->sType != type) at = at->pNext;
+    return reinterpret_cast<Structure*>(at);
+}
+
 VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceProperties2(VkPhysicalDevice device, VkPhysicalDeviceProperties2* out) {
     driver.vkGetPhysicalDeviceProperties2(device, out);
     pretend(out->properties);
+    const auto lanes = static_cast<std::uint32_t>(number("POINTRT_LAYER_SUBGROUPS"));
+    if (lanes == 0) return;
+    if (auto* usual =
+            findIn<VkPhysicalDeviceSubgroupProperties>(out, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES))
+        usual->subgroupSize = lanes;
+    if (auto* sizes = findIn<VkPhysicalDeviceSubgroupSizeControlProperties>(
+            out, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_SIZE_CONTROL_PROPERTIES)) {
+        sizes->minSubgroupSize = std::min(lanes, 32u);
+        sizes->maxSubgroupSize = lanes;
+    }
 }
 VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceMemoryProperties(VkPhysicalDevice device,
                                                              VkPhysicalDeviceMemoryProperties* out) {
@@ -441,6 +524,8 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(VkPhysicalDevice physical, const VkD
     const auto create = reinterpret_cast<PFN_vkCreateDevice>(next_instance_proc(the_instance, "vkCreateDevice"));
     const VkResult result = create(physical, info, callbacks, device);
     if (result != VK_SUCCESS) return result;
+    ++devices;
+    submits_to_device = 0;
 #define LAYER_LOAD(name) driver.name = reinterpret_cast<PFN_##name>(device_proc(*device, #name));
     LAYER_DEVICE_FUNCTIONS(LAYER_LOAD)
     return VK_SUCCESS;
@@ -488,6 +573,10 @@ PFN_vkVoidFunction hookOf(std::string_view name) {
                                   LAYER_HOOK(WaitSemaphores),
                                   LAYER_HOOK(CreateBuffer),
                                   LAYER_HOOK(CreateComputePipelines),
+                                  LAYER_HOOK(CreatePipelineCache),
+                                  LAYER_HOOK(GetPipelineCacheData),
+                                  LAYER_HOOK(CmdBeginDebugUtilsLabelEXT),
+                                  LAYER_HOOK(CmdEndDebugUtilsLabelEXT),
                                   LAYER_HOOK(CmdDispatch),
                                   LAYER_HOOK(CmdDispatchIndirect),
                                   LAYER_HOOK(CmdPipelineBarrier),

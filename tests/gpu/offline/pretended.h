@@ -52,6 +52,11 @@ private:
                                                  {"waits", counted("waits")},
                                                  {"allocations", counted("allocations")},
                                                  {"dispatches", counted("dispatches")},
+                                                 {"pipelines", counted("pipelines")},
+                                                 {"kept_pipelines", counted("kept_pipelines")},
+                                                 {"pipelines_of_32", counted("pipelines_of_32")},
+                                                 {"labels", counted("labels")},
+                                                 {"ended_labels", counted("ended_labels")},
                                                  {"barriers", counted("barriers")}};
 };
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "format/base/error.h"
 #include "runtime/device_scene/scene_tiles.h"
@@ -97,7 +98,7 @@ TEST_F(PretendedDevices, TraceASampleInOneSubmission) {
         EXPECT_TRUE(sample.done);
         EXPECT_EQ(rays.primary, kSide * kSide);
         EXPECT_EQ(counts.of("submits"), 1u);
-        EXPECT_EQ(counts.of("waits"), 1u);
+        EXPECT_LE(counts.of("waits"), 1u);
         EXPECT_EQ(counts.of("allocations"), 0u);
         EXPECT_LE(counts.of("dispatches"), 30 * parts);
         EXPECT_LE(counts.of("barriers"), 32 * parts);
@@ -107,9 +108,76 @@ TEST_F(PretendedDevices, TraceASampleInOneSubmission) {
     EXPECT_EQ(films[0], films[1]);
 }
 
+/// In place of texels, which GPUs read more slowly.
+TEST_F(PretendedDevices, ReadScansOfOnePageAsStorageBuffers) {
+    const Film expected = renderOn({}, ball);
+    const Environment environment(layered({{"POINTRT_LAYER_TYPE", "discrete"}, {"POINTRT_LAYER_MEMORY", "discrete"}}));
+    for (const std::uint32_t page_bits : {31u, 12u}) {
+        DeviceRequest request;
+        request.page_bits_most = page_bits;
+        ValidatedDevice validated(request);
+        const std::unique_ptr<LoadedScene> loaded = loadBall(validated.device, ball);
+        const DeviceScan& scan = *loaded->scene.files.begin();
+        EXPECT_EQ(scan.reads_storage, page_bits == 31);
+        EXPECT_EQ(isPaged(scan.pages), page_bits == 12);
+        EXPECT_EQ(render(validated.device, ball).rgba, expected.rgba);
+    }
+}
+
+// RDNA has subgroups of 64 lanes unless a program asks for 32; GCN has no others, Intel and NVIDIA none larger.
+TEST_F(PretendedDevices, HaveSubgroupsOf32LanesIfTheyCan) {
+    const Film expected = renderOn({}, ball);
+    for (const auto& [lanes, asks] : {std::pair("64", true), {"32", false}}) {
+        const Counts counts;
+        const Film film = renderOn(layered({{"POINTRT_LAYER_TYPE", "discrete"},
+                                            {"POINTRT_LAYER_MEMORY", "discrete"},
+                                            {"POINTRT_LAYER_SUBGROUPS", lanes}}),
+                                   ball);
+        EXPECT_EQ(film.rgba, expected.rgba);
+        EXPECT_GT(counts.of("pipelines"), 0u);
+        EXPECT_EQ(counts.of("pipelines_of_32"), asks ? counts.of("pipelines") : 0u) << lanes;
+    }
+}
+
+/// Milliseconds and lanes of passes, without a submission for each.
+TEST_F(PretendedDevices, ProfilePassesWithinASubmission) {
+    const Environment environment(layered({{"POINTRT_LAYER_TYPE", "discrete"}, {"POINTRT_LAYER_MEMORY", "discrete"}}));
+    ValidatedDevice validated;
+    Device& device = validated.device;
+    const std::unique_ptr<LoadedScene> loaded = loadBall(device, ball);
+    PassProfile profile;
+    profile.clock = createPassClock(device);
+    ASSERT_NE(profile.clock.timer.pool, VK_NULL_HANDLE);
+    RayCounts rays[2];
+    std::vector<float> films[2];
+    for (const std::size_t profiled : {0u, 1u}) {
+        loaded->tracer.profile = profiled ? &profile : nullptr;
+        BandSample sample = openBand(loaded->tracer, pathSettings(), loaded->camera, {0, kSide}, {kSide * kSide, 0});
+        const Counts counts;
+        tracePasses(device, loaded->tracer, sample, kBounces, rays[profiled]);
+        EXPECT_EQ(counts.of("submits"), 1u);
+        EXPECT_EQ(counts.of("labels"), counts.of("ended_labels"));
+        EXPECT_GE(counts.of("labels"), counts.of("dispatches"));
+        films[profiled].resize(loaded->tracer.buffers.film.bytes / sizeof(float));
+        downloadBuffer(device, loaded->tracer.buffers.film, films[profiled].data(), loaded->tracer.buffers.film.bytes);
+    }
+    EXPECT_EQ(films[0], films[1]);
+    EXPECT_EQ(rays[0].secondary, rays[1].secondary);
+    std::uint64_t camera = 0, secondary = 0;
+    for (const PassTally& pass : profile.passes) {
+        EXPECT_GT(pass.device_ms, 0) << pass.name;
+        if (pass.name == "megakernel (camera)") camera = pass.lanes_in;
+        if (pass.name == "megakernel") secondary = pass.lanes_in;
+    }
+    EXPECT_EQ(camera, rays[1].primary);
+    EXPECT_GT(secondary, 0u);
+    EXPECT_LE(secondary, rays[1].secondary);
+    destroyPassClock(device, profile.clock);
+}
+
 TEST_F(PretendedDevices, ThatAreLost_EndWithAnError) {
     for (const std::uint64_t after : {1, 4}) {
-        const std::string number = std::to_string(counted("submits") + after);
+        const std::string number = std::to_string(after);
         const Environment environment(layered({{"POINTRT_LAYER_TYPE", "discrete"},
                                                {"POINTRT_LAYER_MEMORY", "discrete"},
                                                {"POINTRT_LAYER_LOST_AT", number}}));

@@ -309,7 +309,7 @@ Candidate goodCandidate(const char* name, VkPhysicalDeviceType type) {
     candidate.properties.limits.maxTexelBufferElements = 1u << 27;
     candidate.properties.limits.maxPerStageDescriptorStorageImages = 8;
     candidate.properties.limits.maxPerStageDescriptorSampledImages = 128;
-    candidate.properties.limits.maxPerStageDescriptorStorageBuffers = 16;
+    candidate.properties.limits.maxPerStageDescriptorStorageBuffers = 32;
     candidate.properties.limits.maxPerStageDescriptorUniformBuffers = 15;
     candidate.subgroup.supportedStages = VK_SHADER_STAGE_COMPUTE_BIT;
     candidate.subgroup.supportedOperations = ~0u;
@@ -352,6 +352,27 @@ TEST(DeviceChoice, RefusesWithReasons) {
     EXPECT_NE(refusalOf(graphics).find("compute shaders"), std::string::npos);
     blind.reads_texels = false;
     EXPECT_NE(refusalOf(blind).find("texel"), std::string::npos);
+}
+
+// The sizes that drivers report: by default, the least and the largest on request.
+TEST(DeviceChoice, AsksForSubgroupsOf32_WhereDriversTakeMore) {
+    const struct {
+        const char* device;
+        std::uint32_t usual, least, largest, asked;
+    } drivers[] = {{"RDNA 2 and 3, RADV", 64, 32, 64, 32},
+                   {"GCN 5, RADV", 64, 64, 64, 0},
+                   {"Intel, anv", 32, 8, 32, 0},
+                   {"NVIDIA", 32, 32, 32, 0},
+                   {"Adreno, turnip", 128, 64, 128, 0},
+                   {"lavapipe", 8, 8, 8, 0},
+                   {"a driver without a choice", 64, 0, 0, 0}};
+    for (const auto& each : drivers) {
+        Candidate candidate = goodCandidate(each.device, VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU);
+        candidate.subgroup.subgroupSize = each.usual;
+        candidate.least_subgroup = each.least;
+        candidate.largest_subgroup = each.largest;
+        EXPECT_EQ(subgroupSizeFor(candidate), each.asked) << each.device;
+    }
 }
 
 // Limits of real drivers: V3D of a Raspberry Pi has 4 storage texel and 8 storage buffers.

@@ -37,9 +37,9 @@ protected:
         request.settings.first_hits = true;
         request.form = KernelForm::kWavefront;
         loaded = loadScene(device, device, request, {});
-        profile.clock = createGpuTimer(device);
+        profile.clock = createPassClock(device);
     }
-    void TearDown() override { destroyGpuTimer(device, profile.clock); }
+    void TearDown() override { destroyPassClock(device, profile.clock); }
 
     /// Measures into target, unless that is null.
     Film render(PassProfile* target) {
@@ -84,7 +84,7 @@ TEST_F(PassProfileTest, TimesAddUpToNoMoreThanTheFrame) {
         passes_ms += each.host_ms;
         // two clocks, one of which may have a resolution of some microseconds
         EXPECT_LE(each.device_ms, 1.01 * each.host_ms + 0.01 * static_cast<double>(each.runs)) << each.name;
-        EXPECT_EQ(each.device_ms > 0, profile.clock.pool != VK_NULL_HANDLE) << each.name;
+        EXPECT_EQ(each.device_ms > 0, profile.clock.timer.pool != VK_NULL_HANDLE) << each.name;
     }
     EXPECT_GE(unaccountedMilliseconds(profile), 0);
     EXPECT_LT(unaccountedMilliseconds(profile) + passes_ms, profile.frames_ms) << "frames also read the film back";

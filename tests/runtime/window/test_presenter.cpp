@@ -103,15 +103,15 @@ protected:
             recordUploadRows(commands, presenter, buffer, 0, presenter.canvas.extent.height);
         });
     }
+    /// on_host: where the device is a CPU.
     void uploadPicture(const std::vector<std::uint32_t>& pixels, std::uint32_t width, std::uint32_t height,
-                       bool at_once) {
-        if (!at_once)
-            return upload(pixels, [&](VkCommandBuffer commands, const Buffer& buffer) {
+                       bool on_host) {
+        upload(pixels, [&](VkCommandBuffer commands, const Buffer& buffer) {
+            if (on_host)
+                recordUploadPreview(device, commands, presenter, buffer, width, height);
+            else
                 recordUploadScaled(commands, presenter, buffer, width, height);
-            });
-        Buffer buffer = createFilledBuffer(device, "pixels", pixels.data(), pixels.size() * 4, 0);
-        uploadScaled(device, presenter, buffer, width, height);
-        destroyBuffer(device, buffer);
+        });
     }
 
     /// A frame with an opaque red window at [left, left + 60) x [20, 60).
@@ -168,21 +168,21 @@ constexpr double kBilinearError = 2;
 TEST_F(PresenterTest, UpscalesBilinearly) {
     constexpr std::uint32_t kSmallWidth = 41, kSmallHeight = 30;
     const std::vector<std::uint32_t> pixels = testPixels(kSmallWidth, kSmallHeight);
-    for (bool at_once : {false, true}) {
+    for (bool on_host : {false, true}) {
         // noise of another size first, which must not show at the edges
-        uploadPicture(testPixels(kWidth, kHeight, 3), kWidth, kHeight, at_once);
-        uploadPicture(pixels, kSmallWidth, kSmallHeight, at_once);
-        EXPECT_LT(bilinearError(readCanvas(device, presenter), pixels, kSmallWidth), kBilinearError) << at_once;
+        uploadPicture(testPixels(kWidth, kHeight, 3), kWidth, kHeight, on_host);
+        uploadPicture(pixels, kSmallWidth, kSmallHeight, on_host);
+        EXPECT_LT(bilinearError(readCanvas(device, presenter), pixels, kSmallWidth), kBilinearError) << on_host;
     }
     EXPECT_THROW(recordUploadScaled(VK_NULL_HANDLE, presenter, {}, kWidth + 1, 1), std::logic_error);
-    EXPECT_THROW(uploadScaled(device, presenter, {}, 1, 0), std::logic_error);
+    EXPECT_THROW(recordUploadPreview(device, VK_NULL_HANDLE, presenter, {}, 1, 0), std::logic_error);
 }
 
 TEST_F(PresenterTest, CanvasSizedPicturesAreCopied) {
     const std::vector<std::uint32_t> pixels = testPixels(kWidth, kHeight);
-    for (bool at_once : {false, true}) {
-        uploadPicture(pixels, kWidth, kHeight, at_once);
-        EXPECT_EQ(readCanvas(device, presenter).pixels, rgbOf(pixels)) << at_once;
+    for (bool on_host : {false, true}) {
+        uploadPicture(pixels, kWidth, kHeight, on_host);
+        EXPECT_EQ(readCanvas(device, presenter).pixels, rgbOf(pixels)) << on_host;
     }
 }
 
@@ -201,6 +201,21 @@ TEST_F(PresenterTest, PresentsWithoutUi) {
             std::copy_n(red, 3, expected.begin() + static_cast<long>(y * kWidth + x) * 3);
     EXPECT_EQ(frame.pixels, expected);
     EXPECT_EQ(readCanvas(device, presenter).pixels, rgbOf(pixels)) << "the UI must not get into the picture";
+}
+
+/// Frames one after another, each with triangles of its own, and pixels that the one before may still be read from.
+TEST_F(PresenterTest, FramesDoNotWaitForEachOther) {
+    Buffer buffer = createBuffer(device, "pixels", 4 * kWidth * kHeight, 0);
+    std::vector<std::uint32_t> pixels;
+    for (std::uint32_t i = 0; i < 6; ++i) {
+        pixels = testPixels(kWidth, kHeight, i);
+        uploadBuffer(device, buffer, pixels.data(), 4 * pixels.size());
+        EXPECT_TRUE(
+            present(device, presenter, drawWindow(10.0f * static_cast<float>(i)),
+                    [&](VkCommandBuffer commands) { recordUploadRows(commands, presenter, buffer, 0, kHeight); }));
+    }
+    EXPECT_EQ(readCanvas(device, presenter).pixels, rgbOf(pixels));
+    destroyBuffer(device, buffer);
 }
 
 TEST_F(PresenterTest, DrawsGlyphs) {
