@@ -28,6 +28,16 @@ bool isCustomaryValue(double value) {
 
 } // namespace
 
+void NoDataSurvey::addExtremes(const Vec3d& in_scan) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<Eigen::Index>(axis);
+        low_[axis].add(in_scan[i]);
+        high_[axis].add(-in_scan[i]);
+        inner_low_[i] = low_[axis].next;
+        inner_high_[i] = -high_[axis].next;
+    }
+}
+
 NoData NoDataSurvey::candidate(std::size_t axis, bool is_low) const {
     const Extreme& extreme = (is_low ? low_ : high_)[axis];
     const double sign = is_low ? 1 : -1;

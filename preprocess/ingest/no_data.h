@@ -32,11 +32,8 @@ class NoDataSurvey {
 public:
     void add(const Vec3d& in_scan) {
         ++points_;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double value = in_scan[static_cast<Eigen::Index>(axis)];
-            low_[axis].add(value);
-            high_[axis].add(-value);
-        }
+        if ((in_scan.array() >= inner_low_.array()).all() && (in_scan.array() <= inner_high_.array()).all()) return;
+        addExtremes(in_scan);
     }
 
     /// Values that two points or more share and that are far from all others: a customary value farther than the
@@ -63,12 +60,15 @@ private:
         }
     };
 
+    void addExtremes(const Vec3d& in_scan);
     std::optional<NoData> zeroPlace() const;
     NoData candidate(std::size_t axis, bool is_low) const;
     double timesAsFar(std::size_t axis, bool is_low) const;
 
     std::uint64_t points_ = 0;
     std::array<Extreme, 3> low_, high_; ///< high_: of the negated values
+    /// The values next to the extremes: points within them, nearly all of a scan, change nothing.
+    Vec3d inner_low_ = Vec3d::Constant(std::numeric_limits<double>::infinity()), inner_high_ = -inner_low_;
 };
 
 /// "z = -9999".

@@ -43,10 +43,6 @@ bool PointFilter::isFirstOfCell(const Vec3d& position) {
     return cells_.insert(index.x(), index.y(), index.z());
 }
 
-bool PointFilter::drops() const {
-    return options_.bounds || selectsClasses() || options_.thin_spacing > 0 || options_.every > 1;
-}
-
 bool PointFilter::keeps(const Vec3d& position, std::uint8_t point_class) {
     if (seen_++ % options_.every != 0) return false;
     if (options_.bounds && !options_.bounds->contains(position)) return false;

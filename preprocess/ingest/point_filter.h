@@ -41,7 +41,9 @@ public:
 
     const FilterOptions& options() const { return options_; }
     /// Whether it may reject points.
-    bool drops() const;
+    bool drops() const {
+        return options_.bounds || selectsClasses() || options_.thin_spacing > 0 || options_.every > 1;
+    }
     bool selectsClasses() const { return !options_.keep_classes.empty(); }
     /// Points tested so far. A filter that continues the work of another resumes after its count.
     std::uint64_t seen() const { return seen_; }

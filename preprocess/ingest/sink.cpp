@@ -185,7 +185,7 @@ std::uint32_t Sink::addVertex(const Row& row, const char* values) {
         return RangeGrid::kFilteredOut;
     }
     const Vec3d in_scan(row[kX], row[kY], row[kZ]);
-    if (dropsNoData(in_scan, position)) {
+    if (!dropped_.empty() && dropsNoData(in_scan, position)) {
         scan_.faces.drop(index);
         return RangeGrid::kFilteredOut;
     }
@@ -219,7 +219,7 @@ void Sink::addVertices(std::span<const Vec3d> positions, std::span<const char* c
         const std::uint8_t point_class =
             classes ? loadClass(classes + i * class_size, class_column_->type) : std::uint8_t{0};
         if (filters && !passesFilter(position, point_class)) continue;
-        if (dropsNoData(positions[i], position)) continue;
+        if (!dropped_.empty() && dropsNoData(positions[i], position)) continue;
         if (addPosition(position)) {
             kept.push_back(static_cast<std::uint32_t>(i));
             survey_.add(positions[i]);

@@ -54,25 +54,25 @@ bool hasTabFields(std::string_view line) {
 
 } // namespace
 
-bool Fields::next(std::string_view& field) {
-    if (delimiter == ' ') {
-        while (!rest.empty() && isSpace(rest.front())) rest.remove_prefix(1);
-        const std::size_t quoted = rest.starts_with('"') ? quotedLength(rest) : std::string_view::npos;
-        if (quoted == std::string_view::npos) {
-            field = nextWord(rest);
-            return !field.empty();
-        }
-        field = rest.substr(1, quoted);
-        rest.remove_prefix(quoted + 2);
+bool Fields::nextQuote(std::string_view& field) {
+    const std::size_t quoted = quotedLength(rest);
+    if (quoted == std::string_view::npos) {
+        field = nextWord(rest);
         return true;
     }
+    field = rest.substr(1, quoted);
+    rest.remove_prefix(quoted + 2);
+    return true;
+}
+
+bool Fields::nextDelimited(std::string_view& field) {
     if (!more) return false;
     while (!rest.empty() && rest.front() == ' ') rest.remove_prefix(1);
     const std::size_t quoted = rest.starts_with('"') ? quotedLength(rest) : std::string_view::npos;
     const bool is_quoted = quoted != std::string_view::npos;
     const std::size_t length = rest.find(delimiter, is_quoted ? quoted + 2 : 0);
     field = is_quoted ? rest.substr(1, quoted) : rest.substr(0, length);
-    while (!field.empty() && isSpace(field.front())) field.remove_prefix(1);
+    skipSpace(field);
     while (!field.empty() && isSpace(field.back())) field.remove_suffix(1);
     more = length != std::string_view::npos;
     rest.remove_prefix(more ? length + 1 : rest.size());

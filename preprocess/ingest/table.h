@@ -17,7 +17,22 @@ struct Fields {
     char delimiter;
     bool more = true; ///< a delimiter was last: a field follows, if only an empty one
 
-    bool next(std::string_view& field);
+    bool next(std::string_view& field) { return delimiter == ' ' ? nextWordOrQuote(field) : nextDelimited(field); }
+
+    /// Takes the next field if it is a number with a decimal point and nothing around it, as most are. Otherwise
+    /// returns false, for next() to take it.
+    bool nextNumber(double& value) {
+        if (delimiter == ' ') skipSpace(rest);
+        const char* const end = rest.data() + rest.size();
+        const char* const stop = parseNumber(rest.data(), end, value);
+        if (!stop) return false;
+        const bool is_last = stop == end;
+        if (!is_last && (delimiter == ' ' ? !isSpace(*stop) : *stop != delimiter)) return false;
+        if (is_last) more = false;
+        const bool skips_delimiter = !is_last && delimiter != ' ';
+        rest.remove_prefix(static_cast<std::size_t>(stop - rest.data()) + skips_delimiter);
+        return true;
+    }
 
     static std::string_view trim(std::string_view field) {
         const auto skipped = [](char letter) { return isBlank(letter) || letter == '"'; };
@@ -25,6 +40,16 @@ struct Fields {
         while (!field.empty() && skipped(field.back())) field.remove_suffix(1);
         return field;
     }
+
+private:
+    bool nextWordOrQuote(std::string_view& field) {
+        skipSpace(rest);
+        if (rest.starts_with('"')) return nextQuote(field);
+        field = nextWord(rest);
+        return !field.empty();
+    }
+    bool nextQuote(std::string_view& field);
+    bool nextDelimited(std::string_view& field);
 };
 
 /// Takes the next line from rest; a quoted field that its end leaves open continues on the next lines, at most 16.
@@ -39,7 +64,7 @@ char delimiterOf(std::string_view line);
 bool isMissingNumber(std::string_view field);
 
 inline std::string_view withoutBlanks(std::string_view line) {
-    while (!line.empty() && isSpace(line.front())) line.remove_prefix(1);
+    skipSpace(line);
     while (!line.empty() && isSpace(line.back())) line.remove_suffix(1);
     return line;
 }

@@ -77,14 +77,17 @@ inline bool nextLine(std::string_view& rest, std::string_view& line) {
     return true;
 }
 
+inline void skipSpace(std::string_view& rest) {
+    while (!rest.empty() && isSpace(rest.front())) rest.remove_prefix(1);
+}
+
 /// Takes the next word from rest, skipping blanks before it. Empty at the end of rest.
 inline std::string_view nextWord(std::string_view& rest) {
-    std::size_t first = 0;
-    while (first < rest.size() && isSpace(rest[first])) ++first;
-    std::size_t last = first;
-    while (last < rest.size() && !isSpace(rest[last])) ++last;
-    const std::string_view word = rest.substr(first, last - first);
-    rest.remove_prefix(last);
+    skipSpace(rest);
+    std::size_t length = 0;
+    while (length < rest.size() && !isSpace(rest[length])) ++length;
+    const std::string_view word = rest.substr(0, length);
+    rest.remove_prefix(length);
     return word;
 }
 

@@ -110,13 +110,11 @@ void scaleDegreesOfFiles(std::size_t file_count, Sink& sink) {
 
 /// Files without a coordinate system whose x and y look like degrees count as files in degrees.
 void findDegrees(const std::vector<FileReport>& files, Sink& sink) {
-    std::size_t first = 0;
+    std::span<const ScanRange> rest = sink.scans;
     for (const FileReport& file : files) {
-        Eigen::AlignedBox3d box;
-        for (std::size_t i = first; i < first + file.scans && file.hides_frame; ++i)
-            box.extend(boxOfScan(sink.cloud, sink.scans[i]));
-        first += file.scans;
-        if (!looksLikeDegrees(box)) continue;
+        const std::span<const ScanRange> scans = rest.first(file.scans);
+        rest = rest.subspan(file.scans);
+        if (!file.hides_frame || !looksLikeDegrees(sink.cloud, scans)) continue;
         addNote(sink.cloud, file.name,
                 "names no coordinate system, but x and y look like degrees of longitude and latitude");
         sink.files_in_degrees += 1;

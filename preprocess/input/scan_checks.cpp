@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "preprocess/ingest/notes.h"
 #include "preprocess/input/mesh/mesh.h"
@@ -23,6 +24,23 @@ double middleSize(const Cloud& cloud, const ScanRange& scan) {
         if (count > 0) size[axis] = double(values[count - 1 - count / 10]) - double(values[count / 10]);
     }
     return size.norm();
+}
+
+/// A thousandth of a degree is 50 to 111 m long: a scan with 1 m of relief for each 100 m is 900 times higher than
+/// wide. Upright wires and masts in metres are less than 100 times.
+constexpr double kSlender = 100;
+
+bool isLongitudeLatitude(const Vec3d& position) {
+    constexpr double kMostEast = 360, kMostNorth = 90; // west of Greenwich is negative or beyond 180
+    return std::abs(position.x()) <= kMostEast && std::abs(position.y()) <= kMostNorth;
+}
+
+double widthOf(const Eigen::AlignedBox3d& box) { return std::max(box.sizes().x(), box.sizes().y()); }
+
+/// Whether a box is too wide for its distance from the meridian and the equator, as are all boxes around it.
+bool isTooWide(const Eigen::AlignedBox3d& box) {
+    const double reach = std::max(box.min().head<2>().cwiseAbs().maxCoeff(), box.max().head<2>().cwiseAbs().maxCoeff());
+    return kSlender * widthOf(box) > reach;
 }
 
 } // namespace
@@ -51,23 +69,23 @@ void dropNoData(Sink& sink) {
 }
 
 bool looksLikeDegrees(const Eigen::AlignedBox3d& box) {
-    // A thousandth of a degree is 50 to 111 m long: a scan with 1 m of relief for each 100 m is 900 times higher than
-    // wide. Upright wires and masts in metres are less than 100 times.
-    constexpr double kMostEast = 360, kMostNorth = 90, kSlender = 100;
-    if (box.isEmpty() || box.min().x() < -kMostEast || box.max().x() > kMostEast || box.min().y() < -kMostNorth ||
-        box.max().y() > kMostNorth)
-        return false;
-    const double width = std::max(box.sizes().x(), box.sizes().y());
+    if (box.isEmpty() || !isLongitudeLatitude(box.min()) || !isLongitudeLatitude(box.max())) return false;
+    const double width = widthOf(box);
     // the corner of a small scan in metres is at its origin, places on Earth are seldom on the equator
     const double away = box.center().head<2>().cwiseAbs().maxCoeff();
     return width > 0 && box.sizes().z() > kSlender * width && away > kSlender * width;
 }
 
-Eigen::AlignedBox3d boxOfScan(const Cloud& cloud, const ScanRange& scan) {
-    Eigen::AlignedBox3f box;
-    for (std::size_t i = 0; i < scan.position_count; ++i) box.extend(cloud.positions[scan.first_position + i]);
-    if (box.isEmpty()) return {};
-    return {cloud.origin + box.min().cast<double>(), cloud.origin + box.max().cast<double>()};
+bool looksLikeDegrees(const Cloud& cloud, std::span<const ScanRange> scans) {
+    Eigen::AlignedBox3d box;
+    for (const ScanRange& scan : scans)
+        for (std::size_t i = 0; i < scan.position_count; ++i) {
+            const Vec3d position = cloud.origin + cloud.positions[scan.first_position + i].cast<double>();
+            box.extend(position);
+            // of scans in metres, the first few points tell
+            if (!isLongitudeLatitude(position) || isTooWide(box)) return false;
+        }
+    return looksLikeDegrees(box);
 }
 
 void noteUnits(Sink& sink) {

@@ -2,6 +2,8 @@
 // Checks of whole scans once all files are read: missing data, degrees without a coordinate system, units that differ.
 #pragma once
 
+#include <span>
+
 #include "preprocess/ingest/sink.h"
 
 namespace pointrt {
@@ -13,8 +15,8 @@ void dropNoData(Sink& sink);
 /// is a hundred times higher than wide.
 bool looksLikeDegrees(const Eigen::AlignedBox3d& box);
 
-/// The box around a scan's points in the cloud, input coordinates.
-Eigen::AlignedBox3d boxOfScan(const Cloud& cloud, const ScanRange& scan);
+/// The same of a file's scans in the cloud, taken together.
+bool looksLikeDegrees(const Cloud& cloud, std::span<const ScanRange> scans);
 
 /// Adds a note if a scan is about a thousand times the size of another, as one in millimetres beside one in metres.
 void noteUnits(Sink& sink);

@@ -42,9 +42,10 @@ struct ElementReader {
                     body.skip(element, i, property);
                 else if (property.place)
                     body.valueAs(element, i, property.type, packed.data() + *property.place);
-                else
+                else {
                     body.value(element, i, property.type, row[property.dimension]);
-                if (property.dimension == kIgnored) paint.takeOfVertex(property, row[kIgnored]);
+                    if (property.dimension == kIgnored) paint.takeOfVertex(property, row[kIgnored]);
+                }
             }
             if (header.harmonic_colors) evaluateHarmonics(row);
             if (isCut(element, i)) body.refuseValue(element, i);

@@ -40,6 +40,7 @@ struct RowReader {
         std::string_view field;
         bool lacks = false;
         for (std::size_t i = 0; i < needs.size(); ++i) {
+            if (needs[i] != Need::kNothing && style.isPlain() && fields.nextNumber(values[i])) continue;
             const bool there = fields.next(field);
             if (!there && i < needed)
                 refuseLine(input, line.data(), fmt::format("has {} columns, but {} are needed", i, needed));
