@@ -26,12 +26,11 @@ void runOver(PassCommands& commands, const Program& program, const DescriptorSet
 
 /// Runs of composite_gaussians for rays that lavapipe cuts after 65,535 iterations of all loops. A ray through many
 /// Gaussians walks again after each kWaiting of them, and tests all that are listed where it is. Hardly a ray lets
-/// light pass behind 1,000 Gaussians, that is 64 walks, unless more are in one place, all of them faint; and as a group
-/// of 8 lanes takes longer than each of them, half of the iterations count.
-std::uint32_t gaussianRuns(std::uint64_t most_listed) {
-    constexpr std::uint64_t kWalks = 64, kWaiting = 16, kIterations = 65535 / 2, kMostRuns = 64;
-    const std::uint64_t walks = std::max(kWalks, most_listed / kWaiting);
-    return static_cast<std::uint32_t>(std::min(1 + walks * most_listed / kIterations, kMostRuns));
+/// light pass behind 1,000 Gaussians, that is 64 walks; and as a group of 8 lanes takes longer than each of them, half
+/// of the iterations count.
+std::uint32_t gaussianRuns(std::uint32_t most_listed) {
+    constexpr std::uint32_t kWalks = 64, kIterations = 65535 / 2, kMostRuns = 64;
+    return std::min(1 + kWalks * most_listed / kIterations, kMostRuns);
 }
 
 /// Fills instances.

@@ -58,20 +58,6 @@ TEST(Gaussians, RaysThroughThousandsGoOnInFurtherRuns) {
               55); // where thousands are faint, floats end rays one Gaussian sooner or later
 }
 
-TEST(Gaussians, RaysThroughThousandsOfFaintLayersGoOn) {
-    const GaussianFile file(makeGaussians("layers", 3000));
-    for (const Vec3 eye : {Vec3{0.3, 0.2, 4}, Vec3{0, 0, 0.1}}) {
-        const RenderSettings settings = lookingFrom(eye, {0, 0, 0}, 16);
-        const Rendered rendered = renderScene(sceneOf(file.path), settings);
-        EXPECT_EQ(rendered.rays.cut, 0u);
-        EXPECT_GT(psnrAgainst(rendered, settings,
-                              [&](Vec3 direction) {
-                                  return lightOf(compositeAlong(file.scene, rendered.camera.eye, direction));
-                              }),
-                  55);
-    }
-}
-
 // Training leaves a few that have blown up, and some that have collapsed.
 TEST(Gaussians, OfAnySizeAreKept) {
     for (const double sigma : {1e-30, 1e-19, 1e19, 1e30}) {
