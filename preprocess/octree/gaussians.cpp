@@ -134,6 +134,15 @@ struct NumberRange {
     }
 };
 
+/// Log2 of deviations that the file can hold. What is beyond looks the same: as wide as a billion scenes, or a
+/// billionth of a step of positions.
+/// @param range log2 of deviations in cube units
+NumberRange codedDeviations(const NumberRange& range) {
+    constexpr double kWidest = PRO_DEVIATION_LOG2_MAX - 1; // the largest code's deviation is rounded
+    const double low = std::clamp(range.low, double{PRO_DEVIATION_LOG2_MIN}, double{PRO_DEVIATION_LOW_MAX});
+    return {low, std::clamp(range.high, low, kWidest)};
+}
+
 /// Sets the ranges of the codes.
 void chooseCodes(const GaussianCloud& cloud, double scale, pro_gaussians& coding) {
     NumberRange deviations, colors;
@@ -143,8 +152,9 @@ void chooseCodes(const GaussianCloud& cloud, double scale, pro_gaussians& coding
         colors.add(cloud.columns.color[k]);
     }
     coding.degree = static_cast<std::uint32_t>(cloud.columns.degree);
-    coding.deviation_low = static_cast<float>(deviations.low);
-    coding.deviation_step = static_cast<float>(std::max((deviations.high - deviations.low) / kDeviationCodes, 1e-6));
+    const NumberRange coded = codedDeviations(deviations);
+    coding.deviation_low = static_cast<float>(coded.low);
+    coding.deviation_step = static_cast<float>(std::max((coded.high - coded.low) / kDeviationCodes, 1e-6));
     coding.color_low = static_cast<float>(colors.low);
     coding.color_step = static_cast<float>((colors.high - colors.low) / kColorCodes);
     for (std::uint32_t h = 0; h < pro_harmonic_count(coding.degree); ++h) {

@@ -17,8 +17,9 @@ bool isTooSparse(const PointGraph& graph);
 /// Whether a cloud with so many scattered points (weighPlanarity) hardly has any on a surface.
 bool isVolume(std::size_t scattered, std::size_t points);
 
-/// Sets the radii of balls, of all points: half the median distance to the three nearest neighbours, so that typical
-/// neighbours touch, and at most three times the cloud's median of that, so that strays stay small. Given radii stay.
+/// Sets the radii of balls, of all points. Half the median distance to the three nearest neighbours makes typical
+/// neighbours touch; the median of that over the neighbourhood makes them alike, and follows the density. At most three
+/// times the cloud's median, so that strays stay small. Given radii stay.
 void setBallRadii(PointGraph& graph, const StageShare& share);
 
 /// [points] 1: the point is on no surface, and becomes a ball; empty if so few are that the cloud consists of surfaces,

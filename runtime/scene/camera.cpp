@@ -90,7 +90,8 @@ double framingHeight(Vec3 bounds_min, Vec3 bounds_max, double aspect) {
 
 Vec3 frontSide(Vec3 up) {
     const Vec3 axis = normalize(withinRange(up));
-    const Vec3 front = std::abs(axis.z) > 0.5 ? Vec3{0, -1, 0} : Vec3{0, 0, 1};
+    const double towards = axis.y < -0.5 ? -1 : 1; // where y points down, as for cameras, these look along z
+    const Vec3 front = std::abs(axis.z) > 0.5 ? Vec3{0, -1, 0} : Vec3{0, 0, towards};
     return normalize(front - dot(front, axis) * axis);
 }
 

@@ -21,8 +21,8 @@ Camera frameCamera(const CameraRequest& request, Vec3 bounds_min, Vec3 bounds_ma
 /// Height in input units of the parallel picture whose narrower side the bounding sphere just fills.
 double framingHeight(Vec3 bounds_min, Vec3 bounds_max, double aspect);
 
-/// The default horizontal direction from the scene to the eye: +Z, or -Y if up is along Z. Unit length, perpendicular
-/// to up, which may have any length but zero.
+/// The default horizontal direction from the scene to the eye: +Z; -Z if Y points down; -Y if up is along Z. Unit
+/// length, perpendicular to up, which may have any length but zero.
 Vec3 frontSide(Vec3 up);
 
 /// Half of the field of view, in radians.

@@ -89,6 +89,10 @@ std::vector<std::string> sceneNotes(const LoadedScene& loaded, bool up_is_given)
                         " (--color-by rgb turns that off)");
     if (cutsInstances(loaded.scene.description) && loaded.kept_sample.splats.empty())
         notes.push_back("the clips leave nothing of the scans");
+    const RenderSettings& settings = loaded.settings;
+    const bool shows_caustics = settings.caustics && usesLights(settings.integrator) && castsCaustics(loaded.scene);
+    if (settings.relight && shows_caustics && hasGaussians(loaded.scene))
+        notes.push_back("Gaussians lit by the scene show no caustics: these pass them and show on surfaces");
     const double height = loaded.camera.ortho_height;
     if (loaded.section_camera && height > 0)
         notes.push_back("the picture of the section is " + plainText(height) + " units high, " +

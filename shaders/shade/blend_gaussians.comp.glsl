@@ -38,6 +38,7 @@ void main() {
     if (!goes_on) {
         sum.light.rgb = decodedLight(sum.light.rgb, sum.light.a, loadHit(path).z == NO_INDEX);
         storeSurface(sum.middle.xyz, sum.last.z, true, sum.last.w, sum.light.rgb, sum.last, sum.middle);
+        sum.light = surfaceViewOf(sum.light, sum.middle);
     }
     gaussian_light[path] = sum;
     if (more && !goes_on) atomicAdd(control.cut_rays, 1u);

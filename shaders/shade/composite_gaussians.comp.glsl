@@ -83,6 +83,8 @@ void main() {
     vec4 middle = has_middle ? middleOf(ray, sum.middle) : stored.middle;
     float radius = kRelights && has_middle ? radiusOf(sum.middle.gaussian) : stored.last.w;
     storeSurface(sum.normal, sum.most, complete, radius, light, next, middle);
-    if (live) gaussian_light[index] = GaussianLight(vec4(light, sum.transmittance), next, middle);
+    vec4 seen = vec4(light, sum.transmittance);
+    if (complete) seen = surfaceViewOf(seen, middle);
+    if (live) gaussian_light[index] = GaussianLight(seen, next, middle);
     if (cut && ends) atomicAdd(control.cut_rays, 1u);
 }

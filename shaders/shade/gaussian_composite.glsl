@@ -6,6 +6,7 @@
 #include "shaders/lib/path.glsl"
 #include "shaders/shade/harmonics.glsl"
 #include "shaders/shade/sky.glsl"
+#include "shaders/shade/surface_view.glsl"
 #include "shaders/shared/tone_curve.h"
 #include "shaders/trace/gaussian_first_hit.glsl"
 
@@ -25,6 +26,15 @@ vec3 decodedLight(vec3 encoded, float passes, bool misses) {
     float covered = 1.0 - passes;
     vec3 alone = covered > 0.0 ? covered * exactLinearFromSrgb(encoded / covered) : vec3(0.0);
     return plain && misses && !hasOption(OPTION_TRANSPARENT) && !kRelights ? over : alone;
+}
+
+// Integrators without lights show where a ray's middle lies as if a surface were there; no light passes it. Rays without
+// a middle see what is behind.
+// light: of the Gaussians, and the share that passes; middle: of GaussianLight
+vec4 surfaceViewOf(vec4 light, vec4 middle) {
+    if (integratorHas(kIntegrator, INTEGRATOR_USES_LIGHTS)) return light;
+    vec3 color = kShading == SHADING_DEPTH ? depthColor(middle.w) : normalColor(normalize(middle.xyz));
+    return middle.w < kWalkEnded ? vec4(color, 0.0) : vec4(vec3(0.0), 1.0);
 }
 
 // The radius by which shadow rays of lit Gaussians are offset (shaders/trace/offset.glsl): about a deviation along the

@@ -16,13 +16,6 @@ bool covers(SurfaceInteraction point) {
     return point.t >= 0.0 && !backdrop;
 }
 
-// The numbers of SHADINGS, and those of all integrators packed into one constant.
-#define SHADING_NUMBER(number, NAME, function) const uint SHADING_##NAME = number;
-SHADINGS(SHADING_NUMBER)
-#define SHADING_OF_ROW(number, Name, word, label, SHADING, traits) | SHADING_##SHADING << (INTEGRATOR_BITS * number)
-const uint kShadings = 0u INTEGRATORS(SHADING_OF_ROW);
-const uint kShading = kShadings >> (INTEGRATOR_BITS * kIntegrator) & ((1u << INTEGRATOR_BITS) - 1u);
-
 // Calls the shading function of the integrator that the program is built for.
 Shading shadeHit(PathState path, SurfaceInteraction point, Material row, Bsdf bsdf, uint pixel) {
 #define SHADE(number, NAME, function) \

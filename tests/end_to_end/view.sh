@@ -183,6 +183,32 @@ case_captures_without_a_base_have_a_guessed_up() {
     grep -q 'up is a guess: -y' stderr || fail "the viewer does not say that up is a guess"
 }
 
+case_lit_captures_say_that_they_show_no_caustics() {
+    gaussians 000 100 200 >row.splat
+    pointrt-bake -q row.splat -o row.pro
+    cat >lit.toml <<'TOML'
+[[instance]]
+file = "row.pro"
+[material.glass]
+kind = "glass"
+[[shape]]
+type = "sphere"
+center = [0, -2, 0]
+radius = 0.5
+material = "glass"
+[[light]]
+type = "point"
+position = [0, -5, 0]
+intensity = 20
+TOML
+    expectDone pointrt-view lit.toml --size 8x8 --spp 1 --relight on -o out/lit.png
+    grep -q 'no caustics' stderr || fail "the viewer does not say that caustics are missing"
+    expectDone pointrt-view lit.toml --size 8x8 --spp 1 --relight on --caustics off -o out/off.png
+    ! grep -q 'no caustics' stderr || fail "none were asked for"
+    expectDone pointrt-view lit.toml --size 8x8 --spp 1 -o out/kept.png
+    ! grep -q 'no caustics' stderr || fail "captured light is not lit"
+}
+
 case_captures_become_discs_on_request() {
     gaussians 000 100 010 110 001 101 >some.splat
     pointrt-bake -q some.splat -o discs.pro --splat disc --outliers keep

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <list>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -55,6 +56,23 @@ TEST(Gaussians, RaysThroughThousandsGoOnInFurtherRuns) {
                   rendered, settings,
                   [&](Vec3 direction) { return lightOf(compositeAlong(file.scene, rendered.camera.eye, direction)); }),
               55); // where thousands are faint, floats end rays one Gaussian sooner or later
+}
+
+// Training leaves a few that have blown up, and some that have collapsed.
+TEST(Gaussians, OfAnySizeAreKept) {
+    for (const double sigma : {1e-30, 1e-19, 1e19, 1e30}) {
+        const GaussianFile file(
+            {roundGaussian({0, 0, 0}, 0.3, 0.5, {1, 0.2, 0.1}), roundGaussian({0, 0, -1}, sigma, 0.5, {0.1, 0.2, 1})});
+        const RenderSettings settings = lookingFrom({0.3, 0.2, 4}, {0, 0, 0});
+        const Rendered rendered = renderScene(sceneOf(file.path), settings);
+        EXPECT_GT(psnrAgainst(rendered, settings,
+                              [&](Vec3 direction) {
+                                  return lightOf(compositeAlong(file.scene, rendered.camera.eye, direction));
+                              }),
+                  60)
+            << sigma;
+        EXPECT_GT(pixel(rendered.film, 0, 0, 2), sigma > 1 ? 0.1 : -1); // behind the other one, everywhere
+    }
 }
 
 TEST(Gaussians, AreSeenInMirrors) {
@@ -258,6 +276,52 @@ TEST(Gaussians, OneAloneLeavesCausticsAsTheyAre) {
     };
     // the mirror shows the lamp, 3 above the disc, 5 away from it
     EXPECT_NEAR(light(true) / light(false), 1 + std::pow(3.0 / 5, 3), 0.05);
+}
+
+Color colorAt(const Rendered& rendered, std::uint32_t x, std::uint32_t y) {
+    return {pixel(rendered.film, x, y, 0), pixel(rendered.film, x, y, 1), pixel(rendered.film, x, y, 2)};
+}
+
+/// What an integrator without lights shows 3 before the eye.
+struct PropertyView {
+    Color flat, wall, nothing; ///< of a thin Gaussian in the middle, of a quad at the right edge, of neither
+};
+
+PropertyView propertyView(Integrator integrator, bool several, KernelForm form) {
+    OracleGaussian flat = roundGaussian({0, 0, 1}, 0.2, 0.9, {0.8, 0.2, 0.3});
+    flat.deviation[2] = 0.001;
+    const OracleGaussian behind = roundGaussian({0, 0, -2}, 0.1, 0.9, {0, 1, 0});
+    std::vector<std::vector<OracleGaussian>> captures{{flat, behind}};
+    if (several) captures = {{flat}, {behind}};
+    std::list<GaussianFile> files;
+    SceneDescription scene;
+    for (const std::vector<OracleGaussian>& each : captures)
+        scene.instances.push_back({files.emplace_back(each).path, {}, {}, {}});
+    scene.materials.resize(1);
+    scene.shapes = {{ShapeKind::kQuad, {6, 0, 1}, {5, 0, 0}, {0, 0.5, 0}, {0, 0, 1}, 0}};
+    RenderSettings settings = lookingFrom({0, 0, 4}, {0, 0, 0});
+    settings.integrator = integrator;
+    settings.background = Background{{128, 128, 128}}; // not shown, and not to be subtracted
+    const Rendered rendered = renderScene(scene, settings, {form});
+    return {colorAt(rendered, kGaussianPixels / 2, kGaussianPixels / 2),
+            colorAt(rendered, kGaussianPixels - 1, kGaussianPixels / 2), colorAt(rendered, 0, 0)};
+}
+
+TEST(Gaussians, ShowNormalAndDepthWhereHalfOfTheLightIsHidden) {
+    for (const bool several : {false, true})
+        for (const KernelForm form : {KernelForm::kWavefront, KernelForm::kMegakernel}) {
+            const PropertyView normal = propertyView(Integrator::kNormal, several, form);
+            const PropertyView depth = propertyView(Integrator::kDepth, several, form);
+            // the edge of the picture, 3 before the eye, is 3 tan(20 degrees) away from the middle
+            const double to_wall = std::hypot(3, 3 * std::tan(std::numbers::pi / 9) * (1 - 1.0 / kGaussianPixels));
+            for (std::size_t c = 0; c < 3; ++c) {
+                EXPECT_NEAR(normal.flat[c], normal.wall[c], 0.01);
+                EXPECT_NEAR((1 - depth.flat[c]) / (1 - depth.wall[c]), 3 / to_wall, 0.002);
+                EXPECT_EQ(normal.nothing[c], 0);
+                EXPECT_EQ(depth.nothing[c], 0);
+            }
+            EXPECT_NEAR(normal.wall[2], 1, 1e-3);
+        }
 }
 
 TEST(Gaussians, FirstHitsAreWhereHalfOfTheLightIsHidden) {

@@ -110,6 +110,7 @@ TEST(Upright, FrontsAreLevel) {
     expectUpNear(frontSide(kYUp), kZUp);
     expectUpNear(frontSide(2 * kUprightX), kZUp);
     expectUpNear(frontSide(-3.0 * kZUp), {0, -1, 0});
+    expectUpNear(frontSide({0, -2, 0}), -1.0 * kZUp); // a camera's frame: y points down, and it looks along z
     for (const Vec3 up : {Vec3{1, 2, 3}, Vec3{0, 1e-9, 1e-9}, Vec3{0, 1, 1e300}, Vec3{0.6, 0.64, 0.48}}) {
         const Vec3 front = frontSide(up);
         EXPECT_NEAR(length(front), 1, 1e-12);
