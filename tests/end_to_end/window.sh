@@ -273,6 +273,48 @@ case_edits_survive_a_crash() {
     [ -z "$(find "$left" -type f)" ] || fail "what is saved is still kept"
 }
 
+# A view is saved every half second of the window's clock. Killed at any time, the window loses at most those of the last
+# second, and nothing that it left is half a file.
+case_a_kill_loses_a_second_of_edits() {
+    local id left views shots moment
+    bakeHalf
+    left=$XDG_STATE_HOME/pointrt/autosave
+    awk 'BEGIN {
+        print "pointrt-recording 1 window 160x120 scale 1\n0 wait 1"
+        for (edit = 1; edit <= 2000; edit++)
+            printf "%d key down V\n%d key up V\n%d screenshot shot%d\n", 15 * edit, 15 * edit, 15 * edit + 1, edit
+        print "100000 quit"
+    }' >edits.txt
+    for moment in 5 8 13; do
+        rm -rf shot*.png "$left"
+        pointrt-view half.pro --replay edits.txt --offscreen --spp 1 &
+        id=$!
+        for _ in $(seq 600); do
+            [ ! -e shot$moment.png ] || break
+            sleep 0.1
+        done
+        kill -KILL "$id"
+        wait "$id" || true
+        shots=$(find . -name 'shot*.png' | wc -l)
+        [ "$shots" -ge "$moment" ] || fail "the window is too slow for this test"
+        views=$(cat "$left"/*.toml | grep -c '^\[\[view\]\]')
+        echo "killed after $shots edits: $views are kept"
+        [ "$views" -ge $((shots - 2)) ] || fail "of $shots edits only $views are kept"
+        # Esc restores them, being the last answer
+        replay "0 wait 1
+3 key down Escape
+3 key up Escape
+4 wait 1
+5 key down Control
+5 key down S
+5 key up S
+5 key up Control
+8 quit" --spp 1
+        [ "$(grep -c '^\[\[view\]\]' half-1.toml)" = "$views" ] || fail "not all that was kept is restored"
+        rm half-1.toml
+    done
+}
+
 # Ctrl+Q asks for unsaved edits; Esc cancels the question, Ctrl+Z makes it needless.
 case_asks_before_edits_are_lost() {
     bakeHalf
