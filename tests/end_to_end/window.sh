@@ -157,6 +157,41 @@ case_clips_are_saved() {
     ! cmp -s whole.png file.png || fail "the clip cuts nothing"
 }
 
+# Two points are picked and kept: the scene has them, and pictures of it show them as the window does.
+case_measurements_are_saved() {
+    bakeHalf
+    replay "0 wait 1
+1 cursor 30 60
+1 button down left
+2 button up left
+30 wait 1
+31 cursor 40 50
+31 button down left
+32 button up left
+60 wait 1
+61 key down K
+61 key up K
+63 wait 4
+64 key down F12
+64 key up F12
+70 key down Control
+70 key down S
+71 key up S
+71 key up Control
+75 quit" --spp 4
+    [ "$(grep -c '^\[\[measure\]\]' half-1.toml)" = 1 ] || fail "the scene does not keep its measurement"
+    expectDone pointrt-view half-1.toml -o file.png
+    cmp half-1.png file.png || fail "the window's picture is not the file's"
+    expectDone pointrt-view half-1.toml --hide "measurement 1" -o hidden.png
+    sed '/^\[\[measure\]\]/,/^$/d' half-1.toml >without.toml
+    expectDone pointrt-view without.toml -o without.png
+    cmp hidden.png without.png || fail "a hidden measurement is drawn"
+    ! cmp -s without.png file.png || fail "the measurement is not drawn"
+    expectDone pointrt-view half-1.toml -o film.exr
+    expectDone pointrt-view half-1.toml --hide "measurement 1" -o bare.exr
+    cmp film.exr bare.exr || fail "the film has more than light"
+}
+
 # A view from above has another up direction than the scene, by which sky and rooms are oriented.
 case_keeps_the_scenes_up() {
     bakeHalf
