@@ -170,6 +170,11 @@ void addFilterOptions(CommandLine& app, BakeOptions& options) {
            "Read COPC files down to level of detail N, where 0 is the coarsest (default: all levels)")
         ->check(range(0, 64))
         ->type_name("N");
+    app.add_option("--skim", read.skim,
+                   "Read only the first part of each chunk of LAZ files, this share of its points, for a preview of a "
+                   "large file in seconds (default 1: all)")
+        ->check(range(1e-6, 1.0))
+        ->type_name("SHARE");
     app.add_flag(
         "--salvage", read.salvages,
         "Read the undamaged points of files that are truncated or announce more than they hold (default: refuse them)");

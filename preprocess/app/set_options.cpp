@@ -90,6 +90,7 @@ std::string tileSetSettings(const BakeOptions& options) {
     if (options.read.salvages) json["salvage"] = true;
     if (!options.read.drops_withheld) json["keep-withheld"] = true;
     if (options.read.level) json["level"] = *options.read.level;
+    if (options.read.skim < 1) json["skim"] = options.read.skim;
     if (options.read.transform) {
         const Eigen::Matrix4d& matrix = options.read.transform->matrix();
         for (Eigen::Index i = 0; i < 16; ++i) json["transform"].push_back(matrix(i / 4, i % 4));

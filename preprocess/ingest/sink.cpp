@@ -59,9 +59,9 @@ void intersect(WorldFrame& world, const WorldFrame& other) {
 } // namespace
 
 Sink::Sink(Cloud& all_files, const SinkOptions& options)
-    : cloud(all_files), attributes(options.attributes), level(options.level), scales_degrees(options.scales_degrees),
-      gaussians_as_discs(options.gaussians_as_discs), drops_withheld(options.drops_withheld),
-      salvages(options.salvages), filter(options.filter),
+    : cloud(all_files), attributes(options.attributes), level(options.level), skim(options.skim),
+      scales_degrees(options.scales_degrees), gaussians_as_discs(options.gaussians_as_discs),
+      drops_withheld(options.drops_withheld), salvages(options.salvages), filter(options.filter),
       storage_(std::make_unique<CloudStorage>(cloud, columns, paint)) {
     transform.world_from_input = options.world_from_input;
 }

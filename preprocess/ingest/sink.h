@@ -28,6 +28,7 @@ struct SinkOptions {
     FilterOptions filter = {};
     std::optional<Eigen::Affine3d> world_from_input = {}; ///< of all files; applied after their poses
     std::optional<int> level = {};                        ///< finest level of files with levels of detail
+    double skim = 1;                 ///< share of each chunk of LAZ files to read, above 0: for previews
     bool scales_degrees = false;     ///< degrees will be scaled to metres if all files are in degrees
     bool gaussians_as_discs = false; ///< opaque discs in place of Gaussians
     bool salvages = false;           ///< read the whole points of files that are cut short
@@ -133,6 +134,7 @@ public:
     Cloud& cloud;
     AttributeChoice attributes;
     std::optional<int> level; ///< see SinkOptions
+    double skim;              ///< see SinkOptions
     bool scales_degrees;      ///< see SinkOptions
     bool gaussians_as_discs;  ///< see SinkOptions
     bool drops_withheld;      ///< see SinkOptions

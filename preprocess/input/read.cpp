@@ -139,6 +139,7 @@ SinkOptions sinkOptions(const ReadOptions& options) {
     result.filter = options.filter;
     result.world_from_input = options.transform;
     result.level = options.level;
+    result.skim = options.skim;
     result.salvages = options.salvages;
     result.drops_withheld = options.drops_withheld;
     result.gaussians_as_discs = options.gaussians_as_discs;

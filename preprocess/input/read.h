@@ -33,6 +33,7 @@ struct ReadOptions {
     bool salvages = false;         ///< read the whole points of files that are cut short
     bool drops_withheld = false;   ///< leave out points that their file flags as withheld
     std::optional<int> level = {}; ///< finest level to read of files with levels of detail
+    double skim = 1;               ///< share of each chunk of LAZ files to read, above 0: for previews
 };
 
 /// Progress of reading.

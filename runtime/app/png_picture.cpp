@@ -36,7 +36,6 @@ std::unique_ptr<RowWriter> openPicture(const PngPlan& plan, std::uint32_t channe
 } // namespace
 
 PngPicture::PngPicture(Device& device, PngPlan plan) : plan_(std::move(plan)) {
-    if (plan_.legend) legend_ = drawLegend(*plan_.legend, plan_.size);
     if (!plan_.filter) return;
     const Clock::time_point start = Clock::now();
     filter_.emplace(device, *plan_.filter, [this](std::span<const float> rgba) { write(rgba); });
@@ -67,7 +66,7 @@ void PngPicture::write(std::span<const float> rgba) {
         const std::span<const float> part = rgba.first(std::min(step, rgba.size()));
         bytes_.resize(part.size() / 4 * channels);
         tonemapPixels(part, plan_.tone, bytes_.data());
-        if (legend_) compositeLegend(*legend_, {bytes_, plan_.size.width, written_, channels});
+        compositeOverlay(plan_.overlay, {bytes_, plan_.size.width, written_, channels});
         written_ += part.size() / row_floats;
         file_->addRows(bytes_);
     }

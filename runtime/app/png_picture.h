@@ -15,7 +15,7 @@
 #include "runtime/image/row_writer.h"
 #include "runtime/image/tonemap.h"
 #include "runtime/render/picture_filter.h"
-#include "runtime/scene/legend_picture.h"
+#include "runtime/scene/overlay.h"
 #include "runtime/util/pixel_size.h"
 
 namespace pointrt {
@@ -25,7 +25,7 @@ struct PngPlan {
     PixelSize size;
     ToneMapping tone;
     std::optional<FilterPlan> filter;
-    std::optional<Legend> legend; ///< composited over the picture
+    PictureOverlay overlay = {};
     Writing writing = Writing::kWhole;
     std::optional<GeoReference> place = {}; ///< of a plan
     bool is_panorama = false;               ///< a PNG says so, for viewers that show it all around
@@ -51,7 +51,6 @@ private:
     PngPlan plan_;
     std::optional<PictureFilter> filter_;
     std::unique_ptr<RowWriter> file_; ///< opened with the first row
-    std::optional<LegendPicture> legend_;
     std::vector<std::uint8_t> bytes_;
     std::size_t written_ = 0; ///< rows
     std::uint32_t rows_ = 0;  ///< received

@@ -17,6 +17,8 @@
 #include "runtime/render/film_signature.h"
 #include "runtime/render/picture_filter.h"
 #include "runtime/scene/default_lighting.h"
+#include "runtime/scene/legend_picture.h"
+#include "runtime/scene/measure_picture.h"
 #include "runtime/scene/turntable.h"
 #include "runtime/session/settings.h"
 #include "runtime/util/clock.h"
@@ -103,6 +105,17 @@ Film finishFilm(RenderSession& session, Film film, const Options& options, const
     return film;
 }
 
+/// Legend and measurements.
+PictureOverlay overlayOf(const RenderSession& session) {
+    const LoadedScene& loaded = *session.loaded;
+    const PixelSize size{session.settings.width, session.settings.height};
+    PictureOverlay overlay;
+    if (session.settings.legend.value_or(false) && loaded.scene.paint.legend)
+        overlay.boxes.push_back(drawLegend(*loaded.scene.paint.legend, size));
+    addMeasures(loaded.scene.description.measures, measureUnits(loaded), session.camera, size, overlay);
+    return overlay;
+}
+
 /// Thumbnails are written in place: the file manager may have created the file and hold it open.
 PngPlan pngPlan(const RenderSession& session, const Options& options, const std::string& path) {
     const RenderSettings& settings = session.settings;
@@ -110,7 +123,7 @@ PngPlan pngPlan(const RenderSession& session, const Options& options, const std:
     if (options.thumbnail != 0) plan.writing = Writing::kInPlace;
     plan.place = options.place;
     plan.is_panorama = session.camera.panorama && session.camera.eyes_apart == 0;
-    if (settings.legend.value_or(false)) plan.legend = session.loaded->scene.paint.legend;
+    plan.overlay = overlayOf(session);
     return plan;
 }
 

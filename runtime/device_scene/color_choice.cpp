@@ -10,6 +10,7 @@
 #include "format/base/error.h"
 #include "format/base/near_name.h"
 #include "format/base/printable.h"
+#include "runtime/util/unit_name.h"
 
 namespace pointrt {
 namespace {
@@ -117,10 +118,8 @@ std::string unitOf(const std::vector<PlacedScan>& scans, const PaintRequest& req
     if (request.color_by != kHeight || scans.empty() || scans[0].instance->placement.scale != 1) return "";
     pro_world world;
     pro_get_world(scans[0].file->file, &world);
-    const auto is = [&](double metres) { return std::abs(world.metres_per_unit - metres) < 1e-9; };
-    if (is(1)) return " (m)";
-    if (is(0.3048)) return " (ft)";
-    return is(1200.0 / 3937) ? " (US ft)" : ""; // the survey foot
+    const std::string unit = unitName(world.metres_per_unit);
+    return unit.empty() ? "" : " (" + unit + ")";
 }
 
 /// Each scan once: sets are represented by their roots, which have a sample of their numbers.

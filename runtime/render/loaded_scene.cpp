@@ -15,6 +15,7 @@
 #include "runtime/scene/camera_path.h"
 #include "runtime/scene/framing.h"
 #include "runtime/scene/upright.h"
+#include "runtime/util/unit_name.h"
 
 namespace pointrt {
 namespace {
@@ -189,6 +190,11 @@ Camera movingCamera(const LoadedScene& loaded, const Camera& first, bool follows
     }
     const double share = frames > 1 ? static_cast<double>(frame) / (frames - 1) : 0;
     return cameraOnPath(keys, share * static_cast<double>(keys.size() - 1));
+}
+
+MeasureUnits measureUnits(const LoadedScene& loaded) {
+    const double size = length(loaded.shown.hi - loaded.shown.lo);
+    return {unitName(metresPerUnit(loaded.scene)), size > 0 ? size : 1};
 }
 
 TurntableAxis turntableAxis(const LoadedScene& loaded) {

@@ -58,6 +58,9 @@ struct LoadedScene {
     bool lacks_photons = false; ///< the scene casts caustics, but its tables changed and photons were not traced yet
 };
 
+/// How the scene's measurements are written.
+MeasureUnits measureUnits(const LoadedScene& loaded);
+
 /// The axis that turntables of the scene rotate about.
 TurntableAxis turntableAxis(const LoadedScene& loaded);
 

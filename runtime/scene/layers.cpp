@@ -12,7 +12,7 @@
 namespace pointrt {
 namespace {
 
-constexpr std::array kKindWords = {"scan", "shape", "light", "clip"};
+constexpr std::array kKindWords = {"scan", "shape", "light", "clip", "measurement"};
 
 /// visit(layer, visible) with both members of the part.
 template <typename Scene, typename Visit>
@@ -24,6 +24,8 @@ void visitLayer(Scene& scene, LayerId id, const Visit& visit) {
         return visit(scene.shapes.at(id.number).layer, scene.shapes.at(id.number).visible);
     case LayerKind::kClip:
         return visit(scene.clips.at(id.number).layer, scene.clips.at(id.number).enabled);
+    case LayerKind::kMeasure:
+        return visit(scene.measures.at(id.number).layer, scene.measures.at(id.number).visible);
     case LayerKind::kLight:
         return std::visit([&](auto& light) { visit(light.layer, light.visible); }, scene.lights.at(id.number));
     }
@@ -51,7 +53,8 @@ std::vector<LayerId> layersOf(const SceneDescription& scene) {
         if (!scene.instances[i].deleted) layers.push_back({LayerKind::kScan, i});
     const std::pair<LayerKind, std::size_t> others[] = {{LayerKind::kShape, scene.shapes.size()},
                                                         {LayerKind::kLight, scene.lights.size()},
-                                                        {LayerKind::kClip, scene.clips.size()}};
+                                                        {LayerKind::kClip, scene.clips.size()},
+                                                        {LayerKind::kMeasure, scene.measures.size()}};
     for (const auto& [kind, count] : others)
         for (std::size_t i = 0; i < count; ++i) layers.push_back({kind, i});
     return layers;
@@ -120,6 +123,9 @@ void deleteLayer(SceneDescription& scene, LayerId id) {
         break;
     case LayerKind::kClip:
         eraseAt(scene.clips, id.number);
+        break;
+    case LayerKind::kMeasure:
+        eraseAt(scene.measures, id.number);
         break;
     }
 }

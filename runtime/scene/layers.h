@@ -12,7 +12,7 @@
 
 namespace pointrt {
 
-enum class LayerKind : std::uint8_t { kScan, kShape, kLight, kClip };
+enum class LayerKind : std::uint8_t { kScan, kShape, kLight, kClip, kMeasure };
 
 /// A part of a scene: the number is its index among those of its kind.
 struct LayerId {
@@ -32,7 +32,7 @@ std::optional<LayerId> layerNamed(const SceneDescription& scene, const std::stri
 Layer& layerAt(SceneDescription& scene, LayerId id);
 const Layer& layerAt(const SceneDescription& scene, LayerId id);
 bool isLayerVisible(const SceneDescription& scene, LayerId id);
-/// A hidden clip cuts nothing.
+/// A hidden clip cuts nothing; a hidden measurement is not drawn.
 void setLayerVisible(SceneDescription& scene, LayerId id, bool visible);
 
 /// Numbers of the shapes that are not hidden. The row of each on the device is its place here.

@@ -14,6 +14,7 @@
 #include "runtime/scene/layer.h"
 #include "runtime/scene/light.h"
 #include "runtime/scene/material_kinds.h"
+#include "runtime/scene/measure.h"
 #include "runtime/scene/render_settings.h"
 #include "runtime/scene/sun.h"
 #include "runtime/util/color.h"
@@ -137,6 +138,7 @@ struct SceneDescription {
     std::vector<MaterialDescription> materials;
     std::vector<InstanceDescription> instances; ///< at most 254
     std::vector<ClipDescription> clips;         ///< cut the instances
+    std::vector<MeasureDescription> measures;   ///< drawn over pictures
     std::vector<ShapeDescription> shapes;
     std::vector<LightDescription> lights;
     std::optional<SkyDescription> sky;

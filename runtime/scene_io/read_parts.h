@@ -26,6 +26,7 @@ void readRender(const SceneValue& file, SceneDescription& scene);
 void readMaterials(const SceneValue& file, SceneReading& reading);
 void readInstances(const SceneValue& file, SceneReading& reading);
 void readClips(const SceneValue& file, SceneReading& reading);
+void readMeasures(const SceneValue& file, SceneReading& reading);
 void readShapes(const SceneValue& file, SceneReading& reading);
 void readLights(const SceneValue& file, SceneReading& reading);
 void readSky(const SceneValue& file, SceneReading& reading);

@@ -110,8 +110,8 @@ void readUp(const SceneValue& value, SceneDescription& scene) {
 void readWhole(const SceneValue& file, SceneDescription& scene) {
     std::vector<std::string_view> keys = settingKeys(FileTable::kScene);
     keys.insert(keys.begin(), "up");
-    keys.insert(keys.end(), {"staged_for", "camera", "view", "render", "instance", "clip", "material", "shape", "light",
-                             "sky", "surroundings"});
+    keys.insert(keys.end(), {"staged_for", "camera", "view", "render", "instance", "clip", "measure", "material",
+                             "shape", "light", "sky", "surroundings"});
     requireKnownKeys(file, "a scene", keys);
     readSettings(file, FileTable::kScene, scene.render);
     if (const auto up = find(file, "up")) readUp(*up, scene);
@@ -134,6 +134,7 @@ SceneDescription parseScene(std::string_view text, const std::string& path) {
     readMaterials(file, reading);
     readInstances(file, reading);
     readClips(file, reading);
+    readMeasures(file, reading);
     readShapes(file, reading);
     readLights(file, reading);
     readSky(file, reading);

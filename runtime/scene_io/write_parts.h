@@ -32,6 +32,7 @@ void writeRender(SceneWriting& writing);
 void writeMaterials(SceneWriting& writing);
 void writeInstances(SceneWriting& writing);
 void writeClips(SceneWriting& writing);
+void writeMeasures(SceneWriting& writing);
 void writeShapes(SceneWriting& writing);
 void writeLights(SceneWriting& writing);
 

@@ -17,6 +17,7 @@
 #include <system_error>
 
 #include "format/base/error.h"
+#include "runtime/util/parse.h"
 
 namespace pointrt {
 namespace {
@@ -158,8 +159,13 @@ void addScan(Hash& hash, const std::string& scan) {
 }
 
 /// Sizes of the scans' files, with those that they may refer to.
-std::uint64_t scanBytes(const std::vector<std::string>& scans) {
-    std::uint64_t bytes = 0;
+struct ScanBytes {
+    double packed = 0; ///< in LAZ files
+    double others = 0;
+};
+
+ScanBytes scanBytes(const std::vector<std::string>& scans) {
+    ScanBytes bytes;
     std::error_code unknown;
     for (const std::string& scan : scans) {
         const bool is_folder = fs::is_directory(scan, unknown);
@@ -170,7 +176,7 @@ std::uint64_t scanBytes(const std::vector<std::string>& scans) {
         }
         for (const fs::path& file : files) {
             const std::uintmax_t size = fs::file_size(file, unknown);
-            if (!unknown) bytes += size;
+            if (!unknown) (lowerSuffix(file) == ".laz" ? bytes.packed : bytes.others) += static_cast<double>(size);
         }
     }
     return bytes;
@@ -186,13 +192,19 @@ void addOption(Hash& hash, const std::string& option) {
 } // namespace
 
 std::optional<ScanBake> quickBake(const ScanBake& bake) {
-    constexpr std::uint64_t kSmall = std::uint64_t{256} << 10; // 43,000 points in LAZ
-    // bytes per point: 6 in LAZ, 34 in LAS, 12 to 40 in text
-    constexpr std::uint64_t kBytesPerPoint = 10, kPoints = 50'000, kFewest = 10;
-    const std::uint64_t bytes = scanBytes(bake.scans);
-    if (bytes < kSmall) return std::nullopt;
-    const std::uint64_t every = std::max(kFewest, bytes / kBytesPerPoint / kPoints);
+    constexpr double kSmall = 256 << 10; // 50,000 points in LAZ
+    // bytes per point: 5 in LAZ, 34 in LAS, 12 to 40 in text
+    constexpr double kBytesPerPackedPoint = 5, kBytesPerPoint = 10;
+    constexpr double kPoints = 50'000, kFewest = 10;
+    constexpr double kUnpacked = 2e6; // in half a second, on two cores
+    const ScanBytes bytes = scanBytes(bake.scans);
+    if (bytes.packed + bytes.others < kSmall) return std::nullopt;
+    const double packed = bytes.packed / kBytesPerPackedPoint;
+    const double share = std::min(1.0, kUnpacked / std::max(packed, 1.0));
+    const double points = share * packed + bytes.others / kBytesPerPoint;
+    const auto every = static_cast<std::uint64_t>(std::max(kFewest, points / kPoints));
     ScanBake quick{bake.scans, {"--every", std::to_string(every), "--clean", "off", "--prune", "off"}};
+    if (share < 1) quick.options.insert(quick.options.end(), {"--skim", plainText(share)});
     quick.options.insert(quick.options.end(), bake.options.begin(), bake.options.end());
     return quick;
 }

@@ -9,7 +9,7 @@ case_help_names_every_option() {
     expectDone pointrt-bake --help
     for option in -o --output -f --force -j --threads --normals --neighbors --orient --radius-scale --max-leaf-splats \
         --max-depth --prune --probe-rays --sample --seed --stats --progress --input-format -q -v --bounds --classes \
-        --drop-classes --thin --every --level --transform --up --attributes --max-memory --tile-splats --step \
+        --drop-classes --thin --every --level --skim --transform --up --attributes --max-memory --tile-splats --step \
         --keep-work; do
         grep -Eq -e "(^|[ ,])$option([ ,=]|\$)" stdout || fail "--help does not name $option"
     done

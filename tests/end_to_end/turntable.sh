@@ -115,4 +115,68 @@ case_views() {
     expectError 2 'half.pro .*view "side"; .*none, ' pointrt-view half.pro -q --view side -o out/c.png
 }
 
+# pretendEncoder BODY: a program ffmpeg that runs BODY; $video is the file that it is to write.
+pretendEncoder() {
+    mkdir -p tools
+    printf '#!/bin/sh\necho "$@" >>%q/called\nfor video; do :; done\n%s\n' "$PWD" "$1" >tools/ffmpeg
+    chmod +x tools/ffmpeg
+    export PATH=$PWD/tools:$PATH
+}
+
+# ffmpeg gets all pictures, in order, at the frame rate; only the video is left.
+case_video_of_all_pictures() {
+    writeScene
+    pretendEncoder 'ls -R out >listed; echo film >"$video"'
+    # shellcheck disable=SC2086 # words
+    expectDone pointrt-view scene.toml $small --path 3 --fps 12 -o out/flight.mp4
+    [ "$(cat out/flight.mp4)" = film ] || fail "the video is not what ffmpeg wrote"
+    [ "$(ls -A out)" = flight.mp4 ] || fail "left behind: $(ls -A out)"
+    [ "$(grep -c 'png$' listed)" = 3 ] || fail "ffmpeg got $(cat listed)"
+    grep -q -e '-framerate 12 ' called || fail "another frame rate: $(cat called)"
+    # shellcheck disable=SC2086
+    expectDone pointrt-view half.pro $small --turntable 2 -o out/turn.webm
+    grep -q 'vp9' called || fail "a WebM is not VP9: $(cat called)"
+}
+
+# What ffmpeg says is passed on, and pictures that took long to render are not lost.
+case_a_failed_video_leaves_its_pictures() {
+    writeScene
+    pretendEncoder 'echo "no room in the reel" >&2; exit 1'
+    # shellcheck disable=SC2086 # words
+    run pointrt-view scene.toml $small --path 3 -o out/flight.mp4
+    [ "$status" = 3 ] || fail "exit status $status where 3 was expected"
+    grep -q 'flight.mp4: .*no room in the reel' stderr || fail "ffmpeg's reason is not given"
+    [ ! -e out/flight.mp4 ] || fail "a video was written"
+    [ "$(find out -name '*.png' | wc -l)" = 3 ] || fail "the pictures are gone"
+    pretendEncoder 'echo film >"$video"'
+    # shellcheck disable=SC2086
+    expectDone pointrt-view scene.toml $small --path 2 -o out/flight.mp4
+    [ "$(ls -A out)" = flight.mp4 ] || fail "the former pictures are left: $(ls -A out)"
+}
+
+case_a_video_needs_ffmpeg_and_a_moving_camera() {
+    local shell
+    writeScene
+    expectError 2 "out/a.mp4: .*--turntable or --path" pointrt-view half.pro -o out/a.mp4
+    expectError 2 "out/a.mp4: .*transparent" pointrt-view half.pro --turntable 2 --background transparent -o out/a.mp4
+    shell=$(command -v pointrt-view)
+    run env PATH=/nowhere "$shell" half.pro --turntable 2 -o out/a.mp4
+    [ "$status" = 3 ] || fail "exit status $status where 3 was expected"
+    grep -q 'out/a.mp4: ffmpeg.*/nowhere' stderr || fail "it does not say what is missing: $(cat stderr)"
+    [ -z "$(ls -A out)" ] || fail "left behind: $(ls -A out)"
+}
+
+# The real ffmpeg: as many pictures as were rendered, of even sides, at the frame rate.
+case_video_plays() {
+    local played
+    command -v ffmpeg >/dev/null && command -v ffprobe >/dev/null || skip "ffmpeg is not installed"
+    ffmpeg -hide_banner -encoders >encoders 2>/dev/null
+    grep -q libx264 encoders || skip "ffmpeg lacks libx264"
+    writeScene
+    expectDone pointrt-view scene.toml -q --size 33x31 --spp 1 --denoise off --path 5 --fps 10 -o out/flight.mp4
+    played=$(ffprobe -v error -count_frames -select_streams v \
+        -show_entries stream=width,height,r_frame_rate,nb_read_frames -of csv=p=0 out/flight.mp4)
+    [ "$played" = "34,32,10/1,5" ] || fail "width, height, rate and pictures are $played"
+}
+
 runCase "$@"

@@ -157,6 +157,41 @@ case_clips_are_saved() {
     ! cmp -s whole.png file.png || fail "the clip cuts nothing"
 }
 
+# Two points are picked and kept: the scene has them, and pictures of it show them as the window does.
+case_measurements_are_saved() {
+    bakeHalf
+    replay "0 wait 1
+1 cursor 30 60
+1 button down left
+2 button up left
+30 wait 1
+31 cursor 40 50
+31 button down left
+32 button up left
+60 wait 1
+61 key down K
+61 key up K
+63 wait 4
+64 key down F12
+64 key up F12
+70 key down Control
+70 key down S
+71 key up S
+71 key up Control
+75 quit" --spp 4
+    [ "$(grep -c '^\[\[measure\]\]' half-1.toml)" = 1 ] || fail "the scene does not keep its measurement"
+    expectDone pointrt-view half-1.toml -o file.png
+    cmp half-1.png file.png || fail "the window's picture is not the file's"
+    expectDone pointrt-view half-1.toml --hide "measurement 1" -o hidden.png
+    sed '/^\[\[measure\]\]/,/^$/d' half-1.toml >without.toml
+    expectDone pointrt-view without.toml -o without.png
+    cmp hidden.png without.png || fail "a hidden measurement is drawn"
+    ! cmp -s without.png file.png || fail "the measurement is not drawn"
+    expectDone pointrt-view half-1.toml -o film.exr
+    expectDone pointrt-view half-1.toml --hide "measurement 1" -o bare.exr
+    cmp film.exr bare.exr || fail "the film has more than light"
+}
+
 # A view from above has another up direction than the scene, by which sky and rooms are oriented.
 case_keeps_the_scenes_up() {
     bakeHalf
@@ -271,6 +306,48 @@ case_edits_survive_a_crash() {
 8 quit" --spp 1
     grep -q "view 1" half-1.toml || fail "the edit was not restored"
     [ -z "$(find "$left" -type f)" ] || fail "what is saved is still kept"
+}
+
+# A view is saved every half second of the window's clock. Killed at any time, the window loses at most those of the last
+# second, and nothing that it left is half a file.
+case_a_kill_loses_a_second_of_edits() {
+    local id left views shots moment
+    bakeHalf
+    left=$XDG_STATE_HOME/pointrt/autosave
+    awk 'BEGIN {
+        print "pointrt-recording 1 window 160x120 scale 1\n0 wait 1"
+        for (edit = 1; edit <= 2000; edit++)
+            printf "%d key down V\n%d key up V\n%d screenshot shot%d\n", 15 * edit, 15 * edit, 15 * edit + 1, edit
+        print "100000 quit"
+    }' >edits.txt
+    for moment in 5 8 13; do
+        rm -rf shot*.png "$left"
+        pointrt-view half.pro --replay edits.txt --offscreen --spp 1 &
+        id=$!
+        for _ in $(seq 600); do
+            [ ! -e shot$moment.png ] || break
+            sleep 0.1
+        done
+        kill -KILL "$id"
+        wait "$id" || true
+        shots=$(find . -name 'shot*.png' | wc -l)
+        [ "$shots" -ge "$moment" ] || fail "the window is too slow for this test"
+        views=$(cat "$left"/*.toml | grep -c '^\[\[view\]\]')
+        echo "killed after $shots edits: $views are kept"
+        [ "$views" -ge $((shots - 2)) ] || fail "of $shots edits only $views are kept"
+        # Esc restores them, being the last answer
+        replay "0 wait 1
+3 key down Escape
+3 key up Escape
+4 wait 1
+5 key down Control
+5 key down S
+5 key up S
+5 key up Control
+8 quit" --spp 1
+        [ "$(grep -c '^\[\[view\]\]' half-1.toml)" = "$views" ] || fail "not all that was kept is restored"
+        rm half-1.toml
+    done
 }
 
 # Ctrl+Q asks for unsaved edits; Esc cancels the question, Ctrl+Z makes it needless.

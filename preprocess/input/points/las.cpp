@@ -2,6 +2,7 @@
 // LAS files, including LAZ and COPC.
 
 #include <algorithm>
+#include <cmath>
 
 #include "format/pointio/bytes.h"
 #include "format/pointio/las_crs.h"
@@ -50,11 +51,19 @@ ScanTraits lasTraits(const LasFile& file, const std::vector<LasField>& fields, s
 
 namespace {
 
+/// Leaves the beginning of each chunk. Points unpack one after the other, so that what follows it takes no time.
+void skimChunks(std::vector<LazChunk>& chunks, double share) {
+    for (LazChunk& chunk : chunks)
+        chunk.points = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(chunk.points)));
+}
+
 /// The chunks to read: all of them, unless the file is COPC.
 std::vector<LazChunk> chunksOf(const InputFile& input, const LasFile& file, const LazLayout& layout, Sink& sink) {
     const bool selects = sink.level || sink.filter.options().bounds;
     if (sink.level && !isCopc(file)) noteWithoutLevels(input, sink);
-    return selects && isCopc(file) ? selectedNodes(file, sink) : allLasChunks(file, layout);
+    std::vector<LazChunk> chunks = selects && isCopc(file) ? selectedNodes(file, sink) : allLasChunks(file, layout);
+    if (sink.skim < 1 && file.header.packed && !layout.in_one_run) skimChunks(chunks, sink.skim);
+    return chunks;
 }
 
 /// Airborne scans see every surface from above. A box this much wider than high, and this wide in metres, was hardly

@@ -173,7 +173,7 @@ void Window::execute(const Command& command) {
 }
 
 void Window::execute(Action action) {
-    if (const auto view = cameraForAction(action, work_.camera, view_.home)) return flyTo(*view);
+    if (const auto view = cameraForAction(action, work_.camera, view_.home, viewSize(host_))) return flyTo(*view);
     if (applyAction(work_, action)) return;
     if (action == Action::kCopyCamera) host_.setClipboard(cameraText(work_.camera));
     if (action == Action::kPasteCamera)

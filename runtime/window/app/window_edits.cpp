@@ -14,6 +14,7 @@
 #include "runtime/window/app/window_state.h"
 #include "runtime/window/edit/free_name.h"
 #include "runtime/window/edit/kept_bake.h"
+#include "runtime/window/edit/measure_edit.h"
 #include "runtime/window/edit/picked_path.h"
 #include "runtime/window/edit/recent_files.h"
 #include "runtime/window/edit/shown_scene.h"
@@ -92,6 +93,7 @@ void Window::handleEdits(const Requests& requests) {
         std::exchange(on_answer_, {})(*requests.answer);
     }
     if (requests.save_scene && loaded_) saveScene();
+    if (requests.keep_measurement && loaded_ && !keepMeasurement(work_)) notify("pick two points to measure", false);
     if (requests.save_measurement && work_.picks.size() > 1) tryOrNotify("", [&] { saveMeasurement(); });
     const Vec3 up_before = work_.scene_up;
     if (requests.undo && loaded_ && !editor_.undo()) notify("nothing to undo", false);

@@ -9,6 +9,8 @@
 #include "format/os/process_time.h"
 #include "runtime/device_scene/scene_tiles.h"
 #include "runtime/render/film_signature.h"
+#include "runtime/scene/legend_picture.h"
+#include "runtime/scene/measure_picture.h"
 #include "runtime/session/report.h"
 #include "runtime/session/settings.h"
 #include "runtime/util/clock.h"
@@ -85,6 +87,14 @@ std::function<void(VkCommandBuffer)> takeUploads(Host& host, ImageController& im
     };
 }
 
+/// Legend and measurements.
+PictureOverlay savedOverlay(const Workspace& work, const Viewport& view, PixelSize size) {
+    PictureOverlay overlay;
+    if (view.settings.legend.value_or(false) && work.legend) overlay.boxes.push_back(drawLegend(*work.legend, size));
+    addMeasures(work.scene.measures, work.measure_units, view.camera, size, overlay);
+    return overlay;
+}
+
 } // namespace
 
 StartedJob Window::startLoad(const SceneSource& scene, bool first) {
@@ -117,6 +127,7 @@ void Window::showLoaded(std::unique_ptr<LoadedScene> loaded, const SceneSource& 
     const std::uint32_t samples = says_samples ? loaded_->settings.spp : kCleanSamplesOfLight;
     view_.home = scene.follows_quick ? editor_.refine(openedScene(*loaded_), samples, view_.home)
                                      : editor_.open(openedScene(*loaded_), samples);
+    work_.measure_units = measureUnits(*loaded_);
     showColors();
     view_.stop();
     image_.open(host_.device(), loaded_->tracer);
@@ -252,7 +263,7 @@ void Window::saveFilm() {
     const std::string name = freeName(work_.scene.path, {".png", ".exr"});
     SaveOptions look{
         toneMapping(work_.scene, work_.look.exposure), work_.denoise && samples < kCleanSamplesOfLight, {}};
-    if (view.settings.legend.value_or(false)) look.legend = work_.legend;
+    look.overlay = savedOverlay(work_, view, {saved.film.width, saved.film.height});
     jobs_.start(JobKind::kSave, [&] {
         return startedJob<SaveJob>(
             std::make_unique<SaveJob>(host_.device(), name, std::move(saved), look),

@@ -30,6 +30,7 @@ constexpr struct {
 } kActionHandlers[] = {
     {Action::kSaveView, [](Workspace& w) { w.requests.save_view = true; }},
     {Action::kMeasurement, toggleMeasurement},
+    {Action::kKeepMeasurement, [](Workspace& w) { w.requests.keep_measurement = true; }},
     {Action::kPause, [](Workspace& w) { w.paused = !w.paused; }},
     {Action::kScreenshot, [](Workspace& w) { w.requests.screenshot = true; }},
     {Action::kSaveScene, [](Workspace& w) { w.requests.save_scene = true; }},

@@ -5,7 +5,6 @@
 
 #include "runtime/image/image_png.h"
 #include "runtime/render/picture_filter.h"
-#include "runtime/scene/legend_picture.h"
 
 namespace pointrt {
 namespace {
@@ -13,20 +12,15 @@ namespace {
 /// Compressing the EXR takes most of the time.
 constexpr double kExrShare = 0.7;
 
-Image8 withLegend(Image8 picture, const std::optional<Legend>& legend) {
-    if (legend)
-        compositeLegend(drawLegend(*legend, {picture.width, picture.height}),
-                        {picture.pixels, picture.width, 0, picture.channels});
-    return picture;
-}
-
 void save(Device& device, const std::string& name, SavedFilm& saved, const SaveOptions& look, JobControl& control) {
     control.setDetail(name + ".exr");
     writeSavedFilm(name + ".exr", saved);
     control.setProgress(kExrShare);
     control.setDetail(name + ".png");
     if (look.denoise) (look.tone.has_alpha ? denoiseFilm : denoisePicture)(device, saved.film, false);
-    writePng(name + ".png", withLegend(tonemapFilm(saved.film, look.tone), look.legend));
+    Image8 picture = tonemapFilm(saved.film, look.tone);
+    compositeOverlay(look.overlay, {picture.pixels, picture.width, 0, picture.channels});
+    writePng(name + ".png", picture);
 }
 
 } // namespace

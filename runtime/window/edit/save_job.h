@@ -4,12 +4,9 @@
 
 #include <string>
 
-#include <optional>
-#include <string>
-
 #include "runtime/image/tonemap.h"
 #include "runtime/render/film_file.h"
-#include "runtime/scene/legend.h"
+#include "runtime/scene/overlay.h"
 #include "runtime/window/edit/job.h"
 #include "runtime/window/edit/load_job.h"
 
@@ -19,7 +16,7 @@ namespace pointrt {
 struct SaveOptions {
     ToneMapping tone;
     bool denoise = false;
-    std::optional<Legend> legend; ///< drawn on the PNG
+    PictureOverlay overlay; ///< of the PNG
 };
 
 class SaveJob {

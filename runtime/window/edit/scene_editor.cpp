@@ -53,6 +53,8 @@ ViewCamera SceneEditor::open(OpenedScene opened, std::uint32_t samples) {
     work_.scene_max = scene.bounds_max;
     work_.scene_up = sceneUp(scene.resolved, scene.settings);
     work_.title = std::filesystem::path(scene.resolved.path).filename().string();
+    const std::filesystem::path folder = std::filesystem::path(scene.resolved.path).parent_path();
+    work_.turntable_path = (folder / "turntable" / "%04d.png").string();
     work_.picks.clear();
     work_.camera = viewOf(scene.camera, scene.settings.camera.target.value_or(centre), scene.bounds_min,
                           scene.bounds_max, work_.scene_up);
@@ -190,6 +192,7 @@ void SceneEditor::rebuildSurroundings() {
     scene.instances = work_.scene.instances;
     scene.views = work_.scene.views;
     scene.clips = work_.scene.clips;
+    scene.measures = work_.scene.measures;
     scene.shapes.clear();
     std::copy_if(work_.scene.shapes.begin(), work_.scene.shapes.end(), std::back_inserter(scene.shapes),
                  [](const ShapeDescription& shape) { return !shape.of_surroundings; });

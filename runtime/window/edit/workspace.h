@@ -79,6 +79,7 @@ struct Requests {
     std::optional<std::string> browse;   ///< folder for the browser
     std::vector<std::string> open_files; ///< chosen in the browser
     std::optional<Vec3> up;              ///< new up axis
+    bool keep_measurement = false;       ///< the picks become a part of the scene
     bool save_measurement = false;
     bool save_scene = false, screenshot = false, save_view = false, home = false, quit = false;
     bool cancel_job = false;
@@ -103,6 +104,7 @@ struct Workspace {
     bool show_palette = false;
     bool pin_measurement = false;
     std::vector<PickedPoint> picks;       ///< oldest first; the last two, or all of a path with pin_measurement
+    MeasureUnits measure_units;           ///< of the scene that is open
     std::vector<std::string> color_words; ///< choices for settings.color_by
     std::optional<Legend> legend;         ///< of the current colours
     HudStats hud;
@@ -114,10 +116,10 @@ struct Workspace {
     bool scan_in_view = true;    ///< false: the camera looks past the scans
     bool only_gaussians = false; ///< see StudioSubject
     std::vector<Notice> notices;
-    std::string turntable_path = "turntable/%04d.png";
-    std::string view_name; ///< for the next saved view; empty: "view N"
-    std::string title;     ///< the file's name
-    double time_s = 0;     ///< the window's clock
+    std::string turntable_path = "turntable/%04d.png"; ///< or a video; beside the scene when one is opened
+    std::string view_name;                             ///< for the next saved view; empty: "view N"
+    std::string title;                                 ///< the file's name
+    double time_s = 0;                                 ///< the window's clock
     Requests requests;
 };
 

@@ -11,18 +11,19 @@ std::optional<ViewCamera> cameraAfter(const Command& command, const ViewCamera& 
     return std::nullopt;
 }
 
-std::optional<ViewCamera> cameraForAction(Action action, const ViewCamera& camera, const ViewCamera& home) {
+std::optional<ViewCamera> cameraForAction(Action action, const ViewCamera& camera, const ViewCamera& home,
+                                          ViewSize size) {
     switch (action) {
     case Action::kHome:
         return home;
     case Action::kFrontView:
-        return standardView(camera, StandardView::kFront);
+        return fittedView(standardView(camera, StandardView::kFront), size);
     case Action::kRightView:
-        return standardView(camera, StandardView::kRight);
+        return fittedView(standardView(camera, StandardView::kRight), size);
     case Action::kTopView:
-        return standardView(camera, StandardView::kTop);
+        return fittedView(standardView(camera, StandardView::kTop), size);
     case Action::kOppositeView:
-        return oppositeView(camera);
+        return fittedView(oppositeView(camera), size);
     case Action::kOrthographic:
         return orthoToggled(camera);
     default:

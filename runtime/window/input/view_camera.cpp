@@ -103,7 +103,8 @@ ViewCamera withAttitude(const ViewCamera& view, const Attitude& attitude) {
 ViewCamera viewOf(const Camera& camera, Vec3 target, Vec3 bounds_min, Vec3 bounds_max, Vec3 up) {
     ViewCamera view;
     view.scene_centre = bounds_min + (bounds_max - bounds_min) * 0.5;
-    const double half_diagonal = length(bounds_max - bounds_min) / 2;
+    view.scene_half = (bounds_max - bounds_min) * 0.5;
+    const double half_diagonal = length(view.scene_half);
     view.scene_radius = half_diagonal > 0 ? half_diagonal : 1; // as in frameCamera
     view.eye = camera.eye;
     const Vec3 to_target = target - camera.eye;
@@ -267,6 +268,32 @@ ViewCamera standardView(const ViewCamera& view, StandardView which) {
         break;
     }
     return view;
+}
+
+ViewCamera fittedView(const ViewCamera& view, ViewSize size) {
+    constexpr double kMargin = 1.1; // a twentieth on each side, for the toolbar
+    const bool is_detail =
+        heightAtPivot(view) < view.scene_radius || length(view.pivot - view.scene_centre) > view.scene_radius / 2;
+    if (is_detail) return view;
+    const ViewAxes axes = axesOf(view);
+    // the pivot's offset moves the eye sideways, so that what is nearer moves further
+    const double aspect = size.width / size.height, offset = view.pivot_offset, slope = tangent(view) / kMargin;
+    const double free_aspect = std::max(aspect - 2 * offset, 0.1);
+    double height = 0, distance = leastDistance(view);
+    for (unsigned bits = 0; bits < 8; ++bits) {
+        const Vec3& half = view.scene_half;
+        const Vec3 corner{bits & 1 ? half.x : -half.x, bits & 2 ? half.y : -half.y, bits & 4 ? half.z : -half.z};
+        const double across = dot(corner, axes.right), upwards = std::abs(dot(corner, axes.up));
+        const double ahead = dot(corner, axes.forward);
+        height = std::max({height, 2 * kMargin * upwards, 2 * kMargin * std::abs(across) / free_aspect});
+        distance = std::max({distance, upwards / slope - ahead, (-across / slope - aspect * ahead) / free_aspect,
+                             (across / slope - (aspect - 4 * offset) * ahead) / free_aspect});
+    }
+    ViewCamera after = view;
+    after.pivot = view.scene_centre;
+    after.eye = after.pivot - axes.forward * distance;
+    if (view.ortho_height > 0 && height > 0) after.ortho_height = height;
+    return withinReach(view, withEyeOutside(after));
 }
 
 ViewCamera oppositeView(const ViewCamera& view) {

@@ -25,6 +25,7 @@ struct ViewCamera {
     /// left of centre, in the part that no panel covers.
     double pivot_offset = 0;
     Vec3 scene_centre;       ///< of the bounding sphere
+    Vec3 scene_half;         ///< half the edges of the scene's bounds
     double scene_radius = 1; ///< above 0
 };
 
@@ -87,6 +88,9 @@ ViewCamera withPivotOffset(const ViewCamera& view, double pivot_offset);
 
 /// Looks at the pivot from a side. kSensor leaves the view unchanged. Front is +Z, or -Y if the up axis is along Z.
 ViewCamera standardView(const ViewCamera& view, StandardView which);
+/// view moved back or closer until the scene fills the part of the picture that no panel covers. A view of less than
+/// half of the scene, or of another pivot, is of a detail and stays as it is.
+ViewCamera fittedView(const ViewCamera& view, ViewSize size);
 /// Looks at the pivot from the opposite side.
 ViewCamera oppositeView(const ViewCamera& view);
 

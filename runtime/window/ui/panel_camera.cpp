@@ -5,29 +5,37 @@
 #include <string>
 
 #include "runtime/window/input/camera_text.h"
-#include "runtime/window/ui/panel_numbers.h"
+#include "runtime/window/ui/panel_lengths.h"
 #include "runtime/window/ui/panel_parts.h"
 #include "runtime/window/ui/panel_widgets.h"
 
 namespace pointrt {
 namespace {
 
+void showFitted(Workspace& w, const ViewCamera& view) {
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    w.camera = fittedView(view, {double(window.x), double(window.y)});
+}
+
+void standardViewButton(Workspace& w, const char* name, StandardView which, const char* tip = "") {
+    if (columnButton(name, 4, false, tip)) showFitted(w, standardView(w.camera, which));
+}
+
 void drawStandardViews(Workspace& w) {
-    if (columnButton("Front", 4, false, "1")) w.camera = standardView(w.camera, StandardView::kFront);
+    standardViewButton(w, "Front", StandardView::kFront, "1");
     ImGui::SameLine();
-    if (columnButton("Right", 4, false, "3")) w.camera = standardView(w.camera, StandardView::kRight);
+    standardViewButton(w, "Right", StandardView::kRight, "3");
     ImGui::SameLine();
-    if (columnButton("Top", 4, false, "7")) w.camera = standardView(w.camera, StandardView::kTop);
+    standardViewButton(w, "Top", StandardView::kTop, "7");
     ImGui::SameLine();
-    if (columnButton("Opposite", 4, false, "9: the opposite side")) w.camera = oppositeView(w.camera);
-    if (columnButton("Left", 4, false)) w.camera = standardView(w.camera, StandardView::kLeft);
+    if (columnButton("Opposite", 4, false, "9: the opposite side")) showFitted(w, oppositeView(w.camera));
+    standardViewButton(w, "Left", StandardView::kLeft);
     ImGui::SameLine();
-    if (columnButton("Back", 4, false)) w.camera = standardView(w.camera, StandardView::kBack);
+    standardViewButton(w, "Back", StandardView::kBack);
     ImGui::SameLine();
-    if (columnButton("Bottom", 4, false)) w.camera = standardView(w.camera, StandardView::kBottom);
+    standardViewButton(w, "Bottom", StandardView::kBottom);
     ImGui::SameLine();
-    if (columnButton("Iso", 4, false, "from the right, the front and above"))
-        w.camera = standardView(w.camera, StandardView::kIso);
+    standardViewButton(w, "Iso", StandardView::kIso, "from the right, the front and above");
 }
 
 void drawLens(Workspace& w) {
@@ -48,9 +56,9 @@ void drawCamera(Workspace& w) {
     drawStandardViews(w);
     drawLens(w);
     const double size = sceneSize(w);
-    valueRow("Eye", pointText(w.camera.eye, size).c_str());
-    valueRow("Target", pointText(w.camera.pivot, size).c_str());
-    valueRow("Distance", lengthText(distanceToPivot(w.camera), size).c_str());
+    valueRow("Eye", shownPoint(w, w.camera.eye, size).c_str());
+    valueRow("Target", shownPoint(w, w.camera.pivot, size).c_str());
+    valueRow("Distance", shownLength(w, distanceToPivot(w.camera), size).c_str());
     if (columnButton("Home", 2, false, "Home: the initial view")) w.requests.home = true;
     ImGui::SameLine();
     if (columnButton("Copy as text", 2, false, "Ctrl + C: copy the camera as pointrt-view options"))

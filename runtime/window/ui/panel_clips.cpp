@@ -8,6 +8,7 @@
 #include "runtime/scene/layers.h"
 #include "runtime/window/edit/clip_edit.h"
 #include "runtime/window/ui/panel_edit.h"
+#include "runtime/window/ui/panel_lengths.h"
 #include "runtime/window/ui/panel_parts.h"
 #include "runtime/window/ui/panel_widgets.h"
 #include "shaders/shared/scene_layout.h"
@@ -82,19 +83,21 @@ void drawClipButtons(Workspace& w) {
 void drawBoxSides(Workspace& w, ClipBox& box) {
     constexpr const char* kNames[3][2] = {{"X from", "X to"}, {"Y from", "Y to"}, {"Z from", "Z to"}};
     const double size = sceneSize(w);
+    const std::string format = lengthFormat(w, kClipLength);
     for (std::size_t axis = 0; axis < 3; ++axis)
         for (const bool is_high : {false, true}) {
             double value = coordinate(is_high ? box.high : box.low, axis);
             const SliderRange range{coordinate(w.scene_min, axis) - 0.1 * size,
                                     coordinate(w.scene_max, axis) + 0.1 * size};
             const char* tip = "keeps what is between the two, in the scan's coordinates; Ctrl + click to type";
-            if (reportSceneEdit(w, sliderRow(kNames[axis][is_high], value, range, kClipLength, tip)))
+            if (reportSceneEdit(w, sliderRow(kNames[axis][is_high], value, range, format.c_str(), tip)))
                 setBoxSide(box, axis, is_high, value, kThinnest * size);
         }
 }
 
 void drawPlaneValues(Workspace& w, ClipPlane& plane) {
-    reportSceneEdit(w, pointRow("Point", plane.point, sceneSize(w), "a point of the plane, in the scan's coordinates"));
+    reportSceneEdit(w, pointRow("Point", plane.point, sceneSize(w), w.measure_units.unit,
+                                "a point of the plane, in the scan's coordinates"));
     const struct {
         const char* name;
         Vec3 normal;

@@ -24,7 +24,13 @@ struct KindRow {
 constexpr KindRow kKindRows[] = {{LayerKind::kScan, "Scans", nullptr},
                                  {LayerKind::kShape, "Shapes", nullptr},
                                  {LayerKind::kLight, "Lights", "selected light"},
-                                 {LayerKind::kClip, "Clips", "selected clip"}};
+                                 {LayerKind::kClip, "Clips", "selected clip"},
+                                 {LayerKind::kMeasure, "Measurements", nullptr}};
+
+/// Measurements are drawn over the picture, which does not change with them.
+bool reportLayerEdit(Workspace& w, LayerId id, bool changed) {
+    return id.kind == LayerKind::kMeasure ? changed : reportSceneEdit(w, changed);
+}
 
 LayerId selectedLayer() {
     const auto kind = static_cast<LayerKind>(storedInt("selected layer kind", 0));
@@ -40,7 +46,7 @@ void select(LayerId id, const KindRow& row) {
 void drawLayerRow(Workspace& w, LayerId id, const KindRow& row) {
     ImGui::PushID(static_cast<int>(id.number));
     bool visible = isLayerVisible(w.scene, id);
-    if (reportSceneEdit(w, ImGui::Checkbox("##visible", &visible))) setLayerVisible(w.scene, id, visible);
+    if (reportLayerEdit(w, id, ImGui::Checkbox("##visible", &visible))) setLayerVisible(w.scene, id, visible);
     tooltip(id.kind == LayerKind::kClip ? "whether it cuts" : "show or hide");
     ImGui::SameLine();
     const std::string name = layerName(w.scene, id) + (layerAt(w.scene, id).locked ? "  (locked)" : "");
@@ -61,9 +67,16 @@ void drawKind(Workspace& w, const KindRow& row, const std::vector<LayerId>& laye
 void drawMeasurement(Workspace& w) {
     if (w.picks.empty()) return;
     ImGui::AlignTextToFramePadding();
-    ImGui::Text("Measurement, %d points", static_cast<int>(w.picks.size()));
+    ImGui::Text("Picks (%d)", static_cast<int>(w.picks.size()));
     ImGui::SameLine();
     if (ImGui::SmallButton("Clear")) w.picks.clear();
+}
+
+void drawMeasureValues(const Workspace& w, MeasureDescription& measure) {
+    valueRow(measure.closed ? "Area" : "Length", measuredText(measure, w.measure_units).c_str());
+    ImGui::BeginDisabled(measure.layer.locked || measure.points.size() < 3);
+    checkboxRow("Closed", measure.closed, "measure the area that the path encloses; it needs three points");
+    ImGui::EndDisabled();
 }
 
 /// Neither name nor lock change the picture, so they request no update.
@@ -71,12 +84,10 @@ void drawSelected(Workspace& w, LayerId id) {
     Layer& layer = layerAt(w.scene, id);
     textRow("Name", layer.name, layerName(w.scene, id).c_str(), "in lists, and for --hide");
     std::erase_if(layer.name, [](unsigned char c) { return std::iscntrl(c) != 0; });
+    if (id.kind == LayerKind::kMeasure) drawMeasureValues(w, w.scene.measures[id.number]);
     checkboxRow("Locked", layer.locked, "keeps it from being edited or deleted");
     ImGui::BeginDisabled(!mayDelete(w.scene, id));
-    if (columnButton("Delete", 1, false, "Ctrl + Z brings it back")) {
-        deleteLayer(w.scene, id);
-        w.requests.scene_changed = true;
-    }
+    if (reportLayerEdit(w, id, columnButton("Delete", 1, false, "Ctrl + Z brings it back"))) deleteLayer(w.scene, id);
     ImGui::EndDisabled();
 }
 

@@ -8,6 +8,7 @@
 
 #include "runtime/window/edit/light_edit.h"
 #include "runtime/window/ui/panel_edit.h"
+#include "runtime/window/ui/panel_lengths.h"
 #include "runtime/window/ui/panel_parts.h"
 #include "runtime/window/ui/panel_widgets.h"
 
@@ -43,7 +44,7 @@ Vec3 towardsPivot(const Workspace& w, Vec3 from, Vec3 otherwise) {
 }
 
 constexpr const char* kFaceTip = "direction the lamp faces, clockwise from north; it shines on both sides";
-constexpr const char* kSizeTip = "scene units; a larger lamp is softer but no brighter";
+constexpr const char* kSizeTip = "a larger lamp is softer but no brighter";
 
 /// Rows for each property of a light, by its type.
 template <Light L>
@@ -53,7 +54,8 @@ struct FieldRows {
     Vec3* sunward = nullptr;
 
     void operator()(const PositionField& field) const {
-        reportSceneEdit(w, pointRow("Position", field.value, sceneSize(w), "in the scan's coordinates"));
+        reportSceneEdit(
+            w, pointRow("Position", field.value, sceneSize(w), w.measure_units.unit, "in the scan's coordinates"));
         const char* tip = field.turns ? "move it to the camera, facing the same way" : "move it to the camera";
         if (aimButton(w, "Move here", tip, Aimable<L> ? 2 : 1)) {
             field.value = w.camera.eye;
@@ -94,7 +96,7 @@ struct FieldRows {
 
     void operator()(const RadiusField& field) const {
         double radius = field.value;
-        if (reportSceneEdit(w, sliderRow("Radius", radius, sizesIn(w), kSize, kSizeTip)))
+        if (reportSceneEdit(w, sliderRow("Radius", radius, sizesIn(w), lengthFormat(w, kSize).c_str(), kSizeTip)))
             resize(light, [&] { field.value = radius; });
     }
 
@@ -103,8 +105,9 @@ struct FieldRows {
         if (bearingRows(w, normal, kFaceTip)) light.face(normal, sceneUpright(w));
         const double old_width = length(field.u), old_height = length(field.v);
         double width = 2 * old_width, height = 2 * old_height;
-        bool sized = reportSceneEdit(w, sliderRow("Width", width, sizesIn(w), kSize, kSizeTip));
-        sized |= reportSceneEdit(w, sliderRow("Length", height, sizesIn(w), kSize, kSizeTip));
+        bool sized =
+            reportSceneEdit(w, sliderRow("Width", width, sizesIn(w), lengthFormat(w, kSize).c_str(), kSizeTip));
+        sized |= reportSceneEdit(w, sliderRow("Length", height, sizesIn(w), lengthFormat(w, kSize).c_str(), kSizeTip));
         if (sized)
             resize(light, [&] {
                 field.u = field.u * (0.5 * width / old_width);

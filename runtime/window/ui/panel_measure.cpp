@@ -8,8 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/scene/layers.h"
 #include "runtime/util/vec_array.h"
 #include "runtime/window/edit/picked_path.h"
+#include "runtime/window/ui/panel_lengths.h"
 #include "runtime/window/ui/panel_numbers.h"
 #include "runtime/window/ui/panel_parts.h"
 #include "runtime/window/ui/panel_widgets.h"
@@ -50,12 +52,12 @@ void colorRowOf(const PickedPoint& pick) {
 void drawPick(const Workspace& w, const PickedPoint& pick) {
     const double size = measuredSize(sceneSize(w));
     valueRow("Source", sourceText(pick).c_str());
-    valueRow("Position", pointText(pick.position, size).c_str());
+    valueRow("Position", shownPoint(w, pick.position, size).c_str());
     valueRow("Normal", normalText(pick.normal).c_str());
     colorRowOf(pick);
     if (!pick.value.empty()) valueRow("Coloured by", pick.value.c_str());
-    if (pick.radius > 0) valueRow("Radius", lengthText(pick.radius, size).c_str());
-    valueRow("Distance", (lengthText(pick.distance, size) + " from the eye").c_str());
+    if (pick.radius > 0) valueRow("Radius", shownLength(w, pick.radius, size).c_str());
+    valueRow("Distance", (shownLength(w, pick.distance, size) + " from the eye").c_str());
 }
 
 std::string pickLine(const PickedPoint& pick, double size) {
@@ -66,25 +68,24 @@ std::string pickLine(const PickedPoint& pick, double size) {
 /// Measures of the picked points, of which there are at least two.
 PathMeasures measuresOf(const Workspace& w) { return pickedPath(w.picks, sceneUpright(w)).measures; }
 
-std::string distanceText(const Workspace& w) { return lengthText(measuresOf(w).last_leg, measuredSize(sceneSize(w))); }
-
-/// An area in a scene of this size.
-std::string areaText(double area, double size) { return lengthText(area, size * size); }
+std::string distanceText(const Workspace& w) {
+    return shownLength(w, measuresOf(w).last_leg, measuredSize(sceneSize(w)));
+}
 
 using MeasureRow = std::pair<const char*, std::string>;
 std::vector<MeasureRow> measureRows(const Workspace& w) {
     const double size = measuredSize(sceneSize(w));
     const PathMeasures measures = measuresOf(w);
-    std::vector<MeasureRow> rows = {{"Length", lengthText(measures.last_leg, size)},
-                                    {"Horizontal", lengthText(measures.horizontal, size)},
-                                    {"Height", lengthText(measures.height, size)},
-                                    {"dx dy dz", pointText(vectorOf(measures.difference), size)}};
+    std::vector<MeasureRow> rows = {{"Length", shownLength(w, measures.last_leg, size)},
+                                    {"Horizontal", shownLength(w, measures.horizontal, size)},
+                                    {"Height", shownLength(w, measures.height, size)},
+                                    {"dx dy dz", shownPoint(w, vectorOf(measures.difference), size)}};
     if (!measures.angle_deg) return rows;
     constexpr double unit_with_three_decimals = 10;
-    rows.emplace_back("Path", lengthText(measures.length, size));
+    rows.emplace_back("Path", shownLength(w, measures.length, size));
     rows.emplace_back("Angle", lengthText(*measures.angle_deg, unit_with_three_decimals) + " degrees");
-    rows.emplace_back("Area", areaText(*measures.area, size));
-    rows.emplace_back("In plan", areaText(*measures.plan_area, size));
+    rows.emplace_back("Area", shownArea(w, *measures.area, size));
+    rows.emplace_back("In plan", shownArea(w, *measures.plan_area, size));
     return rows;
 }
 
@@ -97,6 +98,26 @@ std::string measureText(const Workspace& w) {
     return text;
 }
 
+/// The measurements of the scene.
+void drawKept(const Workspace& w) {
+    if (w.scene.measures.empty()) return;
+    ImGui::TextDisabled("Kept");
+    for (std::size_t n = 0; n < w.scene.measures.size(); ++n)
+        valueRow(layerName(w.scene, {LayerKind::kMeasure, n}).c_str(),
+                 measuredText(w.scene.measures[n], w.measure_units).c_str());
+    ImGui::Separator();
+}
+
+void drawPicks(const Workspace& w) {
+    ImGui::TextDisabled("Last pick");
+    drawPick(w, w.picks.back());
+    if (w.picks.size() < 2) return;
+    ImGui::TextDisabled("Previous pick");
+    drawPick(w, w.picks[w.picks.size() - 2]);
+    ImGui::Separator();
+    for (const auto& [name, value] : measureRows(w)) valueRow(name, value.c_str());
+}
+
 } // namespace
 
 void drawLastPick(const Workspace& w) {
@@ -106,19 +127,13 @@ void drawLastPick(const Workspace& w) {
 }
 
 void drawMeasure(Workspace& w) {
-    if (w.picks.empty()) return dimText("Click a point in the picture.");
-    const PickedPoint& last = w.picks.back();
-    ImGui::TextDisabled("Last pick");
-    drawPick(w, last);
-    if (w.picks.size() > 1) {
-        const PickedPoint& before = w.picks[w.picks.size() - 2];
-        ImGui::TextDisabled("Previous pick");
-        drawPick(w, before);
-        ImGui::Separator();
-        for (const auto& [name, value] : measureRows(w)) valueRow(name, value.c_str());
-    }
+    drawKept(w);
+    if (w.picks.empty()) return dimText("Click a point in the picture, then another one.");
+    drawPicks(w);
     checkboxRow("Path", w.pin_measurement, "M: each click adds a point to a path, for angles and areas");
     ImGui::BeginDisabled(w.picks.size() < 2);
+    if (columnButton("Keep measurement", 1, false, "K: keep it with the scene; it is listed under Layers"))
+        w.requests.keep_measurement = true;
     if (columnButton("Save measurement", 1, false, "CSV, GeoJSON and DXF, in the scan's coordinates"))
         w.requests.save_measurement = true;
     ImGui::EndDisabled();

@@ -25,7 +25,7 @@ void drawOutput(Workspace& w) {
     auto pictures = static_cast<std::uint32_t>(std::max(1, storedInt("turntable pictures", kPictures)));
     if (sliderRow("Pictures", pictures, {1, kMaxPictures, true}, "for one turn about the up axis"))
         storedInt("turntable pictures", kPictures) = static_cast<int>(pictures);
-    textRow("Files", w.turntable_path, "turntable/%04d.png",
+    textRow("Files", w.turntable_path, "%04d.png",
             "%04d is replaced by the picture's number; a name that ends in .mp4 or .webm makes a video, if ffmpeg is "
             "installed");
     ImGui::BeginDisabled(w.job.has_value() || w.turntable_path.empty());

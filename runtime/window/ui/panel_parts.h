@@ -46,7 +46,7 @@ struct FreeArea {
     float width = 1, height = 1;
 };
 
-/// Over the picture:
+/// Over the picture, with the measurements of the scene:
 void drawPickMarks(const Workspace& w);
 /// Buttons of the most used actions, along the upper edge. Returns the lower edge.
 float drawToolbar(Workspace& w, FreeArea area);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Markers on the picture at picked points.
+// Markers on the picture at picked points, and measurements.
 #include <imgui.h>
 
 #include <cmath>
 
+#include "runtime/window/ui/panel_lengths.h"
 #include "runtime/window/ui/panel_numbers.h"
 #include "runtime/window/ui/panel_parts.h"
 #include "runtime/window/ui/ui_style.h"
@@ -41,19 +42,37 @@ void drawLabel(ImDrawList& list, ImVec2 middle, const std::string& text) {
     list.AddText(corner, kLight, text.c_str());
 }
 
-void drawDistance(const Workspace& w, ImDrawList& list, const PickedPoint& a, const PickedPoint& b) {
-    const auto from = onScreen(w, a.position), to = onScreen(w, b.position);
-    if (!from || !to) return;
+/// Returns whether both ends are in front of the eye.
+bool drawLeg(const Workspace& w, ImDrawList& list, Vec3 a, Vec3 b) {
+    const auto from = onScreen(w, a), to = onScreen(w, b);
+    if (!from || !to) return false;
     list.AddLine(*from, *to, kDark, 3.5f * uiScale());
     list.AddLine(*from, *to, kLine, 1.5f * uiScale());
+    return true;
+}
+
+void drawDistance(const Workspace& w, ImDrawList& list, const PickedPoint& a, const PickedPoint& b) {
+    if (!drawLeg(w, list, a.position, b.position)) return;
+    const auto from = onScreen(w, a.position), to = onScreen(w, b.position);
     drawLabel(list, ImVec2((from->x + to->x) / 2, (from->y + to->y) / 2),
-              lengthText(length(b.position - a.position), measuredSize(sceneSize(w))));
+              shownLength(w, length(b.position - a.position), measuredSize(sceneSize(w))));
+}
+
+void drawKeptMeasure(const Workspace& w, ImDrawList& list, const MeasureDescription& measure) {
+    const std::vector<Vec3>& points = measure.points;
+    for (std::size_t p = 1; p < points.size(); ++p) drawLeg(w, list, points[p - 1], points[p]);
+    if (measure.closed) drawLeg(w, list, points.back(), points.front());
+    for (const Vec3 point : points)
+        if (const auto at = onScreen(w, point)) list.AddCircleFilled(*at, 2.5f * uiScale(), kLight);
+    if (const auto at = onScreen(w, labelPlace(measure))) drawLabel(list, *at, labelOf(measure, w.measure_units));
 }
 
 } // namespace
 
 void drawPickMarks(const Workspace& w) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    for (const MeasureDescription& each : w.scene.measures)
+        if (each.visible) drawKeptMeasure(w, list, each);
     for (std::size_t p = 1; p < w.picks.size(); ++p) drawDistance(w, list, w.picks[p - 1], w.picks[p]);
     for (std::size_t p = 0; p < w.picks.size(); ++p)
         if (const auto at = onScreen(w, w.picks[p].position)) drawCross(list, *at);

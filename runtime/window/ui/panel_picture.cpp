@@ -5,6 +5,7 @@
 #include <array>
 
 #include "runtime/window/ui/panel_edit.h"
+#include "runtime/window/ui/panel_lengths.h"
 #include "runtime/window/ui/panel_parts.h"
 #include "runtime/window/ui/panel_widgets.h"
 
@@ -32,8 +33,8 @@ void drawPicture(Workspace& w) {
     if (note(comboRow("Show", shown, kShown, "the picture, or one of its layers")))
         w.look.shown = static_cast<std::uint32_t>(shown);
     if (w.look.shown == SHOWN_DEPTH)
-        note(sliderRow("Black at", w.look.depth_black, {1e-2 * sceneSize(w), 1e2 * sceneSize(w), true}, "%.4g",
-                       "distance from the eye shown as black, scene units"));
+        note(sliderRow("Black at", w.look.depth_black, {1e-2 * sceneSize(w), 1e2 * sceneSize(w), true},
+                       lengthFormat(w, "%.4g").c_str(), "distance from the eye shown as black, scene units"));
     if (columnButton("Save picture", 1, false, "F12: PNG and EXR")) w.requests.screenshot = true;
 }
 

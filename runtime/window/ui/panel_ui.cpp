@@ -73,14 +73,15 @@ Vec3 sceneUpright(const Workspace& w) {
 
 void drawUi(Workspace& w) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const FreeArea area{std::max(1.0f, window.x - (w.show_panel ? shownWidth() : 0)), std::max(1.0f, window.y)};
+    const bool has_panel = w.show_panel && hasScene(w); // without a scene it would have nothing to edit
+    const FreeArea area{std::max(1.0f, window.x - (has_panel ? shownWidth() : 0)), std::max(1.0f, window.y)};
     drawPickMarks(w);
     const float below = w.show_panel ? drawToolbar(w, area) : 0; // without the panel, nothing but the picture
     if (w.show_hud) drawHud(w, area, below);
     drawLegendBox(w, area);
     drawEmptyState(w, area);
     drawWayBack(w, area);
-    if (w.show_panel) drawPanel(w);
+    if (has_panel) drawPanel(w);
     drawJobAndNotices(w, area);
     if (w.show_cheat_sheet) drawCheatSheet(w, area);
     drawBrowser(w, area);

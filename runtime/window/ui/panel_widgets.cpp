@@ -108,10 +108,10 @@ bool dragRow(const char* name, double& value, SliderRange range, double step, co
     return changed;
 }
 
-bool pointRow(const char* name, Vec3& point, double size, const char* tip) {
+bool pointRow(const char* name, Vec3& point, double size, const std::string& unit, const char* tip) {
     constexpr double steps_in_scene = 500; // about the size of a scene on the screen, window units
     ImGui::PushID(name);
-    ImGui::TextUnformatted(name);
+    ImGui::TextUnformatted((unit.empty() ? name : name + (" (" + unit + ")")).c_str());
     tooltip(tip);
     const std::string format = std::string("%.") + std::to_string(decimalsFor(size)) + "f";
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
@@ -175,6 +175,7 @@ bool textRow(const char* name, std::string& text, const char* hint, const char* 
 
 void valueRow(const char* name, const char* value) {
     pushRow(name, "");
+    if (ImGui::CalcTextSize(value).x > ImGui::GetContentRegionAvail().x) ImGui::NewLine();
     ImGui::TextWrapped("%s", value);
     popRow();
 }

@@ -21,8 +21,8 @@ bool sliderRow(const char* name, double& value, SliderRange range, const char* f
 bool sliderRow(const char* name, std::uint32_t& value, SliderRange range, const char* tip = "");
 /// step: change per window unit of dragging.
 bool dragRow(const char* name, double& value, SliderRange range, double step, const char* format, const char* tip = "");
-/// x, y and z below their label. size: of the scene, for steps and digits.
-bool pointRow(const char* name, Vec3& point, double size, const char* tip = "");
+/// x, y and z below their label. size: of the scene, for steps and digits. unit: shown in the label; may be empty.
+bool pointRow(const char* name, Vec3& point, double size, const std::string& unit, const char* tip = "");
 /// color: linear, 0 to 1; displayed and typed as sRGB.
 bool colorRow(const char* name, Color& color, const char* tip = "");
 bool checkboxRow(const char* name, bool& value, const char* tip = "");
@@ -35,7 +35,7 @@ bool textRow(const char* name, std::string& text, const char* hint, const char* 
 /// Begins a row whose widget, labelled "##value", takes the right side. Pushes an id for the row until popRow.
 void pushRow(const char* name, const char* tip);
 void popRow();
-/// A label with read-only text, wrapped.
+/// A label with read-only text: beside it if it fits, else below, wrapped.
 void valueRow(const char* name, const char* value);
 /// A tooltip for the previous widget.
 void tooltip(const char* tip);

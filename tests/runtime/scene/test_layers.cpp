@@ -18,6 +18,7 @@ SceneDescription fullScene() {
     scene.shapes[1].of_surroundings = true;
     scene.lights.emplace_back(PointLight{});
     scene.clips.push_back({ClipPlane{}});
+    scene.measures.push_back({{{0, 0, 0}, {3, 4, 0}}});
     return scene;
 }
 
@@ -26,7 +27,7 @@ constexpr LayerId kTower{LayerKind::kScan, 1}, kOrb{LayerKind::kShape, 0}, kLamp
 
 TEST(Layers, HaveNames) {
     SceneDescription scene = fullScene();
-    EXPECT_EQ(layersOf(scene).size(), 6u);
+    EXPECT_EQ(layersOf(scene).size(), 7u);
     EXPECT_EQ(layerName(scene, kTower), "tower.pro");
     EXPECT_EQ(layerName(scene, kLamp), "light 1");
     layerAt(scene, kLamp).name = "window";

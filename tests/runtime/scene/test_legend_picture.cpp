@@ -21,7 +21,7 @@ Srgb8 pixelAt(const Pixels& picture, std::size_t x, std::size_t y) {
 
 Pixels withLegend(const Legend& legend) {
     Pixels picture = greyPicture(kPicture);
-    compositeLegend(drawLegend(legend, kPicture), {picture, kPicture.width, 0});
+    compositeBox(drawLegend(legend, kPicture), {picture, kPicture.width, 0});
     return picture;
 }
 
@@ -42,7 +42,7 @@ TEST(LegendPicture, ShowsEveryColourOfTheBar) {
 
 TEST(LegendPicture, IsInTheLowerLeftCorner) {
     const Legend legend = barLegend("height", ColorMap::kMagma, {0, 10});
-    const LegendPicture drawn = drawLegend(legend, kPicture);
+    const OverlayBox drawn = drawLegend(legend, kPicture);
     EXPECT_EQ(drawn.left, 10u);
     EXPECT_EQ(drawn.top + drawn.size.height, kPicture.height - 10);
     const Pixels picture = withLegend(legend);
@@ -53,36 +53,36 @@ TEST(LegendPicture, IsInTheLowerLeftCorner) {
                 ASSERT_EQ(pixelAt(picture, x, y), (Srgb8{100, 100, 100})) << x << " " << y;
             }
         }
-    const LegendPicture large = drawLegend(legend, {2048, 2048});
+    const OverlayBox large = drawLegend(legend, {2048, 2048});
     EXPECT_EQ(large.size.width, 4 * drawn.size.width) << "letters scale with the picture";
 }
 
 TEST(LegendPicture, DoesNotDependOnHowRowsAreAdded) {
     const Legend legend = listLegend("classification", ColorMap::kClasses, std::vector<double>{2, 5, 6});
     const Pixels whole = withLegend(legend);
-    const LegendPicture drawn = drawLegend(legend, kPicture);
+    const OverlayBox drawn = drawLegend(legend, kPicture);
     Pixels parts = greyPicture(kPicture);
     const std::size_t row = std::size_t{3} * kPicture.width;
     for (std::size_t first = 0; first < kPicture.height; first += 7) {
         const std::size_t rows = std::min<std::size_t>(7, kPicture.height - first);
-        compositeLegend(drawn, {std::span(parts).subspan(first * row, rows * row), kPicture.width, first});
+        compositeBox(drawn, {std::span(parts).subspan(first * row, rows * row), kPicture.width, first});
     }
     EXPECT_EQ(parts, whole);
 }
 
 TEST(LegendPicture, IsCompositedWithStraightAlpha) {
-    LegendPicture legend;
+    OverlayBox legend;
     legend.size = {4, 1};
     legend.rgba = {200, 0, 0, 255, 200, 0, 0, 51, 200, 0, 0, 51, 200, 0, 0, 0}; // 51: a fifth
     Pixels picture = {1, 2, 3, 0, 1, 2, 3, 0, 100, 50, 0, 255, 7, 8, 9, 0};
-    compositeLegend(legend, {picture, 4, 0, 4});
+    compositeBox(legend, {picture, 4, 0, 4});
     EXPECT_EQ(picture, (Pixels{200, 0, 0, 255, 200, 0, 0, 51, 120, 40, 0, 255, 7, 8, 9, 0}));
 }
 
 TEST(LegendPicture, DrawsTheGlyphsOfTheFont) {
     Legend legend;
     legend.title = "I"; // a bar between two serifs in 6x13: rows 2 to 10, the bar in the third column
-    const LegendPicture drawn = drawLegend(legend, {100, 100});
+    const OverlayBox drawn = drawLegend(legend, {100, 100});
     const auto is_white = [&](std::size_t x, std::size_t y) {
         return drawn.rgba[4 * (y * drawn.size.width + x)] == 255;
     };
@@ -99,7 +99,7 @@ TEST(LegendPicture, FitsAnyPictureAndAnyName) {
     legend.entries = {{"größe \x01\xff", {1, 2, 3}}};
     for (const PixelSize size : {PixelSize{1, 1}, PixelSize{3, 500}, PixelSize{500, 2}}) {
         Pixels picture = greyPicture(size);
-        compositeLegend(drawLegend(legend, size), {picture, size.width, 0});
+        compositeBox(drawLegend(legend, size), {picture, size.width, 0});
     }
     EXPECT_LT(drawLegend(legend, kPicture).size.width, kPicture.width);
 }

@@ -59,6 +59,18 @@ TEST_F(SceneFile, RefusesWrongTypes) {
     EXPECT_SAYS(refusal("[material.\"a\\nb\"]"), "scene.toml:1: key \"material.a\\nb\": *name");
 }
 
+TEST_F(SceneFile, RefusesMeasurementsOfTooFewPoints) {
+    EXPECT_SAYS(refusal("[[measure]]"), "scene.toml:1: key \"measure[0]\": \"points\" *missing");
+    EXPECT_SAYS(refusal("[[measure]]\npoints = [[0, 0, 0]]"), "scene.toml:2: key \"measure[0].points\": *two points");
+    EXPECT_SAYS(refusal("[[measure]]\nclosed = true\npoints = [[0, 0, 0], [1, 0, 0]]"),
+                "scene.toml:3: key \"measure[0].points\": *three points");
+    EXPECT_SAYS(refusal("[[measure]]\npoints = [[0, 0, 0], [1, inf, 0]]"),
+                "scene.toml:2: key \"measure[0].points[1][1]\": *inf");
+    EXPECT_SAYS(refusal("[[measure]]\npoints = 'here'"), "scene.toml:2: key \"measure[0].points\": *list");
+    EXPECT_SAYS(refusal("[[measure]]\npoints = [[0, 0, 0], [1, 0, 0]]\nlength = 1"),
+                "scene.toml:3: key \"measure[0].length\": *measurement *points, closed, visible, name, locked");
+}
+
 TEST_F(SceneFile, RefusesClipsThatCutNothingOrAll) {
     EXPECT_SAYS(refusal("[[clip]]"), "scene.toml:1: key \"clip[0]\": \"type\" *missing");
     EXPECT_SAYS(refusal("[[clip]]\ntype = 'ball'"), "scene.toml:2: key \"clip[0].type\": \"ball\" *box, plane");

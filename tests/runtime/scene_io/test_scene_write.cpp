@@ -33,6 +33,7 @@ public:
         addMaterials(scene);
         for (std::uint32_t i = 1 + below(3); i > 0; --i) scene.instances.push_back(instance());
         for (std::uint32_t c = below(4); c > 0; --c) scene.clips.push_back(clip());
+        for (std::uint32_t m = below(4); m > 0; --m) scene.measures.push_back(measure());
         for (std::uint32_t s = below(6); s > 0; --s) scene.shapes.push_back(shape());
         if (std::none_of(scene.shapes.begin(), scene.shapes.end(), [&](auto& each) { return each.material == named_; }))
             scene.materials.resize(named_);
@@ -168,6 +169,13 @@ private:
         ClipBox box{low, low + Vec3{length(), length(), length()}};
         if (chance()) box.rotation = rotation();
         return {box, chance()};
+    }
+
+    MeasureDescription measure() {
+        MeasureDescription measure{{point(), point(), point()}, chance(), chance()};
+        if (!measure.closed && chance()) measure.points.pop_back();
+        if (chance()) measure.layer = {"eaves \"3\"", chance()};
+        return measure;
     }
 
     /// With axes as written by usual keys, or with arbitrary valid axes.

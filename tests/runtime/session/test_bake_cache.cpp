@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "format/base/error.h"
+#include "runtime/session/bake_key.h"
 #include "runtime/session/bake_tool.h"
 #include "tests/format/tiny_scene.h"
 #include "tests/support/says.h"
@@ -172,6 +173,27 @@ TEST_F(BakeCache, FindsTheBakeTool) {
     EXPECT_EQ(findBakeTool(own, path), folder.file("second/pointrt-bake"));
     fs::permissions(folder.write("bin/pointrt-bake", ""), fs::perms::owner_all);
     EXPECT_EQ(findBakeTool(own, path), folder.file("bin/pointrt-bake"));
+}
+
+TEST(QuickBake, UnpacksTwoMillionPointsAtMost) {
+    const test::TemporaryFolder folder;
+    const auto optionsFor = [&](const std::string& name, std::size_t bytes) {
+        const std::optional<ScanBake> quick = quickBake({{folder.write(name, std::string(bytes, 'x'))}, {"--up", "z"}});
+        return quick ? quick->options : std::vector<std::string>{};
+    };
+    using Options = std::vector<std::string>;
+    const Options rough{"--clean", "off", "--prune", "off", "--up", "z"};
+    const auto with = [&](Options options, const Options& more) {
+        options.insert(options.end(), rough.begin(), rough.begin() + 4);
+        options.insert(options.end(), more.begin(), more.end());
+        options.insert(options.end(), rough.begin() + 4, rough.end());
+        return options;
+    };
+    EXPECT_EQ(optionsFor("a.laz", 1'000'000), with({"--every", "10"}, {}));
+    // 4 million points of 5 bytes: half of them are unpacked, and every fortieth of those leaves 50,000
+    EXPECT_EQ(optionsFor("b.LAZ", 20'000'000), with({"--every", "40"}, {"--skim", "0.5"}));
+    EXPECT_EQ(optionsFor("c.las", 20'000'000), with({"--every", "40"}, {}));
+    EXPECT_TRUE(optionsFor("d.laz", 200'000).empty()) << "too small to be worth it";
 }
 
 } // namespace

@@ -54,6 +54,7 @@ public:
     /// Opens or closes a section. After the first frame.
     static void open(const char* section, bool open = true) {
         ImGuiWindow* panel = ImGui::FindWindowByName("Panel");
+        if (!panel) return; // nothing is open
         panel->StateStorage.SetInt(panel->GetID(section), open ? 1 : 0);
     }
     void openAll(Workspace& w) {

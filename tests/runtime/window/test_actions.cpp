@@ -76,7 +76,7 @@ TEST(Actions, EveryKeyIsHandled) {
         const bool own = control.action == Action::kCopyCamera || control.action == Action::kPasteCamera ||
                          control.action == Action::kPreviousFile || control.action == Action::kNextFile;
         EXPECT_EQ(int{applyAction(work, control.action)} +
-                      int{cameraForAction(control.action, camera, camera).has_value()} + int{own},
+                      int{cameraForAction(control.action, camera, camera, ViewSize{}).has_value()} + int{own},
                   1)
             << control.press;
     }
@@ -95,11 +95,13 @@ TEST(CameraCommands, MoveTheCamera) {
 
 TEST(CameraCommands, FlyToViews) {
     ViewCamera camera, home;
+    const ViewSize size{200, 100};
     home.eye = {3, 0, 0};
-    EXPECT_EQ(cameraForAction(Action::kHome, camera, home)->eye, home.eye);
-    EXPECT_EQ(cameraForAction(Action::kTopView, camera, home)->eye, standardView(camera, StandardView::kTop).eye);
-    EXPECT_GT(cameraForAction(Action::kOrthographic, camera, home)->ortho_height, 0);
-    EXPECT_FALSE(cameraForAction(Action::kPause, camera, home));
+    EXPECT_EQ(cameraForAction(Action::kHome, camera, home, size)->eye, home.eye);
+    EXPECT_EQ(cameraForAction(Action::kTopView, camera, home, size)->eye,
+              fittedView(standardView(camera, StandardView::kTop), size).eye);
+    EXPECT_GT(cameraForAction(Action::kOrthographic, camera, home, size)->ortho_height, 0);
+    EXPECT_FALSE(cameraForAction(Action::kPause, camera, home, size));
 }
 
 TEST(ViewAnimator, FliesToAView) {

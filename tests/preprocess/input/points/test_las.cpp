@@ -136,6 +136,21 @@ TEST_F(LasTest, LazIsReadAsLas) {
     }
 }
 
+TEST_F(LasTest, SkimsTheBeginningOfEachChunk) {
+    if (!hasLaz()) GTEST_SKIP() << "this build has no LAZ";
+    ReadOptions options;
+    options.skim = 0.01;
+    for (const std::uint8_t format : {0, 6}) {
+        const auto points = linePoints(format, 70000); // chunks of 50,000 and 20,000
+        const Cloud skimmed = read(write("a.laz", test::writeLas(format, points, true)), options);
+        const Cloud whole = read(write("a.las", test::writeLas(format, points, false)), options);
+        ASSERT_EQ(whole.positions.size(), 70000u) << "points that are not packed need no time to unpack";
+        ASSERT_EQ(skimmed.positions.size(), 700u);
+        for (const std::size_t i : {0u, 499u}) EXPECT_EQ(skimmed.positions[i], whole.positions[i]);
+        for (const std::size_t i : {0u, 199u}) EXPECT_EQ(skimmed.positions[500 + i], whole.positions[50000 + i]);
+    }
+}
+
 TEST_F(LasTest, WithoutRustTheErrorNamesWhatToInstall) {
     if (hasLaz()) GTEST_SKIP() << "this build has LAZ";
     LasParts parts;

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// Picks that become measurements of the scene.
+#pragma once
+
+#include "runtime/window/edit/workspace.h"
+
+namespace pointrt {
+
+/// Adds the path through the picks to the scene and drops them. False if there are fewer than two.
+bool keepMeasurement(Workspace& work);
+
+} // namespace pointrt
