@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The render cache (render_cache.h) in the memory of a GPU: its buffers and programs (shaders/reproject), and the
+// The render cache (render_cache.h) in the memory of a GPU: its buffers and programs (shaders/display), and the
 // commands of a frame.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace pointrt {
 
-/// The programs: name here, and of the file in shaders/reproject.
+/// The programs: name here, and of the file in shaders/display.
 #define POINTRT_CACHE_STEPS(X)                                                                                         \
     X(kReset, reset_cache)                                                                                             \
     X(kProject, project_points)                                                                                        \

@@ -2,7 +2,7 @@
 // First hits of the listed pixels as new points. A lane for each.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shaders/reproject/hit_point.glsl"
+#include "shaders/display/hit_point.glsl"
 
 void main() {
     if (lane() >= push.count) return;

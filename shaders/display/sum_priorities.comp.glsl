@@ -3,8 +3,8 @@
 // of tiles.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shaders/reproject/considered.glsl"
-#include "shaders/reproject/group_sum.glsl"
+#include "shaders/display/considered.glsl"
+#include "shaders/display/group_sum.glsl"
 
 void main() {
     uint tile_row = gl_WorkGroupID.x, row = tile_row * consideredOfRow();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#ifndef POINTRT_SHADERS_REPROJECT_GROUP_SUM_GLSL
-#define POINTRT_SHADERS_REPROJECT_GROUP_SUM_GLSL
-#include "shaders/reproject/cache.glsl"
+#ifndef POINTRT_SHADERS_GROUP_SUM_GLSL
+#define POINTRT_SHADERS_GROUP_SUM_GLSL
+#include "shaders/display/point_cache.glsl"
 
 shared vec2 parts[REPROJECT_GROUP];
 

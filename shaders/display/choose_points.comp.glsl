@@ -2,7 +2,7 @@
 // Of the points that are nearest to the eye in a pixel, the first one is seen. A lane for each point.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shaders/reproject/cache.glsl"
+#include "shaders/display/point_cache.glsl"
 
 void main() {
     if (lane() >= pointCount()) return;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The pixels that a frame considers: one row in ROW_PHASES.
-#ifndef POINTRT_SHADERS_REPROJECT_CONSIDERED_GLSL
-#define POINTRT_SHADERS_REPROJECT_CONSIDERED_GLSL
-#include "shaders/reproject/cache.glsl"
+#ifndef POINTRT_SHADERS_CONSIDERED_GLSL
+#define POINTRT_SHADERS_CONSIDERED_GLSL
+#include "shaders/display/point_cache.glsl"
 
 uint consideredOfRow() { return params.tiles_across * CONSIDERED_OF_TILE; }
 

@@ -2,7 +2,7 @@
 // Blends pixels of the film's picture over the reprojected one. A lane for each.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shaders/reproject/cache.glsl"
+#include "shaders/display/point_cache.glsl"
 
 void main() {
     if (lane() >= push.count) return;

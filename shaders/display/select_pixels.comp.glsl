@@ -5,7 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_ballot : require
 #extension GL_KHR_shader_subgroup_basic : require
-#include "shaders/reproject/considered.glsl"
+#include "shaders/display/considered.glsl"
 
 // Thresholds in (0, 1], evenly distributed over the picture and, for each pixel, over the frames: the R2 and golden
 // ratio sequences (Roberts, The Unreasonable Effectiveness of Quasirandom Sequences, 2018), in units of 2^-32.

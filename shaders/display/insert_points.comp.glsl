@@ -2,7 +2,7 @@
 // Puts what was traced into the cache: the samples of the listed pixels. A lane for each.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shaders/reproject/hit_point.glsl"
+#include "shaders/display/hit_point.glsl"
 #include "shaders/display/displayed_color.glsl"
 
 // Maximum samples to average where light is noise-free: this smooths soft shadows, and halves the error of a wrongly

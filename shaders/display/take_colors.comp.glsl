@@ -3,7 +3,7 @@
 // removed. A lane for each place in the cache.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shaders/reproject/cache.glsl"
+#include "shaders/display/point_cache.glsl"
 
 void main() {
     if (lane() < pixelCount() && hasPoint(lane())) point_colors[seen[lane()]] = pixels[lane()];

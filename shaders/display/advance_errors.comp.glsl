@@ -2,7 +2,7 @@
 // Begins a frame: errors of tiles fade and spread to their neighbours, since shadow edges move. A lane for each tile.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shaders/reproject/cache.glsl"
+#include "shaders/display/point_cache.glsl"
 
 // Share of an error that remains a frame later, and that neighbouring tiles get.
 const float kErrorDecay = 0.85, kErrorSpread = 0.5;

@@ -2,7 +2,7 @@
 // Lights, materials or shapes have changed: all colours become old. A lane for each place in the cache.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shaders/reproject/cache.glsl"
+#include "shaders/display/point_cache.glsl"
 
 // Points traced before the light changed count as at least this many frames old.
 const uint kStaleLightAge = 64u;

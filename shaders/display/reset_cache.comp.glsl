@@ -2,7 +2,7 @@
 // Empties pixels and tiles before points are projected. A lane for each place in the cache.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shaders/reproject/cache.glsl"
+#include "shaders/display/point_cache.glsl"
 
 void removePoints() {
     if (lane() == 0u) control = ReprojectionControl(0u, 0u, 0u, 0u, 0u, 0u, 0.0, 0u);

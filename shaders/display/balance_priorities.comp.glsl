@@ -2,7 +2,7 @@
 // The probability per priority that selects as many pixels as wanted on average. One workgroup.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shaders/reproject/group_sum.glsl"
+#include "shaders/display/group_sum.glsl"
 
 void main() {
     vec2 part = vec2(0.0);

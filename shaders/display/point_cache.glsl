@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The buffers of the render cache, which all of its programs bind, and what they share.
-#ifndef POINTRT_SHADERS_REPROJECT_CACHE_GLSL
-#define POINTRT_SHADERS_REPROJECT_CACHE_GLSL
+#ifndef POINTRT_SHADERS_POINT_CACHE_GLSL
+#define POINTRT_SHADERS_POINT_CACHE_GLSL
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/params.h"
 #include "shaders/shared/reprojection_layout.h"

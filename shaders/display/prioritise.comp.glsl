@@ -3,8 +3,8 @@
 // point. A workgroup for each row of tiles.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shaders/reproject/considered.glsl"
-#include "shaders/reproject/group_sum.glsl"
+#include "shaders/display/considered.glsl"
+#include "shaders/display/group_sum.glsl"
 
 // Priorities in frames of age: of empty pixels, of interpolated points and of empty pixels amid nothing but sky, and of
 // points near an error of a full step from black to white. While the camera moves, view-dependent points age this much

@@ -3,7 +3,7 @@
 // lane for each pixel.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shaders/reproject/neighbors.glsl"
+#include "shaders/display/neighbors.glsl"
 
 void main() {
     if (lane() >= pixelCount() || control.gaps <= params.most_gaps) return;

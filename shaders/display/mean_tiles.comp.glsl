@@ -2,7 +2,7 @@
 // Mean colours of tiles, over the smallest neighbourhood of tiles that has any colours. A lane for each tile.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shaders/reproject/cache.glsl"
+#include "shaders/display/point_cache.glsl"
 
 const uint kWidest = 4u;
 

@@ -6,7 +6,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #extension GL_KHR_shader_subgroup_basic : require
-#include "shaders/reproject/neighbors.glsl"
+#include "shaders/display/neighbors.glsl"
 
 // Distances in pixels at which to look for background around a hole: a disocclusion is seldom wider than twice the
 // larger in one frame. In tiles with points in fewer than an eighth of their pixels, holes get the mean colours of

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // First hits as points of the cache.
-#ifndef POINTRT_SHADERS_REPROJECT_HIT_POINT_GLSL
-#define POINTRT_SHADERS_REPROJECT_HIT_POINT_GLSL
-#include "shaders/reproject/cache.glsl"
+#ifndef POINTRT_SHADERS_HIT_POINT_GLSL
+#define POINTRT_SHADERS_HIT_POINT_GLSL
+#include "shaders/display/point_cache.glsl"
 #include "shaders/shared/film_parts.h"
 
 // View dependence from which a pixel counts as a mirror.

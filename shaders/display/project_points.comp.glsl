@@ -2,7 +2,7 @@
 // Projects the points into the view, with a depth test. A lane for each point.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shaders/reproject/cache.glsl"
+#include "shaders/display/point_cache.glsl"
 
 uvec2 projectPoint(uint i) {
     uint info = infoOf(i);

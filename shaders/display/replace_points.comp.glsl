@@ -2,7 +2,7 @@
 // Replaces all points by the new ones. A lane for each place in the cache.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shaders/reproject/cache.glsl"
+#include "shaders/display/point_cache.glsl"
 
 void main() {
     if (lane() >= params.points) return;

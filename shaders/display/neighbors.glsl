@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The points around an empty pixel.
-#ifndef POINTRT_SHADERS_REPROJECT_NEIGHBORS_GLSL
-#define POINTRT_SHADERS_REPROJECT_NEIGHBORS_GLSL
-#include "shaders/reproject/cache.glsl"
+#ifndef POINTRT_SHADERS_NEIGHBORS_GLSL
+#define POINTRT_SHADERS_NEIGHBORS_GLSL
+#include "shaders/display/point_cache.glsl"
 
 // Neighbouring depths within this ratio belong to one surface.
 const float kSameSurfaceRatio = 1.03;
