@@ -36,7 +36,8 @@ struct DeviceRequest {
 /// done.
 struct Timeline {
     VkSemaphore semaphore = VK_NULL_HANDLE;
-    std::uint64_t submitted = 0; ///< guarded by the queue's mutex
+    std::uint64_t submitted = 0;       ///< guarded by the queue's mutex
+    std::vector<VkCommandBuffer> held; ///< what the next submission runs first; the same
 };
 
 /// Commands that the device may still be running.
@@ -152,6 +153,12 @@ struct DisplaySync {
 /// Ends and submits commands, which run after all earlier submissions. When they are done, their writes are visible to
 /// the host and to later commands. Returns the number of the submission. Throws Error kCannotRun (device lost).
 std::uint64_t submit(Device& device, VkCommandBuffer commands, const std::optional<DisplaySync>& display = {});
+/// When commands are submitted: at once, or with the next submission (submitWithNext).
+enum class Submission { kNow, kWithNext };
+
+/// Ends commands and leaves them to the next submission of any thread, or to the wait for them: a submission costs the
+/// host tens of microseconds. Returns the number of that submission.
+std::uint64_t submitWithNext(Device& device, VkCommandBuffer commands);
 /// Whether a submission is done.
 bool isDone(const Device& device, std::uint64_t submission);
 /// Waits for a submission; returns at once for 0. Throws Error kCannotRun (device lost).

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Command buffers and their submission, in an order that the timeline numbers.
+#include <utility>
+
 #include "format/base/error.h"
 #include "runtime/gpu/device.h"
 
@@ -34,6 +36,34 @@ void recordEnd(VkCommandBuffer commands) {
                          nullptr);
 }
 
+void end(VkCommandBuffer commands) {
+    recordEnd(commands);
+    check(vkEndCommandBuffer(commands), "record commands");
+}
+
+/// Submits the commands held. The queue is locked.
+void submitHeld(const Device& device, const std::optional<DisplaySync>& display) {
+    Timeline& timeline = *device.timeline;
+    const std::vector<VkCommandBuffer> commands = std::exchange(timeline.held, {});
+    const VkSemaphore signalled[] = {timeline.semaphore, display ? display->drawn : VK_NULL_HANDLE};
+    const VkPipelineStageFlags first_use = VK_PIPELINE_STAGE_TRANSFER_BIT; // of the display's image
+    VkTimelineSemaphoreSubmitInfo numbers{VK_STRUCTURE_TYPE_TIMELINE_SEMAPHORE_SUBMIT_INFO};
+    VkSubmitInfo info{VK_STRUCTURE_TYPE_SUBMIT_INFO, &numbers};
+    info.commandBufferCount = static_cast<std::uint32_t>(commands.size());
+    info.pCommandBuffers = commands.data();
+    info.signalSemaphoreCount = numbers.signalSemaphoreValueCount = display ? 2 : 1;
+    info.pSignalSemaphores = signalled;
+    info.waitSemaphoreCount = numbers.waitSemaphoreValueCount = display ? 1 : 0;
+    info.pWaitSemaphores = display ? &display->acquired : nullptr;
+    info.pWaitDstStageMask = &first_use;
+    const std::uint64_t number = timeline.submitted + 1;
+    const std::uint64_t values[] = {number, 0}, no_value = 0; // those of the display have none
+    numbers.pSignalSemaphoreValues = values;
+    numbers.pWaitSemaphoreValues = &no_value;
+    check(vkQueueSubmit(device.queue, 1, &info, VK_NULL_HANDLE), "submit work to the device");
+    timeline.submitted = number;
+}
+
 } // namespace
 
 std::unique_lock<std::mutex> lockQueue(Device& device) { return std::unique_lock(*device.queue_mutex); }
@@ -48,28 +78,20 @@ VkCommandBuffer beginCommands(Device& device, const char* name) {
 }
 
 std::uint64_t submit(Device& device, VkCommandBuffer commands, const std::optional<DisplaySync>& display) {
-    recordEnd(commands);
-    check(vkEndCommandBuffer(commands), "record commands");
-    const VkSemaphore signalled[] = {device.timeline->semaphore, display ? display->drawn : VK_NULL_HANDLE};
-    const VkPipelineStageFlags first_use = VK_PIPELINE_STAGE_TRANSFER_BIT; // of the display's image
-    VkTimelineSemaphoreSubmitInfo numbers{VK_STRUCTURE_TYPE_TIMELINE_SEMAPHORE_SUBMIT_INFO};
-    VkSubmitInfo info{VK_STRUCTURE_TYPE_SUBMIT_INFO, &numbers};
-    info.commandBufferCount = 1;
-    info.pCommandBuffers = &commands;
-    info.signalSemaphoreCount = numbers.signalSemaphoreValueCount = display ? 2 : 1;
-    info.pSignalSemaphores = signalled;
-    info.waitSemaphoreCount = numbers.waitSemaphoreValueCount = display ? 1 : 0;
-    info.pWaitSemaphores = display ? &display->acquired : nullptr;
-    info.pWaitDstStageMask = &first_use;
+    end(commands);
     const auto lock = lockQueue(device);
-    const std::uint64_t number = device.timeline->submitted + 1;
-    const std::uint64_t values[] = {number, 0}, no_value = 0; // those of the display have none
-    numbers.pSignalSemaphoreValues = values;
-    numbers.pWaitSemaphoreValues = &no_value;
-    check(vkQueueSubmit(device.queue, 1, &info, VK_NULL_HANDLE), "submit work to the device");
-    device.timeline->submitted = number;
-    device.in_flight.push_back({commands, number});
-    return number;
+    device.timeline->held.push_back(commands);
+    submitHeld(device, display);
+    device.in_flight.push_back({commands, device.timeline->submitted});
+    return device.timeline->submitted;
+}
+
+std::uint64_t submitWithNext(Device& device, VkCommandBuffer commands) {
+    end(commands);
+    const auto lock = lockQueue(device);
+    device.timeline->held.push_back(commands);
+    device.in_flight.push_back({commands, device.timeline->submitted + 1});
+    return device.in_flight.back().number;
 }
 
 bool isDone(const Device& device, std::uint64_t submission) {
@@ -80,6 +102,10 @@ bool isDone(const Device& device, std::uint64_t submission) {
 
 void waitFor(const Device& device, std::uint64_t submission) {
     if (submission == 0 || isDone(device, submission)) return;
+    {
+        const std::scoped_lock lock(*device.queue_mutex);
+        if (submission > device.timeline->submitted) submitHeld(device, {});
+    }
     VkSemaphoreWaitInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO};
     info.semaphoreCount = 1;
     info.pSemaphores = &device.timeline->semaphore;

@@ -219,13 +219,14 @@ void tracePasses(Device& device, const BandTracer& tracer, BandSample& sample, s
 bool canOverlap(const BandTracer& tracer) { return tracer.timer.pool && !tracer.profile; }
 
 PassesInFlight submitPasses(Device& device, BandTracer& tracer, BandSample& sample, std::uint32_t passes,
-                            const std::function<void(VkCommandBuffer)>& then) {
+                            const std::function<void(VkCommandBuffer)>& then, Submission submission) {
     tracer.place = (tracer.place + 1) % kFramesInFlight;
     PassCommands commands(device, tracer.buffers.control, {tracer.buffers.control_read, tracer.place, &tracer.timer},
                           nullptr);
     recordParts(commands, tracer, sample, passes, then);
     sample.done = true;
-    return {commands.submit(), tracer.place, commands.samples()};
+    const std::uint64_t number = submission == Submission::kNow ? commands.submit() : commands.submitLater();
+    return {number, tracer.place, commands.samples()};
 }
 
 double finishPasses(Device& device, const BandTracer& tracer, const PassesInFlight& passes, RayCounts& counts) {

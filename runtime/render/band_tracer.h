@@ -111,7 +111,8 @@ struct PassesInFlight {
 /// Submits a sample that ends with these passes (endsIn), as tracePasses does, without waiting for it. Of the
 /// submissions before, all but kFramesInFlight - 1 must have been finished.
 PassesInFlight submitPasses(Device& device, BandTracer& tracer, BandSample& sample, std::uint32_t passes,
-                            const std::function<void(VkCommandBuffer)>& then = {});
+                            const std::function<void(VkCommandBuffer)>& then = {},
+                            Submission submission = Submission::kNow);
 /// Waits for them, and adds their rays to counts. Returns the seconds that the device took.
 double finishPasses(Device& device, const BandTracer& tracer, const PassesInFlight& passes, RayCounts& counts);
 

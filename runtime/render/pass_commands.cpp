@@ -104,9 +104,13 @@ std::vector<gpu::Control> PassCommands::finish() {
     return readCounters(device_, readback_, samples_);
 }
 
-std::uint64_t PassCommands::submit() {
+std::uint64_t PassCommands::submit() { return pointrt::submit(device_, end()); }
+
+std::uint64_t PassCommands::submitLater() { return submitWithNext(device_, end()); }
+
+VkCommandBuffer PassCommands::end() {
     if (readback_.timer) recordTimerEnd(commands_, *readback_.timer, readback_.place);
-    return pointrt::submit(device_, commands_);
+    return commands_;
 }
 
 void PassCommands::record(const Pass& pass) {

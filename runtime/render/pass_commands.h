@@ -60,9 +60,12 @@ public:
     /// Submits all passes in place of finish, and returns the submission's number; its counters are read with
     /// readCounters. Not while profiling.
     std::uint64_t submit();
+    /// The same with the next submission (submitWithNext).
+    std::uint64_t submitLater();
     std::uint32_t samples() const { return samples_; } ///< ended
 
 private:
+    VkCommandBuffer end();
     bool submitsEach() const { return profile_ && !profile_->clock.counters.handle; }
     void record(const Pass& pass);
     void runAlone(const Pass& pass);

@@ -83,11 +83,12 @@ bool ProgressiveRenderer::openNextBand() {
     return true;
 }
 
-bool ProgressiveRenderer::traceStrip(std::uint32_t bounces, const std::function<void(VkCommandBuffer)>& then) {
+bool ProgressiveRenderer::traceStrip(std::uint32_t bounces, const std::function<void(VkCommandBuffer)>& then,
+                                     Submission submission) {
     if (overlaps(bounces)) {
-        submitStrip(bounces, then);
+        submitStrip(bounces, then, submission);
     } else {
-        finishAll();
+        finish();
         const double start = steadySeconds();
         tracePasses(device_, tracer_, strip_->sample, bounces, rays_, then);
         strip_seconds_ += steadySeconds() - start;
@@ -107,11 +108,13 @@ bool ProgressiveRenderer::overlaps(std::uint32_t bounces) const {
     return may_overlap_ && strip_->sample.pass == 0 && canOverlap(tracer_) && endsIn(tracer_, plan_.settings, bounces);
 }
 
-void ProgressiveRenderer::submitStrip(std::uint32_t bounces, const std::function<void(VkCommandBuffer)>& then) {
+void ProgressiveRenderer::submitStrip(std::uint32_t bounces, const std::function<void(VkCommandBuffer)>& then,
+                                      Submission submission) {
     // with what else was submitted before the last strip, such as its presentation
     if (in_flight_.size() == kFramesInFlight) waitFor(device_, in_flight_.back().passes.submission - 1);
     while (in_flight_.size() >= kFramesInFlight) finishOldest();
-    in_flight_.push_back({submitPasses(device_, tracer_, strip_->sample, bounces, then), timeOf(strip_->sample, 0)});
+    in_flight_.push_back(
+        {submitPasses(device_, tracer_, strip_->sample, bounces, then, submission), timeOf(strip_->sample, 0)});
 }
 
 void ProgressiveRenderer::finishOldest() {
@@ -121,7 +124,7 @@ void ProgressiveRenderer::finishOldest() {
     times_.push_back(time);
 }
 
-void ProgressiveRenderer::finishAll() {
+void ProgressiveRenderer::finish() {
     while (!in_flight_.empty()) finishOldest();
 }
 
@@ -137,7 +140,7 @@ FrameState ProgressiveRenderer::run() {
         }
         for (const StripTime& each : takeTimes()) pace.update(each.pixels, each.seconds);
     }
-    finishAll();
+    finish();
     store();
     return schedule_->state();
 }

@@ -61,7 +61,9 @@ public:
     /// will be before what is submitted next: where strips overlap, waits for all that was submitted before the last
     /// strip, and not for this one.
     /// @param then records commands to run in the same submission
-    bool traceStrip(std::uint32_t bounces, const std::function<void(VkCommandBuffer)>& then = {});
+    /// @param submission kWithNext: the strip may go with the next submission, which must follow soon
+    bool traceStrip(std::uint32_t bounces, const std::function<void(VkCommandBuffer)>& then = {},
+                    Submission submission = Submission::kNow);
     /// Completes the job, in strips of the plan's rows, or fewer if those take long (strip_pace.h) and the frame may be
     /// aborted. The film is then on the host, or was handed to take_rows. If aborted, some rows have one more sample.
     FrameState run();
@@ -71,6 +73,8 @@ public:
         if (schedule_) schedule_->setSamples(samples);
     }
 
+    /// Waits for strips that the device may still be tracing.
+    void finish();
     /// Whether the device may still be tracing strips that count as complete.
     bool isAhead() const { return !in_flight_.empty(); }
     /// Times of the strips completed since the last call, without those that the device may still be tracing.
@@ -95,9 +99,8 @@ private:
     };
 
     bool overlaps(std::uint32_t bounces) const;
-    void submitStrip(std::uint32_t bounces, const std::function<void(VkCommandBuffer)>& then);
+    void submitStrip(std::uint32_t bounces, const std::function<void(VkCommandBuffer)>& then, Submission submission);
     void finishOldest();
-    void finishAll();
     StripTime timeOf(const BandSample& sample, double seconds) const;
     bool openNextBand();
     bool showPhotonsFor(std::uint32_t sample);

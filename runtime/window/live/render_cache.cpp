@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "format/base/parallel.h"
+#include "runtime/window/live/reprojector.h"
 
 namespace pointrt {
 namespace {
@@ -24,8 +25,6 @@ constexpr std::int32_t kSparseReach = 6;
 constexpr std::size_t kSparsePixels = 4;
 /// Points traced before the light changed count as at least this many frames old.
 constexpr std::uint32_t kStaleLightAge = 64;
-/// Points in the cache per four pixels: the visible ones, and some that are hidden or outside the frame.
-constexpr std::size_t kPointsOf4 = 5;
 /// Points per task of a thread; points projected together, for SIMD.
 constexpr std::size_t kChunk = 1u << 14, kSideBySide = 64;
 

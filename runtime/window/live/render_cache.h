@@ -3,8 +3,8 @@
 // earlier frames, reprojected into each new view with a depth test. Points are never resampled on the screen: each
 // keeps its position and colour until it is traced again, visible or not, so a long movement does not blur the picture.
 //
-// The cache lives on the host: software devices, which are the ones too slow to trace a full frame in time, need three
-// times as long to do this on the device.
+// This cache lives on the host: CPU devices need three times as long to do this on the device. GPUs have theirs
+// (device_cache.h).
 #pragma once
 
 #include <algorithm>
@@ -16,17 +16,14 @@
 #include "runtime/util/pixel_size.h"
 #include "runtime/window/live/view_projection.h"
 #include "shaders/shared/params.h"
+#include "shaders/shared/reprojection_layout.h"
 
 namespace pointrt {
 
-// PointCloud::info holds these flags, then the number of samples averaged into the colour, and in the low bits the
-// frame in which the point was traced.
-constexpr std::uint32_t kPointIsSky = 1u << 31;         ///< position is a direction
-constexpr std::uint32_t kPointViewDependent = 1u << 30; ///< mirror or glossy: its colour changes with the view
-constexpr std::uint32_t kPointInterpolated = 1u << 29;  ///< filled in between neighbours, never traced
-constexpr std::uint32_t kPointOnShape = 1u << 28;       ///< on a shape
-constexpr std::uint32_t kPointInvalid = 1u << 27;       ///< removed, must not be reprojected
-constexpr std::uint32_t kPointSamplesShift = 16, kPointMaxSamples = 7, kPointFrameMask = 0xFFFF;
+constexpr std::uint32_t kPointIsSky = POINT_IS_SKY, kPointViewDependent = POINT_VIEW_DEPENDENT,
+                        kPointInterpolated = POINT_INTERPOLATED, kPointOnShape = POINT_ON_SHAPE,
+                        kPointInvalid = POINT_INVALID, kPointSamplesShift = POINT_SAMPLES_SHIFT,
+                        kPointMaxSamples = POINT_MAX_SAMPLES, kPointFrameMask = POINT_FRAME_MASK;
 
 /// A traced point in render space.
 struct CachedPoint {

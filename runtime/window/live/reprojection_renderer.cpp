@@ -3,47 +3,18 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
-#include <cstring>
 #include <utility>
 
 #include "format/base/parallel.h"
 #include "runtime/image/tonemap.h"
 #include "runtime/render/frame_params.h"
 #include "runtime/scene/integrator.h"
+#include "runtime/util/clock.h"
 #include "runtime/window/live/hole_filling.h"
+#include "runtime/window/live/pixel_list.h"
 #include "runtime/window/live/trace_speed.h"
 
 namespace pointrt {
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-/// The number of pixels selected at random may exceed the requested number by this factor.
-constexpr double kCountMargin = 1.125;
-
-/// Points are resampled, one per pixel, if gaps take more than this share of the pixels, as filling them takes too
-/// long. Of pixels with one randomly placed point on average, a sixth are empty; after zooming in by a tenth, a fifth.
-constexpr double kMaxGapShare = 0.2;
-
-bool sameShapes(const std::vector<gpu::Shape>& a, const std::vector<gpu::Shape>& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(gpu::Shape)) == 0;
-}
-
-/// The pixels of rows [first, end), tile by tile.
-std::vector<std::uint32_t> pixelsOfRows(PixelSize size, std::uint32_t first, std::uint32_t end) {
-    std::vector<std::uint32_t> numbers;
-    for (std::uint32_t top = first; top < end; top += TILE_SIDE)
-        for (std::uint32_t left = 0; left < size.width; left += TILE_SIDE)
-            for (std::uint32_t y = top; y < std::min(top + TILE_SIDE, end); ++y)
-                for (std::uint32_t x = left; x < std::min(left + TILE_SIDE, size.width); ++x)
-                    numbers.push_back(y * size.width + x);
-    return numbers;
-}
-
-} // namespace
 
 ReprojectionRenderer::ReprojectionRenderer(Device& device, BandTracer& tracer, Buffer& pixels, PixelSize size)
     : device_(device), tracer_(tracer), pixels_(pixels), cache_(size), errors_(size),
@@ -73,12 +44,6 @@ ViewProjection ReprojectionRenderer::projectionFor(const ReprojectionView& view)
     return ViewProjection(makeFrameParams(*tracer_.scene, view.settings, view.camera, 0, cache_.size().height));
 }
 
-std::uint32_t ReprojectionRenderer::pixelBudget(double seconds) const {
-    const double pixels = double{1} * cache_.size().width * cache_.size().height;
-    const double most = std::min<double>(pixels, kMaxListedPixels) / kCountMargin;
-    return static_cast<std::uint32_t>(pixelsFor(seconds, cost_, most));
-}
-
 ReprojectedFrame ReprojectionRenderer::renderFrame(const ReprojectionView& view, double seconds) {
     const Clock::time_point start = Clock::now();
     ++frame_;
@@ -93,13 +58,13 @@ ReprojectedFrame ReprojectionRenderer::renderFrame(const ReprojectionView& view,
         {static_cast<float>(view.focus_x * size.width), static_cast<float>(view.focus_y * size.height)},
         frame_,
         camera_moves,
-        pixelBudget(seconds)};
+        pixelBudget(size, seconds, cost_)};
     std::vector<std::uint32_t> chosen = selectPixels(cache_, errors_, params);
     chosen.resize(std::min(chosen.size(), static_cast<std::size_t>(kCountMargin * params.count)));
 
     const Clock::time_point tracing = Clock::now();
     const std::vector<TracedPixel> traced = trace(view, chosen);
-    const double traced_s = since(tracing);
+    const double traced_s = millisecondsSince(tracing) / 1e3;
     if (!chosen.empty())
         cost_.seconds_per_pixel = smoothed(cost_.seconds_per_pixel, traced_s / static_cast<double>(chosen.size()));
 
@@ -108,18 +73,8 @@ ReprojectedFrame ReprojectionRenderer::renderFrame(const ReprojectionView& view,
     const std::uint32_t gaps = fillHoles(cache_);
     uploadBuffer(device_, pixels_, cache_.colors().data(), cache_.colors().size() * sizeof(std::uint32_t));
     if (gaps > kMaxGapShare * size.width * size.height) resamplePoints(cache_, seen);
-    cost_.other_s = smoothed(cost_.other_s, since(start) - traced_s);
+    cost_.other_s = smoothed(cost_.other_s, millisecondsSince(start) / 1e3 - traced_s);
     return {static_cast<std::uint32_t>(chosen.size()), cache_.emptyPixelCount() - gaps};
-}
-
-/// Uploads x | y << 16 of each pixel, padded to complete rows.
-void ReprojectionRenderer::uploadPixelList(std::span<const std::uint32_t> numbers) {
-    const std::uint32_t width = cache_.size().width;
-    std::vector<std::uint32_t> places;
-    places.reserve(numbers.size());
-    for (std::uint32_t pixel : numbers) places.push_back(pixel % width | pixel / width << 16);
-    while (places.size() % kPixelListWidth != 0) places.push_back(places.back());
-    uploadBuffer(device_, tracer_.buffers.pixel_list, places.data(), places.size() * sizeof(std::uint32_t));
 }
 
 /// Reads the first hits of the listed pixels, stored from index first on.
@@ -161,7 +116,7 @@ void ReprojectionRenderer::readLight(const ReprojectionView& view, std::span<Tra
 std::vector<TracedPixel> ReprojectionRenderer::trace(const ReprojectionView& view,
                                                      std::span<const std::uint32_t> numbers) {
     if (numbers.empty()) return {};
-    uploadPixelList(numbers);
+    uploadPixelList(device_, tracer_, cache_.size(), numbers);
     RenderSettings settings = view.settings;
     settings.seed += frame_; // new random numbers in each frame
     const auto count = static_cast<std::uint32_t>(numbers.size());
@@ -178,24 +133,17 @@ bool ReprojectionRenderer::fillCache(const ReprojectionView& view) {
     const PixelSize size = cache_.size();
     if (filled_rows_ == 0) pending_fill_ = CacheFill{{}, std::vector<float>(cache_.keys().size())};
     pending_fill_.points.resize(cache_.keys().size());
-    // whole rows of tiles if they fit
-    const std::uint32_t fitting = std::max(kMaxListedPixels / size.width / TILE_SIDE * TILE_SIDE, 1u);
-    const std::uint32_t end = std::min(filled_rows_ + fitting, size.height);
-    const std::vector<std::uint32_t> numbers = pixelsOfRows(size, filled_rows_, end);
-    uploadPixelList(numbers);
-    const std::uint32_t beyond = size.width * size.height; // first_hits holds those of the film before
-    const auto count = static_cast<std::uint32_t>(numbers.size());
-    BandSample sample = openPixelList(tracer_, view.settings, view.camera, count, {kMaxListedPixels, beyond});
-    sample.only_first_hits = true;
-    RayCounts rays;
-    tracePasses(device_, tracer_, sample, 0, rays);
+    const RowRange rows = listableRows(size, filled_rows_);
+    const std::vector<std::uint32_t> numbers = pixelsOfRows(size, rows);
+    uploadPixelList(device_, tracer_, size, numbers);
+    traceFirstHits(device_, tracer_, view, static_cast<std::uint32_t>(numbers.size()));
     const ViewProjection seen = projectionFor(view);
-    for (const TracedPixel& each : readHits(numbers, beyond)) {
+    for (const TracedPixel& each : readHits(numbers, size.width * size.height)) {
         pending_fill_.points.set(each.pixel, toCachedPoint(seen, each, frame_));
         pending_fill_.points.info[each.pixel] |= kPointMaxSamples << kPointSamplesShift;
         pending_fill_.depth[each.pixel] = depthAlongView(seen, each);
     }
-    filled_rows_ = end;
+    filled_rows_ = rows.end;
     if (!isFilled()) return false;
     cache_.replace(std::move(pending_fill_.points), pending_fill_.depth);
     pending_fill_ = {};

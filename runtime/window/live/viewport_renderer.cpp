@@ -70,7 +70,10 @@ bool ViewportRenderer::fitFilm() {
     }
     if (film_pixels_ == 0 && pixels == 0) return true;
     if (pixels <= film_pixels_ && film_pixels_ <= most) {
-        if (extendFilm(device_, tracer_, samples)) bindFilm(device_, display_, tracer_.buffers);
+        if (extendFilm(device_, tracer_, samples)) {
+            bindFilm(device_, display_, tracer_.buffers);
+            if (reprojector_) reprojector_->bindFilm();
+        }
         return full_ == before;
     }
     reprojector_.reset();
@@ -103,7 +106,7 @@ void ViewportRenderer::restart(bool moving) {
         return begin(Stage::kReprojection);
     }
     if (moving && shouldReproject() && previewIsTiny()) {
-        createReprojector();
+        makeReprojector();
         reprojector_->clear();
         return begin(Stage::kReprojection);
     }
@@ -183,6 +186,11 @@ void ViewportRenderer::showFilm() {
 }
 
 void ViewportRenderer::begin(Stage stage) {
+    // the tracer keeps the counters of frames in flight in one place
+    if (stage == Stage::kReprojection)
+        renderer_.finish();
+    else if (reprojector_)
+        reprojector_->finish();
     stage_ = stage;
     if (stage == Stage::kDenoising) {
         prepareDenoiser(device_, display_, full_);
@@ -266,7 +274,9 @@ void ViewportRenderer::traceSlice(double seconds_left) {
     const auto show = [&](VkCommandBuffer commands) {
         recordRows(commands, strip.first_row, strip.sample.rows, strip.sample.number + 1);
     };
-    const bool done = renderer_.traceStrip(passes, shows ? show : std::function<void(VkCommandBuffer)>());
+    // a preview is presented next, in the same submission
+    const bool done = renderer_.traceStrip(passes, shows ? show : std::function<void(VkCommandBuffer)>(),
+                                           stage_ == Stage::kInteractive ? Submission::kWithNext : Submission::kNow);
     if (renderer_.isAhead()) planned_s_ += predicted_s;
     addTimes();
     if (done) finishSlice(strip, shows);
@@ -283,12 +293,12 @@ bool ViewportRenderer::showsAfter(const Strip& strip) const {
 /// The cache is filled once there is a picture, so that the next movement can reproject it.
 bool ViewportRenderer::needsCacheFill() {
     if (!shouldReproject() || renderer_.samples() == 0) return false;
-    createReprojector();
+    makeReprojector();
     return !reprojector_->isFilled();
 }
 
-void ViewportRenderer::createReprojector() {
-    if (!reprojector_) reprojector_.emplace(device_, tracer_, display_.pixels, PixelSize{full_.width, full_.height});
+void ViewportRenderer::makeReprojector() {
+    if (!reprojector_) reprojector_ = createReprojector(device_, tracer_, display_.pixels, full_);
 }
 
 void ViewportRenderer::fillCache() {

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -12,7 +13,7 @@
 #include "runtime/render/pick.h"
 #include "runtime/render/progressive_renderer.h"
 #include "runtime/window/live/display_pipeline.h"
-#include "runtime/window/live/reprojection_renderer.h"
+#include "runtime/window/live/reprojector.h"
 #include "runtime/window/live/trace_speed.h"
 
 namespace pointrt {
@@ -100,7 +101,7 @@ private:
     bool workReprojection(double seconds);
     void fillCache();
     bool needsCacheFill();
-    void createReprojector();
+    void makeReprojector();
     bool shouldReproject() const;
     bool previewIsTiny() const;
     bool canReproject() const;
@@ -136,11 +137,11 @@ private:
     double preview_budget_s_;
     DisplayPipeline display_;
     Viewport view_;
-    std::optional<ReprojectionRenderer> reprojector_; ///< of size full_, created on demand
-    std::uint32_t reprojected_pixels_ = 0;            ///< traced in its last frame
-    bool reprojection_current_ = false;               ///< it shows this view and look
-    bool mostly_reused_ = false;                      ///< little of it is disoccluded
-    bool shows_full_frame_ = false;                   ///< the screen shows last_camera_'s light at full resolution
+    std::unique_ptr<Reprojector> reprojector_; ///< of size full_, created on demand
+    std::uint32_t reprojected_pixels_ = 0;     ///< traced in its last frame
+    bool reprojection_current_ = false;        ///< it shows this view and look
+    bool mostly_reused_ = false;               ///< little of it is disoccluded
+    bool shows_full_frame_ = false;            ///< the screen shows last_camera_'s light at full resolution
     Camera last_camera_;
     std::uint64_t film_pixels_ = 0;
     Stage stage_ = Stage::kIdle;

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rendering while the view moves, on devices that cannot trace a full frame in time: the last frame is reprojected, and
+// the frame's time goes to pixels that are disoccluded, wrong or old.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "runtime/render/band_tracer.h"
+#include "runtime/scene/camera.h"
+#include "runtime/scene/render_settings.h"
+#include "runtime/util/pixel_size.h"
+
+namespace pointrt {
+
+/// The view to render.
+struct ReprojectionView {
+    RenderSettings settings; ///< width, height: of the full frame
+    Camera camera;
+    double exposure = 0;                 ///< stops
+    double focus_x = 0.5, focus_y = 0.5; ///< attention point, as fractions of the picture
+    bool compresses_highlights = true;   ///< ToneMapping::compresses_highlights
+};
+
+/// Extra pixels in the device's film and first hits, beyond the full frame's, that hold the pixels traced in one frame.
+constexpr std::uint32_t kMaxListedPixels = 1u << 16;
+
+/// Points in the cache per four pixels: the visible ones, and some that are hidden or outside the frame.
+constexpr std::uint32_t kPointsOf4 = 5;
+/// Points are resampled, one per pixel, if gaps take more than this share of the pixels, as filling them takes too
+/// long. Of pixels with one randomly placed point on average, a sixth are empty; after zooming in by a tenth, a fifth.
+constexpr double kMaxGapShare = 0.2;
+
+/// Statistics of a frame.
+struct ReprojectedFrame {
+    std::uint32_t traced = 0;        ///< pixels
+    std::uint32_t disocclusions = 0; ///< empty pixels except gaps within a surface; where frames overlap, of an earlier
+};
+
+/// A render cache (render_cache.h) and the tracing of its pixels, on the host or on the device.
+class Reprojector {
+public:
+    Reprojector() = default;
+    virtual ~Reprojector() = default;
+    Reprojector(const Reprojector&) = delete;
+    Reprojector& operator=(const Reprojector&) = delete;
+
+    /// Discards all points: the scene or the look has changed.
+    virtual void clear() = 0;
+    /// Lights, materials or shapes have changed: points on moved shapes are removed, all colours become old.
+    virtual void invalidateLighting() = 0;
+    /// Takes the colours from the window's pixels, which hold a full picture of the last view.
+    virtual void readBackColors() = 0;
+
+    /// Reprojects the last frame to view, if there is one, and traces as many pixels as fit in seconds in all. The
+    /// tracer's film is overwritten; ProgressiveRenderer::finish before. The result is in the window's pixels.
+    virtual ReprojectedFrame renderFrame(const ReprojectionView& view, double seconds) = 0;
+    /// Waits for frames that the device may still be tracing, before others use the tracer.
+    virtual void finish() = 0;
+
+    /// Traces the first hits of all of view into the cache, in slices of as many rows as fit in the list; true when
+    /// complete. The film is kept.
+    virtual bool fillCache(const ReprojectionView& view) = 0;
+    virtual bool isFilled() const = 0;
+    /// Whether the cache holds the picture of that camera.
+    virtual bool isValidFor(const Camera& camera) const = 0;
+
+    /// Blends the pixels [first, first + count) over the reprojected picture with weight share.
+    virtual void blendWithReprojection(std::uint32_t first, std::uint32_t count, float share) = 0;
+
+    /// The tracer's film has been reallocated.
+    virtual void bindFilm() = 0;
+    /// Memory it takes, on the host or the device.
+    virtual std::uint64_t bytes() const = 0;
+};
+
+/// On the device if that is a GPU; a CPU has the same cores and is faster on the host.
+/// tracer and pixels must outlive it. tracer's film has room for size plus kMaxListedPixels. pixels receives the
+/// picture, 0xAARRGGBB each.
+std::unique_ptr<Reprojector> createReprojector(Device& device, BandTracer& tracer, Buffer& pixels, PixelSize size);
+
+} // namespace pointrt

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lights, materials or shapes have changed: all colours become old. A lane for each place in the cache.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/display/point_cache.glsl"
+
+// Points traced before the light changed count as at least this many frames old.
+const uint kStaleLightAge = 64u;
+
+void main() {
+    if (lane() >= pointCount()) return;
+    uint info = infoOf(lane()), age = (push.first - info) & POINT_FRAME_MASK; // push.first: number of the frame
+    uint traced = age < kStaleLightAge ? (push.first - kStaleLightAge) & POINT_FRAME_MASK : info & POINT_FRAME_MASK;
+    // without a sample count: the next sample replaces the colour
+    info = (info & ~(POINT_MAX_SAMPLES << POINT_SAMPLES_SHIFT | POINT_FRAME_MASK)) | traced;
+    if ((push.bits & REPROJECT_SHAPES) != 0u && (info & POINT_ON_SHAPE) != 0u) info |= POINT_INVALID;
+    points[lane()].w = uintBitsToFloat(info);
+}
