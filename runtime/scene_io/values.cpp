@@ -127,6 +127,7 @@ std::vector<std::pair<std::string, SceneValue>> membersOf(const SceneValue& tabl
 }
 
 std::vector<SceneValue> elementsOf(const SceneValue& list) {
+    if (!list.node->is_array()) refuse(list, "must be a list");
     const toml::array& nodes = *list.node->as_array();
     std::vector<SceneValue> elements;
     for (std::size_t i = 0; i < nodes.size(); ++i)

@@ -68,7 +68,7 @@ std::vector<SceneValue> findTables(const SceneValue& table, std::string_view key
 /// The members of a table.
 std::vector<std::pair<std::string, SceneValue>> membersOf(const SceneValue& table);
 void requireTable(const SceneValue& value);
-/// The elements of a list.
+/// The elements of a list; refuses other values.
 std::vector<SceneValue> elementsOf(const SceneValue& list);
 
 double numberOf(const SceneValue& value, Range range);

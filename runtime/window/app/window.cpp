@@ -164,8 +164,10 @@ void Window::execute(const Command& command) {
         view_.stop();
         work_.camera = *view;
     }
-    if (const auto* at = std::get_if<PickCommand>(&command)) image_.pick({at->x / size.width, at->y / size.height});
-    if (const auto* at = std::get_if<CentreCommand>(&command))
+    const bool has_picture = loaded_ || jobs_.any(); // soon
+    if (const auto* at = std::get_if<PickCommand>(&command); at && has_picture)
+        image_.pick({at->x / size.width, at->y / size.height});
+    if (const auto* at = std::get_if<CentreCommand>(&command); at && has_picture)
         image_.pick({at->x / size.width, at->y / size.height, true});
     if (const auto* fly = std::get_if<FlyCommand>(&command)) view_.flyAlong(fly->direction);
     if (const auto* drop = std::get_if<DropEvent>(&command)) openFiles(drop->paths);

@@ -19,6 +19,11 @@ bool comesBefore(const FileBrowser::Entry& a, const FileBrowser::Entry& b) {
 
 } // namespace
 
+bool isToOpen(const std::string& path) {
+    std::error_code ignored;
+    return fs::exists(path, ignored) && (!fs::is_directory(path, ignored) || isSceneOrSet(path));
+}
+
 FileBrowser browse(const std::string& folder) {
     std::error_code error;
     FileBrowser browser;
@@ -27,7 +32,7 @@ FileBrowser browse(const std::string& folder) {
     for (const fs::directory_iterator end; !error && entry != end; entry.increment(error)) {
         const std::string name = entry->path().filename().string();
         std::error_code ignored;
-        const bool is_folder = entry->is_directory(ignored) && !isSceneOrSet(entry->path().string());
+        const bool is_folder = entry->is_directory(ignored) && !isToOpen(entry->path().string());
         if (!name.starts_with('.')) browser.entries.push_back({name, is_folder, false});
     }
     if (error) browser.error = browser.folder + ": " + error.message();

@@ -18,6 +18,9 @@ struct FileBrowser {
     std::string error;          ///< why the folder cannot be read; empty: it was
 };
 
+/// Whether a path is a file to open, or a scene or tile set that is a folder: not a folder to list.
+bool isToOpen(const std::string& path);
+
 /// Reads a folder; empty: the current one.
 FileBrowser browse(const std::string& folder);
 

@@ -47,13 +47,22 @@ void drawEntries(Workspace& w, FileBrowser& browser) {
     }
 }
 
+/// Lists the folder that was typed or pasted, or opens the file.
+void takeTyped(Workspace& w, const std::string& path) {
+    if (isToOpen(path))
+        w.requests.open_files = {path};
+    else
+        w.requests.browse = path;
+}
+
 void drawFolder(Workspace& w, FileBrowser& browser) {
     if (ImGui::Button("Up")) w.requests.browse = std::filesystem::path(browser.folder).parent_path().string();
     tooltip("to the folder that contains this one");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
     if (ImGui::InputText("##folder", &browser.folder, ImGuiInputTextFlags_EnterReturnsTrue))
-        w.requests.browse = browser.folder;
+        takeTyped(w, browser.folder);
+    tooltip("a folder to list, or a file to open");
 }
 
 } // namespace

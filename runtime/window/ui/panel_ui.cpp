@@ -32,6 +32,12 @@ constexpr Section kSections[] = {
     {"Output", drawOutput, false},       {"About", drawAbout, false},
 };
 
+/// Scrolls down to the end of the section that was just drawn, or as far as its header stays in sight.
+void showSection(float header_y) {
+    const float below = ImGui::GetCursorScreenPos().y - ImGui::GetIO().DisplaySize.y;
+    if (below > 0) ImGui::SetScrollY(ImGui::GetScrollY() + std::min(below, header_y));
+}
+
 float shownWidth() { return panelWidth(ImGui::GetIO().DisplaySize.x, uiScale()); }
 
 void drawPanel(Workspace& w) {
@@ -44,11 +50,14 @@ void drawPanel(Workspace& w) {
     ImGui::PopStyleVar();
     for (const Section& section : kSections) {
         if (!shown) break;
+        const float header_y = ImGui::GetCursorScreenPos().y;
         if (!ImGui::CollapsingHeader(section.name, section.open ? ImGuiTreeNodeFlags_DefaultOpen : 0)) continue;
+        const bool was_closed = ImGui::IsItemToggledOpen();
         ImGui::PushID(section.name);
         section.draw(w);
         ImGui::PopID();
         ImGui::Dummy(ImVec2(0, 4 * uiScale()));
+        if (was_closed) showSection(header_y);
     }
     ImGui::End();
 }

@@ -66,7 +66,7 @@ TEST(Layers, AreDeletedUnlessLockedOrTheLast) {
     EXPECT_FALSE(mayDelete(scene, kPlane));
     deleteLayer(scene, kTower);
     EXPECT_EQ(scene.instances.size(), 2u) << "numbers of scans are those on the device";
-    EXPECT_EQ(layersOf(scene).size(), 5u);
+    EXPECT_EQ(layersOf(scene).size(), 6u);
     EXPECT_FALSE(keptOf({}, scene.instances[1]).empty()) << "hidden";
     deleteLayer(scene, kLamp);
     EXPECT_TRUE(scene.lights.empty());

@@ -68,6 +68,16 @@ TEST(FileBrowser, ListsFoldersThenFiles) {
     EXPECT_EQ(chosenFiles(browser), std::vector<std::string>{folder.file("scan10.laz")});
 }
 
+TEST(FileBrowser, FoldersAreListedAndOtherPathsOpened) {
+    const test::TemporaryFolder folder;
+    fs::create_directories(folder.file("tower"));
+    fs::create_directories(folder.file("nave.proset"));
+    EXPECT_TRUE(isToOpen(folder.write("scan.laz", "")));
+    EXPECT_TRUE(isToOpen(folder.file("nave.proset")));
+    EXPECT_FALSE(isToOpen(folder.file("tower")));
+    EXPECT_FALSE(isToOpen(folder.file("missing.laz")));
+}
+
 TEST(FileBrowser, SaysWhyAFolderCannotBeRead) {
     const FileBrowser browser = browse("/no such folder");
     EXPECT_TRUE(browser.entries.empty());

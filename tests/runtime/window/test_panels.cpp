@@ -174,6 +174,20 @@ TEST(Panels, BrowserOpensNoFileByADoubleClickOnAFolder) {
     EXPECT_TRUE(w.browser->entries[0].chosen);
 }
 
+/// The headers of sections below others are at the bottom of small windows.
+TEST(Panels, SectionsAreInSightOnceTheyAreOpened) {
+    constexpr float kLess = 20, kMore = 900; // than a header's height, and than all open sections
+    for (float height = 500; height < kMore; height += kLess) {
+        Workspace w = litScan();
+        PanelDriver driver(1280, height);
+        if (!driver.find(w, "Panel", {"Clip"})) continue;
+        driver.click(w);
+        EXPECT_TRUE(driver.find(w, "Panel", {"Clip", "Plane"})) << height;
+        return;
+    }
+    FAIL() << "no window shows the header";
+}
+
 TEST(Panels, FitAnyWindow) {
     for (const float side : {1.0f, 20.0f, 150.0f, 8000.0f}) showAll(busyScan(), side, side);
     showAll(busyScan(), 1, 2000);
