@@ -32,7 +32,7 @@ FileBrowser browse(const std::string& folder) {
     for (const fs::directory_iterator end; !error && entry != end; entry.increment(error)) {
         const std::string name = entry->path().filename().string();
         std::error_code ignored;
-        const bool is_folder = entry->is_directory(ignored) && !isToOpen(entry->path().string());
+        const bool is_folder = entry->is_directory(ignored) && !isSceneOrSet(entry->path().string());
         if (!name.starts_with('.')) browser.entries.push_back({name, is_folder, false});
     }
     if (error) browser.error = browser.folder + ": " + error.message();

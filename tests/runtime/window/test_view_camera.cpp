@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <numbers>
 #include <random>
 #include <sstream>
@@ -17,13 +16,13 @@
 #include "runtime/session/options.h"
 #include "runtime/window/input/camera_text.h"
 #include "runtime/window/input/view_flight.h"
+#include "tests/runtime/window/viewed_scenes.h"
 #include "tests/support/says.h"
 
 namespace pointrt {
 namespace {
 
-constexpr ViewSize kViewCameraSize{1280, 720};
-constexpr double kInfinity = std::numeric_limits<double>::infinity(), kNan = std::nan("");
+constexpr double kNan = std::nan("");
 const Vec3 kUps[] = {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {0, -3, 0}, {1, 2, -3}};
 
 void expectVectorsNear(Vec3 a, Vec3 b, double tolerance) {
@@ -32,30 +31,7 @@ void expectVectorsNear(Vec3 a, Vec3 b, double tolerance) {
     EXPECT_NEAR(a.z, b.z, tolerance);
 }
 
-struct ViewedScene {
-    Vec3 low, high;
-    double radius() const { return length(high - low) / 2; }
-    Vec3 centre() const { return low + (high - low) * 0.5; }
-};
-const ViewedScene kUnit{{-1, -1, -1}, {1, 1, 1}};
-const ViewedScene kNationalGrid{{2'600'000, 1'200'000, 400}, {2'600'030, 1'200'040, 520}}; // radius 65
-
-/// From an oblique direction, so that no axis is special.
-ViewCamera slantedView(const ViewedScene& scene, Vec3 up) {
-    CameraRequest request;
-    request.eye = scene.centre() + Vec3{1.7, 1.1, 2.3} * scene.radius();
-    return framedView(request, scene.low, scene.high, up, 16.0 / 9);
-}
-
 double roll(const ViewCamera& view) { return dot(axesOf(view).right, normalize(view.up)); }
-
-void expectSame(const ViewCamera& a, const ViewCamera& b) {
-    EXPECT_EQ(a.eye, b.eye);
-    EXPECT_EQ(a.pivot, b.pivot);
-    EXPECT_EQ(a.up, b.up);
-    EXPECT_EQ(a.fov_deg, b.fov_deg);
-    EXPECT_EQ(a.ortho_height, b.ortho_height);
-}
 
 void expectSamePicture(const ViewCamera& a, const ViewCamera& b, double tolerance) {
     expectVectorsNear(axesOf(a).right, axesOf(b).right, tolerance);
@@ -310,49 +286,6 @@ TEST(ViewCamera, StandardViewsUseTheUpAxis) {
             expectSamePicture(oppositeView(oppositeView(view)), view, 1e-9);
             EXPECT_EQ(top.pivot, view.pivot);
         }
-}
-
-/// Where the corners of the scene's bounds are in the picture.
-struct PictureBox {
-    double left = kInfinity, right = -kInfinity, top = kInfinity, bottom = -kInfinity;
-};
-
-PictureBox boxInPicture(const ViewCamera& view, const ViewedScene& scene) {
-    PictureBox box;
-    for (unsigned bits = 0; bits < 8; ++bits) {
-        const Vec3 corner{bits & 1 ? scene.high.x : scene.low.x, bits & 2 ? scene.high.y : scene.low.y,
-                          bits & 4 ? scene.high.z : scene.low.z};
-        const ViewPoint at = projected(view, kViewCameraSize, corner).value();
-        box = {std::min(box.left, at.x), std::max(box.right, at.x), std::min(box.top, at.y),
-               std::max(box.bottom, at.y)};
-    }
-    return box;
-}
-
-TEST(ViewCamera, StandardViewsFitTheScene) {
-    const ViewedScene site{{0, 0, 0}, {1100, 1200, 180}}; // flat and nearly square, as a stadium's surroundings
-    constexpr double kOffset = 0.2, kFree = 1280 - 2 * kOffset * 720; // beside a panel
-    for (const ViewedScene& scene : {kUnit, kNationalGrid, site})
-        for (const StandardView which : {StandardView::kTop, StandardView::kFront, StandardView::kLeft})
-            for (const bool is_ortho : {false, true}) {
-                ViewCamera view = slantedView(scene, {0, 0, 1});
-                if (is_ortho) view = orthoToggled(view);
-                view = fittedView(standardView(withPivotOffset(view, kOffset), which), kViewCameraSize);
-                const PictureBox box = boxInPicture(view, scene);
-                EXPECT_GT(box.left, 0);
-                EXPECT_LT(box.right, kFree);
-                EXPECT_GT(box.top, 0);
-                EXPECT_LT(box.bottom, 720);
-                const double filled = std::max((box.right - box.left) / kFree, (box.bottom - box.top) / 720);
-                EXPECT_NEAR(filled, 1 / 1.1, is_ortho ? 1e-6 : 0.13) << "a box's nearer side decides";
-            }
-}
-
-TEST(ViewCamera, StandardViewsKeepADetail) {
-    const ViewCamera near = zoomed(slantedView(kUnit, {0, 1, 0}), kViewCameraSize, 12, 640, 360);
-    expectSame(fittedView(near, kViewCameraSize), near);
-    const ViewCamera aside = centredOn(slantedView(kUnit, {0, 1, 0}), {1, 1, 1});
-    expectSame(fittedView(aside, kViewCameraSize), aside);
 }
 
 TEST(ViewCamera, TopViewMatchesFrameCamera) {
