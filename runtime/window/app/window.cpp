@@ -97,7 +97,12 @@ Window::Window(const Options& options, std::optional<ReopenedWindow> reopened)
           [this](const SceneSource& scene, bool first) { return startLoad(scene, first); }) {
     if (!options.record.empty() && !reopened) session_.startRecording(options.record, host_.size());
     work_.recent_files = recentFiles(userStateFolder());
-    if (reopened) notify("the graphics device was lost and has been opened again", true);
+    if (reopened) {
+        const char* const end =
+            reopened->lacks_pictures ? "; pictures that were not saved yet must be saved again" : "";
+        notify(std::string("the graphics device was lost and has been opened again") + end, true);
+        kept_view_ = reopened->view;
+    }
     if (reopened && reopened->scene)
         opener_.open(*reopened->scene);
     else if (!options.inputs.empty())

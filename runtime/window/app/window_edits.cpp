@@ -173,11 +173,14 @@ void Window::offerAutosave(const SceneSource& scene) {
 }
 
 ReopenedWindow Window::handOver() {
-    ReopenedWindow next{std::move(session_), {}};
+    const bool saves_pictures = image_.isFilmRequested() || jobs_.has(JobKind::kSave) || jobs_.has(JobKind::kTurntable);
+    ReopenedWindow next{std::move(session_), {}, {}, saves_pictures};
+    next.session.waitForPicture();
     if (!loaded_ || !autosave_ || autosave_->path().empty() || shows_quick_bake_) return next;
     autosave_->write(sceneAsShown(work_, {host_.pixels().width, host_.pixels().height}));
     next.scene = SceneSource{autosave_->path(), work_.scene.path, true};
     next.scene->only_view = !editor_.isModified();
+    next.view = KeptView{work_.camera, view_.home};
     return next;
 }
 

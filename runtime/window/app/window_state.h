@@ -35,10 +35,17 @@ struct TileView {
     bool operator==(const TileView&) const = default;
 };
 
+/// The view of a window that lost its device. Scene files keep no pivot beside the line of sight.
+struct KeptView {
+    ViewCamera camera, home;
+};
+
 /// What a window that lost its device leaves to the next one.
 struct ReopenedWindow {
     RecordReplay session;
     std::optional<SceneSource> scene; ///< none: it opens what the options name
+    std::optional<KeptView> view;     ///< of that scene
+    bool lacks_pictures = false;      ///< a picture or a turntable was being rendered to be saved
 };
 
 class Window {
@@ -109,6 +116,7 @@ private:
     FrameMeter meter_;
     SceneEditor editor_;
     std::unique_ptr<LoadedScene> loaded_;
+    std::optional<KeptView> kept_view_;    ///< of the scene that is being opened again
     std::optional<TileView> complete_for_; ///< the view whose tiles are all on the device
     double last_tile_request_s_ = 0;       ///< on the window's clock
     bool warned_coarse_ = false;

@@ -27,6 +27,10 @@ public:
     const ResizeEvent& window() const { return replay_->window(); }
     /// The replay's next frame.
     ReplayFrame next(const PictureState& picture) { return replay_->next(picture); }
+    /// A replay waits until a scene that is opened again is on the screen: input meanwhile would have no effect.
+    void waitForPicture() {
+        if (replay_) replay_->waitForPicture();
+    }
 
     /// Seconds since the start. In a replay it advances by kReplayFrame_s per frame, so that a recording gives the same
     /// result on every machine.

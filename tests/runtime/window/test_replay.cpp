@@ -43,6 +43,17 @@ TEST(Replay, DoesNotWaitForever) {
     EXPECT_EQ(replay.next({256, false, false}).screenshots.size(), 1u);
 }
 
+TEST(Replay, WaitsForASceneThatIsOpenedAgain) {
+    Replay replay = replayOf("0 cursor 1 2\n1 cursor 3 4\n1 wait 4\n1 cursor 5 6\n");
+    replay.next({1, true, false});
+    replay.waitForPicture();
+    EXPECT_TRUE(replay.next({0, true, true}).events.empty());
+    EXPECT_EQ(replay.next({1, true, false}).events.size(), 1u);
+    replay.waitForPicture();
+    EXPECT_TRUE(replay.next({3, true, false}).events.empty()) << "more samples than one are still waited for";
+    EXPECT_EQ(replay.next({4, true, false}).events.size(), 1u);
+}
+
 TEST(Replay, AnEmptyRecordingQuits) { EXPECT_TRUE(replayOf("").next({0, true, false}).quit); }
 
 } // namespace
