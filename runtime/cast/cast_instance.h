@@ -48,6 +48,8 @@ struct InstanceRun {
     std::uint32_t first = 0, count = 0;
     std::optional<std::uint32_t> set; ///< in InstanceList::sets
     std::vector<HalfSpace> kept;      ///< what clips keep of it; empty: all
+    std::vector<FilterDescription> filters;
+    Vec3 up; ///< for heights; zero: the scan's
 };
 
 struct InstanceList {

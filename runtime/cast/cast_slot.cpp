@@ -35,15 +35,17 @@ GroupCount groupsOf(std::uint32_t rays) { return {(rays + WORKGROUP_SIZE - 1) / 
 /// Binds the buffers of the instance and of the slot, and the rays.
 DescriptorSets bind(CastSlot& slot, const Buffer& rays, VkDescriptorPool pool, const ResidentInstance& instance,
                     const Program& program) {
-    std::vector<BufferBinding> bindings = scanBindings(*instance.scan);
+    const DeviceScan& scan = *instance.scan;
+    std::vector<BufferBinding> bindings =
+        instance.painted ? paintedBindings(scan, *instance.painted) : scanBindings(scan);
     bindings.insert(bindings.end(), {{BINDING_INSTANCE, &instance.params},
                                      {BINDING_CAST_RAYS, &rays},
                                      {BINDING_CAST_HITS, &slot.hits},
                                      {BINDING_CAST_STOPPED, &slot.occluded}});
     const VkDescriptorSet common = createDescriptorSet(slot.device, pool, program, bindings);
     if (!isPaged(instance.traits.pages)) return common;
-    return {common,
-            createDescriptorSet(slot.device, pool, program, pageBindings(pagedBuffers(*instance.scan)), SET_PAGES)};
+    const PagedBuffers pages = instance.painted ? paintedPages(scan, *instance.painted) : pagedBuffers(scan);
+    return {common, createDescriptorSet(slot.device, pool, program, pageBindings(pages), SET_PAGES)};
 }
 
 } // namespace

@@ -81,7 +81,11 @@ private:
         SceneDescription scene = readSceneFile(path);
         scene.clips.insert(scene.clips.end(), clips_.begin(), clips_.end());
         requireFewHalfSpaces(scene.clips);
-        for (const InstanceDescription& each : scene.instances) addInstance(each, scene.clips);
+        for (const InstanceDescription& each : scene.instances) {
+            addInstance(each, scene.clips);
+            list_.scene_instances.back().filters = scene.filters;
+            list_.scene_instances.back().up = scene.up.value_or(Vec3{});
+        }
         std::copy_if(scene.shapes.begin(), scene.shapes.end(), std::back_inserter(list_.shapes),
                      [](const ShapeDescription& shape) { return shape.visible; });
     }

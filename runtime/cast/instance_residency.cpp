@@ -9,8 +9,10 @@
 
 #include "format/base/error.h"
 #include "format/base/parallel.h"
+#include "format/base/printable.h"
 #include "format/set/open_tile.h"
 #include "runtime/device_scene/clip_planes.h"
+#include "runtime/device_scene/color_choice.h"
 #include "runtime/device_scene/scene_tiles.h"
 #include "runtime/util/memory_text.h"
 #include "runtime/util/on_error.h"
@@ -47,6 +49,36 @@ Bounds boxOf(const DeviceScan& scan, const Placement& placement) {
         box.bounds_max[axis] = scan.info.origin[axis] + scan.info.scale * (reach.high[axis] + kFileMargin * longest);
     }
     return placedBounds(placement, box);
+}
+
+/// The up direction for heights: the scene's, else the scan's, else y as everywhere.
+Vec3 upOf(const DeviceScan& scan, const Placement& placement, Vec3 up) {
+    if (up != Vec3{}) return up;
+    pro_world world;
+    pro_get_world(scan.file, &world);
+    const Vec3 own{world.up[0], world.up[1], world.up[2]};
+    if (own == Vec3{}) return {0, 1, 0};
+    return normalize(
+        {dot(placement.rotation[0], own), dot(placement.rotation[1], own), dot(placement.rotation[2], own)});
+}
+
+std::optional<SplatNumbers> numbersOf(const DeviceScan& scan, const Placement& placement, const std::string& word,
+                                      Vec3 up) {
+    InstanceDescription described;
+    described.placement = placement;
+    return numbersFor({&scan, &described}, word, upOf(scan, placement, up));
+}
+
+/// What filters select of a scan, as far as it has their attributes.
+std::vector<SplatOverride::OfNumbers> selectionsOf(const DeviceScan& scan, const Placement& placement,
+                                                   const InstanceRun& run) {
+    std::vector<SplatOverride::OfNumbers> selections;
+    for (const FilterDescription& filter : run.filters) {
+        if (!hidesSplats(filter)) continue;
+        if (auto numbers = numbersOf(scan, placement, filter.shown.attribute, run.up))
+            selections.push_back({*std::move(numbers), filter.shown.ranges});
+    }
+    return selections;
 }
 
 /// Whether the rows are the unit matrix.
@@ -97,6 +129,7 @@ void InstanceResidency::open() {
     }
     if (const std::uint64_t largest = largestTile(); largest > memory_) refuseTile(largest);
     loadFiles(files);
+    requireFiltered();
     if (bytes > memory_ || tiles.size() > most_tiles_) return;
     loadFiles(tiles);
     complete_ = resident_.evictable() == tiles.size();
@@ -203,6 +236,38 @@ void InstanceResidency::refuseTile(std::uint64_t bytes) const {
                 "one tile needs " + shown.size + " but the limit is " + shown.limit + ": allow more memory");
 }
 
+/// The splats that filters leave of an instance; none: all.
+std::optional<PaintedSplats> InstanceResidency::filtered(const CastInstance& instance, const DeviceScan& scan) {
+    const InstanceRun& run = list_.scene_instances[instance.scene_instance];
+    SplatPaint paint;
+    paint.selections = selectionsOf(scan, instance.placement, run);
+    if (paint.selections.empty()) return std::nullopt;
+    return paintScan(device_, scan, paint);
+}
+
+/// Refuses filters by what no scan has. Tiles have the attributes of their set.
+void InstanceResidency::requireFiltered() const {
+    for (const InstanceRun& run : list_.scene_instances)
+        for (const FilterDescription& filter : run.filters)
+            if (hidesSplats(filter) && !hasAttribute(filter.shown.attribute))
+                throw Error(ExitCode::kBadInput,
+                            filter.place + "no scan has an attribute \"" + printable(filter.shown.attribute) + "\"");
+}
+
+bool InstanceResidency::hasAttribute(const std::string& word) const {
+    const auto in_scan = [&](const InstanceRun& run) {
+        const ResidentInstance* const first = find(run.first);
+        return first && numbersOf(*first->scan, {}, word, {}).has_value();
+    };
+    const auto in_set = [&](const InstanceSet& set) {
+        const std::vector<SetAttribute>& attributes = set.set.attributes;
+        return std::any_of(attributes.begin(), attributes.end(),
+                           [&](const SetAttribute& each) { return each.name == attributeWord(word); });
+    };
+    return word == kHeight || std::any_of(list_.scene_instances.begin(), list_.scene_instances.end(), in_scan) ||
+           std::any_of(list_.sets.begin(), list_.sets.end(), in_set);
+}
+
 void InstanceResidency::place(std::uint32_t number) {
     CastInstance& instance = list_.instances[number];
     auto placed = std::make_unique<ResidentInstance>();
@@ -219,13 +284,17 @@ void InstanceResidency::place(std::uint32_t number) {
     if (instance.core) setCoreBox(scan, *instance.core, params);
     setClipPlanes(kept, instance.placement, scan, params);
     placed->params = createBuffer(device_, "instance parameters", sizeof params, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    const OnError undo([&] { destroyBuffer(device_, placed->params); });
+    placed->painted = filtered(instance, scan);
     placed_[number] = std::move(placed);
     uploadBuffer(device_, placed_[number]->params, &params, sizeof params);
 }
 
 void InstanceResidency::evict(std::uint32_t number) {
     for (const std::uint32_t instance : list_.files[number].instances) {
-        if (placed_[instance]) destroyBuffer(device_, placed_[instance]->params);
+        if (!placed_[instance]) continue;
+        destroyBuffer(device_, placed_[instance]->params);
+        if (placed_[instance]->painted) destroyPaintedSplats(device_, *placed_[instance]->painted);
         placed_[instance].reset();
     }
     DeviceScan scan = resident_.remove(slots_[number].value());

@@ -13,6 +13,7 @@
 #include "runtime/cast/cast_instance.h"
 #include "runtime/device_scene/device_scan.h"
 #include "runtime/device_scene/resident_files.h"
+#include "runtime/device_scene/scene_paint.h"
 #include "runtime/gpu/device.h"
 #include "runtime/gpu/resources.h"
 #include "runtime/render/instance_traits.h"
@@ -30,8 +31,9 @@ struct ResidentInstance {
     const DeviceScan* scan = nullptr;
     RayFrame frame;
     InstanceTraits traits;
-    bool in_cube = false; ///< its render space is its cube, exactly
-    Buffer params;        ///< gpu::InstanceParams
+    bool in_cube = false;                 ///< its render space is its cube, exactly
+    Buffer params;                        ///< gpu::InstanceParams
+    std::optional<PaintedSplats> painted; ///< without what filters hide
 };
 
 class InstanceResidency;
@@ -79,6 +81,9 @@ private:
     bool evictOldest();
     void loadFiles(const std::vector<std::uint32_t>& files);
     void add(std::uint32_t file, DeviceScan scan);
+    std::optional<PaintedSplats> filtered(const CastInstance& instance, const DeviceScan& scan);
+    void requireFiltered() const;
+    bool hasAttribute(const std::string& word) const;
     void place(std::uint32_t instance);
     void evict(std::uint32_t file);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 
@@ -42,9 +43,23 @@ std::vector<ClipDescription> clipsOf(const SceneOptions& options) {
     return clips;
 }
 
+std::vector<FilterDescription> filtersOf(const SceneOptions& options) {
+    std::vector<FilterDescription> filters;
+    for (const std::string& text : options.filters) {
+        try {
+            filters.push_back(parseFilter(text));
+        } catch (const std::invalid_argument& reason) {
+            throw Error(ExitCode::kBadUsage, reason.what());
+        }
+    }
+    return filters;
+}
+
 /// Reads the scene. Refuses shapes with more than 254 instances, as they take an instance number, too.
 InstanceList described(const std::vector<std::string>& paths, const SceneOptions& options) {
     InstanceList list = describeInstances(paths, clipsOf(options));
+    const std::vector<FilterDescription> filters = filtersOf(options);
+    for (InstanceRun& run : list.scene_instances) run.filters.insert(run.filters.end(), filters.begin(), filters.end());
     if (!list.shapes.empty() && list.scene_instances.size() >= kShapesInstance)
         throw Error(ExitCode::kBadUsage, "a scene with shapes has at most 254 instances");
     return list;

@@ -10,39 +10,18 @@
 #include "format/base/error.h"
 #include "format/base/near_name.h"
 #include "format/base/printable.h"
+#include "runtime/device_scene/number_samples.h"
 #include "runtime/util/unit_name.h"
 
 namespace pointrt {
 namespace {
 
-/// Sample size for the range without extremes: percentiles of so many are accurate to 0.1%.
-constexpr std::size_t kSampled = std::size_t{1} << 18;
 /// Share of the numbers that the range excludes at each end.
 constexpr double kExtremes = 0.01;
 /// Integers in a range of at most this width are shown without excluding extremes.
 constexpr double kSmallRange = 255;
 
 using ScanNumbers = std::vector<std::optional<SplatNumbers>>;
-
-/// Calls visit(number) for the finite numbers of every step-th block of splats.
-template <typename Visit>
-void visitNumbers(const PlacedScan& scan, const SplatNumbers& source, std::size_t step, const Visit& visit) {
-    constexpr std::size_t kBlock = 64; // many small blocks sample better than a few large ones: neighbours are alike
-    double numbers[kBlock];
-    const std::size_t count = scan.file->info.splat_count;
-    for (std::size_t first = 0; first < count; first += kBlock * step) {
-        const auto block = std::span(numbers).first(std::min(kBlock, count - first));
-        readNumbers(source, first, block);
-        for (const double number : block)
-            if (std::isfinite(number)) visit(number);
-    }
-}
-
-std::size_t stepThrough(const std::vector<PlacedScan>& scans) {
-    std::size_t count = 0;
-    for (const PlacedScan& scan : scans) count += scan.file->info.splat_count;
-    return std::max<std::size_t>(1, count / kSampled);
-}
 
 ValueRange rangeWithoutExtremes(const std::vector<PlacedScan>& scans, const ScanNumbers& sources) {
     std::vector<double> numbers;
@@ -122,17 +101,6 @@ std::string unitOf(const std::vector<PlacedScan>& scans, const PaintRequest& req
     return unit.empty() ? "" : " (" + unit + ")";
 }
 
-/// Each scan once: sets are represented by their roots, which have a sample of their numbers.
-std::vector<PlacedScan> representativesOf(const std::vector<PlacedScan>& scans) {
-    std::vector<PlacedScan> representatives;
-    for (PlacedScan scan : scans) {
-        if (scan.root) scan.file = scan.root;
-        if (!scan.root || representatives.empty() || representatives.back().instance != scan.instance)
-            representatives.push_back(scan);
-    }
-    return representatives;
-}
-
 /// The numbers of a representative, with the attribute range of its whole set.
 std::optional<SplatNumbers> representativeNumbers(const PlacedScan& scan, const PaintRequest& request) {
     auto numbers = numbersFor(scan, request.color_by, request.up);
@@ -180,6 +148,7 @@ std::vector<std::string> wordsOf(const std::vector<PlacedScan>& scans, std::vect
 } // namespace
 
 std::optional<SplatNumbers> numbersFor(const PlacedScan& scan, const std::string& word, Vec3 up) {
+    if (scan.file->is_gaussian) return std::nullopt;
     if (word == kHeight) return heightNumbers(scan.file->file, scan.instance->placement, up);
     return attributeNumbers(scan.file->file, word);
 }
@@ -222,6 +191,8 @@ ColorChoice chooseColors(const std::vector<PlacedScan>& scans, const PaintReques
 }
 
 std::vector<std::string> colorWords(const std::vector<PlacedScan>& scans) {
+    if (std::all_of(scans.begin(), scans.end(), [](const PlacedScan& scan) { return scan.file->is_gaussian; }))
+        return {kOwnColors};
     return wordsOf(scans, {kOwnColors, kHeight, kNormal});
 }
 

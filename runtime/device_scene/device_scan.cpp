@@ -155,13 +155,16 @@ void buildIndex(DeviceScan& scan, const ScanUpload& how) {
                      printable(failure, std::string::npos).c_str());
 }
 
-/// Frees the built arrays that were copied to the device, not imported.
+/// Frees the built arrays that were copied to the device, not imported, but for those that filters read.
 void freeBuilt(DeviceScan& scan) {
     Bricks& bricks = scan.built.bricks;
     std::array<Words*, kIndexBuffers> words{&bricks.words, &bricks.cells,  &bricks.slabs,
                                             &bricks.near,  &bricks.listed, &bricks.blending};
-    for (std::size_t k = 0; k < words.size(); ++k)
-        if (!isImported(scan.*kScanBuffers[k].buffer)) Words().swap(*words[k]); // assigning {} would keep the memory
+    for (std::size_t k = 0; k < words.size(); ++k) {
+        const bool is_painted_from = words[k] == &bricks.near || words[k] == &bricks.listed;
+        if (is_painted_from || isImported(scan.*kScanBuffers[k].buffer)) continue;
+        Words().swap(*words[k]); // assigning {} would keep the memory
+    }
     if (!scan.grid_words.imported) Words().swap(scan.built.grid.words);
 }
 

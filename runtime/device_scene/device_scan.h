@@ -31,7 +31,7 @@ struct DeviceScan {
     IndexSource index_source = IndexSource::kFile;
     pro_info info{};
     pro_view view{};
-    pro_index index{};  ///< frame and counts; its pointers are valid only for an index from a file
+    pro_index index{};  ///< frame and counts; of an index that was built, only near_splats and listed stay valid
     TracingIndex built; ///< an index that could not be cached, as far as device memory is imported from it
     Buffer grid_words;  ///< never needs pages (PRO_GRID_WORDS_MAX)
     PagedBuffer splats, brick_words, cells, slabs, near, listed, blending;

@@ -139,7 +139,7 @@ void uploadRows(Device& device, DeviceScene& scene, SceneRows rows) {
 }
 
 /// The painted splats of an instance; null if it is not painted.
-const PagedBuffer* paintedSplats(const DeviceScene& scene, const Instance& instance) {
+const PaintedSplats* paintedSplats(const DeviceScene& scene, const Instance& instance) {
     const std::vector<std::optional<std::size_t>>& painted = scene.paint.of;
     if (instance.place >= painted.size() || !painted[instance.place]) return nullptr;
     return &scene.paint.splats[*painted[instance.place]];
@@ -264,18 +264,15 @@ double metresPerUnit(const DeviceScene& scene) {
 }
 
 PagedBuffers instancePages(const DeviceScene& scene, const Instance& instance) {
-    PagedBuffers buffers = pagedBuffers(scene.files[instance.file]);
-    if (const PagedBuffer* painted = paintedSplats(scene, instance)) buffers.back() = painted; // the splats are last
-    return buffers;
+    const DeviceScan& file = scene.files[instance.file];
+    const PaintedSplats* const painted = paintedSplats(scene, instance);
+    return painted ? paintedPages(file, *painted) : pagedBuffers(file);
 }
 
 std::vector<BufferBinding> instanceBindings(const DeviceScene& scene, const Instance& instance) {
-    std::vector<BufferBinding> bindings = scanBindings(scene.files[instance.file]);
-    if (const PagedBuffer* painted = paintedSplats(scene, instance))
-        for (BufferBinding& each : bindings)
-            if (each.slot == BINDING_SPLATS ||
-                (each.slot == BINDING_SPLAT_STORED && scene.files[instance.file].reads_storage))
-                each.buffer = &painted->pages[0];
+    const DeviceScan& file = scene.files[instance.file];
+    const PaintedSplats* const painted = paintedSplats(scene, instance);
+    std::vector<BufferBinding> bindings = painted ? paintedBindings(file, *painted) : scanBindings(file);
     for (const BufferBinding& each : sceneBindings(scene, instance)) bindings.push_back(each);
     return bindings;
 }

@@ -2,10 +2,15 @@
 #include "runtime/device_scene/scene_paint.h"
 
 #include <algorithm>
+#include <bit>
+#include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "format/base/error.h"
+#include "pointrt/pro_index_layout.h"
 #include "runtime/device_scene/color_choice.h"
+#include "runtime/device_scene/splat_selection.h"
 #include "runtime/scene/default_lighting.h"
 #include "runtime/util/on_error.h"
 
@@ -15,8 +20,10 @@ namespace {
 constexpr std::size_t kMostRows = 256; // a splat has one byte for its row
 /// Splats painted and uploaded at a time: 64 MiB, the size of the staging buffer.
 constexpr std::size_t kSplatsAtOnce = std::size_t{4} << 20;
+/// The same for near splats.
+constexpr std::size_t kNearAtOnce = std::size_t{8} << 20;
 
-bool hasNumbers(const MaterialOverride& over) { return std::holds_alternative<MaterialOverride::Numbers>(over.splats); }
+bool hasNumbers(const MaterialOverride& over) { return std::holds_alternative<SplatSelection>(over.splats); }
 
 bool hasNumbers(const InstanceDescription& instance) {
     return std::any_of(instance.overrides.begin(), instance.overrides.end(),
@@ -25,19 +32,24 @@ bool hasNumbers(const InstanceDescription& instance) {
 
 bool usesHeights(const std::vector<MaterialOverride>& overrides) {
     return std::any_of(overrides.begin(), overrides.end(), [](const MaterialOverride& over) {
-        const auto* numbers = std::get_if<MaterialOverride::Numbers>(&over.splats);
+        const auto* numbers = std::get_if<SplatSelection>(&over.splats);
         return numbers && numbers->attribute == kHeight;
     });
 }
 
+bool usesHeights(const std::vector<FilterDescription>& filters) {
+    return std::any_of(filters.begin(), filters.end(),
+                       [](const FilterDescription& each) { return each.shown.attribute == kHeight; });
+}
+
 bool usesHeights(const PaintRequest& request) {
-    return request.color_by == kHeight ||
+    return request.color_by == kHeight || usesHeights(request.filters) ||
            std::any_of(request.overrides.begin(), request.overrides.end(),
                        [](const std::vector<MaterialOverride>& each) { return usesHeights(each); });
 }
 
-SplatOverride::OfNumbers numbersOf(const MaterialOverride& over, const MaterialOverride::Numbers& wanted,
-                                   const PlacedScan& scan, Vec3 up) {
+SplatOverride::OfNumbers numbersOf(const MaterialOverride& over, const SplatSelection& wanted, const PlacedScan& scan,
+                                   Vec3 up) {
     const auto numbers = numbersFor(scan, wanted.attribute, up);
     if (!numbers) throw Error{ExitCode::kBadInput, over.place + lackText({scan}, wanted.attribute, {kHeight})};
     return {*numbers, wanted.ranges};
@@ -59,19 +71,56 @@ std::vector<SplatOverride> overridesOf(const PlacedScan& scan, Vec3 up) {
         else if (const auto* range = std::get_if<MaterialOverride::ColorRange>(&over.splats))
             painted.splats = SplatOverride::OfColors{range->low, range->high};
         else
-            painted.splats = numbersOf(over, std::get<MaterialOverride::Numbers>(over.splats), scan, up);
+            painted.splats = numbersOf(over, std::get<SplatSelection>(over.splats), scan, up);
         painted.row = rowOf(materials, over.material, *scan.file);
         overrides.push_back(std::move(painted));
     }
     return overrides;
 }
 
+/// What the filters select of a scan, as far as it has their attributes.
+std::vector<SplatOverride::OfNumbers> selectionsOf(const PlacedScan& scan, const PaintRequest& request) {
+    std::vector<SplatOverride::OfNumbers> selections;
+    for (const FilterDescription& filter : request.filters)
+        if (auto numbers = numbersFor(scan, filter.shown.attribute, request.up))
+            selections.push_back({*std::move(numbers), filter.shown.ranges});
+    return selections;
+}
+
+/// Refuses filters by what no scan has.
+void requireFiltered(const std::vector<PlacedScan>& scans, const PaintRequest& request) {
+    for (const FilterDescription& filter : request.filters) {
+        const auto has = [&](const PlacedScan& scan) {
+            return numbersFor(scan, filter.shown.attribute, request.up).has_value();
+        };
+        if (!scans.empty() && std::none_of(scans.begin(), scans.end(), has))
+            throw Error{ExitCode::kBadInput, filter.place + lackText(scans, filter.shown.attribute, {kHeight})};
+    }
+}
+
 /// Whether both get the same painted splats.
 bool paintsAlike(const PaintRequest& request, const PlacedScan& a, const PlacedScan& b) {
-    const bool by_place =
-        request.color_by == kHeight || request.color_by == kNormal || usesHeights(a.instance->overrides);
+    const bool by_place = usesHeights(request) || request.color_by == kNormal || usesHeights(a.instance->overrides);
     return a.file == b.file && a.instance->overrides == b.instance->overrides &&
            (!by_place || a.instance->placement == b.instance->placement);
+}
+
+/// The near splats of a scan without those that filters hide.
+PagedBuffer shownNear(Device& device, const DeviceScan& file, const std::vector<std::uint64_t>& shown) {
+    const pro_index& index = file.index;
+    constexpr std::size_t kNearBytes = PRO_NEAR_WORDS * sizeof(std::uint32_t);
+    PagedBuffer buffer = createEmptyPagedBuffer(device, "shown near splat buffer", index.near_count * kNearBytes,
+                                                VK_FORMAT_R32G32B32A32_UINT);
+    const OnError undo([&] { destroyPagedBuffer(device, buffer); });
+    std::vector<std::uint32_t> words;
+    for (std::size_t first = 0; first < index.near_count; first += kNearAtOnce) {
+        const std::size_t count = std::min<std::size_t>(kNearAtOnce, index.near_count - first);
+        words.resize(count * PRO_NEAR_WORDS);
+        copyShownNear(shown, {index.near_splats + first * PRO_NEAR_WORDS, words.size()}, {index.listed + first, count},
+                      words);
+        uploadPages(device, buffer, words.data(), words.size() * sizeof(std::uint32_t), first * kNearBytes);
+    }
+    return buffer;
 }
 
 PagedBuffer paintedBuffer(Device& device, const DeviceScan& file, const SplatPaint& paint) {
@@ -97,6 +146,12 @@ bool isPainted(const InstanceDescription& instance, const RenderSettings& settin
     return isColored(settings) || hasNumbers(instance);
 }
 
+bool paintsScans(const SceneDescription& scene, const RenderSettings& settings) {
+    return hidesSplats(scene.filters) ||
+           std::any_of(scene.instances.begin(), scene.instances.end(),
+                       [&](const InstanceDescription& each) { return isPainted(each, settings); });
+}
+
 PaintRequest paintRequest(const SceneDescription& scene, const RenderSettings& settings) {
     PaintRequest request;
     if (isColored(settings)) {
@@ -104,8 +159,12 @@ PaintRequest paintRequest(const SceneDescription& scene, const RenderSettings& s
         request.color_map = settings.color_map;
         request.color_range = settings.color_range;
     }
-    const auto painted = [&](const InstanceDescription& instance) { return isPainted(instance, settings); };
-    if (std::any_of(scene.instances.begin(), scene.instances.end(), painted))
+    std::copy_if(scene.filters.begin(), scene.filters.end(), std::back_inserter(request.filters),
+                 [](const FilterDescription& each) { return hidesSplats(each); });
+    const auto painted = [&](const InstanceDescription& instance) {
+        return !request.filters.empty() || isPainted(instance, settings);
+    };
+    if (paintsScans(scene, settings))
         for (const InstanceDescription& instance : scene.instances)
             request.overrides.push_back(painted(instance) ? instance.overrides : std::vector<MaterialOverride>());
     if (usesHeights(request)) request.up = sceneUp(scene, settings);
@@ -130,41 +189,95 @@ PaintPlan planPaint(const std::vector<PlacedScan>& scans, const PaintRequest& re
     plan.request = request;
     plan.paints.resize(scans.size());
     const bool colored = request.color_by != kOwnColors;
+    const auto is_gaussian = [](const PlacedScan& scan) { return scan.file->is_gaussian; };
+    if (colored && !scans.empty() && std::all_of(scans.begin(), scans.end(), is_gaussian))
+        throw Error{ExitCode::kBadUsage, "--color-by: Gaussian captures have no colours but their own"};
     ColorChoice choice;
     if (colored) choice = chooseColors(scans, request);
+    requireFiltered(scans, request);
     plan.legend = std::move(choice.legend);
     for (std::size_t i = 0; i < scans.size(); ++i) {
-        if (!colored && !hasNumbers(*scans[i].instance)) continue;
+        if (!colored && !hasNumbers(*scans[i].instance) && request.filters.empty()) continue;
+        if (is_gaussian(scans[i])) continue; // other buffers, without attributes
         SplatPaint& paint = plan.paints[i].emplace();
         if (colored) paint.colors = std::move(choice.colors[i]);
         paint.overrides = overridesOf(scans[i], request.up);
+        paint.selections = selectionsOf(scans[i], request);
     }
     return plan;
 }
 
 ScenePaint paintScene(Device& device, const std::vector<PlacedScan>& scans, PaintPlan plan) {
-    ScenePaint painted{std::move(plan.request), std::move(plan.legend), {}, {}};
+    ScenePaint painted{std::move(plan.request), std::move(plan.legend), {}, {}, false};
     const OnError undo([&] { destroyScenePaint(device, painted); });
     for (std::size_t i = 0; i < scans.size(); ++i) {
         painted.of.emplace_back();
         for (std::size_t k = 0; k < i && plan.paints[i]; ++k)
             if (paintsAlike(painted.request, scans[i], scans[k])) painted.of[i] = painted.of[k];
         if (!plan.paints[i] || painted.of[i]) continue;
-        painted.splats.push_back(paintedBuffer(device, *scans[i].file, *plan.paints[i]));
+        painted.splats.push_back(paintScan(device, *scans[i].file, *plan.paints[i]));
         painted.of[i] = painted.splats.size() - 1;
     }
+    const auto is_hidden = [&](const std::optional<std::size_t>& one) {
+        return one && painted.splats[*one].shown == 0;
+    };
+    painted.shows_nothing = !painted.of.empty() && std::all_of(painted.of.begin(), painted.of.end(), is_hidden);
     return painted;
 }
 
+PaintedSplats paintScan(Device& device, const DeviceScan& file, const SplatPaint& paint) {
+    PaintedSplats painted{{}, file.info.splat_count, std::nullopt};
+    const OnError undo([&] { destroyPaintedSplats(device, painted); });
+    painted.splats = paintedBuffer(device, file, paint);
+    if (paint.selections.empty()) return painted;
+    const std::vector<std::uint64_t> shown = shownSplats(paint.selections, file.info.splat_count);
+    painted.shown =
+        std::accumulate(shown.begin(), shown.end(), std::uint64_t{0}, [](std::uint64_t sum, std::uint64_t word) {
+            return sum + static_cast<std::uint64_t>(std::popcount(word));
+        });
+    painted.near = shownNear(device, file, shown);
+    return painted;
+}
+
+void destroyPaintedSplats(Device& device, PaintedSplats& painted) {
+    destroyPagedBuffer(device, painted.splats);
+    if (painted.near) destroyPagedBuffer(device, *painted.near);
+    painted = {};
+}
+
+std::vector<BufferBinding> paintedBindings(const DeviceScan& file, const PaintedSplats& painted) {
+    std::vector<BufferBinding> bindings = scanBindings(file);
+    const auto rebind = [&](gpu::Binding texels, gpu::Binding stored, const PagedBuffer& buffer) {
+        for (BufferBinding& each : bindings)
+            if (each.slot == texels || (each.slot == stored && file.reads_storage)) each.buffer = &buffer.pages[0];
+    };
+    rebind(BINDING_SPLATS, BINDING_SPLAT_STORED, painted.splats);
+    if (painted.near) rebind(BINDING_NEAR, BINDING_NEAR_STORED, *painted.near);
+    return bindings;
+}
+
+PagedBuffers paintedPages(const DeviceScan& file, const PaintedSplats& painted) {
+    PagedBuffers buffers = pagedBuffers(file);
+    for (std::size_t k = 0; k < buffers.size(); ++k) {
+        if (kPagedPlaces[k].further == BINDING_SPLAT_PAGES) buffers[k] = &painted.splats;
+        if (kPagedPlaces[k].further == BINDING_NEAR_PAGES && painted.near) buffers[k] = &*painted.near;
+    }
+    return buffers;
+}
+
 void destroyScenePaint(Device& device, ScenePaint& paint) {
-    for (PagedBuffer& each : paint.splats) destroyPagedBuffer(device, each);
+    for (PaintedSplats& each : paint.splats) destroyPaintedSplats(device, each);
     paint = {};
 }
 
 std::uint64_t deviceBytes(const ScenePaint& paint) {
+    const auto bytesOf = [](const PagedBuffer& buffer) {
+        return std::accumulate(buffer.pages.begin(), buffer.pages.end(), std::uint64_t{0},
+                               [](std::uint64_t sum, const Buffer& page) { return sum + page.bytes; });
+    };
     std::uint64_t bytes = 0;
-    for (const PagedBuffer& each : paint.splats)
-        for (const Buffer& page : each.pages) bytes += page.bytes;
+    for (const PaintedSplats& each : paint.splats)
+        bytes += bytesOf(each.splats) + (each.near ? bytesOf(*each.near) : 0);
     return bytes;
 }
 

@@ -22,6 +22,7 @@ struct PaintRequest {
     std::optional<ColorMap> color_map;
     std::optional<ValueRange> color_range;
     Vec3 up;                                              ///< set only if heights are used
+    std::vector<FilterDescription> filters;               ///< the enabled ones
     std::vector<std::vector<MaterialOverride>> overrides; ///< for each instance; empty if shaders apply all of them
     bool operator==(const PaintRequest&) const = default;
 };
@@ -31,8 +32,11 @@ PaintRequest paintRequest(const SceneDescription& scene, const RenderSettings& s
 /// Whether splats get other colours than those of their files.
 bool isColored(const RenderSettings& settings);
 
-/// Whether the splats of an instance differ from those of its file.
+/// Whether an instance's own settings make its splats differ from those of its file. Filters (hidesSplats) do so for
+/// all instances. Gaussians are never painted.
 bool isPainted(const InstanceDescription& instance, const RenderSettings& settings);
+/// Whether any splats of the scene differ from those of their files.
+bool paintsScans(const SceneDescription& scene, const RenderSettings& settings);
 
 /// The materials of a painted instance's overrides, except overrides of whole rows. Their row numbers follow those of
 /// the file. Throws Error kBadInput if there are more rows in all than a splat can name.
@@ -53,18 +57,34 @@ struct PaintPlan {
 };
 
 /// Throws Error kBadUsage if no scan has the number to colour by, and kBadInput if a scan lacks the number of an
-/// override; both list what is available.
+/// override, or all lack that of a filter; all list what is available.
 PaintPlan planPaint(const std::vector<PlacedScan>& scans, const PaintRequest& request);
 
 /// The values of color_by that these scans support.
 std::vector<std::string> colorWords(const std::vector<PlacedScan>& scans);
 
+/// The splats of a file as painted, on the device.
+struct PaintedSplats {
+    PagedBuffer splats;
+    std::uint64_t shown = 0;         ///< splats that filters do not hide
+    std::optional<PagedBuffer> near; ///< without the hidden ones; none: the file's
+};
+
+/// Throws Error kCannotRun.
+PaintedSplats paintScan(Device& device, const DeviceScan& file, const SplatPaint& paint);
+void destroyPaintedSplats(Device& device, PaintedSplats& painted);
+/// scanBindings with the painted buffers in place of the file's.
+std::vector<BufferBinding> paintedBindings(const DeviceScan& file, const PaintedSplats& painted);
+/// The same for pagedBuffers.
+PagedBuffers paintedPages(const DeviceScan& file, const PaintedSplats& painted);
+
 /// Painted splats on the device.
 struct ScenePaint {
     PaintRequest request;
     std::optional<Legend> legend;
-    std::vector<PagedBuffer> splats;            ///< shared by instances that are painted alike
+    std::vector<PaintedSplats> splats;          ///< shared by instances that are painted alike
     std::vector<std::optional<std::size_t>> of; ///< for each instance: its index in splats; nullopt: uses its file's
+    bool shows_nothing = false;                 ///< filters hide all splats
 };
 
 /// Throws Error kCannotRun.

@@ -37,7 +37,7 @@ MaterialKind kindOf(const gpu::Material& material) {
 class RowMaker {
 public:
     RowMaker(const DeviceScene& scene, const SceneDescription& description, const RenderSettings& settings)
-        : scene_(scene), settings_(settings) {
+        : scene_(scene), hides_splats_(hidesSplats(description.filters)), settings_(settings) {
         for (const MaterialDescription& material : description.materials) add(material);
         for (const ShapeDescription& shape : description.shapes) addShape(shape);
         for (const LightDescription& light : description.lights) addLight(light);
@@ -129,7 +129,7 @@ private:
             else
                 add(materialOfRow(file.view.materials + std::size_t{row} * PRO_MATERIAL_FLOATS, settings_));
         }
-        const bool painted = isPainted(description, settings_);
+        const bool painted = (hides_splats_ || isPainted(description, settings_)) && !file.is_gaussian;
         if (painted)
             for (const std::uint32_t material : paintedMaterials(description, file))
                 rows.materials.push_back(rows.materials.at(material));
@@ -157,6 +157,7 @@ private:
     }
 
     const DeviceScene& scene_;
+    bool hides_splats_;
     const RenderSettings& settings_;
 };
 

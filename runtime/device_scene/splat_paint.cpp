@@ -7,6 +7,7 @@
 
 #include "format/base/parallel.h"
 #include "pointrt/pro.h"
+#include "runtime/device_scene/splat_selection.h"
 
 namespace pointrt {
 namespace {
@@ -84,11 +85,14 @@ void paintRows(const SplatOverride::OfNumbers& of, std::uint8_t row, const Block
     Numbers numbers;
     readNumbers(of.numbers, block.first, std::span(numbers).first(block.count));
     for (std::size_t i = 0; i < block.count; ++i) {
-        const auto holds = [number = numbers[i]](ValueRange range) {
-            return range.low <= number && number <= range.high;
-        };
-        if (std::any_of(of.ranges.begin(), of.ranges.end(), holds)) setRow(block.painted + i * PRO_SPLAT_WORDS, row);
+        if (holdsNumber(of.ranges, numbers[i])) setRow(block.painted + i * PRO_SPLAT_WORDS, row);
     }
+}
+
+/// A corner of the cube, where no ray is near it: blended surfaces go without it.
+void moveAway(std::uint32_t* splat) {
+    splat[0] = 0;
+    splat[1] &= PRO_SPLAT_BALL;
 }
 
 void paintBlock(const SplatPaint& paint, const Block& block) {
@@ -96,6 +100,11 @@ void paintBlock(const SplatPaint& paint, const Block& block) {
     std::visit([&](const auto& colors) { paintColors(colors, block); }, paint.colors);
     for (const SplatOverride& each : paint.overrides)
         std::visit([&](const auto& of) { paintRows(of, each.row, block); }, each.splats);
+    if (paint.selections.empty()) return;
+    std::array<bool, kBlock> shown;
+    selectSplats(paint.selections, block.first, std::span(shown).first(block.count));
+    for (std::size_t i = 0; i < block.count; ++i)
+        if (!shown[i]) moveAway(block.painted + i * PRO_SPLAT_WORDS);
 }
 
 } // namespace

@@ -43,7 +43,8 @@ struct SplatOverride {
 /// How to paint the splats of an instance.
 struct SplatPaint {
     std::variant<std::monostate, NumberColors, NormalColors> colors;
-    std::vector<SplatOverride> overrides; ///< later ones win
+    std::vector<SplatOverride> overrides;             ///< later ones win
+    std::vector<SplatOverride::OfNumbers> selections; ///< what filters show: splats that are in all of them
 };
 
 /// Writes the painted words of splats, from number first on, as many as painted holds, on all cores.

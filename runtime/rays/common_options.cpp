@@ -69,6 +69,12 @@ void addDeviceAndReport(CommandLine& app, CommonOptions& options) {
         ->type_name("MINX,MINY,MINZ,MAXX,MAXY,MAXZ")
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    app.add_option("--only", options.scene_options.filters,
+                   "Let rays hit only the points of scans whose attribute has these values: class=2,6 or height=10:25 "
+                   "(from and to). With several, what all of them show (default: everything)")
+        ->type_name("NAME=VALUES")
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     app.add_option_function<std::string>(
            "--memory", [&options](const std::string& text) { options.scene_options.memory = bytesOf(text); },
            "Memory limit for the tiles of sets, e.g. 4G or 500M (default 2G); a smaller limit reloads tiles, with the "

@@ -95,6 +95,18 @@ std::string clipsText(const SceneDescription& description) {
     return text;
 }
 
+/// What the enabled filters show.
+std::string filtersText(const SceneDescription& description) {
+    std::string text;
+    for (const FilterDescription& each : description.filters) {
+        if (!hidesSplats(each)) continue;
+        text += (text.empty() ? "" : " ") + each.shown.attribute;
+        for (const ValueRange& range : each.shown.ranges)
+            text += " " + exact(range.low) + ":" + exact(range.high);
+    }
+    return text;
+}
+
 /// Removes the next "name=value" from text.
 std::string_view takeEntry(std::string_view& text) {
     const std::size_t end = text.find(kSeparator);
@@ -121,6 +133,8 @@ std::string filmSignature(const DeviceScene& scene, const RenderSettings& settin
     for (const auto& [place, entry] : entries) signature += std::string(kSeparator) + entry;
     const std::string clips = clipsText(scene.description);
     if (!clips.empty()) signature += std::string(kSeparator) + "clips=" + clips;
+    const std::string filters = filtersText(scene.description);
+    if (!filters.empty()) signature += std::string(kSeparator) + "filters=" + filters;
     return signature + (form == KernelForm::kMegakernel ? std::string(kSeparator) + kMegakernelEntry : "");
 }
 

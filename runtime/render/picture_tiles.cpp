@@ -51,9 +51,7 @@ TileRequest tileRequest(const Device& device, const LoadedScene& loaded, const L
     tiles.detail = loaded.settings.detail;
     tiles.memory = request.roots_alone ? 0 : pictureTileMemory(device, loaded.settings, request.memory);
     tiles.reports_coarse = !request.roots_alone;
-    const std::vector<InstanceDescription>& instances = loaded.scene.description.instances;
-    tiles.painted = std::any_of(instances.begin(), instances.end(),
-                                [&](const InstanceDescription& each) { return isPainted(each, loaded.settings); });
+    tiles.painted = paintsScans(loaded.scene.description, loaded.settings);
     tiles.verbose = request.verbose;
     return tiles;
 }

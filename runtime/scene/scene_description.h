@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "runtime/scene/clip.h"
+#include "runtime/scene/filter.h"
 #include "runtime/scene/layer.h"
 #include "runtime/scene/light.h"
 #include "runtime/scene/material_kinds.h"
@@ -49,12 +50,7 @@ struct MaterialOverride {
         std::array<std::uint8_t, 3> low, high;
         bool operator==(const ColorRange&) const = default;
     };
-    struct Numbers {
-        std::string attribute; ///< as RenderSettings::color_by, without rgb and normal
-        std::vector<ValueRange> ranges;
-        bool operator==(const Numbers&) const = default;
-    };
-    std::variant<Row, ColorRange, Numbers> splats;
+    std::variant<Row, ColorRange, SplatSelection> splats;
     std::uint32_t material = 0; ///< in SceneDescription::materials
     std::string place;          ///< in the scene file, to start messages with: only the scan shows if it is valid
     bool operator==(const MaterialOverride&) const = default;
@@ -138,6 +134,7 @@ struct SceneDescription {
     std::vector<MaterialDescription> materials;
     std::vector<InstanceDescription> instances; ///< at most 254
     std::vector<ClipDescription> clips;         ///< cut the instances
+    std::vector<FilterDescription> filters;     ///< hide splats of the instances, all that one of them hides
     std::vector<MeasureDescription> measures;   ///< drawn over pictures
     std::vector<ShapeDescription> shapes;
     std::vector<LightDescription> lights;

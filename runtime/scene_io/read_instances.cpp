@@ -84,12 +84,6 @@ std::vector<ValueRange> numbersOf(const SceneValue& value) {
     return ranges;
 }
 
-MaterialOverride::Numbers attributeNumbersOf(const SceneValue& table, const SceneValue& attribute) {
-    const std::string name = textOf(attribute);
-    if (hasFirst(table, "values", "range")) return {name, numbersOf(*find(table, "values"))};
-    return {name, {rangeOf(*find(table, "range"))}};
-}
-
 /// The key that selects the splats of an override; refuses several.
 SceneValue chosenKeyOf(const SceneValue& table) {
     if (const auto attribute = find(table, "attribute")) {
@@ -110,7 +104,7 @@ MaterialOverride overrideOf(const SceneValue& table, const SceneReading& reading
     else if (find(table, "colors"))
         over.splats = colorRangeOf(key);
     else
-        over.splats = attributeNumbersOf(table, key);
+        over.splats = selectionOf(table, key);
     over.material = materialOf(require(table, "material"), reading);
     over.place = placeOf(key);
     return over;
@@ -137,6 +131,12 @@ InstanceDescription instanceOf(const SceneValue& table, const SceneReading& read
 }
 
 } // namespace
+
+SplatSelection selectionOf(const SceneValue& table, const SceneValue& attribute) {
+    const std::string name = textOf(attribute);
+    if (hasFirst(table, "values", "range")) return {name, numbersOf(*find(table, "values"))};
+    return {name, {rangeOf(*find(table, "range"))}};
+}
 
 std::array<Vec3, 3> rowsOf(const SceneValue& value) {
     if (!value.node->is_array() || value.node->as_array()->size() != 3) refuse(value, "must be a list of 3 vectors");

@@ -26,6 +26,7 @@ void readRender(const SceneValue& file, SceneDescription& scene);
 void readMaterials(const SceneValue& file, SceneReading& reading);
 void readInstances(const SceneValue& file, SceneReading& reading);
 void readClips(const SceneValue& file, SceneReading& reading);
+void readFilters(const SceneValue& file, SceneReading& reading);
 void readMeasures(const SceneValue& file, SceneReading& reading);
 void readShapes(const SceneValue& file, SceneReading& reading);
 void readLights(const SceneValue& file, SceneReading& reading);
@@ -36,6 +37,8 @@ void takeLayer(const SceneValue& table, Layer& layer);
 
 /// Number of the material that value names.
 std::uint32_t materialOf(const SceneValue& value, const SceneReading& reading);
+/// The keys "values" or "range" of a table, one of which must be there, for the numbers that attribute names.
+SplatSelection selectionOf(const SceneValue& table, const SceneValue& attribute);
 /// The path of the file that value names relative to the scene file's folder. Refuses missing files.
 std::string fileOf(const SceneValue& value, const SceneReading& reading);
 /// The matrix of a rotation {axis, degrees} or {matrix}, or of a list of them, applied in order. Returns its rows.

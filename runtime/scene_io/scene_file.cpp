@@ -110,7 +110,7 @@ void readUp(const SceneValue& value, SceneDescription& scene) {
 void readWhole(const SceneValue& file, SceneDescription& scene) {
     std::vector<std::string_view> keys = settingKeys(FileTable::kScene);
     keys.insert(keys.begin(), "up");
-    keys.insert(keys.end(), {"staged_for", "camera", "view", "render", "instance", "clip", "measure", "material",
+    keys.insert(keys.end(), {"staged_for", "camera", "view", "render", "instance", "clip", "filter", "measure", "material",
                              "shape", "light", "sky", "surroundings"});
     requireKnownKeys(file, "a scene", keys);
     readSettings(file, FileTable::kScene, scene.render);
@@ -134,6 +134,7 @@ SceneDescription parseScene(std::string_view text, const std::string& path) {
     readMaterials(file, reading);
     readInstances(file, reading);
     readClips(file, reading);
+    readFilters(file, reading);
     readMeasures(file, reading);
     readShapes(file, reading);
     readLights(file, reading);

@@ -110,6 +110,7 @@ std::string sceneText(const SceneDescription& scene, const std::string& scene_di
     writeMaterials(writing);
     writeInstances(writing);
     writeClips(writing);
+    writeFilters(writing);
     writeMeasures(writing);
     writeShapes(writing);
     writeLights(writing);

@@ -17,24 +17,14 @@ std::string hexOf(const std::array<std::uint8_t, 3>& bytes) {
     return text;
 }
 
-void putNumbers(SceneWriting& writing, const MaterialOverride::Numbers& numbers) {
-    put(writing, "attribute", tomlOf(numbers.attribute));
-    std::string values;
-    for (const ValueRange& range : numbers.ranges) {
-        if (range.low < range.high) return put(writing, "range", listOf({tomlOf(range.low), tomlOf(range.high)}));
-        values += (values.empty() ? "" : ", ") + tomlOf(range.low);
-    }
-    put(writing, "values", "[" + values + "]");
-}
-
 void writeOverride(SceneWriting& writing, const MaterialOverride& over) {
     begin(writing, "[[instance.override]]");
     if (const auto* row = std::get_if<MaterialOverride::Row>(&over.splats))
         put(writing, "row", tomlOf(row->row));
     else if (const auto* range = std::get_if<MaterialOverride::ColorRange>(&over.splats))
         put(writing, "colors", listOf({hexOf(range->low), hexOf(range->high)}));
-    else if (const auto* numbers = std::get_if<MaterialOverride::Numbers>(&over.splats))
-        putNumbers(writing, *numbers);
+    else if (const auto* numbers = std::get_if<SplatSelection>(&over.splats))
+        putSelection(writing, *numbers);
     put(writing, "material", tomlOf(writing.material_names.at(over.material)));
 }
 

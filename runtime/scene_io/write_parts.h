@@ -32,10 +32,13 @@ void writeRender(SceneWriting& writing);
 void writeMaterials(SceneWriting& writing);
 void writeInstances(SceneWriting& writing);
 void writeClips(SceneWriting& writing);
+void writeFilters(SceneWriting& writing);
 void writeMeasures(SceneWriting& writing);
 void writeShapes(SceneWriting& writing);
 void writeLights(SceneWriting& writing);
 
+/// The keys "attribute", and "values" or "range".
+void putSelection(SceneWriting& writing, const SplatSelection& selection);
 /// The keys "name" and "locked", where they are set.
 void putLayer(SceneWriting& writing, const Layer& layer);
 /// An empty line, and a header such as "[camera]".

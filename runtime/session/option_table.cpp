@@ -182,6 +182,15 @@ OptionGroup clipOptions() {
           {},
           nullptr,
           true},
+         {"--only",
+          "NAME=VALUES",
+          "Show only the points of scans whose attribute has these values, for all rays: class=2,6 or height=10:25 "
+          "(from and to), with the names of --color-by. With several, what all of them show; scans without the "
+          "attribute stay whole (default: everything)",
+          [](Options& o, const std::string& text) { o.filters.push_back(parseFilter(text)); },
+          {},
+          nullptr,
+          true},
          {"--hide",
           "NAME",
           "Hide a scan, shape, light or clip by its name in the scene file, or by the scan's file name, or as in "

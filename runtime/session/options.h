@@ -11,6 +11,7 @@
 #include "runtime/image/geo_reference.h"
 #include "runtime/render/frame_limits.h"
 #include "runtime/scene/clip.h"
+#include "runtime/scene/filter.h"
 #include "runtime/scene/render_settings.h"
 #include "runtime/scene/section.h"
 
@@ -37,10 +38,11 @@ struct Options {
     std::string stats;     ///< file for the report, "-" for standard output, empty for none
     RenderChoices choices; ///< the rows of render_setting_table.h
     CameraRequest camera;  ///< without its fov_deg
-    std::optional<Vec3> up_axis;        ///< also the scene's up unless that has one; also in camera
-    std::optional<double> fov_deg;      ///< none: not given
-    std::vector<ClipDescription> clips; ///< boxes, besides the clips of the scene file
-    std::vector<std::string> hidden;    ///< names of layers (layers.h)
+    std::optional<Vec3> up_axis;            ///< also the scene's up unless that has one; also in camera
+    std::optional<double> fov_deg;          ///< none: not given
+    std::vector<ClipDescription> clips;     ///< boxes, besides the clips of the scene file
+    std::vector<FilterDescription> filters; ///< besides those of the scene file
+    std::vector<std::string> hidden;        ///< names of layers (layers.h)
     std::optional<SectionRequest> section;
     FrameLimits limits;
     std::optional<std::uint64_t> memory; ///< bytes for the tiles of sets; none: kTileMemory

@@ -102,6 +102,7 @@ SceneDescription describeScene(const Options& options) {
     }
     scene.clips.insert(scene.clips.end(), options.clips.begin(), options.clips.end());
     requireFewHalfSpaces(scene.clips);
+    scene.filters.insert(scene.filters.end(), options.filters.begin(), options.filters.end());
     hideLayers(scene, options.hidden);
     return scene;
 }

@@ -86,8 +86,8 @@ TEST(Colors, OverridesByClassGiveOtherMaterials) {
     scene.materials[0].color = {0, 0, 0};
     scene.materials[0].emission = {2, 3, 4};
     scene.materials[1].color = {0.25f, 0.25f, 0.25f};
-    scene.instances[0].overrides = {{MaterialOverride::Numbers{"class", {{6, 6}}}, 0, ""},
-                                    {MaterialOverride::Numbers{"height", {{-2, -0.2}}}, 1, ""}};
+    scene.instances[0].overrides = {{SplatSelection{"class", {{6, 6}}}, 0, ""},
+                                    {SplatSelection{"height", {{-2, -0.2}}}, 1, ""}};
     const Rendered rendered = renderScene(scene, furnace());
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(pixel(rendered.film, 16, 10, c), 2 + c, 0.02);
     EXPECT_NEAR(pixel(rendered.film, 16, 21, 1), 0.25, 0.02);

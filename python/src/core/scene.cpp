@@ -106,10 +106,11 @@ void bindScene(nb::module_& module) {
         .def(
             "__init__",
             [](TraceScene* place, const TraceDevice& device, const std::vector<std::string>& paths,
-               std::uint64_t memory, const std::vector<std::array<double, 6>>& clips) {
-                new (place) TraceScene(device, paths, {memory, clips});
+               std::uint64_t memory, const std::vector<std::array<double, 6>>& clips,
+               const std::vector<std::string>& filters) {
+                new (place) TraceScene(device, paths, {memory, clips, filters});
             },
-            nb::arg("device"), nb::arg("paths"), nb::arg("memory"), nb::arg("clips"),
+            nb::arg("device"), nb::arg("paths"), nb::arg("memory"), nb::arg("clips"), nb::arg("filters"),
             nb::call_guard<nb::gil_scoped_release>())
         .def("read_attribute", &readAttribute, nb::arg("name"), nb::arg("splat_ids"), nb::arg("instance_ids"),
              nb::arg("tile_ids").none(), nb::arg("values"))

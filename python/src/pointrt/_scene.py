@@ -57,21 +57,24 @@ class Scene(Measures):
         clip: a box ``[6]``, minimum x y z and maximum x y z, or several ``[N, 6]``, in the coordinates of the scene.
             Rays and pictures show only what is inside all of them, and inside the clips of a scene file; shapes and
             lights stay whole (default: everything). At most five boxes.
+        only: what rays and pictures show of scans by an attribute, such as ``"class=2,6"`` or ``"height=10:25"`` (from
+            and to), or several, which must all hold (default: everything). Scans without the attribute stay whole.
 
     Raises:
         pointrt.Error: a file cannot be read or has another format, or there is no device.
-        ValueError: no paths are given, a tile needs more than ``memory``, or a box is invalid.
+        ValueError: no paths are given, a tile needs more than ``memory``, or a box or filter is invalid.
     """
 
     def __init__(self, paths: str | os.PathLike[str] | Iterable[str | os.PathLike[str]],
                  device: _core.Device | None = None, *, memory: int = _core.DEFAULT_MEMORY,
-                 clip: ArrayLike | None = None):
+                 clip: ArrayLike | None = None, only: str | Iterable[str] = ()):
         several = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
         self._device = device or _default_device()
         self._paths = [os.fspath(path) for path in several]
         self._memory = memory
         self._clip = _boxes_of(clip)
-        self._scene = _core.Scene(self._device, self._paths, memory, self._clip.tolist())
+        self._only = [only] if isinstance(only, str) else list(only)
+        self._scene = _core.Scene(self._device, self._paths, memory, self._clip.tolist(), self._only)
         self._renderer: tuple[dict[str, str], _core.Renderer] | None = None  # of the last settings
         self._renderer_lock = threading.Lock()
 
@@ -239,7 +242,8 @@ class Scene(Measures):
         """
         view = camera or Camera.look_at()
         names = [LAYER_ALIASES.get(name, name) for name in ([layers] if isinstance(layers, str) else layers)]
-        scene = {"memory": self._memory, **({"clip": _text_of(self._clip)} if len(self._clip) else {})}
+        scene = {"memory": self._memory, **({"clip": _text_of(self._clip)} if len(self._clip) else {}),
+                 **({"only": " ".join(self._only)} if self._only else {})}
         renderer = self._renderer_for({name: setting_text(value) for name, value in {**scene, **settings}.items()})
         arrays = getattr(renderer, view._method)(*view._arguments, _side(width), _side(height), names)
         return Picture({name: arrays[name] for name in names})

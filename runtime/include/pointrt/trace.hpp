@@ -98,6 +98,9 @@ struct SceneOptions {
     /// hit only what is inside all of them and inside the clips of the scene file, except shapes, which stay whole. At
     /// most 32 planes together, a box counts as six.
     std::vector<std::array<double, 6>> clips = {};
+    /// "NAME=VALUE,VALUE" or "NAME=FROM:TO": rays hit only splats whose attribute (or height) has these values, of all
+    /// filters and those of the scene file. Scans without the attribute, and Gaussians, stay whole.
+    std::vector<std::string> filters = {};
 };
 
 /// A per-splat attribute that all files of a scene have.

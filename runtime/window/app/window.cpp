@@ -44,9 +44,6 @@ HostRequest hostRequest(const Options& options, const RecordReplay& tape) {
     return request;
 }
 
-/// True if the scene on the device is being replaced or updated.
-bool changesScene(const JobQueue& jobs) { return jobs.has(JobKind::kLoad) || jobs.has(JobKind::kSceneUpdate); }
-
 ViewSize viewSize(const Host& host) {
     const ResizeEvent size = host.size();
     return {std::max(1.0, double(size.width)), std::max(1.0, double(size.height))};
@@ -252,6 +249,7 @@ bool Window::frame() {
     work_.hud.frame_ms = meter_.meanFrame_ms();
     work_.hud.tiles_loading = jobs_.has(JobKind::kTiles);
     fillHud(work_, host_, loaded_.get(), jobs_.has(JobKind::kSceneUpdate) ? nullptr : image_.live());
+    if (loaded_) updateHistograms();
     ui_.draw(work_, seconds);
     handleRequests();
     autosave();

@@ -133,6 +133,7 @@ void Window::showLoaded(std::unique_ptr<LoadedScene> loaded, const SceneSource& 
     }
     work_.measure_units = measureUnits(*loaded_);
     showColors();
+    work_.histograms.clear();
     view_.stop();
     image_.open(host_.device(), loaded_->tracer);
     offerAutosave(scene);
@@ -141,6 +142,19 @@ void Window::showLoaded(std::unique_ptr<LoadedScene> loaded, const SceneSource& 
 void Window::showColors() {
     work_.color_words = colorWords(placedScans(loaded_->scene, loaded_->scene.description));
     work_.legend = loaded_->scene.paint.legend;
+}
+
+/// Finds the histograms that filters need. Those of heights hold for an up direction.
+void Window::updateHistograms() {
+    if (changesScene(jobs_)) return;
+    const Vec3 up = sceneUp(work_.scene, work_.settings);
+    if (histograms_up_ != up) work_.histograms.clear();
+    histograms_up_ = up;
+    for (const FilterDescription& filter : work_.scene.filters) {
+        const std::string& word = filter.shown.attribute;
+        if (!work_.histograms.contains(word))
+            work_.histograms[word] = histogramOf(placedScans(loaded_->scene, loaded_->scene.description), word, up);
+    }
 }
 
 /// Brings the scene on the device up to date with the edits. in_progress: more of the same kind follow.
@@ -188,9 +202,7 @@ void Window::requestTiles() {
     request.size = view.size;
     request.detail = loaded_->settings.detail;
     request.memory = static_cast<std::uint64_t>(kCutShare * static_cast<double>(loaded_->scene.tile_cache_bytes));
-    const std::vector<InstanceDescription>& instances = loaded_->scene.description.instances;
-    request.painted = std::any_of(instances.begin(), instances.end(),
-                                  [&](const InstanceDescription& each) { return isPainted(each, loaded_->settings); });
+    request.painted = paintsScans(loaded_->scene.description, loaded_->settings);
     jobs_.start(JobKind::kTiles, [&] {
         last_tile_request_s_ = session_.now();
         return startedJob<TileJob>(

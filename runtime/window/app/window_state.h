@@ -48,6 +48,9 @@ struct ReopenedWindow {
     bool lacks_pictures = false;      ///< a picture or a turntable was being rendered to be saved
 };
 
+/// True if the scene on the device is being replaced or updated.
+inline bool changesScene(const JobQueue& jobs) { return jobs.has(JobKind::kLoad) || jobs.has(JobKind::kSceneUpdate); }
+
 class Window {
 public:
     /// reopened: of the window in whose place it is opened, if there is one.
@@ -89,6 +92,7 @@ private:
     StartedJob startLoad(const SceneSource& scene, bool first);
     void showLoaded(std::unique_ptr<LoadedScene> loaded, const SceneSource& scene);
     void showColors();
+    void updateHistograms();
     void editScene(bool dragging, bool in_progress);
     bool needsTiles() const;
     TileView tileView() const;
@@ -120,6 +124,7 @@ private:
     std::optional<TileView> complete_for_; ///< the view whose tiles are all on the device
     double last_tile_request_s_ = 0;       ///< on the window's clock
     bool warned_coarse_ = false;
+    Vec3 histograms_up_; ///< of work_.histograms
     bool shows_quick_bake_ = false;
     std::unique_ptr<Autosave> autosave_;
     std::uint64_t autosaved_revision_ = 0;

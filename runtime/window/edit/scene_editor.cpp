@@ -192,6 +192,7 @@ void SceneEditor::rebuildSurroundings() {
     scene.instances = work_.scene.instances;
     scene.views = work_.scene.views;
     scene.clips = work_.scene.clips;
+    scene.filters = work_.scene.filters;
     scene.measures = work_.scene.measures;
     scene.shapes.clear();
     std::copy_if(work_.scene.shapes.begin(), work_.scene.shapes.end(), std::back_inserter(scene.shapes),

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/device_scene/number_samples.h"
 #include "runtime/scene/legend.h"
 #include "runtime/scene/render_settings.h"
 #include "runtime/scene/scene_description.h"
@@ -106,7 +107,8 @@ struct Workspace {
     std::vector<PickedPoint> picks;       ///< oldest first; the last two, or all of a path with pin_measurement
     MeasureUnits measure_units;           ///< of the scene that is open
     std::vector<std::string> color_words; ///< choices for settings.color_by
-    std::optional<Legend> legend;         ///< of the current colours
+    std::map<std::string, NumberHistogram> histograms; ///< of the attributes of scene.filters
+    std::optional<Legend> legend;                      ///< of the current colours
     HudStats hud;
     std::optional<JobStatus> job;
     std::vector<std::string> recent_files; ///< to start with; paths, the latest first

@@ -30,6 +30,7 @@ void drawColors(Workspace& w);
 void drawCamera(Workspace& w);
 void drawViews(Workspace& w);
 void drawClips(Workspace& w);
+void drawFilters(Workspace& w);
 void drawMeasure(Workspace& w);
 void drawOutput(Workspace& w);
 void drawAbout(Workspace& w);

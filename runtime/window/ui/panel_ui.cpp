@@ -28,8 +28,8 @@ constexpr Section kSections[] = {
     {"Layers", drawLayers, false},       {"Light", drawLights, true},    {"Sky", drawSky, false},
     {"Materials", drawMaterials, false}, {"Room", drawRoom, true},       {"Render", drawRender, false},
     {"Picture", drawPicture, true},      {"Colours", drawColors, false}, {"Camera", drawCamera, false},
-    {"Views", drawViews, false},         {"Clip", drawClips, false},     {"Measure", drawMeasure, false},
-    {"Output", drawOutput, false},       {"About", drawAbout, false},
+    {"Views", drawViews, false},         {"Clip", drawClips, false},     {"Filter", drawFilters, false},
+    {"Measure", drawMeasure, false},     {"Output", drawOutput, false},  {"About", drawAbout, false},
 };
 
 /// Scrolls down to the end of the section that was just drawn, or as far as its header stays in sight.

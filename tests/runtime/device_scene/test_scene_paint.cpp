@@ -209,7 +209,7 @@ TEST_F(ScenePaintTest, Ranges_FitTheNumbers) {
 }
 
 TEST_F(ScenePaintTest, Overrides_ApplyInOrder) {
-    using Numbers = MaterialOverride::Numbers;
+    using Numbers = SplatSelection;
     scene.materials.resize(4);
     put(Numbers{"class", {{2, 2}}}, 3); // splats 0, 1 and 4; file rows are 0 1 0 0 1
     EXPECT_EQ(rows(), (Ints{2, 2, 0, 0, 2}));
@@ -243,15 +243,15 @@ TEST_F(ScenePaintTest, Errors_ListWhatIsAvailable) {
     }
     colorBy(kOwnColors);
     scene.materials.resize(1);
-    put(MaterialOverride::Numbers{"normal", {{0, 1}}}, 0);
+    put(SplatSelection{"normal", {{0, 1}}}, 0);
     EXPECT_SAYS(refusal(ExitCode::kBadInput), "scene.toml:9: " + scan.path + " *attribute \"normal\"");
 }
 
 TEST_F(ScenePaintTest, Materials_AreLimitedTo256) {
     scene.materials.resize(255);
-    for (std::uint32_t m = 0; m < 254; ++m) put(MaterialOverride::Numbers{"intensity", {{0, 0}}}, m);
+    for (std::uint32_t m = 0; m < 254; ++m) put(SplatSelection{"intensity", {{0, 0}}}, m);
     EXPECT_EQ(refusal(ExitCode::kBadInput), "");
-    put(MaterialOverride::Numbers{"intensity", {{0, 0}}}, 254);
+    put(SplatSelection{"intensity", {{0, 0}}}, 254);
     EXPECT_SAYS(refusal(ExitCode::kBadInput), "scene.toml:9: " + scan.path + " *256 materials");
 }
 

@@ -126,10 +126,10 @@ TEST_F(SceneFile, OverridesByAttributes) {
               "[[instance.override]]\nattribute = 'class'\nvalues = [6, -2.5]\nmaterial = 'a'\n"
               "[[instance.override]]\nattribute = 'rgb16.1'\nrange = [1, 1e300]\nmaterial = 'a'\n");
     const auto numbers = [&](std::size_t i) {
-        return std::get<MaterialOverride::Numbers>(scene.instances[0].overrides.at(i).splats);
+        return std::get<SplatSelection>(scene.instances[0].overrides.at(i).splats);
     };
-    EXPECT_EQ(numbers(0), (MaterialOverride::Numbers{"class", {{6, 6}, {-2.5, -2.5}}}));
-    EXPECT_EQ(numbers(1), (MaterialOverride::Numbers{"rgb16.1", {{1, 1e300}}}));
+    EXPECT_EQ(numbers(0), (SplatSelection{"class", {{6, 6}, {-2.5, -2.5}}}));
+    EXPECT_EQ(numbers(1), (SplatSelection{"rgb16.1", {{1, 1e300}}}));
 }
 
 TEST_F(SceneFile, AcceptsAxisNamesForUp) {

@@ -135,8 +135,8 @@ private:
         return {x, y, z};
     }
 
-    MaterialOverride::Numbers numbers() {
-        MaterialOverride::Numbers numbers{chance() ? "class" : "a \"name\"", {}};
+    SplatSelection numbers() {
+        SplatSelection numbers{chance() ? "class" : "a \"name\"", {}};
         const double at = point().x;
         if (chance()) return {numbers.attribute, {{at, at + length()}}};
         for (std::uint32_t n = below(3); n < 3; ++n) {

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/device_scene/splat_selection.h"
+
+#include <algorithm>
+#include <array>
+
+#include "format/base/parallel.h"
+#include "pointrt/pro_index_layout.h"
+
+namespace pointrt {
+namespace {
+
+/// Splats per task: as many as fit in the L1 cache with their numbers, and whole words of bits.
+constexpr std::size_t kSelectedAtOnce = 1024;
+constexpr std::size_t kBits = 64;
+/// Near splats per task.
+constexpr std::size_t kCopiedAtOnce = std::size_t{1} << 16;
+
+} // namespace
+
+bool holdsNumber(const std::vector<ValueRange>& ranges, double number) {
+    return std::any_of(ranges.begin(), ranges.end(),
+                       [number](ValueRange range) { return range.low <= number && number <= range.high; });
+}
+
+void selectSplats(const std::vector<SplatOverride::OfNumbers>& selections, std::size_t first, std::span<bool> shown) {
+    std::fill(shown.begin(), shown.end(), true);
+    std::vector<double> numbers(shown.size());
+    for (const SplatOverride::OfNumbers& each : selections) {
+        readNumbers(each.numbers, first, numbers);
+        for (std::size_t i = 0; i < shown.size(); ++i) shown[i] = shown[i] && holdsNumber(each.ranges, numbers[i]);
+    }
+}
+
+std::vector<std::uint64_t> shownSplats(const std::vector<SplatOverride::OfNumbers>& selections, std::size_t count) {
+    std::vector<std::uint64_t> bits((count + kBits - 1) / kBits);
+    forAll((count + kSelectedAtOnce - 1) / kSelectedAtOnce, [&](std::size_t k) {
+        const std::size_t first = k * kSelectedAtOnce;
+        std::array<bool, kSelectedAtOnce> shown;
+        const auto part = std::span(shown).first(std::min(kSelectedAtOnce, count - first));
+        selectSplats(selections, first, part);
+        for (std::size_t i = 0; i < part.size(); ++i)
+            bits[(first + i) / kBits] |= std::uint64_t{part[i]} << (first + i) % kBits;
+    });
+    return bits;
+}
+
+void copyShownNear(const std::vector<std::uint64_t>& shown, std::span<const std::uint32_t> near,
+                   std::span<const std::uint32_t> listed, std::span<std::uint32_t> copy) {
+    forAll((listed.size() + kCopiedAtOnce - 1) / kCopiedAtOnce, [&](std::size_t task) {
+        const std::size_t end = std::min((task + 1) * kCopiedAtOnce, listed.size());
+        for (std::size_t k = task * kCopiedAtOnce; k < end; ++k) {
+            const bool is_shown = (shown[listed[k] / kBits] >> listed[k] % kBits & 1) != 0;
+            for (std::size_t word = PRO_NEAR_WORDS * k; word < PRO_NEAR_WORDS * (k + 1); ++word)
+                copy[word] = is_shown ? near[word] : 0;
+        }
+    });
+}
+
+} // namespace pointrt

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which splats filters show, and lists of near splats without the others.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "runtime/device_scene/splat_paint.h"
+
+namespace pointrt {
+
+/// Whether a number is in any of the ranges; NaN, for missing numbers, is in none.
+bool holdsNumber(const std::vector<ValueRange>& ranges, double number);
+
+/// Sets which splats, from number first on, are in all selections.
+void selectSplats(const std::vector<SplatOverride::OfNumbers>& selections, std::size_t first, std::span<bool> shown);
+
+/// The same for a whole scan, on all cores: bit i % 64 of word i / 64.
+std::vector<std::uint64_t> shownSplats(const std::vector<SplatOverride::OfNumbers>& selections, std::size_t count);
+
+/// Copies near splats (PRO_NEAR_WORDS each), on all cores. Those that are not shown become 0: nothing for programs
+/// with balls, and for others discs without a normal, on whose planes no ray has a point.
+/// @param listed the splat of each
+void copyShownNear(const std::vector<std::uint64_t>& shown, std::span<const std::uint32_t> near,
+                   std::span<const std::uint32_t> listed, std::span<std::uint32_t> copy);
+
+} // namespace pointrt
