@@ -56,6 +56,20 @@ def test_clips_cut_pictures_and_rays(field):
             pointrt.Scene(field, clip=bad)
 
 
+def test_filters_hide_splats_from_pictures_and_rays(field):
+    ray = np.array([[*(GRID + [5, 10, 60]), 0, 0, -1]])
+    ground = pointrt.Scene(field, only="height=-1e9:1e9")
+    np.testing.assert_array_equal(ground.cast_rays(ray)["t_hit"], pointrt.Scene(field).cast_rays(ray)["t_hit"])
+    nothing = pointrt.Scene(field, only=["height=-1e9:1e9", "height=1e8:1e9"])
+    assert np.isinf(nothing.cast_rays(ray)["t_hit"]).all()
+    camera = pointrt.Camera.from_intrinsics(100, 100, 30, 20, DOWN)
+    assert np.isinf(nothing.render(camera, 60, 40, layers=["depth"], lights=1)["depth"]).all()
+    with pytest.raises(pointrt.Error, match="no attribute"):
+        pointrt.Scene(field, only="klass=2")
+    with pytest.raises(ValueError):
+        pointrt.Scene(field, only="klass")
+
+
 def test_sections_show_what_is_behind_the_cut_in_true_scale(hills):
     scene = pointrt.Scene(hills)
     picture = scene.section(f"z={GRID[2] + 1}", 80, 80, layers=["position", "splat_id"], ortho=120, lights=1)

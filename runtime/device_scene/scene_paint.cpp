@@ -78,6 +78,11 @@ std::vector<SplatOverride> overridesOf(const PlacedScan& scan, Vec3 up) {
     return overrides;
 }
 
+bool holdOnlyGaussians(const std::vector<PlacedScan>& scans) {
+    return !scans.empty() &&
+           std::all_of(scans.begin(), scans.end(), [](const PlacedScan& scan) { return scan.file->is_gaussian; });
+}
+
 /// What the filters select of a scan, as far as it has their attributes.
 std::vector<SplatOverride::OfNumbers> selectionsOf(const PlacedScan& scan, const PaintRequest& request) {
     std::vector<SplatOverride::OfNumbers> selections;
@@ -90,6 +95,8 @@ std::vector<SplatOverride::OfNumbers> selectionsOf(const PlacedScan& scan, const
 /// Refuses filters by what no scan has.
 void requireFiltered(const std::vector<PlacedScan>& scans, const PaintRequest& request) {
     for (const FilterDescription& filter : request.filters) {
+        if (holdOnlyGaussians(scans))
+            throw Error{ExitCode::kBadInput, filter.place + "Gaussian captures have no attributes to select by"};
         const auto has = [&](const PlacedScan& scan) {
             return numbersFor(scan, filter.shown.attribute, request.up).has_value();
         };
@@ -189,8 +196,7 @@ PaintPlan planPaint(const std::vector<PlacedScan>& scans, const PaintRequest& re
     plan.request = request;
     plan.paints.resize(scans.size());
     const bool colored = request.color_by != kOwnColors;
-    const auto is_gaussian = [](const PlacedScan& scan) { return scan.file->is_gaussian; };
-    if (colored && !scans.empty() && std::all_of(scans.begin(), scans.end(), is_gaussian))
+    if (colored && holdOnlyGaussians(scans))
         throw Error{ExitCode::kBadUsage, "--color-by: Gaussian captures have no colours but their own"};
     ColorChoice choice;
     if (colored) choice = chooseColors(scans, request);
@@ -198,7 +204,7 @@ PaintPlan planPaint(const std::vector<PlacedScan>& scans, const PaintRequest& re
     plan.legend = std::move(choice.legend);
     for (std::size_t i = 0; i < scans.size(); ++i) {
         if (!colored && !hasNumbers(*scans[i].instance) && request.filters.empty()) continue;
-        if (is_gaussian(scans[i])) continue; // other buffers, without attributes
+        if (scans[i].file->is_gaussian) continue; // other buffers, without attributes
         SplatPaint& paint = plan.paints[i].emplace();
         if (colored) paint.colors = std::move(choice.colors[i]);
         paint.overrides = overridesOf(scans[i], request.up);

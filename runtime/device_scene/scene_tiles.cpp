@@ -15,6 +15,7 @@
 #include "format/base/parallel.h"
 #include "format/base/printable.h"
 #include "format/set/open_tile.h"
+#include "pointrt/pro_index_layout.h"
 #include "runtime/device_scene/core_reach.h"
 #include "runtime/device_scene/render_space.h"
 #include "runtime/gpu/memory_budget.h"
@@ -49,6 +50,8 @@ constexpr std::uint32_t kBuiltIndexBytes = 82;
 
 /// Bytes per Gaussian on the device in addition to its file: rows, and lists of the finer tree (kTracedFineness).
 constexpr std::uint32_t kGaussianBytes = 190;
+/// Near splats that filters have copied: a splat lies in 2.9 lists, its own and 1.9 references.
+constexpr std::uint32_t kShownNearBytes = 3 * PRO_NEAR_WORDS * sizeof(std::uint32_t);
 
 std::unordered_map<std::string, std::uint32_t> slotsByPath(const ResidentFiles& files) {
     std::unordered_map<std::string, std::uint32_t> slots;
@@ -247,6 +250,7 @@ CutRequest cutRequest(const DeviceScene& scene, const SceneSet& set, const TileR
     cut.detail = request.detail;
     cut.memory = request.memory / scene.sets.size();
     cut.splat_bytes = request.painted ? PRO_SPLAT_WORDS * sizeof(std::uint32_t) : 0;
+    if (hidesSplats(scene.description.filters)) cut.splat_bytes += kShownNearBytes;
     pro_index index; // all tiles of a bake are alike
     if (set.opened.set.gaussians)
         cut.splat_bytes += kGaussianBytes;

@@ -101,8 +101,7 @@ std::string filtersText(const SceneDescription& description) {
     for (const FilterDescription& each : description.filters) {
         if (!hidesSplats(each)) continue;
         text += (text.empty() ? "" : " ") + each.shown.attribute;
-        for (const ValueRange& range : each.shown.ranges)
-            text += " " + exact(range.low) + ":" + exact(range.high);
+        for (const ValueRange& range : each.shown.ranges) text += " " + exact(range.low) + ":" + exact(range.high);
     }
     return text;
 }

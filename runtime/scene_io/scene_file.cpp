@@ -110,8 +110,8 @@ void readUp(const SceneValue& value, SceneDescription& scene) {
 void readWhole(const SceneValue& file, SceneDescription& scene) {
     std::vector<std::string_view> keys = settingKeys(FileTable::kScene);
     keys.insert(keys.begin(), "up");
-    keys.insert(keys.end(), {"staged_for", "camera", "view", "render", "instance", "clip", "filter", "measure", "material",
-                             "shape", "light", "sky", "surroundings"});
+    keys.insert(keys.end(), {"staged_for", "camera", "view", "render", "instance", "clip", "filter", "measure",
+                             "material", "shape", "light", "sky", "surroundings"});
     requireKnownKeys(file, "a scene", keys);
     readSettings(file, FileTable::kScene, scene.render);
     if (const auto up = find(file, "up")) readUp(*up, scene);

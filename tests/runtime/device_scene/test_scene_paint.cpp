@@ -9,6 +9,9 @@
 #include <limits>
 
 #include "format/base/error.h"
+#include "runtime/device_scene/color_choice.h"
+#include "runtime/device_scene/number_samples.h"
+#include "runtime/device_scene/splat_selection.h"
 #include "tests/support/says.h"
 #include "tests/support/temporary_folder.h"
 #include "tiny_attributes.h"
@@ -222,6 +225,71 @@ TEST_F(ScenePaintTest, Overrides_ApplyInOrder) {
     EXPECT_EQ(rows(), (Ints{2, 2, 3, 2, 3}));
     put(MaterialOverride::Row{1}, 0); // 1 and 4
     EXPECT_EQ(rows(), (Ints{2, 1, 3, 2, 1}));
+}
+
+TEST_F(ScenePaintTest, Filters_MoveAwayWhatTheyHide) {
+    scene.filters = {{{"class", {{2, 2}}}, true, ""}}; // splats 0, 1 and 4
+    const std::vector<std::uint32_t> words = painted();
+    for (std::size_t i = 0; i < 5; ++i) {
+        const bool shown = i == 0 || i == 1 || i == 4;
+        EXPECT_EQ(words[PRO_SPLAT_WORDS * i] == scan.view.splats[PRO_SPLAT_WORDS * i], shown) << i;
+        EXPECT_EQ(words[PRO_SPLAT_WORDS * i + 3], scan.view.splats[PRO_SPLAT_WORDS * i + 3]) << "its radius and colour";
+    }
+    scene.filters.push_back({{"gps_time", {{-1e9, 1e9}}}, true, ""}); // and not the one that is no number
+    const SplatPaint both = plan().paints.at(0).value();
+    EXPECT_EQ(both.selections.size(), 2u);
+    scene.filters[0].enabled = scene.filters[1].enabled = false;
+    EXPECT_EQ(paintRequest(scene, settings), PaintRequest{});
+    EXPECT_FALSE(plan().paints.at(0).has_value());
+}
+
+TEST_F(ScenePaintTest, Filters_SelectSplats) {
+    const auto shown = [&] { return shownSplats(plan().paints.at(0).value().selections, 5).at(0); };
+    scene.filters = {{{"class", {{2, 2}}}, true, ""}};
+    EXPECT_EQ(shown(), 0b10011u);
+    scene.filters.push_back({{"intensity", {{7, 300}}}, true, ""}); // 2, 3 and 4
+    EXPECT_EQ(shown(), 0b10000u);
+    scene.filters = {{{"class", {{2, 2}, {6, 6}}}, true, ""}};
+    EXPECT_EQ(shown(), 0b10111u) << "not splat 3, of class 5";
+    scene.filters = {{{"klass", {{2, 2}}}, true, "scene.toml:4: "}};
+    EXPECT_SAYS(refusal(ExitCode::kBadInput), "scene.toml:4: " + scan.path + " *attribute \"klass\"");
+}
+
+TEST(SplatSelection, CopiesOfNearSplatsLackTheHidden) {
+    std::vector<std::uint32_t> near, listed, copy;
+    for (std::uint32_t k = 0; k < 300000; ++k) { // more than a task
+        near.insert(near.end(), {k + 1, ~k});
+        listed.push_back(k * 7 % 130);
+    }
+    copy.resize(near.size());
+    const std::vector<std::uint64_t> shown{~std::uint64_t{0}, 1, 2}; // 0 to 64, and 129
+    copyShownNear(shown, near, listed, copy);
+    for (std::size_t k = 0; k < listed.size(); ++k) {
+        const bool is_shown = listed[k] <= 64 || listed[k] == 129;
+        ASSERT_EQ(copy[2 * k], is_shown ? near[2 * k] : 0) << k;
+        ASSERT_EQ(copy[2 * k + 1], is_shown ? near[2 * k + 1] : 0) << k;
+    }
+}
+
+TEST_F(ScenePaintTest, HistogramsCountAllNumbers) {
+    const NumberHistogram classes = histogramOf(scans(), "class", {0, 0, 1});
+    EXPECT_EQ(classes.values, (std::vector<double>{2, 5, 6}));
+    EXPECT_EQ(classes.range, (ValueRange{2, 6}));
+    ASSERT_EQ(classes.shares.size(), kHistogramBins);
+    EXPECT_EQ(classes.shares.front(), 1) << "three of five";
+    EXPECT_FLOAT_EQ(classes.shares.back(), 1.0f / 3);
+    EXPECT_TRUE(histogramOf(scans(), "height", {0, 0, 1}).values.empty());
+    EXPECT_EQ(histogramOf(scans(), "klass", {0, 0, 1}), NumberHistogram{});
+}
+
+TEST_F(ScenePaintTest, GaussiansKeepTheirColours) {
+    scan.is_gaussian = true;
+    EXPECT_EQ(colorWords(scans()), std::vector<std::string>{kOwnColors});
+    colorBy("height");
+    EXPECT_SAYS(refusal(ExitCode::kBadUsage), "--color-by: Gaussian *");
+    colorBy(kOwnColors);
+    scene.filters = {{{"height", {{0, 1}}}, true, ""}};
+    EXPECT_SAYS(refusal(ExitCode::kBadInput), "Gaussian captures *no attributes");
 }
 
 TEST_F(ScenePaintTest, ColouredScans_KeepTheirOverrides) {

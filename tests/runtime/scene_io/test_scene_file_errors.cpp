@@ -88,6 +88,12 @@ TEST_F(SceneFile, RefusesClipsThatCutNothingOrAll) {
     std::string boxes;
     for (int box = 0; box < 6; ++box) boxes += "[[clip]]\ntype = 'box'\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n";
     EXPECT_SAYS(refusal(boxes), "scene.toml:21: key \"clip[5]\": *32");
+    EXPECT_SAYS(refusal("[[filter]]\nvalues = [2]"), "scene.toml:1: key \"filter[0]\": \"attribute\" *missing");
+    EXPECT_SAYS(refusal("[[filter]]\nattribute = 'class'\nvalues = []"),
+                "scene.toml:3: key \"filter[0].values\": *list of numbers");
+    EXPECT_SAYS(refusal("[[filter]]\nattribute = 'class'\nrange = [3, 2]"), "scene.toml:3: key \"filter[0].range*");
+    EXPECT_SAYS(refusal("[[filter]]\nattribute = 'class'\nvalues = [2]\nrange = [1, 2]"),
+                "scene.toml:4: key \"filter[0].range\": *\"values\"");
     EXPECT_SAYS(refusal("[[instance]]\nfile = 'statue.pro'\nclip = 'no'"),
                 "scene.toml:3: key \"instance[0].clip\": *true *false");
 }

@@ -33,6 +33,7 @@ public:
         addMaterials(scene);
         for (std::uint32_t i = 1 + below(3); i > 0; --i) scene.instances.push_back(instance());
         for (std::uint32_t c = below(4); c > 0; --c) scene.clips.push_back(clip());
+        for (std::uint32_t f = below(3); f > 0; --f) scene.filters.push_back({numbers(), chance(), ""});
         for (std::uint32_t m = below(4); m > 0; --m) scene.measures.push_back(measure());
         for (std::uint32_t s = below(6); s > 0; --s) scene.shapes.push_back(shape());
         if (std::none_of(scene.shapes.begin(), scene.shapes.end(), [&](auto& each) { return each.material == named_; }))
@@ -250,6 +251,7 @@ SceneDescription withoutPlaces(SceneDescription scene) {
     scene.path.clear();
     for (InstanceDescription& instance : scene.instances)
         for (MaterialOverride& over : instance.overrides) over.place.clear();
+    for (FilterDescription& filter : scene.filters) filter.place.clear();
     return scene;
 }
 
