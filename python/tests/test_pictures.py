@@ -64,7 +64,7 @@ def test_filters_hide_splats_from_pictures_and_rays(field):
     assert np.isinf(nothing.cast_rays(ray)["t_hit"]).all()
     camera = pointrt.Camera.from_intrinsics(100, 100, 30, 20, DOWN)
     assert np.isinf(nothing.render(camera, 60, 40, layers=["depth"], lights=1)["depth"]).all()
-    with pytest.raises(pointrt.Error, match="no attribute"):
+    with pytest.raises(pointrt.Error, match="no scan has an attribute"):
         pointrt.Scene(field, only="klass=2")
     with pytest.raises(ValueError):
         pointrt.Scene(field, only="klass")
