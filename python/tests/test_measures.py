@@ -34,6 +34,18 @@ def test_volume_over_a_base(scene):
     assert scene.volume(rim)["net"] == pytest.approx(0, abs=0.01)
 
 
+def test_contours_of_the_field(scene):
+    rises = scene.contours(0.5, cell=0.5, up=[0.1, 0, np.sqrt(0.99)])  # level ground seen as a slope
+    heights = [line["height"] for line in rises]
+    assert heights == sorted(heights) and len(set(heights)) > 3
+    for line in rises:
+        assert line["positions"].shape[1] == 3
+        np.testing.assert_allclose(line["positions"] @ [0.1, 0, np.sqrt(0.99)], line["height"], atol=1e-6)
+    assert {line["height"] for line in rises if line["index"]} == {h for h in heights if h % 2.5 == 0}
+    with pytest.raises(ValueError):
+        scene.contours(-1)
+
+
 def test_profile_of_the_field(scene):
     profile = scene.profile(GRID + [[-5, 10, 0], [15, 10, 0]], step=0.5)
     assert profile["hits"].dtype == np.bool_ and len(profile["stations"]) == 41

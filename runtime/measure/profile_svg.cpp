@@ -5,6 +5,7 @@
 #include "runtime/measure/decimal_text.h"
 #include "runtime/measure/profile_files.h"
 #include "runtime/measure/profile_runs.h"
+#include "runtime/measure/svg.h"
 
 namespace pointrt {
 namespace {
@@ -13,13 +14,6 @@ namespace {
 constexpr double kChartWidth = 1000, kChartLeft = 90, kChartTop = 30, kChartBottom = 60, kChartRight = 30;
 constexpr double kLeastHeight = 200, kMostHeight = 600; ///< of the area of the curve
 constexpr double kTickGap = 80;                         ///< between ticks: room for a label of ten digits
-constexpr int kPixelDecimals = 2;
-
-/// The largest of 1, 2, 5, 10, 20 ... that is not above limit.
-double roundBelow(double limit) {
-    const double power = std::pow(10, std::floor(std::log10(limit)));
-    return power * (limit >= 5 * power ? 5 : limit >= 2 * power ? 2 : 1);
-}
 
 /// From stations and heights to pixels.
 struct ChartScale {
@@ -50,17 +44,6 @@ ChartScale chartScale(const std::vector<ProfilePoint>& points) {
     if (pixels > 0 && pixels < kLeastHeight) scale.exaggeration = roundBelow(2 * kLeastHeight / pixels);
     scale.area = std::max(kLeastHeight, pixels * scale.exaggeration);
     return scale;
-}
-
-std::string px(double pixels) { return decimalText(pixels, kPixelDecimals); }
-
-std::string svgLine(double x0, double y0, double x1, double y1, const char* color) {
-    return "<line x1=\"" + px(x0) + "\" y1=\"" + px(y0) + "\" x2=\"" + px(x1) + "\" y2=\"" + px(y1) + "\" stroke=\"" +
-           color + "\"/>\n";
-}
-
-std::string svgText(double x, double y, const char* anchor, const std::string& text) {
-    return "<text x=\"" + px(x) + "\" y=\"" + px(y) + "\" text-anchor=\"" + anchor + "\">" + text + "</text>\n";
 }
 
 /// Calls draw(value, label) for each round value from low to high.
@@ -98,7 +81,7 @@ std::string pointsOf(const std::vector<ProfilePoint>& run, const ChartScale& sca
     std::string text;
     for (std::size_t i = 0; i < run.size(); ++i) {
         const ProfilePoint& point = run[reversed ? run.size() - 1 - i : i];
-        text += (text.empty() ? "" : " ") + px(scale.x(point.station)) + "," + px(scale.y(point.*height));
+        text += (text.empty() ? "" : " ") + svgPixels(scale.x(point.station)) + "," + svgPixels(scale.y(point.*height));
     }
     return text;
 }
@@ -115,7 +98,7 @@ std::string curve(const std::vector<ProfilePoint>& run, const ChartScale& scale,
 std::string dots(const std::vector<ProfilePoint>& run, const ChartScale& scale) {
     std::string text;
     for (const ProfilePoint& point : run)
-        text += "<circle cx=\"" + px(scale.x(point.station)) + "\" cy=\"" + px(scale.y(point.height)) +
+        text += "<circle cx=\"" + svgPixels(scale.x(point.station)) + "\" cy=\"" + svgPixels(scale.y(point.height)) +
                 "\" r=\"1\" fill=\"#1f5a96\"/>\n";
     return text;
 }
@@ -124,11 +107,7 @@ std::string dots(const std::vector<ProfilePoint>& run, const ChartScale& scale) 
 
 std::string profileSvg(const ProfileDrawing& profile) {
     const ChartScale scale = chartScale(profile.points);
-    const std::string size =
-        "width=\"" + px(kChartWidth) + "\" height=\"" + px(kChartTop + scale.area + kChartBottom) + "\"";
-    std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" " + size +
-                       " font-family=\"sans-serif\" font-size=\"12\">\n<rect " + size + " fill=\"white\"/>\n" +
-                       axes(scale, profile.unit);
+    std::string text = svgHeader(kChartWidth, kChartTop + scale.area + kChartBottom) + axes(scale, profile.unit);
     const bool has_layers = hasLayers(profile.points);
     for (const std::vector<ProfilePoint>& run : profileRuns(profile.points))
         text += has_layers || run.size() == 1 ? dots(run, scale) : curve(run, scale, profile.has_band);

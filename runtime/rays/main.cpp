@@ -9,6 +9,7 @@
 #include "runtime/rays/cast_options.h"
 #include "runtime/rays/command_table.h"
 #include "runtime/rays/compare_command.h"
+#include "runtime/rays/contours_command.h"
 #include "runtime/rays/lidar_job.h"
 #include "runtime/rays/lidar_options.h"
 #include "runtime/rays/measure_command.h"
@@ -23,6 +24,7 @@ using namespace pointrt;
 constexpr RayCommand kCommands[] = {
     {"cast", "first hits or occlusion of given rays", castCommand, castText},
     {"compare", "signed distances between two scans", compareCommand, compareText},
+    {"contours", "lines of equal height", contoursCommand, contoursText},
     {"lidar", "simulates a laser scanner", lidarCommand, lidarText},
     {"measure", "distances, angles, areas, volumes, circles and spheres", measureCommand, measureText},
     {"profile", "the surface along a line", profileCommand, profileText},

@@ -5,7 +5,7 @@
 . "$(dirname "$0")/lib.sh"
 
 commands=(pointrt-bake pointrt-info pointrt-view
-    "pointrt-rays cast" "pointrt-rays compare" "pointrt-rays lidar" "pointrt-rays measure" "pointrt-rays profile"
+    "pointrt-rays cast" "pointrt-rays compare" "pointrt-rays contours" "pointrt-rays lidar" "pointrt-rays measure" "pointrt-rays profile"
     "pointrt-rays sun" "pointrt-rays viewshed" pointrt-rays)
 
 needs() { command -v "$1" >/dev/null || skip "no $1 here"; }
@@ -127,7 +127,7 @@ theSameIn() {
     expectOffers "a.pro b.ply c.LAZ e.toml more.proset tiles" "$1" "pointrt-view" ""
     expectOffers "b.ply c.LAZ more.proset tiles" "$1" "pointrt-bake" ""
     expectOffers "" "$1" "pointrt-view a.pro --spp" ""
-    expectOffers "cast compare lidar measure profile sun viewshed" "$1" "pointrt-rays" ""
+    expectOffers "cast compare contours lidar measure profile sun viewshed" "$1" "pointrt-rays" ""
     expectOffers "--sensor" "$1" "pointrt-rays lidar" --sen
     expectOffers "e.toml more.proset tiles" "$1" "pointrt-rays lidar --sensor" ""
 }

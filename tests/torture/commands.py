@@ -284,6 +284,10 @@ def case_rays_measure():
               prepare=ball_pro, most=8)
 
 
+def case_rays_contours():
+    return of("pointrt-rays contours -q in/ball.pro --cell 0.05 -o out/a.svg", prepare=ball_pro, most=8)
+
+
 def case_rays_profile():
     return of("pointrt-rays profile -q in/ball.pro --line '-1,0 1,0' --step 0.1 -o out/a.svg", prepare=ball_pro, most=8)
 

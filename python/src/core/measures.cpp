@@ -130,6 +130,26 @@ nb::dict profileOf(const TraceScene& scene, const Points& line, const Position& 
     return profileDict(points);
 }
 
+nb::list contoursOf(const TraceScene& scene, const Position& up, double interval, double cell, double shortest) {
+    std::vector<Contour> contours;
+    {
+        const nb::gil_scoped_release others_go_on;
+        contours = surfaceContours(scene, {up, interval, cell, shortest});
+    }
+    nb::list list;
+    for (const Contour& each : contours) {
+        std::vector<double> positions;
+        for (const Position& point : each.points) positions.insert(positions.end(), point.begin(), point.end());
+        nb::dict dict;
+        dict["height"] = each.height;
+        dict["closed"] = each.closed;
+        dict["index"] = each.is_index;
+        dict["positions"] = owned(std::move(positions), 3);
+        list.append(dict);
+    }
+    return list;
+}
+
 nb::ndarray<nb::numpy, double> snapped(const TraceScene& scene, const Points& points,
                                        const std::optional<Position>& up) {
     const std::vector<Position> given = positionsOf(points);
@@ -160,6 +180,8 @@ void bindMeasures(nb::module_& module) {
     module.def("fit_sphere", &sphereDict, nb::arg("points"));
     module.def("measure_volume", &volumeDict, nb::arg("scene"), nb::arg("rim"), nb::arg("up"),
                nb::arg("base_height").none(), nb::arg("cell"));
+    module.def("surface_contours", &contoursOf, nb::arg("scene"), nb::arg("up"), nb::arg("interval"), nb::arg("cell"),
+               nb::arg("shortest"));
     module.def("surface_profile", &profileOf, nb::arg("scene"), nb::arg("line"), nb::arg("up"), nb::arg("step"),
                nb::arg("from_below"), nb::arg("start_height").none(), nb::arg("all"), nb::arg("apart"),
                nb::arg("width"));

@@ -122,6 +122,24 @@ class Measures(Studies):
         found["hits"] = found["hits"].view(np.bool_)
         return found
 
+    def contours(self, interval: float = 0.0, *, cell: float = 0.0, shortest: float = 0.0,
+                 up: Sequence[float] | None = None) -> list[dict[str, Any]]:
+        """Lines of equal height of the surface seen from above, by a raster of vertical rays.
+
+        Args:
+            interval: between heights (default: a round number that gives 10 to 25 of them).
+            cell: side of the raster's cells (default: a thousandth of the scene's longer side).
+            shortest: length of the shortest line to keep.
+
+        Returns:
+            A dict for each line, from the lowest: ``height``, a multiple of the interval; ``positions`` ``[N, 3]``, with
+            higher ground on the left; ``closed``; ``index``, true for every fifth height.
+
+        Raises:
+            ValueError: a number is invalid, or there are more than 2**26 cells or 10,000 heights.
+        """
+        return _core.surface_contours(self._scene, self._up(up), interval, cell, shortest)
+
     def distances(self, points: ArrayLike | Measures, normals: ArrayLike | None = None, *,
                   radii: ArrayLike | None = None, max_distance: float | None = None) -> np.ndarray:
         """Signed distances of points from this scene's surface along their normals.

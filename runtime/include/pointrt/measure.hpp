@@ -135,6 +135,26 @@ struct ProfilePoint {
 std::vector<ProfilePoint> surfaceProfile(const TraceScene& scene, std::span<const Position> line,
                                          const ProfileRules& rules);
 
+struct ContourRules {
+    Position up{0, 0, 1}; ///< unit length
+    double interval = 0;  ///< between the heights of lines; 0: a round number that gives 10 to 25 of them
+    double cell = 0;      ///< side of the cells of the raster, one ray each; 0: the scene's longer side has a thousand
+    double shortest = 0;  ///< length of the shortest line to keep; at least 0
+};
+
+/// A line of equal height. Higher ground lies on its left, seen from above.
+struct Contour {
+    double height = 0;     ///< along up: a multiple of the interval
+    bool is_index = false; ///< of five lines every fifth, for labels: a multiple of five intervals
+    bool closed = false;   ///< the last point is followed by the first
+    std::vector<Position> points;
+};
+
+/// Contour lines of the surface seen from above, linear between the first hits of a raster of vertical rays; from the
+/// lowest height to the highest. They end where there is no surface. Throws kBadUsage for more than 2^26 cells or
+/// 10,000 heights, negative lengths, and numbers that are not finite.
+std::vector<Contour> surfaceContours(const TraceScene& scene, const ContourRules& rules);
+
 /// Distances of points from the scene's surface along their normals, on the nearer side, up to most: positive if the
 /// point lies on the side of the surface that its normal points to, as in M3C2 (Lague, Brodu and Leroux 2013). NaN if
 /// there is no surface.

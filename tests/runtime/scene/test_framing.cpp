@@ -18,7 +18,7 @@ namespace pointrt {
 namespace {
 
 constexpr Vec3 kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
-constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 
 class Scene {
 public:
@@ -73,14 +73,14 @@ Scene room() {
     return scene;
 }
 
-struct Frame {
+struct PictureFrame {
     double left = 1, right = 0, bottom = 1, top = 0; ///< shares of the picture
 };
 
 /// The rectangle of the picture around all splats within reach of the origin, so without strays.
-Frame frameOf(const SceneSample& sample, const Camera& camera, double aspect, double reach) {
-    Frame frame;
-    const double tangent = std::tan(camera.fov_deg / 2 * kDegree);
+PictureFrame frameOf(const SceneSample& sample, const Camera& camera, double aspect, double reach) {
+    PictureFrame frame;
+    const double tangent = std::tan(camera.fov_deg / 2 * kRadiansPerDegree);
     for (const SampledSplat& splat : sample.splats) {
         if (length(splat.position) > reach) continue;
         const Vec3 to = splat.position - camera.eye;
@@ -104,7 +104,7 @@ TEST(Framing, FillsTheFreePartOfThePicture) {
                 CameraRequest request;
                 request.ortho = ortho;
                 const FramedRequest framed = frameScene(request, scene.sample, kY, {aspect, free_share}, true);
-                const Frame frame = frameOf(scene.sample, completed(framed, aspect), aspect, 10);
+                const PictureFrame frame = frameOf(scene.sample, completed(framed, aspect), aspect, 10);
                 const double wide = (frame.right - frame.left) / free_share, high = frame.top - frame.bottom;
                 EXPECT_GT(std::max(wide, high), 0.75) << aspect << " " << free_share << ortho;
                 EXPECT_LT(std::max(wide, high), 0.85) << aspect << " " << free_share << ortho;
@@ -116,14 +116,15 @@ TEST(Framing, FillsTheFreePartOfThePicture) {
 TEST(Framing, IgnoresManyStrays) {
     Scene scene = ball();
     for (int i = 0; i < 120; ++i) scene.add(300.0 * Vec3{scene.share(), scene.share(), scene.share()}, kY); // 2%
-    const Frame frame = frameOf(scene.sample, completed(frameScene({}, scene.sample, kY, {1, 1}, true), 1), 1, 5);
+    const PictureFrame frame =
+        frameOf(scene.sample, completed(frameScene({}, scene.sample, kY, {1, 1}, true), 1), 1, 5);
     EXPECT_GT(frame.right - frame.left, 0.75);
     EXPECT_LT(frame.right - frame.left, 0.85);
 }
 
 /// Expects that the splats within reach of the origin fill and centre a square picture.
 void expectFramed(const SceneSample& sample, Vec3 up, double reach) {
-    const Frame frame = frameOf(sample, completed(frameScene({}, sample, up, {1, 1}, true), 1), 1, reach);
+    const PictureFrame frame = frameOf(sample, completed(frameScene({}, sample, up, {1, 1}, true), 1), 1, reach);
     const double share = std::max(frame.right - frame.left, frame.top - frame.bottom);
     EXPECT_GT(share, 0.75);
     EXPECT_LT(share, 0.85);
@@ -186,10 +187,10 @@ TEST(Framing, ShowsWholeDiscsOfTinyScans) {
         Scene rims;
         for (const SampledSplat& splat : scene.sample.splats)
             for (int degree = 0; degree < 360; ++degree)
-                rims.add(splat.position +
-                             splat.radius * Vec3{std::cos(degree * kDegree), std::sin(degree * kDegree), 0},
+                rims.add(splat.position + splat.radius * Vec3{std::cos(degree * kRadiansPerDegree),
+                                                              std::sin(degree * kRadiansPerDegree), 0},
                          kZ);
-        const Frame frame = frameOf(rims.sample, camera, 1, 100);
+        const PictureFrame frame = frameOf(rims.sample, camera, 1, 100);
         EXPECT_NEAR(std::max(frame.right - frame.left, frame.top - frame.bottom), 0.8, 0.01) << ortho;
         EXPECT_NEAR((frame.left + frame.right) / 2, 0.5, 0.01) << ortho;
         EXPECT_NEAR((frame.bottom + frame.top) / 2, 0.5, 0.01) << ortho;
@@ -300,7 +301,7 @@ TEST(DefaultView, FromTheSideThatWasScanned) {
 
 TEST(DefaultView, SitesFromThreeQuartersAbove) {
     const ViewChoice choice = chooseView(site().sample, kZ);
-    EXPECT_NEAR(std::asin(choice.side.z) / kDegree, 35, 1);
+    EXPECT_NEAR(std::asin(choice.side.z) / kRadiansPerDegree, 35, 1);
     EXPECT_LT(choice.side.y, -0.3) << "from the front";
     EXPECT_FALSE(choice.eye);
 }
@@ -318,9 +319,9 @@ Scene walled(double share) {
 
 TEST(DefaultView, WallsWithoutACeilingFromAbove) {
     const ViewChoice choice = chooseView(walled(1).sample, kZ);
-    EXPECT_NEAR(std::asin(choice.side.z) / kDegree, 50, 1);
+    EXPECT_NEAR(std::asin(choice.side.z) / kRadiansPerDegree, 50, 1);
     EXPECT_FALSE(choice.eye);
-    EXPECT_LT(std::asin(chooseView(walled(0.3).sample, kZ).side.z) / kDegree, 36) << "open on all sides";
+    EXPECT_LT(std::asin(chooseView(walled(0.3).sample, kZ).side.z) / kRadiansPerDegree, 36) << "open on all sides";
 }
 
 TEST(DefaultView, RoomsFromInside) {
@@ -481,7 +482,7 @@ TEST(DefaultView, RangeImagesFromTheirScanner) {
     EXPECT_EQ(framed.camera.eye, Vec3{});
     EXPECT_TRUE(framed.within);
     EXPECT_GT(framed.camera.fov_deg, 40) << "the scanner's field of view is wider than the default";
-    const Frame frame = frameOf(scene.sample, completed(framed, 4.0 / 3), 4.0 / 3, 10);
+    const PictureFrame frame = frameOf(scene.sample, completed(framed, 4.0 / 3), 4.0 / 3, 10);
     EXPECT_NEAR(frame.right - frame.left, 0.8, 0.05);
     const FramedRequest fixed = frameScene({}, scene.sample, kY, {4.0 / 3, 1}, false);
     EXPECT_EQ(fixed.camera.fov_deg, 40);

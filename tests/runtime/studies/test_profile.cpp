@@ -135,5 +135,31 @@ TEST_F(Study, PointsSnapToASphere) {
     }
 }
 
+TEST_F(ProfileStudy, ContoursFollowTheSlab) {
+    const double between = height((kFloor + kSlab) / 2), cell = 0.5;
+    const auto contours = surfaceContours(*scene, {.interval = between, .cell = cell});
+    ASSERT_FALSE(contours.empty());
+    double along = 0;
+    for (const Contour& contour : contours) {
+        EXPECT_NEAR(contour.height, between, 1e-9);
+        for (const Position& point : contour.points) {
+            const double x = (point[0] - place.origin[0]) / place.edge, tolerance = cell / place.edge + kSheetStep;
+            EXPECT_NEAR(x, 0.5, tolerance) << "elsewhere the ground ends, and the line with it";
+            EXPECT_EQ(point[2], contour.height);
+        }
+        for (std::size_t i = 1; i < contour.points.size(); ++i)
+            along += std::abs(contour.points[i][1] - contour.points[i - 1][1]);
+    }
+    EXPECT_NEAR(along, 0.8 * place.edge, 0.05 * place.edge);
+}
+
+TEST_F(ProfileStudy, ContoursRefuseWhatIsAbsurd) {
+    EXPECT_THROW(surfaceContours(*scene, {.cell = 1e-4}), TraceError);
+    EXPECT_THROW(surfaceContours(*scene, {.interval = 1e-6, .cell = 1}), TraceError);
+    EXPECT_THROW(surfaceContours(*scene, {.interval = -1}), TraceError);
+    EXPECT_THROW(surfaceContours(*scene, {.shortest = std::nan("")}), TraceError);
+    EXPECT_TRUE(surfaceContours(*scene, {.cell = 1, .shortest = 1e9}).empty());
+}
+
 } // namespace
 } // namespace pointrt::test

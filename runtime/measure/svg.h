@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parts of SVG drawings. Lengths are in pixels, 96 an inch.
+#pragma once
+
+#include <string>
+
+namespace pointrt {
+
+/// The largest of 1, 2, 5, 10, 20 ... (and of 0.5, 0.2 ...) that is not above limit, which is above 0.
+double roundBelow(double limit);
+
+/// A number with two decimals.
+std::string svgPixels(double pixels);
+/// The start of a drawing on a white page, with a font for labels. "</svg>" ends it.
+std::string svgHeader(double width, double height);
+std::string svgLine(double x0, double y0, double x1, double y1, const char* color);
+/// anchor: start, middle or end of the text at x. text: without characters that XML reserves.
+std::string svgText(double x, double y, const char* anchor, const std::string& text);
+
+} // namespace pointrt
