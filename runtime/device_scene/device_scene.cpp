@@ -180,6 +180,20 @@ void uploadSceneTables(Device& device, DeviceScene& scene, const RenderSettings&
     uploadRows(device, scene, std::move(rows));
 }
 
+bool haveSameFiles(const SceneDescription& a, const SceneDescription& b) {
+    return std::equal(
+        a.instances.begin(), a.instances.end(), b.instances.begin(), b.instances.end(),
+        [](const InstanceDescription& one, const InstanceDescription& other) { return one.path == other.path; });
+}
+
+void placeInstances(Device& device, DeviceScene& scene, SceneDescription description) {
+    scene.description = std::move(description);
+    scene.device_bytes -= deviceBytes(scene.paint); // heights may differ
+    destroyScenePaint(device, scene.paint);
+    scene.bounds = findBounds(scene);
+    rebuildInstances(device, scene);
+}
+
 bool haveSamePlacements(const SceneDescription& a, const SceneDescription& b) {
     return std::equal(a.instances.begin(), a.instances.end(), b.instances.begin(), b.instances.end(),
                       [](const InstanceDescription& one, const InstanceDescription& other) {

@@ -88,8 +88,14 @@ std::optional<Vec3> knownUp(const DeviceScene& scene);
 /// Metres per unit of the scene, according to the first scan that stores it; 0 if none does.
 double metresPerUnit(const DeviceScene& scene);
 
+/// Whether both have the same files in the same order.
+bool haveSameFiles(const SceneDescription& a, const SceneDescription& b);
 /// Whether both have the same files with the same placements.
 bool haveSamePlacements(const SceneDescription& a, const SceneDescription& b);
+
+/// Makes the instances anew, of a description with the same files that are placed elsewhere; the render space stays.
+/// Next, call uploadSceneTables. The tiles of sets stay those of the former place.
+void placeInstances(Device& device, DeviceScene& scene, SceneDescription description);
 
 /// Whether some instance holds Gaussians.
 bool hasGaussians(const DeviceScene& scene);

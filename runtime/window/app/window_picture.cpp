@@ -134,6 +134,12 @@ void Window::showLoaded(std::unique_ptr<LoadedScene> loaded, const SceneSource& 
     work_.measure_units = measureUnits(*loaded_);
     showColors();
     work_.histograms.clear();
+    work_.scan_centres.clear();
+    for (const DeviceScan* scan : representativeScans(loaded_->scene)) {
+        const pro_info& info = scan->info;
+        const Vec3 low{info.bounds_min[0], info.bounds_min[1], info.bounds_min[2]};
+        work_.scan_centres.push_back(0.5 * (low + Vec3{info.bounds_max[0], info.bounds_max[1], info.bounds_max[2]}));
+    }
     view_.stop();
     image_.open(host_.device(), loaded_->tracer);
     offerAutosave(scene);
@@ -188,8 +194,11 @@ bool Window::needsTiles() const { return loaded_ && !loaded_->scene.sets.empty()
 /// Clips and hidden scans are those on the device.
 TileView Window::tileView() const {
     const SceneDescription& scene = loaded_->scene.description;
-    TileView view{cameraOf(work_.camera), host_.pixels(), scene.clips, {}};
-    for (const InstanceDescription& each : scene.instances) view.visible.push_back(each.visible && !each.deleted);
+    TileView view{cameraOf(work_.camera), host_.pixels(), scene.clips, {}, {}};
+    for (const InstanceDescription& each : scene.instances) {
+        view.visible.push_back(each.visible && !each.deleted);
+        view.placements.push_back(each.placement);
+    }
     return view;
 }
 

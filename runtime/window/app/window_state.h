@@ -32,6 +32,7 @@ struct TileView {
     PixelSize size;
     std::vector<ClipDescription> clips;
     std::vector<bool> visible; ///< instances
+    std::vector<Placement> placements;
     bool operator==(const TileView&) const = default;
 };
 

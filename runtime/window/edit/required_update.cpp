@@ -7,7 +7,8 @@ namespace pointrt {
 
 RequiredUpdate requiredUpdate(const DeviceScene& scene, Integrator integrator, const SceneDescription& description,
                               const RenderSettings& settings) {
-    if (!haveSamePlacements(scene.description, description)) return {UpdateKind::kReload, {}};
+    if (!haveSameFiles(scene.description, description)) return {UpdateKind::kReload, {}};
+    if (!haveSamePlacements(scene.description, description)) return {UpdateKind::kPrograms, {}};
     const std::string sky_image = description.sky ? description.sky->image : std::string();
     if (settings.integrator != integrator || sky_image != scene.sky_image) return {UpdateKind::kPrograms, {}};
     if (paintRequest(description, settings) != scene.paint.request) return {UpdateKind::kPrograms, {}};

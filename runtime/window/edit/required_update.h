@@ -13,8 +13,8 @@ namespace pointrt {
 enum class UpdateKind : std::uint8_t {
     kNothing,
     kTables,   ///< tables of materials, shapes and lights: a few milliseconds
-    kPrograms, ///< shader programs, the sky's image or splat colours as well: needs a job
-    kReload    ///< scans or their placement: the scene must be reloaded
+    kPrograms, ///< shader programs, the sky's image, splat colours or placements as well: needs a job
+    kReload    ///< other scans: the scene must be reloaded
 };
 
 struct RequiredUpdate {

@@ -29,14 +29,21 @@ void applySettings(LoadedScene& loaded, const RenderSettings& settings) {
 
 void uploadScene(Device& device, LoadedScene& loaded, const SceneDescription& description,
                  const RenderSettings& settings) {
-    if (!haveSamePlacements(loaded.scene.description, description))
-        throw Error{ExitCode::kBadInput,
-                    description.path + ": scans or their placements have changed; reload the scene"};
-    SceneDescription old = std::exchange(loaded.scene.description, description);
+    if (!haveSameFiles(loaded.scene.description, description))
+        throw Error{ExitCode::kBadInput, description.path + ": other scans than those that are open; reload the scene"};
+    const bool moves = !haveSamePlacements(loaded.scene.description, description);
+    SceneDescription old = loaded.scene.description;
+    const auto take = [&](const SceneDescription& taken) {
+        if (moves)
+            placeInstances(device, loaded.scene, taken);
+        else
+            loaded.scene.description = taken;
+    };
     try {
+        take(description);
         uploadSceneTables(device, loaded.scene, settings);
     } catch (...) {
-        loaded.scene.description = std::move(old);
+        take(old);
         throw;
     }
     applySettings(loaded, settings);

@@ -106,6 +106,7 @@ struct Workspace {
     bool pin_measurement = false;
     std::vector<PickedPoint> picks;       ///< oldest first; the last two, or all of a path with pin_measurement
     MeasureUnits measure_units;           ///< of the scene that is open
+    std::vector<Vec3> scan_centres;       ///< of the instances' bounds, in the coordinates of their files
     std::vector<std::string> color_words; ///< choices for settings.color_by
     std::map<std::string, NumberHistogram> histograms; ///< of the attributes of scene.filters
     std::optional<Legend> legend;                      ///< of the current colours

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runtime/scene/layers.h"
+#include "runtime/window/edit/placement_edit.h"
 #include "runtime/window/ui/panel_edit.h"
 #include "runtime/window/ui/panel_parts.h"
 #include "runtime/window/ui/panel_widgets.h"
@@ -79,12 +80,38 @@ void drawMeasureValues(const Workspace& w, MeasureDescription& measure) {
     ImGui::EndDisabled();
 }
 
+/// Where a scan lies: its translation, turns about the axes of the world through its middle, and its scale.
+void drawPlacement(Workspace& w, InstanceDescription& scan, Vec3 centre) {
+    Placement& placement = scan.placement;
+    reportSceneEdit(w, pointRow("Moved by", placement.translation, sceneSize(w), w.measure_units.unit,
+                                "added to the scan's coordinates; drag, or Ctrl + click to type"));
+    constexpr double kDegreesAUnit = 0.25; // a quarter turn for a drag across the panel
+    const struct {
+        const char* name;
+        Vec3 axis;
+    } turns[] = {{"Turn about X", {1, 0, 0}}, {"Turn about Y", {0, 1, 0}}, {"Turn about Z", {0, 0, 1}}};
+    for (const auto& turn : turns) {
+        double degrees = 0; // each drag turns further
+        const bool changed = dragRow(turn.name, degrees, {-180, 180}, kDegreesAUnit, "%.2f\u00b0",
+                                     "about the scan's middle; drag, or Ctrl + click to type degrees");
+        if (reportSceneEdit(w, changed)) placement = turned(placement, centre, turn.axis, degrees);
+    }
+    double scale = placement.scale;
+    if (reportSceneEdit(w, dragRow("Scale", scale, {1e-6, 1e6}, 0.005 * scale, "%.6g", "about the scan's middle")))
+        placement = scaledTo(placement, centre, scale);
+}
+
 /// Neither name nor lock change the picture, so they request no update.
 void drawSelected(Workspace& w, LayerId id) {
     Layer& layer = layerAt(w.scene, id);
     textRow("Name", layer.name, layerName(w.scene, id).c_str(), "in lists, and for --hide");
     std::erase_if(layer.name, [](unsigned char c) { return std::iscntrl(c) != 0; });
     if (id.kind == LayerKind::kMeasure) drawMeasureValues(w, w.scene.measures[id.number]);
+    if (id.kind == LayerKind::kScan && id.number < w.scan_centres.size()) {
+        ImGui::BeginDisabled(layer.locked);
+        drawPlacement(w, w.scene.instances[id.number], w.scan_centres[id.number]);
+        ImGui::EndDisabled();
+    }
     checkboxRow("Locked", layer.locked, "keeps it from being edited or deleted");
     ImGui::BeginDisabled(!mayDelete(w.scene, id));
     if (reportLayerEdit(w, id, columnButton("Delete", 1, false, "Ctrl + Z brings it back"))) deleteLayer(w.scene, id);

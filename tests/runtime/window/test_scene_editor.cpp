@@ -324,7 +324,7 @@ TEST_F(RequiredUpdateTest, OtherKindsNeedPrograms) {
     EXPECT_EQ(to(before), UpdateKind::kPrograms);
 }
 
-TEST_F(RequiredUpdateTest, OtherPlacementsNeedAReload) {
+TEST_F(RequiredUpdateTest, OtherScansNeedAReload) {
     SceneDescription after = before;
     after.instances.resize(1);
     EXPECT_EQ(to(after), UpdateKind::kReload);
