@@ -17,17 +17,23 @@ PlanFrame planFrame(Vec3 origin, const Position& upwards) {
     return {origin, cross(north, up), north, up};
 }
 
-PlanHeights planHeights(const TraceScene& scene, const PlanFrame& frame) {
+PlanBounds planBounds(const TraceScene& scene, const PlanFrame& frame) {
     const SceneBounds bounds = scene.bounds();
-    PlanHeights heights{HUGE_VAL, -HUGE_VAL};
+    PlanBounds plan{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
     for (unsigned corner = 0; corner < 8; ++corner) {
         const auto side = [&](unsigned axis) { return (corner >> axis & 1 ? bounds.high : bounds.low)[axis]; };
-        const double height = frame.planOf({side(0), side(1), side(2)}).z;
-        heights.low = std::min(heights.low, height);
-        heights.high = std::max(heights.high, height);
+        const Vec3 at = frame.planOf({side(0), side(1), side(2)});
+        plan.low = {std::min(plan.low.x, at.x), std::min(plan.low.y, at.y), std::min(plan.low.z, at.z)};
+        plan.high = {std::max(plan.high.x, at.x), std::max(plan.high.y, at.y), std::max(plan.high.z, at.z)};
     }
-    const double margin = 0.01 * (heights.high - heights.low) + 1e-9 * std::abs(heights.high); // beyond rounding
-    return {heights.low - margin, heights.high + margin};
+    return plan;
+}
+
+PlanHeights planHeights(const TraceScene& scene, const PlanFrame& frame) {
+    const PlanBounds bounds = planBounds(scene, frame);
+    const double low = bounds.low.z, high = bounds.high.z;
+    const double margin = 0.01 * (high - low) + 1e-9 * std::abs(high); // beyond rounding
+    return {low - margin, high + margin};
 }
 
 } // namespace pointrt

@@ -22,6 +22,12 @@ struct PlanFrame {
 /// Throws TraceError kBadUsage unless up is finite and of unit length to 1e-6.
 PlanFrame planFrame(Vec3 origin, const Position& up);
 
+/// The lowest and the highest x, y and z of the scene's bounds in a plan.
+struct PlanBounds {
+    Vec3 low, high;
+};
+PlanBounds planBounds(const TraceScene& scene, const PlanFrame& frame);
+
 /// The lowest and highest z of the scene in a plan, with a margin, so that rays from there meet everything.
 struct PlanHeights {
     double low = 0, high = 0;

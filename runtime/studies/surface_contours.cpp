@@ -27,19 +27,6 @@ struct PlanRaster {
     HeightRaster heights; ///< along up
 };
 
-/// The scene's corners in a plan: the lowest and the highest x, y and z.
-std::pair<Vec3, Vec3> planBounds(const TraceScene& scene, const PlanFrame& frame) {
-    const SceneBounds bounds = scene.bounds();
-    Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = -1.0 * low;
-    for (unsigned corner = 0; corner < 8; ++corner) {
-        const auto side = [&](unsigned axis) { return (corner >> axis & 1 ? bounds.high : bounds.low)[axis]; };
-        const Vec3 plan = frame.planOf({side(0), side(1), side(2)});
-        low = {std::min(low.x, plan.x), std::min(low.y, plan.y), std::min(low.z, plan.z)};
-        high = {std::max(high.x, plan.x), std::max(high.y, plan.y), std::max(high.z, plan.z)};
-    }
-    return {low, high};
-}
-
 void requireLength(double length, const char* what) {
     if (!(length >= 0 && std::isfinite(length)))
         refuseMeasure(std::string("the ") + what + " must be a finite length of 0 or more");

@@ -12,9 +12,10 @@ namespace pointrt {
 /// In order of cost.
 enum class UpdateKind : std::uint8_t {
     kNothing,
-    kTables,   ///< tables of materials, shapes and lights: a few milliseconds
-    kPrograms, ///< shader programs, the sky's image, splat colours or placements as well: needs a job
-    kReload    ///< other scans: the scene must be reloaded
+    kTables,     ///< tables of materials, shapes and lights: a few milliseconds
+    kPlacements, ///< tables, and where scans lie: as fast
+    kPrograms,   ///< shader programs, the sky's image or splat colours as well: needs a job
+    kReload      ///< other scans: the scene must be reloaded
 };
 
 struct RequiredUpdate {
@@ -30,7 +31,7 @@ RequiredUpdate requiredUpdate(const DeviceScene& scene, Integrator integrator, c
 /// What to do in this frame.
 enum class UpdateStep : std::uint8_t {
     kNothing,     ///< nothing to do, or wait until the user releases the mouse
-    kUpload,      ///< upload the tables now
+    kUpload,      ///< bring the tables up to date now
     kSceneUpdate, ///< start the job that updates everything
 };
 

@@ -68,8 +68,12 @@ void updateScene(Device& device, LoadedScene& loaded, const SceneDescription& de
 }
 
 void updateSceneTables(Device& device, LoadedScene& loaded, const SceneDescription& description,
-                       const RenderSettings& settings, SceneRows rows) {
-    uploadSceneRows(device, loaded.scene, description, settings, std::move(rows));
+                       const RenderSettings& settings, RequiredUpdate update) {
+    if (update.kind == UpdateKind::kPlacements) {
+        placeInstances(device, loaded.scene, description);
+        update.rows = makeSceneRows(loaded.scene, description, settings);
+    }
+    uploadSceneRows(device, loaded.scene, description, settings, std::move(update.rows));
     applySettings(loaded, settings);
     dropPhotons(loaded.tracer);
     loaded.lacks_photons = needsPhotons(loaded.scene, loaded.settings);

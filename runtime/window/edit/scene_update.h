@@ -2,21 +2,21 @@
 // Updates a loaded scene after edits of lights, materials and surroundings.
 #pragma once
 
-#include "runtime/device_scene/scene_rows.h"
 #include "runtime/render/loaded_scene.h"
 #include "runtime/window/edit/job.h"
+#include "runtime/window/edit/required_update.h"
 
 namespace pointrt {
 
 /// Brings loaded to description (with surroundings) and settings: tables, and if needed programs and photons. Needs
 /// exclusive access to loaded; pictures of it must start over. Throws Error kBadInput and changes nothing if a sky
-/// image cannot be read or description has other scans or placements. If cancelled, the scene stays without photons
+/// image cannot be read or description has other scans. If cancelled, the scene stays without photons
 /// until the next edit.
 void updateScene(Device& device, LoadedScene& loaded, const SceneDescription& description,
                  const RenderSettings& settings, JobControl& control);
 
-/// The fast path for UpdateKind::kTables: tables only, without photons, in a few milliseconds.
+/// The fast path for UpdateKind::kTables and kPlacements: tables only, without photons, in a few milliseconds.
 void updateSceneTables(Device& device, LoadedScene& loaded, const SceneDescription& description,
-                       const RenderSettings& settings, SceneRows rows);
+                       const RenderSettings& settings, RequiredUpdate update);
 
 } // namespace pointrt

@@ -92,7 +92,11 @@ protected:
     }
 
     void relight(LoadedScene& loaded, const LoadedScene& like) {
-        SceneUpdateJob job(device, loaded, like.scene.description, like.settings);
+        update(loaded, like.scene.description, like.settings);
+    }
+
+    void update(LoadedScene& loaded, const SceneDescription& description, const RenderSettings& settings) {
+        SceneUpdateJob job(device, loaded, description, settings);
         wait(job.job());
         EXPECT_EQ(job.job().state(), JobState::kDone) << job.job().error();
     }
@@ -101,7 +105,7 @@ protected:
     bool updatesTables(LoadedScene& loaded, const SceneDescription& description, const RenderSettings& settings) {
         RequiredUpdate rework = requiredUpdate(loaded.scene, loaded.program_kinds.integrator, description, settings);
         if (rework.kind != UpdateKind::kTables) return false;
-        updateSceneTables(device, loaded, description, settings, std::move(rework.rows));
+        updateSceneTables(device, loaded, description, settings, std::move(rework));
         return true;
     }
 
@@ -338,11 +342,27 @@ TEST_F(LoadJobTest, ReadsASkyOnce) {
     EXPECT_EQ(picture(*loaded), picture(*turned)) << "without reading it again";
 }
 
+TEST_F(LoadJobTest, ScansMoveAndReturn) {
+    const auto loaded = loadText(kScan + lamp("[10, 24, 36]"));
+    const std::vector<float> before = picture(*loaded);
+    SceneDescription moved = loaded->scene.description;
+    const Placement loaded_placement = moved.instances[0].placement;
+    moved.instances[0].placement.translation.x += 0.3;
+    RequiredUpdate drag = requiredUpdate(loaded->scene, loaded->program_kinds.integrator, moved, loaded->settings);
+    ASSERT_EQ(drag.kind, UpdateKind::kPlacements);
+    updateSceneTables(device, *loaded, moved, loaded->settings, std::move(drag));
+    const std::vector<float> dragged = picture(*loaded);
+    EXPECT_NE(dragged, before);
+    moved.instances[0].placement = loaded_placement;
+    update(*loaded, moved, loaded->settings);
+    EXPECT_EQ(picture(*loaded), before) << "by a job";
+}
+
 TEST_F(LoadJobTest, OtherScansNeedAReload) {
     const auto loaded = loadText(kScan + lamp("[10, 24, 36]"));
     const std::vector<float> before = picture(*loaded);
     SceneDescription other = loaded->scene.description;
-    other.instances[0].placement.translation.x += 1;
+    other.instances.push_back(other.instances[0]);
     EXPECT_FALSE(updatesTables(*loaded, other, loaded->settings));
     SceneUpdateJob job(device, *loaded, other, loaded->settings);
     wait(job.job());

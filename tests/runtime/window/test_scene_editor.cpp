@@ -324,6 +324,19 @@ TEST_F(RequiredUpdateTest, OtherKindsNeedPrograms) {
     EXPECT_EQ(to(before), UpdateKind::kPrograms);
 }
 
+TEST_F(RequiredUpdateTest, MovedScansNeedTables_UnlessTheyArePainted) {
+    before.instances.resize(1);
+    scene.description = before;
+    SceneDescription after = before;
+    after.instances[0].placement.translation = {1, 2, 3};
+    EXPECT_EQ(to(after), UpdateKind::kPlacements);
+    after.lights.emplace_back(SphereLight{{0, 3, 0}, 0.5, {1, 1, 1}, true});
+    EXPECT_EQ(to(after), UpdateKind::kPrograms) << "a kind of light that is new";
+    after.lights = before.lights;
+    settings.color_by = "height";
+    EXPECT_EQ(to(after), UpdateKind::kPrograms);
+}
+
 TEST_F(RequiredUpdateTest, OtherScansNeedAReload) {
     SceneDescription after = before;
     after.instances.resize(1);
@@ -336,6 +349,7 @@ TEST_F(RequiredUpdateTest, DragsNeverWaitForAJob) {
     for (const bool lacks : {false, true}) {
         EXPECT_EQ(nextUpdateStep(UpdateKind::kTables, drags, lacks), UpdateStep::kUpload);
         EXPECT_EQ(nextUpdateStep(UpdateKind::kTables, !drags, lacks), UpdateStep::kUpload);
+        EXPECT_EQ(nextUpdateStep(UpdateKind::kPlacements, drags, lacks), UpdateStep::kUpload);
         EXPECT_EQ(nextUpdateStep(UpdateKind::kPrograms, drags, lacks), UpdateStep::kNothing);
         EXPECT_EQ(nextUpdateStep(UpdateKind::kPrograms, !drags, lacks), UpdateStep::kSceneUpdate);
         EXPECT_EQ(nextUpdateStep(UpdateKind::kReload, !drags, lacks), UpdateStep::kSceneUpdate);
