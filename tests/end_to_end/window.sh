@@ -411,4 +411,16 @@ case_scans_are_moved_and_undone() {
     grep -Eq "scale = 1\.[1-9]" egg-1.toml || fail "the saved scene has another scale"
 }
 
+# The arrow along z, at the middle of the free part of the window, moves the scan up; the drag turns no view.
+case_arrows_move_scans() {
+    sphere 2000 | awk '{ print $1, 0.5 * $2, 0.3 * $3 }' >egg.xyz
+    pointrt-bake -q egg.xyz -o egg.pro
+    { echo "pointrt-recording 1 window 900x700 scale 1" && printf '%s\n' "0 wait 2" "2 cursor 660 18" "2 button down left" \
+        "3 button up left" "5 wait 2" "6 cursor 303 266" "8 button down left" "9 cursor 303 230" "10 cursor 303 200" \
+        "11 button up left" "12 wait 2" "13 key down Control" "13 key down S" "13 key up S" "13 key up Control" "14 wait 2" \
+        "15 quit"; } >user.txt
+    expectDone pointrt-view egg.pro --replay user.txt --offscreen --spp 2
+    grep -Eq "^translate = \[0(\.0)?, 0(\.0)?, 0\.[1-9]" egg-1.toml || fail "moved elsewhere: $(grep translate egg-1.toml)"
+}
+
 runCase "$@"

@@ -174,8 +174,8 @@ void Window::editScene(bool dragging, bool in_progress) {
         const bool moves = update.kind == UpdateKind::kPlacements;
         updateSceneTables(host_.device(), *loaded_, work_.scene, work_.settings, std::move(update));
         editor_.clearPendingEdits();
-        // while a lamp is dragged, the last picture with its light fading is better than none; not while a scan is
-        image_.restart(dragging && !moves ? ViewChange::kScene : ViewChange::kAll);
+        // while a lamp is dragged, the last picture with its light fading is better than none
+        image_.restart(!dragging ? ViewChange::kAll : moves ? ViewChange::kPlacements : ViewChange::kScene);
         update.kind = UpdateKind::kNothing;
     }
     if (nextUpdateStep(update.kind, dragging, loaded_->lacks_photons) != UpdateStep::kSceneUpdate) return;

@@ -91,7 +91,7 @@ void ViewportRenderer::setView(const Viewport& view, bool moving, ViewChange cha
     last_camera_ = view_.camera;
     view_ = view;
     fitFilm();
-    if (change == ViewChange::kAll) reprojector_.reset();
+    if (change == ViewChange::kAll || change == ViewChange::kPlacements) reprojector_.reset();
     if (change == ViewChange::kScene && reprojector_) reprojector_->invalidateLighting();
     restart(moving);
 }

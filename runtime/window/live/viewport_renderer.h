@@ -27,8 +27,9 @@ struct Viewport {
     double focus_x = 0.5, focus_y = 0.5; ///< attention point, as fractions of the picture
 };
 
-/// What has changed since the last view: the camera; lights, materials or shapes (kScene); or everything.
-enum class ViewChange : std::uint8_t { kCamera, kScene, kAll };
+/// What has changed since the last view: the camera; lights, materials or shapes (kScene); the place of scans; or
+/// everything.
+enum class ViewChange : std::uint8_t { kCamera, kScene, kPlacements, kAll };
 
 /// Changed rows of DisplayPipeline::pixels.
 struct PictureUpdate {

@@ -96,13 +96,13 @@ bool drawHistogram(const NumberHistogram& histogram, ValueRange& range) {
 
 void drawRangeEnds(Workspace& w, SplatSelection& selection, const NumberHistogram& histogram) {
     ValueRange range = selection.ranges.empty() ? histogram.range : selection.ranges.front();
-    bool changed = drawHistogram(histogram, range);
+    bool changed = reportSceneEdit(w, drawHistogram(histogram, range));
     tooltip("drag an end of the range");
     const SliderRange limits{histogram.range.low, histogram.range.high};
-    changed |= sliderRow("From", range.low, limits, "%.6g", "the lowest number shown; Ctrl + click to type");
-    changed |= sliderRow("To", range.high, limits, "%.6g", "the highest number shown");
-    if (reportSceneEdit(w, changed))
-        selection.ranges = {{std::min(range.low, range.high), std::max(range.low, range.high)}};
+    const char* const from_tip = "the lowest number shown; Ctrl + click to type";
+    changed |= reportSceneEdit(w, sliderRow("From", range.low, limits, "%.6g", from_tip));
+    changed |= reportSceneEdit(w, sliderRow("To", range.high, limits, "%.6g", "the highest number shown"));
+    if (changed) selection.ranges = {{std::min(range.low, range.high), std::max(range.low, range.high)}};
 }
 
 void drawFilter(Workspace& w, FilterDescription& filter) {

@@ -33,6 +33,9 @@ bool reportLayerEdit(Workspace& w, LayerId id, bool changed) {
     return id.kind == LayerKind::kMeasure ? changed : reportSceneEdit(w, changed);
 }
 
+/// Stored number: the last frame in which the placement of a scan was shown.
+constexpr const char* kPlacedFrame = "placement shown";
+
 LayerId selectedLayer() {
     const auto kind = static_cast<LayerKind>(storedInt("selected layer kind", 0));
     return {kind, static_cast<std::size_t>(storedInt("selected layer", 0))};
@@ -110,6 +113,7 @@ void drawSelected(Workspace& w, LayerId id) {
     if (id.kind == LayerKind::kScan && id.number < w.scan_centres.size()) {
         ImGui::BeginDisabled(layer.locked);
         drawPlacement(w, w.scene.instances[id.number], w.scan_centres[id.number]);
+        storedInt(kPlacedFrame, 0) = ImGui::GetFrameCount();
         ImGui::EndDisabled();
     }
     checkboxRow("Locked", layer.locked, "keeps it from being edited or deleted");
@@ -119,6 +123,11 @@ void drawSelected(Workspace& w, LayerId id) {
 }
 
 } // namespace
+
+std::optional<std::size_t> placedLayer() {
+    if (storedInt(kPlacedFrame, -1) != ImGui::GetFrameCount()) return std::nullopt;
+    return selectedLayer().number;
+}
 
 void drawLayers(Workspace& w) {
     const std::vector<LayerId> layers = layersOf(w.scene);

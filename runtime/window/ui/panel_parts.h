@@ -2,6 +2,9 @@
 // The parts of drawUi (panel_ui.h).
 #pragma once
 
+#include <cstddef>
+#include <optional>
+
 #include "runtime/scene/render_setting_table.h"
 #include "runtime/window/edit/workspace.h"
 #include "runtime/window/ui/panel_widgets.h"
@@ -47,6 +50,10 @@ struct FreeArea {
     float width = 1, height = 1;
 };
 
+/// The scan whose placement drawLayers has shown in this frame.
+std::optional<std::size_t> placedLayer();
+/// Arrows at that scan, to drag it along the axes. After the panel.
+void drawGizmo(Workspace& w);
 /// Over the picture, with the measurements of the scene:
 void drawPickMarks(const Workspace& w);
 /// Buttons of the most used actions, along the upper edge. Returns the lower edge.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "runtime/window/ui/on_screen.h"
 #include "runtime/window/ui/panel_lengths.h"
 #include "runtime/window/ui/panel_numbers.h"
 #include "runtime/window/ui/panel_parts.h"
@@ -15,15 +16,6 @@ namespace {
 /// Light lines on dark ones are visible on any picture.
 constexpr ImU32 kLight = IM_COL32(255, 255, 255, 235), kDark = IM_COL32(0, 0, 0, 150);
 constexpr ImU32 kLine = IM_COL32(125, 190, 235, 235);
-
-/// None if the point is behind the eye, or too far outside for float precision.
-std::optional<ImVec2> onScreen(const Workspace& w, Vec3 point) {
-    const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const auto at = projected(w.camera, {static_cast<double>(window.x), static_cast<double>(window.y)}, point);
-    constexpr double farthest = 1e5;
-    if (!at || !(std::abs(at->x) < farthest) || !(std::abs(at->y) < farthest)) return std::nullopt;
-    return ImVec2(static_cast<float>(at->x), static_cast<float>(at->y));
-}
 
 void drawCross(ImDrawList& list, ImVec2 at) {
     const float inner = 3 * uiScale(), outer = 9 * uiScale();

@@ -91,6 +91,7 @@ void drawUi(Workspace& w) {
     drawEmptyState(w, area);
     drawWayBack(w, area);
     if (has_panel) drawPanel(w);
+    drawGizmo(w);
     drawJobAndNotices(w, area);
     if (w.show_cheat_sheet) drawCheatSheet(w, area);
     drawBrowser(w, area);
