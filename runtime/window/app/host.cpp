@@ -22,6 +22,7 @@ PixelSize pixelsOf(const ResizeEvent& size) {
 
 Host::Host(const HostRequest& request) {
     DeviceRequest device{request.device, request.verbose, true, {}, {}};
+    device.traversal = request.traversal;
     try {
         if (!request.offscreen) {
             desktop_ = createPlatformWindow(request.width, request.height, request.title);

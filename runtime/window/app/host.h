@@ -15,6 +15,7 @@ namespace pointrt {
 
 struct HostRequest {
     std::string device; ///< see DeviceRequest
+    Traversal traversal = Traversal::kWalk;
     bool verbose = false;
     bool offscreen = false;                   ///< no window; input comes from a replay
     std::uint32_t width = 1280, height = 720; ///< window units
