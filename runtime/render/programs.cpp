@@ -52,6 +52,7 @@
 #include "shaders/intersect_shadow_ray_pooled.spv.h"
 #include "shaders/intersect_shadow_shapes.spv.h"
 #include "shaders/intersect_shapes.spv.h"
+#include "shaders/intersect_shapes_camera.spv.h"
 #include "shaders/megakernel.spv.h"
 #include "shaders/photon.spv.h"
 #include "shaders/prepare.spv.h"
@@ -315,7 +316,7 @@ std::vector<Order> orderAll(const DeviceScene& scene, const Constants& constants
     std::vector<Order> orders{
         {&programs.prepare, "prepare", prepare_spv, constants},
         {&programs.first_hits, "first_hits", first_hits_spv, of_camera},
-        {&programs.camera.intersect_shapes, "intersect_shapes (camera)", intersect_shapes_spv, of_camera},
+        {&programs.camera.intersect_shapes, "intersect_shapes (camera)", intersect_shapes_camera_spv, of_camera},
         {&programs.beam, "beam", beam_spv, constants},
         {&programs.fold_film, "fold_film", fold_film_spv, of_camera}};
     if (programs.form == KernelForm::kMegakernel)
