@@ -216,6 +216,15 @@ void setReads(const Device& device, DeviceScan& scan) {
     scan.reads_storage = readsStorage(device, scan);
 }
 
+/// Builds the boxes for ray queries over a scan without pages.
+void addCellTree(Device& device, DeviceScan& scan, const ScanUpload& how) {
+    const bool is_paged = isPaged(pageCounts(device, pagedBuffers(scan)));
+    if (!device.queries_rays || !how.queries_rays || is_paged || !fitsCellTree(device, scan.index.cell_count)) return;
+    scan.tree = createCellTree(device, scan.index);
+    scan.device_bytes += bytesOf(scan.tree);
+    scan.queries_rays = true;
+}
+
 /// Uploads everything that the device reads. Errors name the file.
 void upload(Device& device, DeviceScan& scan, const ScanUpload& how) {
     pro_gaussians gaussians;
@@ -226,6 +235,7 @@ void upload(Device& device, DeviceScan& scan, const ScanUpload& how) {
         }
         if (pro_get_index(scan.cached ? scan.cached : scan.file, &scan.index) == 0) buildIndex(scan, how);
         uploadSections(device, scan, how.pooled);
+        addCellTree(device, scan, how);
         freeBuilt(scan);
     } catch (const Error& error) {
         throw Error(error.code, scan.path + ": " + error.what());
@@ -284,7 +294,7 @@ void uploadScan(Device& device, DeviceScan& scan, const ScanUpload& how) {
 
 DeviceScan loadScan(Device& device, const std::string& path, bool verbose) {
     DeviceScan scan = mapTracedScan(path);
-    uploadScan(device, scan, {0, verbose});
+    uploadScan(device, scan, {0, verbose, false, true});
     return scan;
 }
 
@@ -347,6 +357,7 @@ void destroyScan(Device& device, DeviceScan& scan) {
     for (const ScanBuffer& each : kScanBuffers) destroyPagedBuffer(device, scan.*each.buffer);
     destroyBuffer(device, scan.grid_words);
     destroyBuffer(device, scan.noise);
+    destroyCellTree(device, scan.tree);
     if (scan.range.block) device.texel_pool->free(device, std::exchange(scan.range, {}));
     scan.built = {};
     scan.index = {};

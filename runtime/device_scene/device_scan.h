@@ -10,6 +10,7 @@
 
 #include "format/index/build_index.h"
 #include "pointrt/pro.h"
+#include "runtime/device_scene/cell_tree.h"
 #include "runtime/device_scene/gaussian_upload.h"
 #include "runtime/gpu/device.h"
 #include "runtime/gpu/paged_buffer.h"
@@ -37,6 +38,8 @@ struct DeviceScan {
     PagedBuffer splats, brick_words, cells, slabs, near, listed, blending;
     PageCounts pages;           ///< of those buffers
     bool reads_storage = false; ///< programs read those of storage in place of texels
+    bool queries_rays = false;  ///< rays find their cells by ray queries, not by the walk
+    CellTree tree;              ///< for those
     TexelRange range;           ///< with a block: all buffers lie in it
     Buffer noise;               ///< a byte per splat; a blank texel if the scan has no noise
     bool noisy = false;
@@ -59,12 +62,13 @@ DeviceScan mapTracedScan(const std::string& path);
 struct ScanUpload {
     std::size_t threads = 0; ///< limit for building an index; 0: all cores
     bool verbose = false;
-    bool pooled = false; ///< copy the sections into a block of the device's texel pool, if they fit
+    bool pooled = false;       ///< copy the sections into a block of the device's texel pool, if they fit
+    bool queries_rays = false; ///< build the boxes for ray queries, if the device has these
 };
 /// Uploads or imports a scan from mapTracedScan. Builds and caches an index that is missing. Throws Error kBadInput
 /// "FILE: reason" or kCannotRun; scan is destroyed then.
 void uploadScan(Device& device, DeviceScan& scan, const ScanUpload& how);
-/// mapTracedScan and uploadScan, on all cores.
+/// mapTracedScan and uploadScan, on all cores, with boxes for ray queries.
 DeviceScan loadScan(Device& device, const std::string& path, bool verbose);
 /// Blank buffers, for programs that need some bound.
 DeviceScan blankScan(Device& device);

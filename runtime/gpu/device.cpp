@@ -153,6 +153,7 @@ std::vector<const char*> deviceExtensions(const Device& device, const DeviceRequ
     std::vector<const char*> extensions;
     if (device.external_memory_host) extensions.push_back(VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME);
     if (device.sets_subgroup_size) extensions.push_back(VK_EXT_SUBGROUP_SIZE_CONTROL_EXTENSION_NAME);
+    if (device.queries_rays) extensions.insert(extensions.end(), std::begin(kRayExtensions), std::end(kRayExtensions));
     if (!request.instance_extensions.empty()) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     return extensions;
 }
@@ -194,6 +195,19 @@ void loadDebugFunctions(Device& device) {
         vkGetInstanceProcAddr(device.instance, "vkCmdEndDebugUtilsLabelEXT"));
 }
 
+void loadRayFunctions(Device& device) {
+    const auto load = [&](auto& function, const char* name) {
+        function =
+            reinterpret_cast<std::remove_reference_t<decltype(function)>>(vkGetDeviceProcAddr(device.handle, name));
+    };
+    load(device.rays.addressOf, "vkGetBufferDeviceAddress");
+    load(device.rays.addressOfTree, "vkGetAccelerationStructureDeviceAddressKHR");
+    load(device.rays.sizesOf, "vkGetAccelerationStructureBuildSizesKHR");
+    load(device.rays.createTree, "vkCreateAccelerationStructureKHR");
+    load(device.rays.destroyTree, "vkDestroyAccelerationStructureKHR");
+    load(device.rays.build, "vkCmdBuildAccelerationStructuresKHR");
+}
+
 void createLogicalDevice(Device& device, const DeviceRequest& request) {
     const float priority = 1;
     VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
@@ -212,6 +226,8 @@ void createLogicalDevice(Device& device, const DeviceRequest& request) {
         VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_SIZE_CONTROL_FEATURES_EXT};
     subgroups.subgroupSizeControl = VK_TRUE;
     if (device.sets_subgroup_size) timelines.pNext = &subgroups;
+    RayFeatures rays;
+    if (device.queries_rays) timelines.pNext = rays.chainBefore(timelines.pNext);
     VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &timelines};
     info.pEnabledFeatures = &features;
     info.queueCreateInfoCount = 1;
@@ -223,6 +239,7 @@ void createLogicalDevice(Device& device, const DeviceRequest& request) {
     if (device.external_memory_host)
         device.getMemoryHostPointerProperties = reinterpret_cast<PFN_vkGetMemoryHostPointerPropertiesEXT>(
             vkGetDeviceProcAddr(device.handle, "vkGetMemoryHostPointerPropertiesEXT"));
+    if (device.queries_rays) loadRayFunctions(device);
     if (wantsDebugNames()) loadDebugFunctions(device);
     device.queue_mutex = std::make_shared<std::mutex>();
     device.memory_pool = std::make_shared<MemoryPool>();
@@ -262,7 +279,10 @@ Device createDevice(const DeviceRequest& request) {
     device.verbose = request.verbose;
     const QueueNeeds needs = queueNeeds(device, request);
     if (needs.present) loadWindowFunctions(device.instance);
-    describe(chooseCandidate(enumerateCandidates(device.instance, needs), request.selector), device);
+    const std::vector<Candidate> candidates = enumerateCandidates(device.instance, needs);
+    const Candidate& chosen = chooseCandidate(candidates, request.selector);
+    describe(chosen, device);
+    device.queries_rays = queriesRays(chosen, request.traversal);
     device.page_bits = std::min(device.page_bits, request.page_bits_most);
     createLogicalDevice(device, request);
     device.programs = std::make_shared<ProgramStore>();

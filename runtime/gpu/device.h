@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/gpu/traversal.h"
 #include "runtime/gpu/vulkan.h"
 
 namespace pointrt {
@@ -29,6 +30,7 @@ struct DeviceRequest {
     std::vector<const char*> instance_extensions;
     /// Whether a queue family can present to the window's display. If not set, all families can.
     std::function<bool(VkInstance, VkPhysicalDevice, std::uint32_t queue_family)> can_present;
+    Traversal traversal = Traversal::kWalk;
     std::uint32_t page_bits_most = 31; ///< limit for Device::page_bits: tests get many pages from small scenes
 };
 
@@ -48,6 +50,16 @@ struct SubmittedCommands {
 
 /// Frames that are recorded and traced at the same time: the host records one while the device works on the last.
 constexpr std::uint32_t kFramesInFlight = 2;
+
+/// Functions of ray queries; null unless Device::queries_rays.
+struct RayFunctions {
+    PFN_vkGetBufferDeviceAddress addressOf = nullptr;
+    PFN_vkGetAccelerationStructureDeviceAddressKHR addressOfTree = nullptr;
+    PFN_vkGetAccelerationStructureBuildSizesKHR sizesOf = nullptr;
+    PFN_vkCreateAccelerationStructureKHR createTree = nullptr;
+    PFN_vkDestroyAccelerationStructureKHR destroyTree = nullptr;
+    PFN_vkCmdBuildAccelerationStructuresKHR build = nullptr;
+};
 
 /// A logical device with one compute queue. Free it with destroyDevice after everything made from it.
 struct Device {
@@ -69,9 +81,11 @@ struct Device {
     std::uint64_t max_allocation_bytes = 0;
     std::uint32_t page_bits = 0; ///< log2 of the texels in a page (paged_buffer.h)
     std::uint32_t subgroup_size = 0;
-    bool sets_subgroup_size = false;         ///< programs ask for subgroup_size (VK_EXT_subgroup_size_control)
-    bool unified_memory = false;             ///< CPU or integrated GPU: memory is the host's, so importing saves a copy
-    bool doubles = false;                    ///< shaders may use 64-bit floats
+    bool sets_subgroup_size = false; ///< programs ask for subgroup_size (VK_EXT_subgroup_size_control)
+    bool unified_memory = false;     ///< CPU or integrated GPU: memory is the host's, so importing saves a copy
+    bool doubles = false;            ///< shaders may use 64-bit floats
+    bool queries_rays = false;       ///< DeviceRequest::traversal asks for ray queries, and it has them
+    RayFunctions rays;
     bool external_memory_host = false;       ///< VK_EXT_external_memory_host is enabled
     std::uint64_t host_import_alignment = 0; ///< bytes, for pointers and sizes given to importHostBuffer
     PFN_vkGetMemoryHostPointerPropertiesEXT getMemoryHostPointerProperties = nullptr;

@@ -127,6 +127,16 @@ void inspectSubgroupSizes(Candidate& candidate) {
     candidate.largest_subgroup = sizes.maxSubgroupSize;
 }
 
+bool hasRayQueries(VkPhysicalDevice physical) {
+    if (!std::all_of(std::begin(kRayExtensions), std::end(kRayExtensions),
+                     [&](const char* name) { return hasExtension(physical, name); }))
+        return false;
+    RayFeatures rays;
+    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, rays.chainBefore(nullptr)};
+    vkGetPhysicalDeviceFeatures2(physical, &features);
+    return rays.all();
+}
+
 Candidate inspect(VkPhysicalDevice physical, const QueueNeeds& needs) {
     Candidate candidate;
     candidate.physical = physical;
@@ -153,6 +163,7 @@ Candidate inspect(VkPhysicalDevice physical, const QueueNeeds& needs) {
         candidate.host_import_alignment = host.minImportedHostPointerAlignment;
         candidate.maintenance3.pNext = candidate.subgroup.pNext = nullptr;
         inspectSubgroupSizes(candidate);
+        candidate.ray_queries = hasRayQueries(physical);
     }
     candidate.refusal = refusalOf(candidate);
     return candidate;
@@ -190,6 +201,14 @@ std::uint32_t subgroupSizeFor(const Candidate& candidate) {
     constexpr std::uint32_t kLanes = 32;
     const bool may_ask = candidate.least_subgroup <= kLanes && kLanes <= candidate.largest_subgroup;
     return may_ask && candidate.subgroup.subgroupSize > kLanes ? kLanes : 0;
+}
+
+bool queriesRays(const Candidate& candidate, Traversal traversal) {
+    if (traversal == Traversal::kHardware && !candidate.ray_queries)
+        throw Error{ExitCode::kCannotRun, "--rays hardware: " + std::string(candidate.properties.deviceName) +
+                                              " has no ray queries (VK_KHR_ray_query); --rays walk needs none"};
+    const bool is_gpu = candidate.properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU;
+    return traversal == Traversal::kHardware || (traversal == Traversal::kAuto && candidate.ray_queries && is_gpu);
 }
 
 std::string refusalOf(const Candidate& candidate) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/gpu/traversal.h"
 #include "runtime/gpu/vulkan.h"
 
 namespace pointrt {
@@ -43,9 +44,36 @@ struct Candidate {
     bool doubles = false;                    ///< shaders may use 64-bit floats
     /// Sizes of subgroups that compute programs may ask for (VK_EXT_subgroup_size_control); 0 if they may not.
     std::uint32_t least_subgroup = 0, largest_subgroup = 0;
+    bool ray_queries = false;  ///< has kRayExtensions and their features
     bool reads_texels = false; ///< supports texel buffers in the formats of scenes
     std::string refusal;       ///< empty if usable
 };
+
+/// What ray queries need.
+constexpr const char* kRayExtensions[] = {VK_KHR_RAY_QUERY_EXTENSION_NAME, VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
+                                          VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME};
+
+/// The features of those extensions, to ask for or to enable.
+struct RayFeatures {
+    VkPhysicalDeviceBufferDeviceAddressFeatures addresses{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_BUFFER_DEVICE_ADDRESS_FEATURES};
+    VkPhysicalDeviceAccelerationStructureFeaturesKHR trees{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR};
+    VkPhysicalDeviceRayQueryFeaturesKHR queries{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR};
+
+    RayFeatures() { addresses.bufferDeviceAddress = trees.accelerationStructure = queries.rayQuery = VK_TRUE; }
+    bool all() const { return addresses.bufferDeviceAddress && trees.accelerationStructure && queries.rayQuery; }
+    /// Puts them before what a chain holds so far.
+    void* chainBefore(void* rest) {
+        queries.pNext = rest;
+        trees.pNext = &queries;
+        addresses.pNext = &trees;
+        return &addresses;
+    }
+};
+
+/// Whether a device of this kind traces by ray queries. Throws Error kCannotRun if it has none but must.
+bool queriesRays(const Candidate& candidate, Traversal traversal);
 
 std::vector<Candidate> enumerateCandidates(VkInstance instance, const QueueNeeds& needs = {});
 

@@ -47,6 +47,9 @@ MemoryPool::Block& MemoryPool::addBlock(const Device& device, std::uint64_t byte
     VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
     info.allocationSize = bytes;
     info.memoryTypeIndex = type;
+    VkMemoryAllocateFlagsInfo flags{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO};
+    flags.flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT;
+    if (device.queries_rays) info.pNext = &flags; // acceleration structures are built from addresses
     check(vkAllocateMemory(device.handle, &info, nullptr, &block.memory), action);
     if (map) {
         const VkResult mapped = vkMapMemory(device.handle, block.memory, 0, VK_WHOLE_SIZE, 0, &block.mapped);

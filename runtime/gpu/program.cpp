@@ -163,6 +163,8 @@ bool isTexelBuffer(VkDescriptorType type) {
     return type == VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER || type == VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER;
 }
 
+bool isTree(VkDescriptorType type) { return type == VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR; }
+
 [[noreturn]] void failBinding(const Program& program, gpu::Binding slot, const char* reason) {
     throw std::logic_error(program.name + ": binding " + std::to_string(number(slot)) + " " + reason);
 }
@@ -171,6 +173,7 @@ bool isTexelBuffer(VkDescriptorType type) {
 void requireView(const Program& program, const ShaderBinding& wanted, const Buffer& buffer) {
     if (!buffer.handle) failBinding(program, wanted.slot, "has no buffer");
     if (isTexelBuffer(wanted.type) && !buffer.view) failBinding(program, wanted.slot, "has no view");
+    if (isTree(wanted.type) && !buffer.tree) failBinding(program, wanted.slot, "has no acceleration structure");
 }
 
 const BufferBinding& bindingFor(const Program& program, const ShaderBinding& wanted,
@@ -193,10 +196,13 @@ void requireRange(const Device& device, const Program& program, const ShaderBind
                                               " bytes, the limit of the device is " + std::to_string(limit)};
 }
 
-/// The buffers or views that the descriptors of one binding refer to.
+/// The buffers, views or acceleration structures that the descriptors of one binding refer to.
 struct Named {
     std::vector<VkDescriptorBufferInfo> infos;
     std::vector<VkBufferView> views;
+    VkAccelerationStructureKHR tree = VK_NULL_HANDLE;
+    VkWriteDescriptorSetAccelerationStructureKHR tree_write{
+        VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR};
 };
 
 Named namedBy(const Device& device, const Program& program, const ShaderBinding& wanted, const BufferBinding& given) {
@@ -208,6 +214,7 @@ Named namedBy(const Device& device, const Program& program, const ShaderBinding&
         named.infos.push_back({buffer.handle, 0, VK_WHOLE_SIZE});
         named.views.push_back(buffer.view);
     }
+    named.tree = given.buffer->tree;
     return named;
 }
 
@@ -224,6 +231,9 @@ void fillSet(Device& device, const Program& program, VkDescriptorSet set, std::s
         writes[i].descriptorType = wanted[i].type;
         writes[i].pBufferInfo = named[i].infos.data();
         writes[i].pTexelBufferView = named[i].views.data();
+        named[i].tree_write.accelerationStructureCount = 1;
+        named[i].tree_write.pAccelerationStructures = &named[i].tree;
+        if (isTree(wanted[i].type)) writes[i].pNext = &named[i].tree_write;
     }
     vkUpdateDescriptorSets(device.handle, static_cast<std::uint32_t>(writes.size()), writes.data(), 0, nullptr);
 }
@@ -276,6 +286,7 @@ void freeProgram(Device& device, Program& program) {
 VkDescriptorPool createDescriptorPool(Device& device, std::uint32_t max_sets) {
     std::vector<VkDescriptorPoolSize> sizes;
     for (VkDescriptorType type : kBufferTypes) sizes.push_back({type, max_sets * kDescriptorsPerSet});
+    if (device.queries_rays) sizes.push_back({VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR, max_sets});
     VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
     info.maxSets = max_sets;
     info.poolSizeCount = static_cast<std::uint32_t>(sizes.size());

@@ -29,8 +29,8 @@ struct SpecConstant {
     std::uint32_t value = 0;
 };
 
-/// A binding and its buffer (with a view for texel buffers), or the first of count consecutive buffers for an array;
-/// further elements of the array get the first buffer again.
+/// A binding and its buffer (with a view for texel buffers, or its acceleration structure), or the first of count
+/// consecutive buffers for an array; further elements of the array get the first buffer again.
 struct BufferBinding {
     gpu::Binding slot{};
     const Buffer* buffer = nullptr;

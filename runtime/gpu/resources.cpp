@@ -131,6 +131,7 @@ Buffer createBuffer(Device& device, const char* what, std::uint64_t bytes, VkBuf
 void destroyBuffer(Device& device, Buffer& buffer) {
     if (buffer.handle) finishSubmitted(device);
     waitForUpload(device, buffer);
+    if (buffer.tree) device.rays.destroyTree(device.handle, buffer.tree, nullptr);
     if (buffer.view) vkDestroyBufferView(device.handle, buffer.view, nullptr);
     if (buffer.handle) vkDestroyBuffer(device.handle, buffer.handle, nullptr);
     if (buffer.imported && buffer.range.memory)

@@ -16,13 +16,14 @@ namespace pointrt {
 struct Buffer {
     VkBuffer handle = VK_NULL_HANDLE;
     MemoryRange range;
-    VkBufferView view = VK_NULL_HANDLE; ///< set by createTexelView
-    std::uint64_t bytes = 0;            ///< as requested; at least 16 are allocated
-    void* mapped = nullptr;             ///< null if the host has no fast access to the memory (memory_types.h)
-    bool coherent = true;               ///< if not, hostBytes and flushBuffer keep mapped up to date
-    bool imported = false;              ///< the memory is the caller's
-    bool placed = false;                ///< the memory is another buffer's
-    std::uint64_t uploaded = 0;         ///< the submission of the last upload
+    VkBufferView view = VK_NULL_HANDLE;               ///< set by createTexelView
+    VkAccelerationStructureKHR tree = VK_NULL_HANDLE; ///< stored in it (box_tree.h)
+    std::uint64_t bytes = 0;                          ///< as requested; at least 16 are allocated
+    void* mapped = nullptr;     ///< null if the host has no fast access to the memory (memory_types.h)
+    bool coherent = true;       ///< if not, hostBytes and flushBuffer keep mapped up to date
+    bool imported = false;      ///< the memory is the caller's
+    bool placed = false;        ///< the memory is another buffer's
+    std::uint64_t uploaded = 0; ///< the submission of the last upload
 };
 
 /// @param what names the buffer in messages and debuggers ("image buffer")

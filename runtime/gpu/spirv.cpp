@@ -22,7 +22,8 @@ enum Opcode : std::uint32_t {
     kOpConstant = 43,
     kOpVariable = 59,
     kOpDecorate = 71,
-    kOpMemberDecorate = 72
+    kOpMemberDecorate = 72,
+    kOpTypeAccelerationStructure = 5341
 };
 enum StorageClass : std::uint32_t { kUniformConstant = 0, kUniform = 2, kPushConstant = 9, kStorageBuffer = 12 };
 enum Decoration : std::uint32_t {
@@ -88,6 +89,7 @@ std::size_t resultWord(std::uint32_t opcode) {
     case kOpTypeArray:
     case kOpTypeStruct:
     case kOpTypePointer:
+    case kOpTypeAccelerationStructure:
         return 1;
     case kOpConstant:
     case kOpVariable:
@@ -141,11 +143,12 @@ VkDescriptorType descriptorType(const std::vector<Id>& ids, const Id& variable, 
     const std::uint32_t storage_class = variable.words[3];
     if (storage_class == kStorageBuffer || pointee.buffer_block) return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
     if (storage_class == kUniform && pointee.opcode == kOpTypeStruct) return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    if (pointee.opcode == kOpTypeAccelerationStructure) return VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
     const Id& image = pointee.opcode == kOpTypeSampledImage ? ids.at(pointee.words[2]) : pointee;
     if (image.opcode == kOpTypeImage && image.words[3] == kDimBuffer)
         return image.words[7] == kImageSampled ? VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER
                                                : VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER;
-    fail("binding " + std::to_string(variable.binding) + " is not a buffer");
+    fail("binding " + std::to_string(variable.binding) + " is not a buffer or an acceleration structure");
 }
 
 ShaderBinding bindingOf(const std::vector<Id>& ids, const Id& variable) {

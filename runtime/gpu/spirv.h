@@ -12,11 +12,11 @@
 
 namespace pointrt {
 
-/// A buffer, or an array of them, that the shader declares in descriptor set 0 or 1.
+/// A buffer, an array of them, or an acceleration structure, that the shader declares in descriptor set 0 or 1.
 struct ShaderBinding {
     gpu::Binding slot{};
     VkDescriptorType type =
-        VK_DESCRIPTOR_TYPE_STORAGE_BUFFER; ///< storage, uniform, uniform texel or storage texel buffer
+        VK_DESCRIPTOR_TYPE_STORAGE_BUFFER; ///< or uniform, uniform texel, storage texel buffer, acceleration structure
     std::uint32_t set = 0;
     std::uint32_t count = 1; ///< elements of the array
 };
@@ -29,7 +29,8 @@ struct ShaderInterface {
 
 /// Reads bindings, specialization constants and push constant size from a module. Follows the SPIR-V
 /// specification 1.5, sections 2.3 (physical layout) and 3.42 (instructions). Throws std::logic_error on descriptors
-/// other than buffers and their arrays in sets 0 and 1: embedded shaders are ours, so that is a bug.
+/// other than buffers, their arrays and acceleration structures in sets 0 and 1: embedded shaders are ours, so that is
+/// a bug.
 ShaderInterface reflectShader(std::span<const std::uint32_t> spirv);
 
 } // namespace pointrt

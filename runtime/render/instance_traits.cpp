@@ -13,6 +13,7 @@ InstanceTraits traitsOf(const DeviceScan& file, bool oriented, bool is_tile, boo
             has_balls,
             file.is_gaussian,
             file.reads_storage,
+            file.queries_rays,
             0,
             file.harmonics_degree,
             isPaged(file.pages) ? file.pages : PageCounts{}};

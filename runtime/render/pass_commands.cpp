@@ -120,7 +120,7 @@ void PassCommands::record(const Pass& pass) {
     else
         recordDispatchIndirect(commands_, pass.program, pass.sets, pass.push, control_,
                                groupsOf(pass.lanes, pass.list));
-    recordBarrier(commands_);
+    if (!pass.overlaps) recordBarrier(commands_);
 }
 
 void PassCommands::runAlone(const Pass& pass) {

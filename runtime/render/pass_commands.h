@@ -21,6 +21,7 @@ struct Pass {
     PassLanes lanes = PassLanes::kOne;
     std::uint32_t groups = 0; ///< 0: indirect, from control
     std::uint32_t list = 0;   ///< for kList: LIST_* or a culled list
+    bool overlaps = false;    ///< the next pass uses no buffer that this one writes, and writes none that it uses
 };
 
 /// Where a submission leaves counters of its samples and its time.

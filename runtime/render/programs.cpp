@@ -35,19 +35,24 @@
 #include "shaders/gaussian_first_hits.spv.h"
 #include "shaders/gaussian_first_hits_paged.spv.h"
 #include "shaders/intersect_camera.spv.h"
+#include "shaders/intersect_camera_hardware.spv.h"
 #include "shaders/intersect_camera_paged.spv.h"
 #include "shaders/intersect_camera_pooled.spv.h"
 #include "shaders/intersect_closest.spv.h"
+#include "shaders/intersect_closest_hardware.spv.h"
 #include "shaders/intersect_closest_paged.spv.h"
 #include "shaders/intersect_closest_pooled.spv.h"
 #include "shaders/intersect_shadow.spv.h"
+#include "shaders/intersect_shadow_hardware.spv.h"
 #include "shaders/intersect_shadow_paged.spv.h"
 #include "shaders/intersect_shadow_pooled.spv.h"
 #include "shaders/intersect_shadow_ray.spv.h"
+#include "shaders/intersect_shadow_ray_hardware.spv.h"
 #include "shaders/intersect_shadow_ray_paged.spv.h"
 #include "shaders/intersect_shadow_ray_pooled.spv.h"
 #include "shaders/intersect_shadow_shapes.spv.h"
 #include "shaders/intersect_shapes.spv.h"
+#include "shaders/intersect_shapes_camera.spv.h"
 #include "shaders/megakernel.spv.h"
 #include "shaders/photon.spv.h"
 #include "shaders/prepare.spv.h"
@@ -188,15 +193,22 @@ void orderFor(const InstanceTraits& instance, Constants constants, const Program
         return;
     }
     if (instance.pooled_tiles > 0) return orderPooled(constants, all, programs, orders);
-    order(programs.intersect_camera, "intersect_camera", intersect_camera_spv, intersect_camera_paged_spv);
+    const auto orderTrace = [&](Program& program, const char* name, std::span<const std::uint32_t> walk,
+                                std::span<const std::uint32_t> hardware, std::span<const std::uint32_t> with_pages) {
+        order(program, name, instance.queries_rays ? hardware : walk, with_pages);
+    };
+    orderTrace(programs.intersect_camera, "intersect_camera", intersect_camera_spv, intersect_camera_hardware_spv,
+               intersect_camera_paged_spv);
     order(programs.camera_surface, "surface (camera)", surface_spv, surface_paged_spv, true);
     if (storesShadowRays(all))
-        order(programs.intersect_shadow_ray, "intersect_shadow_ray", intersect_shadow_ray_spv,
-              intersect_shadow_ray_paged_spv);
+        orderTrace(programs.intersect_shadow_ray, "intersect_shadow_ray", intersect_shadow_ray_spv,
+                   intersect_shadow_ray_hardware_spv, intersect_shadow_ray_paged_spv);
     if (queuesShadowRays(all))
-        order(programs.intersect_shadow, "intersect_shadow", intersect_shadow_spv, intersect_shadow_paged_spv);
+        orderTrace(programs.intersect_shadow, "intersect_shadow", intersect_shadow_spv, intersect_shadow_hardware_spv,
+                   intersect_shadow_paged_spv);
     if (!all.has_secondary_rays) return;
-    order(programs.intersect_closest, "intersect_closest", intersect_closest_spv, intersect_closest_paged_spv);
+    orderTrace(programs.intersect_closest, "intersect_closest", intersect_closest_spv, intersect_closest_hardware_spv,
+               intersect_closest_paged_spv);
     order(programs.surface, "surface", surface_spv, surface_paged_spv);
 }
 
@@ -304,7 +316,7 @@ std::vector<Order> orderAll(const DeviceScene& scene, const Constants& constants
     std::vector<Order> orders{
         {&programs.prepare, "prepare", prepare_spv, constants},
         {&programs.first_hits, "first_hits", first_hits_spv, of_camera},
-        {&programs.camera.intersect_shapes, "intersect_shapes (camera)", intersect_shapes_spv, of_camera},
+        {&programs.camera.intersect_shapes, "intersect_shapes (camera)", intersect_shapes_camera_spv, of_camera},
         {&programs.beam, "beam", beam_spv, constants},
         {&programs.fold_film, "fold_film", fold_film_spv, of_camera}};
     if (programs.form == KernelForm::kMegakernel)
@@ -409,8 +421,10 @@ DescriptorSets bindInstance(Device& device, VkDescriptorPool pool, const Program
     addFrame(bindings, buffers, caustics, cull_boxes);
     const DeviceScan& file = scene.files[instance.file];
     const VkDescriptorSet common = createDescriptorSet(device, pool, programs.prepare, bindings);
-    if (!isPaged(file.pages)) return common;
+    if (!isPaged(file.pages) && !file.queries_rays) return common;
     const InstancePrograms& own = programsFor(programs, scene, instance);
+    if (file.queries_rays)
+        return {common, createDescriptorSet(device, pool, own.intersect_camera, treeBindings(file.tree), SET_PAGES)};
     const Program& composite = programs.merges_gaussians ? own.gather_camera : own.composite_camera;
     const Program& tracing = file.is_gaussian ? composite : own.intersect_camera;
     return {common,

@@ -67,9 +67,14 @@ void SampleRecorder::pass(std::uint32_t index) {
 
 /// Closest hits of the camera rays, on shapes and then on each instance.
 void SampleRecorder::intersectCamera(std::uint32_t bits) {
-    run(tracer_.programs.camera.intersect_shapes, tracer_.instances.sets, bits, rays_);
+    const std::vector<TracedInstance>& instances = tracer_.instances.each;
+    const bool beam_follows =
+        std::any_of(instances.begin(), instances.end(), [](const TracedInstance& each) { return !each.is_gaussian; });
+    const gpu::PushParams params = pushed(bits);
+    commands_.run({tracer_.programs.camera.intersect_shapes, tracer_.instances.sets, pushBytes(params), rays_, 0, 0,
+                   beam_follows});
     bool is_first = true;
-    for (const TracedInstance& instance : tracer_.instances.each) {
+    for (const TracedInstance& instance : instances) {
         if (instance.is_gaussian) continue;
         if (!std::exchange(is_first, false)) prepare(bits | STEP_RESET);
         const Program& beam = instance.programs->beam.pipeline ? instance.programs->beam : tracer_.programs.beam;

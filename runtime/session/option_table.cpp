@@ -252,6 +252,10 @@ OptionGroup runOptions() {
         {{"--device", "list|N|NAME",
           "Vulkan device to use, by number or part of its name; list prints all devices (default: the best one)",
           setDevice},
+         {"--rays", "walk|hardware|auto",
+          "How rays find splats: by pointrt's own walk, by the ray queries of the device's hardware, or auto: by "
+          "hardware on GPUs that have it; tile sets and Gaussians are always walked (default walk)",
+          [](Options& o, const std::string& text) { o.traversal = parseName(kTraversalNames, text); }},
          {"--memory", "SIZE",
           "Memory limit for the tiles of tile sets, e.g. 2G or 500M; coarser tiles are used if the finest do not fit "
           "(default 2G)",

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runtime/device_scene/cut.h"
+#include "runtime/gpu/traversal.h"
 #include "runtime/image/geo_reference.h"
 #include "runtime/render/frame_limits.h"
 #include "runtime/scene/clip.h"
@@ -32,12 +33,13 @@ struct Options {
     std::vector<std::string> added;        ///< further scans (.pro, .proset) beside scene
     std::string source;                    ///< what users know scene by, such as the scan it was baked from; empty:
                                            ///< by its own name
-    std::string output;    ///< FILE.png, FILE.tif, FILE.exr or "-", or a folder with cameras; empty with a window,
-                           ///< bench_frames or list_devices
-    std::string device;    ///< a selector, see DeviceRequest
-    std::string stats;     ///< file for the report, "-" for standard output, empty for none
-    RenderChoices choices; ///< the rows of render_setting_table.h
-    CameraRequest camera;  ///< without its fov_deg
+    std::string output; ///< FILE.png, FILE.tif, FILE.exr or "-", or a folder with cameras; empty with a window,
+                        ///< bench_frames or list_devices
+    std::string device; ///< a selector, see DeviceRequest
+    Traversal traversal = Traversal::kWalk;
+    std::string stats;                      ///< file for the report, "-" for standard output, empty for none
+    RenderChoices choices;                  ///< the rows of render_setting_table.h
+    CameraRequest camera;                   ///< without its fov_deg
     std::optional<Vec3> up_axis;            ///< also the scene's up unless that has one; also in camera
     std::optional<double> fov_deg;          ///< none: not given
     std::vector<ClipDescription> clips;     ///< boxes, besides the clips of the scene file

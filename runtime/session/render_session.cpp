@@ -60,14 +60,17 @@ void print(const Options& options, const std::vector<std::string>& lines) {
 }
 
 void reportWithoutEffect(const Options& options, const DeviceScene& scene, Integrator integrator) {
-    const SceneTraits traits = {!scene.sets.empty(), (scene.features & FEATURE_SECONDARY_RAYS) != 0,
+    const bool has_walked =
+        std::any_of(scene.files.begin(), scene.files.end(), [](const DeviceScan& each) { return !each.queries_rays; });
+    const SceneTraits traits = {!scene.sets.empty(), (scene.features & FEATURE_SECONDARY_RAYS) != 0, has_walked,
                                 usesLights(integrator)};
     print(options, optionsWithoutEffect(options, traits));
 }
 
 } // namespace
 
-RenderSession::RenderSession(const Options& options) : device(createDevice({options.device, options.verbose})) {}
+RenderSession::RenderSession(const Options& options)
+    : device(createDevice({.selector = options.device, .verbose = options.verbose, .traversal = options.traversal})) {}
 
 RenderSession::~RenderSession() {
     renderer.reset();

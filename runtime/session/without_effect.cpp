@@ -20,6 +20,8 @@ std::vector<std::string> optionsWithoutEffect(const Options& options, const Scen
     std::vector<std::string> lines;
     for (const auto& [option, without_effect, why] : kOptions)
         if (without_effect) lines.push_back(std::string(option) + " has no effect: " + why);
+    if (options.traversal == Traversal::kHardware && scene.has_walked)
+        lines.emplace_back("--rays hardware: tile sets, Gaussians and scans too large for one buffer are walked");
     return lines;
 }
 

@@ -19,8 +19,12 @@ const uint kHeldShapes = (kShapeKinds & kShapeCountMask) - 1u; // their number
 #define kHoldsShapes kHoldsShapes // tested by shapes.glsl
 
 // Camera pass: one lane per pixel, with camera rays. Otherwise one lane per path of the ray queue. Each has its own
-// programs.
+// programs. CAMERA: a program of the camera pass alone, without the queues that the other would read and write.
+#ifdef CAMERA
+const bool kCameraPass = true;
+#else
 layout(constant_id = SPEC_CAMERA_PASS) const bool kCameraPass = false;
+#endif
 
 // Whether the megakernel gathers photons. In the wavefront form the program caustic does.
 layout(constant_id = SPEC_GATHERS_PHOTONS) const bool kGathersPhotons = false;

@@ -15,8 +15,8 @@ enum class Binding : std::uint32_t {};
 #define POINTRT_BINDING(number) number
 #endif
 
-// Descriptor set of the second and later pages of an instance's large buffers, or of the tiles in a block; everything
-// else is in set 0.
+// Descriptor set of the second and later pages of an instance's large buffers, of the tiles in a block, or of the boxes
+// for ray queries; everything else is in set 0.
 #define SET_PAGES 1
 
 // Buffers of one instance (runtime/device_scene/device_scan.cpp).
@@ -95,6 +95,10 @@ enum class Binding : std::uint32_t {};
 
 // The tiles in a block, in set SET_PAGES (runtime/render/pooled_tiles.h).
 #define BINDING_POOLED_TILES POINTRT_BINDING(7)
+
+// The boxes of a scan's filled cells for ray queries, in set SET_PAGES (runtime/device_scene/cell_tree.h).
+#define BINDING_CELL_TREE POINTRT_BINDING(8)
+#define BINDING_CELL_BOXES POINTRT_BINDING(9)
 
 // Display pipeline: film to colours and denoiser guides, colours to pixels.
 #define BINDING_RESOLVE_FILM POINTRT_BINDING(36)

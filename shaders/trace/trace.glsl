@@ -276,7 +276,11 @@ TraceRay validRay(TraceRay ray) {
     return ray;
 }
 
-// The closest hit; with ANY_HIT, some hit.
+#ifdef HARDWARE
+#include "shaders/trace/query_cells.glsl"
+#endif
+
+// The closest hit; with ANY_HIT, some hit. HARDWARE: the device finds the cells, in place of the walk.
 TraceHit trace(TraceRay given) {
     TraceRay ray = validRay(given);
     Grid grid = loadGridFrame();
@@ -286,6 +290,9 @@ TraceHit trace(TraceRay given) {
     float t_max = kClipped ? min(ray.t_max, kept.y) : ray.t_max;
     TraceHit hit = TraceHit(t_max - t_start, NO_INDEX, NO_INDEX);
     float t_end = hit.t < walk.t_end ? hit.t : walk.t_end; // not min: a NaN must end the walk
+#ifdef HARDWARE
+    queryCells(walk, ray, t_start, t_end, hit);
+#else
     uint steps = 0u;
     do {
         Visit visit = nextVisit(walk, grid, t_end);
@@ -296,6 +303,7 @@ TraceHit trace(TraceRay given) {
 #endif
         steps++;
     } while (walk.t < t_end && steps < kMostSteps);
+#endif
     hit.t += t_start;
     return hit;
 }

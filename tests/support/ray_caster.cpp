@@ -18,11 +18,14 @@
 #include "runtime/scene/default_lighting.h"
 #include "runtime/util/pack.h"
 #include "shaders/any_hit.spv.h"
+#include "shaders/any_hit_hardware.spv.h"
 #include "shaders/beam.spv.h"
 #include "shaders/camera_rays.spv.h"
 #include "shaders/cast_surface.spv.h"
 #include "shaders/intersect_camera.spv.h"
+#include "shaders/intersect_camera_hardware.spv.h"
 #include "shaders/intersect_closest.spv.h"
+#include "shaders/intersect_closest_hardware.spv.h"
 #include "shaders/resolve_hits.spv.h"
 
 namespace pointrt::test {
@@ -60,7 +63,7 @@ struct RayCaster::State {
     FrameBuffers buffers;
     CausticMap no_caustics;
     VkDescriptorPool pool = VK_NULL_HANDLE;
-    VkDescriptorSet set = VK_NULL_HANDLE; ///< all programs declare the same bindings (shaders/lib/bindings.glsl)
+    DescriptorSets sets; ///< all programs declare the same bindings (shaders/lib/bindings.glsl)
     double trace_seconds = 0;
     std::vector<Ray> view_rays; ///< of the camera, in the order of its lanes
     gpu::FrameParams view_params{};
@@ -131,21 +134,31 @@ struct RayCaster::State {
         const auto build = [&](const char* name, std::span<const std::uint32_t> spirv) {
             return createProgram(device, name, spirv, traits);
         };
-        intersect_closest = build("intersect_closest", intersect_closest_spv);
-        any_hit = build("any_hit", any_hit_spv);
-        intersect_camera = build("intersect_camera", intersect_camera_spv);
+        using Words = std::span<const std::uint32_t>;
+        const auto buildTrace = [&](const char* name, Words walk, Words hardware) {
+            return build(name, file().queries_rays ? hardware : walk);
+        };
+        intersect_closest = buildTrace("intersect_closest", intersect_closest_spv, intersect_closest_hardware_spv);
+        any_hit = buildTrace("any_hit", any_hit_spv, any_hit_hardware_spv);
+        intersect_camera = buildTrace("intersect_camera", intersect_camera_spv, intersect_camera_hardware_spv);
         beam = build("beam", beam_spv);
         camera_rays = build("camera_rays", camera_rays_spv);
         resolve = build("resolve_hits", resolve_hits_spv);
         surface = build("cast_surface", cast_surface_spv);
-        pool = createDescriptorPool(device, 1);
+        bindAll();
+    }
+
+    void bindAll() {
+        pool = createDescriptorPool(device, 2);
         std::vector<BufferBinding> bindings = instanceBindings(scene, scene.instances[0]);
         const std::vector<BufferBinding> frame = frameBindings(buffers);
         bindings.insert(bindings.end(), frame.begin(), frame.end());
         bindings.push_back({BINDING_CULL_BOXES, &buffers.no_cull_boxes});
         const std::vector<BufferBinding> caustics = causticBindings(no_caustics);
         bindings.insert(bindings.end(), caustics.begin(), caustics.end());
-        set = createDescriptorSet(device, pool, intersect_closest, bindings);
+        sets = createDescriptorSet(device, pool, intersect_closest, bindings);
+        if (file().queries_rays)
+            sets.sets[1] = createDescriptorSet(device, pool, intersect_closest, treeBindings(file().tree), SET_PAGES);
     }
 
     Camera cameraOf(const CameraRequest& request) const {
@@ -160,6 +173,8 @@ struct RayCaster::State {
         scene = openScene(device, std::move(description), false);
         if (isPaged(file().pages))
             throw Error{ExitCode::kCannotRun, path + ": too large for this device's texel buffers"};
+        if (device.queries_rays && !file().queries_rays)
+            throw Error{ExitCode::kCannotRun, path + ": has no boxes for ray queries"};
         RenderSettings settings;
         settings.lights = 1;
         addSurroundings(scene.description, settings, cameraOf({}), scene.bounds.lo, scene.bounds.hi);
@@ -226,7 +241,7 @@ struct RayCaster::State {
         const gpu::PushParams push{0, 0, step_bits, LIST_INSTANCE_RAYS};
         const VkCommandBuffer commands = beginCommands(device);
         const std::uint32_t groups = (rays + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE;
-        recordDispatch(commands, program, set, pushBytes(push), {groups, 1, 1});
+        recordDispatch(commands, program, sets, pushBytes(push), {groups, 1, 1});
         recordBarrier(commands);
         return submitTimed(commands);
     }
@@ -255,10 +270,10 @@ struct RayCaster::State {
         uploadBuffer(device, buffers.control, &counts, sizeof counts);
         const gpu::PushParams push{0, 0, STEP_CENTER, 0};
         const VkCommandBuffer commands = beginCommands(device);
-        recordDispatch(commands, beam, set, pushBytes(push),
+        recordDispatch(commands, beam, sets, pushBytes(push),
                        {(pixels / TILE_PIXELS + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE, 1, 1});
         recordBarrier(commands);
-        recordDispatchIndirect(commands, intersect_camera, set, pushBytes(push), buffers.control,
+        recordDispatchIndirect(commands, intersect_camera, sets, pushBytes(push), buffers.control,
                                offsetof(gpu::Control, tile_groups));
         recordBarrier(commands);
         return submitTimed(commands);

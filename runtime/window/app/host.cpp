@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <thread>
+#include <utility>
 
 #include "runtime/window/ui/ui_input.h"
 
@@ -22,6 +23,7 @@ PixelSize pixelsOf(const ResizeEvent& size) {
 
 Host::Host(const HostRequest& request) {
     DeviceRequest device{request.device, request.verbose, true, {}, {}};
+    device.traversal = request.traversal;
     try {
         if (!request.offscreen) {
             desktop_ = createPlatformWindow(request.width, request.height, request.title);
@@ -53,9 +55,15 @@ std::vector<InputEvent> Host::poll(double timeout_s) {
         return {};
     }
     std::vector<InputEvent> events = pollEvents(*desktop_, timeout_s);
+    findDisplay();
     for (const InputEvent& event : events)
         if (const auto* size = std::get_if<ResizeEvent>(&event)) applySize(*size);
     return events;
+}
+
+/// Asks only after the window was placed or moved: it takes a round trip to the display.
+void Host::findDisplay() {
+    if (std::exchange(desktop_->inbox->moved, false)) display_hz_ = refreshRate(*desktop_);
 }
 
 void Host::resize(const ResizeEvent& size) {

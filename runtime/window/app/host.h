@@ -15,6 +15,7 @@ namespace pointrt {
 
 struct HostRequest {
     std::string device; ///< see DeviceRequest
+    Traversal traversal = Traversal::kWalk;
     bool verbose = false;
     bool offscreen = false;                   ///< no window; input comes from a replay
     std::uint32_t width = 1280, height = 720; ///< window units
@@ -40,6 +41,9 @@ public:
     /// Text scale of the desktop: 1 on ordinary screens.
     float textScale() const;
 
+    /// Refreshes a second of the display that the window is on, if known.
+    std::optional<double> displayRate() const { return display_hz_; }
+
     /// New events, waiting up to timeout_s for the first one.
     std::vector<InputEvent> poll(double timeout_s);
     /// Resizes the window to a replayed size.
@@ -53,12 +57,14 @@ public:
 
 private:
     void applySize(const ResizeEvent& size);
+    void findDisplay();
 
     std::optional<PlatformWindow> desktop_;
     Device device_;
     Presenter presenter_;
     ResizeEvent size_;
     PixelSize pixels_;
+    std::optional<double> display_hz_;
     std::string memory_clipboard_;
 };
 

@@ -31,6 +31,7 @@ constexpr double kError_s = 20; // a long path and its reason, read twice
 HostRequest hostRequest(const Options& options, const RecordReplay& tape) {
     HostRequest request;
     request.device = options.device;
+    request.traversal = options.traversal;
     request.verbose = options.verbose;
     request.offscreen = options.offscreen;
     request.title = "pointrt";

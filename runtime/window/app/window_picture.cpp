@@ -249,7 +249,9 @@ void Window::showTiles(TileJob& job, const TileView& view) {
 
 void Window::updatePicture() {
     if (!loaded_ || jobs_.has(JobKind::kSceneUpdate)) return image_.skipFrame();
-    if (const auto found = image_.update(imageRequest(work_, host_.pixels()))) {
+    ImageRequest request = imageRequest(work_, host_.pixels());
+    if (!session_.isReplaying()) request.display_hz = host_.displayRate();
+    if (const auto found = image_.update(request)) {
         if (found->centre) {
             flyTo(centredOn(work_.camera, found->pick.position));
         } else {

@@ -2,15 +2,13 @@
 #include "runtime/window/live/image_controller.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace pointrt {
 namespace {
 
-/// Tracing time in a frame while the view moves, at 30 frames per second: the rest is for the interface, the display,
-/// and a reserve.
-constexpr double kPreviewBudget_s = 0.015;
-/// The same at rest: longer, but the next input must not wait noticeably.
+/// Tracing time in a frame at rest: the next input must not wait noticeably.
 constexpr double kRefineBudget_s = 0.018;
 
 PixelSize sizeOf(const Viewport& view) { return {view.settings.width, view.settings.height}; }
@@ -40,7 +38,8 @@ void ImageController::close() {
 }
 
 std::optional<PickResult> ImageController::update(const ImageRequest& request) {
-    if (!live_) live_.emplace(*device_, *tracer_, kPreviewBudget_s);
+    if (!live_) live_.emplace(*device_, *tracer_, budget_.next({}, 0));
+    setBudget(request.display_hz);
     moved_ = false;
     paused_ = request.paused;
     const ImageChange change = changeOf(shown_, request, pending_restart_.has_value());
@@ -59,6 +58,14 @@ std::optional<PickResult> ImageController::update(const ImageRequest& request) {
     return findPick();
 }
 
+/// The host has work of its own for each frame on the cores of a CPU device.
+void ImageController::setBudget(std::optional<double> display_hz) {
+    const bool is_cpu = device_->type == VK_PHYSICAL_DEVICE_TYPE_CPU;
+    preview_budget_s_ =
+        budget_.next(display_hz, is_cpu ? std::numeric_limits<double>::infinity() : live_->previewSeconds());
+    live_->setPreviewBudget(preview_budget_s_);
+}
+
 /// Only between slices: a pick uses the tracer's buffers.
 std::optional<PickResult> ImageController::findPick() {
     if (!pick_ || !live_->isBetweenSlices()) return std::nullopt;
@@ -72,7 +79,7 @@ bool ImageController::mayWork() const {
     return !paused_ || moved_ || hasPendingRequest() || live_->progress().samples == 0;
 }
 
-bool ImageController::work() { return mayWork() && live_->work(moved_ ? kPreviewBudget_s : kRefineBudget_s); }
+bool ImageController::work() { return mayWork() && live_->work(moved_ ? preview_budget_s_ : kRefineBudget_s); }
 
 Film ImageController::takeFilm() {
     film_requested_ = false;

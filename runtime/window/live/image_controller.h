@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "runtime/window/live/preview_budget.h"
 #include "runtime/window/live/viewport_renderer.h"
 
 namespace pointrt {
@@ -14,6 +15,7 @@ struct ImageRequest {
     Viewport view;             ///< without first_hits, which the window always enables; with size and spp
     bool look_changed = false; ///< look or denoise: show the same light another way
     bool paused = false;
+    std::optional<double> display_hz; ///< see PreviewBudget
 };
 
 /// What happens to the current picture.
@@ -79,6 +81,7 @@ public:
 
 private:
     std::optional<PickResult> findPick();
+    void setBudget(std::optional<double> display_hz);
 
     Device* device_ = nullptr;
     BandTracer* tracer_ = nullptr;
@@ -86,6 +89,8 @@ private:
     std::optional<Viewport> shown_;
     std::optional<PickRequest> pick_;
     std::optional<ViewChange> pending_restart_;
+    PreviewBudget budget_;
+    double preview_budget_s_ = 0;
     bool film_requested_ = false, paused_ = false, moved_ = false;
 };
 

@@ -71,6 +71,10 @@ public:
         preview_speed_.scaleCost(times);
         refine_speed_.scaleCost(times);
     }
+    /// Sets the time for a frame while the view moves, from the next setView on.
+    void setPreviewBudget(double seconds) { preview_budget_s_ = seconds; }
+    /// Predicted time to trace all of the picture once while the view moves.
+    double previewSeconds() const { return preview_speed_.secondsFor(std::uint64_t{full_.width} * full_.height); }
     /// Sets the target samples.
     void setSamples(std::uint32_t spp);
 

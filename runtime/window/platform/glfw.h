@@ -21,10 +21,15 @@ namespace pointrt {
     X(glfwGetError)                                                                                                    \
     X(glfwGetFramebufferSize)                                                                                          \
     X(glfwGetKeyName)                                                                                                  \
+    X(glfwGetMonitorPos)                                                                                               \
+    X(glfwGetMonitors)                                                                                                 \
     X(glfwGetPhysicalDevicePresentationSupport)                                                                        \
+    X(glfwGetPrimaryMonitor)                                                                                           \
     X(glfwGetRequiredInstanceExtensions)                                                                               \
+    X(glfwGetVideoMode)                                                                                                \
     X(glfwGetWindowAttrib)                                                                                             \
     X(glfwGetWindowContentScale)                                                                                       \
+    X(glfwGetWindowPos)                                                                                                \
     X(glfwGetWindowSize)                                                                                               \
     X(glfwGetWindowUserPointer)                                                                                        \
     X(glfwInit)                                                                                                        \
@@ -42,6 +47,7 @@ namespace pointrt {
     X(glfwSetWindowCloseCallback)                                                                                      \
     X(glfwSetWindowContentScaleCallback)                                                                               \
     X(glfwSetWindowIconifyCallback)                                                                                    \
+    X(glfwSetWindowPosCallback)                                                                                        \
     X(glfwSetWindowSize)                                                                                               \
     X(glfwSetWindowTitle)                                                                                              \
     X(glfwSetWindowUserPointer)                                                                                        \

@@ -81,7 +81,25 @@ void setCallbacks(GLFWwindow* window) {
     g.glfwSetWindowCloseCallback(window, [](GLFWwindow* w) { push(w, CloseEvent{}); });
     g.glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { onSize(w); });
     g.glfwSetWindowIconifyCallback(window, [](GLFWwindow* w, int) { onSize(w); });
+    g.glfwSetWindowPosCallback(window, [](GLFWwindow* w, int, int) { inboxOf(w).moved = true; });
     g.glfwSetWindowContentScaleCallback(window, [](GLFWwindow* w, float, float) { onSize(w); });
+}
+
+/// The monitor under the window's middle, or the primary one: Wayland does not tell where windows are.
+GLFWmonitor* monitorUnder(GLFWwindow* window) {
+    int x = 0, y = 0, width = 0, height = 0, count = 0;
+    glfw().glfwGetWindowPos(window, &x, &y);
+    glfw().glfwGetWindowSize(window, &width, &height);
+    x += width / 2;
+    y += height / 2;
+    GLFWmonitor** monitors = glfw().glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+        int left = 0, top = 0;
+        glfw().glfwGetMonitorPos(monitors[i], &left, &top);
+        const GLFWvidmode* mode = glfw().glfwGetVideoMode(monitors[i]);
+        if (mode && x >= left && x < left + mode->width && y >= top && y < top + mode->height) return monitors[i];
+    }
+    return glfw().glfwGetPrimaryMonitor();
 }
 
 int glfwShape(CursorShape shape) {
@@ -149,6 +167,12 @@ float contentScale(const PlatformWindow& window) {
     float x = 1, y = 1;
     glfw().glfwGetWindowContentScale(window.handle, &x, &y);
     return x > 0 ? x : 1;
+}
+
+std::optional<double> refreshRate(const PlatformWindow& window) {
+    GLFWmonitor* monitor = monitorUnder(window.handle);
+    const GLFWvidmode* mode = monitor ? glfw().glfwGetVideoMode(monitor) : nullptr;
+    return mode && mode->refreshRate > 0 ? std::optional<double>(mode->refreshRate) : std::nullopt;
 }
 
 bool isMinimised(const PlatformWindow& window) { return windowSize(window).width == 0; }

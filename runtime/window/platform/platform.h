@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ constexpr std::size_t kCursorShapes = 6;
 /// Events collected by the window's callbacks until the next poll.
 struct PlatformInbox {
     std::vector<InputEvent> events;
+    bool moved = true; ///< the window may be on another monitor
 };
 
 struct PlatformWindow {
@@ -52,6 +54,8 @@ PixelSize framebufferSize(const PlatformWindow& window);
 /// The desktop's text scale: 1 on ordinary screens, about 2 on HiDPI. Not the ratio of pixels to window units, which is
 /// always 1 on X11.
 float contentScale(const PlatformWindow& window);
+/// Refreshes a second of the monitor under the window's middle, or else of the primary one; none if that is not known.
+std::optional<double> refreshRate(const PlatformWindow& window);
 bool isMinimised(const PlatformWindow& window);
 
 void setTitle(PlatformWindow& window, const std::string& title);

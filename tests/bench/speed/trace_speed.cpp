@@ -18,6 +18,7 @@ using Json = nlohmann::ordered_json;
 
 struct Options {
     std::string scene, device;
+    Traversal traversal = Traversal::kWalk;
     std::string rays, hits;         ///< files; empty: none
     std::vector<std::string> kinds; ///< empty: all
     int runs = 7;
@@ -70,9 +71,16 @@ void printTable(const Setting& setting, std::span<const Speed> speeds) {
                     speed.ratio_max, speed.ratio_blended, 100 * speed.agreement, nameOf(speed.embree_mode));
 }
 
+DeviceRequest requestOf(const Options& options) {
+    DeviceRequest request;
+    request.selector = options.device;
+    request.traversal = options.traversal;
+    return request;
+}
+
 /// Times the rays of a file with our walk alone.
 int runFile(const Options& options) {
-    RayCaster caster(options.scene, {options.device}, options.size * options.size);
+    RayCaster caster(options.scene, requestOf(options), options.size * options.size);
     const FileWalk walk =
         walkFile(caster, options.scene, options.rays, options.hits, options.size * options.size, options.runs);
     const double million_rays = 1e-6 * static_cast<double>(walk.rays);
@@ -89,7 +97,7 @@ int run(const Options& options) {
     if (!options.rays.empty()) return runFile(options);
     const std::vector<CubeSplat> splats = loadCubeSplats(options.scene);
     const EmbreeDiscs discs(splats, options.robust ? EmbreeFlag::kRobust : EmbreeFlag::kFast);
-    RayCaster caster(options.scene, {options.device}, options.size * options.size);
+    RayCaster caster(options.scene, requestOf(options), options.size * options.size);
     const double count = static_cast<double>(splats.size());
     const Setting setting{std::filesystem::path(options.scene).stem(), caster.deviceName(), splats.size(),
                           static_cast<double>(caster.sceneDeviceBytes()) / count,
@@ -132,6 +140,10 @@ int parseAndRun(int argc, char** argv) {
         app.add_option("--rays", options.rays, "An array of rays (.npy) for our walk alone, in place of the view's");
     app.add_option("--hits", options.hits, "What they hit, an array (.npy) of t_hit and splat_ids")->needs(rays);
     app.add_option("--device", options.device, "Vulkan device, by index or name");
+    app.add_option_function<std::string>(
+           "--traversal", [&](const std::string& text) { options.traversal = parseName(kTraversalNames, text); },
+           "How our rays find cells: walk, or hardware, by the device's ray queries")
+        ->check(CLI::IsMember(wordsOf(kTraversalNames)));
     app.add_flag("--robust", options.robust, "Embree with its robust flag, which is slower");
     app.add_flag("--json", options.json, "JSON on standard output instead of a table");
     try {

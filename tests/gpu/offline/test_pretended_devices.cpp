@@ -101,7 +101,7 @@ TEST_F(PretendedDevices, TraceASampleInOneSubmission) {
         EXPECT_LE(counts.of("waits"), 1u);
         EXPECT_EQ(counts.of("allocations"), 0u);
         EXPECT_LE(counts.of("dispatches"), 30 * parts);
-        EXPECT_LE(counts.of("barriers"), 32 * parts);
+        EXPECT_LE(counts.of("barriers"), 29 * parts);
         films[parts / 2].resize(loaded->tracer.buffers.film.bytes / sizeof(float));
         downloadBuffer(device, loaded->tracer.buffers.film, films[parts / 2].data(), loaded->tracer.buffers.film.bytes);
     }

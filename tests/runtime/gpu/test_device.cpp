@@ -375,6 +375,25 @@ TEST(DeviceChoice, AsksForSubgroupsOf32_WhereDriversTakeMore) {
     }
 }
 
+TEST(DeviceChoice, QueriesRaysOnRequest_AndByItselfOnGpus) {
+    Candidate gpu = goodCandidate("GPU", VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU);
+    EXPECT_FALSE(queriesRays(gpu, Traversal::kAuto));
+    EXPECT_FALSE(queriesRays(gpu, Traversal::kWalk));
+    try {
+        queriesRays(gpu, Traversal::kHardware);
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code, ExitCode::kCannotRun);
+        EXPECT_SAYS(error.what(), "*GPU has no ray queries*");
+    }
+    Candidate cpu = goodCandidate("CPU", VK_PHYSICAL_DEVICE_TYPE_CPU);
+    gpu.ray_queries = cpu.ray_queries = true;
+    EXPECT_FALSE(queriesRays(gpu, Traversal::kWalk));
+    EXPECT_TRUE(queriesRays(gpu, Traversal::kAuto));
+    EXPECT_FALSE(queriesRays(cpu, Traversal::kAuto)) << "it would emulate them";
+    EXPECT_TRUE(queriesRays(cpu, Traversal::kHardware));
+}
+
 // Limits of real drivers: V3D of a Raspberry Pi has 4 storage texel and 8 storage buffers.
 TEST(DeviceChoice, RefusesTooFewDescriptorsOfAnyKind) {
     const Candidate good = goodCandidate("GPU", VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU);

@@ -17,8 +17,17 @@ Lines named(const Options& options, const SceneTraits& scene) {
 }
 
 TEST(WithoutEffect, IsSilentAboutOptionsNotGiven) {
-    EXPECT_EQ(named({}, {false, false, false}), Lines{});
+    EXPECT_EQ(named({}, {false, false, false, false}), Lines{});
     EXPECT_EQ(named({}, {}), Lines{});
+}
+
+TEST(WithoutEffect, HardwareRaysNeedBoxes) {
+    Options options;
+    options.traversal = Traversal::kHardware;
+    EXPECT_EQ(named(options, {}), Lines{});
+    EXPECT_EQ(named(options, {.has_walked = true}), Lines{"--rays"});
+    options.traversal = Traversal::kAuto;
+    EXPECT_EQ(named(options, {.has_walked = true}), Lines{});
 }
 
 TEST(WithoutEffect, MemoryAndDetailNeedTileSets) {

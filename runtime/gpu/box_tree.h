@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Acceleration structures over boxes, for ray queries.
+#pragma once
+
+#include <span>
+
+#include "runtime/gpu/device.h"
+#include "runtime/gpu/resources.h"
+
+namespace pointrt {
+
+/// Most boxes of a tree: what every device with ray queries allows.
+constexpr std::size_t kTreeBoxesMax = (1u << 24) - 1;
+
+/// A bottom level with the boxes, and a top level with that as its only instance, which programs bind: each program
+/// traces one instance of the scene, in the coordinates of its boxes. Plain data: free it with destroyBoxTree, once.
+struct BoxTree {
+    Buffer bottom, top;
+};
+
+/// Builds a tree of 1 to kTreeBoxesMax boxes; a candidate's primitive index is the box's in the list. The device must
+/// query rays. Throws Error kCannotRun if out of memory.
+BoxTree createBoxTree(Device& device, std::span<const VkAabbPositionsKHR> boxes);
+void destroyBoxTree(Device& device, BoxTree& tree);
+
+} // namespace pointrt

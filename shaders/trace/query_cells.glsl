@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hardware traversal of one instance: ray queries find the boxes of its filled cells, in any order, in place of the
+// steps of the walk. What a ray hits in a cell is decided by testCell, as for the walk.
+#ifndef POINTRT_SHADERS_QUERY_CELLS_GLSL
+#define POINTRT_SHADERS_QUERY_CELLS_GLSL
+#extension GL_EXT_ray_query : require
+
+layout(set = SET_PAGES, binding = BINDING_CELL_TREE) uniform accelerationStructureEXT cell_tree;
+// By cell: its centre and its edge.
+layout(std430, set = SET_PAGES, binding = BINDING_CELL_BOXES) restrict readonly buffer CellBoxes { vec4 cell_boxes[]; };
+
+#ifdef ANY_HIT
+const uint kQueryFlags = gl_RayFlagsTerminateOnFirstHitEXT;
+#else
+const uint kQueryFlags = gl_RayFlagsNoneEXT;
+#endif
+
+// A candidate of the query as a visit of the walk, which is moved to where the ray enters the cell.
+Visit visitOf(uint cell, inout Walk walk) {
+    vec4 box = cell_boxes[cell];
+    vec3 t_planes = (box.xyz + (walk.entry - 0.5) * box.w - walk.origin) * walk.inverse;
+    vec3 t_far = t_planes + box.w * walk.pace;
+    walk.t = max(max(t_planes.x, t_planes.y), max(t_planes.z, 0.0));
+    float t_out = min(t_far.x, min(t_far.y, t_far.z));
+    return Visit(entersSlab(walk, loadSlab(cell), box.xyz, box.w, t_out) ? cell : NO_INDEX, box.xyz, box.w);
+}
+
+// Updates hit with the nearest hit before t_end; with ANY_HIT, with some hit. The walk stops before the cells that the
+// ray enters behind a hit, though their lists may hold a nearer disc, rounded otherwise. So that the order of visits
+// makes no difference, a hit before its cell counts from where the ray enters that.
+void queryCells(Walk walk, TraceRay ray, float t_start, float t_end, inout TraceHit hit) {
+    if (!(t_end > 0.0)) return; // an invalid ray, or none
+    float t_limit = hit.t;
+    rayQueryEXT query;
+    rayQueryInitializeEXT(query, cell_tree, kQueryFlags, 0xFFu, walk.origin, 0.0, walk.direction, t_end);
+    while (rayQueryProceedEXT(query)) {
+        Visit visit = visitOf(uint(rayQueryGetIntersectionPrimitiveIndexEXT(query, false)), walk);
+        if (visit.cell == NO_INDEX || walk.t >= t_limit) continue;
+        TraceHit found = TraceHit(t_limit, NO_INDEX, NO_INDEX);
+        testCell(walk, visit, ray, t_start, found);
+        if (found.disc == NO_INDEX) continue;
+        hit = found;
+        t_limit = max(found.t, walk.t);
+        rayQueryGenerateIntersectionEXT(query, min(t_limit, t_end)); // cells reach beyond the end of the walk
+    }
+}
+
+#endif
