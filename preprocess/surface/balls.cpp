@@ -92,13 +92,17 @@ void setBallRadii(PointGraph& graph, const StageShare& share) {
         points.radii[i] = points.hasGivenRadius(i) ? points.given_radii[i] : std::min(points.radii[i], limit);
 }
 
-std::vector<std::uint8_t> flagBalls(const PointSet& points, std::optional<bool> decided) {
-    if (points.planarity.empty() || (!decided && points.size() < kMostSparsePoints)) return {};
-    std::vector<std::uint8_t> balls(points.size());
+bool mayHaveBalls(const PointSet& points, std::optional<bool> decided) {
+    if (decided || points.planarity.empty()) return decided.value_or(false);
+    if (points.size() < kMostSparsePoints) return false;
+    const std::vector<std::uint8_t> balls = flagBalls(points);
+    return isScattered(std::size_t(std::count(balls.begin(), balls.end(), 1)), balls.size());
+}
+
+std::vector<std::uint8_t> flagBalls(const PointSet& points) {
+    std::vector<std::uint8_t> balls(points.planarity.size());
     for (std::size_t i = 0; i < balls.size(); ++i)
         balls[i] = points.planarity[i] < kOnSurface && !points.hasGivenRadius(i);
-    const auto count = std::size_t(std::count(balls.begin(), balls.end(), 1));
-    if (decided ? count == 0 : !isScattered(count, balls.size())) balls.clear();
     return balls;
 }
 

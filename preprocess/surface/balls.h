@@ -22,10 +22,13 @@ bool isVolume(std::size_t scattered, std::size_t points);
 /// times the cloud's median, so that strays stay small. Given radii stay.
 void setBallRadii(PointGraph& graph, const StageShare& share);
 
-/// [points] 1: the point is on no surface, and becomes a ball; empty if so few are that the cloud consists of surfaces,
-/// or if the cloud is so small that sparsity alone could tell. Points with given radii are pieces of one.
+/// Whether points may become balls by themselves: not if so few are on no surface that the cloud consists of surfaces,
+/// nor if the cloud is so small that sparsity alone could tell.
 /// @param decided for a part of a larger cloud: whether that has scattered points
-std::vector<std::uint8_t> flagBalls(const PointSet& points, std::optional<bool> decided);
+bool mayHaveBalls(const PointSet& points, std::optional<bool> decided);
+
+/// [points] 1: the point is on no surface, and becomes a ball. Points with given radii are pieces of one.
+std::vector<std::uint8_t> flagBalls(const PointSet& points);
 
 /// Gives balls the radius that shows as much as their discs did.
 void shrinkBalls(PointSet& points, const std::vector<std::uint8_t>& balls);

@@ -181,13 +181,21 @@ void clean(PointGraph& graph, const ScanPriors& priors, const Estimation& job) {
     CleanReport cleaned = cleanPoints(graph, options, job.progress);
     if (cleaned.moved > 0) surround(graph, job, {job.progress, "cleaning", 1, 1});
     raisePlanarity(graph.points);
-    graph.points.scan_of_point = {}, graph.points.at_silhouette = {}, graph.points.support = {}; // no longer needed
+    graph.points.scan_of_point = {}, graph.points.at_silhouette = {}; // no longer needed
     report.noise = std::move(cleaned.noise);
     report.clean_dropped = cleaned.dropped;
     for (const DequantizeReport::OfScan& each : report.dequantized.scans)
         if (each.scan < report.noise.size())
             report.noise[each.scan] = std::max(report.noise[each.scan], float(each.noise_over_spacing));
     report.clean_moved = std::max(cleaned.moved, report.dequantized.moved);
+}
+
+/// Lets points that look scattered, but that cleaning has put on a surface, count as points of that.
+void trustSmoothed(PointGraph& graph, const Estimation& job) {
+    const Stopwatch watch(job.report.seconds_clean);
+    const StageProgress silent;
+    raisePlanarityOfSmoothed(graph, {silent, kRadiusStage});
+    graph.points.support = {}; // no longer needed
 }
 
 /// Samples the noise of a place of a larger cloud.
@@ -303,11 +311,14 @@ MadeSplats makeSurface(PointGraph& graph, const KnownCloud& known, const Estimat
     made.oriented = oriented;
     samplePlaceNoise(graph, known.priors, job);
     if (oriented) clean(graph, known.priors, job);
+    const bool may_have_balls =
+        choosesBalls(known, job) && mayHaveBalls(graph.points, job.decided.statistics.scattered);
+    trustSmoothed(graph, job);
     const Stopwatch watch(job.report.seconds_radii);
     made.filled_from = fill(graph, known.cloud_count, job);
     setRadii(graph, made.filled_from.size(), oriented, job);
-    if (!choosesBalls(known, job)) return made;
-    const std::vector<std::uint8_t> balls = flagBalls(graph.points, job.decided.statistics.scattered);
+    if (!may_have_balls) return made;
+    const std::vector<std::uint8_t> balls = flagBalls(graph.points);
     shrinkBalls(graph.points, balls);
     turnIntoBalls(graph.points, balls, job);
     return made;

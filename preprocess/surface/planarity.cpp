@@ -34,6 +34,11 @@ constexpr float kAmongSurfaces = 0.5f, kAmongScatter = 0.25f;
 /// because neighbourhoods reach around them. Of a million samples of scanned meshes, 3 in a thousand do.
 constexpr double kMinScattered = 0.01;
 
+/// Mean weight over a smoothed point's neighbours and theirs from which it is on a surface. Of points that looked
+/// scattered in noise two thirds of a spacing wide, on the folds of a statue, 7 in 8 of those that were moved are
+/// above, of single trees 1 in 3, of forests from the air 1 in 5 to 1 in 16.
+constexpr float kOnSmoothedSurface = 0.9f;
+
 /// 1 at `sure` and beyond, 0 at `none` and beyond, linear in between.
 float ramp(float value, float none, float sure) { return std::clamp((value - none) / (sure - none), 0.0f, 1.0f); }
 
@@ -111,6 +116,10 @@ std::vector<float> averaged(const NeighborLists& lists, const std::vector<float>
     return means;
 }
 
+std::vector<float> averagedTwice(const NeighborLists& lists, const std::vector<float>& values) {
+    return averaged(lists, averaged(lists, values));
+}
+
 std::size_t countScattered(const std::vector<float>& weights, const std::vector<std::uint8_t>& inner) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < weights.size(); ++i) count += inner[i] && weights[i] < 0.5f;
@@ -134,12 +143,20 @@ std::size_t weighPlanarity(PointGraph& graph, std::optional<bool> decided, const
         weights.clear();
         return 0;
     }
-    weights = averaged(graph.lists, averaged(graph.lists, weights));
+    weights = averagedTwice(graph.lists, weights);
     for (float& weight : weights) weight = ramp(weight, kAmongScatter, kAmongSurfaces);
     const std::size_t scattered = std::min(own, countScattered(weights, inner));
     const auto counted = std::size_t(std::count(inner.begin(), inner.end(), 1));
     if (!decided && !isScattered(scattered, counted)) weights.clear();
     return scattered;
+}
+
+void raisePlanarityOfSmoothed(PointGraph& graph, const StageShare& share) {
+    PointSet& points = graph.points;
+    if (points.support.empty() || points.planarity.empty()) return;
+    const std::vector<float> weights = averagedTwice(graph.lists, ownWeights(points, graph.lists, share));
+    for (std::size_t i = 0; i < weights.size(); ++i)
+        if (points.support[i] > 0 && weights[i] >= kOnSmoothedSurface) points.planarity[i] = 1;
 }
 
 } // namespace pointrt::surface

@@ -26,6 +26,10 @@ constexpr std::size_t kMinPointsForPlanarity = 1000;
 std::size_t weighPlanarity(PointGraph& graph, std::optional<bool> decided, const std::vector<std::uint8_t>& inner,
                            const StageShare& share);
 
+/// Sets the planarity of points that cleaning moved onto a surface to 1 if they and those around lie in surfaces now:
+/// where noise is as wide as folds are, it makes them look scattered. Needs points.support.
+void raisePlanarityOfSmoothed(PointGraph& graph, const StageShare& share);
+
 /// Whether a cloud with so many scattered points has more than surfaces.
 bool isScattered(std::size_t scattered, std::size_t points);
 

@@ -4,14 +4,15 @@
 
     lines.py BIN_DIR FOLDER [NAME...]
 
-Makes profiles of a road (points 5 mm apart, noise of 3 mm; straight down) and frames of a sensor that stands still in a
-room (clumps of 3, 10 and 30 points; from the sensor), bakes them with default options, and prints the share of rays that
-hit, that within 2 cm of the truth, the median error and that of nine in ten hits, in millimetres: of profiles along the
-ray, of rooms from the nearest wall. NAME: only the cases whose names begin so. Needs numpy.
+Makes profiles of a road (points 5 mm apart, noise of 3 mm; straight down) and frames of sensors that stand still or
+move slowly in a room (clumps of 3 to 30 points; from the sensor), bakes them with default options, and prints the share
+of rays that hit, that within 2 cm of the truth, the median error and that of nine in ten hits, in millimetres: of
+profiles along the ray, of rooms from the nearest wall. NAME: only the cases whose names begin so. Needs numpy.
 """
 import pathlib
 import subprocess
 import sys
+import typing
 
 import numpy as np
 
@@ -46,41 +47,70 @@ def down(random, points):
     return rays, lambda lengths: np.abs(lengths - (5 - road_height(x, y)))
 
 
-def directions(random, count):
-    """Of a sensor that sees 36 degrees above and below the horizon."""
-    azimuth, z = random.uniform(-np.pi, np.pi, count), random.uniform(-np.sin(0.63), np.sin(0.63), count)
-    level = np.sqrt(1 - z * z)
-    return np.column_stack([level * np.cos(azimuth), level * np.sin(azimuth), z])
+def directions(azimuth, elevation):
+    level = np.cos(elevation)
+    return np.column_stack([level * np.cos(azimuth), level * np.sin(azimuth), np.sin(elevation)])
 
 
-def frames(random, count):
-    """Frames of 48 x 240 directions, noise of 1 cm along the ray and of a tenth of a step across."""
-    azimuth, elevation = np.meshgrid(np.linspace(-np.pi, np.pi, 240, False), np.linspace(-0.63, 0.63, 48))
-    points = []
-    for _ in range(count):
-        a = azimuth.ravel() + random.normal(0, 0.0026, azimuth.size)
-        e = elevation.ravel() + random.normal(0, 0.0026, azimuth.size)
-        ahead = np.column_stack([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
-        with np.errstate(divide="ignore"):
-            wall = np.where(ahead > 0, ROOM_HIGH_M / ahead, ROOM_LOW_M / ahead).min(1)
-        points.append((wall + random.normal(0, 0.01, len(wall)))[:, None] * ahead)
-    return np.concatenate(points)
+def to_wall(origin, ahead):
+    """Distance to the wall of the room that each ray meets."""
+    with np.errstate(divide="ignore"):
+        return np.where(ahead > 0, (ROOM_HIGH_M - origin) / ahead, (ROOM_LOW_M - origin) / ahead).min(1)
 
 
-def around(random, _points):
-    ahead = directions(random, RAYS)
+class Sensor(typing.NamedTuple):
+    """Columns and rows of directions between these angles. Frames differ in direction by a tenth of a row's step."""
+    columns: int
+    rows: int
+    half_azimuth: float
+    half_elevation: float
+    noise_of: typing.Callable  # standard deviation by range
 
-    def from_walls(lengths):
-        places = ahead * np.where(np.isfinite(lengths), lengths, 0)[:, None]
-        return np.minimum(np.abs(places - ROOM_LOW_M), np.abs(places - ROOM_HIGH_M)).min(1)
+    def frames(self, random, count, step_m):
+        """From the origin ahead, slightly aside and upwards; the noise is along the ray."""
+        full_turn = self.half_azimuth == np.pi
+        azimuths = np.linspace(-self.half_azimuth, self.half_azimuth, self.columns, endpoint=not full_turn)
+        grid = np.meshgrid(azimuths, np.linspace(-self.half_elevation, self.half_elevation, self.rows))
+        spread = 0.2 * self.half_elevation / (self.rows - 1)
+        points = []
+        for frame in range(count):
+            origin = frame * step_m * np.array([0.96, 0.27, 0.05])
+            ahead = directions(*(angles.ravel() + random.normal(0, spread, angles.size) for angles in grid))
+            ranges = to_wall(origin, ahead)
+            points.append(origin + (ranges + random.normal(0, 1, len(ranges)) * self.noise_of(ranges))[:, None] * ahead)
+        return np.concatenate(points)
 
-    return np.column_stack([np.zeros((RAYS, 3)), ahead]), from_walls
+    def rays(self, random, _points):
+        """From the origin, within the sensor's field."""
+        top = np.sin(self.half_elevation)
+        ahead = directions(random.uniform(-self.half_azimuth, self.half_azimuth, RAYS),
+                           np.arcsin(random.uniform(-top, top, RAYS)))
 
+        def from_walls(lengths):
+            places = ahead * np.where(np.isfinite(lengths), lengths, 0)[:, None]
+            return np.minimum(np.abs(places - ROOM_LOW_M), np.abs(places - ROOM_HIGH_M)).min(1)
+
+        return np.column_stack([np.zeros((RAYS, 3)), ahead]), from_walls
+
+
+SENSORS = {
+    "scanner": Sensor(240, 48, np.pi, 0.63, lambda _: 0.01),
+    "16 lines": Sensor(900, 16, np.pi, np.radians(15), lambda _: 0.01),
+    # Standard deviation by range as of the Kinect of 2010 (devices/devices.h); steps of 2.6 cm at 4 m.
+    "depth camera": Sensor(160, 120, 0.52, 0.39, lambda ranges: 1.4e-3 * ranges**2),
+}
+FRAMES = {"scanner": [(3, 0), (10, 0), (30, 0), (10, 0.003), (10, 0.01)],
+          "16 lines": [(1, 0), (10, 0), (10, 0.02), (30, 0.02)],
+          "depth camera": [(3, 0), (10, 0), (30, 0), (10, 0.01)]}
 
 CASES = {f"profiles {apart} m apart": (lambda random, apart=apart: profiles(random, apart, 0), down)
-         for apart in (0.1, 0.25, 0.5, 1.0, 2.0)}
+         for apart in (0.04, 0.1, 0.25, 0.33, 0.5, 1.0, 2.0)}
 CASES["profiles 1.0 m apart, oblique"] = (lambda random: profiles(random, 1, 0.5), down)
-CASES.update({f"frames, {count}": (lambda random, count=count: frames(random, count), around) for count in (3, 10, 30)})
+for title, frames in FRAMES.items():
+    for count, step_m in frames:
+        sensor = SENSORS[title]
+        CASES[f"{title}, {count} frames" + (f", {1000 * step_m:g} mm apart" if step_m else "")] = (
+            lambda random, sensor=sensor, count=count, step_m=step_m: sensor.frames(random, count, step_m), sensor.rays)
 
 
 def write_ply(path, points):

@@ -119,6 +119,22 @@ TEST(BallChoice, CrownsBecomeBallsAndTheGroundDoesNot) {
     EXPECT_GT(balls, 4900u);
 }
 
+/// Waves 16 spacings long and 4 high, and noise of 0.7 spacings. Where they bend, points look scattered: without the
+/// second look after smoothing, 1,700 become balls.
+TEST(BallChoice, FoldsInNoiseStayDiscs) {
+    constexpr int kEdge = 100; // points
+    constexpr double kWave = 2 * std::numbers::pi / 16, kHeight = 4;
+    Random random(1);
+    Shape folds;
+    for (int i = 0; i < kEdge * kEdge; ++i) {
+        const double x = i % kEdge + uniform(random), y = double(i / kEdge) + uniform(random);
+        const Vec3d normal(-kHeight * kWave * std::cos(kWave * x), 0, 1);
+        folds.add(Vec3d(x, y, kHeight * std::sin(kWave * x)), normal.normalized());
+    }
+    addNoise(folds, 0.7);
+    EXPECT_LT(ballsOf(estimateAs(SplatShape::kAuto, folds.cloud())), 20u);
+}
+
 /// Fewer than one in a hundred: edges and strays of scans look like that.
 TEST(BallChoice, AFewScatteredPointsStayDiscs) {
     Shape shape = gridPlane(100);
