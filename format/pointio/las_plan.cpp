@@ -196,6 +196,14 @@ const LasField* unusedField(const LasExport& plan, const char* name) {
     return nullptr;
 }
 
+void planIntensity(const PointOutline& points, LasExport& plan) {
+    const PointColumn* const intensity = attributeOf(points, "intensity");
+    const LasField* const field = unusedField(plan, "intensity");
+    if (!intensity || !field || !intensity->range || intensity->components != 1) return;
+    const auto number = static_cast<std::size_t>(intensity - points.columns.data());
+    plan.intensity = ScaledLasColumn{{*field, number}, *intensity->range};
+}
+
 void planColumns(const PointOutline& points, const std::optional<LasSource>& source, LasExport& plan) {
     plan.fields = lasFields(plan.description.header.point_format);
     const std::vector<LasField> known = sourceExtraFields(source);
@@ -215,6 +223,7 @@ void planColumns(const PointOutline& points, const std::optional<LasSource>& sou
     plan.color_column = colorColumn(points);
     if (hasColors(points)) plan.colors = unusedField(plan, "rgb16");
     if (!attributeOf(points, "return_number")) plan.returns = unusedField(plan, "return_number");
+    planIntensity(points, plan);
 }
 
 // ---- header ----

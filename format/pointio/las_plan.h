@@ -2,6 +2,8 @@
 // The layout of points in a LAS file.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "format/pointio/las_fields.h"
@@ -16,10 +18,18 @@ struct LasColumn {
     std::size_t column = 0;
 };
 
+/// Numbers that the LAS field of their name cannot hold are in extra bytes; the field gets them scaled from their range
+/// to its own, for programs that read no other.
+struct ScaledLasColumn {
+    LasColumn column;
+    std::array<double, 2> range{};
+};
+
 struct LasExport {
     LasDescription description;
     std::vector<LasColumn> columns;
-    const LasField* colors = nullptr; ///< takes color_column; null if an attribute holds colours
+    std::optional<ScaledLasColumn> intensity; ///< set if intensities are real numbers
+    const LasField* colors = nullptr;         ///< takes color_column; null if an attribute holds colours
     std::size_t color_column = 0;
     const LasField* returns = nullptr; ///< set if no attribute numbers returns: each point is the only return
     std::vector<LasField> fields;      ///< all fields of the point format

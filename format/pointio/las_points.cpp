@@ -72,6 +72,20 @@ void putColors(const LasField& field, std::size_t column, Rows rows, std::size_t
     }
 }
 
+/// Numbers of a column scaled from its range to 16 bits; 0 for those that are missing.
+void putScaled(const ScaledLasColumn& scaled, const PointColumn& column, Rows rows, std::size_t record_bytes,
+               char* records) {
+    constexpr double kMost = std::numeric_limits<std::uint16_t>::max();
+    const auto [low, high] = scaled.range;
+    const std::byte* from = rows.block.columns[scaled.column.column].data() + rows.first * column.rowBytes();
+    for (std::size_t i = 0; i < rows.count; ++i) {
+        const double value = numberAt(column.type, from + i * column.rowBytes());
+        const double share = high > low ? std::clamp((value - low) / (high - low), 0.0, 1.0) : 0;
+        const auto level = static_cast<std::uint16_t>(std::isnan(share) ? 0 : std::lround(kMost * share));
+        std::memcpy(records + i * record_bytes + scaled.column.field.at, &level, sizeof level);
+    }
+}
+
 /// Return 1 of 1 for every point.
 void putReturns(const LasField& field, const LasHeader& header, std::size_t count, char* records) {
     const int returns = header.point_format < 6 ? 1 << 3 : 1 << 4;
@@ -120,6 +134,8 @@ private:
         for (const LasColumn& each : plan_.columns)
             packField(each.field, valuesOf(columns_[each.column], each.field, each.column, rows).data(),
                       header.record_bytes, rows.count, records.data());
+        if (const auto& scaled = plan_.intensity)
+            putScaled(*scaled, columns_[scaled->column.column], rows, header.record_bytes, records.data());
         if (plan_.colors) putColors(*plan_.colors, plan_.color_column, rows, header.record_bytes, records.data());
         if (plan_.returns) putReturns(*plan_.returns, header, rows.count, records.data());
         return records;

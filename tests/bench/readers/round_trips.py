@@ -45,6 +45,8 @@ def read_las(path):
     import laspy
     las = laspy.read(path)
     columns = {name: np.asarray(las[name]) for name in las.point_format.dimension_names}
+    for name in [name for name in columns if name + "_2" in columns]:  # exact; the field of LAS has it scaled
+        columns[name] = columns.pop(name + "_2")
     for axis in "XYZ":
         columns[axis.lower()] = np.asarray(getattr(las, axis.lower()))
     if "red" in columns:

@@ -172,6 +172,9 @@ TEST_F(ExportLas, AttributesThatDoNotFitBecomeExtraBytes) {
     EXPECT_EQ(file.header.point_format, 7) << "the ninth return needs a new format";
     EXPECT_EQ(valuesOf("return_number"), bytesOf(number));
     EXPECT_EQ(valuesOf("intensity_2"), bytesOf(intensity));
+    const std::array<std::uint16_t, 5> scaled{0, 9362, 28086, 46811,
+                                              65535}; // 0.5 to 4, for programs that read no other
+    EXPECT_EQ(valuesOf("intensity"), bytesOf(scaled));
     EXPECT_EQ(valuesOf("four") + valuesOf("four_2"), [&] {
         std::string halves[2];
         const std::string all = bytesOf(four);
