@@ -28,7 +28,7 @@ struct ScaledLasColumn {
 struct LasExport {
     LasDescription description;
     std::vector<LasColumn> columns;
-    std::optional<ScaledLasColumn> intensity; ///< set if intensities are real numbers
+    std::optional<ScaledLasColumn> intensity; ///< set if the field of LAS cannot hold them
     const LasField* colors = nullptr;         ///< takes color_column; null if an attribute holds colours
     std::size_t color_column = 0;
     const LasField* returns = nullptr; ///< set if no attribute numbers returns: each point is the only return

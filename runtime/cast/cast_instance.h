@@ -49,7 +49,7 @@ struct InstanceRun {
     std::optional<std::uint32_t> set; ///< in InstanceList::sets
     std::vector<HalfSpace> kept;      ///< what clips keep of it; empty: all
     std::vector<FilterDescription> filters;
-    Vec3 up; ///< for heights; zero: the scan's
+    std::optional<Vec3> up; ///< for heights; none: the scan's
 };
 
 struct InstanceList {

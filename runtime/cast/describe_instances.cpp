@@ -65,13 +65,17 @@ Bounds worldBox(const TileBox& box, const TileCube& cube, const Placement& place
 
 class Describer {
 public:
-    explicit Describer(const std::vector<ClipDescription>& clips) : clips_(clips) { requireFewHalfSpaces(clips); }
+    Describer(const std::vector<ClipDescription>& clips, const std::vector<FilterDescription>& filters) {
+        given_.clips = clips;
+        given_.filters = filters;
+        requireFewHalfSpaces(clips);
+    }
 
     void addPath(const std::string& path) {
         if (!isTileSet(path) && isSceneFile(path))
             addSceneFile(path);
         else
-            addInstance({path, {}, {}, {}}, clips_);
+            addInstance({path, {}, {}, {}}, given_);
     }
 
     InstanceList take() { return std::move(list_); }
@@ -79,22 +83,22 @@ public:
 private:
     void addSceneFile(const std::string& path) {
         SceneDescription scene = readSceneFile(path);
-        scene.clips.insert(scene.clips.end(), clips_.begin(), clips_.end());
+        scene.clips.insert(scene.clips.end(), given_.clips.begin(), given_.clips.end());
+        scene.filters.insert(scene.filters.end(), given_.filters.begin(), given_.filters.end());
         requireFewHalfSpaces(scene.clips);
-        for (const InstanceDescription& each : scene.instances) {
-            addInstance(each, scene.clips);
-            list_.scene_instances.back().filters = scene.filters;
-            list_.scene_instances.back().up = scene.up.value_or(Vec3{});
-        }
+        for (const InstanceDescription& each : scene.instances) addInstance(each, scene);
         std::copy_if(scene.shapes.begin(), scene.shapes.end(), std::back_inserter(list_.shapes),
                      [](const ShapeDescription& shape) { return shape.visible; });
     }
 
-    void addInstance(const InstanceDescription& described, const std::vector<ClipDescription>& clips) {
+    /// @param scene with the clips, filters and up direction
+    void addInstance(const InstanceDescription& described, const SceneDescription& scene) {
         const std::string& path = described.path;
         const Placement& placement = described.placement;
         InstanceRun run;
-        run.kept = keptOf(clips, described);
+        run.kept = keptOf(scene.clips, described);
+        run.filters = scene.filters;
+        run.up = scene.up;
         run.first = static_cast<std::uint32_t>(list_.instances.size());
         if (isTileSet(path)) {
             run.set = setOf(path);
@@ -142,16 +146,17 @@ private:
         return found->second;
     }
 
-    const std::vector<ClipDescription>& clips_;
+    SceneDescription given_; ///< clips and filters besides those of scene files
     InstanceList list_;
     std::unordered_map<std::string, std::uint32_t> files_, sets_;
 };
 
 } // namespace
 
-InstanceList describeInstances(const std::vector<std::string>& paths, const std::vector<ClipDescription>& clips) {
+InstanceList describeInstances(const std::vector<std::string>& paths, const std::vector<ClipDescription>& clips,
+                               const std::vector<FilterDescription>& filters) {
     if (paths.empty()) throw Error(ExitCode::kBadUsage, "a scene needs at least one .pro file");
-    Describer describer(clips);
+    Describer describer(clips, filters);
     for (const std::string& path : paths) describer.addPath(path);
     return describer.take();
 }

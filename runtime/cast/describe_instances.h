@@ -14,6 +14,8 @@ namespace pointrt {
 /// are loaded. Throws Error kBadUsage without paths or with more than MAX_CLIP_PLANES planes of clips, kBadInput if a
 /// scene file, set or tile is invalid.
 /// @param clips cut all instances but those that scene files leave whole, besides the clips of these files
-InstanceList describeInstances(const std::vector<std::string>& paths, const std::vector<ClipDescription>& clips = {});
+/// @param filters hide splats, besides those that the filters of these files hide
+InstanceList describeInstances(const std::vector<std::string>& paths, const std::vector<ClipDescription>& clips = {},
+                               const std::vector<FilterDescription>& filters = {});
 
 } // namespace pointrt

@@ -13,6 +13,7 @@
 #include "format/set/open_tile.h"
 #include "runtime/device_scene/clip_planes.h"
 #include "runtime/device_scene/color_choice.h"
+#include "runtime/device_scene/device_scene.h"
 #include "runtime/device_scene/scene_tiles.h"
 #include "runtime/util/memory_text.h"
 #include "runtime/util/on_error.h"
@@ -49,36 +50,6 @@ Bounds boxOf(const DeviceScan& scan, const Placement& placement) {
         box.bounds_max[axis] = scan.info.origin[axis] + scan.info.scale * (reach.high[axis] + kFileMargin * longest);
     }
     return placedBounds(placement, box);
-}
-
-/// The up direction for heights: the scene's, else the scan's, else y as everywhere.
-Vec3 upOf(const DeviceScan& scan, const Placement& placement, Vec3 up) {
-    if (up != Vec3{}) return up;
-    pro_world world;
-    pro_get_world(scan.file, &world);
-    const Vec3 own{world.up[0], world.up[1], world.up[2]};
-    if (own == Vec3{}) return {0, 1, 0};
-    return normalize(
-        {dot(placement.rotation[0], own), dot(placement.rotation[1], own), dot(placement.rotation[2], own)});
-}
-
-std::optional<SplatNumbers> numbersOf(const DeviceScan& scan, const Placement& placement, const std::string& word,
-                                      Vec3 up) {
-    InstanceDescription described;
-    described.placement = placement;
-    return numbersFor({&scan, &described}, word, upOf(scan, placement, up));
-}
-
-/// What filters select of a scan, as far as it has their attributes.
-std::vector<SplatOverride::OfNumbers> selectionsOf(const DeviceScan& scan, const Placement& placement,
-                                                   const InstanceRun& run) {
-    std::vector<SplatOverride::OfNumbers> selections;
-    for (const FilterDescription& filter : run.filters) {
-        if (!hidesSplats(filter)) continue;
-        if (auto numbers = numbersOf(scan, placement, filter.shown.attribute, run.up))
-            selections.push_back({*std::move(numbers), filter.shown.ranges});
-    }
-    return selections;
 }
 
 /// Whether the rows are the unit matrix.
@@ -239,8 +210,12 @@ void InstanceResidency::refuseTile(std::uint64_t bytes) const {
 /// The splats that filters leave of an instance; none: all.
 std::optional<PaintedSplats> InstanceResidency::filtered(const CastInstance& instance, const DeviceScan& scan) {
     const InstanceRun& run = list_.scene_instances[instance.scene_instance];
+    InstanceDescription described;
+    described.placement = instance.placement;
+    constexpr Vec3 kDefaultUp{0, 1, 0}; // as everywhere
+    const Vec3 up = run.up ? *run.up : knownUp(scan, instance.placement).value_or(kDefaultUp);
     SplatPaint paint;
-    paint.selections = selectionsOf(scan, instance.placement, run);
+    paint.selections = selectionsOf({&scan, &described}, run.filters, up);
     if (paint.selections.empty()) return std::nullopt;
     return paintScan(device_, scan, paint);
 }
@@ -257,7 +232,7 @@ void InstanceResidency::requireFiltered() const {
 bool InstanceResidency::hasAttribute(const std::string& word) const {
     const auto in_scan = [&](const InstanceRun& run) {
         const ResidentInstance* const first = find(run.first);
-        return first && numbersOf(*first->scan, {}, word, {}).has_value();
+        return first && !first->scan->is_gaussian && attributeNumbers(first->scan->file, word).has_value();
     };
     const auto in_set = [&](const InstanceSet& set) {
         const std::vector<SetAttribute>& attributes = set.set.attributes;
@@ -284,10 +259,9 @@ void InstanceResidency::place(std::uint32_t number) {
     if (instance.core) setCoreBox(scan, *instance.core, params);
     setClipPlanes(kept, instance.placement, scan, params);
     placed->params = createBuffer(device_, "instance parameters", sizeof params, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-    const OnError undo([&] { destroyBuffer(device_, placed->params); });
-    placed->painted = filtered(instance, scan);
     placed_[number] = std::move(placed);
     uploadBuffer(device_, placed_[number]->params, &params, sizeof params);
+    placed_[number]->painted = filtered(instance, scan);
 }
 
 void InstanceResidency::evict(std::uint32_t number) {

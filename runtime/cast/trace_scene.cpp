@@ -57,9 +57,7 @@ std::vector<FilterDescription> filtersOf(const SceneOptions& options) {
 
 /// Reads the scene. Refuses shapes with more than 254 instances, as they take an instance number, too.
 InstanceList described(const std::vector<std::string>& paths, const SceneOptions& options) {
-    InstanceList list = describeInstances(paths, clipsOf(options));
-    const std::vector<FilterDescription> filters = filtersOf(options);
-    for (InstanceRun& run : list.scene_instances) run.filters.insert(run.filters.end(), filters.begin(), filters.end());
+    InstanceList list = describeInstances(paths, clipsOf(options), filtersOf(options));
     if (!list.shapes.empty() && list.scene_instances.size() >= kShapesInstance)
         throw Error(ExitCode::kBadUsage, "a scene with shapes has at most 254 instances");
     return list;

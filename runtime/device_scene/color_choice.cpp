@@ -153,6 +153,17 @@ std::optional<SplatNumbers> numbersFor(const PlacedScan& scan, const std::string
     return attributeNumbers(scan.file->file, word);
 }
 
+std::vector<SplatOverride::OfNumbers> selectionsOf(const PlacedScan& scan,
+                                                   const std::vector<FilterDescription>& filters, Vec3 up) {
+    std::vector<SplatOverride::OfNumbers> selections;
+    for (const FilterDescription& filter : filters) {
+        if (!hidesSplats(filter)) continue;
+        if (auto numbers = numbersFor(scan, filter.shown.attribute, up))
+            selections.push_back({*std::move(numbers), filter.shown.ranges});
+    }
+    return selections;
+}
+
 std::string lackText(const std::vector<PlacedScan>& scans, const std::string& word,
                      const std::vector<std::string>& besides) {
     const std::vector<std::string> words = wordsOf(scans, besides);

@@ -28,6 +28,10 @@ ColorChoice chooseColors(const std::vector<PlacedScan>& scans, const PaintReques
 /// @param up unit vector
 std::optional<SplatNumbers> numbersFor(const PlacedScan& scan, const std::string& word, Vec3 up);
 
+/// What filters select of a scan: those that hide splats, as far as it has their attributes.
+std::vector<SplatOverride::OfNumbers> selectionsOf(const PlacedScan& scan,
+                                                   const std::vector<FilterDescription>& filters, Vec3 up);
+
 /// "NAMES have no attribute "WORD", did you mean ...? Available: ...".
 /// @param besides names to list before the attributes
 std::string lackText(const std::vector<PlacedScan>& scans, const std::string& word,

@@ -254,15 +254,18 @@ std::vector<const DeviceScan*> representativeScans(const DeviceScene& scene) {
     return scans;
 }
 
+std::optional<Vec3> knownUp(const DeviceScan& file, const Placement& placement) {
+    pro_world world;
+    pro_get_world(file.file, &world);
+    const Vec3 up{world.up[0], world.up[1], world.up[2]};
+    if (up == Vec3{}) return std::nullopt;
+    return normalize(turned(placement, up));
+}
+
 std::optional<Vec3> knownUp(const DeviceScene& scene) {
     const std::vector<const DeviceScan*> scans = representativeScans(scene);
-    for (std::size_t i = 0; i < scans.size(); ++i) {
-        pro_world world;
-        pro_get_world(scans[i]->file, &world);
-        const Vec3 up{world.up[0], world.up[1], world.up[2]};
-        const std::array<Vec3, 3>& rotation = scene.description.instances[i].placement.rotation;
-        if (up != Vec3{}) return normalize({dot(rotation[0], up), dot(rotation[1], up), dot(rotation[2], up)});
-    }
+    for (std::size_t i = 0; i < scans.size(); ++i)
+        if (const auto up = knownUp(*scans[i], scene.description.instances[i].placement)) return up;
     return std::nullopt;
 }
 

@@ -82,6 +82,8 @@ void uploadSceneTables(Device& device, DeviceScene& scene, const RenderSettings&
 void uploadSceneRows(Device& device, DeviceScene& scene, const SceneDescription& description,
                      const RenderSettings& settings, SceneRows rows);
 
+/// The up direction that a file has, in the world as it is placed; unit length.
+std::optional<Vec3> knownUp(const DeviceScan& file, const Placement& placement);
 /// The up direction of the first instance whose file has one, in the world; unit length.
 std::optional<Vec3> knownUp(const DeviceScene& scene);
 

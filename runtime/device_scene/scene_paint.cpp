@@ -83,15 +83,6 @@ bool holdOnlyGaussians(const std::vector<PlacedScan>& scans) {
            std::all_of(scans.begin(), scans.end(), [](const PlacedScan& scan) { return scan.file->is_gaussian; });
 }
 
-/// What the filters select of a scan, as far as it has their attributes.
-std::vector<SplatOverride::OfNumbers> selectionsOf(const PlacedScan& scan, const PaintRequest& request) {
-    std::vector<SplatOverride::OfNumbers> selections;
-    for (const FilterDescription& filter : request.filters)
-        if (auto numbers = numbersFor(scan, filter.shown.attribute, request.up))
-            selections.push_back({*std::move(numbers), filter.shown.ranges});
-    return selections;
-}
-
 /// Refuses filters by what no scan has.
 void requireFiltered(const std::vector<PlacedScan>& scans, const PaintRequest& request) {
     for (const FilterDescription& filter : request.filters) {
@@ -130,7 +121,9 @@ PagedBuffer shownNear(Device& device, const DeviceScan& file, const std::vector<
     return buffer;
 }
 
-PagedBuffer paintedBuffer(Device& device, const DeviceScan& file, const SplatPaint& paint) {
+/// @param shown empty: all
+PagedBuffer paintedBuffer(Device& device, const DeviceScan& file, const SplatPaint& paint,
+                          const std::vector<std::uint64_t>& shown) {
     const std::size_t count = file.info.splat_count;
     constexpr std::size_t kSplatBytes = PRO_SPLAT_WORDS * sizeof(std::uint32_t);
     PagedBuffer buffer =
@@ -140,6 +133,7 @@ PagedBuffer paintedBuffer(Device& device, const DeviceScan& file, const SplatPai
     for (std::size_t first = 0; first < count; first += kSplatsAtOnce) {
         words.resize(std::min(kSplatsAtOnce, count - first) * PRO_SPLAT_WORDS);
         paintSplats(paint, file.view.splats, first, words);
+        if (!shown.empty()) moveHiddenAway(shown, first, words);
         uploadPages(device, buffer, words.data(), words.size() * sizeof(std::uint32_t), first * kSplatBytes);
     }
     return buffer;
@@ -208,13 +202,13 @@ PaintPlan planPaint(const std::vector<PlacedScan>& scans, const PaintRequest& re
         SplatPaint& paint = plan.paints[i].emplace();
         if (colored) paint.colors = std::move(choice.colors[i]);
         paint.overrides = overridesOf(scans[i], request.up);
-        paint.selections = selectionsOf(scans[i], request);
+        paint.selections = selectionsOf(scans[i], request.filters, request.up);
     }
     return plan;
 }
 
 ScenePaint paintScene(Device& device, const std::vector<PlacedScan>& scans, PaintPlan plan) {
-    ScenePaint painted{std::move(plan.request), std::move(plan.legend), {}, {}, false};
+    ScenePaint painted{std::move(plan.request), std::move(plan.legend), {}, {}};
     const OnError undo([&] { destroyScenePaint(device, painted); });
     for (std::size_t i = 0; i < scans.size(); ++i) {
         painted.of.emplace_back();
@@ -224,19 +218,22 @@ ScenePaint paintScene(Device& device, const std::vector<PlacedScan>& scans, Pain
         painted.splats.push_back(paintScan(device, *scans[i].file, *plan.paints[i]));
         painted.of[i] = painted.splats.size() - 1;
     }
-    const auto is_hidden = [&](const std::optional<std::size_t>& one) {
-        return one && painted.splats[*one].shown == 0;
-    };
-    painted.shows_nothing = !painted.of.empty() && std::all_of(painted.of.begin(), painted.of.end(), is_hidden);
     return painted;
+}
+
+bool hidesAllSplats(const ScenePaint& paint) {
+    return !paint.of.empty() && std::all_of(paint.of.begin(), paint.of.end(), [&](std::optional<std::size_t> painted) {
+        return painted && paint.splats[*painted].shown == 0;
+    });
 }
 
 PaintedSplats paintScan(Device& device, const DeviceScan& file, const SplatPaint& paint) {
     PaintedSplats painted{{}, file.info.splat_count, std::nullopt};
     const OnError undo([&] { destroyPaintedSplats(device, painted); });
-    painted.splats = paintedBuffer(device, file, paint);
-    if (paint.selections.empty()) return painted;
-    const std::vector<std::uint64_t> shown = shownSplats(paint.selections, file.info.splat_count);
+    std::vector<std::uint64_t> shown;
+    if (!paint.selections.empty()) shown = shownSplats(paint.selections, file.info.splat_count);
+    painted.splats = paintedBuffer(device, file, paint, shown);
+    if (shown.empty()) return painted;
     painted.shown =
         std::accumulate(shown.begin(), shown.end(), std::uint64_t{0}, [](std::uint64_t sum, std::uint64_t word) {
             return sum + static_cast<std::uint64_t>(std::popcount(word));

@@ -84,12 +84,13 @@ struct ScenePaint {
     std::optional<Legend> legend;
     std::vector<PaintedSplats> splats;          ///< shared by instances that are painted alike
     std::vector<std::optional<std::size_t>> of; ///< for each instance: its index in splats; nullopt: uses its file's
-    bool shows_nothing = false;                 ///< filters hide all splats
 };
 
 /// Throws Error kCannotRun.
 ScenePaint paintScene(Device& device, const std::vector<PlacedScan>& scans, PaintPlan plan);
 void destroyScenePaint(Device& device, ScenePaint& paint);
+/// Whether filters hide all splats of the scene.
+bool hidesAllSplats(const ScenePaint& paint);
 std::uint64_t deviceBytes(const ScenePaint& paint);
 
 } // namespace pointrt

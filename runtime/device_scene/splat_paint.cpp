@@ -7,7 +7,6 @@
 
 #include "format/base/parallel.h"
 #include "pointrt/pro.h"
-#include "runtime/device_scene/splat_selection.h"
 
 namespace pointrt {
 namespace {
@@ -89,22 +88,11 @@ void paintRows(const SplatOverride::OfNumbers& of, std::uint8_t row, const Block
     }
 }
 
-/// A corner of the cube, where no ray is near it: blended surfaces go without it.
-void moveAway(std::uint32_t* splat) {
-    splat[0] = 0;
-    splat[1] &= PRO_SPLAT_BALL;
-}
-
 void paintBlock(const SplatPaint& paint, const Block& block) {
     std::copy_n(block.file_words, block.count * PRO_SPLAT_WORDS, block.painted);
     std::visit([&](const auto& colors) { paintColors(colors, block); }, paint.colors);
     for (const SplatOverride& each : paint.overrides)
         std::visit([&](const auto& of) { paintRows(of, each.row, block); }, each.splats);
-    if (paint.selections.empty()) return;
-    std::array<bool, kBlock> shown;
-    selectSplats(paint.selections, block.first, std::span(shown).first(block.count));
-    for (std::size_t i = 0; i < block.count; ++i)
-        if (!shown[i]) moveAway(block.painted + i * PRO_SPLAT_WORDS);
 }
 
 } // namespace

@@ -47,7 +47,8 @@ struct SplatPaint {
     std::vector<SplatOverride::OfNumbers> selections; ///< what filters show: splats that are in all of them
 };
 
-/// Writes the painted words of splats, from number first on, as many as painted holds, on all cores.
+/// Writes the painted words of splats, from number first on, as many as painted holds, on all cores. Those that
+/// selections leave out are painted, too (splat_selection.h).
 void paintSplats(const SplatPaint& paint, const std::uint32_t* file_words, std::size_t first,
                  std::span<std::uint32_t> painted);
 

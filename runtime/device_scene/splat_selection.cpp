@@ -6,6 +6,7 @@
 
 #include "format/base/parallel.h"
 #include "pointrt/pro_index_layout.h"
+#include "pointrt/pro_layout.h"
 
 namespace pointrt {
 namespace {
@@ -16,13 +17,11 @@ constexpr std::size_t kBits = 64;
 /// Near splats per task.
 constexpr std::size_t kCopiedAtOnce = std::size_t{1} << 16;
 
-} // namespace
-
-bool holdsNumber(const std::vector<ValueRange>& ranges, double number) {
-    return std::any_of(ranges.begin(), ranges.end(),
-                       [number](ValueRange range) { return range.low <= number && number <= range.high; });
+bool isShown(const std::vector<std::uint64_t>& shown, std::size_t splat) {
+    return (shown[splat / kBits] >> splat % kBits & 1) != 0;
 }
 
+/// Sets which splats, from number first on, are in all selections.
 void selectSplats(const std::vector<SplatOverride::OfNumbers>& selections, std::size_t first, std::span<bool> shown) {
     std::fill(shown.begin(), shown.end(), true);
     std::vector<double> numbers(shown.size());
@@ -31,6 +30,8 @@ void selectSplats(const std::vector<SplatOverride::OfNumbers>& selections, std::
         for (std::size_t i = 0; i < shown.size(); ++i) shown[i] = shown[i] && holdsNumber(each.ranges, numbers[i]);
     }
 }
+
+} // namespace
 
 std::vector<std::uint64_t> shownSplats(const std::vector<SplatOverride::OfNumbers>& selections, std::size_t count) {
     std::vector<std::uint64_t> bits((count + kBits - 1) / kBits);
@@ -45,12 +46,20 @@ std::vector<std::uint64_t> shownSplats(const std::vector<SplatOverride::OfNumber
     return bits;
 }
 
+void moveHiddenAway(const std::vector<std::uint64_t>& shown, std::size_t first, std::span<std::uint32_t> words) {
+    for (std::size_t i = 0; i < words.size() / PRO_SPLAT_WORDS; ++i) {
+        if (isShown(shown, first + i)) continue;
+        words[i * PRO_SPLAT_WORDS] = 0;
+        words[i * PRO_SPLAT_WORDS + 1] &= PRO_SPLAT_BALL;
+    }
+}
+
 void copyShownNear(const std::vector<std::uint64_t>& shown, std::span<const std::uint32_t> near,
                    std::span<const std::uint32_t> listed, std::span<std::uint32_t> copy) {
     forAll((listed.size() + kCopiedAtOnce - 1) / kCopiedAtOnce, [&](std::size_t task) {
         const std::size_t end = std::min((task + 1) * kCopiedAtOnce, listed.size());
         for (std::size_t k = task * kCopiedAtOnce; k < end; ++k) {
-            const bool is_shown = (shown[listed[k] / kBits] >> listed[k] % kBits & 1) != 0;
+            const bool is_shown = isShown(shown, listed[k]);
             for (std::size_t word = PRO_NEAR_WORDS * k; word < PRO_NEAR_WORDS * (k + 1); ++word)
                 copy[word] = is_shown ? near[word] : 0;
         }

@@ -11,14 +11,12 @@
 
 namespace pointrt {
 
-/// Whether a number is in any of the ranges; NaN, for missing numbers, is in none.
-bool holdsNumber(const std::vector<ValueRange>& ranges, double number);
-
-/// Sets which splats, from number first on, are in all selections.
-void selectSplats(const std::vector<SplatOverride::OfNumbers>& selections, std::size_t first, std::span<bool> shown);
-
-/// The same for a whole scan, on all cores: bit i % 64 of word i / 64.
+/// Which of a scan's splats are in all selections, on all cores: bit i % 64 of word i / 64.
 std::vector<std::uint64_t> shownSplats(const std::vector<SplatOverride::OfNumbers>& selections, std::size_t count);
+
+/// Moves the splats that are not shown to a corner of the cube, where no ray is near: blended surfaces go without them.
+/// @param words of the splats from number first on
+void moveHiddenAway(const std::vector<std::uint64_t>& shown, std::size_t first, std::span<std::uint32_t> words);
 
 /// Copies near splats (PRO_NEAR_WORDS each), on all cores. Those that are not shown become 0: nothing for programs
 /// with balls, and for others discs without a normal, on whose planes no ray has a point.

@@ -7,7 +7,7 @@
 
 namespace pointrt {
 
-/// Heights at the nodes of a raster, row by row; NaN where there is none.
+/// A height grid, row by row from its lower left node; NaN where there is no surface.
 struct HeightRaster {
     std::size_t columns = 0, rows = 0; ///< of nodes
     std::vector<double> heights;

@@ -20,4 +20,16 @@ int decimalsOf(double step) {
     return static_cast<int>(std::clamp(std::ceil(-std::log10(step)), 0.0, 9.0));
 }
 
+double roundBelow(double limit) {
+    const double power = std::pow(10, std::floor(std::log10(limit)));
+    return power * (limit >= 5 * power ? 5 : limit >= 2 * power ? 2 : 1);
+}
+
+double roundAbove(double limit) {
+    const double power = std::pow(10, std::floor(std::log10(limit)));
+    for (const double times : {1, 2, 5})
+        if (times * power >= limit) return times * power;
+    return 10 * power;
+}
+
 } // namespace pointrt

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/measure/svg.h"
 
-#include <cmath>
-
 #include "runtime/measure/decimal_text.h"
 
 namespace pointrt {
-
-double roundBelow(double limit) {
-    const double power = std::pow(10, std::floor(std::log10(limit)));
-    return power * (limit >= 5 * power ? 5 : limit >= 2 * power ? 2 : 1);
-}
 
 std::string svgPixels(double pixels) { return decimalText(pixels, 2); }
 

@@ -6,9 +6,6 @@
 
 namespace pointrt {
 
-/// The largest of 1, 2, 5, 10, 20 ... (and of 0.5, 0.2 ...) that is not above limit, which is above 0.
-double roundBelow(double limit);
-
 /// A number with two decimals.
 std::string svgPixels(double pixels);
 /// The start of a drawing on a white page, with a font for labels. "</svg>" ends it.

@@ -41,6 +41,11 @@ std::vector<ValueRange> rangesOf(const std::string& words, const std::string& te
 
 } // namespace
 
+bool holdsNumber(const std::vector<ValueRange>& ranges, double number) {
+    return std::any_of(ranges.begin(), ranges.end(),
+                       [number](ValueRange range) { return range.low <= number && number <= range.high; });
+}
+
 FilterDescription parseFilter(const std::string& text) {
     const std::size_t equals = text.find('=');
     if (equals == 0 || equals == std::string::npos) refuseFilter(text);

@@ -25,6 +25,9 @@ struct FilterDescription {
     bool operator==(const FilterDescription&) const = default;
 };
 
+/// Whether a number is in any of the ranges; NaN, for missing numbers, is in none.
+bool holdsNumber(const std::vector<ValueRange>& ranges, double number);
+
 /// "NAME=NUMBER,NUMBER..." or "NAME=FROM:TO". Throws std::invalid_argument.
 FilterDescription parseFilter(const std::string& text);
 

@@ -89,7 +89,7 @@ std::vector<std::string> sceneNotes(const LoadedScene& loaded, bool up_is_given)
                         " (--color-by rgb turns that off)");
     if (cutsInstances(loaded.scene.description) && loaded.kept_sample.splats.empty())
         notes.push_back("the clips leave nothing of the scans");
-    if (loaded.scene.paint.shows_nothing) notes.push_back("the filters leave nothing of the scans");
+    if (hidesAllSplats(loaded.scene.paint)) notes.push_back("the filters leave nothing of the scans");
     const RenderSettings& settings = loaded.settings;
     const bool shows_caustics = settings.caustics && usesLights(settings.integrator) && castsCaustics(loaded.scene);
     if (settings.relight && shows_caustics && hasGaussians(loaded.scene))

@@ -4,6 +4,7 @@
 
 #include "format/base/parallel.h"
 #include "runtime/measure/contour_lines.h"
+#include "runtime/measure/decimal_text.h"
 #include "runtime/measure/given_points.h"
 #include "runtime/studies/cast_batch.h"
 #include "runtime/studies/plan_frame.h"
@@ -62,14 +63,6 @@ void measureHeights(const TraceScene& scene, const PlanFrame& frame, PlanRaster&
             if (rays.size() == kRaysAtOnce) cast();
         }
     cast();
-}
-
-/// 1, 2 or 5 times a power of ten, at least so large.
-double roundAbove(double least) {
-    const double power = std::pow(10, std::floor(std::log10(least)));
-    for (const double times : {1, 2, 5})
-        if (times * power >= least) return times * power;
-    return 10 * power;
 }
 
 /// The numbers of the levels, in intervals.

@@ -34,8 +34,8 @@ case_a_device_lost_twice_is_an_error() {
     [ -z "$(ls -A out)" ] || fail "a picture nevertheless"
 }
 
-# Wherever a replay loses the device before its picture is saved, the window goes on with the scene, its edits and its
-# view, to the same picture.
+# If the device is lost at any point of a replay before the picture is saved, the window reopens with the scene, its edits
+# and its view, and renders the same picture.
 # The drag is within a frame, since a loss in its middle ends it; below the notice of the loss, which would take it.
 case_windows_go_on_with_the_scene() {
     local submits

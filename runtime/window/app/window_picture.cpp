@@ -136,9 +136,8 @@ void Window::showLoaded(std::unique_ptr<LoadedScene> loaded, const SceneSource& 
     work_.histograms.clear();
     work_.scan_centres.clear();
     for (const DeviceScan* scan : representativeScans(loaded_->scene)) {
-        const pro_info& info = scan->info;
-        const Vec3 low{info.bounds_min[0], info.bounds_min[1], info.bounds_min[2]};
-        work_.scan_centres.push_back(0.5 * (low + Vec3{info.bounds_max[0], info.bounds_max[1], info.bounds_max[2]}));
+        const Bounds bounds = placedBounds({}, scan->info);
+        work_.scan_centres.push_back(0.5 * (bounds.lo + bounds.hi));
     }
     view_.stop();
     image_.open(host_.device(), loaded_->tracer);

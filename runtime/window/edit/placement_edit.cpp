@@ -1,30 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/window/edit/placement_edit.h"
 
-#include <cmath>
 #include <numbers>
+
+#include "runtime/window/input/turntable_rotation.h"
 
 namespace pointrt {
 namespace {
 
-/// v turned about a unit axis: Rodrigues' formula.
-Vec3 rotated(Vec3 v, Vec3 axis, double radians) {
-    const double c = std::cos(radians), s = std::sin(radians);
-    return c * v + s * cross(axis, v) + ((1 - c) * dot(axis, v)) * axis;
-}
-
 /// placement with the pivot back at a place.
 Placement heldAt(Placement placement, Vec3 pivot, Vec3 place) {
-    placement.translation = placement.translation + (place - placedPoint(placement, pivot));
+    placement.translation = placement.translation + (place - placed(placement, pivot));
     return placement;
 }
 
 } // namespace
-
-Vec3 placedPoint(const Placement& placement, Vec3 point) {
-    const std::array<Vec3, 3>& r = placement.rotation;
-    return placement.translation + placement.scale * Vec3{dot(r[0], point), dot(r[1], point), dot(r[2], point)};
-}
 
 Placement turned(const Placement& placement, Vec3 pivot, Vec3 axis, double degrees) {
     const double radians = degrees * std::numbers::pi / 180;
@@ -35,13 +25,13 @@ Placement turned(const Placement& placement, Vec3 pivot, Vec3 axis, double degre
     const Vec3 y = normalize(rough - dot(rough, x) * x), z = cross(x, y);
     Placement next = placement;
     next.rotation = {Vec3{x.x, y.x, z.x}, Vec3{x.y, y.y, z.y}, Vec3{x.z, y.z, z.z}};
-    return heldAt(next, pivot, placedPoint(placement, pivot));
+    return heldAt(next, pivot, placed(placement, pivot));
 }
 
 Placement scaledTo(const Placement& placement, Vec3 pivot, double scale) {
     Placement next = placement;
     next.scale = scale;
-    return heldAt(next, pivot, placedPoint(placement, pivot));
+    return heldAt(next, pivot, placed(placement, pivot));
 }
 
 } // namespace pointrt

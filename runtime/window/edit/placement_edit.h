@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edits of a scan's placement.
+// Edits of a scan's placement; render_space.h has where a point of it is placed.
 #pragma once
 
+#include "runtime/device_scene/render_space.h"
 #include "runtime/scene/scene_description.h"
 
 namespace pointrt {
@@ -12,8 +13,5 @@ Placement turned(const Placement& placement, Vec3 pivot, Vec3 axis, double degre
 
 /// With another scale, above 0; the pivot stays in place.
 Placement scaledTo(const Placement& placement, Vec3 pivot, double scale);
-
-/// The place of a point of the scan in the world.
-Vec3 placedPoint(const Placement& placement, Vec3 point);
 
 } // namespace pointrt

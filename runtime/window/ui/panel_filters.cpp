@@ -38,18 +38,14 @@ void drawFilterChoice(Workspace& w) {
     w.requests.scene_changed = true;
 }
 
-bool isClass(const std::string& word) { return word == "class" || word == "classification"; }
-
 std::string valueName(const std::string& word, double value) {
     const bool is_byte = value >= 0 && value <= 255;
-    if (isClass(word) && is_byte) return className(static_cast<std::uint8_t>(value));
+    if (attributeWord(word) == "classification" && is_byte) return className(static_cast<std::uint8_t>(value));
     return std::to_string(static_cast<long long>(value));
 }
 
 bool selects(const SplatSelection& selection, double value) {
-    return selection.ranges.empty() ||
-           std::any_of(selection.ranges.begin(), selection.ranges.end(),
-                       [&](ValueRange range) { return range.low <= value && value <= range.high; });
+    return selection.ranges.empty() || holdsNumber(selection.ranges, value);
 }
 
 /// A check mark for each value.

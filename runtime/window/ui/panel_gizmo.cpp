@@ -84,7 +84,7 @@ void drawGizmo(Workspace& w) {
     if (!number || *number >= w.scan_centres.size()) return;
     InstanceDescription& scan = w.scene.instances[*number];
     if (scan.layer.locked || !scan.visible || scan.deleted) return;
-    const Vec3 middle = placedPoint(scan.placement, w.scan_centres[*number]);
+    const Vec3 middle = placed(scan.placement, w.scan_centres[*number]);
     const double length = arrowLength(w, middle);
     if (!(length > 0)) return;
     for (const GizmoAxis& axis : kAxes) drawArrow(w, scan, middle, length, axis);

@@ -48,7 +48,9 @@ protected:
 
     std::vector<std::uint32_t> painted() const {
         std::vector<std::uint32_t> words(5 * PRO_SPLAT_WORDS);
-        paintSplats(plan().paints.at(0).value(), scan.view.splats, 0, words);
+        const SplatPaint paint = plan().paints.at(0).value();
+        paintSplats(paint, scan.view.splats, 0, words);
+        moveHiddenAway(shownSplats(paint.selections, 5), 0, words);
         return words;
     }
     std::vector<Srgb8> colors() const {
@@ -235,7 +237,7 @@ TEST_F(ScenePaintTest, Filters_MoveAwayWhatTheyHide) {
         EXPECT_EQ(words[PRO_SPLAT_WORDS * i] == scan.view.splats[PRO_SPLAT_WORDS * i], shown) << i;
         EXPECT_EQ(words[PRO_SPLAT_WORDS * i + 3], scan.view.splats[PRO_SPLAT_WORDS * i + 3]) << "its radius and colour";
     }
-    scene.filters.push_back({{"gps_time", {{-1e9, 1e9}}}, true, ""}); // and not the one that is no number
+    scene.filters.push_back({{"gps_time", {{-1e9, 1e9}}}, true, ""}); // hides the splat whose time is NaN
     const SplatPaint both = plan().paints.at(0).value();
     EXPECT_EQ(both.selections.size(), 2u);
     scene.filters[0].enabled = scene.filters[1].enabled = false;

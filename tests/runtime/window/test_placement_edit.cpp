@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "runtime/device_scene/render_space.h"
+
 namespace pointrt {
 namespace {
 
@@ -14,7 +16,7 @@ void expectAt(Vec3 a, Vec3 b, double error = 1e-12) {
     EXPECT_NEAR(a.z, b.z, error);
 }
 
-Placement placed() {
+Placement anyPlacement() {
     Placement placement;
     placement.scale = 2;
     placement.translation = {100, 200, 300};
@@ -23,27 +25,27 @@ Placement placed() {
 
 TEST(PlacementEdit, QuarterTurnsAboutAnAxis) {
     const Placement quarter = turned({}, {}, {0, 0, 1}, 90);
-    expectAt(placedPoint(quarter, {1, 0, 0}), {0, 1, 0});
-    expectAt(placedPoint(quarter, {0, 1, 0}), {-1, 0, 0});
-    expectAt(placedPoint(quarter, {0, 0, 1}), {0, 0, 1});
+    expectAt(placed(quarter, {1, 0, 0}), {0, 1, 0});
+    expectAt(placed(quarter, {0, 1, 0}), {-1, 0, 0});
+    expectAt(placed(quarter, {0, 0, 1}), {0, 0, 1});
 }
 
 TEST(PlacementEdit, ThePivotStays) {
-    const Placement before = placed();
-    const Vec3 place = placedPoint(before, kPivot);
-    expectAt(placedPoint(turned(before, kPivot, {0, 1, 0}, 33), kPivot), place, 1e-9);
-    expectAt(placedPoint(scaledTo(before, kPivot, 0.1), kPivot), place, 1e-9);
+    const Placement before = anyPlacement();
+    const Vec3 place = placed(before, kPivot);
+    expectAt(placed(turned(before, kPivot, {0, 1, 0}, 33), kPivot), place, 1e-9);
+    expectAt(placed(scaledTo(before, kPivot, 0.1), kPivot), place, 1e-9);
     EXPECT_EQ(scaledTo(before, kPivot, 0.1).scale, 0.1);
     EXPECT_EQ(turned(before, kPivot, {0, 1, 0}, 33).scale, 2);
 }
 
 TEST(PlacementEdit, ManyTurnsStayOrthonormal) {
-    Placement placement = placed();
+    Placement placement = anyPlacement();
     for (int i = 0; i < 3600; ++i) placement = turned(placement, kPivot, {0, 0, 1}, 0.1);
     const auto& r = placement.rotation;
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(dot(r[i], r[k]), i == k ? 1 : 0, 1e-14);
-    expectAt(placedPoint(placement, {1, 1, 1}), placedPoint(placed(), {1, 1, 1}), 1e-7);
+    expectAt(placed(placement, {1, 1, 1}), placed(anyPlacement(), {1, 1, 1}), 1e-7);
 }
 
 } // namespace
