@@ -40,7 +40,9 @@ public:
         : scene_(scene), hides_splats_(hidesSplats(description.filters)), settings_(settings) {
         for (const MaterialDescription& material : description.materials) add(material);
         for (const ShapeDescription& shape : description.shapes) addShape(shape);
-        for (const LightDescription& light : description.lights) addLight(light);
+        const bool is_ambient = hasTrait(settings.integrator, INTEGRATOR_IS_AMBIENT);
+        if (!is_ambient)
+            for (const LightDescription& light : description.lights) addLight(light);
         for (const Instance& instance : scene.instances) {
             const InstanceDescription& described = description.instances.at(instance.number);
             if (!sharesRows(instance)) addInstance(described, instance);
@@ -48,6 +50,7 @@ public:
                           rows.instances.back());
         }
         if (description.sky && !description.sky->image.empty()) addSkyLight();
+        if (is_ambient) rows.lights.resize(1); // the surroundings are sampled as one
     }
 
     SceneRows rows;
@@ -165,6 +168,7 @@ private:
 /// those that trace glossy highlights also at matte materials with a highlight.
 bool continuesPaths(const gpu::Material& material, Integrator integrator) {
     const bool mirrors = !hasTrait(kindOf(material), MATERIAL_MIRRORS_BY_SHARE) || mirrorShare(material) > 0;
+    if (hasTrait(integrator, INTEGRATOR_IS_AMBIENT)) return false;
     return hasTrait(integrator, INTEGRATOR_IS_STOCHASTIC) || (mirrors && usesLights(integrator)) ||
            (highlightWeight(material) > 0 && hasTrait(integrator, INTEGRATOR_MIRRORS_HIGHLIGHTS));
 }

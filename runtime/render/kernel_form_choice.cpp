@@ -4,7 +4,7 @@
 namespace pointrt {
 
 KernelForm kernelFormFor(Integrator integrator, FormRequest request) {
-    return usesLights(integrator) ? request.value_or(KernelForm::kMegakernel) : KernelForm::kWavefront;
+    return castsShadowRays(integrator) ? request.value_or(KernelForm::kMegakernel) : KernelForm::kWavefront;
 }
 
 } // namespace pointrt

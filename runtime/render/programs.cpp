@@ -354,13 +354,13 @@ Programs createPrograms(Device& device, const DeviceScene& scene, const RenderSe
     Programs programs;
     programs.form = kernelFormFor(settings.integrator, form);
     programs.has_secondary_rays = (scene.features & FEATURE_SECONDARY_RAYS) != 0;
-    programs.has_direct_lighting = usesLights(settings.integrator);
+    programs.has_direct_lighting = castsShadowRays(settings.integrator);
     programs.samples_one_light = samplesOneLight(settings.integrator);
     programs.defers_rays = mayDefer(scene, settings.integrator);
     programs.inline_nee = (scene.features & FEATURE_INLINE_NEE) != 0;
     programs.relights = (scene.features & FEATURE_RELIGHT) != 0;
     programs.merges_gaussians = mergesGaussians(scene);
-    programs.catches_shadows = hasGaussians(scene) && programs.has_direct_lighting;
+    programs.catches_shadows = hasGaussians(scene) && usesLights(settings.integrator);
     const OnError undo([&] { destroyPrograms(device, programs); });
     buildAll(device, orderAll(scene, constantsFor(device, scene, settings), programs));
     return programs;

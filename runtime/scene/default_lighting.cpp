@@ -243,7 +243,7 @@ void addStudio(SceneDescription& scene, const Staging& staging, const StudioSubj
 /// Whether neither scene nor settings choose surroundings.
 bool isLeftToDefaults(const SceneDescription& scene, const RenderSettings& settings, const std::optional<Room>& room) {
     const bool is_bare = scene.lights.empty() && scene.shapes.empty() && !scene.sky;
-    return is_bare && !room && !settings.lights && usesLights(settings.integrator);
+    return is_bare && !room && !settings.lights && castsShadowRays(settings.integrator);
 }
 
 /// Lights for an unlit scene in front of a plain background. Gaussian captures bring their own, also for shapes among

@@ -46,5 +46,9 @@ constexpr bool hasTrait(Integrator integrator, std::uint32_t trait) {
 /// True if one light is sampled at each hit; other integrators use all lights.
 constexpr bool samplesOneLight(Integrator integrator) { return hasTrait(integrator, INTEGRATOR_IS_STOCHASTIC); }
 constexpr bool usesLights(Integrator integrator) { return hasTrait(integrator, INTEGRATOR_USES_LIGHTS); }
+/// True if hits trace shadow rays: to lights, or within a short distance (ambient occlusion).
+constexpr bool castsShadowRays(Integrator integrator) {
+    return hasTrait(integrator, INTEGRATOR_USES_LIGHTS | INTEGRATOR_IS_AMBIENT);
+}
 
 } // namespace pointrt

@@ -5,7 +5,7 @@
 #define POINTRT_SHADERS_DIRECT_LIGHT_GLSL
 #include "shaders/lib/path.glsl"
 #include "shaders/lib/sampler.glsl"
-#include "shaders/shade/sky.glsl"
+#include "shaders/shade/ambient.glsl"
 #include "shaders/trace/instance_bounds.glsl"
 #include "shaders/trace/offset.glsl"
 
@@ -58,6 +58,10 @@ LightSample drawLightSample(DirectLightQuery query, uint path, uint number, out 
     if (!kSamplesOneLight) pair = FIRST_LIGHT_PAIR + bounce * MAX_LIGHTS + number;
     light = loadLight(lightOfSample(number, path, bounce));
     vec2 u = sample2(imagePixel(path), push.sample_index, pair, params.seed);
+    if (kIsAmbient) {
+        float u_reach = sample1(imagePixel(path), push.sample_index, dimensionPair(bounce, PAIR_CHOICES), params.seed);
+        return sampleSurroundings(query.position, query.normal, u, u_reach);
+    }
     u = hasStep(STEP_PREVIEW) && lightKind(light) != LIGHT_SKY ? lightMiddle(lightKind(light)) : u;
     return sampleAnyLight(light, query.position, u);
 }

@@ -28,11 +28,11 @@ vec3 decodedLight(vec3 encoded, float passes, bool misses) {
     return plain && misses && !hasOption(OPTION_TRANSPARENT) && !kRelights ? over : alone;
 }
 
-// Integrators without lights show where a ray's middle lies as if a surface were there; no light passes it. Rays without
+// Integrators normal and depth show where a ray's middle lies as if a surface were there; no light passes it. Rays without
 // a middle see what is behind.
 // light: of the Gaussians, and the share that passes; middle: of GaussianLight
 vec4 surfaceViewOf(vec4 light, vec4 middle) {
-    if (integratorHas(kIntegrator, INTEGRATOR_USES_LIGHTS)) return light;
+    if (kShading != SHADING_NORMAL && kShading != SHADING_DEPTH) return light;
     vec3 color = kShading == SHADING_DEPTH ? depthColor(middle.w) : normalColor(normalize(middle.xyz));
     return middle.w < kWalkEnded ? vec4(color, 0.0) : vec4(vec3(0.0), 1.0);
 }

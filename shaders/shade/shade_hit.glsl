@@ -6,15 +6,13 @@
 #include "shaders/shade/make_bsdf.glsl"
 #include "shaders/shade/sky.glsl"
 #include "shaders/shade/scattered_path.glsl"
+#include "shaders/shade/shade_ambient.glsl"
 #include "shaders/shade/shade_classic.glsl"
 #include "shaders/shade/shade_path.glsl"
 #include "shaders/shade/shade_view.glsl"
 
 // Whether the hit covers the pixel: the scene does, its surroundings do not.
-bool covers(SurfaceInteraction point) {
-    bool backdrop = point.owner == OWNER_SHAPES && (loadShape(point.primitive).kind.z & SHAPE_BACKDROP) != 0u;
-    return point.t >= 0.0 && !backdrop;
-}
+bool covers(SurfaceInteraction point) { return point.t >= 0.0 && !isBackdrop(point); }
 
 // Calls the shading function of the integrator that the program is built for.
 Shading shadeHit(PathState path, SurfaceInteraction point, Material row, Bsdf bsdf, uint pixel) {

@@ -45,4 +45,9 @@ SurfaceInteraction findInteraction(uint index, PathState path, uvec4 hit) {
     return splatInteraction(index);
 }
 
+// Whether a hit is on the surroundings of the scene: a studio's floor, a room.
+bool isBackdrop(SurfaceInteraction point) {
+    return point.owner == OWNER_SHAPES && (loadShape(point.primitive).kind.z & SHAPE_BACKDROP) != 0u;
+}
+
 #endif

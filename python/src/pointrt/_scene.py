@@ -223,7 +223,7 @@ class Scene(Measures):
             width, height: pixels, 1 to 16384 each.
             layers: names from ``pointrt.LAYERS``, or those of OpenEXR (``"Z"``, ``"id.splat"``).
             settings: options that ``pointrt-view --help`` lists under Image and Light, with ``_`` for ``-``:
-                ``integrator`` ("phong", "whitted", "path", "normal", "depth"), ``spp``, ``seed``, ``bounces``,
+                ``integrator`` ("phong", "whitted", "path", "normal", "depth", "ambient"), ``spp``, ``seed``, ``bounces``,
                 ``lights``, ``room``, ``shadows``, ``color_by`` and others; ``up``; ``memory``, the limit for tiles
                 (default: the scene's); ``staged_for``, the eye that default lights are placed for (default: that of
                 the default camera). Sun and sky come from scene files.

@@ -121,7 +121,7 @@ bool ViewportRenderer::previewIsTiny() const {
 
 /// Whether to reproject: for shaded views that take too long to trace in full.
 bool ViewportRenderer::shouldReproject() const {
-    return view_.look.shown == SHOWN_BEAUTY && usesLights(view_.settings.integrator) &&
+    return view_.look.shown == SHOWN_BEAUTY && castsShadowRays(view_.settings.integrator) &&
            preview_speed_.previewSize(preview_budget_s_, full_, preview_size_) != full_;
 }
 

@@ -26,7 +26,7 @@ void drawRender(Workspace& w) {
     int integrator = static_cast<int>(settings.integrator);
     if (note(comboRow("Light", integrator, kLabels,
                       "direct light: fast; with mirrors: adds reflection and refraction; full light: adds light "
-                      "scattered between surfaces")))
+                      "scattered between surfaces; without lamps: the scan's colours, darkened in hollows")))
         settings.integrator = static_cast<Integrator>(integrator);
     ImGui::BeginDisabled(!hasTrait(settings.integrator, INTEGRATOR_HAS_BOUNCES));
     note(sliderRow("Bounces", settings.bounces, sliderRange(rowOf<&RenderSettings::bounces>().limits, true),
