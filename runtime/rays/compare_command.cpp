@@ -19,10 +19,10 @@ namespace {
 
 constexpr const char* kCompareName = "pointrt-rays compare";
 constexpr const char* kCompareAbout = "Measures signed distances of a scan's points from the surface of another scan.";
-constexpr const char* kCompareExamples =
-    "  pointrt-rays compare before.pro after.pro --max 0.5 -o change.ply\n"
-    "  pointrt-rays compare design.pro built.pro --tolerance 0.01 --json\n"
-    "  pointrt-bake change.ply -o change.pro && pointrt-view change.pro --color-by distance --legend on\n";
+constexpr const char* kCompareExamples = "  pointrt-rays compare before.pro after.pro --max 0.5 -o change.ply\n"
+                                         "  pointrt-rays compare design.pro built.pro --tolerance 0.01 --json\n"
+                                         "  pointrt-rays compare before.pro after.pro -o change.pro\n"
+                                         "  pointrt-view change.pro --color-by distance --legend on\n";
 constexpr const char* kCompareNotes =
     "From each point of the second scan a ray goes each way along the point's normal to the first scan's surface; the\n"
     "nearer hit counts. The column distance is positive where the point lies in front of that surface, on the side of\n"

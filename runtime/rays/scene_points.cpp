@@ -2,6 +2,7 @@
 #include "runtime/rays/scene_points.h"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -101,10 +102,19 @@ void append(std::vector<Each>& to, const std::vector<Each>& from) {
     to.insert(to.end(), from.begin(), from.end());
 }
 
+/// Which splats of a .pro: its input in its order, or all in the order of the file.
+enum class SplatOrder { kInput, kFile };
+
+std::vector<std::uint32_t> allSplats(const ProFile& file) {
+    std::vector<std::uint32_t> splats(file.info().splat_count);
+    std::iota(splats.begin(), splats.end(), 0u);
+    return splats;
+}
+
 class PointsOfScene final : public PointSource {
 public:
-    PointsOfScene(const std::vector<std::string>& paths, const std::vector<std::string>& replaced)
-        : list_(describeInstances(paths)), outline_(outlineOf(list_, paths.front())) {
+    PointsOfScene(const std::vector<std::string>& paths, const std::vector<std::string>& replaced, SplatOrder order)
+        : order_(order), list_(describeInstances(paths)), outline_(outlineOf(list_, paths.front())) {
         std::vector<std::string> names = replaced;
         if (isNumbered()) names.push_back(kInstance);
         std::erase_if(outline_.columns, [&](const PointColumn& column) { return isReplaced(column, names); });
@@ -136,7 +146,9 @@ private:
 
     void open(const CastInstance& target) {
         file_.emplace(openInstance(list_, target));
-        splats_ = target.tile == kNoTile ? inputOrder(*file_) : coreNumbers(*file_);
+        splats_ = target.tile != kNoTile        ? coreNumbers(*file_)
+                  : order_ == SplatOrder::kFile ? allSplats(*file_)
+                                                : inputOrder(*file_);
         requireCount(list_, target, splats_.size());
         done_ = 0;
     }
@@ -171,6 +183,7 @@ private:
                                                       static_cast<float>(PRO_NOISE_STEPS));
     }
 
+    SplatOrder order_;
     InstanceList list_;
     PointOutline outline_;
     std::size_t target_ = 0; ///< index of the instance or tile that is read
@@ -184,7 +197,12 @@ private:
 
 std::unique_ptr<PointSource> scenePoints(const std::vector<std::string>& paths,
                                          const std::vector<std::string>& replaced) {
-    return std::make_unique<PointsOfScene>(paths, replaced);
+    return std::make_unique<PointsOfScene>(paths, replaced, SplatOrder::kInput);
+}
+
+std::unique_ptr<PointSource> sceneSplats(const std::vector<std::string>& paths,
+                                         const std::vector<std::string>& replaced) {
+    return std::make_unique<PointsOfScene>(paths, replaced, SplatOrder::kFile);
 }
 
 PointOutline sceneOutline(const std::vector<std::string>& paths) {

@@ -18,6 +18,10 @@ namespace pointrt {
 std::unique_ptr<PointSource> scenePoints(const std::vector<std::string>& paths,
                                          const std::vector<std::string>& replaced);
 
+/// All splats of a scene of one .pro, in the order of its file, with those that fill gaps. Otherwise as scenePoints.
+std::unique_ptr<PointSource> sceneSplats(const std::vector<std::string>& paths,
+                                         const std::vector<std::string>& replaced);
+
 /// The columns that all instances have, the bounds, and the coordinate system of the first instance unless the scene
 /// moves it. Throws as scenePoints does.
 PointOutline sceneOutline(const std::vector<std::string>& paths);

@@ -53,8 +53,8 @@ void addValue(CommandLine& app, const std::string& name, const std::string& type
 void addPointOutput(CommandLine& app, StudyOptions& options, bool required) {
     addOutput(app, options,
               "Points with their columns and the results, replacing an existing file: .ply, .pcd, .las, .laz, .e57 or "
-              ".csv; - is PLY on standard output",
-              ".ply .pcd .las .laz .e57 .csv", required);
+              ".csv; - is PLY on standard output; .pro is a copy of the scan with the results as attributes",
+              ".ply .pcd .las .laz .e57 .csv .pro", required);
 }
 
 void addStudyOptions(CommandLine& app, StudyOptions& options) {

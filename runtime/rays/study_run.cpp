@@ -7,7 +7,9 @@
 #include "format/base/report_file.h"
 #include "format/pointio/point_sink.h"
 #include "runtime/rays/open_scene.h"
+#include "runtime/rays/pro_results.h"
 #include "runtime/rays/run_report.h"
+#include "runtime/rays/scene_points.h"
 #include "runtime/util/render_progress.h"
 
 namespace pointrt {
@@ -36,6 +38,28 @@ PointOutline withResults(const PointOutline& points, const std::vector<PointColu
     outline.columns.insert(outline.columns.end(), results.begin(), results.end());
     outline.program = "pointrt-rays " POINTRT_VERSION;
     return outline;
+}
+
+std::unique_ptr<PointSource> openStudyPoints(const StudyOptions& options, const std::vector<std::string>& results) {
+    if (!isProOutput(options.output)) return openPoints(options.points, options.scene, results);
+    return sceneSplats(options.points.empty() ? options.scene : std::vector{options.points}, results);
+}
+
+/// Null without an output.
+std::unique_ptr<PointSink> openResults(const StudyOptions& options, const PointOutline& points,
+                                       const std::vector<PointColumn>& results) {
+    if (options.output.empty()) return nullptr;
+    if (isProOutput(options.output))
+        return openProSink(options.output, scanOfResults(options.points, options.scene), results);
+    return openPointSink(options.output, withResults(points, results));
+}
+
+/// Fails early on what cannot be written.
+void checkOutput(const StudyOptions& options) {
+    if (isProOutput(options.output))
+        scanOfResults(options.points, options.scene);
+    else if (!options.output.empty())
+        pointFormat(options.output);
 }
 
 void runBlocks(const StudyOptions& options, const OpenStudy& study, StudyWork& work, PointSource& source,
@@ -75,7 +99,7 @@ void report(const StudyOptions& options, const StudyWork& work, const StudyOutco
 }
 
 void runInto(const StudyOptions& options, StudyWork& work, StudyOutcome& outcome) {
-    if (!options.output.empty()) pointFormat(options.output); // fails early on an unknown suffix
+    checkOutput(options);
     if (!options.stats.empty()) requireReportWritable(options.stats);
     OpenStudy study = timed(outcome.seconds.open, [&] { return openStudy(options, outcome.device); });
     outcome.splats = study.scene.splatCount();
@@ -83,9 +107,8 @@ void runInto(const StudyOptions& options, StudyWork& work, StudyOutcome& outcome
     std::vector<std::string> names;
     for (const PointColumn& column : work.results) names.push_back(column.name);
     const std::unique_ptr<PointSource> source =
-        timed(outcome.seconds.read, [&] { return openPoints(options.points, options.scene, names); });
-    std::unique_ptr<PointSink> sink;
-    if (!options.output.empty()) sink = openPointSink(options.output, withResults(source->outline(), work.results));
+        timed(outcome.seconds.read, [&] { return openStudyPoints(options, names); });
+    const std::unique_ptr<PointSink> sink = openResults(options, source->outline(), work.results);
     runBlocks(options, study, work, *source, sink.get(), outcome);
     if (sink) timed(outcome.seconds.write, [&] { sink->finish(); });
 }
