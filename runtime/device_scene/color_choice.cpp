@@ -41,6 +41,12 @@ ValueRange rangeWithoutExtremes(const std::vector<PlacedScan>& scans, const Scan
     return {*low, *high};
 }
 
+/// The range with 0 in the middle that holds both ends.
+ValueRange aroundZero(ValueRange range) {
+    const double most = std::max(std::abs(range.low), std::abs(range.high));
+    return {-most, most};
+}
+
 /// The full range of integers, if it is small.
 std::optional<ValueRange> smallIntegerRange(const ScanNumbers& sources) {
     std::optional<ValueRange> all;
@@ -89,12 +95,16 @@ std::vector<double> categoriesOf(const std::vector<PlacedScan>& scans, const Sca
 ColorMap mapFor(const PaintRequest& request) {
     if (request.color_map) return *request.color_map;
     const std::string name = attributeWord(request.color_by);
-    return name == "classification" ? ColorMap::kClasses : name == "scan" ? ColorMap::kScans : ColorMap::kViridis;
+    return name == "classification" ? ColorMap::kClasses
+           : name == "scan"         ? ColorMap::kScans
+           : name == kDistance      ? ColorMap::kCoolwarm
+                                    : ColorMap::kViridis;
 }
 
-/// " (m)" for heights in a known unit, else "".
+/// " (m)" for heights and distances in a known unit, else "".
 std::string unitOf(const std::vector<PlacedScan>& scans, const PaintRequest& request) {
-    if (request.color_by != kHeight || scans.empty() || scans[0].instance->placement.scale != 1) return "";
+    const bool is_length = request.color_by == kHeight || request.color_by == kDistance;
+    if (!is_length || scans.empty() || scans[0].instance->placement.scale != 1) return "";
     pro_world world;
     pro_get_world(scans[0].file->file, &world);
     const std::string unit = unitName(world.metres_per_unit);
@@ -191,6 +201,7 @@ ColorChoice chooseColors(const std::vector<PlacedScan>& scans, const PaintReques
         range = request.color_range ? *request.color_range
                 : integers          ? *integers
                                     : rangeWithoutExtremes(representatives, sources);
+        if (isDiverging(map) && !request.color_range) range = aroundZero(range);
         choice.legend = barLegend(title, map, range);
         if (integers && !request.color_range && range.high - range.low < kFewIntegers)
             choice.legend->ticks = integerTicks(range);

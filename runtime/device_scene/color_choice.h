@@ -15,6 +15,8 @@ namespace pointrt {
 /// Names for what every scan has without attributes: heights and normals.
 inline constexpr const char* kHeight = "height";
 inline constexpr const char* kNormal = "normal";
+/// The attribute that pointrt-rays compare adds: signed distances from another surface.
+inline constexpr const char* kDistance = "distance";
 
 struct ColorChoice {
     std::vector<std::variant<std::monostate, NumberColors, NormalColors>> colors; ///< for each scan

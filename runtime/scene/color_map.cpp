@@ -48,6 +48,8 @@ std::vector<Srgb8> colorsOf(ColorMap map) {
         return colorsOf(kCividis);
     case ColorMap::kTurbo:
         return colorsOf(kTurbo);
+    case ColorMap::kCoolwarm:
+        return colorsOf(kCoolwarm);
     case ColorMap::kGrey:
         return colorsBy([](std::uint8_t step) { return Srgb8{step, step, step}; });
     case ColorMap::kClasses:

@@ -14,17 +14,21 @@ namespace pointrt {
 /// sRGB.
 using Srgb8 = std::array<std::uint8_t, 3>;
 
-enum class ColorMap { kViridis, kMagma, kInferno, kPlasma, kCividis, kTurbo, kGrey, kClasses, kScans };
-inline constexpr std::array kColorMapNames = {
-    Name{"viridis", ColorMap::kViridis}, Name{"magma", ColorMap::kMagma},     Name{"inferno", ColorMap::kInferno},
-    Name{"plasma", ColorMap::kPlasma},   Name{"cividis", ColorMap::kCividis}, Name{"turbo", ColorMap::kTurbo},
-    Name{"grey", ColorMap::kGrey},       Name{"classes", ColorMap::kClasses}, Name{"scans", ColorMap::kScans}};
+enum class ColorMap { kViridis, kMagma, kInferno, kPlasma, kCividis, kTurbo, kCoolwarm, kGrey, kClasses, kScans };
+inline constexpr std::array kColorMapNames = {Name{"viridis", ColorMap::kViridis},   Name{"magma", ColorMap::kMagma},
+                                              Name{"inferno", ColorMap::kInferno},   Name{"plasma", ColorMap::kPlasma},
+                                              Name{"cividis", ColorMap::kCividis},   Name{"turbo", ColorMap::kTurbo},
+                                              Name{"coolwarm", ColorMap::kCoolwarm}, Name{"grey", ColorMap::kGrey},
+                                              Name{"classes", ColorMap::kClasses},   Name{"scans", ColorMap::kScans}};
 
 /// The colour of splats without a value: NaN, infinite, or not in their scan.
 inline constexpr Srgb8 kMissingColor{128, 128, 128};
 
 /// True if the map has a colour per integer and none between.
 constexpr bool isCategorical(ColorMap map) { return map == ColorMap::kClasses || map == ColorMap::kScans; }
+
+/// True if its middle stands for 0: lower and higher values differ in hue.
+constexpr bool isDiverging(ColorMap map) { return map == ColorMap::kCoolwarm; }
 
 /// A colour map over a range of values.
 class ColorScale {

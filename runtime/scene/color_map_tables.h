@@ -2,7 +2,8 @@
 // Colour maps of 256 steps, as "rrggbb" in sRGB. viridis, magma, inferno, plasma: Nathaniel J. Smith, Stefan van der
 // Walt and Eric Firing, https://bids.github.io/colormap, CC0. cividis: Nunez, Anderton and Renslow, Optimizing
 // colormaps with consideration for color vision deficiency, PLoS ONE 13(7), 2018. turbo: Anton Mikhailov, Google, 2019,
-// Apache-2.0.
+// Apache-2.0. coolwarm: Kenneth Moreland, Diverging Color Maps for Scientific Visualization, ISVC 2009, computed from
+// its colours (59, 76, 192) and (180, 4, 38).
 #pragma once
 
 namespace pointrt {
@@ -104,6 +105,23 @@ inline constexpr char kTurbo[] =
     "df3f08dd3d08dc3b07da3907d83706d63506d43305d23105d02f05ce2d04cc2b04ca2a04c82803c52603c32503c12302be2102bc2002"
     "b91e02b71d02b41b01b21a01af1801ac1701a91601a71401a41301a112019e10019b0f01980e01950d01920b018e0a018b0902880802"
     "8507028106027e05027a0403";
+
+inline constexpr char kCoolwarm[] =
+    "3b4cc03c4ec23d50c33e51c54053c64155c84256c94358cb445acc455cce475dcf485fd14961d24a63d34b64d54d66d64e68d74f69d9"
+    "506bda526ddb536edd5470de5572df5773e05875e15977e25a78e45c7ae55d7ce65e7de75f7fe86180e96282ea6384eb6585ec6687ed"
+    "6788ee698aef6a8bef6b8df06d8ef16e90f26f91f37193f37294f47396f57597f67699f6779af7799cf87a9df87b9ff97da0f97ea1fa"
+    "80a3fa81a4fb82a6fb84a7fc85a8fc87aafc88abfd89acfd8badfd8caffe8db0fe8fb1fe90b2fe92b4fe93b5ff94b6ff96b7ff97b8ff"
+    "98b9ff9abbff9bbcff9dbdff9ebeff9fbfffa1c0ffa2c1ffa3c2fea5c3fea6c4fea8c5fea9c6feaac7fdacc8fdadc9fdaec9fcb0cafc"
+    "b1cbfcb2ccfbb3cdfbb5cefab6cefab7cff9b9d0f9bad1f8bbd1f8bcd2f7bed3f6bfd3f6c0d4f5c1d4f4c3d5f4c4d6f3c5d6f2c6d7f1"
+    "c8d7f1c9d8f0cad8efcbd8eeccd9edcdd9eccedaebd0daead1dae9d2dbe8d3dbe7d4dbe6d5dbe5d6dce4d7dce3d8dce2d9dce1dadce0"
+    "dbdddedcdddddddcdcdedcdbdfdcd9e1dbd8e2dad6e3dad5e4d9d3e5d9d2e5d8d1e6d8cfe7d7cee8d6cce9d6cbead5c9ebd4c8ebd3c6"
+    "ecd3c5edd2c3eed1c2eed0c0efcfbfefcebdf0cebcf1cdbaf1ccb8f2cbb7f2cab5f3c9b4f3c8b2f4c7b1f4c6aff4c5aef5c4acf5c3aa"
+    "f5c1a9f6c0a7f6bfa6f6bea4f6bda2f7bca1f7ba9ff7b99ef7b89cf7b79bf7b599f7b497f7b396f7b294f7b093f7af91f7ad90f7ac8e"
+    "f7ab8cf7a98bf7a889f7a688f6a586f6a385f6a283f6a081f59f80f59d7ef59c7df49a7bf4997af49778f39577f39475f29274f29072"
+    "f18f71f18d6ff08b6ef08a6cef886bef8669ee8568ed8366ed8165ec7f63eb7d62ea7c60ea7a5fe9785de8765ce7745ae67259e57058"
+    "e56f56e46d55e36b53e26952e16751e0654fdf634ede614ddd5f4bdc5d4adb5b49da5947d85646d75445d65243d55042d44e41d34c40"
+    "d1493ed0473dcf453cce433bcc4039cb3e38ca3b37c83936c73634c63433c43132c32e31c12b30c0282fbf252ebd222cbc1e2bba1a2a"
+    "b91629b71128b60b27b40426";
 // clang-format on
 
 } // namespace pointrt
