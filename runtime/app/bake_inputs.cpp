@@ -5,7 +5,7 @@
 
 #include "format/os/interrupt.h"
 #include "runtime/session/bake_cache.h"
-#include "runtime/session/bake_tool.h"
+#include "runtime/session/find_tool.h"
 #include "runtime/util/render_progress.h"
 
 namespace pointrt {
@@ -24,7 +24,7 @@ bool bakeInputs(Options& options) {
             std::fprintf(stderr, "%s\n", line.c_str());
         };
     options.source = options.inputs.front();
-    options.scene = bakeCached(userBakeCache(), {options.inputs, options.bake_options}, findBakeTool(), monitor);
+    options.scene = bakeCached(userBakeCache(), {options.inputs, options.bake_options}, findTool(kBakeTool), monitor);
     progress.finish();
     return !options.scene.empty();
 }

@@ -10,7 +10,7 @@
 #include "format/base/error.h"
 #include "format/os/file_lock.h"
 #include "pointrt/pro.hpp"
-#include "runtime/session/bake_tool.h"
+#include "runtime/session/find_tool.h"
 #include "runtime/session/tool_run.h"
 
 namespace pointrt {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/session/bake_tool.h"
+#include "runtime/session/find_tool.h"
 
 #include <filesystem>
 
@@ -15,17 +15,16 @@ namespace fs = std::filesystem;
 
 } // namespace
 
-std::string findBakeTool(const std::string& folder, const std::string& search_path) {
-    const std::string beside = (fs::path(folder) / programFile(kBakeTool)).string();
+std::string findTool(const std::string& name, const std::string& folder, const std::string& search_path) {
+    const std::string beside = (fs::path(folder) / programFile(name)).string();
     if (isProgram(beside)) return beside;
-    const std::string path = findProgram(kBakeTool, search_path);
+    const std::string path = findProgram(name, search_path);
     if (!path.empty()) return path;
-    throw Error{ExitCode::kCannotRun, std::string(kBakeTool) + ", which bakes scans, is neither in " + folder +
-                                          " nor in PATH (" + search_path + ")"};
+    throw Error{ExitCode::kCannotRun, name + " is neither in " + folder + " nor in PATH (" + search_path + ")"};
 }
 
-std::string findBakeTool() {
-    return findBakeTool(fs::path(programPath()).parent_path().string(), environmentVariable("PATH"));
+std::string findTool(const std::string& name) {
+    return findTool(name, fs::path(programPath()).parent_path().string(), environmentVariable("PATH"));
 }
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds pointrt-bake, which turns scans into .pro files.
+// Finds the other pointrt programs, which the viewer starts.
 #pragma once
 
 #include <string>
@@ -7,11 +7,12 @@
 namespace pointrt {
 
 constexpr const char* kBakeTool = "pointrt-bake";
+constexpr const char* kRaysTool = "pointrt-rays";
 
-/// Finds pointrt-bake in folder, or else in search_path (a list as in PATH). Throws Error kCannotRun, which lists the
+/// Finds a program in folder, or else in search_path (a list as in PATH). Throws Error kCannotRun, which lists the
 /// places searched.
-std::string findBakeTool(const std::string& folder, const std::string& search_path);
+std::string findTool(const std::string& name, const std::string& folder, const std::string& search_path);
 /// Searches beside the running program, then in PATH.
-std::string findBakeTool();
+std::string findTool(const std::string& name);
 
 } // namespace pointrt

@@ -3,6 +3,8 @@
 
 #include <imgui.h>
 
+#include <utility>
+
 #include "runtime/image/image_png.h"
 #include "runtime/window/ui/panel_ui.h"
 #include "runtime/window/ui/ui_style.h"
@@ -24,6 +26,11 @@ void UserInterface::fitText() {
     text_scale_ = host_.size().scale;
     setUpUiStyle(host_.textScale(), static_cast<float>(text_scale_));
     setUiFont(host_.device(), host_.presenter());
+    setUiTheme(light_theme_);
+}
+
+void UserInterface::fitTheme(bool light) {
+    if (std::exchange(light_theme_, light) != light) setUiTheme(light);
 }
 
 std::vector<Command> UserInterface::handleEvent(const InputEvent& event, double now_s) {
@@ -38,6 +45,7 @@ std::vector<Command> UserInterface::handleEvent(const InputEvent& event, double 
 
 void UserInterface::draw(Workspace& work, double seconds) {
     fitText();
+    fitTheme(work.light_theme);
     beginUiFrame(input_, host_.size(), seconds);
     drawUi(work);
     ImGui::Render();

@@ -35,12 +35,14 @@ public:
 
 private:
     void fitText();
+    void fitTheme(bool light);
 
     Host& host_;
     ImGuiContext* context_;
     UiInput input_;
     ControlState controls_;
     double text_scale_ = 0; ///< of the current fonts
+    bool light_theme_ = false;
 };
 
 } // namespace pointrt

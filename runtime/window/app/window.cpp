@@ -15,6 +15,7 @@
 #include "runtime/util/clock.h"
 #include "runtime/window/app/window_state.h"
 #include "runtime/window/edit/actions.h"
+#include "runtime/window/edit/preferences.h"
 #include "runtime/window/edit/recent_files.h"
 #include "runtime/window/edit/shown_scene.h"
 #include "runtime/window/input/camera_commands.h"
@@ -95,6 +96,7 @@ Window::Window(const Options& options, std::optional<ReopenedWindow> reopened)
           [this](const SceneSource& scene, bool first) { return startLoad(scene, first); }) {
     if (!options.record.empty() && !reopened) session_.startRecording(options.record, host_.size());
     work_.recent_files = recentFiles(userStateFolder());
+    if (!session_.isReplaying()) readPreferences(userStateFolder(), work_); // replays look the same everywhere
     if (reopened) {
         const char* const end =
             reopened->lacks_pictures ? "; pictures that were not saved yet must be saved again" : "";
@@ -211,6 +213,9 @@ void Window::handleRequests() {
     if (requests.home) flyTo(view_.home);
     if (requests.save_view) saveView(work_);
     if (requests.screenshot && loaded_) image_.requestFilm();
+    if (requests.compare && loaded_) tryOrNotify("", [&] { compareScans(*requests.compare); });
+    if (requests.add_still && loaded_) addStill();
+    startStill();
     if (requests.turntable_pictures && loaded_)
         tryOrNotify("", [&] { renderTurntable(*requests.turntable_pictures, requests.follows_views); });
     std::vector<NamedView>& views = work_.scene.views;
@@ -266,6 +271,7 @@ bool Window::frame() {
 void Window::run() {
     catchInterrupts();
     while (frame() && !interrupted()) continue;
+    if (!session_.isReplaying()) writePreferences(userStateFolder(), work_);
     if (autosave_ && !interrupted()) autosave_->discard(); // saved, or not wanted
     WindowReport& report = meter_.report;
     report.device = host_.device().name;

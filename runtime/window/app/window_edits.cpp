@@ -7,11 +7,13 @@
 
 #include "format/os/environment.h"
 #include "format/os/user_folder.h"
+#include "runtime/device_scene/color_choice.h"
 #include "runtime/measure/path_files.h"
 #include "runtime/scene_io/scene_write.h"
 #include "runtime/session/bake_cache.h"
 #include "runtime/util/output_file.h"
 #include "runtime/window/app/window_state.h"
+#include "runtime/window/edit/compare_job.h"
 #include "runtime/window/edit/free_name.h"
 #include "runtime/window/edit/kept_bake.h"
 #include "runtime/window/edit/measure_edit.h"
@@ -170,6 +172,32 @@ void Window::offerAutosave(const SceneSource& scene) {
             else
                 opener_.open({autosave_->left(), scene.name(), true});
         });
+}
+
+void Window::compareScans(const Comparison& comparison) {
+    const bool starts = jobs_.start(JobKind::kCompare, [&] {
+        return startedJob<CompareJob>(std::make_unique<CompareJob>(work_.scene, comparison, options_.device),
+                                      [this, comparison, scene = work_.scene.path](CompareJob& job) {
+                                          const bool is_same = work_.scene.path == scene &&
+                                                               comparison.compared < work_.scene.instances.size();
+                                          if (is_same) showComparison(job.output(), comparison.compared);
+                                      });
+    });
+    if (!starts) notify("wait until the other comparison is done", true);
+}
+
+/// Opens the scene again with the copy of a scan that has distances, coloured by them.
+void Window::showComparison(const std::string& with_distances, std::size_t compared) {
+    SceneDescription shown = sceneAsShown(work_, {host_.pixels().width, host_.pixels().height});
+    shown.instances.at(compared).path = with_distances;
+    shown.render.color_by = kDistance;
+    shown.render.color_map.reset();
+    shown.render.color_range.reset();
+    if (!autosave_ || autosave_->path().empty())
+        return notify("the edits cannot be kept while scans are compared", true);
+    autosave_->write(shown);
+    kept_view_ = KeptView{work_.camera, view_.home};
+    opener_.open({autosave_->path(), work_.scene.path, true});
 }
 
 ReopenedWindow Window::handOver() {

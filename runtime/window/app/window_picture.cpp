@@ -21,6 +21,7 @@
 #include "runtime/window/edit/required_update.h"
 #include "runtime/window/edit/save_job.h"
 #include "runtime/window/edit/shown_scene.h"
+#include "runtime/window/edit/still_job.h"
 #include "runtime/window/edit/tile_job.h"
 #include "runtime/window/edit/turntable_job.h"
 #include "runtime/window/ui/panel_ui.h"
@@ -298,6 +299,23 @@ void Window::saveFilm() {
             [this](const Job& job) {
                 if (quit_) throwIfFailed(job); // a notice would not be seen
             });
+    });
+}
+
+void Window::addStill() {
+    const std::string name = freeStillName(work_.scene.path, work_.stills);
+    work_.stills.push_back({sceneAsShown(work_, work_.still_size), work_.still_size, name});
+    notify(name + " will be rendered in the background", false);
+}
+
+/// Starts the next still once no other picture is rendered in the background.
+void Window::startStill() {
+    if (work_.stills.empty() || jobs_.has(JobKind::kTurntable)) return;
+    const Still still = work_.stills.front();
+    work_.stills.erase(work_.stills.begin());
+    jobs_.start(JobKind::kTurntable, [&] {
+        return startedJob<StillJob>(std::make_unique<StillJob>(still, options_.device),
+                                    [this, path = still.path](StillJob&) { notify("rendered " + path, false); });
     });
 }
 

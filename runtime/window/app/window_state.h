@@ -102,6 +102,10 @@ private:
     void updatePicture();
     void refineWithoutRedraw();
     void saveFilm();
+    void compareScans(const Comparison& comparison);
+    void showComparison(const std::string& with_distances, std::size_t compared);
+    void addStill();
+    void startStill();
     void renderTurntable(std::uint32_t pictures, bool follows_views);
 
     /// Input of this frame and for later ones.

@@ -24,11 +24,24 @@ void goBack(Workspace& work) {
         work.picks.clear();
 }
 
+/// Goes round the list: before the first one comes the last.
+void goToView(Workspace& work, std::size_t steps) {
+    const std::size_t count = work.scene.views.size();
+    if (count == 0) return;
+    if (!work.shown_view || *work.shown_view >= count)
+        work.shown_view = steps == 1 ? 0 : count - 1;
+    else
+        work.shown_view = (*work.shown_view + steps) % count;
+    work.requests.go_to_view = work.shown_view;
+}
+
 constexpr struct {
     Action action;
     void (*act)(Workspace&);
 } kActionHandlers[] = {
     {Action::kSaveView, [](Workspace& w) { w.requests.save_view = true; }},
+    {Action::kNextView, [](Workspace& w) { goToView(w, 1); }},
+    {Action::kPreviousView, [](Workspace& w) { goToView(w, w.scene.views.size() - 1); }},
     {Action::kMeasurement, toggleMeasurement},
     {Action::kKeepMeasurement, [](Workspace& w) { w.requests.keep_measurement = true; }},
     {Action::kPause, [](Workspace& w) { w.paused = !w.paused; }},

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "runtime/session/bake_cache.h"
-#include "runtime/session/bake_tool.h"
+#include "runtime/session/find_tool.h"
 #include "runtime/window/edit/job.h"
 
 namespace pointrt {
@@ -19,7 +19,7 @@ enum class BakeDetail : std::uint8_t { kAll, kQuick };
 class BakeJob {
 public:
     explicit BakeJob(const ScanBake& bake, BakeDetail detail = BakeDetail::kAll,
-                     const FileCache& cache = userBakeCache(), const std::string& tool = findBakeTool());
+                     const FileCache& cache = userBakeCache(), const std::string& tool = findTool(kBakeTool));
 
     Job& job() { return job_; }
     const Job& job() const { return job_; }

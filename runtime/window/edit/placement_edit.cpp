@@ -18,13 +18,8 @@ Placement heldAt(Placement placement, Vec3 pivot, Vec3 place) {
 
 Placement turned(const Placement& placement, Vec3 pivot, Vec3 axis, double degrees) {
     const double radians = degrees * std::numbers::pi / 180;
-    const std::array<Vec3, 3>& r = placement.rotation;
-    // the columns are the scan's axes in the world
-    const Vec3 x = normalize(rotated({r[0].x, r[1].x, r[2].x}, axis, radians));
-    const Vec3 rough = rotated({r[0].y, r[1].y, r[2].y}, axis, radians);
-    const Vec3 y = normalize(rough - dot(rough, x) * x), z = cross(x, y);
     Placement next = placement;
-    next.rotation = {Vec3{x.x, y.x, z.x}, Vec3{x.y, y.y, z.y}, Vec3{x.z, y.z, z.z}};
+    next.rotation = turnedColumns(placement.rotation, [&](Vec3& v) { v = rotated(v, axis, radians); });
     return heldAt(next, pivot, placed(placement, pivot));
 }
 

@@ -2,13 +2,26 @@
 // Edits of a scan's placement; render_space.h has where a point of it is placed.
 #pragma once
 
+#include <array>
+
 #include "runtime/device_scene/render_space.h"
 #include "runtime/scene/scene_description.h"
 
 namespace pointrt {
 
-/// Turned about an axis (unit length, world) through a point of the scan, given in its own coordinates. Rounding is
-/// kept from adding up: the rotation stays orthonormal.
+/// A rotation, as orthonormal rows, with its columns turned by turn(column), in the world. Rounding is kept from adding
+/// up.
+template <typename Turn>
+std::array<Vec3, 3> turnedColumns(const std::array<Vec3, 3>& rows, const Turn& turn) {
+    Vec3 x{rows[0].x, rows[1].x, rows[2].x}, rough{rows[0].y, rows[1].y, rows[2].y};
+    turn(x);
+    turn(rough);
+    x = normalize(x);
+    const Vec3 y = normalize(rough - dot(rough, x) * x), z = cross(x, y);
+    return {Vec3{x.x, y.x, z.x}, Vec3{x.y, y.y, z.y}, Vec3{x.z, y.z, z.z}};
+}
+
+/// Turned about an axis (unit length, world) through a point of the scan, given in its own coordinates.
 Placement turned(const Placement& placement, Vec3 pivot, Vec3 axis, double degrees);
 
 /// With another scale, above 0; the pivot stays in place.

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -67,6 +68,18 @@ struct Question {
     std::vector<std::string> answers; ///< on buttons; Esc gives the last one
 };
 
+/// Two scans of a scene, by their numbers: distances of the compared one from the surface of the reference.
+struct Comparison {
+    std::size_t reference = 0, compared = 0;
+};
+
+/// A picture that waits to be rendered to a file.
+struct Still {
+    SceneDescription scene; ///< as shown
+    PixelSize size;
+    std::string path;
+};
+
 /// The user's requests in this frame. The window executes and resets them.
 struct Requests {
     bool scene_changed = false;    ///< lights, materials, shapes or sky were edited
@@ -87,8 +100,10 @@ struct Requests {
     std::optional<std::size_t> answer;                  ///< index into question's answers
     std::optional<std::size_t> open_recent;             ///< index into recent_files
     std::optional<std::size_t> go_to_view, delete_view; ///< indices into scene.views
+    bool add_still = false;                             ///< to work.stills
     bool follows_views = false;                         ///< of turntable_pictures: through the views
-    std::optional<std::uint32_t> turntable_pictures;    ///< number of frames to render to turntable_path
+    std::optional<Comparison> compare;
+    std::optional<std::uint32_t> turntable_pictures; ///< number of frames to render to turntable_path
 };
 
 struct Workspace {
@@ -103,6 +118,8 @@ struct Workspace {
     bool paused = false;
     bool show_panel = true, show_cheat_sheet = false, show_hud = true;
     bool show_palette = false;
+    bool light_theme = false;
+    std::map<std::string, bool> open_sections; ///< of the panel, by name; others are as they are by default
     bool pin_measurement = false;
     std::vector<PickedPoint> picks;       ///< oldest first; the last two, or all of a path with pin_measurement
     MeasureUnits measure_units;           ///< of the scene that is open
@@ -115,11 +132,14 @@ struct Workspace {
     std::vector<std::string> recent_files; ///< to start with; paths, the latest first
     std::optional<FileBrowser> browser;    ///< while files are chosen in it
     std::optional<Question> question;
+    PixelSize still_size{3840, 2160};
+    std::vector<Still> stills; ///< in their order
     bool can_undo = false, can_redo = false;
     bool scan_in_view = true;    ///< false: the camera looks past the scans
     bool only_gaussians = false; ///< see StudioSubject
     std::vector<Notice> notices;
     std::string turntable_path = "turntable/%04d.png"; ///< or a video; beside the scene when one is opened
+    std::optional<std::size_t> shown_view;             ///< of scene.views, gone to last
     std::string view_name;                             ///< for the next saved view; empty: "view N"
     std::string title;                                 ///< the file's name
     double time_s = 0;                                 ///< the window's clock

@@ -7,6 +7,7 @@
 
 #include "runtime/scene/layers.h"
 #include "runtime/window/edit/clip_edit.h"
+#include "runtime/window/ui/layer_selection.h"
 #include "runtime/window/ui/panel_edit.h"
 #include "runtime/window/ui/panel_lengths.h"
 #include "runtime/window/ui/panel_parts.h"
@@ -38,15 +39,14 @@ void drawClipList(Workspace& w) {
         reportSceneEdit(w, ImGui::Checkbox("##enabled", &clip.enabled));
         tooltip("whether it cuts");
         ImGui::SameLine();
-        if (ImGui::Selectable(name.c_str(), static_cast<int>(c) == selectedClip(w)))
-            selectedClip(w) = static_cast<int>(c);
+        if (ImGui::Selectable(name.c_str(), static_cast<int>(c) == selectedClip(w))) selectLayer({LayerKind::kClip, c});
         ImGui::PopID();
     }
 }
 
 void addClip(Workspace& w, const ClipDescription& clip) {
     w.scene.clips.push_back(clip);
-    selectedClip(w) = static_cast<int>(w.scene.clips.size()) - 1;
+    selectLayer({LayerKind::kClip, w.scene.clips.size() - 1});
     w.requests.scene_changed = true;
 }
 
@@ -123,6 +123,7 @@ void drawClips(Workspace& w) {
     ImGui::BeginDisabled(clip.layer.locked);
     if (auto* box = std::get_if<ClipBox>(&clip.form)) drawBoxSides(w, *box);
     if (auto* plane = std::get_if<ClipPlane>(&clip.form)) drawPlaneValues(w, *plane);
+    offerHandles({LayerKind::kClip, static_cast<std::size_t>(selected)});
     ImGui::EndDisabled();
     ImGui::PopID();
 }

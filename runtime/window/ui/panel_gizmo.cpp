@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arrows over the picture that move the selected scan along the axes.
+// Handles over the picture: arrows that move the selected layer along the axes, and arcs that turn it about them.
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
+#include <vector>
 
-#include "runtime/window/edit/placement_edit.h"
+#include "runtime/scene/layers.h"
+#include "runtime/util/degree.h"
+#include "runtime/window/edit/layer_transform.h"
+#include "runtime/window/ui/layer_selection.h"
 #include "runtime/window/ui/on_screen.h"
 #include "runtime/window/ui/panel_edit.h"
 #include "runtime/window/ui/panel_parts.h"
@@ -16,15 +21,20 @@ namespace pointrt {
 namespace {
 
 struct GizmoAxis {
-    const char* id;
+    const char* move_id;
+    const char* turn_id;
     Vec3 direction;
     ImU32 color; ///< red, green and blue for x, y and z, as everywhere
 };
-constexpr std::array<GizmoAxis, 3> kAxes{{{"##move x", {1, 0, 0}, IM_COL32(235, 80, 80, 255)},
-                                          {"##move y", {0, 1, 0}, IM_COL32(90, 200, 90, 255)},
-                                          {"##move z", {0, 0, 1}, IM_COL32(90, 140, 245, 255)}}};
+constexpr std::array<GizmoAxis, 3> kAxes{{{"##move x", "##turn x", {1, 0, 0}, IM_COL32(235, 80, 80, 255)},
+                                          {"##move y", "##turn y", {0, 1, 0}, IM_COL32(90, 200, 90, 255)},
+                                          {"##move z", "##turn z", {0, 0, 1}, IM_COL32(90, 140, 245, 255)}}};
 /// Length of the arrows as a share of the picture's height.
 constexpr double kArrowShare = 0.12;
+/// Radius of the arcs in lengths of the arrows: they cross between the arrows without touching their handles.
+constexpr double kArcRadius = 0.75;
+/// Chords of an arc of a quarter turn, which look round at any size on a screen.
+constexpr int kArcChords = 16;
 /// Radius of a handle in window units; a finger's width is twice as much.
 constexpr float kHandleRadius = 9;
 /// An axis that is seen nearly from its end cannot be dragged along: the fewest window units that its arrow takes.
@@ -42,7 +52,11 @@ double arrowLength(const Workspace& w, Vec3 at) {
 
 /// A handle that takes the mouse from the picture. Returns how far it is dragged in this frame, which it reports as an
 /// edit of the scene.
-ImVec2 dragHandle(Workspace& w, const char* id, ImVec2 at, float radius) {
+struct HandleDrag {
+    ImVec2 by;
+    bool held;
+};
+HandleDrag dragHandle(Workspace& w, const char* id, ImVec2 at, float radius) {
     ImGui::SetNextWindowPos(ImVec2(at.x - radius, at.y - radius));
     ImGui::SetNextWindowSize(ImVec2(2 * radius, 2 * radius));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
@@ -52,42 +66,100 @@ ImVec2 dragHandle(Workspace& w, const char* id, ImVec2 at, float radius) {
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
     ImGui::InvisibleButton("handle", ImVec2(2 * radius, 2 * radius));
-    const ImVec2 dragged = ImGui::IsItemActive() ? ImGui::GetIO().MouseDelta : ImVec2(0, 0);
+    const bool held = ImGui::IsItemActive();
+    const ImVec2 dragged = held ? ImGui::GetIO().MouseDelta : ImVec2(0, 0);
     reportSceneEdit(w, dragged.x != 0 || dragged.y != 0);
     if (ImGui::IsItemHovered() || ImGui::IsItemActive())
         ImGui::GetBackgroundDrawList()->AddCircle(at, radius, IM_COL32(255, 255, 255, 235), 0, 1.5f * uiScale());
     ImGui::End();
     ImGui::PopStyleVar(2);
-    return dragged;
+    return {dragged, held};
 }
 
-/// Draws an arrow and moves the scan by a drag of its handle.
-void drawArrow(Workspace& w, InstanceDescription& scan, Vec3 from, double length, const GizmoAxis& axis) {
-    const auto start = onScreen(w, from), end = onScreen(w, from + length * axis.direction);
+/// Lengths of an axis on the screen that a drag along it covers.
+double shareOf(ImVec2 drag, ImVec2 axis) {
+    const float pixels = lengthOf(axis);
+    return static_cast<double>(drag.x * axis.x + drag.y * axis.y) / static_cast<double>(pixels * pixels);
+}
+
+/// A layer with handles: where they stand, and the length of the arrows.
+struct Gizmo {
+    LayerId layer;
+    Vec3 middle;
+    double length;
+};
+
+/// Draws an arrow and moves the layer by a drag of its handle.
+void drawArrow(Workspace& w, const Gizmo& gizmo, const GizmoAxis& axis) {
+    const Vec3 along = gizmo.length * axis.direction;
+    const auto start = onScreen(w, gizmo.middle), end = onScreen(w, gizmo.middle + along);
     if (!start || !end) return;
     const ImVec2 arrow(end->x - start->x, end->y - start->y);
-    const float pixels = lengthOf(arrow);
-    if (pixels < kShortestArrow * uiScale()) return;
+    if (lengthOf(arrow) < kShortestArrow * uiScale()) return;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     list.AddLine(*start, *end, axis.color, 2.5f * uiScale());
     list.AddCircleFilled(*end, 0.6f * kHandleRadius * uiScale(), axis.color);
-    const ImVec2 drag = dragHandle(w, axis.id, *end, kHandleRadius * uiScale());
-    const double along =
-        static_cast<double>(drag.x * arrow.x + drag.y * arrow.y) / static_cast<double>(pixels * pixels);
-    scan.placement.translation = scan.placement.translation + along * length * axis.direction;
+    const ImVec2 drag = dragHandle(w, axis.move_id, *end, kHandleRadius * uiScale()).by;
+    if (drag.x != 0 || drag.y != 0) moveLayer(w.scene, gizmo.layer, shareOf(drag, arrow) * along);
+}
+
+/// A point of the circle about an axis, at an angle from the next axis towards the one after that.
+Vec3 onArc(const Gizmo& gizmo, std::size_t axis, double degrees) {
+    const Vec3 x = kAxes[(axis + 1) % 3].direction, y = kAxes[(axis + 2) % 3].direction;
+    const double radians = degrees * kDegree;
+    return gizmo.middle + kArcRadius * gizmo.length * (std::cos(radians) * x + std::sin(radians) * y);
+}
+
+void drawArc(const Workspace& w, const Gizmo& gizmo, std::size_t axis) {
+    for (int chord = 0; chord < kArcChords; ++chord) {
+        const auto from = onScreen(w, onArc(gizmo, axis, 90.0 * chord / kArcChords));
+        const auto to = onScreen(w, onArc(gizmo, axis, 90.0 * (chord + 1) / kArcChords));
+        if (from && to) ImGui::GetBackgroundDrawList()->AddLine(*from, *to, kAxes[axis].color, 1.5f * uiScale());
+    }
+}
+
+/// Draws an arc of a quarter turn and turns the layer by a drag of its handle, which follows the mouse while it is
+/// held.
+void drawTurn(Workspace& w, const Gizmo& gizmo, std::size_t axis) {
+    constexpr double kMiddle = 45;
+    const float held_at = storedFloat(kAxes[axis].turn_id, 0); // degrees from the middle
+    const double at = kMiddle + static_cast<double>(held_at);
+    const auto place = onScreen(w, onArc(gizmo, axis, at)), ahead = onScreen(w, onArc(gizmo, axis, at + 1));
+    if (!place || !ahead) return;
+    const ImVec2 degree(ahead->x - place->x, ahead->y - place->y);
+    const double radius_degrees = 1 / kDegree; // a drag as long as the radius turns by a radian
+    if (static_cast<double>(lengthOf(degree)) * radius_degrees < static_cast<double>(kShortestArrow * uiScale()))
+        return;
+    drawArc(w, gizmo, axis);
+    ImGui::GetBackgroundDrawList()->AddCircleFilled(*place, 0.45f * kHandleRadius * uiScale(), kAxes[axis].color);
+    const HandleDrag drag = dragHandle(w, kAxes[axis].turn_id, *place, 0.8f * kHandleRadius * uiScale());
+    const double degrees = drag.held ? shareOf(drag.by, degree) : 0;
+    storedFloat(kAxes[axis].turn_id, 0) = drag.held ? held_at + static_cast<float>(degrees) : 0;
+    if (degrees != 0) turnLayer(w.scene, gizmo.layer, kAxes[axis].direction, degrees, w.scan_centres);
+}
+
+/// False for a layer that was deleted in this frame.
+bool exists(const SceneDescription& scene, LayerId id) {
+    const std::vector<LayerId> layers = layersOf(scene);
+    return std::find(layers.begin(), layers.end(), id) != layers.end();
 }
 
 } // namespace
 
 void drawGizmo(Workspace& w) {
-    const std::optional<std::size_t> number = placedLayer();
-    if (!number || *number >= w.scan_centres.size()) return;
-    InstanceDescription& scan = w.scene.instances[*number];
-    if (scan.layer.locked || !scan.visible || scan.deleted) return;
-    const Vec3 middle = placed(scan.placement, w.scan_centres[*number]);
-    const double length = arrowLength(w, middle);
+    const std::optional<LayerId> layer = layerWithHandles();
+    if (!layer || !exists(w.scene, *layer) || layerAt(w.scene, *layer).locked || !isLayerVisible(w.scene, *layer))
+        return;
+    const std::optional<Vec3> middle = layerMiddle(w.scene, *layer, w.scan_centres);
+    if (!middle) return;
+    const double length = arrowLength(w, *middle);
     if (!(length > 0)) return;
-    for (const GizmoAxis& axis : kAxes) drawArrow(w, scan, middle, length, axis);
+    const Gizmo gizmo{*layer, *middle, length};
+    const bool turns = mayTurn(w.scene, *layer);
+    for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+        drawArrow(w, gizmo, kAxes[axis]);
+        if (turns) drawTurn(w, gizmo, axis);
+    }
 }
 
 } // namespace pointrt

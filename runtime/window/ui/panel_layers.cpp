@@ -5,11 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <initializer_list>
+#include <iterator>
 #include <string>
 #include <vector>
 
 #include "runtime/scene/layers.h"
+#include "runtime/window/edit/compare_job.h"
 #include "runtime/window/edit/placement_edit.h"
+#include "runtime/window/edit/shape_edit.h"
+#include "runtime/window/ui/layer_selection.h"
 #include "runtime/window/ui/panel_edit.h"
 #include "runtime/window/ui/panel_parts.h"
 #include "runtime/window/ui/panel_widgets.h"
@@ -20,41 +25,37 @@ namespace {
 struct KindRow {
     LayerKind kind;
     const char* heading;
-    const char* selection; ///< stored number that the kind's own section selects by; null: it has none
 };
-constexpr KindRow kKindRows[] = {{LayerKind::kScan, "Scans", nullptr},
-                                 {LayerKind::kShape, "Shapes", nullptr},
-                                 {LayerKind::kLight, "Lights", "selected light"},
-                                 {LayerKind::kClip, "Clips", "selected clip"},
-                                 {LayerKind::kMeasure, "Measurements", nullptr}};
+constexpr KindRow kKindRows[] = {{LayerKind::kScan, "Scans"},
+                                 {LayerKind::kShape, "Shapes"},
+                                 {LayerKind::kLight, "Lights"},
+                                 {LayerKind::kClip, "Clips"},
+                                 {LayerKind::kMeasure, "Measurements"}};
+
+struct ShapeWords {
+    ShapeKind kind;
+    const char* label;
+    const char* hint;
+};
+constexpr ShapeWords kShapeWords[] = {{ShapeKind::kSphere, "Ball", "a mirror, glass or gold by its material"},
+                                      {ShapeKind::kBox, "Box", "a block, a plinth"},
+                                      {ShapeKind::kQuad, "Pane", "an upright rectangle: a mirror, a window"},
+                                      {ShapeKind::kDisc, "Disc", "upright"}};
+static_assert(std::size(kShapeWords) == std::size(kInsertedShapes));
 
 /// Measurements are drawn over the picture, which does not change with them.
 bool reportLayerEdit(Workspace& w, LayerId id, bool changed) {
     return id.kind == LayerKind::kMeasure ? changed : reportSceneEdit(w, changed);
 }
 
-/// Stored number: the last frame in which the placement of a scan was shown.
-constexpr const char* kPlacedFrame = "placement shown";
-
-LayerId selectedLayer() {
-    const auto kind = static_cast<LayerKind>(storedInt("selected layer kind", 0));
-    return {kind, static_cast<std::size_t>(storedInt("selected layer", 0))};
-}
-
-void select(LayerId id, const KindRow& row) {
-    storedInt("selected layer kind", 0) = static_cast<int>(id.kind);
-    storedInt("selected layer", 0) = static_cast<int>(id.number);
-    if (row.selection) storedInt(row.selection, 0) = static_cast<int>(id.number);
-}
-
-void drawLayerRow(Workspace& w, LayerId id, const KindRow& row) {
+void drawLayerRow(Workspace& w, LayerId id) {
     ImGui::PushID(static_cast<int>(id.number));
     bool visible = isLayerVisible(w.scene, id);
     if (reportLayerEdit(w, id, ImGui::Checkbox("##visible", &visible))) setLayerVisible(w.scene, id, visible);
     tooltip(id.kind == LayerKind::kClip ? "whether it cuts" : "show or hide");
     ImGui::SameLine();
     const std::string name = layerName(w.scene, id) + (layerAt(w.scene, id).locked ? "  (locked)" : "");
-    if (ImGui::Selectable((name + "##name").c_str(), id == selectedLayer())) select(id, row);
+    if (ImGui::Selectable((name + "##name").c_str(), id == selectedLayer())) selectLayer(id);
     ImGui::PopID();
 }
 
@@ -64,7 +65,7 @@ void drawKind(Workspace& w, const KindRow& row, const std::vector<LayerId>& laye
     if (count == 0) return;
     if (!ImGui::TreeNodeEx(row.heading, ImGuiTreeNodeFlags_DefaultOpen, "%s (%d)", row.heading, count)) return;
     for (const LayerId id : layers)
-        if (is_row(id)) drawLayerRow(w, id, row);
+        if (is_row(id)) drawLayerRow(w, id);
     ImGui::TreePop();
 }
 
@@ -104,16 +105,109 @@ void drawPlacement(Workspace& w, InstanceDescription& scan, Vec3 centre) {
         placement = scaledTo(placement, centre, scale);
 }
 
+/// Offers to measure a scan's distances from another one's surface.
+void drawComparison(Workspace& w, std::size_t scan) {
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < w.scene.instances.size(); ++i)
+        if (i != scan && !w.scene.instances[i].deleted) others.push_back(i);
+    if (others.empty() || !mayCompare(w.scene.instances[scan])) return;
+    pushRow("Compare with", "colours this scan by its distances from the surface of another, as pointrt-rays compare");
+    if (ImGui::BeginCombo("##value", "choose")) {
+        for (const std::size_t other : others) {
+            const std::string name = layerName(w.scene, {LayerKind::kScan, other}) + "##" + std::to_string(other);
+            if (ImGui::Selectable(name.c_str())) w.requests.compare = Comparison{other, scan};
+        }
+        ImGui::EndCombo();
+    }
+    popRow();
+}
+
+/// Sizes along the axes of a shape, or its diameter.
+void drawShapeSize(Workspace& w, ShapeDescription& shape) {
+    const auto row = [&](const char* name, double size, std::initializer_list<Vec3*> edges) {
+        const SliderRange range{1e-6 * sceneSize(w), 100 * sceneSize(w)};
+        const double before = size;
+        if (!reportSceneEdit(w, dragRow(name, size, range, 0.005 * size, "%.6g", "Ctrl + click to type"))) return;
+        for (Vec3* edge : edges) *edge = (size / before) * *edge;
+    };
+    const double across = 2 * length(shape.u), along = 2 * length(shape.v);
+    switch (shape.kind) {
+    case ShapeKind::kSphere:
+        return row("Diameter", across, {&shape.u, &shape.v, &shape.w});
+    case ShapeKind::kDisc:
+        return row("Diameter", across, {&shape.u, &shape.v});
+    case ShapeKind::kBox:
+        row("Width", across, {&shape.u});
+        row("Depth", along, {&shape.v});
+        return row("Height", 2 * length(shape.w), {&shape.w});
+    case ShapeKind::kQuad:
+        row("Width", across, {&shape.u});
+        return row("Height", along, {&shape.v});
+    case ShapeKind::kPlane:
+        return;
+    }
+}
+
+Vec3 towardsEye(const Workspace& w, Vec3 normal, Vec3 point) {
+    return dot(w.camera.eye - point, normal) < 0 ? -1.0 * normal : normal;
+}
+
+void drawShape(Workspace& w, ShapeDescription& shape) {
+    ImGui::BeginDisabled(shape.layer.locked);
+    drawShapeSize(w, shape);
+    drawShapeMaterial(w, shape.material);
+    ImGui::BeginDisabled(w.picks.empty());
+    if (reportSceneEdit(w, columnButton("Rest on the picked point", 1, false, "click a surface in the picture first")))
+        restOn(shape, w.picks.back().position, towardsEye(w, w.picks.back().normal, w.picks.back().position));
+    ImGui::EndDisabled();
+    ImGui::EndDisabled();
+}
+
+/// At the last picked point; else beside the scan, on the level of its lowest point.
+ShapePlace placeOfNewShape(const Workspace& w) {
+    const ViewAxes axes = axesOf(w.camera);
+    const Vec3 up = sceneUpright(w);
+    const bool from_above = std::abs(dot(axes.forward, up)) > 0.99; // then it faces the lower edge of the picture
+    const Vec3 towards_eye = from_above ? -1.0 * axes.up : -1.0 * axes.forward;
+    constexpr double kShareOfScene = 0.2;
+    const double size = kShareOfScene * sceneSize(w);
+    if (!w.picks.empty()) {
+        const PickedPoint& pick = w.picks.back();
+        return {pick.position, towardsEye(w, pick.normal, pick.position), up, towards_eye, size};
+    }
+    const Vec3 middle = 0.5 * (w.scene_min + w.scene_max), half = 0.5 * (w.scene_max - w.scene_min);
+    const double below = dot(absolute(up), half);
+    const Vec3 level = normalize(axes.right - dot(axes.right, up) * up);
+    const double beside = dot(absolute(level), half) + 0.6 * size;
+    return {middle - below * up + beside * level, up, up, towards_eye, size};
+}
+
+void drawAddShape(Workspace& w) {
+    ImGui::BeginDisabled(!isRoomForShape(w.scene));
+    if (columnButton("Add a shape", 1, false, "at the last picked point, or beside the scan"))
+        ImGui::OpenPopup("add shape");
+    ImGui::EndDisabled();
+    if (!ImGui::BeginPopup("add shape")) return;
+    for (const ShapeWords& each : kShapeWords)
+        if (reportSceneEdit(w, ImGui::MenuItem(each.label, each.hint))) {
+            addShape(w.scene, each.kind, placeOfNewShape(w));
+            selectLayer({LayerKind::kShape, w.scene.shapes.size() - 1});
+        }
+    ImGui::EndPopup();
+}
+
 /// Neither name nor lock change the picture, so they request no update.
 void drawSelected(Workspace& w, LayerId id) {
     Layer& layer = layerAt(w.scene, id);
     textRow("Name", layer.name, layerName(w.scene, id).c_str(), "in lists, and for --hide");
     std::erase_if(layer.name, [](unsigned char c) { return std::iscntrl(c) != 0; });
     if (id.kind == LayerKind::kMeasure) drawMeasureValues(w, w.scene.measures[id.number]);
+    if (id.kind == LayerKind::kShape) drawShape(w, w.scene.shapes[id.number]);
+    offerHandles(id);
     if (id.kind == LayerKind::kScan && id.number < w.scan_centres.size()) {
         ImGui::BeginDisabled(layer.locked);
         drawPlacement(w, w.scene.instances[id.number], w.scan_centres[id.number]);
-        storedInt(kPlacedFrame, 0) = ImGui::GetFrameCount();
+        drawComparison(w, id.number);
         ImGui::EndDisabled();
     }
     checkboxRow("Locked", layer.locked, "keeps it from being edited or deleted");
@@ -124,15 +218,11 @@ void drawSelected(Workspace& w, LayerId id) {
 
 } // namespace
 
-std::optional<std::size_t> placedLayer() {
-    if (storedInt(kPlacedFrame, -1) != ImGui::GetFrameCount()) return std::nullopt;
-    return selectedLayer().number;
-}
-
 void drawLayers(Workspace& w) {
     const std::vector<LayerId> layers = layersOf(w.scene);
     if (layers.empty()) return dimText("No scene is open.");
     for (const KindRow& row : kKindRows) drawKind(w, row, layers);
+    drawAddShape(w);
     drawMeasurement(w);
     const LayerId selected = selectedLayer();
     if (std::find(layers.begin(), layers.end(), selected) == layers.end()) return;

@@ -9,6 +9,7 @@
 
 #include "runtime/scene/layers.h"
 #include "runtime/window/edit/light_edit.h"
+#include "runtime/window/ui/layer_selection.h"
 #include "runtime/window/ui/panel_edit.h"
 #include "runtime/window/ui/panel_parts.h"
 #include "runtime/window/ui/panel_widgets.h"
@@ -45,7 +46,7 @@ int& selectedLight(const Workspace& w) {
 
 void addLight(Workspace& w, const LightDescription& light) {
     w.scene.lights.push_back(light);
-    selectedLight(w) = static_cast<int>(w.scene.lights.size()) - 1;
+    selectLayer({LayerKind::kLight, w.scene.lights.size() - 1});
     w.requests.scene_changed = true;
 }
 
@@ -73,7 +74,7 @@ void drawList(Workspace& w) {
         if (name.empty()) name = std::string(namesOf(light.index()).label) + " " + std::to_string(l + 1);
         ImGui::PushID(l);
         drawSwatch(light);
-        if (ImGui::Selectable(name.c_str(), l == selectedLight(w))) selectedLight(w) = l;
+        if (ImGui::Selectable(name.c_str(), l == selectedLight(w))) selectLayer(id);
         ImGui::PopID();
     }
     ImGui::PopStyleColor();
@@ -130,6 +131,7 @@ void drawLights(Workspace& w) {
     const LayerId id{LayerKind::kLight, static_cast<std::size_t>(selected)};
     ImGui::BeginDisabled(layerAt(w.scene, id).locked);
     drawLightValues(w, w.scene.lights[id.number]);
+    offerHandles(id);
     ImGui::EndDisabled();
     ImGui::PopID();
 }

@@ -73,15 +73,13 @@ void drawScan(Workspace& w) {
     ImGui::EndDisabled();
 }
 
-void drawShapeMaterial(Workspace& w, std::uint32_t number) {
-    MaterialDescription& material = w.scene.materials[number];
+void drawNamedMaterial(Workspace& w, std::uint32_t number) {
+    const MaterialDescription& material = w.scene.materials[number];
     const std::string title =
         material.name.empty() ? std::string("material ") + std::to_string(number + 1) : material.name;
     ImGui::PushID(static_cast<int>(number));
     if (ImGui::TreeNode("material", "%s", title.c_str())) {
-        int kind = static_cast<int>(material.kind);
-        if (reportSceneEdit(w, comboRow("Kind", kind, kKinds))) material.kind = static_cast<MaterialKind>(kind);
-        drawMaterialValues(w, material);
+        drawShapeMaterial(w, number);
         ImGui::TreePop();
     }
     ImGui::PopID();
@@ -89,11 +87,18 @@ void drawShapeMaterial(Workspace& w, std::uint32_t number) {
 
 } // namespace
 
+void drawShapeMaterial(Workspace& w, std::uint32_t number) {
+    MaterialDescription& material = w.scene.materials[number];
+    int kind = static_cast<int>(material.kind);
+    if (reportSceneEdit(w, comboRow("Kind", kind, kKinds))) material.kind = static_cast<MaterialKind>(kind);
+    drawMaterialValues(w, material);
+}
+
 void drawMaterials(Workspace& w) {
     if (!hasScene(w)) dimText("No scene is open.");
     if (!w.scene.instances.empty()) drawScan(w);
     for (std::uint32_t m = 0; m < w.scene.materials.size(); ++m)
-        if (usedByShapes(w.scene, m)) drawShapeMaterial(w, m);
+        if (usedByShapes(w.scene, m)) drawNamedMaterial(w, m);
 }
 
 } // namespace pointrt

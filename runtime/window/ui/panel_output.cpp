@@ -3,8 +3,10 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <string>
 
 #include "runtime/scene/turntable.h"
+#include "runtime/util/pixel_size.h"
 #include "runtime/window/ui/panel_edit.h"
 #include "runtime/window/ui/panel_parts.h"
 #include "runtime/window/ui/panel_widgets.h"
@@ -16,11 +18,26 @@ constexpr int kPictures = 36; // one per 10 degrees
 constexpr std::uint32_t kMaxPictures = 3600;
 static_assert(kMaxPictures <= kMaxTurntable);
 
+/// Pictures of any size, rendered one after another while one works on.
+void drawStills(Workspace& w) {
+    ImGui::TextDisabled("Stills");
+    constexpr SliderRange kPixels{1, kMaxPixelSide, true};
+    sliderRow("Width", w.still_size.width, kPixels, "pixels; Ctrl + click to type");
+    sliderRow("Height", w.still_size.height, kPixels, "pixels; Ctrl + click to type");
+    if (columnButton("Add to the queue", 2, false, "renders this view in the background, with the samples of Render"))
+        w.requests.add_still = true;
+    if (w.stills.empty()) return;
+    ImGui::SameLine();
+    if (columnButton("Clear", 2, false, "forgets the stills that wait")) w.stills.clear();
+    dimText((std::to_string(w.stills.size()) + " waiting").c_str());
+}
+
 } // namespace
 
 void drawOutput(Workspace& w) {
     if (columnButton("Save scene", 1, false, "Ctrl + S: save a scene file that renders this picture with pointrt-view"))
         w.requests.save_scene = true;
+    drawStills(w);
     ImGui::TextDisabled("Turntable");
     auto pictures = static_cast<std::uint32_t>(std::max(1, storedInt("turntable pictures", kPictures)));
     if (sliderRow("Pictures", pictures, {1, kMaxPictures, true}, "for one turn about the up axis"))
@@ -41,6 +58,8 @@ void drawOutput(Workspace& w) {
 }
 
 void drawAbout(Workspace& w) {
+    checkboxRow("Light theme", w.light_theme,
+                "light colours for the panel; kept for the next start, as open sections are");
     checkboxRow("Statistics", w.show_hud, "device, samples and speed in the upper left corner");
     if (columnButton("All controls", 1, w.show_cheat_sheet, "H")) w.show_cheat_sheet = !w.show_cheat_sheet;
     if (!w.hud.device.empty()) dimText(w.hud.device.c_str());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 #include "runtime/scene/render_setting_table.h"
@@ -44,15 +45,16 @@ void drawLightValues(Workspace& w, LightDescription& light);
 void drawSunByDate(Workspace& w, Vec3& towards);
 /// Properties of a material, by its kind.
 void drawMaterialValues(Workspace& w, MaterialDescription& material);
+/// Kind and properties of a material that shapes use, by its number in the scene.
+void drawShapeMaterial(Workspace& w, std::uint32_t number);
 
 /// The part of the window that the panel leaves free, window units from the upper left corner.
 struct FreeArea {
     float width = 1, height = 1;
 };
 
-/// The scan whose placement drawLayers has shown in this frame.
-std::optional<std::size_t> placedLayer();
-/// Arrows at that scan, to drag it along the axes. After the panel.
+/// Handles of the selected layer, if a section shows it: arrows to drag it along the axes, arcs to turn it about them.
+/// After the panel.
 void drawGizmo(Workspace& w);
 /// Over the picture, with the measurements of the scene:
 void drawPickMarks(const Workspace& w);

@@ -51,7 +51,10 @@ void drawPanel(Workspace& w) {
     for (const Section& section : kSections) {
         if (!shown) break;
         const float header_y = ImGui::GetCursorScreenPos().y;
-        if (!ImGui::CollapsingHeader(section.name, section.open ? ImGuiTreeNodeFlags_DefaultOpen : 0)) continue;
+        bool& open = w.open_sections.try_emplace(section.name, section.open).first->second;
+        ImGui::SetNextItemOpen(open, ImGuiCond_Once);
+        open = ImGui::CollapsingHeader(section.name);
+        if (!open) continue;
         const bool was_closed = ImGui::IsItemToggledOpen();
         ImGui::PushID(section.name);
         section.draw(w);

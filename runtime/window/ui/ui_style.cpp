@@ -48,6 +48,16 @@ void setUpFont(float pixels, float pixels_per_unit) {
 }
 
 ImVec4 grey(float value, float alpha = 1) { return {value, value, value, alpha}; }
+
+/// Light colours are the dark ones the other way round, with lighter surfaces: those of paper.
+ImVec4 lightened(const ImVec4& dark) {
+    constexpr float kPaper = 1.07f;
+    const auto turned = [](float value) { return std::clamp(kPaper - value, 0.0f, 1.0f); };
+    return {turned(dark.x), turned(dark.y), turned(dark.z), dark.w};
+}
+
+bool isGrey(const ImVec4& color) { return color.x == color.y && color.y == color.z; }
+
 /// The accent colour: for what is selected, held or in progress.
 ImVec4 accent(float alpha) { return {0.36f, 0.62f, 0.80f, alpha}; }
 
@@ -101,6 +111,15 @@ void setShapes(ImGuiStyle& style) {
 
 } // namespace
 
+void setUiTheme(bool light) {
+    ImGui::StyleColorsDark();
+    ImVec4* const colors = ImGui::GetStyle().Colors;
+    setSurfaces(colors);
+    setControls(colors);
+    for (int i = 0; i < ImGuiCol_COUNT && light; ++i)
+        if (isGrey(colors[i]) && i != ImGuiCol_ModalWindowDimBg) colors[i] = lightened(colors[i]);
+}
+
 void setUpUiStyle(float content_scale, float pixels_per_unit) {
     // argument order turns NaN into the minimum
     const float scale = std::max(0.5f, std::min(content_scale, 4.0f));
@@ -110,12 +129,10 @@ void setUpUiStyle(float content_scale, float pixels_per_unit) {
     io.ConfigWindowsMoveFromTitleBarOnly = true;
     setUpFont(std::round(kTextHeight * scale), pixels);
     ImGuiStyle style;
-    ImGui::StyleColorsDark(&style);
-    setSurfaces(style.Colors);
-    setControls(style.Colors);
     setShapes(style);
     style.ScaleAllSizes(scale / pixels);
     ImGui::GetStyle() = style;
+    setUiTheme(false);
 }
 
 float uiScale() { return ImGui::GetFontSize() / kTextHeight; }

@@ -13,6 +13,9 @@ constexpr float kTextHeight = 15;
 /// unit. Both are clamped to 0.5 to 4.
 void setUpUiStyle(float content_scale, float pixels_per_unit = 1);
 
+/// Dark or light colours; setUpUiStyle sets dark ones.
+void setUiTheme(bool light);
+
 /// Window units per design unit, from the current font.
 float uiScale();
 

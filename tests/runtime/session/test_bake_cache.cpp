@@ -12,7 +12,7 @@
 
 #include "format/base/error.h"
 #include "runtime/session/bake_key.h"
-#include "runtime/session/bake_tool.h"
+#include "runtime/session/find_tool.h"
 #include "tests/format/tiny_scene.h"
 #include "tests/support/says.h"
 #include "tests/support/temporary_folder.h"
@@ -167,12 +167,12 @@ TEST_F(BakeCache, KeepsTheLatestBakesThatFit) {
 TEST_F(BakeCache, FindsTheBakeTool) {
     for (const char* name : {"bin", "first", "second"}) fs::create_directory(folder.path / name);
     const std::string path = folder.file("first") + "::" + folder.file("second"), own = folder.file("bin");
-    EXPECT_SAYS(refusalOf([&] { findBakeTool(own, path); }), "pointrt-bake*" + own + " *PATH (" + path + ")");
+    EXPECT_SAYS(refusalOf([&] { findTool(kBakeTool, own, path); }), "pointrt-bake*" + own + " *PATH (" + path + ")");
     folder.write("first/pointrt-bake", "no program");
     fs::permissions(folder.write("second/pointrt-bake", ""), fs::perms::owner_all);
-    EXPECT_EQ(findBakeTool(own, path), folder.file("second/pointrt-bake"));
+    EXPECT_EQ(findTool(kBakeTool, own, path), folder.file("second/pointrt-bake"));
     fs::permissions(folder.write("bin/pointrt-bake", ""), fs::perms::owner_all);
-    EXPECT_EQ(findBakeTool(own, path), folder.file("bin/pointrt-bake"));
+    EXPECT_EQ(findTool(kBakeTool, own, path), folder.file("bin/pointrt-bake"));
 }
 
 TEST(QuickBake, UnpacksTwoMillionPointsAtMost) {

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the window keeps from one run to the next: its colours, and which parts are open.
+#pragma once
+
+#include <string>
+
+#include "runtime/window/edit/workspace.h"
+
+namespace pointrt {
+
+/// Reads them from the file "window" in folder. Lines it does not know are ignored, also those of other versions.
+/// @param folder the user's state folder; empty: there is none
+void readPreferences(const std::string& folder, Workspace& work);
+
+/// Writes them; a file that cannot be written stays as it was.
+void writePreferences(const std::string& folder, const Workspace& work);
+
+} // namespace pointrt

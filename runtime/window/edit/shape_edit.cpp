@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/edit/shape_edit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "runtime/scene/light.h"
+#include "runtime/scene/material_fields.h"
+#include "shaders/shared/scene_layout.h"
+
+namespace pointrt {
+namespace {
+
+/// A name that no material has: those that differ can be told apart in lists.
+std::string freeMaterialName(const SceneDescription& scene) {
+    const auto is_taken = [&](const std::string& name) {
+        return std::any_of(scene.materials.begin(), scene.materials.end(),
+                           [&](const MaterialDescription& each) { return each.name == name; });
+    };
+    std::size_t number = 1;
+    while (is_taken("shape " + std::to_string(number))) ++number;
+    return "shape " + std::to_string(number);
+}
+
+/// Axes of a shape that stands upright and faces the eye; w is up, and of panes their normal.
+void orient(ShapeDescription& shape, const ShapePlace& place) {
+    const double half = place.size / 2;
+    const Vec3 right = normalize(cross(place.up, place.towards_eye)), front = cross(right, place.up);
+    switch (shape.kind) {
+    case ShapeKind::kSphere:
+    case ShapeKind::kBox:
+        shape.u = half * right;
+        shape.v = -half * front;
+        shape.w = half * place.up;
+        return;
+    case ShapeKind::kQuad:
+    case ShapeKind::kDisc:
+    case ShapeKind::kPlane:
+        shape.u = half * right;
+        shape.v = half * place.up;
+        shape.w = front;
+        return;
+    }
+}
+
+} // namespace
+
+bool isRoomForShape(const SceneDescription& scene) {
+    return scene.shapes.size() + countSurfaces(scene.lights) < MAX_SHAPES && scene.materials.size() < kMaxMaterials;
+}
+
+void addShape(SceneDescription& scene, ShapeKind kind, const ShapePlace& place) {
+    MaterialDescription material;
+    material.name = freeMaterialName(scene);
+    scene.materials.push_back(material);
+    ShapeDescription shape;
+    shape.kind = kind;
+    shape.material = static_cast<std::uint32_t>(scene.materials.size() - 1);
+    orient(shape, place);
+    restOn(shape, place.point, place.normal);
+    scene.shapes.push_back(shape);
+}
+
+void restOn(ShapeDescription& shape, Vec3 point, Vec3 normal) {
+    shape.center = point + reachAlong(shape, normal) * normal;
+}
+
+double reachAlong(const ShapeDescription& shape, Vec3 direction) {
+    const double u = dot(shape.u, direction), v = dot(shape.v, direction), w = dot(shape.w, direction);
+    switch (shape.kind) {
+    case ShapeKind::kPlane:
+        return 0;
+    case ShapeKind::kDisc:
+        return std::hypot(u, v);
+    case ShapeKind::kQuad:
+        return std::abs(u) + std::abs(v);
+    case ShapeKind::kBox:
+        return std::abs(u) + std::abs(v) + std::abs(w);
+    case ShapeKind::kSphere:
+        return std::hypot(u, v, w);
+    }
+    return 0;
+}
+
+} // namespace pointrt

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shapes put into a scene.
+#pragma once
+
+#include "runtime/scene/scene_description.h"
+
+namespace pointrt {
+
+/// Where a shape is put: on a surface, at a point of it with the outward normal, upright.
+struct ShapePlace {
+    Vec3 point, normal, up; ///< both of unit length
+    Vec3 towards_eye;       ///< any length, not along up: panes face it
+    double size = 1;        ///< diameter, or the longest edge; above 0
+};
+
+/// The kinds that can be put into a scene: planes have no end, and are floors.
+inline constexpr ShapeKind kInsertedShapes[] = {ShapeKind::kSphere, ShapeKind::kBox, ShapeKind::kQuad,
+                                                ShapeKind::kDisc};
+
+/// Whether a shape, with its material, can be added; lights with a surface count as shapes.
+bool isRoomForShape(const SceneDescription& scene);
+
+/// Adds a matte shape that rests on the surface, with a material of its own. isRoomForShape must hold.
+void addShape(SceneDescription& scene, ShapeKind kind, const ShapePlace& place);
+
+/// Moves a shape so that it rests on a surface at a point with this outward normal, of unit length.
+void restOn(ShapeDescription& shape, Vec3 point, Vec3 normal);
+
+/// How far a shape reaches from its centre along a direction of unit length; 0 for planes.
+double reachAlong(const ShapeDescription& shape, Vec3 direction);
+
+} // namespace pointrt
