@@ -9,6 +9,7 @@
 #include "format/os/user_folder.h"
 #include "runtime/device_scene/color_choice.h"
 #include "runtime/measure/path_files.h"
+#include "runtime/scene/layers.h"
 #include "runtime/scene_io/scene_write.h"
 #include "runtime/session/bake_cache.h"
 #include "runtime/util/output_file.h"
@@ -180,16 +181,20 @@ void Window::compareScans(const Comparison& comparison) {
                                       [this, comparison, scene = work_.scene.path](CompareJob& job) {
                                           const bool is_same = work_.scene.path == scene &&
                                                                comparison.compared < work_.scene.instances.size();
-                                          if (is_same) showComparison(job.output(), comparison.compared);
+                                          if (is_same) showComparison(job.output(), comparison);
                                       });
     });
     if (!starts) notify("wait until the other comparison is done", true);
 }
 
-/// Opens the scene again with the copy of a scan that has distances, coloured by them.
-void Window::showComparison(const std::string& with_distances, std::size_t compared) {
+/// Opens the scene again with the copy of a scan that has distances, coloured by them, and without the reference, which
+/// would cover half of it.
+void Window::showComparison(const std::string& with_distances, const Comparison& comparison) {
     SceneDescription shown = sceneAsShown(work_, {host_.pixels().width, host_.pixels().height});
-    shown.instances.at(compared).path = with_distances;
+    InstanceDescription& compared = shown.instances.at(comparison.compared);
+    compared.layer.name = layerName(shown, {LayerKind::kScan, comparison.compared}); // not that of the copy
+    compared.path = with_distances;
+    shown.instances.at(comparison.reference).visible = false;
     shown.render.color_by = kDistance;
     shown.render.color_map.reset();
     shown.render.color_range.reset();

@@ -103,7 +103,7 @@ private:
     void refineWithoutRedraw();
     void saveFilm();
     void compareScans(const Comparison& comparison);
-    void showComparison(const std::string& with_distances, std::size_t compared);
+    void showComparison(const std::string& with_distances, const Comparison& comparison);
     void addStill();
     void startStill();
     void renderTurntable(std::uint32_t pictures, bool follows_views);

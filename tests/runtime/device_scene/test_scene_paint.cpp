@@ -213,6 +213,26 @@ TEST_F(ScenePaintTest, Ranges_FitTheNumbers) {
     EXPECT_EQ(plan().legend->range, (ValueRange{5, 6}));
 }
 
+/// Colours of distances have 0 in their middle.
+TEST_F(ScenePaintTest, Distances_AreDiverging) {
+    test::Scene tiny = test::tinyScene();
+    const float distances[] = {-1, 0, 0.5f, 3, std::numeric_limits<float>::quiet_NaN()};
+    reopen([&] {
+        test::TinyScan content;
+        content.add("distance", PRO_TYPE_F32, 1, distances);
+        EXPECT_EQ(content.write(tiny, scan.path), PRO_OK);
+    });
+    settings.color_by = "distance";
+    const PaintPlan painted_plan = plan();
+    const Srgb8 middle = ColorScale(ColorMap::kCoolwarm, {-1, 1})(0);
+    EXPECT_EQ(colors()[1], middle);
+    EXPECT_GT(colors()[0][2], colors()[0][0]) << "blue below";
+    EXPECT_GT(colors()[3][0], colors()[3][2]) << "red above";
+    EXPECT_EQ(colors()[4], kMissingColor);
+    settings.color_range = ValueRange{0, 3}; // as given
+    EXPECT_EQ(colors()[0], colors()[1]) << "both at the lower end";
+}
+
 TEST_F(ScenePaintTest, Overrides_ApplyInOrder) {
     using Numbers = SplatSelection;
     scene.materials.resize(4);

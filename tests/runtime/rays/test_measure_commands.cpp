@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // pointrt-rays measure, profile and compare end to end, in coordinates of a national grid.
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "pointrt/pro.hpp"
 #include "tests/runtime/rays/cast_command.h"
 
 namespace pointrt::test {
@@ -144,6 +146,25 @@ TEST_F(MeasureCommand, AMovedCopyIsComparedToAMillimetre) {
     folder.write("bare.csv", "500064,4500064,165\n");
     expectRefused(1, "bare.csv: *normals*", POINTRT_RAYS " compare plane.pro bare.csv");
     expectRefused(2, "two scans*1*", POINTRT_RAYS " compare plane.pro");
+}
+
+/// The copy is the scan with an attribute: nothing is baked again to see distances.
+TEST_F(MeasureCommand, DistancesBecomeAnAttributeOfACopy) {
+    writeScan(folder.file("before.pro"), planeSplats(50, 0.5f), {});
+    folder.write("moved.toml", "[[instance]]\nfile = \"before.pro\"\ntranslate = [0.0, 0.0, 0.25]\n");
+    ASSERT_EQ(run(POINTRT_RAYS " compare before.pro moved.toml -q -o out.pro").code, 0);
+    const ProFile before(folder.file("before.pro")), copy(folder.file("out.pro"));
+    EXPECT_TRUE(std::ranges::equal(before.splats(), copy.splats()));
+    ASSERT_TRUE(copy.attribute("distance"));
+    const pro_attribute& distance = *copy.attribute("distance");
+    for (std::size_t i = 0; i < copy.info().splat_count; ++i)
+        ASSERT_NEAR(pro_attribute_value(&distance, i), 0.25, 1e-3) << i;
+    // again: the old distances are replaced
+    ASSERT_EQ(run(POINTRT_RAYS " compare before.pro out.pro -q -o again.pro").code, 0);
+    const ProFile again(folder.file("again.pro"));
+    EXPECT_EQ(again.attributes().size(), 1u);
+    EXPECT_NEAR(again.attribute("distance")->high, 0, 1e-3);
+    expectRefused(2, "-o: *one scan*.ply", POINTRT_RAYS " compare before.pro out.ply -o other.pro");
 }
 
 } // namespace

@@ -3,6 +3,8 @@
 #include <cstring>
 #include <sstream>
 
+#include "format/pointio/input_order.h"
+#include "pointrt/pro.hpp"
 #include "tests/runtime/rays/cast_command.h"
 #include "tests/support/says.h"
 
@@ -129,6 +131,22 @@ TEST_F(StudyCommand, AttributesAreKeptAndOldResultsReplaced) {
     const Outcome stream = sun(tiny + kDay + "--every 60 -q -o -");
     EXPECT_EQ(stream.code, 0);
     EXPECT_EQ(stream.out, text("out.ply"));
+}
+
+/// Rows of a .pro are its splats in their order, which is not that of the input.
+TEST_F(StudyCommand, ResultsBecomeAttributesInTheOrderOfTheFile) {
+    ASSERT_EQ(sun("tower.pro" + kDay + "--every 60 -q -o out.pro").code, 0);
+    ASSERT_EQ(sun("tower.pro" + kDay + "--every 60 -q -o out.csv").code, 0);
+    const ProFile copy(folder.file("out.pro"));
+    const pro_attribute* const hours = copy.attribute("sun_hours");
+    ASSERT_TRUE(hours);
+    const auto rows = table("out.csv"); // in the order of the input
+    ASSERT_EQ(rows.size(), copy.info().splat_count + 1u);
+    const std::vector<std::uint32_t> order = inputOrder(copy);
+    for (std::size_t i = 0; i < order.size(); ++i)
+        ASSERT_NEAR(pro_attribute_value(hours, order[i]), std::stod(rows[i + 1][7]), 1e-4) << i;
+    EXPECT_LT(hours->low, hours->high) << "they must differ to tell orders apart";
+    expectRefused(2, "-o: *one scan*", POINTRT_RAYS " sun plane.pro tower.pro" + kDay + "--every 60 -o other.pro");
 }
 
 TEST_F(StudyCommand, ViewshedListsWhatObserversSee) {

@@ -67,6 +67,23 @@ TEST(Actions, UndoAndRedoHaveTheirUsualKeys) {
         << "Shift changes no other";
 }
 
+TEST(Actions, SavedViewsAreShownInTurn) {
+    Workspace work;
+    applyAction(work, Action::kNextView);
+    EXPECT_FALSE(work.requests.go_to_view) << "there are none";
+    work.scene.views = {{"a", {}}, {"b", {}}, {"c", {}}};
+    std::vector<std::size_t> shown;
+    for (const Action action : {Action::kNextView, Action::kNextView, Action::kNextView, Action::kNextView,
+                                Action::kPreviousView, Action::kPreviousView}) {
+        applyAction(work, action);
+        shown.push_back(work.requests.go_to_view.value());
+    }
+    EXPECT_EQ(shown, (std::vector<std::size_t>{0, 1, 2, 0, 2, 1}));
+    work.scene.views.resize(1); // deleted meanwhile
+    applyAction(work, Action::kPreviousView);
+    EXPECT_EQ(work.requests.go_to_view, 0u);
+}
+
 /// Every action is handled by the workspace, the camera, or the window (four of them).
 TEST(Actions, EveryKeyIsHandled) {
     const ViewCamera camera;
