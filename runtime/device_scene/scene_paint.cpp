@@ -103,8 +103,9 @@ bool paintsAlike(const PaintRequest& request, const PlacedScan& a, const PlacedS
            (!by_place || a.instance->placement == b.instance->placement);
 }
 
-/// The near splats of a scan without those that filters hide.
-PagedBuffer shownNear(Device& device, const DeviceScan& file, const std::vector<std::uint64_t>& shown) {
+/// The near splats of a scan without those that filters hide, with their radii multiplied by size.
+/// @param shown empty: all
+PagedBuffer shownNear(Device& device, const DeviceScan& file, const std::vector<std::uint64_t>& shown, float size) {
     const pro_index& index = file.index;
     constexpr std::size_t kNearBytes = PRO_NEAR_WORDS * sizeof(std::uint32_t);
     PagedBuffer buffer = createEmptyPagedBuffer(device, "shown near splat buffer", index.near_count * kNearBytes,
@@ -114,8 +115,12 @@ PagedBuffer shownNear(Device& device, const DeviceScan& file, const std::vector<
     for (std::size_t first = 0; first < index.near_count; first += kNearAtOnce) {
         const std::size_t count = std::min<std::size_t>(kNearAtOnce, index.near_count - first);
         words.resize(count * PRO_NEAR_WORDS);
-        copyShownNear(shown, {index.near_splats + first * PRO_NEAR_WORDS, words.size()}, {index.listed + first, count},
-                      words);
+        const std::span<const std::uint32_t> near{index.near_splats + first * PRO_NEAR_WORDS, words.size()};
+        if (shown.empty())
+            std::ranges::copy(near, words.begin());
+        else
+            copyShownNear(shown, near, {index.listed + first, count}, words);
+        if (size != 1) resizeNear(size, words);
         uploadPages(device, buffer, words.data(), words.size() * sizeof(std::uint32_t), first * kNearBytes);
     }
     return buffer;
@@ -144,7 +149,7 @@ PagedBuffer paintedBuffer(Device& device, const DeviceScan& file, const SplatPai
 bool isColored(const RenderSettings& settings) { return settings.color_by != kOwnColors; }
 
 bool isPainted(const InstanceDescription& instance, const RenderSettings& settings) {
-    return isColored(settings) || hasNumbers(instance);
+    return isColored(settings) || settings.splat_size != 1 || hasNumbers(instance);
 }
 
 bool paintsScans(const SceneDescription& scene, const RenderSettings& settings) {
@@ -168,6 +173,7 @@ PaintRequest paintRequest(const SceneDescription& scene, const RenderSettings& s
     if (paintsScans(scene, settings))
         for (const InstanceDescription& instance : scene.instances)
             request.overrides.push_back(painted(instance) ? instance.overrides : std::vector<MaterialOverride>());
+    request.splat_size = settings.splat_size;
     if (usesHeights(request)) request.up = sceneUp(scene, settings);
     return request;
 }
@@ -197,12 +203,14 @@ PaintPlan planPaint(const std::vector<PlacedScan>& scans, const PaintRequest& re
     requireFiltered(scans, request);
     plan.legend = std::move(choice.legend);
     for (std::size_t i = 0; i < scans.size(); ++i) {
-        if (!colored && !hasNumbers(*scans[i].instance) && request.filters.empty()) continue;
+        const bool resized = request.splat_size != 1;
+        if (!colored && !resized && !hasNumbers(*scans[i].instance) && request.filters.empty()) continue;
         if (scans[i].file->is_gaussian) continue; // other buffers, without attributes
         SplatPaint& paint = plan.paints[i].emplace();
         if (colored) paint.colors = std::move(choice.colors[i]);
         paint.overrides = overridesOf(scans[i], request.up);
         paint.selections = selectionsOf(scans[i], request.filters, request.up);
+        paint.size = request.splat_size;
     }
     return plan;
 }
@@ -233,12 +241,12 @@ PaintedSplats paintScan(Device& device, const DeviceScan& file, const SplatPaint
     std::vector<std::uint64_t> shown;
     if (!paint.selections.empty()) shown = shownSplats(paint.selections, file.info.splat_count);
     painted.splats = paintedBuffer(device, file, paint, shown);
+    if (!shown.empty() || paint.size != 1) painted.near = shownNear(device, file, shown, paint.size);
     if (shown.empty()) return painted;
     painted.shown =
         std::accumulate(shown.begin(), shown.end(), std::uint64_t{0}, [](std::uint64_t sum, std::uint64_t word) {
             return sum + static_cast<std::uint64_t>(std::popcount(word));
         });
-    painted.near = shownNear(device, file, shown);
     return painted;
 }
 

@@ -22,6 +22,7 @@ struct PaintRequest {
     std::optional<ColorMap> color_map;
     std::optional<ValueRange> color_range;
     Vec3 up;                                              ///< set only if heights are used
+    float splat_size = 1;                                 ///< RenderSettings::splat_size
     std::vector<FilterDescription> filters;               ///< the enabled ones
     std::vector<std::vector<MaterialOverride>> overrides; ///< for each instance; empty if shaders apply all of them
     bool operator==(const PaintRequest&) const = default;
@@ -67,7 +68,7 @@ std::vector<std::string> colorWords(const std::vector<PlacedScan>& scans);
 struct PaintedSplats {
     PagedBuffer splats;
     std::uint64_t shown = 0;         ///< splats that filters do not hide
-    std::optional<PagedBuffer> near; ///< without the hidden ones; none: the file's
+    std::optional<PagedBuffer> near; ///< without the hidden ones, of the size they are drawn in; none: the file's
 };
 
 /// Throws Error kCannotRun.

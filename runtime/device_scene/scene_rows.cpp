@@ -116,10 +116,16 @@ private:
             !std::equal(file.view.materials, file.view.materials + floats, other.view.materials))
             return false;
         gpu::InstanceParams params = instance.params;
+        setDrawnRadius(file, params);
         params.materials = rows.instances.back().materials;
         std::copy_n(rows.instances.back().color_range, MAX_COLOR_RANGES, params.color_range);
         rows.instances.push_back(params);
         return true;
+    }
+
+    /// Sets the largest radius as it is drawn. That of Gaussians stays.
+    void setDrawnRadius(const DeviceScan& file, gpu::InstanceParams& params) const {
+        if (!file.is_gaussian) params.splat.x = file.info.radius_max * settings_.splat_size;
     }
 
     /// Appends the rows of an instance and references them in its params.
@@ -137,6 +143,7 @@ private:
             for (const std::uint32_t material : paintedMaterials(description, file))
                 rows.materials.push_back(rows.materials.at(material));
         gpu::InstanceParams params = instance.params;
+        setDrawnRadius(file, params);
         params.materials.y = first;
         params.materials.z = 0;
         for (const MaterialOverride& each : description.overrides) applyOverride(each, file, painted, params);

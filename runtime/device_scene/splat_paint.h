@@ -45,6 +45,7 @@ struct SplatPaint {
     std::variant<std::monostate, NumberColors, NormalColors> colors;
     std::vector<SplatOverride> overrides;             ///< later ones win
     std::vector<SplatOverride::OfNumbers> selections; ///< what filters show: splats that are in all of them
+    float size = 1;                                   ///< factor of the radii
 };
 
 /// Writes the painted words of splats, from number first on, as many as painted holds, on all cores. Those that

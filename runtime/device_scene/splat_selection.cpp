@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include "format/base/parallel.h"
 #include "pointrt/pro_index_layout.h"
@@ -52,6 +53,33 @@ void moveHiddenAway(const std::vector<std::uint64_t>& shown, std::size_t first, 
         words[i * PRO_SPLAT_WORDS] = 0;
         words[i * PRO_SPLAT_WORDS + 1] &= PRO_SPLAT_BALL;
     }
+}
+
+namespace {
+
+/// The squared radius of a near splat multiplied, as a code, at least 1 where it was: 0 would be nothing.
+std::uint32_t resizedCode(std::uint32_t code, float square) {
+    if (code == 0) return 0;
+    const float before = std::bit_cast<float>((code << PRO_NEAR_RADIUS_SHIFT) + PRO_NEAR_RADIUS_BIAS);
+    const auto bits = std::bit_cast<std::uint32_t>(before * square);
+    return std::max(1u, (std::max(bits, PRO_NEAR_RADIUS_BIAS) - PRO_NEAR_RADIUS_BIAS) >> PRO_NEAR_RADIUS_SHIFT);
+}
+
+} // namespace
+
+void resizeNear(float factor, std::span<std::uint32_t> near) {
+    constexpr std::size_t kWordsAtOnce = kCopiedAtOnce * PRO_NEAR_WORDS;
+    forAll((near.size() + kWordsAtOnce - 1) / kWordsAtOnce, [&](std::size_t task) {
+        const std::size_t end = std::min((task + 1) * kWordsAtOnce, near.size());
+        for (std::size_t k = task * kWordsAtOnce; k < end; k += PRO_NEAR_WORDS) {
+            std::uint32_t &high = near[k], &low = near[k + 1];
+            const std::uint32_t code =
+                (high & PRO_NEAR_RADIUS_HIGH_MASK) << PRO_NEAR_RADIUS_LOW_BITS | (low & PRO_NEAR_RADIUS_LOW_MASK);
+            const std::uint32_t resized = resizedCode(code, factor * factor);
+            high = (high & ~PRO_NEAR_RADIUS_HIGH_MASK) | resized >> PRO_NEAR_RADIUS_LOW_BITS;
+            low = (low & ~PRO_NEAR_RADIUS_LOW_MASK) | (resized & PRO_NEAR_RADIUS_LOW_MASK);
+        }
+    });
 }
 
 void copyShownNear(const std::vector<std::uint64_t>& shown, std::span<const std::uint32_t> near,

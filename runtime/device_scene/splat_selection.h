@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which splats filters show, and lists of near splats without the others.
+// Which splats filters show, and lists of near splats without the others, or of other sizes.
 #pragma once
 
 #include <cstddef>
@@ -23,5 +23,8 @@ void moveHiddenAway(const std::vector<std::uint64_t>& shown, std::size_t first, 
 /// @param listed the splat of each
 void copyShownNear(const std::vector<std::uint64_t>& shown, std::span<const std::uint32_t> near,
                    std::span<const std::uint32_t> listed, std::span<std::uint32_t> copy);
+
+/// Multiplies the radii of near splats by a factor, above 0 to 1, on all cores. Nothing stays nothing.
+void resizeNear(float factor, std::span<std::uint32_t> near);
 
 } // namespace pointrt

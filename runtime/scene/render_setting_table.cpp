@@ -32,12 +32,13 @@ constexpr bool holds(const RenderSettings& settings, SizeMembers member, const v
 [[maybe_unused]] constexpr bool everyMemberHasARow() {
     const RenderSettings settings;
     const auto& [width, height, spp, seed, camera, integrator, bounces, room, lights, background, shadows, caustics,
-                 blend, relight, reflectivity, color_by, color_map, color_range, legend, first_hits, light_parts,
-                 denoise, exposure, detail] = settings;
-    const std::array<const void*, 24> members = {
-        &width,     &height,      &spp,     &seed,       &camera,      &integrator, &bounces,      &room,
-        &lights,    &background,  &shadows, &caustics,   &blend,       &relight,    &reflectivity, &color_by,
-        &color_map, &color_range, &legend,  &first_hits, &light_parts, &denoise,    &exposure,     &detail};
+                 blend, splat_size, relight, reflectivity, color_by, color_map, color_range, legend, first_hits,
+                 light_parts, denoise, exposure, detail] = settings;
+    const std::array<const void*, 25> members = {&width,        &height,      &spp,       &seed,        &camera,
+                                                 &integrator,   &bounces,     &room,      &lights,      &background,
+                                                 &shadows,      &caustics,    &blend,     &splat_size,  &relight,
+                                                 &reflectivity, &color_by,    &color_map, &color_range, &legend,
+                                                 &first_hits,   &light_parts, &denoise,   &exposure,    &detail};
     const auto has_row = [&](const void* member) {
         bool found = false;
         forEachRenderSetting([&](const auto& row) { found |= holds(settings, row.member, member); });

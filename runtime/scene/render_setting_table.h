@@ -148,6 +148,12 @@ inline constexpr std::tuple kRenderSettings{
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--blend", "on|off", "Blend overlapping splats (default {default})"},
         InSceneFile{FileTable::kRender, 11, "blend"},
         InFilm{10, "blend"}},
+    RenderSetting{&RenderSettings::splat_size, &RenderChoices::splat_size,
+        RealRange{0.05, 1}, // smaller ones are between the pixels of most pictures
+        OnCommandLine{HelpGroup::kLightAndSurfaces, "--splat-size", "FACTOR",
+            "Draw splats with this share of their radii, to see single points (default {default}; {limits})"},
+        InSceneFile{FileTable::kRender, 19, "splat_size"},
+        InFilm{18, "splat_size", nullptr, true}},
     RenderSetting{&RenderSettings::relight, &RenderChoices::relight,
         OneOf{kSwitchNames},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--relight", "on|off",

@@ -72,6 +72,7 @@ struct RenderSettings {
     bool shadows = true;
     bool caustics = true;              ///< light focused by glass and mirrors
     bool blend = true;                 ///< off: each hit is one splat's flat disc
+    float splat_size = 1;              ///< factor of the radii of splats, above 0 to 1: no cell lists larger ones
     bool relight = false;              ///< Gaussians are surfaces that the scene lights
     std::optional<float> reflectivity; ///< overrides the scans' materials
     std::string color_by = kOwnColors; ///< see color_choice.h of device_scene
@@ -105,7 +106,7 @@ struct RenderChoices {
     std::optional<ValueRange> color_range;
     std::optional<bool> legend;
     std::optional<DenoiseChoice> denoise;
-    std::optional<float> exposure, detail;
+    std::optional<float> exposure, detail, splat_size;
     bool operator==(const RenderChoices&) const = default;
 };
 

@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
 #include "format/base/error.h"
+#include "pointrt/pro_index_layout.h"
 #include "runtime/device_scene/color_choice.h"
 #include "runtime/device_scene/number_samples.h"
 #include "runtime/device_scene/splat_selection.h"
@@ -291,6 +293,29 @@ TEST(SplatSelection, CopiesOfNearSplatsLackTheHidden) {
         ASSERT_EQ(copy[2 * k], is_shown ? near[2 * k] : 0) << k;
         ASSERT_EQ(copy[2 * k + 1], is_shown ? near[2 * k + 1] : 0) << k;
     }
+}
+
+TEST(SplatSelection, NearSplatsAreResized) {
+    const auto squareOf = [](const std::uint32_t* words) {
+        const std::uint32_t code =
+            (words[0] & PRO_NEAR_RADIUS_HIGH_MASK) << PRO_NEAR_RADIUS_LOW_BITS | (words[1] & PRO_NEAR_RADIUS_LOW_MASK);
+        return double{std::bit_cast<float>((code << PRO_NEAR_RADIUS_SHIFT) + PRO_NEAR_RADIUS_BIAS)};
+    };
+    // two discs of different radii, a ball as small as codes go, and nothing
+    const std::array<std::uint32_t, 8> before{0xABCDE402, 0x12345634, 0x00000001, 0x7F0000F0, 0, 1, 0, 0};
+    std::array<std::uint32_t, 8> after = before;
+    resizeNear(0.5f, after);
+    for (const std::size_t disc : {0u, 2u}) {
+        // codes have 5 bits of precision
+        EXPECT_NEAR(squareOf(&after[disc]) / squareOf(&before[disc]), 0.25, 0.25 / 32);
+        EXPECT_EQ(after[disc] & ~PRO_NEAR_RADIUS_HIGH_MASK, before[disc] & ~PRO_NEAR_RADIUS_HIGH_MASK);
+        EXPECT_EQ(after[disc + 1] & ~PRO_NEAR_RADIUS_LOW_MASK, before[disc + 1] & ~PRO_NEAR_RADIUS_LOW_MASK);
+    }
+    EXPECT_EQ(after[5], 1u) << "0 would be nothing";
+    EXPECT_EQ(after[7], 0u);
+    after = before;
+    resizeNear(1, after);
+    EXPECT_EQ(after, before);
 }
 
 TEST_F(ScenePaintTest, HistogramsCountAllNumbers) {
