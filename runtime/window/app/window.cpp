@@ -213,6 +213,11 @@ void Window::handleRequests() {
     if (requests.home) flyTo(view_.home);
     if (requests.save_view) saveView(work_);
     if (requests.screenshot && loaded_) image_.requestFilm();
+    if (requests.bake_again && loaded_)
+        afterSaving([this, kind = *requests.bake_again] {
+            kept_view_ = KeptView{work_.scene.path, work_.camera, view_.home};
+            tryOrNotify("", [&] { opener_.bakeAgain(kind); });
+        });
     if (requests.compare && loaded_) tryOrNotify("", [&] { compareScans(*requests.compare); });
     if (requests.add_still && loaded_) addStill();
     startStill();
@@ -252,6 +257,7 @@ bool Window::frame() {
     work_.time_s = session_.now();
     work_.scan_in_view = editor_.seesScans(work_.camera, viewSize(host_));
     std::erase_if(work_.notices, [&](const Notice& notice) { return notice.until_s < work_.time_s; });
+    work_.may_bake_again = opener_.mayBakeAgain(work_.scene.path);
     work_.hud.frame_ms = meter_.meanFrame_ms();
     work_.hud.tiles_loading = jobs_.has(JobKind::kTiles);
     fillHud(work_, host_, loaded_.get(), jobs_.has(JobKind::kSceneUpdate) ? nullptr : image_.live());

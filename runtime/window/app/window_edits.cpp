@@ -201,7 +201,7 @@ void Window::showComparison(const std::string& with_distances, const Comparison&
     if (!autosave_ || autosave_->path().empty())
         return notify("the edits cannot be kept while scans are compared", true);
     autosave_->write(shown);
-    kept_view_ = KeptView{work_.camera, view_.home};
+    kept_view_ = KeptView{work_.scene.path, work_.camera, view_.home};
     opener_.open({autosave_->path(), work_.scene.path, true});
 }
 
@@ -213,7 +213,7 @@ ReopenedWindow Window::handOver() {
     autosave_->write(sceneAsShown(work_, {host_.pixels().width, host_.pixels().height}));
     next.scene = SceneSource{autosave_->path(), work_.scene.path, true};
     next.scene->only_view = !editor_.isModified();
-    next.view = KeptView{work_.camera, view_.home};
+    next.view = KeptView{work_.scene.path, work_.camera, view_.home};
     return next;
 }
 

@@ -128,7 +128,7 @@ void Window::showLoaded(std::unique_ptr<LoadedScene> loaded, const SceneSource& 
     const std::uint32_t samples = says_samples ? loaded_->settings.spp : kCleanSamplesOfLight;
     view_.home = scene.follows_quick ? editor_.refine(openedScene(*loaded_), samples, view_.home)
                                      : editor_.open(openedScene(*loaded_), samples);
-    if (const auto kept = std::exchange(kept_view_, std::nullopt)) {
+    if (const auto kept = std::exchange(kept_view_, std::nullopt); kept && kept->scene == scene.name()) {
         work_.camera = kept->camera;
         view_.home = kept->home;
     }

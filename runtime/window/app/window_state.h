@@ -36,8 +36,9 @@ struct TileView {
     bool operator==(const TileView&) const = default;
 };
 
-/// The view of a window that lost its device. Scene files keep no pivot beside the line of sight.
+/// The view of a scene that is opened again. Scene files keep no pivot beside the line of sight.
 struct KeptView {
+    std::string scene; ///< its name
     ViewCamera camera, home;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/window/edit/file_opener.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -59,6 +60,7 @@ void FileOpener::bake(const ScanBake& scans) {
     if (const auto other = jobs_.status(JobKind::kBake))
         return notify_(other->title + " is still running; bake one scan at a time", true);
     requireScans(scans);
+    baked_ = scans;
     jobs_.start(JobKind::kBake, [&] {
         auto quick = std::make_unique<BakeJob>(scans, BakeDetail::kQuick);
         const BakeJob* job = quick.get();
@@ -72,6 +74,15 @@ void FileOpener::bake(const ScanBake& scans) {
         started.fails_silently = true; // the full bake says why
         return started;
     });
+}
+
+void FileOpener::bakeAgain(const std::string& splat_kind) {
+    constexpr const char* kOption = "--splat";
+    ScanBake again = baked_.value();
+    const auto given = std::find(again.options.begin(), again.options.end(), kOption);
+    if (given != again.options.end()) again.options.erase(given, std::min(given + 2, again.options.end()));
+    again.options.insert(again.options.end(), {kOption, splat_kind});
+    bake(again);
 }
 
 void FileOpener::bakeFully(const ScanBake& scans, bool follows_quick) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,10 @@ public:
     /// Opens baked scans together, each as a layer, or a scene file, which must be alone. All others are scans to bake
     /// together.
     void drop(const std::vector<std::string>& paths);
+    /// Whether the scene of this name was baked from scans that can be baked again.
+    bool mayBakeAgain(const std::string& name) const { return baked_ && baked_->scans.front() == name; }
+    /// Bakes the scans of the last bake with another kind of splats, --splat auto, disc or ball, and opens them.
+    void bakeAgain(const std::string& splat_kind);
     /// Opens the scene step files after path in its folder, if there is another one.
     void openNeighbour(const std::string& path, int step);
 
@@ -51,7 +56,8 @@ private:
     JobQueue& jobs_;
     JobQueue::Notify notify_;
     StartLoad load_;
-    std::string current_; ///< name of the scene opened last
+    std::optional<ScanBake> baked_; ///< last
+    std::string current_;           ///< name of the scene opened last
     bool first_ = false;
 };
 

@@ -102,6 +102,7 @@ struct Requests {
     std::optional<std::size_t> go_to_view, delete_view; ///< indices into scene.views
     bool add_still = false;                             ///< to work.stills
     bool follows_views = false;                         ///< of turntable_pictures: through the views
+    std::optional<std::string> bake_again; ///< with this kind of splats
     std::optional<Comparison> compare;
     std::optional<std::uint32_t> turntable_pictures; ///< number of frames to render to turntable_path
 };
@@ -135,6 +136,7 @@ struct Workspace {
     PixelSize still_size{3840, 2160};
     std::vector<Still> stills; ///< in their order
     bool can_undo = false, can_redo = false;
+    bool may_bake_again = false;
     bool scan_in_view = true;    ///< false: the camera looks past the scans
     bool only_gaussians = false; ///< see StudioSubject
     std::vector<Notice> notices;

@@ -105,6 +105,22 @@ void drawPlacement(Workspace& w, InstanceDescription& scan, Vec3 centre) {
         placement = scaledTo(placement, centre, scale);
 }
 
+/// Offers to bake the scans again with another kind of splats: other splats reach into other cells.
+void drawSplatKind(Workspace& w) {
+    if (!w.may_bake_again) return;
+    constexpr struct {
+        const char* label;
+        const char* option;
+    } kKinds[] = {{"discs, and balls where there is no surface", "auto"}, {"discs", "disc"}, {"balls", "ball"}};
+    pushRow("Bake again", "bakes the scan with another kind of splats, and opens it");
+    if (ImGui::BeginCombo("##value", "choose")) {
+        for (const auto& kind : kKinds)
+            if (ImGui::Selectable(kind.label)) w.requests.bake_again = kind.option;
+        ImGui::EndCombo();
+    }
+    popRow();
+}
+
 /// Offers to measure a scan's distances from another one's surface.
 void drawComparison(Workspace& w, std::size_t scan) {
     std::vector<std::size_t> others;
@@ -208,6 +224,7 @@ void drawSelected(Workspace& w, LayerId id) {
         ImGui::BeginDisabled(layer.locked);
         drawPlacement(w, w.scene.instances[id.number], w.scan_centres[id.number]);
         drawComparison(w, id.number);
+        drawSplatKind(w);
         ImGui::EndDisabled();
     }
     checkboxRow("Locked", layer.locked, "keeps it from being edited or deleted");
