@@ -83,6 +83,12 @@ bool holdOnlyGaussians(const std::vector<PlacedScan>& scans) {
            std::all_of(scans.begin(), scans.end(), [](const PlacedScan& scan) { return scan.file->is_gaussian; });
 }
 
+/// Those that do not keep their own colours.
+std::vector<PlacedScan> coloredScans(std::vector<PlacedScan> scans) {
+    std::erase_if(scans, [](const PlacedScan& scan) { return !scan.instance->colored; });
+    return scans;
+}
+
 /// Refuses filters by what no scan has.
 void requireFiltered(const std::vector<PlacedScan>& scans, const PaintRequest& request) {
     for (const FilterDescription& filter : request.filters) {
@@ -100,7 +106,7 @@ void requireFiltered(const std::vector<PlacedScan>& scans, const PaintRequest& r
 bool paintsAlike(const PaintRequest& request, const PlacedScan& a, const PlacedScan& b) {
     const bool by_place = usesHeights(request) || request.color_by == kNormal || usesHeights(a.instance->overrides);
     return a.file == b.file && a.instance->overrides == b.instance->overrides &&
-           (!by_place || a.instance->placement == b.instance->placement);
+           a.instance->colored == b.instance->colored && (!by_place || a.instance->placement == b.instance->placement);
 }
 
 /// The near splats of a scan without those that filters hide, with their radii multiplied by size.
@@ -146,10 +152,12 @@ PagedBuffer paintedBuffer(Device& device, const DeviceScan& file, const SplatPai
 
 } // namespace
 
-bool isColored(const RenderSettings& settings) { return settings.color_by != kOwnColors; }
+bool isColored(const InstanceDescription& instance, const RenderSettings& settings) {
+    return settings.color_by != kOwnColors && instance.colored;
+}
 
 bool isPainted(const InstanceDescription& instance, const RenderSettings& settings) {
-    return isColored(settings) || settings.splat_size != 1 || hasNumbers(instance);
+    return isColored(instance, settings) || settings.splat_size != 1 || hasNumbers(instance);
 }
 
 bool paintsScans(const SceneDescription& scene, const RenderSettings& settings) {
@@ -160,7 +168,8 @@ bool paintsScans(const SceneDescription& scene, const RenderSettings& settings) 
 
 PaintRequest paintRequest(const SceneDescription& scene, const RenderSettings& settings) {
     PaintRequest request;
-    if (isColored(settings)) {
+    if (settings.color_by != kOwnColors) {
+        for (const InstanceDescription& instance : scene.instances) request.colored.push_back(instance.colored);
         request.color_by = settings.color_by;
         request.color_map = settings.color_map;
         request.color_range = settings.color_range;
@@ -199,15 +208,20 @@ PaintPlan planPaint(const std::vector<PlacedScan>& scans, const PaintRequest& re
     if (colored && holdOnlyGaussians(scans))
         throw Error{ExitCode::kBadUsage, "--color-by: Gaussian captures have no colours but their own"};
     ColorChoice choice;
-    if (colored) choice = chooseColors(scans, request);
+    const std::vector<PlacedScan> painted = coloredScans(scans);
+    if (colored && (scans.empty() || !painted.empty())) choice = chooseColors(painted, request);
     requireFiltered(scans, request);
     plan.legend = std::move(choice.legend);
+    std::size_t next = 0; // of choice.colors
     for (std::size_t i = 0; i < scans.size(); ++i) {
         const bool resized = request.splat_size != 1;
-        if (!colored && !resized && !hasNumbers(*scans[i].instance) && request.filters.empty()) continue;
+        const bool is_colored = colored && scans[i].instance->colored;
+        const std::size_t choice_of_this = next;
+        next += is_colored ? 1 : 0;
+        if (!is_colored && !resized && !hasNumbers(*scans[i].instance) && request.filters.empty()) continue;
         if (scans[i].file->is_gaussian) continue; // other buffers, without attributes
         SplatPaint& paint = plan.paints[i].emplace();
-        if (colored) paint.colors = std::move(choice.colors[i]);
+        if (is_colored) paint.colors = std::move(choice.colors[choice_of_this]);
         paint.overrides = overridesOf(scans[i], request.up);
         paint.selections = selectionsOf(scans[i], request.filters, request.up);
         paint.size = request.splat_size;

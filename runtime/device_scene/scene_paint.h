@@ -25,13 +25,14 @@ struct PaintRequest {
     float splat_size = 1;                                 ///< RenderSettings::splat_size
     std::vector<FilterDescription> filters;               ///< the enabled ones
     std::vector<std::vector<MaterialOverride>> overrides; ///< for each instance; empty if shaders apply all of them
+    std::vector<bool> colored;                            ///< each instance, if color_by is not the scans' own
     bool operator==(const PaintRequest&) const = default;
 };
 
 PaintRequest paintRequest(const SceneDescription& scene, const RenderSettings& settings);
 
-/// Whether splats get other colours than those of their files.
-bool isColored(const RenderSettings& settings);
+/// Whether the splats of an instance get other colours than those of its file.
+bool isColored(const InstanceDescription& instance, const RenderSettings& settings);
 
 /// Whether an instance's own settings make its splats differ from those of its file. Filters (hidesSplats) do so for
 /// all instances. Gaussians are never painted.

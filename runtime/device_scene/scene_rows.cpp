@@ -17,10 +17,10 @@ namespace {
 using gpu::uint; // the masks of FEATURE_* cast to it
 
 /// A row of a .pro as a material.
-MaterialDescription materialOfRow(const float* row, const RenderSettings& settings) {
+MaterialDescription materialOfRow(const float* row, const RenderSettings& settings, bool is_colored) {
     MaterialDescription material;
     material.color = {row[PRO_MAT_BASE_COLOR], row[PRO_MAT_BASE_COLOR + 1], row[PRO_MAT_BASE_COLOR + 2]};
-    if (isColored(settings)) material.color = {1, 1, 1}; // shows the map's colours unchanged
+    if (is_colored) material.color = {1, 1, 1}; // shows the map's colours unchanged
     material.splat_color = true;
     material.mirror_share = settings.reflectivity.value_or(row[PRO_MAT_REFLECTIVITY]);
     material.specular = row[PRO_MAT_SPECULAR];
@@ -136,7 +136,8 @@ private:
             if (description.material)
                 rows.materials.push_back(rows.materials.at(*description.material));
             else
-                add(materialOfRow(file.view.materials + std::size_t{row} * PRO_MATERIAL_FLOATS, settings_));
+                add(materialOfRow(file.view.materials + std::size_t{row} * PRO_MATERIAL_FLOATS, settings_,
+                                  isColored(description, settings_)));
         }
         const bool painted = (hides_splats_ || isPainted(description, settings_)) && !file.is_gaussian;
         if (painted)

@@ -73,6 +73,7 @@ struct InstanceDescription {
     bool visible = true;                     ///< false: no ray hits it
     bool deleted = false;                    ///< in the window: hidden, and left out of the scene file
     Layer layer{};
+    bool colored = true; ///< by RenderSettings::color_by; false: keeps its own colours
     bool operator==(const InstanceDescription&) const = default;
 };
 

@@ -113,12 +113,13 @@ MaterialOverride overrideOf(const SceneValue& table, const SceneReading& reading
 InstanceDescription instanceOf(const SceneValue& table, const SceneReading& reading) {
     requireKnownKeys(
         table, "an instance",
-        {"file", "name", "visible", "locked", "translate", "rotate", "scale", "material", "clip", "override"});
+        {"file", "name", "visible", "locked", "translate", "rotate", "scale", "material", "clip", "colored", "override"});
     InstanceDescription instance;
     instance.path = fileOf(require(table, "file"), reading);
     instance.placement = placementOf(table);
     if (const auto material = find(table, "material")) instance.material = materialOf(*material, reading);
     takeFlag(table, "clip", instance.clipped);
+    takeFlag(table, "colored", instance.colored);
     takeFlag(table, "visible", instance.visible);
     takeLayer(table, instance.layer);
     std::size_t ranges = 0;

@@ -38,6 +38,7 @@ void writeInstance(SceneWriting& writing, const InstanceDescription& instance) {
     if (placement.translation != Vec3{}) put(writing, "translate", tomlOf(placement.translation));
     if (instance.material) put(writing, "material", tomlOf(writing.material_names.at(*instance.material)));
     if (!instance.clipped) put(writing, "clip", "false");
+    if (!instance.colored) put(writing, "colored", "false");
     if (!instance.visible) put(writing, "visible", "false");
     putLayer(writing, instance.layer);
     for (const MaterialOverride& over : instance.overrides) writeOverride(writing, over);

@@ -179,7 +179,8 @@ void drawShape(Workspace& w, ShapeDescription& shape) {
     ImGui::EndDisabled();
 }
 
-/// At the last picked point; else beside the scan, on the level of its lowest point.
+/// At the last picked point; else in front of the scan, on the level of its lowest point: what is beside it may be out
+/// of the picture.
 ShapePlace placeOfNewShape(const Workspace& w) {
     const ViewAxes axes = axesOf(w.camera);
     const Vec3 up = sceneUpright(w);
@@ -193,20 +194,28 @@ ShapePlace placeOfNewShape(const Workspace& w) {
     }
     const Vec3 middle = 0.5 * (w.scene_min + w.scene_max), half = 0.5 * (w.scene_max - w.scene_min);
     const double below = dot(absolute(up), half);
-    const Vec3 level = normalize(axes.right - dot(axes.right, up) * up);
-    const double beside = dot(absolute(level), half) + 0.6 * size;
-    return {middle - below * up + beside * level, up, up, towards_eye, size};
+    const Vec3 level = normalize(towards_eye - dot(towards_eye, up) * up);
+    const double ahead = dot(absolute(level), half) + 0.6 * size;
+    return {middle - below * up + ahead * level, up, up, towards_eye, size};
+}
+
+/// "Ball", or "Ball 2" if there is one.
+std::string freeLayerName(const SceneDescription& scene, const std::string& kind) {
+    std::string name = kind;
+    for (int number = 2; layerNamed(scene, name); ++number) name = kind + " " + std::to_string(number);
+    return name;
 }
 
 void drawAddShape(Workspace& w) {
     ImGui::BeginDisabled(!isRoomForShape(w.scene));
-    if (columnButton("Add a shape", 1, false, "at the last picked point, or beside the scan"))
+    if (columnButton("Add a shape", 1, false, "at the last picked point, or in front of the scan"))
         ImGui::OpenPopup("add shape");
     ImGui::EndDisabled();
     if (!ImGui::BeginPopup("add shape")) return;
     for (const ShapeWords& each : kShapeWords)
         if (reportSceneEdit(w, ImGui::MenuItem(each.label, each.hint))) {
             addShape(w.scene, each.kind, placeOfNewShape(w));
+            w.scene.shapes.back().layer.name = freeLayerName(w.scene, each.label);
             selectLayer({LayerKind::kShape, w.scene.shapes.size() - 1});
         }
     ImGui::EndPopup();
@@ -223,6 +232,9 @@ void drawSelected(Workspace& w, LayerId id) {
     if (id.kind == LayerKind::kScan && id.number < w.scan_centres.size()) {
         ImGui::BeginDisabled(layer.locked);
         drawPlacement(w, w.scene.instances[id.number], w.scan_centres[id.number]);
+        if (w.settings.color_by != kOwnColors)
+            reportSceneEdit(w, checkboxRow("Coloured by value", w.scene.instances[id.number].colored,
+                                           "off: keeps its own colours where the Colours section colours the others"));
         drawComparison(w, id.number);
         drawSplatKind(w);
         ImGui::EndDisabled();

@@ -235,6 +235,21 @@ TEST_F(ScenePaintTest, Distances_AreDiverging) {
     EXPECT_EQ(colors()[0], colors()[1]) << "both at the lower end";
 }
 
+TEST_F(ScenePaintTest, Scans_MayKeepTheirColours) {
+    settings.color_by = "intensity";
+    const PaintRequest before = paintRequest(scene, settings);
+    scene.instances.push_back(scene.instances.front());
+    scene.instances.front().colored = false;
+    const PaintPlan both = plan();
+    EXPECT_FALSE(both.paints.at(0));
+    EXPECT_TRUE(both.paints.at(1));
+    EXPECT_TRUE(both.legend);
+    scene.instances.pop_back();
+    EXPECT_FALSE(paintRequest(scene, settings) == before) << "it must be painted anew";
+    EXPECT_FALSE(plan().paints.at(0));
+    EXPECT_FALSE(plan().legend);
+}
+
 TEST_F(ScenePaintTest, Overrides_ApplyInOrder) {
     using Numbers = SplatSelection;
     scene.materials.resize(4);

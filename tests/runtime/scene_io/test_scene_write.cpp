@@ -152,6 +152,7 @@ private:
         if (chance()) instance.placement = {rotation(), length(), point()};
         maybe(instance.material, below(named_));
         instance.clipped = chance();
+        instance.colored = chance();
         const auto byte = [&] { return static_cast<std::uint8_t>(below(128)); };
         for (std::uint32_t o = below(4); o > 0; --o)
             if (chance())

@@ -10,7 +10,7 @@
 namespace pointrt {
 namespace {
 
-constexpr Vec3 kBy{1, -2, 3}, kUp{0, 0, 1};
+constexpr Vec3 kBy{1, -2, 3}, kUpwards{0, 0, 1};
 const std::vector<Vec3> kCentres{{5, 6, 7}};
 
 void expectNear(Vec3 a, Vec3 b) { EXPECT_LT(length(a - b), 1e-12) << a.x << " " << a.y << " " << a.z; }
@@ -47,7 +47,7 @@ TEST(LayerTransform, TurnsAboutTheMiddle) {
     for (const LayerId id : layersOf(scene)) {
         if (!mayTurn(scene, id)) continue;
         const Vec3 middle = *layerMiddle(scene, id, kCentres);
-        turnLayer(scene, id, kUp, 90, kCentres);
+        turnLayer(scene, id, kUpwards, 90, kCentres);
         expectNear(*layerMiddle(scene, id, kCentres), middle);
     }
     expectNear(scene.shapes[0].u, {0, 2, 0});
@@ -86,7 +86,7 @@ TEST(ShapeEdit, ShapesRestOnTheSurface) {
     const Vec3 normal = normalize({1, 0, 2});
     for (const ShapeKind kind : kInsertedShapes) {
         SceneDescription scene;
-        addShape(scene, kind, {{3, 4, 5}, normal, kUp, {0, -1, 0}, 2});
+        addShape(scene, kind, {{3, 4, 5}, normal, kUpwards, {0, -1, 0}, 2});
         const ShapeDescription& shape = scene.shapes.back();
         const double reach = reachAlong(shape, normal);
         EXPECT_GT(reach, 0.4);
@@ -102,13 +102,13 @@ TEST(ShapeEdit, ReachesAreThoseOfTheForms) {
     shape = {ShapeKind::kSphere, {}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}, 0};
     EXPECT_NEAR(reachAlong(shape, diagonal), 2, 1e-12);
     shape = {ShapeKind::kDisc, {}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1}, 0};
-    EXPECT_NEAR(reachAlong(shape, kUp), 0, 1e-12);
+    EXPECT_NEAR(reachAlong(shape, kUpwards), 0, 1e-12);
     EXPECT_NEAR(reachAlong(shape, diagonal), 2 * std::sqrt(2.0 / 3), 1e-12);
 }
 
 TEST(ShapeEdit, MaterialsAreNamedApartAndRoomIsLimited) {
     SceneDescription scene;
-    while (isRoomForShape(scene)) addShape(scene, ShapeKind::kSphere, {{}, kUp, kUp, {1, 0, 0}, 1});
+    while (isRoomForShape(scene)) addShape(scene, ShapeKind::kSphere, {{}, kUpwards, kUpwards, {1, 0, 0}, 1});
     EXPECT_EQ(scene.shapes.size(), 64u);
     EXPECT_EQ(scene.materials.back().name, "shape 64");
 }
