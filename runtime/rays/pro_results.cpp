@@ -7,8 +7,10 @@
 #include <utility>
 
 #include "format/base/error.h"
+#include "format/base/require_pro.h"
 #include "pointrt/pro.hpp"
 #include "runtime/cast/describe_instances.h"
+#include "runtime/scene_io/scene_file.h"
 
 namespace pointrt {
 namespace {
@@ -79,10 +81,10 @@ private:
 bool isProOutput(const std::string& output) { return output.ends_with(".pro"); }
 
 std::string scanOfResults(const std::string& points, const std::vector<std::string>& scene) {
-    const std::vector<std::string> paths = points.empty() ? scene : std::vector{points};
-    const InstanceList list = describeInstances(paths);
-    if (list.scene_instances.size() != 1 || list.scene_instances.front().set || list.files.size() != 1)
-        throw Error(ExitCode::kBadUsage, "-o: a .pro takes the results of one scan that is a .pro; write a .ply");
+    const Error refusal(ExitCode::kBadUsage, "-o: a .pro takes the results of one scan that is a .pro; write a .ply");
+    if (!points.empty() && !isSceneOrSet(points) && !beginsAsPro(points)) throw refusal;
+    const InstanceList list = describeInstances(points.empty() ? scene : std::vector{points});
+    if (list.scene_instances.size() != 1 || list.scene_instances.front().set || list.files.size() != 1) throw refusal;
     return list.files.front().path;
 }
 

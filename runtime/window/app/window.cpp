@@ -208,7 +208,7 @@ void Window::handleRequests() {
     if (loaded_ && !changesScene(jobs_) && !jobs_.has(JobKind::kTiles))
         editScene(requests.dragging, requests.dragging || requests.typing);
     if (requests.action) execute(*requests.action);
-    if (requests.quit) afterSaving([this] { quit_ = true; });
+    if (requests.quit) afterSaving([this] { quitAfterPictures(); });
     if (requests.cancel_job) jobs_.cancel();
     if (requests.home) flyTo(view_.home);
     if (requests.save_view) saveView(work_);

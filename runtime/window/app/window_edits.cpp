@@ -51,6 +51,16 @@ void Window::afterSaving(std::function<void()> next) {
         });
 }
 
+/// Quits at once unless pictures are being rendered, which would be lost.
+void Window::quitAfterPictures() {
+    if (work_.stills.empty() && !jobs_.has(JobKind::kTurntable)) {
+        quit_ = true;
+        return;
+    }
+    ask({"Pictures are still being rendered.", {"Quit without them", "Cancel"}},
+        [this](std::size_t answer) { quit_ = answer == 0; });
+}
+
 void Window::openFiles(const std::vector<std::string>& paths) {
     if (!paths.empty()) afterSaving([this, paths] { opener_.drop(paths); });
 }

@@ -81,6 +81,7 @@ private:
     // window_edits.cpp
     void ask(Question question, std::function<void(std::size_t)> answered);
     void afterSaving(std::function<void()> next);
+    void quitAfterPictures();
     void handleEdits(const Requests& requests);
     bool saveScene();
     void saveMeasurement();

@@ -2,7 +2,10 @@
 #include "runtime/window/edit/file_browser.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
+#include <iterator>
+#include <string_view>
 #include <system_error>
 
 #include "runtime/scene_io/scene_file.h"
@@ -12,6 +15,18 @@ namespace pointrt {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Pictures, videos, documents and programs, beside which scans lie. All others may be scans, whatever they are named.
+constexpr std::string_view kNoScans[] = {".png",  ".jpg",  ".jpeg", ".exr", ".webp", ".gif",     ".bmp", ".mp4",
+                                         ".webm", ".mov",  ".svg",  ".dxf", ".dwg",  ".geojson", ".pdf", ".md",
+                                         ".html", ".docx", ".xlsx", ".zip", ".gz",   ".7z",      ".deb", ".exe",
+                                         ".dll",  ".so",   ".py",   ".sh",  ".cpp",  ".h",       ".log"};
+
+bool maybeScan(const std::string& name) {
+    std::string suffix = fs::path(name).extension().string();
+    std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return std::tolower(c); });
+    return std::ranges::find(kNoScans, suffix) == std::end(kNoScans);
+}
 
 bool comesBefore(const FileBrowser::Entry& a, const FileBrowser::Entry& b) {
     return a.is_folder != b.is_folder ? a.is_folder : naturallyLess(a.name, b.name);
@@ -33,7 +48,8 @@ FileBrowser browse(const std::string& folder) {
         const std::string name = entry->path().filename().string();
         std::error_code ignored;
         const bool is_folder = entry->is_directory(ignored) && !isSceneOrSet(entry->path().string());
-        if (!name.starts_with('.')) browser.entries.push_back({name, is_folder, false});
+        if (!name.starts_with('.') && (is_folder || maybeScan(name)))
+            browser.entries.push_back({name, is_folder, false});
     }
     if (error) browser.error = browser.folder + ": " + error.message();
     std::sort(browser.entries.begin(), browser.entries.end(), comesBefore);

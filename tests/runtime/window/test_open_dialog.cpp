@@ -57,6 +57,7 @@ TEST(FileBrowser, ListsFoldersThenFiles) {
     folder.write("scan10.laz", "");
     folder.write("scan2.laz", "");
     folder.write(".hidden", "");
+    folder.write("Photo.JPG", "");
     fs::create_directories(folder.file("tower"));
     fs::create_directories(folder.file("nave.proset"));
     FileBrowser browser = browse(fs::path(folder.file("x")).parent_path().string());
