@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "panel_driver.h"
+#include "runtime/device_scene/render_space.h"
 #include "runtime/scene/sun.h"
 #include "runtime/window/edit/light_edit.h"
 
@@ -90,6 +91,73 @@ TEST(Panels, LayersHideAndDelete) {
     ASSERT_TRUE(driver.find(w, "Panel", {"Layers", "Delete"}));
     EXPECT_TRUE(driver.click(w).scene_changed);
     EXPECT_EQ(w.scene.lights.size(), 1u);
+}
+
+/// Drags a handle of the selected layer to the right.
+Requests dragHandle(PanelDriver& driver, Workspace& w, const char* id) {
+    EXPECT_TRUE(driver.find(w, id, {"handle"})) << id;
+    driver.press(w);
+    const Requests requests = driver.move(w, 30);
+    driver.release(w);
+    return requests;
+}
+
+TEST(Panels, HandlesMoveAndTurnTheSelectedLayer) {
+    Workspace w = litScan();
+    w.scan_centres = {{0, 1, 0}};
+    PanelDriver driver(1280, 720);
+    driver.frame(w);
+    PanelDriver::open("Light", false);
+    PanelDriver::open("Layers");
+    ASSERT_TRUE(driver.find(w, "Panel", {"Layers", "Scans", 0, "bust.pro##name"}));
+    driver.click(w);
+    EXPECT_TRUE(dragHandle(driver, w, "##move x").scene_changed);
+    const Placement moved = w.scene.instances[0].placement;
+    EXPECT_GT(std::abs(moved.translation.x), 0.01);
+    EXPECT_EQ(moved.translation.y, 0);
+    EXPECT_EQ(moved.translation.z, 0);
+    EXPECT_TRUE(dragHandle(driver, w, "##turn z").scene_changed);
+    const Placement turned_after = w.scene.instances[0].placement;
+    EXPECT_LT(turned_after.rotation[0].x, 0.999);
+    EXPECT_NEAR(turned_after.rotation[2].z, 1, 1e-9) << "about z";
+    EXPECT_LT(length(placed(turned_after, w.scan_centres[0]) - placed(moved, w.scan_centres[0])), 1e-9);
+    w.scene.instances[0].layer.locked = true;
+    EXPECT_FALSE(driver.find(w, "##move x", {"handle"})) << "locked";
+}
+
+TEST(Panels, ShapesAreAddedAtThePickedPoint) {
+    Workspace w = litScan();
+    w.picks = {pick({0, 2, 0})};
+    w.picks[0].normal = {0, -1, 0}; // of a surface seen from behind: the shape is put on the side of the eye
+    w.camera.eye = {0, 5, 5};
+    PanelDriver driver;
+    driver.openAll(w);
+    ASSERT_TRUE(driver.find(w, "Panel", {"Layers", "Add a shape"}));
+    driver.click(w);
+    ASSERT_TRUE(driver.find(w, PanelDriver::childOf("##Popup").c_str(), {"Ball"}));
+    EXPECT_TRUE(driver.click(w).scene_changed);
+    ASSERT_EQ(w.scene.shapes.size(), 2u);
+    const ShapeDescription& ball = w.scene.shapes.back();
+    EXPECT_EQ(ball.layer.name, "Ball");
+    EXPECT_NEAR(length(ball.center - Vec3{0, 2 + length(ball.u), 0}), 0, 1e-9) << "it rests on the point";
+    ASSERT_TRUE(driver.find(w, "Panel", {"Layers", "Kind", "##value"})) << "its values are shown";
+}
+
+TEST(Panels, ScansAreComparedWithOthers) {
+    Workspace w = litScan();
+    w.scene.instances.push_back({"scans/before.pro", {}, {}, {}});
+    w.scan_centres = {{}, {}};
+    PanelDriver driver;
+    driver.openAll(w);
+    ASSERT_TRUE(driver.find(w, "Panel", {"Layers", "Scans", 0, "bust.pro##name"}));
+    driver.click(w);
+    ASSERT_TRUE(driver.find(w, "Panel", {"Layers", "Compare with", "##value"}));
+    driver.click(w);
+    ASSERT_TRUE(driver.find(w, PanelDriver::childOf("##Combo").c_str(), {"before.pro##1"}));
+    const Requests requests = driver.click(w);
+    ASSERT_TRUE(requests.compare);
+    EXPECT_EQ(requests.compare->reference, 1u);
+    EXPECT_EQ(requests.compare->compared, 0u);
 }
 
 TEST(Panels, LockedLayersStay) {
