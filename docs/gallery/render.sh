@@ -65,8 +65,7 @@ for picture in "$@"; do
         ;;
     sun)
         bake stadium.laz stadium --up z
-        "$bin/pointrt-rays" sun "$work/stadium.pro" --at 44.058,-123.068 --date 2026-12-21 --every 30 -o "$work/winter.laz"
-        "$bin/pointrt-bake" "$work/winter.laz" --up z -o "$work/winter.pro"
+        "$bin/pointrt-rays" sun "$work/stadium.pro" --at 44.058,-123.068 --date 2026-12-21 --every 30 -o "$work/winter.pro"
         view sun winter.pro --view iso --size 1280x800 --color-by sun_hours --color-map inferno --legend on
         ;;
     normals)
