@@ -265,7 +265,7 @@ def case_rays_sun():
 
 
 def case_rays_viewshed():
-    return of("pointrt-rays viewshed -q in/ball.pro --from 3,0,1 -o out/a.ply", prepare=ball_pro, most=8)
+    return of("pointrt-rays viewshed -q in/ball.pro --from 3,0,1 -o out/a.pro", prepare=ball_pro, most=8)
 
 
 def case_view_plan():
