@@ -14,6 +14,7 @@ namespace pointrt {
     X(proj_context_get_database_path)                                                                                  \
     X(proj_context_set_enable_network)                                                                                 \
     X(proj_create_cartesian_2D_cs)                                                                                     \
+    X(proj_create_crs_to_crs_from_pj)                                                                                  \
     X(proj_create_from_database)                                                                                       \
     X(proj_create_from_wkt)                                                                                            \
     X(proj_create_projected_crs)                                                                                       \
@@ -31,7 +32,8 @@ namespace pointrt {
     X(proj_get_source_crs)                                                                                             \
     X(proj_get_type)                                                                                                   \
     X(proj_log_level)                                                                                                  \
-    X(proj_prime_meridian_get_parameters)
+    X(proj_prime_meridian_get_parameters)                                                                              \
+    X(proj_trans)
 
 struct ProjLibrary {
 #define POINTRT_DECLARE_PROJ(name) decltype(&::name) name = nullptr;

@@ -152,4 +152,22 @@ std::optional<double> meridianConvergenceDeg(std::string_view crs, double latitu
     return factors.meridian_convergence / kRadiansPerDegree;
 }
 
+std::optional<GeographicPlace> geographicPlace(std::string_view crs, double easting, double northing) {
+    const Context context = createContext();
+    const Object given = createProjected(context.get(), crs);
+    const Object object = given ? inMetresEastNorth(context.get(), given.get()) : Object();
+    if (!object) return {};
+    const Object wgs84 = createFromEpsg(context.get(), "4326");
+    const Object transform(
+        proj().proj_create_crs_to_crs_from_pj(context.get(), object.get(), wgs84.get(), nullptr, nullptr));
+    if (!transform) return {};
+    const double metres = metresPerUnit(context.get(), given.get());
+    PJ_COORD place{};
+    place.xy = {easting * metres, northing * metres};
+    place = proj().proj_trans(transform.get(), PJ_FWD, place); // latitude first, in degrees
+    const bool is_defined = std::abs(place.xy.x) <= 90 && std::abs(place.xy.y) <= 180; // else infinite
+    if (!is_defined) return {};
+    return GeographicPlace{place.xy.x, place.xy.y};
+}
+
 } // namespace pointrt

@@ -34,4 +34,15 @@ std::optional<ProjectedCrs> projectedCrs(std::string_view crs);
 /// @throws Error as projectedCrs does
 std::optional<double> meridianConvergenceDeg(std::string_view crs, double latitude_deg, double longitude_deg);
 
+struct GeographicPlace {
+    double latitude_deg = 0, longitude_deg = 0; ///< north and east positive, from Greenwich
+};
+
+/// Where a point of a projected system lies, in WGS 84; without grids of datum shifts accurate to some 100 m.
+/// @param crs as for projectedCrs
+/// @param easting, northing in the system's unit
+/// @return none where projectedCrs has none, and outside the projection
+/// @throws Error as projectedCrs does
+std::optional<GeographicPlace> geographicPlace(std::string_view crs, double easting, double northing);
+
 } // namespace pointrt

@@ -5,51 +5,17 @@
 #include <cmath>
 
 #include "format/base/error.h"
-#include "format/base/require_pro.h"
 #include "format/crs/epsg_code.h"
-#include "format/crs/metadata_crs.h"
-#include "format/set/tile_set.h"
-#include "pointrt/pro.hpp"
 #include "runtime/device_scene/render_space.h"
 #include "runtime/scene/background.h"
 #include "runtime/scene/upright.h"
+#include "runtime/session/scan_frame.h"
 #include "runtime/util/parse.h"
-#include "runtime/util/vec_array.h"
 
 namespace pointrt {
 namespace {
 
-/// What a plan needs to know of a scan, in its own coordinates.
-struct PlanScan {
-    Bounds bounds; ///< of its splats
-    Vec3 up;       ///< 0 if unknown
-    std::string crs;
-    double metres_per_unit = 0; ///< 0: unknown, or degrees
-};
-
 [[noreturn]] void refusePlan(const std::string& reason) { throw Error{ExitCode::kBadUsage, "--plan: " + reason}; }
-
-PlanScan planOfFile(const std::string& path) {
-    requirePro(path);
-    try {
-        const ProFile file(path, PRO_OPEN_SKIP_CHECKSUMS);
-        const pro_info& info = file.info();
-        const float* up = file.world().up;
-        return {{{info.bounds_min[0], info.bounds_min[1], info.bounds_min[2]},
-                 {info.bounds_max[0], info.bounds_max[1], info.bounds_max[2]}},
-                {double{up[0]}, double{up[1]}, double{up[2]}},
-                crsOfMetadata(file.metadata()),
-                file.world().metres_per_unit};
-    } catch (const ProError& error) {
-        throw Error{exitCodeOf(error.result), error.what()};
-    }
-}
-
-PlanScan planOfSet(const std::string& folder) {
-    const TileSet set = readTileSet(folder);
-    return {
-        {vectorOf(set.bounds_min), vectorOf(set.bounds_max)}, {set.up[0], set.up[1], set.up[2]}, set.crs, set.metres};
-}
 
 /// What a plan needs to know of a scene.
 struct PlanScene {
@@ -58,12 +24,12 @@ struct PlanScene {
     int epsg = 0;                 ///< of all scans, if they are where their files say; 0: unknown
 };
 
-Vec3 corner(const PlanScan& scan, unsigned bits) {
+Vec3 corner(const ScanFrame& scan, unsigned bits) {
     const auto& [low, high] = scan.bounds;
     return {bits & 1 ? high.x : low.x, bits & 2 ? high.y : low.y, bits & 4 ? high.z : low.z};
 }
 
-void addScan(const PlanScan& scan, const Placement& placement, PlanScene& scene) {
+void addScan(const ScanFrame& scan, const Placement& placement, PlanScene& scene) {
     const bool is_first = !scene.bounds;
     for (unsigned bits = 0; bits < 8; ++bits) {
         const Vec3 at = placed(placement, corner(scan, bits));
@@ -78,8 +44,7 @@ void addScan(const PlanScan& scan, const Placement& placement, PlanScene& scene)
 PlanScene planScene(const SceneDescription& description) {
     PlanScene scene;
     for (const InstanceDescription& each : description.instances)
-        if (each.visible)
-            addScan(isTileSet(each.path) ? planOfSet(each.path) : planOfFile(each.path), each.placement, scene);
+        if (each.visible) addScan(frameOfScan(each.path), each.placement, scene);
     if (!scene.bounds) refusePlan(description.path + " shows no scan");
     return scene;
 }

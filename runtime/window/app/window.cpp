@@ -219,6 +219,8 @@ void Window::handleRequests() {
             tryOrNotify("", [&] { opener_.bakeAgain(kind); });
         });
     if (requests.compare && loaded_) tryOrNotify("", [&] { compareScans(*requests.compare); });
+    if (requests.find_place && !std::exchange(work_.place_sought, true))
+        tryOrNotify("", [&] { work_.earth_place = earthPlaceOf(work_.scene); });
     if (requests.add_still && loaded_) addStill();
     startStill();
     if (requests.turntable_pictures && loaded_)

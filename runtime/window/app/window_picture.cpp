@@ -134,6 +134,8 @@ void Window::showLoaded(std::unique_ptr<LoadedScene> loaded, const SceneSource& 
     }
     work_.measure_units = measureUnits(*loaded_);
     showColors();
+    work_.earth_place.reset();
+    work_.place_sought = work_.place_taken = false;
     work_.histograms.clear();
     work_.scan_centres.clear();
     for (const DeviceScan* scan : representativeScans(loaded_->scene)) {

@@ -14,6 +14,7 @@
 #include "runtime/scene/legend.h"
 #include "runtime/scene/render_settings.h"
 #include "runtime/scene/scene_description.h"
+#include "runtime/session/scan_frame.h"
 #include "runtime/window/edit/file_browser.h"
 #include "runtime/window/input/controls.h"
 #include "runtime/window/input/view_camera.h"
@@ -100,9 +101,10 @@ struct Requests {
     std::optional<std::size_t> answer;                  ///< index into question's answers
     std::optional<std::size_t> open_recent;             ///< index into recent_files
     std::optional<std::size_t> go_to_view, delete_view; ///< indices into scene.views
+    bool find_place = false;                            ///< earth_place of the scene
     bool add_still = false;                             ///< to work.stills
     bool follows_views = false;                         ///< of turntable_pictures: through the views
-    std::optional<std::string> bake_again; ///< with this kind of splats
+    std::optional<std::string> bake_again;              ///< with this kind of splats
     std::optional<Comparison> compare;
     std::optional<std::uint32_t> turntable_pictures; ///< number of frames to render to turntable_path
 };
@@ -136,6 +138,8 @@ struct Workspace {
     PixelSize still_size{3840, 2160};
     std::vector<Still> stills; ///< in their order
     bool can_undo = false, can_redo = false;
+    std::optional<EarthPlace> earth_place;          ///< of the scans, once it was sought
+    bool place_sought = false, place_taken = false; ///< taken: by the sun's sliders
     bool may_bake_again = false;
     bool scan_in_view = true;    ///< false: the camera looks past the scans
     bool only_gaussians = false; ///< see StudioSubject

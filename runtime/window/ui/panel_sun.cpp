@@ -3,7 +3,9 @@
 #include <imgui.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "runtime/scene/sun.h"
 #include "runtime/window/ui/panel_edit.h"
@@ -46,6 +48,23 @@ void dayText(const SunDate& date, char (&text)[32]) {
                   months[static_cast<unsigned>(day.month()) - 1]);
 }
 
+/// Takes the scan's place on the Earth once it is known.
+void takePlace(Workspace& w, SunDate& date) {
+    if (!w.place_sought) w.requests.find_place = true;
+    if (!w.earth_place || std::exchange(w.place_taken, true)) return;
+    date.latitude_deg = static_cast<float>(w.earth_place->latitude_deg);
+    date.longitude_deg = static_cast<float>(w.earth_place->longitude_deg);
+}
+
+/// The time in the zone that the longitude suggests: legal time may differ by an hour or two.
+void zoneText(const SunDate& date) {
+    constexpr float kDegreesAnHour = 15, kDay = 24;
+    const float zone = std::round(date.longitude_deg / kDegreesAnHour);
+    const float local = std::fmod(date.hour + zone + kDay, kDay);
+    ImGui::TextDisabled("%02d:%02d at UTC%+d, by the longitude", static_cast<int>(local),
+                        static_cast<int>(60 * (local - std::floor(local))), static_cast<int>(zone));
+}
+
 SunPosition positionAt(const SunDate& date) {
     const double days = static_cast<double>(dayOf(date).time_since_epoch().count());
     SunPosition sun = sunPosition(86400 * days + 3600 * static_cast<double>(date.hour),
@@ -80,10 +99,16 @@ bool dateRows(Requests& requests, SunDate& date) {
 void drawSunByDate(Workspace& w, Vec3& towards) {
     if (!ImGui::TreeNode("Place and date")) return;
     SunDate date = storedDate();
+    takePlace(w, date);
     bool changed = dateRows(w.requests, date);
     changed |= reportEdit(w.requests, Edit::kScene, ImGui::Button("Set the sun", ImVec2(-1, 0)));
     storeDate(date);
-    const SunPosition position = positionAt(date);
+    SunPosition position = positionAt(date);
+    zoneText(date);
+    if (w.earth_place) {
+        position.azimuth_deg -= w.earth_place->convergence_deg; // north of the map is not true north
+        dimText("Place: the scan's, by its coordinate system.");
+    }
     const Vec3 up = sceneUpright(w);
     if (changed && position.elevation_deg > 0) towards = normalize(sunDirection(position, up, defaultNorth(up)));
     if (position.elevation_deg > 0)

@@ -55,6 +55,24 @@ TEST_F(ProjectedCrsTest, ConvergenceOfStatePlanesInFeet) {
     EXPECT_NEAR(convergence(kOregon, 44.058, -123.068), -1.79207, kToleranceDeg);
 }
 
+/// Expected places: the definition of each grid's origin, and pyproj 3.7.
+TEST_F(ProjectedCrsTest, PlacesOnTheEarth) {
+    const auto expectPlace = [](std::string_view crs, double easting, double northing, double latitude,
+                                double longitude) {
+        const auto place = geographicPlace(crs, easting, northing);
+        ASSERT_TRUE(place) << crs;
+        EXPECT_NEAR(place->latitude_deg, latitude, 0.002) << crs; // 200 m: without grids of datum shifts
+        EXPECT_NEAR(place->longitude_deg, longitude, 0.002) << crs;
+    };
+    expectPlace("EPSG:2056", 2600000, 1200000, 46.9511, 7.4386); // Bern's old observatory
+    expectPlace("EPSG:32632", 500000, 0, 0, 9);                  // central meridian and equator
+    expectPlace("EPSG:2193", 1600000, 10000000, 0, 173);         // axes: northing, easting
+    expectPlace("EPSG:27572", 600000, 2200000, 46.8, 2.33723);   // counts from Paris, in grads
+    expectPlace(kOregon, 637000, 852000, 44.0583, -123.0697);    // Autzen Stadium, in feet
+    EXPECT_FALSE(geographicPlace("EPSG:4326", 8, 47)) << "not projected";
+    EXPECT_FALSE(geographicPlace("EPSG:32632", 1e30, 0)) << "not on the Earth";
+}
+
 TEST_F(ProjectedCrsTest, LongitudesCountFromGreenwich) {
     // Lambert zone II counts from Paris, 2.33723 degrees east: (2.35 - 2.33723) * sin(46.8 degrees)
     EXPECT_NEAR(convergence("EPSG:27572", 48.85, 2.35), 0.00931, kToleranceDeg);
