@@ -164,7 +164,7 @@ std::optional<GeographicPlace> geographicPlace(std::string_view crs, double east
     const double metres = metresPerUnit(context.get(), given.get());
     PJ_COORD place{};
     place.xy = {easting * metres, northing * metres};
-    place = proj().proj_trans(transform.get(), PJ_FWD, place); // latitude first, in degrees
+    place = proj().proj_trans(transform.get(), PJ_FWD, place);                         // latitude first, in degrees
     const bool is_defined = std::abs(place.xy.x) <= 90 && std::abs(place.xy.y) <= 180; // else infinite
     if (!is_defined) return {};
     return GeographicPlace{place.xy.x, place.xy.y};

@@ -8,6 +8,8 @@
 
 #include "format/base/error.h"
 #include "format/base/printable.h"
+#include "runtime/scene/material_fields.h"
+#include "shaders/shared/scene_layout.h"
 
 namespace pointrt {
 namespace {
@@ -101,6 +103,10 @@ std::vector<std::size_t> shownShapes(const SceneDescription& scene) {
     for (std::size_t i = 0; i < scene.shapes.size(); ++i)
         if (scene.shapes[i].visible) shown.push_back(i);
     return shown;
+}
+
+bool mayAddShape(const SceneDescription& scene) {
+    return scene.shapes.size() + countSurfaces(scene.lights) < MAX_SHAPES && scene.materials.size() < kMaxMaterials;
 }
 
 bool mayDelete(const SceneDescription& scene, LayerId id) {

@@ -38,6 +38,9 @@ void setLayerVisible(SceneDescription& scene, LayerId id, bool visible);
 /// Numbers of the shapes that are not hidden. The row of each on the device is its place here.
 std::vector<std::size_t> shownShapes(const SceneDescription& scene);
 
+/// Whether a shape, with a material of its own, can be added; lights with a surface count as shapes.
+bool mayAddShape(const SceneDescription& scene);
+
 /// False for locked layers, and for the last scan or shape: a scene needs one.
 bool mayDelete(const SceneDescription& scene, LayerId id);
 /// Numbers of later layers of its kind change, except for scans.

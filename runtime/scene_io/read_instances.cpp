@@ -111,9 +111,9 @@ MaterialOverride overrideOf(const SceneValue& table, const SceneReading& reading
 }
 
 InstanceDescription instanceOf(const SceneValue& table, const SceneReading& reading) {
-    requireKnownKeys(
-        table, "an instance",
-        {"file", "name", "visible", "locked", "translate", "rotate", "scale", "material", "clip", "colored", "override"});
+    requireKnownKeys(table, "an instance",
+                     {"file", "name", "visible", "locked", "translate", "rotate", "scale", "material", "clip",
+                      "colored", "override"});
     InstanceDescription instance;
     instance.path = fileOf(require(table, "file"), reading);
     instance.placement = placementOf(table);

@@ -234,6 +234,17 @@ OptionGroup camerasOptions() {
         {}};
 }
 
+OptionGroup lightOptions() {
+    return {
+        "Light and surfaces",
+        {{"--sun", "TIME[@LAT,LON]",
+          "Light the scan by the sun of a local time, as 2026-06-21T15:00, or with the zone as 2026-06-21T15:00-07:00, "
+          "at a latitude and longitude (default: the scan's place, if its file names a coordinate system), and by a "
+          "sky",
+          [](Options& o, const std::string& text) { o.sun = parseSun(text); }}},
+        HelpGroup::kLightAndSurfaces};
+}
+
 OptionGroup windowOptions() {
     return {"Window (without -o and --bench; press H in it for the keys)",
             {{"--record", "FILE", "Record your actions in the window to FILE (default: off)",
@@ -292,14 +303,8 @@ OptionGroup runOptions() {
 } // namespace
 
 std::vector<OptionGroup> optionGroups() {
-    return {imageOptions(),
-            qualityOptions(),
-            cameraOptions(),
-            clipOptions(),
-            {"Light and surfaces", {}, HelpGroup::kLightAndSurfaces},
-            camerasOptions(),
-            windowOptions(),
-            runOptions()};
+    return {imageOptions(), qualityOptions(), cameraOptions(), clipOptions(),
+            lightOptions(), camerasOptions(), windowOptions(), runOptions()};
 }
 
 } // namespace pointrt

@@ -15,6 +15,7 @@
 #include "runtime/scene/filter.h"
 #include "runtime/scene/render_settings.h"
 #include "runtime/scene/section.h"
+#include "runtime/session/sun_option.h"
 
 namespace pointrt {
 
@@ -46,6 +47,7 @@ struct Options {
     std::vector<FilterDescription> filters; ///< besides those of the scene file
     std::vector<std::string> hidden;        ///< names of layers (layers.h)
     std::optional<SectionRequest> section;
+    std::optional<SunOption> sun;
     FrameLimits limits;
     std::optional<std::uint64_t> memory; ///< bytes for the tiles of sets; none: kTileMemory
     std::string view;                    ///< name of a view, empty: the scene's camera

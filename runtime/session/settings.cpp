@@ -104,6 +104,7 @@ SceneDescription describeScene(const Options& options) {
     requireFewHalfSpaces(scene.clips);
     scene.filters.insert(scene.filters.end(), options.filters.begin(), options.filters.end());
     hideLayers(scene, options.hidden);
+    if (options.sun) addSun(scene, *options.sun);
     return scene;
 }
 

@@ -103,7 +103,8 @@ StartedJob Window::startLoad(const SceneSource& scene, bool first) {
     options.scene = scene.path;
     options.source = scene.source;
     options.added = scene.added;
-    if (loaded_ && !scene.follows_quick) { // camera options are for the scene of the command line only
+    if (loaded_ && !scene.follows_quick) { // these options are for the scene of the command line only
+        options.sun.reset();
         options.camera = {};
         options.up_axis.reset();
         options.view.clear();

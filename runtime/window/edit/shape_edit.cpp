@@ -5,10 +5,6 @@
 #include <cmath>
 #include <string>
 
-#include "runtime/scene/light.h"
-#include "runtime/scene/material_fields.h"
-#include "shaders/shared/scene_layout.h"
-
 namespace pointrt {
 namespace {
 
@@ -45,10 +41,6 @@ void orient(ShapeDescription& shape, const ShapePlace& place) {
 }
 
 } // namespace
-
-bool isRoomForShape(const SceneDescription& scene) {
-    return scene.shapes.size() + countSurfaces(scene.lights) < MAX_SHAPES && scene.materials.size() < kMaxMaterials;
-}
 
 void addShape(SceneDescription& scene, ShapeKind kind, const ShapePlace& place) {
     MaterialDescription material;

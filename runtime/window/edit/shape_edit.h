@@ -17,10 +17,7 @@ struct ShapePlace {
 inline constexpr ShapeKind kInsertedShapes[] = {ShapeKind::kSphere, ShapeKind::kBox, ShapeKind::kQuad,
                                                 ShapeKind::kDisc};
 
-/// Whether a shape, with its material, can be added; lights with a surface count as shapes.
-bool isRoomForShape(const SceneDescription& scene);
-
-/// Adds a matte shape that rests on the surface, with a material of its own. isRoomForShape must hold.
+/// Adds a matte shape that rests on the surface, with a material of its own. mayAddShape (layers.h) must hold.
 void addShape(SceneDescription& scene, ShapeKind kind, const ShapePlace& place);
 
 /// Moves a shape so that it rests on a surface at a point with this outward normal, of unit length.

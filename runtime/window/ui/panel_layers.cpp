@@ -207,7 +207,7 @@ std::string freeLayerName(const SceneDescription& scene, const std::string& kind
 }
 
 void drawAddShape(Workspace& w) {
-    ImGui::BeginDisabled(!isRoomForShape(w.scene));
+    ImGui::BeginDisabled(!mayAddShape(w.scene));
     if (columnButton("Add a shape", 1, false, "at the last picked point, or in front of the scan"))
         ImGui::OpenPopup("add shape");
     ImGui::EndDisabled();

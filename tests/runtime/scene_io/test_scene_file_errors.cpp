@@ -177,8 +177,9 @@ TEST_F(SceneFile, RefusesInvalidAttributeOverrides) {
     EXPECT_SAYS(refusal(by_class + "range = [2, 2]"), next + "range\": *lower");
     EXPECT_SAYS(refusal(by_class + "range = [1, 2, 3]"), next + "range\": *list*2");
     EXPECT_SAYS(refusal("up = 'Z'"), "scene.toml:1: key \"up\": \"Z\" *[0, 0, 1]*auto, x, y, z, -x, -y, -z");
-    EXPECT_SAYS(refusal("[render]\ncolor_map = 'jet'"), "scene.toml:2: key \"render.color_map\": \"jet\" *viridis, "
-                                                        "magma, inferno, plasma, cividis, turbo, coolwarm, grey, classes, scans");
+    EXPECT_SAYS(refusal("[render]\ncolor_map = 'jet'"),
+                "scene.toml:2: key \"render.color_map\": \"jet\" *viridis, "
+                "magma, inferno, plasma, cividis, turbo, coolwarm, grey, classes, scans");
 }
 
 TEST_F(SceneFile, RefusesInvalidLights) {

@@ -13,7 +13,7 @@ namespace {
 constexpr Vec3 kBy{1, -2, 3}, kUpwards{0, 0, 1};
 const std::vector<Vec3> kCentres{{5, 6, 7}};
 
-void expectNear(Vec3 a, Vec3 b) { EXPECT_LT(length(a - b), 1e-12) << a.x << " " << a.y << " " << a.z; }
+void expectPlaced(Vec3 a, Vec3 b) { EXPECT_LT(length(a - b), 1e-12) << a.x << " " << a.y << " " << a.z; }
 
 /// A layer of each kind that has a place.
 SceneDescription everything() {
@@ -38,7 +38,7 @@ TEST(LayerTransform, MovesEveryKindByTheSame) {
         const std::optional<Vec3> before = layerMiddle(scene, id, kCentres);
         ASSERT_TRUE(before) << layerName(scene, id);
         moveLayer(scene, id, kBy);
-        expectNear(*layerMiddle(scene, id, kCentres), *before + kBy);
+        expectPlaced(*layerMiddle(scene, id, kCentres), *before + kBy);
     }
 }
 
@@ -48,19 +48,19 @@ TEST(LayerTransform, TurnsAboutTheMiddle) {
         if (!mayTurn(scene, id)) continue;
         const Vec3 middle = *layerMiddle(scene, id, kCentres);
         turnLayer(scene, id, kUpwards, 90, kCentres);
-        expectNear(*layerMiddle(scene, id, kCentres), middle);
+        expectPlaced(*layerMiddle(scene, id, kCentres), middle);
     }
-    expectNear(scene.shapes[0].u, {0, 2, 0});
-    expectNear(scene.shapes[0].v, {-1, 0, 0});
-    expectNear(std::get<SpotLight>(scene.lights[1]).direction, {0, 1, 0});
-    expectNear(std::get<QuadLight>(scene.lights[2]).v, {-1, 0, 0});
-    expectNear(std::get<ClipPlane>(scene.clips[1].form).normal, {0, 1, 0});
+    expectPlaced(scene.shapes[0].u, {0, 2, 0});
+    expectPlaced(scene.shapes[0].v, {-1, 0, 0});
+    expectPlaced(std::get<SpotLight>(scene.lights[1]).direction, {0, 1, 0});
+    expectPlaced(std::get<QuadLight>(scene.lights[2]).v, {-1, 0, 0});
+    expectPlaced(std::get<ClipPlane>(scene.clips[1].form).normal, {0, 1, 0});
     // world = rotation * box: the box's x axis points along y
-    expectNear({std::get<ClipBox>(scene.clips[0].form).rotation[0].x,
-                std::get<ClipBox>(scene.clips[0].form).rotation[1].x,
-                std::get<ClipBox>(scene.clips[0].form).rotation[2].x},
-               {0, 1, 0});
-    expectNear(placed(scene.instances[0].placement, kCentres[0] + Vec3{1, 0, 0}), kCentres[0] + Vec3{0, 1, 0});
+    expectPlaced({std::get<ClipBox>(scene.clips[0].form).rotation[0].x,
+                  std::get<ClipBox>(scene.clips[0].form).rotation[1].x,
+                  std::get<ClipBox>(scene.clips[0].form).rotation[2].x},
+                 {0, 1, 0});
+    expectPlaced(placed(scene.instances[0].placement, kCentres[0] + Vec3{1, 0, 0}), kCentres[0] + Vec3{0, 1, 0});
 }
 
 TEST(LayerTransform, ALittleTurnsManyTimesStaysARotation) {
@@ -90,7 +90,7 @@ TEST(ShapeEdit, ShapesRestOnTheSurface) {
         const ShapeDescription& shape = scene.shapes.back();
         const double reach = reachAlong(shape, normal);
         EXPECT_GT(reach, 0.4);
-        expectNear(shape.center, Vec3{3, 4, 5} + reach * normal);
+        expectPlaced(shape.center, Vec3{3, 4, 5} + reach * normal);
         EXPECT_EQ(scene.materials.at(shape.material).name, "shape 1");
     }
 }
@@ -108,7 +108,7 @@ TEST(ShapeEdit, ReachesAreThoseOfTheForms) {
 
 TEST(ShapeEdit, MaterialsAreNamedApartAndRoomIsLimited) {
     SceneDescription scene;
-    while (isRoomForShape(scene)) addShape(scene, ShapeKind::kSphere, {{}, kUpwards, kUpwards, {1, 0, 0}, 1});
+    while (mayAddShape(scene)) addShape(scene, ShapeKind::kSphere, {{}, kUpwards, kUpwards, {1, 0, 0}, 1});
     EXPECT_EQ(scene.shapes.size(), 64u);
     EXPECT_EQ(scene.materials.back().name, "shape 64");
 }
