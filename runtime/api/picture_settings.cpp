@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view kDashes = "--";
 /// Options outside the table of settings that pictures in memory support too.
-constexpr std::string_view kOtherOptions[] = {"--up", "--memory", "--clip", "--only", "--section", "--ortho"};
+constexpr std::string_view kOtherOptions[] = {"--up", "--memory", "--clip", "--only", "--section", "--ortho", "--sun"};
 constexpr const char* kStagedFor = "--staged-for";
 /// Settings that only affect 8-bit files, or that are arguments of render().
 constexpr std::string_view kElsewhere[] = {"--size", "--exposure", "--legend"};

@@ -226,7 +226,7 @@ class Scene(Measures):
                 ``integrator`` ("phong", "whitted", "path", "normal", "depth", "ambient"), ``spp``, ``seed``, ``bounces``,
                 ``lights``, ``room``, ``shadows``, ``color_by`` and others; ``up``; ``memory``, the limit for tiles
                 (default: the scene's); ``staged_for``, the eye that default lights are placed for (default: that of
-                the default camera). Sun and sky come from scene files.
+                the default camera); ``sun``, as ``--sun``. Other lights come from scene files.
 
         Returns:
             Arrays by layer, float32, or uint32 for IDs, rows from the top. ``rgba`` [height,width,4]: linear light, and
