@@ -218,7 +218,7 @@ TEST_F(ScenePaintTest, Ranges_FitTheNumbers) {
 /// Colours of distances have 0 in their middle.
 TEST_F(ScenePaintTest, Distances_AreDiverging) {
     test::Scene tiny = test::tinyScene();
-    const float distances[] = {-1, 0, 0.5f, 3, std::numeric_limits<float>::quiet_NaN()};
+    const float distances[] = {-1, 0, 2.5f, 3, std::numeric_limits<float>::quiet_NaN()};
     reopen([&] {
         test::TinyScan content;
         content.add("distance", PRO_TYPE_F32, 1, distances);
