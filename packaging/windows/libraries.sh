@@ -6,9 +6,10 @@
 # Leaves a folder as it is that this script has made.
 set -euo pipefail
 repository=$(cd "$(dirname "$0")/../.." && pwd)
-script=$repository/packaging/windows/libraries.sh
+floats_header=$repository/packaging/windows/glibc_floats.h
+madeBy() { cat "$repository/packaging/windows/libraries.sh" "$floats_header"; }
 prefix=$(mkdir -p "$1" && cd "$1" && pwd)
-! cmp -s "$script" "$prefix/made_by" || exit 0
+! madeBy | cmp -s - "$prefix/made_by" || exit 0
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -92,6 +93,9 @@ done
 for folder in /usr/include/pcl-*/pcl "$headers"/pcl-*/pcl /usr/include/flann "$headers/flann"; do
     [ ! -d "$folder" ] || ln -sfn "$folder" "$prefix/include/$(basename "$folder")"
 done
+for folder in Eigen boost CGAL pcl flann; do
+    [ -d "$prefix/include/$folder" ] || { echo "no headers of $folder: .ci/packages.txt" && exit 1; }
+done
 mkdir -p "$prefix/lib/cmake/eigen3" "$prefix/lib/cmake/CGAL"
 cat >"$prefix/lib/cmake/eigen3/Eigen3Config.cmake" <<'END'
 add_library(Eigen3::Eigen INTERFACE IMPORTED)
@@ -120,10 +124,26 @@ compile brotlidec "-I$(echo "$work"/brotli-*/c/include)" "$work"/brotli-*/c/{com
 cp -rp "$work"/bzip2-*/bzlib.h "$work"/lz4-*/lib/lz4*.h "$work"/libzstd-*/lib/z*.h "$work"/brotli-*/c/include/brotli \
     "$prefix/include/"
 build tiff -D BUILD_SHARED_LIBS=OFF -Dtiff-{tools,tests,contrib,docs}=OFF -D cxx=OFF
+
+# The bake rounds as it does on Linux: glibc's functions of floats, which differ from those of mingw-w64 in the last digit.
+# In double precision both are exact enough to give the same floats. They include headers of glibc that are empty here.
+sources --download-only glibc
+tar -xJf "$work"/glibc_*.orig.tar.xz -C "$work" --wildcards '*/sysdeps/ieee754/flt-32/*.[ch]' '*/sincosf_poly.h'
+floats=$(echo "$work"/glibc-*/sysdeps/ieee754/flt-32)
+mkdir "$work/empty"
+for header in libm-alias-finite libm-alias-float math-barriers math-narrow-eval math-svid-compat math-underflow \
+    math-use-builtins math_private nan-high-order-bit; do
+    : >"$work/empty/$header.h"
+done
+compile m_glibc "-std=gnu11 -fno-builtin -include $floats_header -I$work/empty -I$floats
+    -I$(dirname "$(find "$work"/glibc-* -name sincosf_poly.h | sed -n 1p)")" \
+    "$floats"/{e_{expf,exp2f,exp2f_data,atan2f,hypotf},s_{sinf,cosf,sincosf,sincosf_data,atanf,cbrtf,expm1f},math_errf}.c
+
+cp -p /usr/x86_64-w64-mingw32/lib/libz.a "$prefix/lib/" # beside which there is no shared one to be found first
 describe libzstd -lzstd
 describe libwebp -lwebp
 describe libjpeg -ljpeg
 describe libpng "-lpng -lz"
 describe libtiff-4 "-ltiff -lLerc -ljpeg -lwebp -lzstd -lz"
 describe libbrotlidec -lbrotlidec
-cp "$script" "$prefix/made_by"
+madeBy >"$prefix/made_by"
