@@ -15,6 +15,7 @@ set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 foreach(kind IN ITEMS LIBRARY INCLUDE PACKAGE)
   set(CMAKE_FIND_ROOT_PATH_MODE_${kind} ONLY)
 endforeach()
+set(ENV{PKG_CONFIG_LIBDIR} ${POINTRT_WINDOWS_LIBRARIES}/lib/pkgconfig) # not this system's
 set(ZLIB_USE_STATIC_LIBS ON)
 # -static: GCC's libraries, and winpthreads. Stacks of 8 MiB, as Linux gives threads; the linker's default is 2. Programs
 # have no date.

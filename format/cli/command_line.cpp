@@ -168,6 +168,7 @@ void addCommonOptions(CommandLine& app, const std::string& version, const std::s
            isSubcommand(app.get_name()) ? "Print the manual page and exit" : "Print a manual page or shell completions")
         ->type_name(generatorNames(app.get_name()));
     app.set_help_flag("-h,--help", "Print this help and exit");
+    app.allow_windows_style_options(false); // names of files may begin with a /
 }
 
 CommandText describe(const CommandLine& app) {

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cstdio>
+#include <cstdlib>
 
 namespace pointrt {
 namespace {
@@ -46,6 +47,11 @@ void raiseInterrupt() {
     action.sa_handler = SIG_DFL;
     sigaction(caught, &action, nullptr);
     raise(caught);
+}
+
+void endInterrupted(int number) {
+    constexpr int kSignalExitBase = 128;
+    std::_Exit(kSignalExitBase + number);
 }
 
 } // namespace pointrt

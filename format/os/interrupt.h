@@ -18,4 +18,8 @@ bool interrupted();
 /// Terminates the process by the caught signal, so that its parent sees it. Does nothing if none was caught.
 void raiseInterrupt();
 
+/// For handlers: ends the process at once, with status 128 + number as shells report signals; on Windows as Ctrl-C
+/// does.
+[[noreturn]] void endInterrupted(int number);
+
 } // namespace pointrt

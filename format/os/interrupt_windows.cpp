@@ -7,6 +7,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 
 namespace pointrt {
 namespace {
@@ -39,6 +40,12 @@ void raiseInterrupt() {
     if (caught == 0) return;
     std::fflush(nullptr);
     ExitProcess(static_cast<UINT>(STATUS_CONTROL_C_EXIT)); // as the system's own handler ends it
+}
+
+/// Not ExitProcess, which waits for locks of threads that it has ended.
+void endInterrupted(int) {
+    TerminateProcess(GetCurrentProcess(), static_cast<UINT>(STATUS_CONTROL_C_EXIT));
+    std::abort(); // not reached
 }
 
 } // namespace pointrt

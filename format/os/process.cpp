@@ -139,4 +139,6 @@ void prepareProcess(const char* tool_name) {
 
 void keepWorkingWithoutReaders() { signal(SIGPIPE, SIG_IGN); }
 
+void endProcess(int exit_code) { std::exit(exit_code); }
+
 } // namespace pointrt

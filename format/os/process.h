@@ -18,4 +18,8 @@ void prepareProcess(const char* tool_name);
 /// work matters more than their messages.
 void keepWorkingWithoutReaders();
 
+/// Ends the process as returning from main does. On Windows only streams are written out: destructors of static objects
+/// may wait for ever for threads of TBB that are ending.
+[[noreturn]] void endProcess(int exit_code);
+
 } // namespace pointrt

@@ -39,7 +39,7 @@ LONG WINAPI onFault(EXCEPTION_POINTERS* fault) {
     } catch (const std::bad_alloc&) {
         printWord(running_tool);
         printWord(": error: out of memory\n");
-        std::_Exit(static_cast<int>(ExitCode::kCannotRun));
+        TerminateProcess(GetCurrentProcess(), static_cast<UINT>(ExitCode::kCannotRun));
     } catch (...) {
     }
     default_terminate();
@@ -68,5 +68,11 @@ void prepareProcess(const char* tool_name) {
 }
 
 void keepWorkingWithoutReaders() {} // Windows has no SIGPIPE
+
+void endProcess(int exit_code) {
+    std::fflush(nullptr);
+    TerminateProcess(GetCurrentProcess(), static_cast<UINT>(exit_code));
+    std::abort(); // not reached
+}
 
 } // namespace pointrt

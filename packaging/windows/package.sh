@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Makes an archive of the tools for 64-bit Windows, which run wherever it is unpacked, and an installer of the same files:
-# pointrt-view, pointrt-rays, pointrt-info, GLFW's library, documentation and licences.
+# the four tools, GLFW's library, documentation and licences. pointrt-bake is under the GPL, as LICENSE says.
 #   packaging/windows/package.sh [BUILD]   BUILD: a build folder of cmake/mingw-w64.cmake (default: build/windows, built first)
 # Prints both, pointrt-VERSION-windows-x86_64.zip and .exe in BUILD/packages. They have no date but that of the newest commit,
 # and no path of this machine.
@@ -13,7 +13,7 @@ cd "$(dirname "$0")/../.."
 for tool in zip makensis; do command -v $tool >/dev/null || die "$tool is missing: install the packages zip and nsis"; done
 build=${1:-}
 if [ -z "$build" ]; then
-    installPackages build view package windows
+    installPackages build bake view package windows
     build=build/windows
     packaging/windows/libraries.sh $build/libraries
     buildPreset windows
@@ -25,9 +25,14 @@ rm -rf "$tree/share/mime" "$tree/share/applications" "$tree/share/icons" "$tree/
 
 # what the programs are linked with
 mkdir -p "$tree/share/doc/pointrt/libraries"
-for package in libcli11-dev libfmt-dev libglfw3-dev libimgui-dev libpng-dev libproj-dev libstb-dev libtinyexr-dev \
-    libtomlplusplus-dev libvulkan-dev libxxhash-dev libz-mingw-w64-dev nlohmann-json3-dev; do
-    cp -L "/usr/share/doc/$package/copyright" "$tree/share/doc/pointrt/libraries/$package.copyright"
+boost=$(dpkg-query -S /usr/include/boost/version.hpp | cut -d: -f1)
+for package in "$boost" libbrotli-dev libbz2-dev libc6 libcgal-dev libcli11-dev libdraco-dev libeigen3-dev libflann-dev \
+    libfmt-dev libglfw3-dev libimgui-dev libjpeg62-turbo-dev liblerc-dev liblz4-dev libpcl-dev libpng-dev libproj-dev \
+    libstb-dev libtbb-dev libtiff-dev libtinyexr-dev libtomlplusplus-dev libvulkan-dev libwebp-dev libxxhash-dev \
+    libz-mingw-w64-dev libzstd-dev nlohmann-json3-dev; do
+    copyright=/usr/share/doc/$package/copyright
+    [ -e "$copyright" ] || copyright=build/headers$copyright # unpacked, not installed
+    cp -L "$copyright" "$tree/share/doc/pointrt/libraries/$package.copyright"
 done
 
 out=$build/packages

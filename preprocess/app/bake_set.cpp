@@ -164,7 +164,7 @@ private:
     void discardWork() const {
         const std::string plan = planFile(work_);
         for (const fs::directory_entry& entry : fs::directory_iterator(work_))
-            if (entry.path() != plan) removeTree(entry.path());
+            if (entry.path() != plan) removeTree(entry.path().string());
         removeTree(plan);
     }
 

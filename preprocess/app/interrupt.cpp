@@ -4,7 +4,6 @@
 #include <atomic>
 #include <chrono>
 #include <cstddef>
-#include <cstdlib>
 #include <thread>
 
 #include "format/os/descriptor.h"
@@ -14,8 +13,6 @@
 namespace pointrt {
 
 namespace {
-
-constexpr int kSignalExitBase = 128; // the shells' convention
 
 /// Signals arrive on any thread. If one thread starts writing while another is interrupted, the first change counts.
 enum class State { kComputing, kWriting, kEnding };
@@ -38,7 +35,7 @@ void onInterrupt(int signal) {
         print("\r\033[Kpointrt-bake: interrupted; run the same command to resume\n");
     else
         print("\r\033[Kpointrt-bake: interrupted, nothing was written\n");
-    std::_Exit(kSignalExitBase + signal);
+    endInterrupted(signal);
 }
 
 } // namespace

@@ -24,7 +24,7 @@ void report(const pointrt::BakeOptions& options, const Report& result) {
 
 int main(int argc, char** argv) {
     using namespace pointrt;
-    return runTool("pointrt-bake", [&] {
+    endProcess(runTool("pointrt-bake", [&] {
         BakeOptions options;
         if (!parseOptions(argc, argv, options)) return static_cast<int>(ExitCode::kDone);
         returnLargeBlocks();
@@ -35,5 +35,5 @@ int main(int argc, char** argv) {
         else
             report(options, bake(options));
         return static_cast<int>(ExitCode::kDone);
-    });
+    }));
 }

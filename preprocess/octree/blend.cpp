@@ -9,7 +9,7 @@
 // One binary for all processors, twice as fast with AVX2. Both versions add in the same order and round the same way
 // (no fused operations), so results are equal. Not with sanitizers: their runtime is not ready when the loader selects
 // the version.
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if defined(__x86_64__) && defined(__ELF__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define POINTRT_WIDE __attribute__((target_clones("avx2", "default")))
 #else
 #define POINTRT_WIDE

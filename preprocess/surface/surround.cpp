@@ -123,12 +123,12 @@ Suspicion suspicionOf(const NeighborLists& lists, const PointSet& points, std::s
 
 /// Points around a point, in its plane.
 struct Around {
-    float misfit = 0;                ///< of their plane; infinite if they are on a line
-    std::uint8_t flags = 0;          ///< ListFlag
-    float widest_gap = 0;            ///< angle
-    std::vector<std::uint32_t> near; ///< nearest first; those in different directions before the others
-    float reach = 0;                 ///< distance within which they leave no wider gap
-    bool keeps_spacing = false;      ///< their distance does not tell how wide discs must be
+    float misfit = 0;                  ///< of their plane; infinite if they are on a line
+    std::uint8_t flags = 0;            ///< ListFlag
+    float widest_gap = 0;              ///< angle
+    std::vector<std::uint32_t> points; ///< nearest first; those in different directions before the others
+    float reach = 0;                   ///< distance within which they leave no wider gap
+    bool keeps_spacing = false;        ///< their distance does not tell how wide discs must be
 };
 
 struct Direction {
@@ -169,8 +169,8 @@ void selectAround(const std::vector<Direction>& directions, Around& around) {
         else
             others.push_back(direction.point);
     }
-    for (const Direction& direction : taken) around.near.push_back(direction.point);
-    around.near.insert(around.near.end(), others.begin(), others.end());
+    for (const Direction& direction : taken) around.points.push_back(direction.point);
+    around.points.insert(around.points.end(), others.begin(), others.end());
 }
 
 /// How to search for the points around a point.
@@ -263,9 +263,9 @@ bool SurroundSearch::isBetter(const Around& around, Suspicion suspicion) const {
     const bool open = around.flags & kOpen;
     if (!open && around.misfit < flatFor(suspicion)) return true;
     if (found_before.empty() || !(around.misfit < kCorner)) return false;
-    const auto on_surface = std::count_if(around.near.begin(), around.near.end(),
+    const auto on_surface = std::count_if(around.points.begin(), around.points.end(),
                                           [&](std::uint32_t other) { return found_before[other] != 0; });
-    return double(on_surface) >= kShareOnSurface * double(around.near.size());
+    return double(on_surface) >= kShareOnSurface * double(around.points.size());
 }
 
 /// Whether enough neighbours of a point were on lines or in clumps. @param maybe the point's own may be, too
@@ -298,7 +298,7 @@ std::optional<Around> SurroundSearch::surroundInNoise(std::size_t point, const S
         Around around = examineLevel(number, point, plan.least, kFlatAroundClump);
         around.flags = std::uint8_t(kThinned | kClump | (around.widest_gap < kWidestGap ? 0 : kOpen));
         const float flat = (around.flags & kOpen) ? kInNoPlane : kFlatAroundClump;
-        if (around.near.size() < lists.k - lists.denseCount() || !(around.misfit < flat)) continue;
+        if (around.points.size() < lists.k - lists.denseCount() || !(around.misfit < flat)) continue;
         const bool closes = best && best->misfit < kFlatInNoise && (best->flags & kOpen);
         if (closes && (around.flags & kOpen)) continue;
         if (closes) around.flags |= kAtGap;
@@ -314,7 +314,7 @@ std::optional<Around> SurroundSearch::acrossGap(std::size_t point, const Surroun
     const std::size_t end = std::min(thinned.levelCount(), plan.level + kMoreLevels + 1);
     for (std::size_t number = plan.level; number < end; ++number) {
         Around around = examineLevel(number, point, plan.least, kFlatAroundLine);
-        if (around.near.size() < lists.k - lists.denseCount() || !(around.misfit < kFlatAroundLine) ||
+        if (around.points.size() < lists.k - lists.denseCount() || !(around.misfit < kFlatAroundLine) ||
             !(around.widest_gap < kWidestGap))
             continue;
         around.flags = kThinned | kClump | kAtGap;
@@ -340,7 +340,7 @@ std::vector<std::uint32_t> SurroundSearch::straightAcross(std::size_t point, con
     constexpr float kStraight = 0.25f; // of the distance across: 14 degrees
     const Vec3f from = points.positions[point];
     std::vector<std::uint32_t> found_across;
-    for (const std::uint32_t start : around.near) {
+    for (const std::uint32_t start : around.points) {
         Vec3f offset = points.positions[start] - from;
         Vec3f across = offset - along.dot(offset) * along;
         const float apart = across.norm();
@@ -380,7 +380,7 @@ void SurroundSearch::turnAcross(std::size_t point, Around& around) const {
         if (const auto other = nearestOther(point, share * gap * along, std::abs(share) * gap / 2))
             chosen.push_back(*other);
     if (chosen.size() + 1 >= across + kAlong.size()) around.flags |= kBesideGap;
-    around.near = std::move(chosen);
+    around.points = std::move(chosen);
 }
 
 /// The points that surround a point, or those at a border; nothing if the nearest neighbours will do.
@@ -394,7 +394,7 @@ std::optional<Around> SurroundSearch::surround(std::size_t point) {
     const std::uint8_t flags = kThinned | (suspicion >= Suspicion::kInClump ? kClump : 0);
     const auto take = [&, suspicion = suspicion](Around& around) {
         around.flags = std::uint8_t(flags | (around.widest_gap < kWidestGap ? 0 : kOpen));
-        return around.near.size() >= lists.k - lists.denseCount() && isBetter(around, suspicion);
+        return around.points.size() >= lists.k - lists.denseCount() && isBetter(around, suspicion);
     };
     // In the first round, isBetter takes nothing else; in the second, corners.
     const float misfit = found_before.empty() ? flatFor(suspicion) : kCorner;
@@ -419,7 +419,7 @@ void adopt(NeighborLists& lists, const PointSet& points, std::size_t point, cons
     std::uint32_t* const list = &lists.indices[point * lists.k];
     std::uint32_t* const second_half = list + lists.denseCount();
     std::vector<std::uint32_t> chosen(list, second_half);
-    std::vector<std::uint32_t> wanted = around.near;
+    std::vector<std::uint32_t> wanted = around.points;
     wanted.insert(wanted.end(), second_half, list + lists.k);
     for (std::size_t i = 0; chosen.size() < lists.k; ++i)
         if (std::find(chosen.begin(), chosen.end(), wanted[i]) == chosen.end()) chosen.push_back(wanted[i]);

@@ -12,17 +12,17 @@ done
 
 mkdir -p "$build"
 libraries=$repository/packaging/windows/libraries.sh
-view=ON
+others=ON
 if ! "$libraries" "$build/libraries" >"$build/log" 2>&1; then
     cat "$build/log"
     echo "only pointrt-info, which needs none of those libraries"
-    view=OFF
+    others=OFF
     "$libraries" "$build/libraries" headers
 fi
 # -O1 takes half as long to compile as a release, and rounds alike.
 cmake -S "$repository" -B "$build" -G Ninja --toolchain "$repository/cmake/mingw-w64.cmake" \
     -D POINTRT_WINDOWS_LIBRARIES="$build/libraries" -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \
-    -D POINTRT_BUILD_BAKE=OFF -D POINTRT_BUILD_VIEW=$view -D POINTRT_BUILD_TESTS=OFF >"$build/log" 2>&1 &&
+    -D POINTRT_BUILD_BAKE=$others -D POINTRT_BUILD_VIEW=$others -D POINTRT_BUILD_TESTS=OFF >"$build/log" 2>&1 &&
     cmake --build "$build" >>"$build/log" 2>&1 || { cat "$build/log" && exit 1; }
 grep -A1 'Without LAZ and E57' "$build/log" || true
 

@@ -6,6 +6,7 @@
 . "$(dirname "$0")/lib.sh"
 [ "$(id -u)" = 0 ] || skip "only root can mount the disks"
 needs pointrt-info
+sphere 20000 >large.xyz
 
 cp "$golden/tiny_v1_5.pro" scan.pro
 mkdir full read_only
@@ -34,6 +35,10 @@ for suffix in ply pcd las; do
     cmp here.err windows.err || fail "full/a.$suffix: complains otherwise in Windows: $(cat windows.err)"
     refusedOnDrive f $suffix
 done
+if [ -e "$build/bin/pointrt-bake.exe" ] && [ -e "$bin/pointrt-bake" ]; then
+    refused pointrt-bake -q large.xyz -o full/a.pro
+    cmp here.err windows.err || fail "full/a.pro: complains otherwise in Windows: $(cat windows.err)"
+fi
 [ "$(ls full)" = other ] || fail "left on a full disk: $(ls full)"
 rm full/other
 
@@ -43,5 +48,9 @@ alike pointrt-info read_only/scan.pro --verify
 wine "$build/bin/pointrt-info.exe" 'r:\scan.pro' --verify >windows.out || fail "cannot read from drive r"
 refused pointrt-info scan.pro --export read_only/a.ply # "Permission denied", as Windows has no other word for it
 refusedOnDrive r ply
+if [ -e "$build/bin/pointrt-bake.exe" ] && [ -e "$bin/pointrt-bake" ]; then
+    refused pointrt-bake -q large.xyz -o read_only/a.pro
+    refused pointrt-bake -q large.xyz -o read_only/a.proset
+fi
 refused pointrt-info scan.pro --export read_only/scan.pro # it exists
 echo "the same in Windows"

@@ -31,6 +31,8 @@ trap finish EXIT
 export WINEPREFIX=$build/wine WINEDEBUG=-all LC_ALL=C.UTF-8 POINTRT_INDEX_CACHE=off
 unset DISPLAY WAYLAND_DISPLAY
 cd "$work"
+# One server for the whole test: without it each program starts and ends its own, which takes seconds.
+wineserver -p
 
 # needs TOOL: skips the test if there is no such tool for Windows.
 needs() {

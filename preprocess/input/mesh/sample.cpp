@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "preprocess/cloud/morton.h"
@@ -15,7 +16,7 @@ namespace {
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// A vertex normal that deviates more than this from the face's belongs to a sharp edge, not to a smooth surface.
-const double kSharpEdgeCos = std::cos(40 * M_PI / 180);
+const double kSharpEdgeCos = std::cos(40 * std::numbers::pi / 180);
 
 /// Orders faces along a Morton curve through their centres, so that strata of equal area are compact patches.
 std::vector<std::uint32_t> coherentOrder(const Cloud& cloud) {
