@@ -46,6 +46,20 @@ def test_contours_of_the_field(scene):
         scene.contours(-1)
 
 
+def test_sections_of_the_field(scene):
+    lines = scene.section_lines("x=500010")
+    assert len(lines) == 1 and not lines[0]["closed"]
+    np.testing.assert_allclose(lines[0]["positions"][:, 0], 500010, atol=1e-6)
+    np.testing.assert_allclose(lines[0]["positions"][:, 2], GRID[2] + 10, atol=1e-3)
+    assert np.linalg.norm(np.diff(lines[0]["positions"], axis=0), axis=1).sum() == pytest.approx(20, abs=0.4)
+    slope = scene.section_lines(height=GRID @ [0.6, 0, 0.8] + 14, up=[0.6, 0, 0.8])  # x = 10 on the field
+    np.testing.assert_allclose(slope[0]["positions"][:, 0], GRID[0] + 10, atol=2e-2)
+    assert scene.section_lines("z=150") == []
+    for wrong in ({}, {"plane": "x=1", "height": 1.0}, {"plane": "x=1:0.5"}, {"height": 1.0, "step": 0.0}):
+        with pytest.raises(ValueError):
+            scene.section_lines(**wrong)
+
+
 def test_profile_of_the_field(scene):
     profile = scene.profile(GRID + [[-5, 10, 0], [15, 10, 0]], step=0.5)
     assert profile["hits"].dtype == np.bool_ and len(profile["stations"]) == 41

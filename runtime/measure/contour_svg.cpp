@@ -75,12 +75,8 @@ double extentOf(const Contour& contour, const PlanScale& scale) {
 
 /// A bar of a round length, about a fifth of the plan.
 std::string scaleBar(const PlanScale& scale, const std::string& unit) {
-    const double length = roundBelow(kPlanSide / 5 / scale.pixels_per_unit);
-    const double y = scale.height() - kPlanMargin, end = kPlanMargin + length * scale.pixels_per_unit;
-    constexpr double kTick = 6;
-    const std::string label = decimalText(length, decimalsOf(length)) + (unit.empty() ? "" : " " + unit);
-    return svgLine(kPlanMargin, y, end, y, "black") + svgLine(kPlanMargin, y - kTick, kPlanMargin, y, "black") +
-           svgLine(end, y - kTick, end, y, "black") + svgText((kPlanMargin + end) / 2, y - kTick, "middle", label) +
+    const double length = roundBelow(kPlanSide / 5 / scale.pixels_per_unit), y = scale.height() - kPlanMargin;
+    return svgScaleBar(kPlanMargin, y, length, scale.pixels_per_unit, unit) +
            svgText(scale.width() - kPlanMargin, y, "end", "north is up");
 }
 

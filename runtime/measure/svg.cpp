@@ -23,4 +23,12 @@ std::string svgText(double x, double y, const char* anchor, const std::string& t
            "</text>\n";
 }
 
+std::string svgScaleBar(double x, double y, double length, double pixels_per_unit, const std::string& unit) {
+    constexpr double kTick = 6;
+    const double end = x + length * pixels_per_unit;
+    const std::string label = decimalText(length, decimalsOf(length)) + (unit.empty() ? "" : " " + unit);
+    return svgLine(x, y, end, y, "black") + svgLine(x, y - kTick, x, y, "black") +
+           svgLine(end, y - kTick, end, y, "black") + svgText((x + end) / 2, y - kTick, "middle", label);
+}
+
 } // namespace pointrt

@@ -14,6 +14,7 @@
 #include "runtime/rays/lidar_options.h"
 #include "runtime/rays/measure_command.h"
 #include "runtime/rays/profile_command.h"
+#include "runtime/rays/section_command.h"
 #include "runtime/rays/sun_command.h"
 #include "runtime/rays/viewshed_command.h"
 
@@ -28,6 +29,7 @@ constexpr RayCommand kCommands[] = {
     {"lidar", "simulates a laser scanner", lidarCommand, lidarText},
     {"measure", "distances, angles, areas, volumes, circles and spheres", measureCommand, measureText},
     {"profile", "the surface along a line", profileCommand, profileText},
+    {"section", "lines in which planes cut surfaces", sectionCommand, sectionText},
     {"sun", "hours of direct sun and sky view of points", sunCommand, sunText},
     {"viewshed", "points visible to observers", viewshedCommand, viewshedText},
 };

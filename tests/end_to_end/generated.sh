@@ -6,7 +6,7 @@
 
 commands=(pointrt-bake pointrt-info pointrt-view
     "pointrt-rays cast" "pointrt-rays compare" "pointrt-rays contours" "pointrt-rays lidar" "pointrt-rays measure" "pointrt-rays profile"
-    "pointrt-rays sun" "pointrt-rays viewshed" pointrt-rays)
+    "pointrt-rays section" "pointrt-rays sun" "pointrt-rays viewshed" pointrt-rays)
 
 needs() { command -v "$1" >/dev/null || skip "no $1 here"; }
 
@@ -127,7 +127,7 @@ theSameIn() {
     expectOffers "a.pro b.ply c.LAZ e.toml more.proset tiles" "$1" "pointrt-view" ""
     expectOffers "b.ply c.LAZ more.proset tiles" "$1" "pointrt-bake" ""
     expectOffers "" "$1" "pointrt-view a.pro --spp" ""
-    expectOffers "cast compare contours lidar measure profile sun viewshed" "$1" "pointrt-rays" ""
+    expectOffers "cast compare contours lidar measure profile section sun viewshed" "$1" "pointrt-rays" ""
     expectOffers "--sensor" "$1" "pointrt-rays lidar" --sen
     expectOffers "e.toml more.proset tiles" "$1" "pointrt-rays lidar --sensor" ""
 }

@@ -292,6 +292,10 @@ def case_rays_profile():
     return of("pointrt-rays profile -q in/ball.pro --line '-1,0 1,0' --step 0.1 -o out/a.svg", prepare=ball_pro, most=8)
 
 
+def case_rays_section():
+    return of("pointrt-rays section -q in/ball.pro --height 0 --step 0.05 -o out/a.svg", prepare=ball_pro, most=8)
+
+
 def case_rays_compare():
     return of("pointrt-rays compare -q in/ball.pro in/ball.pro -o out/a.ply --stats out/stats.json", prepare=ball_pro,
               reports=("out/stats.json",), most=8)

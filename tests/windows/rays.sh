@@ -9,7 +9,7 @@ needs pointrt-rays
 
 alike pointrt-rays --help
 alike pointrt-rays --version
-for command in cast compare contours lidar measure profile sun viewshed; do alike pointrt-rays $command --help; done
+for command in cast compare contours lidar measure profile section sun viewshed; do alike pointrt-rays $command --help; done
 
 sphere 3000 >sphere.xyz
 "$bin/pointrt-bake" -q sphere.xyz -o sphere.pro

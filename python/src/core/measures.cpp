@@ -4,9 +4,11 @@
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "module.h"
@@ -27,6 +29,12 @@ std::vector<Position> positionsOf(const Points& points) {
     for (std::size_t i = 0; i < positions.size(); ++i)
         for (std::size_t axis = 0; axis < 3; ++axis) positions[i][axis] = points(i, axis);
     return positions;
+}
+
+nb::ndarray<nb::numpy, double> rowsOf(const std::vector<Position>& points) {
+    std::vector<double> numbers;
+    for (const Position& point : points) numbers.insert(numbers.end(), point.begin(), point.end());
+    return owned(std::move(numbers), 3);
 }
 
 nb::dict pathDict(const Points& points, const Position& up) {
@@ -138,13 +146,28 @@ nb::list contoursOf(const TraceScene& scene, const Position& up, double interval
     }
     nb::list list;
     for (const Contour& each : contours) {
-        std::vector<double> positions;
-        for (const Position& point : each.points) positions.insert(positions.end(), point.begin(), point.end());
         nb::dict dict;
         dict["height"] = each.height;
         dict["closed"] = each.closed;
         dict["index"] = each.is_index;
-        dict["positions"] = owned(std::move(positions), 3);
+        dict["positions"] = rowsOf(each.points);
+        list.append(dict);
+    }
+    return list;
+}
+
+nb::list sectionOf(const TraceScene& scene, const SectionPlane& plane, double step, double gap, double tolerance,
+                   double shortest) {
+    std::vector<SectionLine> lines;
+    {
+        const nb::gil_scoped_release others_go_on;
+        lines = sectionLines(scene, plane, {step, gap, tolerance, shortest});
+    }
+    nb::list list;
+    for (const SectionLine& each : lines) {
+        nb::dict dict;
+        dict["closed"] = each.closed;
+        dict["positions"] = rowsOf(each.points);
         list.append(dict);
     }
     return list;
@@ -182,6 +205,19 @@ void bindMeasures(nb::module_& module) {
                nb::arg("base_height").none(), nb::arg("cell"));
     module.def("surface_contours", &contoursOf, nb::arg("scene"), nb::arg("up"), nb::arg("interval"), nb::arg("cell"),
                nb::arg("shortest"));
+    module.def(
+        "section_lines",
+        [](const TraceScene& scene, const std::string& plane, const Position& up, double step, double gap,
+           double tolerance,
+           double shortest) { return sectionOf(scene, sectionPlane(plane, up), step, gap, tolerance, shortest); },
+        nb::arg("scene"), nb::arg("plane"), nb::arg("up"), nb::arg("step"), nb::arg("gap"), nb::arg("tolerance"),
+        nb::arg("shortest"));
+    module.def(
+        "level_section_lines",
+        [](const TraceScene& scene, double height, const Position& up, double step, double gap, double tolerance,
+           double shortest) { return sectionOf(scene, levelPlane(height, up), step, gap, tolerance, shortest); },
+        nb::arg("scene"), nb::arg("height"), nb::arg("up"), nb::arg("step"), nb::arg("gap"), nb::arg("tolerance"),
+        nb::arg("shortest"));
     module.def("surface_profile", &profileOf, nb::arg("scene"), nb::arg("line"), nb::arg("up"), nb::arg("step"),
                nb::arg("from_below"), nb::arg("start_height").none(), nb::arg("all"), nb::arg("apart"),
                nb::arg("width"));

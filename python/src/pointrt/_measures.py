@@ -140,6 +140,35 @@ class Measures(Studies):
         """
         return _core.surface_contours(self._scene, self._up(up), interval, cell, shortest)
 
+    def section_lines(self, plane: str | None = None, *, height: float | None = None, step: float | None = None,
+                      gap: float | None = None, tolerance: float | None = None, shortest: float = 0.0,
+                      up: Sequence[float] | None = None) -> list[dict[str, Any]]:
+        """The lines in which a plane cuts the surfaces: a floor plan, or an upright section.
+
+        Args:
+            plane: as for ``section``, without a thickness: ``"y=3"``, ``"x=3"``, ``"x0,y0,x1,y1"``, ``"z=1.2"``.
+            height: in place of plane: cut across up at this height along it.
+            step: between the rays that sweep the plane (default: the median radius of the discs).
+            gap: widest gap that lines are joined across (default: 6 steps).
+            tolerance: largest distance of lines from where rays met the surface (default: half a step).
+            shortest: length of the shortest line to keep.
+            up: direction (default: up of the file, else +Z).
+
+        Returns:
+            A dict for each line: ``positions`` ``[N, 3]``; ``closed``, true if the last is followed by the first.
+
+        Raises:
+            ValueError: the plane or a number is invalid, or both or neither of plane and height are given.
+        """
+        if (plane is None) == (height is None):
+            raise ValueError("give either a plane or a height")
+        apart = self._median_radius() if step is None else step
+        rules = (self._up(up), apart, 6 * apart if gap is None else gap, apart / 2 if tolerance is None else tolerance,
+                 shortest)
+        if plane is None:
+            return _core.level_section_lines(self._scene, height, *rules)
+        return _core.section_lines(self._scene, plane, *rules)
+
     def distances(self, points: ArrayLike | Measures, normals: ArrayLike | None = None, *,
                   radii: ArrayLike | None = None, max_distance: float | None = None) -> np.ndarray:
         """Signed distances of points from this scene's surface along their normals.

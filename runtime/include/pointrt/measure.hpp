@@ -15,6 +15,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "pointrt/studies.hpp"
@@ -154,6 +155,39 @@ struct Contour {
 /// lowest height to the highest. They end where there is no surface. Throws kBadUsage for more than 2^26 cells or
 /// 10,000 heights, negative lengths, and numbers that are not finite.
 std::vector<Contour> surfaceContours(const TraceScene& scene, const ContourRules& rules);
+
+/// A plane that cuts a scene, with the axes of a drawing of the cut.
+struct SectionPlane {
+    Position point{};                     ///< in the plane: the drawing's origin
+    Position right{1, 0, 0}, up{0, 1, 0}; ///< in the plane, perpendicular, unit length
+};
+
+/// A plane as pointrt-view --section has it: "z=1.2", "x=3", "-x=3" (seen from the other side), "X0,Y0,X1,Y1". Axes of
+/// drawings are those of its pictures. Throws kBadUsage for any other text, and for a thickness.
+/// @param up of the scene, unit length
+SectionPlane sectionPlane(const std::string& text, const Position& up);
+/// The plane across up, of unit length, at a height along it; drawn with north up.
+SectionPlane levelPlane(double height, const Position& up);
+
+struct SectionRules {
+    double step = 0;      ///< between the rays that sweep the plane; above 0. Surfaces closer than two steps are one
+    double gap = 0;       ///< the widest gap that lines are joined across; gaps of 2.5 steps are always closed
+    double tolerance = 0; ///< the largest distance of a line from the places where rays met the surface
+    double shortest = 0;  ///< length of the shortest line to keep
+};
+
+/// A line in which a plane cuts surfaces.
+struct SectionLine {
+    bool closed = false; ///< the last point is followed by the first
+    std::vector<Position> points;
+};
+
+/// The lines in which a plane cuts the scene's surfaces, all of them, as in a floor plan. Rays sweep the plane along
+/// both axes and from both ends, through every surface; each crosses the surfaces at less than 55 degrees from its
+/// perpendicular. Hits become lines along their normals, with corners where lines that end there meet. Surfaces within
+/// 12 degrees of the plane's own direction have no line. Throws kBadUsage for more than 2^22 rays, lengths that are
+/// negative, a step of 0, and numbers that are not finite.
+std::vector<SectionLine> sectionLines(const TraceScene& scene, const SectionPlane& plane, const SectionRules& rules);
 
 /// Distances of points from the scene's surface along their normals, on the nearer side, up to most: positive if the
 /// point lies on the side of the surface that its normal points to, as in M3C2 (Lague, Brodu and Leroux 2013). NaN if

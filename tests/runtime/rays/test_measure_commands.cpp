@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// pointrt-rays measure, profile and compare end to end, in coordinates of a national grid.
+// pointrt-rays measure, profile, section and compare end to end, in coordinates of a national grid.
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "pointrt/pro.hpp"
 #include "tests/runtime/rays/cast_command.h"
+#include "tests/support/says.h"
 
 namespace pointrt::test {
 namespace {
@@ -122,6 +123,44 @@ TEST_F(MeasureCommand, ProfilesAreWritten) {
     EXPECT_EQ(run(profile + "out.csv --all --width 2").code, 2);
     EXPECT_EQ(run(profile + "out.csv --up 0,1,0").code, 2) << "x,y are no place where y is up";
     EXPECT_EQ(run(profile + "out.png").code, 2);
+}
+
+TEST_F(MeasureCommand, SectionsAreWritten) {
+    const std::string section = POINTRT_RAYS " section plane.pro --plane x=500064 -o ";
+    ASSERT_EQ(run(section + "out.geojson --height 164.5").code, 0) << "the first section is empty";
+    const auto json = nlohmann::json::parse(text("out.geojson"));
+    ASSERT_EQ(json["features"].size(), 1u);
+    const auto& feature = json["features"][0];
+    EXPECT_EQ(feature["properties"]["section"], 2);
+    ASSERT_EQ(feature["geometry"]["coordinates"].size(), 2u) << "a level plane is one straight line";
+    for (const auto& point : feature["geometry"]["coordinates"]) {
+        EXPECT_EQ(point[0], 500064);
+        EXPECT_NEAR(point[2], 164, 3e-3); // normals are rounded, by 3e-4 of the discs' radius of 5 m
+    }
+    ASSERT_EQ(run(section + "out.csv --flat").code, 0);
+    double y = 0, z = 0;
+    ASSERT_EQ(std::sscanf(text("out.csv").c_str(), "section,line,x,y,z\n1,1,%lf,%lf,0.0", &y, &z), 2)
+        << text("out.csv");
+    EXPECT_NEAR(y, 4500012.8, 5) << "y grows to the right";
+    EXPECT_NEAR(z, 164, 3e-3);
+    ASSERT_EQ(run(section + "out.dxf").code, 0);
+    EXPECT_NE(text("out.dxf").find("8\nsection_1"), std::string::npos);
+    ASSERT_EQ(run(section + "out.svg --clip 500000,4500000,100,500128,4500064,228").code, 0);
+    EXPECT_TRUE(text("out.svg").starts_with("<svg ") && text("out.svg").ends_with("</svg>\n"));
+    const Outcome nothing = run(POINTRT_RAYS " section plane.pro --height 180 -o out.dxf");
+    EXPECT_EQ(nothing.code, 0);
+    EXPECT_SAYS(nothing.err, "section: height 180 *no surface*\n");
+    EXPECT_EQ(text("out.dxf").find("POLYLINE"), std::string::npos);
+}
+
+TEST_F(MeasureCommand, MistakesInSectionsAreNamed) {
+    const std::string section = POINTRT_RAYS " section plane.pro -o out.dxf";
+    expectRefused(2, "--height *--plane*", section);
+    expectRefused(2, "--plane: \"w=3\"*section*", section + " --plane w=3");
+    expectRefused(2, "--plane: z=3:0.5: *thickness*", section + " --plane z=3:0.5");
+    expectRefused(2, "--step: *", section + " --height 1 --step 0");
+    expectRefused(2, "*2^22 rays*", section + " --height 1 --step 1e-9");
+    expectRefused(2, "out.png: *suffix*", POINTRT_RAYS " section plane.pro --height 1 -o out.png");
 }
 
 TEST_F(MeasureCommand, AMovedCopyIsComparedToAMillimetre) {
