@@ -218,6 +218,7 @@ void Window::handleRequests() {
             kept_view_ = KeptView{work_.scene.path, work_.camera, view_.home};
             tryOrNotify("", [&] { opener_.bakeAgain(kind); });
         });
+    if (requests.save_outline && loaded_) tryOrNotify("", [&] { saveOutline(*requests.save_outline); });
     if (requests.compare && loaded_) tryOrNotify("", [&] { compareScans(*requests.compare); });
     if (requests.find_place && !std::exchange(work_.place_sought, true))
         tryOrNotify("", [&] { work_.earth_place = earthPlaceOf(work_.scene); });

@@ -18,6 +18,7 @@
 #include "runtime/window/edit/free_name.h"
 #include "runtime/window/edit/kept_bake.h"
 #include "runtime/window/edit/measure_edit.h"
+#include "runtime/window/edit/outline_job.h"
 #include "runtime/window/edit/picked_path.h"
 #include "runtime/window/edit/recent_files.h"
 #include "runtime/window/edit/shown_scene.h"
@@ -185,8 +186,21 @@ void Window::offerAutosave(const SceneSource& scene) {
         });
 }
 
+void Window::saveOutline(std::size_t clip) {
+    const auto* plane = std::get_if<ClipPlane>(&work_.scene.clips.at(clip).form);
+    const std::optional<std::string> option = plane ? planeOption(*plane) : std::nullopt;
+    if (!option) return notify("outlines are drawn in planes square to an axis", true);
+    const std::string name = freeName(work_.scene.path, {".dxf", ".svg"});
+    const bool starts = jobs_.start(JobKind::kStudy, [&] {
+        return startedJob<OutlineJob>(
+            std::make_unique<OutlineJob>(work_.scene, *option, name, options_.device),
+            [this, name](OutlineJob&) { notify("saved " + name + ".dxf and " + name + ".svg", false); });
+    });
+    if (!starts) notify("wait until the other study is done", true);
+}
+
 void Window::compareScans(const Comparison& comparison) {
-    const bool starts = jobs_.start(JobKind::kCompare, [&] {
+    const bool starts = jobs_.start(JobKind::kStudy, [&] {
         return startedJob<CompareJob>(std::make_unique<CompareJob>(work_.scene, comparison, options_.device),
                                       [this, comparison, scene = work_.scene.path](CompareJob& job) {
                                           const bool is_same = work_.scene.path == scene &&
@@ -194,7 +208,7 @@ void Window::compareScans(const Comparison& comparison) {
                                           if (is_same) showComparison(job.output(), comparison);
                                       });
     });
-    if (!starts) notify("wait until the other comparison is done", true);
+    if (!starts) notify("wait until the other study is done", true);
 }
 
 /// Opens the scene again with the copy of a scan that has distances, coloured by them, and without the reference, which

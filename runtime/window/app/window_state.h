@@ -104,6 +104,7 @@ private:
     void updatePicture();
     void refineWithoutRedraw();
     void saveFilm();
+    void saveOutline(std::size_t clip);
     void compareScans(const Comparison& comparison);
     void showComparison(const std::string& with_distances, const Comparison& comparison);
     void addStill();

@@ -17,7 +17,7 @@ namespace pointrt {
 
 /// At most one job of each kind runs. The display shows, and Cancel cancels, the first running one in this order, never
 /// tiles, which are loaded all the time.
-enum class JobKind : std::uint8_t { kLoad, kSceneUpdate, kBake, kCompare, kTurntable, kSave, kTiles, kCount };
+enum class JobKind : std::uint8_t { kLoad, kSceneUpdate, kBake, kStudy, kTurntable, kSave, kTiles, kCount };
 constexpr std::size_t kJobKinds = static_cast<std::size_t>(JobKind::kCount);
 
 /// How a new job is scheduled while another one runs.
@@ -35,7 +35,7 @@ constexpr std::array<std::array<Scheduling, kJobKinds>, kJobKinds> kScheduling =
         /* load      */ {kReplaces, kAfter, kConcurrent, kConcurrent, kConcurrent, kConcurrent, kAfter},
         /* relight   */ {kAfter, kAfter, kConcurrent, kConcurrent, kConcurrent, kConcurrent, kAfter},
         /* bake      */ {kConcurrent, kConcurrent, kAfter, kConcurrent, kConcurrent, kConcurrent, kConcurrent},
-        /* compare   */ {kConcurrent, kConcurrent, kConcurrent, kAfter, kConcurrent, kConcurrent, kConcurrent},
+        /* study     */ {kConcurrent, kConcurrent, kConcurrent, kAfter, kConcurrent, kConcurrent, kConcurrent},
         /* turntable */ {kConcurrent, kConcurrent, kConcurrent, kConcurrent, kAfter, kConcurrent, kConcurrent},
         /* save      */ {kConcurrent, kConcurrent, kConcurrent, kConcurrent, kConcurrent, kAfter, kConcurrent},
         /* tiles     */ {kAfter, kAfter, kConcurrent, kConcurrent, kConcurrent, kConcurrent, kAfter},

@@ -105,6 +105,7 @@ struct Requests {
     bool add_still = false;                             ///< to work.stills
     bool follows_views = false;                         ///< of turntable_pictures: through the views
     std::optional<std::string> bake_again;              ///< with this kind of splats
+    std::optional<std::size_t> save_outline;            ///< number of a clip
     std::optional<Comparison> compare;
     std::optional<std::uint32_t> turntable_pictures; ///< number of frames to render to turntable_path
 };

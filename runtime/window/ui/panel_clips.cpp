@@ -123,6 +123,12 @@ void drawClips(Workspace& w) {
     ImGui::BeginDisabled(clip.layer.locked);
     if (auto* box = std::get_if<ClipBox>(&clip.form)) drawBoxSides(w, *box);
     if (auto* plane = std::get_if<ClipPlane>(&clip.form)) drawPlaneValues(w, *plane);
+    const bool has_outline = std::holds_alternative<ClipPlane>(clip.form) && !w.scene.instances.empty();
+    if (has_outline &&
+        columnButton("Save the outline", 1, false,
+                     "the lines in which the plane cuts the scans, as DXF and SVG: a floor plan where it "
+                     "is level; pointrt-rays section has more choices"))
+        w.requests.save_outline = static_cast<std::size_t>(selected);
     offerHandles({LayerKind::kClip, static_cast<std::size_t>(selected)});
     ImGui::EndDisabled();
     ImGui::PopID();

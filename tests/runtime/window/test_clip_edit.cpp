@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "runtime/window/edit/outline_job.h"
+
 namespace pointrt {
 namespace {
 
@@ -38,6 +40,12 @@ TEST(ClipEdit, MovingASideOfATurnedBoxLeavesTheOthers) {
     EXPECT_LT(length(cornerOf(box, false, false, false) - cornerOf(before, false, false, false)), 1e-12);
     const Vec3 moved = cornerOf(box, true, false, false) - cornerOf(before, true, false, false);
     EXPECT_LT(length(moved - Vec3{c, s, 0}), 1e-12); // by 1 along the turned axis
+}
+
+TEST(OutlineJob, NamesPlanesSquareToAnAxis) {
+    EXPECT_EQ(planeOption({{1, 2, 3.25}, {0, 0, -1}}), "z=3.25");
+    EXPECT_EQ(planeOption({{637000.5, 2, 3}, {1, 0, 0}}), "x=637000.5");
+    EXPECT_FALSE(planeOption({{1, 2, 3}, normalize({1, 1, 0})}));
 }
 
 TEST(ClipEdit, SidesDoNotPassEachOther) {
