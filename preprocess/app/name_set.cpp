@@ -7,8 +7,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <vector>
 
 #include "format/base/error.h"
+#include "format/os/folder.h"
 #include "format/os/swap_names.h"
 #include "format/set/set_words.h"
 #include "format/set/tile_set.h"
@@ -32,10 +34,10 @@ std::string replacedFolder(const std::string& work) { return work + "/replaced";
 /// If something cannot be deleted, the mark stays too.
 void clear(const std::string& work, const std::string& mark, bool keep_work) {
     std::error_code failure;
-    for (fs::directory_iterator entry(work, failure), end; !failure && entry != end; entry.increment(failure)) {
-        const std::string path = entry->path().string();
+    const std::vector<std::string> paths = listFolder(work, failure);
+    for (const std::string& path : paths) {
         const bool is_of_set = path == finishedFolder(work) || path == replacedFolder(work);
-        if (path != mark && (is_of_set || !keep_work)) fs::remove_all(path, failure);
+        if (path != mark && (is_of_set || !keep_work)) removeAll(path, failure);
         if (failure) return;
     }
     fs::remove(mark, failure);
@@ -45,7 +47,7 @@ void clear(const std::string& work, const std::string& mark, bool keep_work) {
 /// For file systems that cannot swap names; for a moment neither set has the name.
 bool moveAway(const std::string& finished, const std::string& output, const std::string& replaced) {
     std::error_code failure;
-    fs::remove_all(replaced, failure);
+    removeAll(replaced, failure);
     if (::rename(output.c_str(), replaced.c_str()) != 0) return false;
     if (::rename(finished.c_str(), output.c_str()) == 0) return true;
     const int reason = errno;

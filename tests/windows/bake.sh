@@ -12,11 +12,15 @@ alike pointrt-bake --version
 
 sphere 3000 >sphere.xyz
 written sphere.pro pointrt-bake -q sphere.xyz
-suffixes="ply pcd las spz"
+suffixes="ply pcd las"
 if ! grep -q 'Without LAZ and E57' "$build/log"; then suffixes+=" laz e57"; fi
 mkdir scans
 for suffix in $suffixes; do "$bin/pointrt-info" sphere.pro --export "scans/sphere.$suffix"; done
 gzip -c sphere.xyz >scans/sphere.xyz.gz
+writeGaussians
+"$bin/pointrt-bake" -q row.splat -o row.pro
+"$bin/pointrt-info" row.pro --export scans/row.spz
+mv row.splat scans
 python3 "$repository/tests/windows/bake_inputs.py" "$bin" "$build" scans/*
 
 # every stage that rounds: cleaning, orientation, filling, Gaussians, Windows's own paths among several scans
@@ -30,6 +34,16 @@ written two.pro pointrt-bake -q sphere.xyz scans/sphere.ply
 wine "$build/bin/pointrt-bake.exe" -q 'scans\sphere.ply' -o 'scans\slashes.pro'
 wine "$build/bin/pointrt-bake.exe" -q "$PWD/scans/sphere.ply" -o "$PWD/scans/absolute.pro"
 cmp scans/slashes.pro scans/absolute.pro
+there=$(winepath -w "$PWD/scans")
+wine "$build/bin/pointrt-bake.exe" -q "\\\\?\\$there\\sphere.ply" -o "\\\\?\\$there\\prefixed.proset" --tile-splats 1000
+"$bin/pointrt-bake" -q scans/sphere.ply -o here.prefixed.proset --tile-splats 1000
+diff -r here.prefixed.proset scans/prefixed.proset
+rm -r here.prefixed.proset
+cp sphere.xyz 'each 1.txt'
+cp sphere.xyz 'each 2.txt'
+"$bin/pointrt-bake" -q each*.txt -o here.each.pro
+wine "$build/bin/pointrt-bake.exe" -q 'each*.txt' -o each.pro # which no shell of Windows expands
+cmp here.each.pro each.pro
 "$bin/pointrt-bake" -q - -o here.stdin.pro <sphere.xyz
 wine "$build/bin/pointrt-bake.exe" -q - -o stdin.pro <sphere.xyz
 cmp here.stdin.pro stdin.pro
@@ -37,11 +51,11 @@ wine "$build/bin/pointrt-bake.exe" -q sphere.xyz -o stats.pro --stats stats.json
 grep -q '"input_points": 3000' stats.json || fail "no statistics: $(cat stats.json)"
 
 # tile sets: in one run, step by step, and replaced
-set_options=(--tile-splats 500 --max-memory 512M)
+set_options=(--tile-splats 1000 --max-memory 512M)
 "$bin/pointrt-bake" -q sphere.xyz -o here.proset "${set_options[@]}"
 wine "$build/bin/pointrt-bake.exe" -q sphere.xyz -o set.proset "${set_options[@]}" 2>windows.err || fail "$(cat windows.err)"
 diff -r here.proset set.proset || fail "tile sets differ"
-for step in plan split block:0 top; do
+for step in plan split block:0 levels tile:0 top; do
     wine "$build/bin/pointrt-bake.exe" -q sphere.xyz -o steps.proset "${set_options[@]}" --step $step 2>windows.err ||
         fail "step $step: $(cat windows.err)"
 done
