@@ -2,7 +2,6 @@
 #include "preprocess/app/name_set.h"
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -48,16 +47,16 @@ void clear(const std::string& work, const std::string& mark, bool keep_work) {
 bool moveAway(const std::string& finished, const std::string& output, const std::string& replaced) {
     std::error_code failure;
     removeAll(replaced, failure);
-    if (::rename(output.c_str(), replaced.c_str()) != 0) return false;
-    if (::rename(finished.c_str(), output.c_str()) == 0) return true;
+    if (!renameFolder(output, replaced)) return false;
+    if (renameFolder(finished, output)) return true;
     const int reason = errno;
-    ::rename(replaced.c_str(), output.c_str());
+    renameFolder(replaced, output);
     errno = reason;
     return false;
 }
 
 bool rename(const std::string& finished, const std::string& output, const std::string& replaced) {
-    if (::rename(finished.c_str(), output.c_str()) == 0) return true;
+    if (renameFolder(finished, output)) return true;
     if (errno != ENOTEMPTY && errno != EEXIST && errno != ENOTDIR) return false;
     if (swapNames(finished, output)) return true;
     return (errno == EINVAL || errno == ENOSYS) && moveAway(finished, output, replaced);
