@@ -88,12 +88,13 @@ for arguments in '' 'none.ply -o a.pro' 'sphere.xyz' 'sphere.xyz -o a.png' 'sphe
     tr '\\' / <windows.err | cmp here.err - || fail "$arguments: complains otherwise in Windows: $(cat windows.err)"
 done
 
-# interrupted OUTPUT WORDS: Ctrl-C at the bake's third progress line ends it with 0xC000013A, of which a shell sees the
+# interrupted OUTPUT WORDS OPTION...: Ctrl-C at the bake's third progress line ends it with 0xC000013A, of which a shell sees the
 # lowest byte, and these words
 interrupted() {
-    local bake status=0
+    local bake status=0 output=$1 words=$2
+    shift 2
     : >progress
-    (exec wine "$build/bin/pointrt-bake.exe" large.xyz -o "$1" --tile-splats 20000 --progress lines 2>progress) &
+    (exec wine "$build/bin/pointrt-bake.exe" large.xyz -o "$output" "$@" --progress lines 2>progress) &
     bake=$!
     for _ in $(seq 600); do
         [ "$(grep -c '^progress' progress)" -lt 3 ] || break
@@ -101,13 +102,13 @@ interrupted() {
     done
     kill -INT $bake
     wait $bake || status=$?
-    [ $status = $((0x3A)) ] || fail "$1: exit status $status after Ctrl-C: $(tail -3 progress)"
-    grep -q "interrupted$2" progress || fail "$1: not interrupted: $(tail -1 progress)"
+    [ $status = $((0x3A)) ] || fail "$output: exit status $status after Ctrl-C: $(tail -3 progress)"
+    grep -q "interrupted$words" progress || fail "$output: not interrupted: $(tail -1 progress)"
 }
 sphere 200000 >large.xyz
 interrupted large.pro ', nothing was written'
 [ ! -e large.pro ] || fail "Ctrl-C left a file"
-interrupted large.proset '; run the same command to resume'
+interrupted large.proset '; run the same command to resume' --tile-splats 20000
 wine "$build/bin/pointrt-bake.exe" -q large.xyz -o large.proset --tile-splats 20000 || fail "not resumed"
 "$bin/pointrt-bake" -q large.xyz -o here.large.proset --tile-splats 20000
 diff -r here.large.proset large.proset || fail "a resumed tile set differs"
