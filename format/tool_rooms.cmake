@@ -28,7 +28,7 @@ pointrt_room(format/set USES format/include/pointrt format/base format/os
 target_link_libraries(pointrt_set PRIVATE nlohmann_json::nlohmann_json)
 target_compile_options(pointrt_set PRIVATE -Wconversion)
 
-pointrt_room(format/cli USES format/base
+pointrt_room(format/cli USES format/base format/os
   PURPOSE "Command lines: what all tools share, and the manual pages and shell completions made of the options.")
 target_link_libraries(pointrt_cli PUBLIC $<BUILD_INTERFACE:CLI11::CLI11>)
 

@@ -9,6 +9,7 @@
 
 #include "format/base/error.h"
 #include "format/base/near_name.h"
+#include "format/os/program.h"
 
 namespace pointrt {
 namespace {
@@ -207,9 +208,13 @@ std::string generatedText(const CommandText& command, const std::string& what) {
 }
 
 std::optional<int> parseCommandLine(CommandLine& app, int argc, const char* const* argv, OutputSuffixes outputs) {
-    refuseSlips(app, argc, argv);
+    std::vector<std::string> words(argv, argv + argc);
+    for (std::string& word : words) word = plainPath(word);
+    std::vector<const char*> plain;
+    for (const std::string& word : words) plain.push_back(word.c_str());
+    refuseSlips(app, argc, plain.data());
     try {
-        app.parse(argc, argv);
+        app.parse(argc, plain.data());
         return {};
     } catch (const CLI::CallForHelp&) {
         print(helpText(describe(app)));

@@ -91,7 +91,13 @@ const void* mapFile(int descriptor, std::size_t bytes) {
 
 void unmapFile(const void* start, std::size_t) { UnmapViewOfFile(start); }
 
-std::optional<FileStatus> statusOf(int descriptor) { return statusOf(handleOf(descriptor)); }
+/// A file of which the system tells nothing can be read as a pipe: one that a shell of Linux opened for Wine.
+std::optional<FileStatus> statusOf(int descriptor) {
+    const HANDLE handle = handleOf(descriptor);
+    const std::optional<FileStatus> status = statusOf(handle);
+    if (status || GetFileType(handle) != FILE_TYPE_DISK) return status;
+    return FileStatus{.kind = FileKind::kPipe};
+}
 
 std::optional<FileStatus> statusOf(const std::string& path) {
     const HANDLE handle = CreateFileW(widePath(path).c_str(), 0, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE,

@@ -22,6 +22,8 @@ bool isProgram(const std::string& path) {
     return fs::is_regular_file(path, ignored) && access(path.c_str(), X_OK) == 0;
 }
 
+std::string plainPath(const std::string& path) { return path; }
+
 const char kSearchPathSeparator = ':';
 
 } // namespace pointrt

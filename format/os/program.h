@@ -15,6 +15,9 @@ std::string programFile(const std::string& name);
 /// Whether path is a file that this user may run.
 bool isProgram(const std::string& path);
 
+/// A path of Windows without its prefix \\?\, behind which it may not be joined by /. Elsewhere the path as it is.
+std::string plainPath(const std::string& path);
+
 /// Separates the folders of PATH.
 extern const char kSearchPathSeparator;
 

@@ -6,6 +6,11 @@
 #include <filesystem>
 #include <system_error>
 
+/// For the C library of mingw-w64: expands * and ? in arguments, as shells do elsewhere.
+extern "C" {
+int _dowildcard = -1;
+}
+
 namespace pointrt {
 
 std::string programPath() {
@@ -20,6 +25,16 @@ std::string programFile(const std::string& name) { return name + ".exe"; }
 bool isProgram(const std::string& path) {
     std::error_code ignored;
     return std::filesystem::is_regular_file(format::widePath(path), ignored);
+}
+
+/// \\?\C:\scan.las is C:\scan.las, and \\?\UNC\server\scan.las is \\server\scan.las. Other names behind the prefix
+/// stay.
+std::string plainPath(const std::string& path) {
+    const std::string prefix = R"(\\?\)", share = prefix + R"(UNC\)";
+    if (path.starts_with(share)) return R"(\\)" + path.substr(share.size());
+    const bool has_drive =
+        path.starts_with(prefix) && path.size() > prefix.size() + 1 && path[prefix.size() + 1] == ':';
+    return has_drive ? path.substr(prefix.size()) : path;
 }
 
 const char kSearchPathSeparator = ';';

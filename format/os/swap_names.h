@@ -10,4 +10,7 @@ namespace pointrt {
 /// the file system or the system cannot.
 bool swapNames(const std::string& one, const std::string& other);
 
+/// Gives a folder another name. False, with errno, if that fails; EEXIST or ENOTEMPTY if the name is taken.
+bool renameFolder(const std::string& folder, const std::string& name);
+
 } // namespace pointrt

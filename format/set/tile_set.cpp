@@ -7,6 +7,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "format/os/separators.h"
+
 namespace pointrt {
 
 namespace {
@@ -102,7 +104,7 @@ void arrangeTiles(TileSet& set) {
 
 bool isTileSet(const std::string& path) {
     std::string_view name = path;
-    while (name.size() > 1 && name.ends_with('/')) name.remove_suffix(1);
+    while (name.size() > 1 && isFolderSeparator(name.back())) name.remove_suffix(1);
     std::error_code ignored;
     return name.ends_with(".proset") || std::filesystem::is_regular_file(setFileOf(path), ignored);
 }

@@ -50,6 +50,7 @@ constexpr const char* kWipe = "\r\033[K"; ///< erases the redrawn line
 template <typename... Values>
 void print(fmt::format_string<Values...> text, const Values&... values) {
     std::fputs(fmt::vformat(text, fmt::make_format_args(values...)).c_str(), stderr);
+    std::fflush(stderr); // which Wine's C library buffers where it is no terminal
 }
 
 double secondsBetween(std::chrono::steady_clock::time_point a, std::chrono::steady_clock::time_point b) {

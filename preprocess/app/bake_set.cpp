@@ -10,6 +10,7 @@
 
 #include "format/base/error.h"
 #include "format/os/file_lock.h"
+#include "format/os/folder.h"
 #include "format/set/tile_set.h"
 #include "preprocess/app/bake_progress.h"
 #include "preprocess/app/checks.h"
@@ -163,8 +164,11 @@ private:
     /// Deletes the plan last: without that, its results would be taken for those of the next plan.
     void discardWork() const {
         const std::string plan = planFile(work_);
-        for (const fs::directory_entry& entry : fs::directory_iterator(work_))
-            if (entry.path() != plan) removeTree(entry.path().string());
+        std::error_code failure;
+        const std::vector<std::string> paths = listFolder(work_, failure);
+        if (failure) throw Error(ExitCode::kCannotWrite, work_ + ": " + failure.message());
+        for (const std::string& path : paths)
+            if (path != plan) removeTree(path);
         removeTree(plan);
     }
 
@@ -239,7 +243,7 @@ private:
         if (!request_.bake.drop_work) return;
         writeMark(blocksMark(report_.plan));
         std::error_code failure; // files that cannot be deleted do no harm
-        fs::remove_all(bucketsFolder(report_.plan), failure);
+        removeAll(bucketsFolder(report_.plan), failure);
     }
 
     void levels() {

@@ -2,13 +2,14 @@
 #include "preprocess/app/name_set.h"
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <vector>
 
 #include "format/base/error.h"
+#include "format/os/folder.h"
 #include "format/os/swap_names.h"
 #include "format/set/set_words.h"
 #include "format/set/tile_set.h"
@@ -32,10 +33,10 @@ std::string replacedFolder(const std::string& work) { return work + "/replaced";
 /// If something cannot be deleted, the mark stays too.
 void clear(const std::string& work, const std::string& mark, bool keep_work) {
     std::error_code failure;
-    for (fs::directory_iterator entry(work, failure), end; !failure && entry != end; entry.increment(failure)) {
-        const std::string path = entry->path().string();
+    const std::vector<std::string> paths = listFolder(work, failure);
+    for (const std::string& path : paths) {
         const bool is_of_set = path == finishedFolder(work) || path == replacedFolder(work);
-        if (path != mark && (is_of_set || !keep_work)) fs::remove_all(path, failure);
+        if (path != mark && (is_of_set || !keep_work)) removeAll(path, failure);
         if (failure) return;
     }
     fs::remove(mark, failure);
@@ -45,17 +46,17 @@ void clear(const std::string& work, const std::string& mark, bool keep_work) {
 /// For file systems that cannot swap names; for a moment neither set has the name.
 bool moveAway(const std::string& finished, const std::string& output, const std::string& replaced) {
     std::error_code failure;
-    fs::remove_all(replaced, failure);
-    if (::rename(output.c_str(), replaced.c_str()) != 0) return false;
-    if (::rename(finished.c_str(), output.c_str()) == 0) return true;
+    removeAll(replaced, failure);
+    if (!renameFolder(output, replaced)) return false;
+    if (renameFolder(finished, output)) return true;
     const int reason = errno;
-    ::rename(replaced.c_str(), output.c_str());
+    renameFolder(replaced, output);
     errno = reason;
     return false;
 }
 
 bool rename(const std::string& finished, const std::string& output, const std::string& replaced) {
-    if (::rename(finished.c_str(), output.c_str()) == 0) return true;
+    if (renameFolder(finished, output)) return true;
     if (errno != ENOTEMPTY && errno != EEXIST && errno != ENOTDIR) return false;
     if (swapNames(finished, output)) return true;
     return (errno == EINVAL || errno == ENOSYS) && moveAway(finished, output, replaced);

@@ -8,6 +8,7 @@
 
 #include "format/base/report_file.h"
 #include "format/os/memory.h"
+#include "format/os/separators.h"
 #include "preprocess/app/vector_json.h"
 
 namespace pointrt {
@@ -45,7 +46,7 @@ Json filesJson(const BakeReport& report) {
 /// "a/b.e57: Scan 1" as "b.e57: Scan 1".
 std::string withoutFolder(const std::string& scan) {
     const std::size_t title = scan.find(": ");
-    const std::size_t slash = scan.rfind('/', title);
+    const std::size_t slash = scan.find_last_of(kFolderSeparators, title);
     return slash == std::string::npos ? scan : scan.substr(slash + 1);
 }
 

@@ -14,6 +14,7 @@
 #include "format/base/error.h"
 #include "format/base/json_integer.h"
 #include "format/os/atomic_file.h"
+#include "format/os/folder.h"
 #include "preprocess/tiles/checksum.h"
 #include "preprocess/tiles/plan.h"
 #include "preprocess/tiles/plan_check.h"
@@ -342,7 +343,7 @@ void makeFolder(const std::string& path) {
 
 void removeTree(const std::string& path) {
     std::error_code failure;
-    std::filesystem::remove_all(path, failure);
+    removeAll(path, failure);
     if (failure) throw Error(ExitCode::kCannotWrite, path + ": " + failure.message());
 }
 

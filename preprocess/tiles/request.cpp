@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "format/base/error.h"
+#include "format/os/separators.h"
 #include "preprocess/tiles/bucket_layout.h"
 #include "preprocess/tiles/input_state.h"
 #include "preprocess/tiles/make_plan.h"
@@ -43,7 +44,7 @@ double waitingBytes(const SetPlan& plan) {
 
 std::string workFolderOf(const std::string& output) {
     std::string folder = output;
-    while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
+    while (folder.size() > 1 && isFolderSeparator(folder.back())) folder.pop_back();
     return folder + ".work";
 }
 

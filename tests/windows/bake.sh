@@ -12,11 +12,15 @@ alike pointrt-bake --version
 
 sphere 3000 >sphere.xyz
 written sphere.pro pointrt-bake -q sphere.xyz
-suffixes="ply pcd las spz"
+suffixes="ply pcd las"
 if ! grep -q 'Without LAZ and E57' "$build/log"; then suffixes+=" laz e57"; fi
 mkdir scans
 for suffix in $suffixes; do "$bin/pointrt-info" sphere.pro --export "scans/sphere.$suffix"; done
 gzip -c sphere.xyz >scans/sphere.xyz.gz
+writeGaussians
+"$bin/pointrt-bake" -q row.splat -o row.pro
+"$bin/pointrt-info" row.pro --export scans/row.spz
+mv row.splat scans
 python3 "$repository/tests/windows/bake_inputs.py" "$bin" "$build" scans/*
 
 # every stage that rounds: cleaning, orientation, filling, Gaussians, Windows's own paths among several scans
@@ -30,6 +34,16 @@ written two.pro pointrt-bake -q sphere.xyz scans/sphere.ply
 wine "$build/bin/pointrt-bake.exe" -q 'scans\sphere.ply' -o 'scans\slashes.pro'
 wine "$build/bin/pointrt-bake.exe" -q "$PWD/scans/sphere.ply" -o "$PWD/scans/absolute.pro"
 cmp scans/slashes.pro scans/absolute.pro
+there=$(winepath -w "$PWD/scans")
+wine "$build/bin/pointrt-bake.exe" -q "\\\\?\\$there\\sphere.ply" -o "\\\\?\\$there\\prefixed.proset" --tile-splats 1000
+"$bin/pointrt-bake" -q scans/sphere.ply -o here.prefixed.proset --tile-splats 1000
+diff -r here.prefixed.proset scans/prefixed.proset
+rm -r here.prefixed.proset
+cp sphere.xyz 'each 1.txt'
+cp sphere.xyz 'each 2.txt'
+"$bin/pointrt-bake" -q each*.txt -o here.each.pro
+wine "$build/bin/pointrt-bake.exe" -q 'each*.txt' -o each.pro # which no shell of Windows expands
+cmp here.each.pro each.pro
 "$bin/pointrt-bake" -q - -o here.stdin.pro <sphere.xyz
 wine "$build/bin/pointrt-bake.exe" -q - -o stdin.pro <sphere.xyz
 cmp here.stdin.pro stdin.pro
@@ -37,11 +51,11 @@ wine "$build/bin/pointrt-bake.exe" -q sphere.xyz -o stats.pro --stats stats.json
 grep -q '"input_points": 3000' stats.json || fail "no statistics: $(cat stats.json)"
 
 # tile sets: in one run, step by step, and replaced
-set_options=(--tile-splats 500 --max-memory 512M)
+set_options=(--tile-splats 1000 --max-memory 512M)
 "$bin/pointrt-bake" -q sphere.xyz -o here.proset "${set_options[@]}"
 wine "$build/bin/pointrt-bake.exe" -q sphere.xyz -o set.proset "${set_options[@]}" 2>windows.err || fail "$(cat windows.err)"
 diff -r here.proset set.proset || fail "tile sets differ"
-for step in plan split block:0 top; do
+for step in plan split block:0 levels tile:0 top; do
     wine "$build/bin/pointrt-bake.exe" -q sphere.xyz -o steps.proset "${set_options[@]}" --step $step 2>windows.err ||
         fail "step $step: $(cat windows.err)"
 done
@@ -74,12 +88,13 @@ for arguments in '' 'none.ply -o a.pro' 'sphere.xyz' 'sphere.xyz -o a.png' 'sphe
     tr '\\' / <windows.err | cmp here.err - || fail "$arguments: complains otherwise in Windows: $(cat windows.err)"
 done
 
-# interrupted OUTPUT WORDS: Ctrl-C at the bake's third progress line ends it with 0xC000013A, of which a shell sees the
+# interrupted OUTPUT WORDS OPTION...: Ctrl-C at the bake's third progress line ends it with 0xC000013A, of which a shell sees the
 # lowest byte, and these words
 interrupted() {
-    local bake status=0
+    local bake status=0 output=$1 words=$2
+    shift 2
     : >progress
-    (exec wine "$build/bin/pointrt-bake.exe" large.xyz -o "$1" --tile-splats 20000 --progress lines 2>progress) &
+    (exec wine "$build/bin/pointrt-bake.exe" large.xyz -o "$output" "$@" --progress lines 2>progress) &
     bake=$!
     for _ in $(seq 600); do
         [ "$(grep -c '^progress' progress)" -lt 3 ] || break
@@ -87,13 +102,13 @@ interrupted() {
     done
     kill -INT $bake
     wait $bake || status=$?
-    [ $status = $((0x3A)) ] || fail "$1: exit status $status after Ctrl-C: $(tail -3 progress)"
-    grep -q "interrupted$2" progress || fail "$1: not interrupted: $(tail -1 progress)"
+    [ $status = $((0x3A)) ] || fail "$output: exit status $status after Ctrl-C: $(tail -3 progress)"
+    grep -q "interrupted$words" progress || fail "$output: not interrupted: $(tail -1 progress)"
 }
 sphere 200000 >large.xyz
 interrupted large.pro ', nothing was written'
 [ ! -e large.pro ] || fail "Ctrl-C left a file"
-interrupted large.proset '; run the same command to resume'
+interrupted large.proset '; run the same command to resume' --tile-splats 20000
 wine "$build/bin/pointrt-bake.exe" -q large.xyz -o large.proset --tile-splats 20000 || fail "not resumed"
 "$bin/pointrt-bake" -q large.xyz -o here.large.proset --tile-splats 20000
 diff -r here.large.proset large.proset || fail "a resumed tile set differs"

@@ -32,7 +32,7 @@ export WINEPREFIX=$build/wine WINEDEBUG=-all LC_ALL=C.UTF-8 POINTRT_INDEX_CACHE=
 unset DISPLAY WAYLAND_DISPLAY
 cd "$work"
 # One server for the whole test: without it each program starts and ends its own, which takes seconds.
-wineserver -p
+wineserver -p || true # it may be running already
 
 # needs TOOL: skips the test if there is no such tool for Windows.
 needs() {
@@ -137,4 +137,11 @@ writeCameras() {
 {"file_path": "in/1.jpg", "transform_matrix": [[1,0,0,0],[0,1,0,0],[0,0,1,3],[0,0,0,1]]},
 {"file_path": "in/2.jpg", "transform_matrix": [[1,0,0,0],[0,1,0,0],[0,0,1,4],[0,0,0,1]]}]}
 END
+}
+# writeGaussians: row.splat, three round Gaussians in a row
+writeGaussians() {
+    local x
+    for x in '\0\0\0\0' '\0\0\x80\x3f' '\0\0\0\x40'; do
+        printf "$x"'\0\0\0\0\0\0\0\0\0\0\x80\x3d\0\0\x80\x3d\0\0\x80\x3d\xff\xff\xff\xff\xff\x80\x80\x80'
+    done >row.splat
 }

@@ -15,10 +15,7 @@ sphere 3000 >sphere.xyz
 "$bin/pointrt-bake" -q sphere.xyz -o sphere.pro
 "$bin/pointrt-bake" -q sphere.xyz -o set.proset --tile-splats 1000
 writeScene
-# three round Gaussians in a row
-for x in '\0\0\0\0' '\0\0\x80\x3f' '\0\0\0\x40'; do
-    printf "$x"'\0\0\0\0\0\0\0\0\0\0\x80\x3d\0\0\x80\x3d\0\0\x80\x3d\xff\xff\xff\xff\xff\x80\x80\x80'
-done >row.splat
+writeGaussians
 "$bin/pointrt-bake" -q row.splat -o row.pro 2>log
 writeCameras
 

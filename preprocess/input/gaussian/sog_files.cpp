@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "format/os/separators.h"
 #include "preprocess/ingest/named_file.h"
 #include "preprocess/ingest/text.h"
 
@@ -21,8 +22,8 @@ bool isObjectWith(std::string_view text, std::initializer_list<std::string_view>
 }
 
 bool isNamed(std::string_view path, std::string_view name) {
-    return path == name ||
-           (path.size() > name.size() && path.ends_with(name) && path[path.size() - name.size() - 1] == '/');
+    return path == name || (path.size() > name.size() && path.ends_with(name) &&
+                            isFolderSeparator(path[path.size() - name.size() - 1]));
 }
 
 } // namespace
@@ -97,7 +98,7 @@ void SogFiles::checkPromise(std::uint64_t gaussians) const {
 }
 
 std::string SogFiles::folderOf(const std::string& name) {
-    const std::size_t slash = name.rfind('/');
+    const std::size_t slash = name.find_last_of(kFolderSeparators);
     return slash == std::string::npos ? "" : name.substr(0, slash + 1);
 }
 
