@@ -40,12 +40,12 @@ case_rays_pass_what_is_hidden() {
 case_pictures_lack_what_is_hidden() {
     bakeLevels
     for scene in levels.pro levels.proset; do
-        pointrt-view -q $scene --size 96x64 --up z -o whole.png
-        pointrt-view -q $scene --size 96x64 --up z --only class=2,5 -o all.png
+        pointrt-view -q $scene --integrator normal --size 96x64 --up z -o whole.png
+        pointrt-view -q $scene --integrator normal --size 96x64 --up z --only class=2,5 -o all.png
         cmp whole.png all.png || fail "$scene: a filter that hides nothing changes the picture"
-        pointrt-view -q $scene --size 96x64 --up z --only class=2 -o lower.png
+        pointrt-view -q $scene --integrator normal --size 96x64 --up z --only class=2 -o lower.png
         ! cmp -s whole.png lower.png || fail "$scene: nothing is hidden"
-        expectDone pointrt-view $scene --size 96x64 --up z --only class=9 -o none.png
+        expectDone pointrt-view $scene --integrator normal --size 96x64 --up z --only class=9 -o none.png
         grep -q "the filters leave nothing" stderr || fail "$scene: nothing is said"
     done
 }

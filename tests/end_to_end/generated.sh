@@ -119,7 +119,7 @@ theSameIn() {
     mkdir -p files/tiles files/more.proset
     touch files/{a.pro,b.ply,c.LAZ,d.json,e.toml,f.png,g.exr}
     expectOffers "auto off on" "$1" "pointrt-view a.pro --denoise" ""
-    expectOffers "depth normal path phong whitted" "$1" "pointrt-view a.pro --integrator" ""
+    expectOffers "ambient depth normal path phong whitted" "$1" "pointrt-view a.pro --integrator" ""
     expectOffers "--color-by --color-map --color-range" "$1" "pointrt-view a.pro" --color-
     expectOffers "turbo" "$1" "pointrt-view a.pro --color-map" tu
     expectOffers "-x -y -z auto x y z" "$1" "pointrt-bake b.ply --up" ""

@@ -13,7 +13,7 @@ bakeTwice() {
 
 # expectPicture FILE PICTURE SOURCE COUNT: renders FILE; the log must say COUNT times "tracing index SOURCE".
 expectPicture() {
-    expectDone pointrt-view -v "$1" -o "out/$2.png" --size 96x64 --spp 1 --detail 0
+    expectDone pointrt-view -v "$1" -o "out/$2.png" --integrator normal --size 96x64 --spp 1 --detail 0
     [ "$(grep -c "tracing index $3" stderr)" = "$4" ] || fail "$1: not $4 times an index $3"
 }
 
@@ -60,7 +60,7 @@ case_a_set_is_indexed_once() {
     local tiles
     useCache index
     bakeSets 2000
-    expectDone pointrt-view -v shipped.proset -o out/shipped.png --size 96x64 --spp 1 --detail 0
+    expectDone pointrt-view -v shipped.proset -o out/shipped.png --integrator normal --size 96x64 --spp 1 --detail 0
     tiles=$(grep -c "tracing index from the file" stderr)
     [ "$tiles" -gt 4 ] || fail "there are few tiles"
     expectPicture compact.proset built built "$tiles"
@@ -76,10 +76,10 @@ case_memory_counts_what_is_built() {
     bakeSets 5000
     [ "$(du -sb compact.proset | cut -f 1)" -lt 1000000 ] || fail "that does not fit"
     for each in shipped compact; do
-        expectDone pointrt-view "$each.proset" -o "out/$each.png" --size 96x64 --spp 1 --detail 0 --memory 2M
+        expectDone pointrt-view "$each.proset" -o "out/$each.png" --integrator normal --size 96x64 --spp 1 --detail 0 --memory 2M
         grep -q "$each.proset: coarser .*--detail 0: .* 1 MiB" stderr || fail "$each: it fits"
     done
-    expectDone pointrt-view compact.proset -o out/all.png --size 96x64 --spp 1 --detail 0 --memory 40M
+    expectDone pointrt-view compact.proset -o out/all.png --integrator normal --size 96x64 --spp 1 --detail 0 --memory 40M
     ! grep -q coarser stderr || fail "it does not fit"
 }
 
@@ -125,7 +125,7 @@ case_a_disk_that_is_full() {
     "${namespace[@]}" true 2>/dev/null || skip "no mounts of one's own here"
     cat >on_small_disk.sh <<'SH'
 mount -t tmpfs -o size=256k none cache || exit 77
-pointrt-view -v ball_compact.pro -o out/a.png --size 96x64 --spp 1 || exit
+pointrt-view -v ball_compact.pro -o out/a.png --integrator normal --size 96x64 --spp 1 || exit
 [ -z "$(find cache -type f)" ]
 SH
     run "${namespace[@]}" bash on_small_disk.sh
@@ -144,10 +144,10 @@ case_a_cache_that_is_read_only() {
     "${namespace[@]}" true 2>/dev/null || skip "no mounts of one's own here"
     cat >on_read_only_disk.sh <<'SH'
 mount -t tmpfs none cache || exit 77
-pointrt-view -q ball_compact.pro -o out/a.png --size 96x64 --spp 1 || exit
+pointrt-view -q ball_compact.pro -o out/a.png --integrator normal --size 96x64 --spp 1 || exit
 mount -o remount,ro cache || exit 77
-pointrt-view -v ball_compact.pro -o out/b.png --size 96x64 --spp 1 || exit
-pointrt-view -v other_compact.pro -o out/c.png --size 96x64 --spp 1
+pointrt-view -v ball_compact.pro -o out/b.png --integrator normal --size 96x64 --spp 1 || exit
+pointrt-view -v other_compact.pro -o out/c.png --integrator normal --size 96x64 --spp 1
 SH
     run "${namespace[@]}" bash on_read_only_disk.sh
     [ "$status" != 77 ] || skip "no file system can be mounted here"
@@ -181,7 +181,7 @@ case_several_at_once() {
     useCache index
     bakeTwice 20000 ball
     for each in 1 2 3 4; do
-        pointrt-view -q ball_compact.pro -o "out/$each.png" --size 96x64 --spp 1 &
+        pointrt-view -q ball_compact.pro -o "out/$each.png" --integrator normal --size 96x64 --spp 1 &
         running+=($!)
     done
     for each in "${running[@]}"; do wait "$each" || fail "one of them failed"; done

@@ -22,12 +22,11 @@ quiet() {
         return 1
     }
 }
-# environment NAME: creates an empty one, with env_NAME/bin/python.
-environment() { quiet "venv_$1" python3 -m venv "$work/env_$1"; }
+# environment NAME [OPTION...]: creates an empty one, with env_NAME/bin/python.
+environment() { quiet "venv_$1" python3 -m venv "$work/env_$1" "${@:2}"; }
+# pip NAME ARGUMENT...: pip for an environment; that of the maker serves both.
 pip() {
-    local name=$1
-    shift
-    quiet "pip_$name" "$work/env_$name/bin/python" -m pip --disable-pip-version-check "$@"
+    quiet "pip_$1" "$work/env_maker/bin/python" -m pip --python "$work/env_$1/bin/python" --disable-pip-version-check "${@:2}"
 }
 
 python3 -c 'import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 11))' ||
@@ -41,7 +40,7 @@ CMAKE_PREFIX_PATH=$work/prefix PATH=$work/env_maker/bin:$PATH pip maker wheel "$
 wheel=$(echo "$work"/wheels/pointrt-*.whl)
 "$work/env_maker/bin/auditwheel" show "$wheel" | tr '\n' ' '
 
-environment user
+environment user --without-pip # a pip of its own takes 5 s
 pip user install "$wheel" pytest
 export POINTRT_BAKE=$work/prefix/bin/pointrt-bake
 cd "$work"

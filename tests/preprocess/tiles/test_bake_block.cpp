@@ -184,7 +184,7 @@ TEST_F(SetTest, ADamagedSplatFileIsRewritten) {
 
 /// Dense areas have tiles of finer levels beside those of coarser ones.
 TEST_F(SetTest, TheWholeSetIsValidAndHoldsEverySplatOnce) {
-    const std::vector<std::string> inputs{writeHill("a.csv", 9000), writeHill("b.csv", 20000, 30, 20)};
+    const std::vector<std::string> inputs{writeHill("a.csv", 3000), writeHill("b.csv", 6000, 30, 20)};
     SetPlan plan = bakeAll(splitInto("A.proset", requestOf(inputs)));
     std::uint64_t splats = 0;
     std::set<std::uint32_t> levels;
@@ -224,7 +224,7 @@ std::uint64_t bytesBelow(const std::string& at) {
 }
 
 TEST_F(SetTest, DroppingSplatFilesDoesNotChangeTiles) {
-    const SetRequest request = requestOf({writeHill("a.csv", 12000), writeHill("b.csv", 12000, 30, 20)});
+    const SetRequest request = requestOf({writeHill("a.csv", 8000), writeHill("b.csv", 8000, 30, 20)});
     SetPlan keeping = bakeAll(splitInto("A.proset", request)), dropping = bakeAll(splitInto("B.proset", request));
     dropping.bake.drop_work = true;
     mergeLevels(keeping, 1000, 2);
@@ -248,8 +248,8 @@ TEST_F(SetTest, DroppingSplatFilesDoesNotChangeTiles) {
 /// A flat field with noise of half a spacing: cleaning moves some points across borders of tiles.
 TEST_F(SetTest, SplatsMovedToANeighborAreKept) {
     std::string text = "x,y,z\n";
-    for (std::uint64_t i = 0; i < 35000; ++i) { // from 20000 on in a corner, where tiles are finer
-        const double size = i < 20000 ? 100 : 40;
+    for (std::uint64_t i = 0; i < 14000; ++i) { // from 8000 on in a corner, where tiles are finer
+        const double size = i < 8000 ? 64 : 26;
         const double x = size * unitShare(mixBits(3 * i)), y = size * unitShare(mixBits(3 * i + 1));
         double noise = -1.5;
         for (std::uint64_t k = 0; k < 3; ++k) noise += unitShare(mixBits((3 * i + 2) << 2 | k));
