@@ -181,22 +181,22 @@ case_pictures_of_scans() {
     local bake
     useCache bakes
     sphere 3000 | awk '{ print $1, $2, $3, 200, 100, 50 }' >scan.xyz
-    expectDone pointrt-view scan.xyz -o out/a.png --size 64x48 --bake --clean off --radius-scale 2
+    expectDone pointrt-view scan.xyz -o out/a.png --integrator normal --size 64x48 --bake --clean off --radius-scale 2
     bake=$(find "$kept" -type f)
     expectDone pointrt-bake -q scan.xyz -o scan.pro --clean off --radius-scale 2
     cmp "$bake" scan.pro || fail "another bake, or not one in the cache: $bake"
-    expectDone pointrt-view scan.pro -o out/b.png --size 64x48
+    expectDone pointrt-view scan.pro -o out/b.png --integrator normal --size 64x48
     cmp out/a.png out/b.png || fail "another picture"
     mkdir scans
     mv scan.xyz scans
-    expectDone pointrt-view scans/scan.xyz -o out/c.png --size 64x48 --bake --clean off --radius-scale 2
+    expectDone pointrt-view scans/scan.xyz -o out/c.png --integrator normal --size 64x48 --bake --clean off --radius-scale 2
     [ "$(find "$kept" -type f)" = "$bake" ] || fail "it was baked again"
     cp scan.pro "$bake.tmp-left" && : >"$kept/left.lock" && truncate -s 100 "$bake"
-    expectDone pointrt-view scans -o out/d.png --size 64x48
-    expectDone pointrt-view scans/scan.xyz -o out/c.png --size 64x48 --bake --clean off --radius-scale 2
+    expectDone pointrt-view scans -o out/d.png --integrator normal --size 64x48
+    expectDone pointrt-view scans/scan.xyz -o out/c.png --integrator normal --size 64x48 --bake --clean off --radius-scale 2
     cmp "$bake" scan.pro || fail "a damaged bake was used"
     sphere 50 >scans/more.xyz
-    expectDone pointrt-view scans/more.xyz scans/scan.xyz -o out/e.png --size 64x48
+    expectDone pointrt-view scans/more.xyz scans/scan.xyz -o out/e.png --integrator normal --size 64x48
     # reasons are those of pointrt-bake
     echo nonsense >letter.xyz
     expectError 1 "letter.xyz(:[0-9]+)?: " pointrt-view letter.xyz -o out/f.png

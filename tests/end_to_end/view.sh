@@ -230,7 +230,7 @@ case_up_directions() {
     [ "$(jsonValue found.json up_from)" = data ] || fail "the report does not say so"
     [ "$(jsonValue known.json up_from)" = option ] || fail "the report does not say who said it"
     [ "$(jsonValue silent.json up_from)" = guess ] || fail "a ball does not tell what is up"
-    local picture="--size 48x32 --spp 1"
+    local picture="--integrator normal --size 48x32 --spp 1"
     # shellcheck disable=SC2086
     {
         expectDone pointrt-view -q hill.pro -o out/hill.png $picture
