@@ -399,9 +399,9 @@ case_scans_are_moved_and_undone() {
     local start=("0 wait 2" "0 key down F12" "0 key up F12" "1 wait 2" "2 cursor 660 18" "2 button down left" "3 button up left" "5 wait 2")
     sphere 2000 | awk '{ print $1, 0.5 * $2, 0.3 * $3 }' >egg.xyz
     pointrt-bake -q egg.xyz -o egg.pro
-    { echo "pointrt-recording 1 window 900x700 scale 1" && printf '%s\n' "${start[@]}" "6 cursor 740 363" "6 button down left" \
-        "7 cursor 800 363" "8 cursor 840 363" "8 button up left" "9 wait 2" "10 cursor 740 389" "11 button down left" \
-        "12 cursor 780 389" "13 cursor 790 389" "13 button up left" "13 wait 2" "13 key down F12" "13 key up F12" "14 wait 2" "15 key down Control" \
+    { echo "pointrt-recording 1 window 900x700 scale 1" && printf '%s\n' "${start[@]}" "6 cursor 740 389" "6 button down left" \
+        "7 cursor 800 389" "8 cursor 840 389" "8 button up left" "9 wait 2" "10 cursor 740 415" "11 button down left" \
+        "12 cursor 780 415" "13 cursor 790 415" "13 button up left" "13 wait 2" "13 key down F12" "13 key up F12" "14 wait 2" "15 key down Control" \
         "15 key down S" "15 key up S" "16 wait 2" "17 key down Z" "17 key up Z" "18 wait 2" "19 key down Z" "19 key up Z" \
         "19 key up Control" "20 wait 2" "21 key down F12" "21 key up F12" "22 wait 2" "23 quit"; } >user.txt
     expectDone pointrt-view egg.pro --replay user.txt --offscreen --spp 2
