@@ -2,6 +2,7 @@
 #include "runtime/session/settings.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "format/base/error.h"
 #include "runtime/device_scene/color_choice.h"
@@ -97,6 +98,8 @@ SceneDescription describeScene(const Options& options) {
     } else {
         scene.path = options.source.empty() ? options.scene : options.source;
         scene.instances.push_back({options.scene, {}, {}, {}});
+        // a file of the cache has no name that says anything
+        scene.instances.back().layer.name = std::filesystem::path(options.source).filename().string();
         for (const std::string& path : options.added) scene.instances.push_back({path, {}, {}, {}});
         scene.up = options.up_axis;
     }
