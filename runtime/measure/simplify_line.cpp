@@ -99,8 +99,8 @@ private:
         return 0.5 * (before.nearestTo(given) + after.nearestTo(given));
     }
 
-    /// Puts the corners of pieces that have become too far from a point back to where they were given. False if there
-    /// are none, at the latest when all are back.
+    /// Moves the corners of pieces that lie too far from a point back to where they were given. Returns whether any
+    /// moved: repeated calls end, since each corner moves back only once.
     bool restoreFarPieces(std::vector<Vec2>& fitted) const {
         bool is_changed = false;
         for (std::size_t k = 0; k + 1 < corners_.size(); ++k) {

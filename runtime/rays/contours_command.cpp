@@ -5,6 +5,7 @@
 #include "format/base/report_file.h"
 #include "format/cli/command_line.h"
 #include "runtime/measure/contour_files.h"
+#include "runtime/rays/line_run.h"
 #include "runtime/rays/open_scene.h"
 #include "runtime/rays/run_report.h"
 #include "runtime/rays/scene_units.h"
@@ -53,18 +54,12 @@ void addOptions(CommandLine& app, ContoursOptions& options) {
     addCommonOptions(app, POINTRT_VERSION, kWrongInput, kContoursExamples, kContoursNotes);
 }
 
-struct ContoursRun {
-    std::string device;
-    std::uint64_t lines = 0;
-    double open_s = 0, cast_s = 0, write_s = 0, total_s = 0;
-};
-
 std::string fileText(const ContoursOptions& options, const ContourDrawing& drawing) {
     if (options.output.ends_with(".svg")) return contourSvg(drawing);
     return options.output.ends_with(".dxf") ? contourDxf(drawing) : contourGeoJson(drawing);
 }
 
-void drawContours(const ContoursOptions& options, ContoursRun& run) {
+void drawContours(const ContoursOptions& options, LineRun& run) {
     const Position up = upOfScene(options.up, options.scene);
     const PlanFrame plan = planFrame({}, up);
     const SceneUnits units = sceneUnits(options.scene);
@@ -93,14 +88,9 @@ int contoursCommand(int argc, const char* const* argv) {
         return *done;
     checkTextOutput(options, {".dxf", ".geojson", ".svg"});
     checkCommonOptions(options, {}, "contours");
-    ContoursRun run;
+    LineRun run;
     withToolErrors([&] { timed(run.total_s, [&] { drawContours(options, run); }); });
-    if (options.verbose) printNote(options, std::to_string(run.lines) + " lines on " + run.device);
-    if (!options.stats.empty())
-        writeReport(
-            options.stats,
-            reportText(run.device, {{"lines", run.lines}},
-                       {{"open", run.open_s}, {"cast", run.cast_s}, {"write", run.write_s}, {"total", run.total_s}}));
+    reportRun(options, run);
     return 0;
 }
 

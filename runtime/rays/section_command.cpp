@@ -5,6 +5,7 @@
 #include "format/base/report_file.h"
 #include "format/cli/command_line.h"
 #include "runtime/measure/section_files.h"
+#include "runtime/rays/line_run.h"
 #include "runtime/rays/open_scene.h"
 #include "runtime/rays/run_report.h"
 #include "runtime/rays/scene_units.h"
@@ -103,12 +104,6 @@ void checkOptions(const SectionOptions& options) {
     checkCommonOptions(options, {}, "section");
 }
 
-struct SectionRun {
-    std::string device;
-    std::uint64_t lines = 0;
-    double open_s = 0, cast_s = 0, write_s = 0, total_s = 0;
-};
-
 SectionRules rulesOf(const SectionOptions& options) {
     const double step = options.step ? *options.step : medianRadius(options.scene);
     return {step, options.gap.value_or(kDefaultGap * step), options.tolerance.value_or(kDefaultTolerance * step),
@@ -130,7 +125,7 @@ std::string fileText(const SectionOptions& options, const SectionDrawing& drawin
     return options.output.ends_with(".dxf") ? sectionDxf(drawing) : sectionGeoJson(drawing);
 }
 
-void drawSections(const SectionOptions& options, SectionRun& run) {
+void drawSections(const SectionOptions& options, LineRun& run) {
     const SceneUnits units = sceneUnits(options.scene);
     const SectionRules rules = rulesOf(options);
     SectionDrawing drawing{planesOf(options), units.unit, units.decimals, units.epsg};
@@ -157,14 +152,9 @@ int sectionCommand(int argc, const char* const* argv) {
             parseCommandLine(app, argc, argv, {{".dxf", "-o"}, {".geojson", "-o"}, {".svg", "-o"}, {".csv", "-o"}}))
         return *done;
     checkOptions(options);
-    SectionRun run;
+    LineRun run;
     withToolErrors([&] { timed(run.total_s, [&] { drawSections(options, run); }); });
-    if (options.verbose) printNote(options, std::to_string(run.lines) + " lines on " + run.device);
-    if (!options.stats.empty())
-        writeReport(
-            options.stats,
-            reportText(run.device, {{"lines", run.lines}},
-                       {{"open", run.open_s}, {"cast", run.cast_s}, {"write", run.write_s}, {"total", run.total_s}}));
+    reportRun(options, run);
     return 0;
 }
 

@@ -45,21 +45,19 @@ std::unique_ptr<PointSource> openStudyPoints(const StudyOptions& options, const 
     return sceneSplats(options.points.empty() ? options.scene : std::vector{options.points}, results);
 }
 
-/// Null without an output.
-std::unique_ptr<PointSink> openResults(const StudyOptions& options, const PointOutline& points,
+/// Null without an output. scan: of requireOutput
+std::unique_ptr<PointSink> openResults(const StudyOptions& options, const std::string& scan, const PointOutline& points,
                                        const std::vector<PointColumn>& results) {
     if (options.output.empty()) return nullptr;
-    if (isProOutput(options.output))
-        return openProSink(options.output, scanOfResults(options.points, options.scene), results);
+    if (!scan.empty()) return openProSink(options.output, scan, results);
     return openPointSink(options.output, withResults(points, results));
 }
 
-/// Fails early on what cannot be written.
-void checkOutput(const StudyOptions& options) {
-    if (isProOutput(options.output))
-        scanOfResults(options.points, options.scene);
-    else if (!options.output.empty())
-        pointFormat(options.output);
+/// Fails early on what cannot be written. Returns the scan that takes the results; "": they are written as points.
+std::string requireOutput(const StudyOptions& options) {
+    if (isProOutput(options.output)) return scanOfResults(options.points, options.scene);
+    if (!options.output.empty()) pointFormat(options.output);
+    return {};
 }
 
 void runBlocks(const StudyOptions& options, const OpenStudy& study, StudyWork& work, PointSource& source,
@@ -99,7 +97,7 @@ void report(const StudyOptions& options, const StudyWork& work, const StudyOutco
 }
 
 void runInto(const StudyOptions& options, StudyWork& work, StudyOutcome& outcome) {
-    checkOutput(options);
+    const std::string scan = requireOutput(options);
     if (!options.stats.empty()) requireReportWritable(options.stats);
     OpenStudy study = timed(outcome.seconds.open, [&] { return openStudy(options, outcome.device); });
     outcome.splats = study.scene.splatCount();
@@ -108,7 +106,7 @@ void runInto(const StudyOptions& options, StudyWork& work, StudyOutcome& outcome
     for (const PointColumn& column : work.results) names.push_back(column.name);
     const std::unique_ptr<PointSource> source =
         timed(outcome.seconds.read, [&] { return openStudyPoints(options, names); });
-    const std::unique_ptr<PointSink> sink = openResults(options, source->outline(), work.results);
+    const std::unique_ptr<PointSink> sink = openResults(options, scan, source->outline(), work.results);
     runBlocks(options, study, work, *source, sink.get(), outcome);
     if (sink) timed(outcome.seconds.write, [&] { sink->finish(); });
 }

@@ -21,8 +21,8 @@ struct SunOption {
 SunOption parseSun(const std::string& text);
 
 /// Turns the first sun of a scene to that time and place, or adds one, and a sky if the scene has none. A scan without
-/// lights is then path traced, unless it is said how. Throws Error kBadUsage "--sun: ..." if the place is not known, or
-/// the sun below the horizon.
+/// lights is then path traced, unless an integrator is given. Throws Error kBadUsage "--sun: ..." if the place is not
+/// known, or the sun below the horizon.
 void addSun(SceneDescription& scene, const SunOption& sun);
 
 } // namespace pointrt

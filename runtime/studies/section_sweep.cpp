@@ -45,7 +45,7 @@ CutBounds boundsIn(const TraceScene& scene, const CutPlane& plane) {
     return bounds;
 }
 
-/// A ray of a sweep that goes on behind what it met.
+/// A ray of a sweep, continued behind its last hit.
 struct SweepRay {
     std::uint32_t number = 0;
     double at = 0; ///< along the axis

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/window/edit/compare_job.h"
 
-#include <cstdio>
 #include <filesystem>
-#include <vector>
 
 #include "format/base/error.h"
 #include "runtime/scene/layers.h"
 #include "runtime/scene_io/scene_write.h"
-#include "runtime/session/tool_run.h"
+#include "runtime/window/edit/rays_run.h"
 #include "runtime/window/edit/temporary_scene.h"
 
 namespace pointrt {
@@ -17,20 +15,9 @@ namespace {
 /// A scene of one scan, placed as in scene and whole.
 SceneDescription sceneOf(const SceneDescription& scene, std::size_t number) {
     SceneDescription alone;
-    alone.instances = {scene.instances.at(number)};
-    InstanceDescription& scan = alone.instances.front();
-    scan.visible = true;
-    scan.material.reset(); // those of the scene are not in this one
-    scan.overrides.clear();
+    alone.instances = {bareScan(scene.instances.at(number))};
+    alone.instances.front().visible = true;
     return alone;
-}
-
-/// Parses "Tracing 40%, ..." of a verbose run.
-bool parseTenths(const std::string& line, JobControl& control) {
-    int percent = 0;
-    if (std::sscanf(line.c_str(), "%*[A-Za-z] %d%%,", &percent) != 1) return false;
-    control.setProgress(percent / 100.0);
-    return true;
 }
 
 std::string titleOf(const SceneDescription& scene, const Comparison& comparison) {
@@ -51,15 +38,9 @@ std::string cachedPath(const FileCache& cache, const SceneDescription& reference
 void compare(const SceneDescription& reference, const SceneDescription& compared, const std::string& output,
              const std::string& tool, const std::string& device, JobControl& control) {
     const TemporaryScenes scenes;
-    std::vector<std::string> arguments{
-        tool, "compare", scenes.write("reference", reference), scenes.write("compared", compared), "--verbose",
-        "-o", output};
-    if (!device.empty()) arguments.insert(arguments.end(), {"--device", device});
-    const ToolResult end = runTool(
-        arguments, "pointrt-rays compare", [&] { return control.cancelled(); },
-        [&](const std::string& line) { return parseTenths(line, control); });
-    control.throwIfCancelled();
-    if (end.wait_status != 0) throw Error{exitCodeOf(end), describeFailure(end, "pointrt-rays compare")};
+    runRays(tool, "compare",
+            {scenes.write("reference", reference), scenes.write("compared", compared), "--verbose", "-o", output},
+            device, control);
 }
 
 } // namespace

@@ -12,14 +12,10 @@ namespace {
 /// Names of materials created here begin so, followed by a number.
 constexpr const char* kScanName = "scan";
 
-bool isNamed(const SceneDescription& scene, const std::string& name) {
-    return std::any_of(scene.materials.begin(), scene.materials.end(),
-                       [&](const MaterialDescription& material) { return material.name == name; });
-}
-
 std::string freeName(const SceneDescription& scene) {
     std::string name = kScanName;
-    for (std::size_t number = 2; isNamed(scene, name); ++number) name = std::string(kScanName) + std::to_string(number);
+    for (std::size_t number = 2; isMaterialNamed(scene, name); ++number)
+        name = std::string(kScanName) + std::to_string(number);
     return name;
 }
 
@@ -41,6 +37,11 @@ std::optional<std::uint32_t> ownMaterial(const SceneDescription& scene, Instance
 }
 
 } // namespace
+
+bool isMaterialNamed(const SceneDescription& scene, const std::string& name) {
+    return std::any_of(scene.materials.begin(), scene.materials.end(),
+                       [&](const MaterialDescription& material) { return material.name == name; });
+}
 
 bool usedByShapes(const SceneDescription& scene, std::uint32_t material) {
     return std::any_of(scene.shapes.begin(), scene.shapes.end(),

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "runtime/scene/scene_description.h"
 
@@ -20,6 +21,9 @@ bool usedBeside(const SceneDescription& scene, InstanceRange range, std::uint32_
 
 /// True if a shape uses material.
 bool usedByShapes(const SceneDescription& scene, std::uint32_t material);
+
+/// True if a material of the scene has this name.
+bool isMaterialNamed(const SceneDescription& scene, const std::string& name);
 
 /// A default material of this kind, with the scan's own colours if the kind has colours.
 MaterialDescription freshMaterial(MaterialKind kind);

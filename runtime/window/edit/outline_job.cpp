@@ -4,40 +4,28 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <vector>
 
-#include "format/base/error.h"
 #include "runtime/session/tool_run.h"
+#include "runtime/window/edit/rays_run.h"
 #include "runtime/window/edit/temporary_scene.h"
 
 namespace pointrt {
 namespace {
 
-constexpr const char* kSectionTool = "pointrt-rays section";
-
 /// The visible scans as they are placed, whole.
 SceneDescription scansOf(const SceneDescription& scene) {
     SceneDescription scans;
     scans.up = scene.up;
-    for (InstanceDescription each : scene.instances) {
-        if (each.deleted || !each.visible) continue;
-        each.material.reset(); // those of the scene are not in this one
-        each.overrides.clear();
-        scans.instances.push_back(each);
-    }
+    for (const InstanceDescription& each : scene.instances)
+        if (each.visible && !each.deleted) scans.instances.push_back(bareScan(each));
     return scans;
 }
 
 void draw(const SceneDescription& scene, const std::string& plane, const std::string& file, const std::string& device,
           const std::string& tool, JobControl& control) {
     const TemporaryScenes scenes;
-    std::vector<std::string> arguments{tool, "section",         scenes.write("scans", scene), "--plane", plane, "-q",
-                                       "-o", safeArgument(file)};
-    if (!device.empty()) arguments.insert(arguments.end(), {"--device", device});
-    const ToolResult end = runTool(
-        arguments, kSectionTool, [&] { return control.cancelled(); }, [](const std::string&) { return false; });
-    control.throwIfCancelled();
-    if (end.wait_status != 0) throw Error{exitCodeOf(end), describeFailure(end, kSectionTool)};
+    runRays(tool, "section", {scenes.write("scans", scene), "--plane", plane, "-q", "-o", safeArgument(file)}, device,
+            control);
 }
 
 } // namespace

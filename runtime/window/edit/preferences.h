@@ -9,7 +9,7 @@
 namespace pointrt {
 
 /// Reads them from the file "window" in folder. Lines it does not know are ignored, also those of other versions.
-/// @param folder the user's state folder; empty: there is none
+/// @param folder the user's state folder; may be empty
 void readPreferences(const std::string& folder, Workspace& work);
 
 /// Writes them; a file that cannot be written stays as it was.

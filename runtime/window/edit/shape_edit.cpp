@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/window/edit/shape_edit.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
+
+#include "runtime/window/edit/material_edit.h"
 
 namespace pointrt {
 namespace {
 
 /// A name that no material has: those that differ can be told apart in lists.
 std::string freeMaterialName(const SceneDescription& scene) {
-    const auto is_taken = [&](const std::string& name) {
-        return std::any_of(scene.materials.begin(), scene.materials.end(),
-                           [&](const MaterialDescription& each) { return each.name == name; });
-    };
     std::size_t number = 1;
-    while (is_taken("shape " + std::to_string(number))) ++number;
+    while (isMaterialNamed(scene, "shape " + std::to_string(number))) ++number;
     return "shape " + std::to_string(number);
 }
 

@@ -233,7 +233,7 @@ void drawSelected(Workspace& w, LayerId id) {
         ImGui::BeginDisabled(layer.locked);
         drawPlacement(w, w.scene.instances[id.number], w.scan_centres[id.number]);
         if (w.settings.color_by != kOwnColors)
-            reportSceneEdit(w, checkboxRow("Coloured by value", w.scene.instances[id.number].colored,
+            reportSceneEdit(w, checkboxRow("Coloured", w.scene.instances[id.number].colored,
                                            "off: keeps its own colours where the Colours section colours the others"));
         drawComparison(w, id.number);
         drawSplatKind(w);

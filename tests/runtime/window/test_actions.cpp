@@ -70,7 +70,7 @@ TEST(Actions, UndoAndRedoHaveTheirUsualKeys) {
 TEST(Actions, SavedViewsAreShownInTurn) {
     Workspace work;
     applyAction(work, Action::kNextView);
-    EXPECT_FALSE(work.requests.go_to_view) << "there are none";
+    EXPECT_FALSE(work.requests.go_to_view) << "no view is saved";
     work.scene.views = {{"a", {}}, {"b", {}}, {"c", {}}};
     std::vector<std::size_t> shown;
     for (const Action action : {Action::kNextView, Action::kNextView, Action::kNextView, Action::kNextView,
