@@ -54,7 +54,8 @@ GaussianTransform::GaussianTransform(const InputFile& input, const Eigen::Matrix
     : is_identity_(linear.isIdentity(0)), degree_(degree) {
     if (is_identity_) return;
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(linear, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const double longest = svd.singularValues()[0], shortest = svd.singularValues()[2];
+    const Eigen::Vector3d scales = svd.singularValues();
+    const double longest = scales.maxCoeff(), shortest = scales.minCoeff();
     if (!(longest > 0) || longest > (1 + kSkewTolerance) * shortest)
         refuse(input, "Gaussians can be moved, turned and scaled, but the transform scales them differently along "
                       "different axes");
