@@ -3,10 +3,13 @@
 
 #include <algorithm>
 
+#include "format/os/folder.h"
+
 namespace pointrt {
 
-std::optional<std::filesystem::path> pathInFolder(const std::filesystem::path& folder, const std::string& name) {
-    namespace fs = std::filesystem;
+namespace fs = std::filesystem;
+
+std::optional<fs::path> pathInFolder(const fs::path& folder, const std::string& name) {
     std::error_code failure;
     const fs::path root = fs::canonical(folder.empty() ? "." : folder, failure);
     const fs::path real = failure ? fs::path() : fs::weakly_canonical(root / name, failure);
@@ -14,6 +17,16 @@ std::optional<std::filesystem::path> pathInFolder(const std::filesystem::path& f
         !failure && std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first == root.end();
     if (!inside) return std::nullopt;
     return folder / name;
+}
+
+std::vector<std::string> filesOfFolder(const fs::path& folder) {
+    std::error_code failure;
+    std::vector<std::string> paths = listFolder(folder.empty() ? "." : folder.string(), failure);
+    std::erase_if(paths, [](const std::string& path) {
+        std::error_code gone;
+        return !fs::is_regular_file(path, gone);
+    });
+    return paths;
 }
 
 } // namespace pointrt

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "format/base/error.h"
+#include "format/os/folder.h"
 #include "preprocess/input/detect.h"
 #include "preprocess/input/gaussian/sog_files.h"
 #include "preprocess/input/points/colmap.h"
@@ -22,16 +23,21 @@ constexpr int kDeepest = 16;
 
 std::vector<std::string> filesIn(const std::string& folder, int depth);
 
+std::vector<std::string> listed(const std::string& folder) {
+    std::error_code failure;
+    std::vector<std::string> paths = listFolder(folder, failure);
+    if (failure) throw Error(ExitCode::kBadInput, folder + ": " + failure.message());
+    std::erase_if(paths, [](const std::string& path) { return fs::path(path).filename().string().starts_with('.'); });
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
+
 /// The files of the subfolders, where links are not followed.
 std::vector<std::string> filesBelow(const std::string& folder, int depth) {
-    std::vector<std::string> folders, files;
-    std::error_code failure;
-    for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end; entry.increment(failure)) {
-        const bool is_folder = entry->is_directory(failure) && !entry->is_symlink(failure);
-        if (is_folder && !entry->path().filename().string().starts_with('.')) folders.push_back(entry->path().string());
-    }
-    std::sort(folders.begin(), folders.end());
-    for (const std::string& each : folders) {
+    std::vector<std::string> files;
+    std::error_code unreadable;
+    for (const std::string& each : listed(folder)) {
+        if (fs::symlink_status(each, unreadable).type() != fs::file_type::directory) continue;
         const std::vector<std::string> more = depth < kDeepest ? filesIn(each, depth + 1) : std::vector<std::string>();
         files.insert(files.end(), more.begin(), more.end());
     }
@@ -49,20 +55,22 @@ bool mayBeScan(const std::string& path) {
     }
 }
 
+/// Links to files that are gone count: who opens them names them.
+bool isFileOrGone(const std::string& path) {
+    std::error_code failure;
+    const fs::file_type type = fs::status(path, failure).type();
+    return type == fs::file_type::regular || type == fs::file_type::not_found;
+}
+
 /// The scans of a folder, or else its texts.
 std::vector<std::string> scansOrTextsIn(const std::string& folder) {
     std::vector<std::string> scans, texts;
-    std::error_code failure;
-    for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end; entry.increment(failure)) {
-        const std::string name = entry->path().filename().string();
-        const SuffixOf kind = suffixKind(name);
-        if (name.starts_with('.') || kind == SuffixOf::kOther || !entry->is_regular_file(failure)) continue;
-        (kind == SuffixOf::kScan ? scans : texts).push_back(entry->path().string());
+    for (const std::string& path : listed(folder)) {
+        const SuffixOf kind = suffixKind(path);
+        if (kind == SuffixOf::kOther || !isFileOrGone(path)) continue;
+        (kind == SuffixOf::kScan ? scans : texts).push_back(path);
     }
-    if (scans.empty()) scans = texts;
-    if (failure) throw Error(ExitCode::kBadInput, folder + ": " + failure.message());
-    std::sort(scans.begin(), scans.end());
-    return scans;
+    return scans.empty() ? texts : scans;
 }
 
 /// The file of a folder that names all of its other files; "" if no file does.

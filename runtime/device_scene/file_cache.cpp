@@ -9,6 +9,7 @@
 
 #include "format/base/error.h"
 #include "format/os/environment.h"
+#include "format/os/folder.h"
 #include "format/os/user_folder.h"
 #include "runtime/util/parse.h"
 
@@ -31,10 +32,10 @@ bool isCached(const FileCache& cache, const std::string& name) {
 std::vector<CachedFile> filesOf(const FileCache& cache) {
     std::vector<CachedFile> files;
     std::error_code error;
-    for (fs::directory_iterator entry(cache.folder, error), end; !error && entry != end; entry.increment(error)) {
+    for (const fs::path path : listFolder(cache.folder, error)) {
         std::error_code gone;
-        if (!isCached(cache, entry->path().filename().string()) || !entry->is_regular_file(gone)) continue;
-        const CachedFile file{entry->path(), entry->file_size(gone), entry->last_write_time(gone)};
+        if (!isCached(cache, path.filename().string()) || !fs::is_regular_file(path, gone)) continue;
+        const CachedFile file{path, fs::file_size(path, gone), fs::last_write_time(path, gone)};
         if (!gone) files.push_back(file);
     }
     std::sort(files.begin(), files.end(), [](const CachedFile& a, const CachedFile& b) { return a.used < b.used; });

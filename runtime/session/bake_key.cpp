@@ -17,6 +17,7 @@
 #include <system_error>
 
 #include "format/base/error.h"
+#include "format/os/folder.h"
 #include "runtime/util/parse.h"
 
 namespace pointrt {
@@ -102,12 +103,12 @@ bool isOurs(const fs::path& path) {
 /// Files in folder and, up to depth, in its subfolders, without hidden ones, in a fixed order.
 void listFiles(const fs::path& folder, int depth, std::vector<fs::path>& files) {
     std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    for (const fs::path path : listFolder(folder.string(), error)) {
         std::error_code gone;
-        if (entry->path().filename().string().starts_with('.') || isOurs(entry->path())) continue;
-        if (entry->is_regular_file(gone)) files.push_back(entry->path());
-        if (depth > 0 && entry->is_directory(gone) && !entry->is_symlink(gone))
-            listFiles(entry->path(), depth - 1, files);
+        if (path.filename().string().starts_with('.') || isOurs(path)) continue;
+        if (fs::is_regular_file(path, gone)) files.push_back(path);
+        if (depth > 0 && fs::symlink_status(path, gone).type() == fs::file_type::directory)
+            listFiles(path, depth - 1, files);
     }
     if (error) throw Error{ExitCode::kBadInput, folder.string() + ": " + error.message()};
     std::sort(files.begin(), files.end());

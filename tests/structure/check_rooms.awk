@@ -6,7 +6,8 @@
 #   - an include has the path of its file from the root, which is in the same room or in one that this room uses
 #   - a room includes something of each room that it uses
 #   - no room uses itself by way of others
-#   - only the room os_room (format/os) includes headers of one system
+#   - only the room os_room (format/os) includes headers of one system, or lists folders by itself: its listFolder lists
+#     those on Windows that have long paths
 function finding(text) {
     print text
     found = 1
@@ -57,6 +58,10 @@ FNR == 1 {
 $0 ~ system_header && room != os_room {
     split($0, parts, /[<>]/)
     finding(FILENAME ":" FNR ": <" parts[2] "> is of one system: what needs it belongs in " os_room)
+}
+
+/fs::(recursive_)?directory_iterator/ && room != os_room {
+    finding(FILENAME ":" FNR ": lists a folder by itself: listFolder of " os_room " does")
 }
 
 /^[ \t]*#[ \t]*include[ \t]*"/ {

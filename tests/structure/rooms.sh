@@ -82,6 +82,11 @@ case_system() {
     printf '#  include <sys/stat.h> // sizes\n' >>high/c.h
     expectFinding 'high/c.h:2: <sys/stat.h> is of one system: what needs it belongs in low'
 }
+case_folder() {
+    smallTree
+    printf 'fs::directory_iterator entry(folder);\n' | tee -a low/a.h >>high/c.h
+    expectFinding 'high/c.h:2: lists a folder by itself: listFolder of low does'
+}
 case_crowd() {
     smallTree
     printf 'low||Below.\nhigh|low|Above.\nattic||Up.\nloft||Up.\n' >rooms.txt

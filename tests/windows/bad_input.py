@@ -18,6 +18,7 @@ STOP = ["--device", "99"]
 CAST = ["pointrt-rays", "cast", "sphere.pro", "--rays", "rays.txt", "-o", "a.csv"]
 LIDAR = ["pointrt-rays", "lidar", "sphere.pro", "--sensor", "sensor.toml", "--pose", "3,0,0", "-o", "a.csv"]
 VIEW = ["pointrt-view", "sphere.pro", "-o", "a.png"]
+BAKE = ["pointrt-bake", "sphere.xyz", "-q", "--force", "-o", "b.pro"]
 WORDS = ["", "0", "-1", "nan", "inf", "1e999", "0x10", "word", "99999999999999999999", "1,2", "1;2", "on", "ü", "点", "😀",
          "none/a.json", "folder", '"', "[", "--", "-q", "%s%n", "a" * 300, " ", "\\", "NUL", "con"]
 # No names of files in Windows. It refuses them too, but not always for that reason: docs/INSTALL.md.
@@ -33,7 +34,8 @@ def options_of(command):
 
 
 OPTIONS = {"info": options_of(["pointrt-info"]), "cast": options_of(["pointrt-rays", "cast"]),
-           "lidar": options_of(["pointrt-rays", "lidar"]), "view": options_of(["pointrt-view"])}
+           "lidar": options_of(["pointrt-rays", "lidar"]), "view": options_of(["pointrt-view"]),
+           "bake": options_of(["pointrt-bake"])}
 
 
 def changed_text(choose, source, target):
@@ -64,16 +66,16 @@ def changed_bytes(choose, source, target, among):
 
 def options(choose):
     command, base = choose.choice([("info", ["pointrt-info", "sphere.pro"]), ("cast", CAST), ("lidar", LIDAR), ("view", VIEW),
-                                   ("view", ["pointrt-view", "scene.toml", "-o", "a.exr"])])
-    stop = STOP if command != "info" else ["none.pro"]
+                                   ("view", ["pointrt-view", "scene.toml", "-o", "a.exr"]), ("bake", BAKE), ("bake", BAKE)])
+    stop = {"info": ["none.pro"], "bake": ["none.ply"]}.get(command, STOP)
     return base + [choose.choice(OPTIONS[command]), choose.choice(WORDS)] + stop
 
 
 def misspelt(choose):
-    command = list(choose.choice([["pointrt-info", "sphere.pro", "--verify"], CAST, LIDAR, VIEW]))
+    command = list(choose.choice([["pointrt-info", "sphere.pro", "--verify"], CAST, LIDAR, VIEW, BAKE]))
     at = choose.randrange(1, len(command))
     command[at] = choose.choice([command[at][:-1], command[at] + "x", command[at].upper(), *WORDS])
-    return command + (STOP if command[0] != "pointrt-info" else ["none.pro"])
+    return command + {"pointrt-info": ["none.pro"], "pointrt-bake": ["none.ply"]}.get(command[0], STOP)
 
 
 def scan(choose):
@@ -82,6 +84,17 @@ def scan(choose):
     return choose.choice([["pointrt-info", file, "--verify"], ["pointrt-info", file, "--json"],
                           ["pointrt-info", file, "--export", "b.ply", "--force"],
                           ["pointrt-rays", "cast", file, "--rays", "rays.txt", "-o", "a.csv", *STOP]])
+
+
+def cloud(choose):
+    kind = choose.choice(["xyz", "ply", "pcd", "las"])
+    source, target = f"sphere.{kind}", f"changed.{kind}"
+    file = changed_text(choose, source, target) if kind == "xyz" else changed_bytes(choose, source, target, 400)
+    return ["pointrt-bake", file, *BAKE[2:]]
+
+
+def transform(choose):
+    return [*BAKE, "--transform", changed_text(choose, "transform.txt", "changed_transform.txt")]
 
 
 def rays(choose):
@@ -104,7 +117,7 @@ def cameras(choose):
             *STOP]
 
 
-KINDS = [options, misspelt, scan, rays, scene, sensor, cameras]
+KINDS = [options, misspelt, scan, cloud, rays, scene, sensor, cameras, transform]
 
 
 def answer(program, arguments):

@@ -39,6 +39,16 @@ wine "$build/bin/pointrt-bake.exe" -q "\\\\?\\$there\\sphere.ply" -o "\\\\?\\$th
 "$bin/pointrt-bake" -q scans/sphere.ply -o here.prefixed.proset --tile-splats 1000
 diff -r here.prefixed.proset scans/prefixed.proset
 rm -r here.prefixed.proset
+# a network share: Wine looks for them there
+mkdir -p "$WINEPREFIX/dosdevices/unc/server"
+ln -sfn "$PWD/scans" "$WINEPREFIX/dosdevices/unc/server/share"
+wine "$build/bin/pointrt-bake.exe" -q '\\server\share\sphere.ply' -o '\\server\share\share.pro'
+cmp scans/slashes.pro scans/share.pro
+wine "$build/bin/pointrt-info.exe" '\\server\share\share.pro' --verify >windows.out
+mkdir "${long}folder" # whose path takes 400 characters
+cp sphere.xyz scans/sphere.ply "${long}folder"
+written folder.pro pointrt-bake -q "${long}folder"
+rm -r "${long}folder"
 cp sphere.xyz 'each 1.txt'
 cp sphere.xyz 'each 2.txt'
 "$bin/pointrt-bake" -q each*.txt -o here.each.pro

@@ -22,7 +22,8 @@ fi
 # -O1 takes half as long to compile as a release, and rounds alike.
 cmake -S "$repository" -B "$build" -G Ninja --toolchain "$repository/cmake/mingw-w64.cmake" \
     -D POINTRT_WINDOWS_LIBRARIES="$build/libraries" -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \
-    -D POINTRT_BUILD_BAKE=$others -D POINTRT_BUILD_VIEW=$others -D POINTRT_BUILD_TESTS=OFF >"$build/log" 2>&1 &&
+    -D POINTRT_CCACHE=OFF -D POINTRT_BUILD_BAKE=$others -D POINTRT_BUILD_VIEW=$others -D POINTRT_BUILD_TESTS=OFF \
+    >"$build/log" 2>&1 &&
     cmake --build "$build" >>"$build/log" 2>&1 || { cat "$build/log" && exit 1; }
 grep -A1 'Without LAZ and E57' "$build/log" || true
 

@@ -152,9 +152,8 @@ std::optional<InputFile> openBeside(const InputFile& input, std::string name) {
         if (path && fs::is_regular_file(*path, failure)) return openInputFile(path->string(), NamedBy::kFile);
     }
     const std::string wanted = lowerCase(fs::path(name).filename().string());
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder.empty() ? "." : folder, failure))
-        if (lowerCase(entry.path().filename().string()) == wanted && entry.is_regular_file(failure))
-            return openInputFile(entry.path().string(), NamedBy::kFile);
+    for (const std::string& path : filesOfFolder(folder))
+        if (lowerCase(fs::path(path).filename().string()) == wanted) return openInputFile(path, NamedBy::kFile);
     return std::nullopt;
 }
 

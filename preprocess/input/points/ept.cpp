@@ -6,6 +6,7 @@
 
 #include "preprocess/ingest/formats.h"
 #include "preprocess/ingest/json_value.h"
+#include "preprocess/ingest/named_file.h"
 #include "preprocess/ingest/text.h"
 #include "preprocess/input/points/ept_binary.h"
 #include "preprocess/input/points/las_scan.h"
@@ -64,10 +65,9 @@ std::vector<EptNode> nodesOf(const InputFile& input, const JsonValue& root, std:
     const Eigen::AlignedBox3d cube = cubeOf(root);
     std::vector<EptNode> nodes;
     std::size_t all = 0;
-    std::error_code failure;
-    for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end; entry.increment(failure)) {
-        const auto node = nodeOf(entry->path(), suffix);
-        if (!node || !entry->is_regular_file(failure)) continue;
+    for (const std::string& path : filesOfFolder(folder)) {
+        const auto node = nodeOf(path, suffix);
+        if (!node) continue;
         ++all;
         if (selectsNode(sink, static_cast<int>(node->key[0]), boxOf(*node, cube))) nodes.push_back(*node);
     }

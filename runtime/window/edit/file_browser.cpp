@@ -8,6 +8,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "format/os/folder.h"
 #include "runtime/scene_io/scene_file.h"
 #include "runtime/window/edit/file_list.h"
 
@@ -43,11 +44,10 @@ FileBrowser browse(const std::string& folder) {
     std::error_code error;
     FileBrowser browser;
     browser.folder = fs::absolute(folder.empty() ? "." : folder, error).lexically_normal().string();
-    fs::directory_iterator entry(browser.folder, error);
-    for (const fs::directory_iterator end; !error && entry != end; entry.increment(error)) {
-        const std::string name = entry->path().filename().string();
+    for (const std::string& path : listFolder(browser.folder, error)) {
+        const std::string name = fs::path(path).filename().string();
         std::error_code ignored;
-        const bool is_folder = entry->is_directory(ignored) && !isSceneOrSet(entry->path().string());
+        const bool is_folder = fs::is_directory(path, ignored) && !isSceneOrSet(path);
         if (!name.starts_with('.') && (is_folder || maybeScan(name)))
             browser.entries.push_back({name, is_folder, false});
     }

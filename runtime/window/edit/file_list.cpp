@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "format/os/folder.h"
+
 namespace pointrt {
 namespace {
 
@@ -27,10 +29,11 @@ std::strong_ordering compareNumbers(std::string_view a, std::string_view b) {
     return a.size() != b.size() ? a.size() <=> b.size() : a.compare(b) <=> 0;
 }
 
-bool isScene(const fs::directory_entry& entry) {
-    const std::string name = entry.path().filename().string(), suffix = entry.path().extension().string();
+bool isScene(const fs::path& path) {
+    const std::string suffix = path.extension().string();
     std::error_code ignored;
-    return !name.starts_with('.') && (suffix == ".pro" || suffix == ".toml") && entry.is_regular_file(ignored);
+    return !path.filename().string().starts_with('.') && (suffix == ".pro" || suffix == ".toml") &&
+           fs::is_regular_file(path, ignored);
 }
 
 } // namespace
@@ -55,9 +58,8 @@ bool naturallyLess(std::string_view a, std::string_view b) {
 std::vector<std::string> sceneFiles(const std::string& folder) {
     std::vector<std::string> names;
     std::error_code error;
-    fs::directory_iterator entry(folder.empty() ? "." : folder, error);
-    for (; !error && entry != fs::directory_iterator(); entry.increment(error))
-        if (isScene(*entry)) names.push_back(entry->path().filename().string());
+    for (const fs::path path : listFolder(folder.empty() ? "." : folder, error))
+        if (isScene(path)) names.push_back(path.filename().string());
     std::sort(names.begin(), names.end(), naturallyLess);
     for (std::string& name : names) name = (fs::path(folder) / name).string();
     return names;
