@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Makes an archive of the tools that runs wherever it is unpacked: the four tools, the shared libraries that they link
-# or open, PROJ's database, manual pages, documentation and licences. From the system come the C and C++ runtimes, and
-# Vulkan's loader and driver: a driver may need a newer C++ runtime than the tools were built with. X11, too: GLFW opens it.
+# or open, PROJ's database, manual pages, documentation and licences. From the system come Vulkan's loader and driver, X11,
+# which GLFW opens, and the C and C++ runtimes, unless they are older than those that the tools were built with: launch.sh.
 #   packaging/tarball.sh [BUILD]   BUILD: a build folder (default: build/package, built first)
 # Prints the archive, pointrt-VERSION-linux-x86_64.tar.gz in BUILD/packages. It has no date but that of the newest commit,
 # and no path of this machine.
@@ -21,8 +21,9 @@ fi
 name=pointrt-$version-linux-$(uname -m)
 installTree "$build" "$name"
 
-# Libraries that are the system's: glibc, GCC's runtimes, X11.
-of_system='^(ld-linux.*|libc|libm|libdl|libpthread|librt|libresolv|libstdc\+\+|libgcc_s|libX.*|libxcb.*)\.so'
+# Libraries that are the system's where it is new enough: glibc, GCC's runtimes. And those that always are: X11.
+of_runtime='^(ld-linux.*|libc|libm|libdl|libpthread|librt|libresolv|libstdc\+\+|libgcc_s)\.so'
+of_system='^(libX.*|libxcb.*)\.so'
 
 # librariesOf FILE...: paths of the shared libraries that these link, directly or through others.
 librariesOf() { ldd "$@" | awk '$2 == "=>" && $3 ~ /^\// { print $3 }' | sort -u; }
@@ -32,17 +33,30 @@ opened() { ldconfig -p | awk -v name="$1" '$1 == name && /x86-64/ { print $NF; e
 proj=$(opened libproj.so.25)
 glfw=$(opened libglfw.so.3)
 [ -n "$proj" ] && [ -n "$glfw" ] || die "libproj.so.25 and libglfw.so.3 must be installed: libproj25 libglfw3"
-mkdir -p "$tree/lib" "$tree/share/proj" "$tree/share/doc/pointrt/libraries"
-{ librariesOf "$tree"/bin/* "$proj" "$glfw" && echo "$proj" && echo "$glfw"; } | sort -u | while read -r library; do
+loader=$(patchelf --print-interpreter "$tree/bin/pointrt-info")
+# A driver may link these, of which the tools need nothing.
+for_drivers=$(for name in libdl.so.2 libpthread.so.0 librt.so.1 libresolv.so.2; do opened $name; done)
+mkdir -p "$tree/lib/runtime" "$tree/share/proj" "$tree/share/doc/pointrt/libraries"
+{ librariesOf "$tree"/bin/* "$proj" "$glfw" && printf '%s\n' "$proj" "$glfw" "$loader" "$for_drivers"; } | sort -u |
+    while read -r library; do
     [[ ${library##*/} =~ $of_system ]] && continue
-    cp -L "$library" "$tree/lib/"
+    folder=$tree/lib
+    [[ ${library##*/} =~ $of_runtime ]] && folder=$tree/lib/runtime
+    cp -L "$library" "$folder/"
     file=$(readlink -f "$library")
     package=$(dpkg-query -S "*/${file##*/}" | sed -n '1s/:.*//p')
     cp -L "/usr/share/doc/$package/copyright" "$tree/share/doc/pointrt/libraries/$package.copyright"
 done
 cp /usr/share/proj/proj.db "$tree/share/proj/" # where libproj.so looks from its own folder
 
-for program in "$tree"/bin/*; do patchelf --set-rpath '$ORIGIN/../lib' "$program"; done
+mv "$tree/bin" "$tree/lib/programs"
+mkdir "$tree/bin"
+glibc=$(ldd --version | sed -n '1s/.* 2\.//p')
+for program in "$tree"/lib/programs/*; do
+    patchelf --set-rpath '$ORIGIN/..' "$program"
+    sed "s/@GLIBC_MINOR@/$glibc/; s/@LOADER@/${loader##*/}/" packaging/launch.sh >"$tree/bin/${program##*/}"
+    chmod 755 "$tree/bin/${program##*/}"
+done
 for library in "$tree"/lib/*.so*; do patchelf --set-rpath '$ORIGIN' "$library"; done
 
 out=$build/packages
@@ -50,5 +64,5 @@ mkdir -p "$out"
 tar -C "$work" --sort=name --owner=0 --group=0 --numeric-owner --mtime="@$SOURCE_DATE_EPOCH" -cf - "$name" |
     gzip -9n >"$out/$name.tar.gz"
 say "archive: $PWD/$out/$name.tar.gz, $(du -h "$out/$name.tar.gz" | cut -f1); unpacked $(du -sh "$tree" | cut -f1)"
-# the newest version of glibc that a symbol asks for
-objdump -T "$tree"/bin/* "$tree"/lib/* | grep -o 'GLIBC_[0-9.]*' | sort -uV | sed -n '$s/_/ /p' | sed 's/^/needs /'
+# the newest version of glibc that a symbol asks for, of the system where it has that
+objdump -T "$tree"/lib/programs/* "$tree"/lib/*.so* | grep -o 'GLIBC_[0-9.]*' | sort -uV | sed -n '$s/_/ /p' | sed 's/^/needs /'

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "format/os/program.h"
 
+#include <errno.h> // program_invocation_name, of GNU
 #include <unistd.h>
 
 #include <filesystem>
@@ -12,7 +13,10 @@ namespace fs = std::filesystem;
 
 std::string programPath() {
     std::error_code ignored;
-    return fs::read_symlink("/proc/self/exe", ignored).string();
+    const fs::path running = fs::read_symlink("/proc/self/exe", ignored);
+    // packaging/launch.sh lets a loader of its own start the program, under the script's path
+    const bool is_loader = running.filename().string().starts_with("ld-linux");
+    return is_loader ? program_invocation_name : running.string();
 }
 
 std::string programFile(const std::string& name) { return name; }
