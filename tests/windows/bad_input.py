@@ -21,8 +21,8 @@ VIEW = ["pointrt-view", "sphere.pro", "-o", "a.png"]
 BAKE = ["pointrt-bake", "sphere.xyz", "-q", "--force", "-o", "b.pro"]
 WORDS = ["", "0", "-1", "nan", "inf", "1e999", "0x10", "word", "99999999999999999999", "1,2", "1;2", "on", "ü", "点", "😀",
          "none/a.json", "folder", '"', "[", "--", "-q", "%s%n", "a" * 300, " ", "\\", "NUL", "con"]
-# No names of files in Windows, or those of devices. It refuses them too, but not always for that reason: docs/INSTALL.md.
-NO_NAMES = {'"', "a" * 300, "con", "NUL"}
+# No names of files in Windows, or those of devices and of the root folder. It refuses them too, but not always for that reason: docs/INSTALL.md.
+NO_NAMES = {'"', "a" * 300, "con", "NUL", "\\"}
 # which answer without input, name this machine's devices, or open a window
 LEFT_OUT = {"--help", "--version", "--generate", "--device", "--bake", "--record", "--replay", "--offscreen", "--quiet"}
 
