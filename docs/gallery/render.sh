@@ -73,8 +73,8 @@ for picture in "$@"; do
         view normals lion.pro --integrator normal --size 1600x1000
         ;;
     window)
-        bake dragon/dragonStandRight.conf dragon
-        (cd "$work" && "$bin/pointrt-view" dragon.pro --replay window.txt --offscreen)
+        bake lion.ply lion
+        (cd "$work" && "$bin/pointrt-view" lion.toml --replay window.txt --offscreen)
         keep window
         ;;
     *)

@@ -33,11 +33,11 @@ struct MomentSum {
     }
 };
 
-/// The point and its neighbours, in a cloud that each thread reuses.
-const pcl::PointCloud<pcl::PointXYZ>& gather(const PointSet& points, std::span<const std::uint32_t> neighbors,
-                                             std::size_t point) {
-    static thread_local pcl::PointCloud<pcl::PointXYZ> cloud;
-    cloud.resize(neighbors.size() + 1);
+/// The point and its neighbours. A cloud for each call: one that a thread kept would be destroyed on Windows after its
+/// memory (GCC's emulated thread_local), and the allocation takes less than the sums.
+pcl::PointCloud<pcl::PointXYZ> gather(const PointSet& points, std::span<const std::uint32_t> neighbors,
+                                      std::size_t point) {
+    pcl::PointCloud<pcl::PointXYZ> cloud(static_cast<std::uint32_t>(neighbors.size() + 1), 1);
     cloud[0].getVector3fMap() = points.positions[point]; // PCL sums relative to the first point
     for (std::size_t i = 0; i < neighbors.size(); ++i) cloud[i + 1].getVector3fMap() = points.positions[neighbors[i]];
     return cloud;

@@ -6,6 +6,7 @@
 #   - an include has the path of its file from the root, which is in the same room or in one that this room uses
 #   - a room includes something of each room that it uses
 #   - no room uses itself by way of others
+#   - no object is thread_local outside os_room: MinGW's are destroyed after their memory
 #   - only the room os_room (format/os) includes headers of one system, or lists folders by itself: its listFolder lists
 #     those on Windows that have long paths
 function finding(text) {
@@ -58,6 +59,10 @@ FNR == 1 {
 $0 ~ system_header && room != os_room {
     split($0, parts, /[<>]/)
     finding(FILENAME ":" FNR ": <" parts[2] "> is of one system: what needs it belongs in " os_room)
+}
+
+/^[ \t]*(static |inline )*thread_local / && room != os_room {
+    finding(FILENAME ":" FNR ": is thread_local: on Windows its destructor would run after its memory is freed")
 }
 
 /fs::(recursive_)?directory_iterator/ && room != os_room {

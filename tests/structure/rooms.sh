@@ -87,6 +87,11 @@ case_folder() {
     printf 'fs::directory_iterator entry(folder);\n' | tee -a low/a.h >>high/c.h
     expectFinding 'high/c.h:2: lists a folder by itself: listFolder of low does'
 }
+case_thread_local() {
+    smallTree
+    printf '    static thread_local std::string text;\n' | tee -a low/a.h >>high/c.h
+    expectFinding 'high/c.h:2: is thread_local: on Windows its destructor would run after its memory is freed'
+}
 case_crowd() {
     smallTree
     printf 'low||Below.\nhigh|low|Above.\nattic||Up.\nloft||Up.\n' >rooms.txt

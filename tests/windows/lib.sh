@@ -31,6 +31,9 @@ trap finish EXIT
 export WINEPREFIX=$build/wine WINEDEBUG=-all LC_ALL=C.UTF-8 POINTRT_INDEX_CACHE=off
 unset DISPLAY WAYLAND_DISPLAY
 cd "$work"
+# Nothing is baked yet, for either.
+export XDG_CACHE_HOME=$work/cache
+rm -rf "$WINEPREFIX"/drive_c/users/*/AppData/Local/pointrt
 # One server for the whole test: without it each program starts and ends its own, which takes seconds.
 wineserver -p || true # it may be running already
 
