@@ -36,6 +36,8 @@ private:
     void compositeCamera(std::uint32_t bits);
     void compositeQueued(std::uint32_t bits);
     void compositeGaussians(const GaussianPass& pass, std::uint32_t bits);
+    void runRound(const Program& program, const DescriptorSets& sets, std::uint32_t round, std::uint32_t bits);
+    void compositeRound(const GaussianPass& pass, std::uint32_t round, std::uint32_t bits);
     void gatherRound(const GaussianPass& pass, std::uint32_t round, std::uint32_t bits);
     void catchShadows(const Program& query, std::uint32_t bits);
     void attenuateShadows(std::uint32_t list, Program InstancePrograms::*program, std::uint32_t bits);
