@@ -16,12 +16,36 @@ constexpr std::uint32_t kMostRounds = 64;
 /// Rays that a round leaves are listed in the one of these that it does not read.
 constexpr std::uint32_t kRoundLists[] = {LIST_SHADOW_RAYS, LIST_DIRECT_LIGHT};
 
+/// Squared distance from a point of render space to the middle of an instance's cube.
+double squaredDistanceTo(const gpu::InstanceParams& params, const gpu::vec3& point) {
+    const auto coordinate = [&](const gpu::vec4& row) {
+        return double{row.x} * point.x + double{row.y} * point.y + double{row.z} * point.z + row.w - 0.5;
+    };
+    const double x = coordinate(params.row_x), y = coordinate(params.row_y), z = coordinate(params.row_z);
+    return (x * x + y * y + z * z) / (double{params.splat.w} * params.splat.w);
+}
+
+/// The instances of Gaussians, those near the eye first: they soon fill the places of what waits, and the walks of
+/// those behind them end early.
+std::vector<const TracedInstance*> gaussiansFrom(const gpu::vec3& eye, const BandTracer& tracer) {
+    const auto distanceTo = [&](const TracedInstance* each) {
+        return squaredDistanceTo(tracer.scene->instances[each->places.front()].params, eye);
+    };
+    std::vector<const TracedInstance*> gaussians;
+    for (const TracedInstance& each : tracer.instances.each)
+        if (each.is_gaussian) gaussians.push_back(&each);
+    std::stable_sort(gaussians.begin(), gaussians.end(),
+                     [&](const auto* a, const auto* b) { return distanceTo(a) < distanceTo(b); });
+    return gaussians;
+}
+
 } // namespace
 
 SampleRecorder::SampleRecorder(PassCommands& commands, const BandTracer& tracer, const BandSample& sample)
     : commands_(commands), tracer_(tracer), tiles_(tilesOf(sample.width, sample.rows)), sample_(sample.number),
       center_(sample.at_centers ? STEP_CENTER : 0u), preview_(sample.preview ? STEP_PREVIEW : 0u),
       pixel_list_(sample.at_listed_pixels ? STEP_PIXEL_LIST : 0u), has_gaussians_(hasGaussians(*tracer.scene)),
+      gaussians_(gaussiansFrom(sample.params.eye, tracer)),
       stores_first_hits_(sample.at_listed_pixels && sample.first_hits) {}
 
 void SampleRecorder::firstHits() {
@@ -142,20 +166,17 @@ void SampleRecorder::runRound(const Program& program, const DescriptorSets& sets
 void SampleRecorder::compositeRound(const GaussianPass& pass, std::uint32_t round, std::uint32_t bits) {
     if (round > 0 && pass.bits & STEP_FIRST_HITS) return;
     const std::uint32_t final_bit = round + 1 == kMostRounds ? STEP_FINAL : 0u;
-    for (const TracedInstance& instance : tracer_.instances.each)
-        if (instance.is_gaussian)
-            runRound(instance.programs->*pass.composite, instance.sets, round,
-                     bits | STEP_FIRST | STEP_LAST | final_bit);
+    for (const TracedInstance* instance : gaussians_)
+        runRound(instance->programs->*pass.composite, instance->sets, round, bits | STEP_FIRST | STEP_LAST | final_bit);
     closeList(kRoundLists[(round + 1) % 2], bits);
 }
 
 /// A round of all instances.
 void SampleRecorder::gatherRound(const GaussianPass& pass, std::uint32_t round, std::uint32_t bits) {
     bool is_first = true;
-    for (const TracedInstance& instance : tracer_.instances.each)
-        if (instance.is_gaussian)
-            runRound(instance.programs->*pass.gather, instance.sets, round,
-                     bits | pass.bits | (std::exchange(is_first, false) ? STEP_FIRST : 0u));
+    for (const TracedInstance* instance : gaussians_)
+        runRound(instance->programs->*pass.gather, instance->sets, round,
+                 bits | pass.bits | (std::exchange(is_first, false) ? STEP_FIRST : 0u));
     runRound(pass.blend, tracer_.instances.sets, round, bits | (round + 1 == kMostRounds ? STEP_FINAL : 0u));
     closeList(kRoundLists[(round + 1) % 2], bits);
 }
@@ -181,8 +202,7 @@ void SampleRecorder::catchShadows(const Program& query, std::uint32_t bits) {
 /// What Gaussians let pass of the shadow rays of a closed list.
 void SampleRecorder::attenuateShadows(std::uint32_t list, Program InstancePrograms::*program, std::uint32_t bits) {
     if (!has_gaussians_) return;
-    for (const TracedInstance& instance : tracer_.instances.each)
-        if (instance.is_gaussian) runOver(list, instance.programs->*program, instance.sets, bits);
+    for (const TracedInstance* instance : gaussians_) runOver(list, instance->programs->*program, instance->sets, bits);
 }
 
 void SampleRecorder::shadeSurface(const Program& program, std::uint32_t bits) {
