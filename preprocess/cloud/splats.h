@@ -21,8 +21,6 @@ struct Splats {
     std::vector<std::uint32_t> filled_from;
     /// Standard deviation of the surface around each splat after cleaning, input units; empty if the cloud is clean.
     std::vector<float> noise;
-    /// Normals of the planes around balls that were asked for, on either side; else empty. They tell which way is up.
-    std::vector<Vec3f> plane_normals;
     bool oriented = false; ///< normals point outwards, as far as can be determined
 };
 

@@ -16,7 +16,6 @@
 #include "preprocess/surface/outliers.h"
 #include "preprocess/surface/parallel_stages.h"
 #include "preprocess/surface/planarity.h"
-#include "preprocess/surface/plane_fit.h"
 #include "preprocess/surface/point_graph.h"
 #include "preprocess/surface/radii.h"
 #include "preprocess/surface/sightlines.h"
@@ -298,7 +297,6 @@ bool choosesAll(const KnownCloud& known, const Estimation& job) {
 struct MadeSplats {
     bool oriented = true;                   ///< the sides of balls are always known
     std::vector<std::uint32_t> filled_from; ///< Splats::filled_from
-    std::vector<Vec3f> plane_normals;       ///< Splats::plane_normals
 };
 
 /// Makes discs, and balls of points on no surface.
@@ -326,22 +324,11 @@ MadeSplats makeSurface(PointGraph& graph, const KnownCloud& known, const Estimat
     return made;
 }
 
-/// Which side of a surface they are on does not matter, nor small errors.
-std::vector<Vec3f> planeNormals(const PointGraph& graph, const Estimation& job) {
-    const Stopwatch watch(job.report.seconds_normals);
-    std::vector<Vec3f> normals(graph.points.size());
-    forEach(normals.size(), {job.progress, "normals"},
-            [&](std::size_t i) { normals[i] = fitPlane(momentsOf(graph.points, graph.lists.of(i), i)).normal; });
-    return normals;
-}
-
 MadeSplats makeSplats(PointGraph& graph, const KnownCloud& known, const Estimation& job) {
     if (job.options.splat != SplatShape::kBall && !(choosesAll(known, job) && isTooSparse(graph)))
         return makeSurface(graph, known, job);
-    MadeSplats made;
-    if (job.options.splat == SplatShape::kBall) made.plane_normals = planeNormals(graph, job);
     makeBalls(graph, job);
-    return made;
+    return {};
 }
 
 /// Converts back to input units.
@@ -396,7 +383,6 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
     splats.origin = origin;
     splats.input_count = std::uint32_t(cloud_count);
     splats.filled_from = std::move(made.filled_from);
-    splats.plane_normals = std::move(made.plane_normals);
     splats.oriented = made.oriented;
     report.filled = splats.filled_from.size();
     return splats;

@@ -99,13 +99,12 @@ SurfaceSample sampleSurface(const Splats& splats) {
     SurfaceSample sample;
     const std::size_t count = splats.positions.size(), step = std::max<std::size_t>(1, count / kSamples);
     if (count == 0) return sample;
-    const std::vector<Vec3f>& normals = splats.plane_normals.empty() ? splats.normals : splats.plane_normals;
     const float widest = kWidestRadius * medianRadius(splats, step);
     double whole = 0;
     for (std::size_t i = 0; i < count; i += step) {
         const double radius = std::min(splats.radii[i], widest);
         sample.positions.push_back(splats.positions[i].cast<double>());
-        sample.normals.push_back(normals[i].cast<double>());
+        sample.normals.push_back(splats.normals[i].cast<double>());
         sample.areas.push_back(radius * radius);
         whole += sample.areas.back();
     }
