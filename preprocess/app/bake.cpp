@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "format/base/error.h"
 #include "format/os/atomic_file.h"
@@ -72,10 +73,30 @@ ProContent takeMetadata(const BakeOptions& options, Cloud& cloud, BakeReport& re
     return content;
 }
 
+bool isUpKnown(const BakeReport& report) { return report.up_from == "option" || report.up_from == "file"; }
+
+/// Balls have no sides: discs of some of their points tell which way is up.
+Splats discsOf(const Cloud& cloud, const BakeOptions& options) {
+    constexpr std::size_t kEnough = 100'000; // findUp samples fewer
+    const std::size_t step = 1 + cloud.positions.size() / kEnough;
+    Cloud some;
+    some.origin = cloud.origin;
+    some.normal_sides = cloud.normal_sides;
+    for (std::size_t i = 0; i < cloud.positions.size(); i += step) {
+        some.positions.push_back(cloud.positions[i]);
+        if (!cloud.normals.empty()) some.normals.push_back(cloud.normals[i]);
+    }
+    SurfaceOptions surface = options.surface;
+    surface.splat = SplatShape::kDisc;
+    surface.normals = SurfaceOptions().normals; // balls need none
+    SurfaceReport report;
+    return estimateSplats(std::move(some), surface, report, {});
+}
+
 /// Finds or guesses the up direction unless the command line or a file gives it. What the surface tells overrides the
 /// custom of a format.
 void findUpInData(const Splats& splats, BakeReport& report, WorldFrame& world) {
-    if (report.up_from == "option" || report.up_from == "file") return;
+    if (isUpKnown(report)) return;
     const FoundUp found = findUp(splats, report.scans, {world.up, areMeshes(report.files)});
     if (found.up.isZero()) return;
     world.up = report.world.up = found.up;
@@ -143,8 +164,11 @@ void bakeSurface(const BakeOptions& options, Cloud&& cloud, BakeReport& report, 
     ProContent content = takeMetadata(options, cloud, report);
     for (const Note& note : report.notes) progress.note(noteLine(note));
 
+    std::optional<Splats> discs;
+    if (options.surface.splat == SplatShape::kBall && !isUpKnown(report)) discs = discsOf(cloud, options);
     Splats splats = estimateNamed(std::move(cloud), options, report, progress);
-    findUpInData(splats, report, content.world);
+    findUpInData(discs ? *discs : splats, report, content.world);
+    discs.reset();
     progress.begin("quantize", splats.positions.size());
     PackedSplats packed = quantizeSplats(std::move(splats));
     report.merged = packed.merged;

@@ -64,7 +64,8 @@ bool isUnit(const gpu::InstanceParams& params) {
 RenderSpace spaceOf(const CastInstance& instance, const DeviceScan& scan) {
     SceneDescription alone;
     alone.instances.push_back({scan.path, instance.placement, {}, {}});
-    return chooseRenderSpace(alone, {&scan.info, 1});
+    const pro_info frame = tracedFrame(scan);
+    return chooseRenderSpace(alone, {&frame, 1});
 }
 
 } // namespace

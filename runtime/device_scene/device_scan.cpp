@@ -192,10 +192,9 @@ void uploadGaussians(Device& device, DeviceScan& scan, const pro_gaussians& gaus
         uploadTexels(device, scan, unused, std::vector<std::uint32_t>());
     scan.grid_words = createTexelBuffer(device, "blank buffer", kBlank, kTexelBytes, VK_FORMAT_R32_UINT);
     scan.noise = createTexelBuffer(device, "blank buffer", kBlank, kTexelBytes, VK_FORMAT_R32G32B32A32_UINT);
-    scan.most_listed = buffers.most_listed;
     scan.gaussian_box = buffers.box;
-    for (std::size_t i = 0; i < 3; ++i) scan.reaches_out |= buffers.box.low[i] < 0 || buffers.box.high[i] >= 1;
-    scan.enlargement = buffers.enlargement;
+    scan.traced_cube = buffers.cube;
+    scan.reaches_out = buffers.reaches_out;
     scan.harmonics_degree = gaussians.degree;
     std::copy_n(gaussians.harmonic_max, 3, scan.harmonics_max.begin());
 }

@@ -43,11 +43,10 @@ struct DeviceScan {
     TexelRange range;           ///< with a block: all buffers lie in it
     Buffer noise;               ///< a byte per splat; a blank texel if the scan has no noise
     bool noisy = false;
-    std::uint32_t most_listed = 0; ///< of GaussianBuffers
     bool is_gaussian = false; ///< holds Gaussians: the buffers have the contents of gaussian_layout.h, and no index
-    bool reaches_out = false; ///< some Gaussians reach out of the cube
+    TracedCube traced_cube;   ///< of GaussianBuffers
+    bool reaches_out = false; ///< some Gaussians reach out of that
     CubeBox gaussian_box;     ///< around them
-    double enlargement = 1;   ///< of GaussianBuffers
     std::uint32_t harmonics_degree = 0;   ///< of the Gaussians' colours
     std::array<float, 3> harmonics_max{}; ///< their largest coefficients by degree
     std::uint64_t device_bytes = 0;

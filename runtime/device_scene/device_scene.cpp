@@ -165,7 +165,7 @@ DeviceScene openScene(Device& device, SceneDescription description, bool verbose
         else
             loadFile(device, scene, instances[i].path, verbose);
     std::vector<pro_info> infos;
-    for (const DeviceScan* scan : representativeScans(scene)) infos.push_back(scan->info);
+    for (const DeviceScan* scan : representativeScans(scene)) infos.push_back(tracedFrame(*scan));
     scene.space = chooseRenderSpace(scene.description, infos);
     scene.bounds = findBounds(scene);
     rebuildInstances(device, scene);

@@ -51,57 +51,100 @@ std::vector<gpu::GaussianNode> nodesOf(const GaussianTree& tree) {
     return nodes;
 }
 
-/// Parents come before their children.
-std::uint32_t mostListed(const std::vector<gpu::GaussianNode>& nodes) {
-    std::vector<std::uint32_t> listed(nodes.size());
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-        listed[k] += nodes[k].count;
-        for (std::uint32_t slot = 0; nodes[k].children != 0 && slot < PRO_GROUP_SIZE; ++slot)
-            listed[nodes[k].children + slot] = listed[k];
+/// Half extents of the ellipsoid's bounding box; 0 if it is empty.
+std::array<double, 3> reachOf(const GaussianEllipsoid& ellipsoid) {
+    std::array<double, 3> reach{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (const auto& axis : ellipsoid.half_axes) reach[i] += double{axis[i]} * axis[i];
+        reach[i] = std::sqrt(reach[i]);
     }
-    return *std::max_element(listed.begin(), listed.end());
+    return reach;
 }
 
 /// The bounding box of the ellipsoids that are not empty; the unit cube if all are empty.
 CubeBox boxAround(const std::vector<GaussianEllipsoid>& ellipsoids) {
     constexpr double kFar = std::numeric_limits<double>::infinity();
     CubeBox box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
-    for (const GaussianEllipsoid& each : ellipsoids)
-        for (std::size_t i = 0; i < 3; ++i) {
-            double squared = 0;
-            for (const auto& axis : each.half_axes) squared += double{axis[i]} * axis[i];
-            if (squared == 0) continue;
-            box.low[i] = std::min(box.low[i], each.center[i] - std::sqrt(squared));
-            box.high[i] = std::max(box.high[i], each.center[i] + std::sqrt(squared));
+    for (const GaussianEllipsoid& each : ellipsoids) {
+        const std::array<double, 3> reach = reachOf(each);
+        for (std::size_t i = 0; reach[0] > 0 && i < 3; ++i) {
+            box.low[i] = std::min(box.low[i], each.center[i] - reach[i]);
+            box.high[i] = std::max(box.high[i], each.center[i] + reach[i]);
         }
+    }
     return box.low[0] <= box.high[0] ? box : CubeBox{{0, 0, 0}, {1, 1, 1}};
+}
+
+/// Half the edges of the cubes around a point that hold each of the ellipsoids that are not empty.
+std::vector<double> halfEdgesAround(const std::array<double, 3>& point,
+                                    const std::vector<GaussianEllipsoid>& ellipsoids) {
+    std::vector<double> halves;
+    halves.reserve(ellipsoids.size());
+    for (const GaussianEllipsoid& each : ellipsoids) {
+        const std::array<double, 3> reach = reachOf(each);
+        if (!(reach[0] > 0)) continue;
+        double half = 0;
+        for (std::size_t i = 0; i < 3; ++i) half = std::max(half, std::abs(each.center[i] - point[i]) + reach[i]);
+        halves.push_back(half);
+    }
+    return halves;
 }
 
 /// Every ray tests what reaches out of the cube: if those are many, as of skies and of the tiles of a set, the cube is
 /// enlarged, by powers of two. Floats leave 2^-24 of its edge to a mean, so not further than by 8.
-constexpr std::size_t kMostOutside = 64;
+constexpr std::ptrdiff_t kMostOutside = 64;
 constexpr double kMostEnlargement = 8;
 
-double enlargementFor(const std::vector<GaussianEllipsoid>& ellipsoids) {
-    std::array<std::size_t, 4> outside{}; // of the cube, of one twice as wide, and so on
-    for (const GaussianEllipsoid& each : ellipsoids) {
-        double farthest = 0;
-        for (std::size_t i = 0; i < 3; ++i) {
-            double squared = 0;
-            for (const auto& axis : each.half_axes) squared += double{axis[i]} * axis[i];
-            farthest = std::max(farthest, 2 * (std::abs(each.center[i] - 0.5) + std::sqrt(squared)));
-        }
-        for (std::size_t k = 0; k < outside.size(); ++k) outside[k] += farthest > std::exp2(k);
-    }
-    double enlargement = 1;
-    for (std::size_t k = 0; outside[k] > kMostOutside && enlargement < kMostEnlargement; ++k) enlargement *= 2;
-    return enlargement;
+TracedCube enlargedCube(const std::vector<GaussianEllipsoid>& ellipsoids) {
+    const std::vector<double> halves = halfEdgesAround({0.5, 0.5, 0.5}, ellipsoids);
+    const auto outside = [&](double edge) {
+        return std::count_if(halves.begin(), halves.end(), [&](double half) { return 2 * half > edge; });
+    };
+    double edge = 1;
+    while (edge < kMostEnlargement && outside(edge) > kMostOutside) edge *= 2;
+    const double low = (1 - edge) / 2;
+    return {{low, low, low}, edge};
 }
 
-GaussianEllipsoid enlarged(GaussianEllipsoid ellipsoid, double enlargement) {
-    for (double& each : ellipsoid.center) each = (each - 0.5) / enlargement + 0.5;
+/// A few giants, and what floats far away, may leave so little of the cube to all others that floats lose them: 2^-24
+/// of a cube of 1,000 scenes is half the deviation of a thin Gaussian. Then the cube is that of the others, if it is
+/// shorter by so much that floats gain four bits.
+constexpr std::size_t kMostApart = 256;
+constexpr double kLeastGain = 16, kCoreMargin = 1 + 1.0 / 1024;
+/// Means of files have steps of 2^-27: floats are finer in a cube of this edge, and what lies outside stays far from
+/// their largest.
+constexpr double kLeastCore = 1.0 / 4096;
+
+/// The cube around all but kMostApart Gaussians; infinite if there are no more.
+TracedCube coreCube(const std::vector<GaussianEllipsoid>& ellipsoids) {
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    if (ellipsoids.size() <= kMostApart) return {{}, kFar};
+    std::array<double, 3> middle{};
+    std::vector<double> centers(ellipsoids.size());
+    for (std::size_t i = 0; i < 3; ++i) {
+        std::transform(ellipsoids.begin(), ellipsoids.end(), centers.begin(),
+                       [&](const GaussianEllipsoid& each) { return each.center[i]; });
+        const auto median = centers.begin() + static_cast<std::ptrdiff_t>(centers.size() / 2);
+        std::nth_element(centers.begin(), median, centers.end());
+        middle[i] = *median;
+    }
+    std::vector<double> halves = halfEdgesAround(middle, ellipsoids);
+    if (halves.size() <= kMostApart) return {{}, kFar};
+    const auto last = halves.end() - static_cast<std::ptrdiff_t>(kMostApart) - 1;
+    std::nth_element(halves.begin(), last, halves.end());
+    const double half = std::max(*last * kCoreMargin, kLeastCore / 2);
+    return {{middle[0] - half, middle[1] - half, middle[2] - half}, 2 * half};
+}
+
+TracedCube cubeFor(const std::vector<GaussianEllipsoid>& ellipsoids) {
+    const TracedCube around = enlargedCube(ellipsoids), core = coreCube(ellipsoids);
+    return kLeastGain * core.edge <= around.edge ? core : around;
+}
+
+GaussianEllipsoid inCube(GaussianEllipsoid ellipsoid, const TracedCube& cube) {
+    for (std::size_t i = 0; i < 3; ++i) ellipsoid.center[i] = (ellipsoid.center[i] - cube.low[i]) / cube.edge;
     for (auto& axis : ellipsoid.half_axes)
-        for (float& each : axis) each /= static_cast<float>(enlargement);
+        for (float& each : axis) each /= static_cast<float>(cube.edge);
     return ellipsoid;
 }
 
@@ -127,14 +170,15 @@ GaussianBuffers decodeGaussians(const pro_gaussians& gaussians, const std::uint3
         }
     });
     buffers.box = boxAround(ellipsoids);
-    buffers.enlargement = enlargementFor(ellipsoids);
+    buffers.cube = cubeFor(ellipsoids);
     for (std::size_t k = 0; k < count; ++k) {
-        ellipsoids[k] = enlarged(ellipsoids[k], buffers.enlargement);
+        ellipsoids[k] = inCube(ellipsoids[k], buffers.cube);
         setRows(ellipsoids[k], buffers.rows[k]);
     }
+    const CubeBox box = boxAround(ellipsoids);
+    for (std::size_t i = 0; i < 3; ++i) buffers.reaches_out |= box.low[i] < 0 || box.high[i] >= 1;
     GaussianTree tree = buildGaussianTree(ellipsoids, kTracedFineness);
     buffers.nodes = nodesOf(tree);
-    buffers.most_listed = mostListed(buffers.nodes);
     buffers.lists = std::move(tree.lists);
     return buffers;
 }

@@ -16,15 +16,21 @@ struct CubeBox {
     std::array<double, 3> low{}, high{};
 };
 
+/// The cube that rows and nodes are in, in units of the file's cube.
+struct TracedCube {
+    std::array<double, 3> low{};
+    double edge = 1;
+};
+
 /// The contents of the buffers.
 struct GaussianBuffers {
     std::vector<gpu::GaussianRows> rows; ///< in the order of the file
     std::vector<gpu::GaussianNode> nodes;
     std::vector<std::uint32_t> lists;
     std::vector<std::uint32_t> harmonics; ///< HARMONIC_TEXELS words of 4 per Gaussian
-    std::uint32_t most_listed = 0;        ///< in the nodes from the root to any leaf, together
     CubeBox box;                          ///< around all that count, which may reach out of the cube
-    double enlargement = 1;               ///< edge of the cube that rows and nodes are in, around the file's cube
+    TracedCube cube;
+    bool reaches_out = false; ///< some that count reach out of it
 };
 
 /// Decodes the sections of a file.

@@ -274,8 +274,8 @@ void reportCoarse(SceneSet& set, double detail, std::uint64_t memory) {
 
 pro_info tracedFrame(const DeviceScan& file) {
     pro_info frame = file.info;
-    for (double& each : frame.origin) each -= 0.5 * (file.enlargement - 1) * frame.scale;
-    frame.scale *= file.enlargement;
+    for (std::size_t i = 0; i < 3; ++i) frame.origin[i] += file.traced_cube.low[i] * frame.scale;
+    frame.scale *= file.traced_cube.edge;
     return frame;
 }
 

@@ -8,9 +8,36 @@
 namespace pointrt {
 namespace {
 
-/// Rounds that composite several instances of Gaussians. Hardly a ray lets light pass behind 640 Gaussians, which is
-/// what so many rounds of WAITING_GAUSSIANS composite.
+/// Rounds that composite Gaussians. Hardly a ray lets light pass behind 640 Gaussians, which is what so many rounds of
+/// WAITING_GAUSSIANS composite, of several instances. Of a single one, lavapipe cuts the loops of a round after 65,535
+/// iterations, some hundreds of Gaussians.
 constexpr std::uint32_t kMostRounds = 64;
+
+/// Rays that a round leaves are listed in the one of these that it does not read.
+constexpr std::uint32_t kRoundLists[] = {LIST_SHADOW_RAYS, LIST_DIRECT_LIGHT};
+
+/// Squared distance from a point of render space to the middle of an instance's cube.
+double squaredDistanceTo(const gpu::InstanceParams& params, const gpu::vec3& point) {
+    const auto coordinate = [&](const gpu::vec4& row) {
+        return double{row.x} * point.x + double{row.y} * point.y + double{row.z} * point.z + row.w - 0.5;
+    };
+    const double x = coordinate(params.row_x), y = coordinate(params.row_y), z = coordinate(params.row_z);
+    return (x * x + y * y + z * z) / (double{params.splat.w} * params.splat.w);
+}
+
+/// The instances of Gaussians, those near the eye first: they soon fill the places of what waits, and the walks of
+/// those behind them end early.
+std::vector<const TracedInstance*> gaussiansFrom(const gpu::vec3& eye, const BandTracer& tracer) {
+    const auto distanceTo = [&](const TracedInstance* each) {
+        return squaredDistanceTo(tracer.scene->instances[each->places.front()].params, eye);
+    };
+    std::vector<const TracedInstance*> gaussians;
+    for (const TracedInstance& each : tracer.instances.each)
+        if (each.is_gaussian) gaussians.push_back(&each);
+    std::stable_sort(gaussians.begin(), gaussians.end(),
+                     [&](const auto* a, const auto* b) { return distanceTo(a) < distanceTo(b); });
+    return gaussians;
+}
 
 } // namespace
 
@@ -18,6 +45,7 @@ SampleRecorder::SampleRecorder(PassCommands& commands, const BandTracer& tracer,
     : commands_(commands), tracer_(tracer), tiles_(tilesOf(sample.width, sample.rows)), sample_(sample.number),
       center_(sample.at_centers ? STEP_CENTER : 0u), preview_(sample.preview ? STEP_PREVIEW : 0u),
       pixel_list_(sample.at_listed_pixels ? STEP_PIXEL_LIST : 0u), has_gaussians_(hasGaussians(*tracer.scene)),
+      gaussians_(gaussiansFrom(sample.params.eye, tracer)),
       stores_first_hits_(sample.at_listed_pixels && sample.first_hits) {}
 
 void SampleRecorder::firstHits() {
@@ -115,36 +143,42 @@ void SampleRecorder::compositeQueued(std::uint32_t bits) {
     compositeGaussians({&InstancePrograms::composite, &InstancePrograms::gather, blend}, bits);
 }
 
-/// The light of Gaussians in front of the closest hits of the current rays, or first hits among them. Those of a single
-/// instance are composited along its walk, those of several in rounds.
+/// The light of Gaussians in front of the closest hits of the current rays. Those of a single instance are composited
+/// along its walk, in further rounds for rays that lavapipe has cut; those of several in rounds.
 void SampleRecorder::compositeGaussians(const GaussianPass& pass, std::uint32_t bits) {
     if (!has_gaussians_) return;
-    if (tracer_.programs.merges_gaussians) {
-        for (std::uint32_t round = 0; round < kMostRounds; ++round) gatherRound(pass, round, bits);
-        return;
-    }
-    for (const TracedInstance& instance : tracer_.instances.each)
-        for (std::uint32_t k = 0; instance.is_gaussian && k < instance.gaussian_runs; ++k)
-            run(instance.programs->*pass.composite, instance.sets,
-                bits | STEP_FIRST | STEP_LAST | (k > 0 ? STEP_RESUME : 0u) |
-                    (k + 1 == instance.gaussian_runs ? STEP_FINAL : 0u),
-                rays_);
+    for (std::uint32_t round = 0; round < kMostRounds; ++round)
+        if (tracer_.programs.merges_gaussians)
+            gatherRound(pass, round, bits);
+        else
+            compositeRound(pass, round, bits);
 }
 
-/// A round of all instances: the current rays, and then those that the round before has listed.
+/// Runs a program in a round: over the current rays, and then those that the round before has listed.
+void SampleRecorder::runRound(const Program& program, const DescriptorSets& sets, std::uint32_t round,
+                              std::uint32_t bits) {
+    const std::uint32_t list = kRoundLists[round % 2];
+    const gpu::PushParams params = pushed(bits | (round > 0 ? STEP_RESUME : 0u), list);
+    commands_.run({program, sets, pushBytes(params), round > 0 ? PassLanes::kList : rays_, 0, list});
+}
+
+/// A round of the only instance of Gaussians. First hits have one: rays end where half of the light is hidden.
+void SampleRecorder::compositeRound(const GaussianPass& pass, std::uint32_t round, std::uint32_t bits) {
+    if (round > 0 && pass.bits & STEP_FIRST_HITS) return;
+    const std::uint32_t final_bit = round + 1 == kMostRounds ? STEP_FINAL : 0u;
+    for (const TracedInstance* instance : gaussians_)
+        runRound(instance->programs->*pass.composite, instance->sets, round, bits | STEP_FIRST | STEP_LAST | final_bit);
+    closeList(kRoundLists[(round + 1) % 2], bits);
+}
+
+/// A round of all instances.
 void SampleRecorder::gatherRound(const GaussianPass& pass, std::uint32_t round, std::uint32_t bits) {
-    const std::uint32_t lists[] = {LIST_SHADOW_RAYS, LIST_DIRECT_LIGHT}, list = lists[round % 2];
-    const auto trace = [&](const Program& program, const DescriptorSets& sets, std::uint32_t more) {
-        const gpu::PushParams params = pushed(bits | more | (round > 0 ? STEP_RESUME : 0u), list);
-        commands_.run({program, sets, pushBytes(params), round > 0 ? PassLanes::kList : rays_, 0, list});
-    };
     bool is_first = true;
-    for (const TracedInstance& instance : tracer_.instances.each)
-        if (instance.is_gaussian)
-            trace(instance.programs->*pass.gather, instance.sets,
-                  pass.bits | (std::exchange(is_first, false) ? STEP_FIRST : 0u));
-    trace(pass.blend, tracer_.instances.sets, round + 1 == kMostRounds ? STEP_FINAL : 0u);
-    closeList(lists[(round + 1) % 2], bits);
+    for (const TracedInstance* instance : gaussians_)
+        runRound(instance->programs->*pass.gather, instance->sets, round,
+                 bits | pass.bits | (std::exchange(is_first, false) ? STEP_FIRST : 0u));
+    runRound(pass.blend, tracer_.instances.sets, round, bits | (round + 1 == kMostRounds ? STEP_FINAL : 0u));
+    closeList(kRoundLists[(round + 1) % 2], bits);
 }
 
 /// Shadows of surfaces on what Gaussians have captured. The shadows among Gaussians are part of that, unless they are
@@ -168,8 +202,7 @@ void SampleRecorder::catchShadows(const Program& query, std::uint32_t bits) {
 /// What Gaussians let pass of the shadow rays of a closed list.
 void SampleRecorder::attenuateShadows(std::uint32_t list, Program InstancePrograms::*program, std::uint32_t bits) {
     if (!has_gaussians_) return;
-    for (const TracedInstance& instance : tracer_.instances.each)
-        if (instance.is_gaussian) runOver(list, instance.programs->*program, instance.sets, bits);
+    for (const TracedInstance* instance : gaussians_) runOver(list, instance->programs->*program, instance->sets, bits);
 }
 
 void SampleRecorder::shadeSurface(const Program& program, std::uint32_t bits) {

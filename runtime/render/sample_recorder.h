@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "runtime/render/band_tracer.h"
 #include "runtime/render/pass_commands.h"
@@ -36,6 +37,8 @@ private:
     void compositeCamera(std::uint32_t bits);
     void compositeQueued(std::uint32_t bits);
     void compositeGaussians(const GaussianPass& pass, std::uint32_t bits);
+    void runRound(const Program& program, const DescriptorSets& sets, std::uint32_t round, std::uint32_t bits);
+    void compositeRound(const GaussianPass& pass, std::uint32_t round, std::uint32_t bits);
     void gatherRound(const GaussianPass& pass, std::uint32_t round, std::uint32_t bits);
     void catchShadows(const Program& query, std::uint32_t bits);
     void attenuateShadows(std::uint32_t list, Program InstancePrograms::*program, std::uint32_t bits);
@@ -59,9 +62,10 @@ private:
     const BandTracer& tracer_;
     std::uint32_t tiles_, sample_, center_, preview_, pixel_list_;
     bool has_gaussians_;
-    bool stores_first_hits_;               ///< of the camera rays that are shaded
-    std::uint32_t first_light_sample_ = 0; ///< of the shadow pass
-    PassLanes rays_ = PassLanes::kPixels;  ///< the rays of the current pass
+    std::vector<const TracedInstance*> gaussians_; ///< instances of them, those near the eye first
+    bool stores_first_hits_;                       ///< of the camera rays that are shaded
+    std::uint32_t first_light_sample_ = 0;         ///< of the shadow pass
+    PassLanes rays_ = PassLanes::kPixels;          ///< the rays of the current pass
 };
 
 } // namespace pointrt

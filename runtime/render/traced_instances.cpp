@@ -24,15 +24,6 @@ void runOver(PassCommands& commands, const Program& program, const DescriptorSet
         commands.run({program, sets, pushBytes(push), PassLanes::kList, 0, rays.list});
 }
 
-/// Runs of composite_gaussians for rays that lavapipe cuts after 65,535 iterations of all loops. A ray through many
-/// Gaussians walks again after each kWaiting of them, and tests all that are listed where it is. Hardly a ray lets
-/// light pass behind 1,000 Gaussians, that is 64 walks; and as a group of 8 lanes takes longer than each of them, half
-/// of the iterations count.
-std::uint32_t gaussianRuns(std::uint32_t most_listed) {
-    constexpr std::uint32_t kWalks = 64, kIterations = 65535 / 2, kMostRuns = 64;
-    return std::min(1 + kWalks * most_listed / kIterations, kMostRuns);
-}
-
 /// Fills instances.
 class InstanceBinder {
 public:
@@ -71,7 +62,6 @@ private:
         single.sets = bind(instance, buffers_.no_cull_boxes);
         single.places = {place};
         single.is_gaussian = file.is_gaussian;
-        single.gaussian_runs = gaussianRuns(file.most_listed);
     }
 
     void addPooled(const PooledGroup& group) {

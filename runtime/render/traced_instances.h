@@ -20,7 +20,6 @@ struct TracedInstance {
     std::vector<std::size_t> places; ///< of the instances among the scene's
     std::uint32_t beams = 1;         ///< per tile of pixels
     bool is_gaussian = false;
-    std::uint32_t gaussian_runs = 1; ///< of composite_gaussians
 };
 
 /// Consecutive instances that rays are culled for together.

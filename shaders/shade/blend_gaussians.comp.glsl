@@ -7,7 +7,6 @@
 #include "shaders/shade/gaussian_composite.glsl"
 #include "shaders/trace/splat.glsl"
 #include "shaders/trace/waiting_gaussians.glsl"
-#include "shaders/lib/append.glsl"
 
 void addWaiting(WaitingGaussian next, inout GaussianLight sum) {
     float passes = sum.light.a, alpha = unpackUnorm2x16(next.blue_opacity).y, added = passes * alpha;
@@ -32,7 +31,7 @@ void main() {
 
     if (!passesLight(sum.light.a)) sum.light.a = 0.0;
     bool more = count == WAITING_GAUSSIANS && sum.light.a > 0.0, goes_on = more && !hasStep(STEP_FINAL);
-    appendEntry(push.list == LIST_DIRECT_LIGHT ? LIST_SHADOW_RAYS : LIST_DIRECT_LIGHT, goes_on, path);
+    listForNextRound(goes_on, path);
     if (!live) return;
     if (more) setLastComposited(path, waiting_gaussians[path].each[WAITING_GAUSSIANS - 1u]);
     if (!goes_on) {

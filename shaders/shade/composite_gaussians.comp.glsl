@@ -60,7 +60,7 @@ vec4 middleOf(GaussianRay ray, GaussianHit hit) {
 
 void main() {
     uint index;
-    PathState path = currentPath(index);
+    PathState path = pathOfRound(index);
     bool live = index != NO_INDEX, enters;
     uvec4 hit = live ? loadHit(index) : kNoHit;
     GaussianRay ray = gaussianRay(path.origin, path.direction, uintBitsToFloat(hit.x) * cubeScale(), enters);
@@ -68,7 +68,6 @@ void main() {
     if (live && (!hasStep(STEP_FIRST) || hasStep(STEP_RESUME))) stored = gaussian_light[index];
     GaussianHit last = GaussianHit(ray.t_min, NO_INDEX, 0.0);
     if (hasStep(STEP_RESUME)) last = GaussianHit(stored.last.x, floatBitsToUint(stored.last.y), 0.0);
-    live = live && last.t < kWalkEnded;
 
     GaussianHits hits = resumeGaussianHits(ray, enters, last);
     Composite sum = Composite(stored.light.rgb, stored.light.a, kNoGaussianHit, kRelights ? stored.last.z : 0.0,
@@ -86,5 +85,6 @@ void main() {
     vec4 seen = vec4(light, sum.transmittance);
     if (complete) seen = surfaceViewOf(seen, middle);
     if (live) gaussian_light[index] = GaussianLight(seen, next, middle);
+    listForNextRound(live && !ends, index);
     if (cut && ends) atomicAdd(control.cut_rays, 1u);
 }

@@ -9,6 +9,7 @@
 #include "shaders/shade/surface_view.glsl"
 #include "shaders/shared/tone_curve.h"
 #include "shaders/trace/gaussian_first_hit.glsl"
+#include "shaders/trace/gaussian_rounds.glsl"
 
 bool passesLight(float transmittance) { return transmittance >= GAUSSIAN_TRANSMITTANCE_MIN; }
 

@@ -7,7 +7,7 @@
 #include "shaders/trace/gaussian_first_hit.glsl"
 #include "shaders/trace/splat.glsl"
 #include "shaders/trace/waiting_gaussians.glsl"
-#include "shaders/lib/append.glsl"
+#include "shaders/trace/gaussian_rounds.glsl"
 
 // Between rounds in GaussianLight: light.x: the most that one Gaussian adds; light.a; last.xyz: the ids of that one.
 void meetWaiting(WaitingGaussian next, inout GaussianLight sum) {
@@ -30,7 +30,7 @@ void main() {
     for (uint k = 0u; k < count && sum.light.a > kHalf; k++) meetWaiting(waiting_gaussians[path].each[k], sum);
 
     bool goes_on = count == WAITING_GAUSSIANS && sum.light.a > kHalf && !hasStep(STEP_FINAL);
-    appendEntry(push.list == LIST_DIRECT_LIGHT ? LIST_SHADOW_RAYS : LIST_DIRECT_LIGHT, goes_on, path);
+    listForNextRound(goes_on, path);
     if (!live) return;
     if (goes_on) setLastComposited(path, waiting_gaussians[path].each[WAITING_GAUSSIANS - 1u]);
     gaussian_light[path] = sum;

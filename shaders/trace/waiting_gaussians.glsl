@@ -5,13 +5,6 @@
 #include "shaders/lib/path.glsl"
 #include "shaders/trace/gaussian_end.glsl"
 
-// The path of a lane in a round: the current rays, and in later rounds those that are listed.
-PathState pathOfRound(out uint index) {
-    if (!hasStep(STEP_RESUME)) return currentPath(index);
-    index = listEntry(balancedLane());
-    return pathOf(index != NO_INDEX ? index : 0u);
-}
-
 uint placeOf(WaitingGaussian waiting) { return waiting.instance & 0xFFFFu; }
 
 // The order along a ray; where peaks coincide that of instances and of their Gaussians.

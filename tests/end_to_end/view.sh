@@ -217,6 +217,18 @@ case_captures_become_discs_on_request() {
     ! pointrt-info discs.pro | grep -q '^Gaussians ' || fail "--splat disc keeps Gaussians"
 }
 
+# Two walls that meet in an upright edge, seen along z.
+case_balls_have_the_up_of_discs() {
+    awk 'BEGIN { srand(1); for (k = 0; k < 8000; ++k) { i = k % 7; u = rand(); foot = 0.1 * (i % 3)
+        y = foot + (1.2 - 0.07 * (i % 4) - foot) * rand(); t = 0.1 * (i + u)
+        print (k % 2 ? t - 0.7 : t), y, (k % 2 ? t : 0.7 - t) } }' >front.xyz
+    local splat
+    for splat in disc ball; do
+        pointrt-bake front.xyz -o $splat.pro --splat $splat 2>log
+        grep -q 'up is a guess: y, as it faces along z' log || fail "of $splat: $(tail -1 log)"
+    done
+}
+
 # The up direction stored in a file, found or guessed by the bake, has the effect of --up. A ball's points tell nothing:
 # z is guessed.
 case_up_directions() {

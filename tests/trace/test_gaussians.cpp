@@ -58,6 +58,28 @@ TEST(Gaussians, RaysThroughThousandsGoOnInFurtherRuns) {
               55); // where thousands are faint, floats end rays one Gaussian sooner or later
 }
 
+TEST(Gaussians, RaysThroughThousandsOfFaintLayersGoOnUntilNothingPasses) {
+    const GaussianFile file(makeGaussians("layers", 3000));
+    const RenderSettings settings = lookingFrom({0.3, 0.2, 4}, {0, 0, 0}, 16);
+    const Rendered rendered = renderScene(sceneOf(file.path), settings);
+    EXPECT_EQ(rendered.rays.cut, 0u);
+    EXPECT_GT(psnrAgainst(
+                  rendered, settings,
+                  [&](Vec3 direction) { return lightOf(compositeAlong(file.scene, rendered.camera.eye, direction)); }),
+              80);
+}
+
+// A sky of a thousand scenes would leave a thin Gaussian half of its deviation.
+TEST(Gaussians, GiantsLeaveFloatsToTheOthers) {
+    const GaussianFile file(makeGaussians("mixed", 4000));
+    const RenderSettings settings = lookingFrom({0, 0, 0.1}, {0, 0, 0});
+    const Rendered rendered = renderScene(sceneOf(file.path), settings);
+    EXPECT_GT(psnrAgainst(
+                  rendered, settings,
+                  [&](Vec3 direction) { return lightOf(compositeAlong(file.scene, rendered.camera.eye, direction)); }),
+              70);
+}
+
 // Training leaves a few that have blown up, and some that have collapsed.
 TEST(Gaussians, OfAnySizeAreKept) {
     for (const double sigma : {1e-30, 1e-19, 1e19, 1e30}) {

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rounds that composite Gaussians: the first one is over the current rays, each further one over those that the round
+// before has listed.
+#ifndef POINTRT_SHADERS_GAUSSIAN_ROUNDS_GLSL
+#define POINTRT_SHADERS_GAUSSIAN_ROUNDS_GLSL
+#include "shaders/lib/append.glsl"
+#include "shaders/lib/path.glsl"
+
+// The path of a lane.
+PathState pathOfRound(out uint index) {
+    if (!hasStep(STEP_RESUME)) return currentPath(index);
+    index = listEntry(balancedLane());
+    return pathOf(index != NO_INDEX ? index : 0u);
+}
+
+// All lanes of the subgroup must call it.
+void listForNextRound(bool goes_on, uint path) {
+    appendEntry(push.list == LIST_DIRECT_LIGHT ? LIST_SHADOW_RAYS : LIST_DIRECT_LIGHT, goes_on, path);
+}
+
+#endif
