@@ -53,8 +53,7 @@ FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, FilmRo
     const std::uint64_t beams = lanes / TILE_PIXELS * (culls ? CULL_INSTANCES : 1); // pooled tiles have one each
     buffers.beams = texels("beam buffer", beams * sizeof(float), VK_FORMAT_R32_SFLOAT, kRead);
     buffers.pixel_list = texels("pixel list", lanes * sizeof(std::uint32_t), VK_FORMAT_R32_UINT, kRead);
-    buffers.surfaces =
-        texels("surface buffer", lanes * sizeof(gpu::SurfaceInteraction), VK_FORMAT_R32G32B32A32_UINT, kRead);
+    buffers.surfaces = texels("surface buffer", lanes * sizeof(gpu::StoredSurface), VK_FORMAT_R32G32B32A32_UINT, kRead);
     buffers.light_queries =
         texels("light query buffer", lanes * sizeof(gpu::DirectLightQuery), VK_FORMAT_R32G32B32A32_UINT, kRead);
     buffers.no_cull_boxes = storage("blank cull boxes", sizeof(gpu::CullBoxes), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);

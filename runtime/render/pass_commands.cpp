@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/render/pass_commands.h"
 
+#include <algorithm>
+#include <cstring>
 #include <ctime>
 #include <utility>
 
@@ -25,6 +27,12 @@ std::size_t groupsOf(PassLanes lanes, std::uint32_t list) {
     default:
         return offsetof(gpu::Control, ray_groups);
     }
+}
+
+std::uint32_t stepOf(const Pass& pass) {
+    gpu::PushParams params{};
+    std::memcpy(&params, pass.push.data(), std::min(pass.push.size(), sizeof params));
+    return params.step;
 }
 
 } // namespace
@@ -124,7 +132,7 @@ void PassCommands::record(const Pass& pass) {
 }
 
 void PassCommands::runAlone(const Pass& pass) {
-    PassRun run{pass.program.name.c_str(), pass.lanes, tiles_, counters_, {}, 0, 0, {}, pass.list};
+    PassRun run{pass.program.name.c_str(), pass.lanes, tiles_, counters_, {}, 0, 0, {}, pass.list, stepOf(pass)};
     const Clock::time_point start = Clock::now();
     const std::clock_t cpu = std::clock();
     commands_ = beginCommands(device_);
@@ -153,8 +161,16 @@ void PassCommands::recordTimed(const Pass& pass) {
     record(pass);
     recordTimerEnd(commands_, timer, range);
     copyCounters(range + 1);
-    timed_.push_back(
-        {pass.program.name.c_str(), pass.lanes, tiles_, {}, {}, millisecondsSince(start), 0, {}, pass.list});
+    timed_.push_back({pass.program.name.c_str(),
+                      pass.lanes,
+                      tiles_,
+                      {},
+                      {},
+                      millisecondsSince(start),
+                      0,
+                      {},
+                      pass.list,
+                      stepOf(pass)});
 }
 
 /// Keeps the counters as they are before the next pass.

@@ -12,7 +12,10 @@ namespace {
 
 constexpr std::uint64_t kWord = sizeof(std::uint32_t), kVector = sizeof(gpu::vec4), kHit = sizeof(gpu::uvec4);
 constexpr std::uint64_t kPath = sizeof(gpu::PathState), kQuery = sizeof(gpu::DirectLightQuery);
-constexpr std::uint64_t kSurface = sizeof(gpu::SurfaceInteraction);
+/// Of a path where the throughput is not needed.
+constexpr std::uint64_t kQueuedRay = kPath - kVector;
+/// Stored, and loaded by what shades it; the hit is loaded and stored.
+constexpr std::uint64_t kSurfaceOfHit = 2 * sizeof(gpu::StoredSurface) + 2 * kHit;
 constexpr std::uint64_t kShadowRay = sizeof(gpu::ShadowRay);
 /// Two of the Gaussians that wait, stored or loaded.
 constexpr std::uint64_t kWaiting = 2 * sizeof(gpu::WaitingGaussian);
@@ -20,21 +23,21 @@ constexpr std::uint64_t kWaiting = 2 * sizeof(gpu::WaitingGaussian);
 constexpr std::uint64_t kAddedLight = 2 * (3 * kWord + kWord);
 
 /// Bytes per lane of a program (see PassTally::bytes), per ray that it queues, and per query or shadow ray that it
-/// appends to LIST_DIRECT_LIGHT.
+/// appends to LIST_DIRECT_LIGHT. direct: more per lane with STEP_DIRECT.
 struct PassBytes {
     const char* program;
-    std::uint64_t bytes, ray = kPath, query = kQuery;
+    std::uint64_t bytes, ray = kPath, query = kQuery, direct = 0;
 };
 
 constexpr PassBytes kPassBytes[] = {
     {"prepare", 2 * sizeof(gpu::Control)},
     {"intersect_shapes (camera)", kHit},
-    {"intersect_shapes", kWord + kPath + kHit},
+    {"intersect_shapes", kWord + kQueuedRay + kHit},
     {"beam", kWord},
     {"intersect_camera", kHit}, // the number and beam of a tile are 1/64 of a word each
-    {"intersect_closest", kWord + kPath + kHit},
-    {"surface (camera)", kWord + kHit + 2 * kSurface}, // stored, and loaded by shade_surface
-    {"surface", kWord + kPath + kHit + 2 * kSurface},
+    {"intersect_closest", kWord + kQueuedRay + kHit},
+    {"surface (camera)", kWord + kSurfaceOfHit},
+    {"surface", kWord + kQueuedRay + kSurfaceOfHit},
     {"composite_gaussians (camera)", kHit + kVector},
     {"composite_gaussians", kWord + kPath + kHit + kVector},
     {"gaussian_first_hits", 2 * FIRST_HIT_VECTORS* kVector},
@@ -58,7 +61,7 @@ constexpr PassBytes kPassBytes[] = {
     {"shade_shadow", kWord + kQuery + kWord + kAddedLight},
     // for one light sample; megakernels that sample every light append queries, which are larger than shadow rays
     {"megakernel (camera)", kHit + 2 * FILM_LAYERS* kVector, kPath + kHit, kShadowRay},
-    {"megakernel", kWord + kPath + kHit + 4 * kVector, kPath + kHit, kShadowRay},
+    {"megakernel", kWord + kPath + kHit + 2 * kVector, kPath + kHit, kShadowRay, 2 * kVector},
     {"intersect_shadow_ray", kWord + kShadowRay + kAddedLight},
     {"cull_closest", kWord + 2 * kVector + kHit + kWord},
     {"cull_shadow", kWord + kQuery + 2 * kWord},
@@ -180,7 +183,7 @@ void addRun(PassProfile& profile, const PassRun& run) {
     tally.device_ms += run.device_ms.value_or(0);
     tally.lanes_in += lanes;
     tally.lanes_out += appended.entries;
-    tally.bytes += lanes * bytes.bytes + appended.bytes;
+    tally.bytes += lanes * (bytes.bytes + (run.step & STEP_DIRECT ? bytes.direct : 0)) + appended.bytes;
 }
 
 HostSpan::HostSpan(PassProfile* profile, const char* name) : profile_(profile), name_(name) {

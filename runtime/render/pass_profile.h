@@ -75,6 +75,7 @@ struct PassRun {
     double host_ms = 0, cpu_ms = 0;
     std::optional<double> device_ms;
     std::uint32_t list = 0; ///< for kList
+    std::uint32_t step = 0; ///< STEP_*
 };
 /// Throws std::logic_error for a program that kPassBytes in pass_profile.cpp lacks.
 void addRun(PassProfile& profile, const PassRun& run);

@@ -104,9 +104,11 @@ void build(Device& device, const Order& order) {
         createProgram(device, order.name, order.spirv, std::span<const SpecConstant>(listed(order.constants)));
 }
 
+bool tracesOneBounce(const Device& device) { return device.type != VK_PHYSICAL_DEVICE_TYPE_CPU; }
+
 Constants constantsFor(const Device& device, const DeviceScene& scene, const RenderSettings& settings) {
     Constants constants;
-    constants.one_bounce = device.type != VK_PHYSICAL_DEVICE_TYPE_CPU;
+    constants.one_bounce = tracesOneBounce(device);
     if (settings.camera.panorama) constants.panorama_eyes = settings.camera.eyes_apart_m > 0 ? 2 : 1;
     constants.sky_image = scene.sky_light != NO_LIGHT;
     constants.integrator = static_cast<std::uint32_t>(settings.integrator);
@@ -356,6 +358,7 @@ Programs createPrograms(Device& device, const DeviceScene& scene, const RenderSe
     programs.has_secondary_rays = (scene.features & FEATURE_SECONDARY_RAYS) != 0;
     programs.has_direct_lighting = castsShadowRays(settings.integrator);
     programs.samples_one_light = samplesOneLight(settings.integrator);
+    programs.one_bounce = tracesOneBounce(device);
     programs.defers_rays = mayDefer(scene, settings.integrator);
     programs.inline_nee = (scene.features & FEATURE_INLINE_NEE) != 0;
     programs.relights = (scene.features & FEATURE_RELIGHT) != 0;

@@ -45,6 +45,7 @@ struct Programs {
     KernelForm form = KernelForm::kWavefront;
     bool has_secondary_rays = true, has_direct_lighting = true; ///< if false, the programs for it are not built
     bool samples_one_light = false;                             ///< at each hit, instead of every light
+    bool one_bounce = false;                                    ///< of a megakernel in each dispatch
     bool defers_rays = false;                                   ///< of surfaces that reflect and refract
     bool inline_nee = false;                                    ///< see FEATURE_INLINE_NEE
     bool relights = false;                                      ///< Gaussians are lit: what catches shadows shades them

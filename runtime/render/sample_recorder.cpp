@@ -83,7 +83,9 @@ void SampleRecorder::pass(std::uint32_t index) {
         intersectClosest(queue);
         compositeQueued(queue);
         catchShadows(programs.query_shadow_catcher, queue);
-        return megakernel(programs.megakernel, queue);
+        // deferred rays have scattered less often than there were passes
+        const bool may_add_direct = index <= 1 || tracer_.programs.defers_rays || !tracer_.programs.one_bounce;
+        return megakernel(programs.megakernel, queue | (may_add_direct ? STEP_DIRECT : 0u));
     }
     run(programs.intersect_shapes, tracer_.instances.sets, queue, rays_);
     closeList(LIST_INSTANCE_RAYS, queue);

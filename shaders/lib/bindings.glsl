@@ -25,8 +25,8 @@ layout(std430, binding = BINDING_CONTROL) buffer ControlBuffer { Control control
 // entries of a list, as long as LIST_SHADOW_RAYS, and the culled lists, CULLED_ENTRIES per path
 layout(std430, binding = BINDING_QUEUES) buffer QueueBuffer { uint queues[]; };
 layout(std430, binding = BINDING_PATHS) buffer PathBuffer { PathState paths[]; };
-// splats, as in TraceHit: t as bits, cell, disc (an index into the listed splats), owner; shapes: t, 0, shape,
-// OWNER_SHAPES
+// splats, as in TraceHit: t as bits, cell, disc (an index into the listed splats), owner; once surface has read that: t,
+// offset radius as bits, splat, owner with the tile above it (HIT_TILE_SHIFT). Shapes: t, 0, shape, OWNER_SHAPES
 layout(rgba32ui, binding = BINDING_HITS) uniform uimageBuffer hit_texels;
 layout(std430, binding = BINDING_LIGHT_QUERIES) buffer LightQueryBuffer { DirectLightQuery light_queries[]; };
 layout(std430, binding = BINDING_FILM) buffer FilmBuffer { vec4 film[]; };
@@ -36,7 +36,7 @@ layout(binding = BINDING_QUEUES_TEXELS) uniform usamplerBuffer queue_words; // v
 // per tile: the free distance of its rays
 layout(std430, binding = BINDING_BEAMS) buffer BeamBuffer { float beams[]; };
 layout(binding = BINDING_BEAMS_TEXELS) uniform samplerBuffer beam_texels; // views beams
-layout(std430, binding = BINDING_SURFACES) buffer SurfaceBuffer { SurfaceInteraction surfaces[]; };
+layout(std430, binding = BINDING_SURFACES) buffer SurfaceBuffer { StoredSurface surfaces[]; };
 // per path: bit i set if light sample i is occluded
 layout(std430, binding = BINDING_LIGHT_MASKS) buffer ShadowBuffer { uint light_masks[]; };
 layout(std430, binding = BINDING_DEFERRED) buffer DeferredBuffer { PathState deferred[]; }; // MAX_DEFERRED per pixel

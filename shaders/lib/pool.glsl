@@ -25,11 +25,12 @@ struct PooledInstance {
 };
 
 PooledInstance instance; // of the lane's tile
-int pooled_row;          // of that tile in the table
+int pooled_row = 0;      // of that tile in the table
 
 uvec4 pooledRow(int row) { return texelFetch(pooled_tiles, pooled_row + row); }
 vec4 pooledVector(int row) { return uintBitsToFloat(pooledRow(row)); }
 
+const int kGridSizeRow = 6, kGridWordsRow = 7, kWordsRow = INSTANCE_VECTORS, kQuadsRow = INSTANCE_VECTORS + 1;
 const int kColorRangeRow = INSTANCE_VECTORS - MAX_CLIP_PLANES - MAX_COLOR_RANGES;
 const int kClipPlaneRow = INSTANCE_VECTORS - MAX_CLIP_PLANES;
 
@@ -37,9 +38,28 @@ const int kClipPlaneRow = INSTANCE_VECTORS - MAX_CLIP_PLANES;
 void selectTile(uint place) {
     pooled_row = int(place) * POOLED_TILE_VECTORS;
     instance = PooledInstance(pooledVector(0), pooledVector(1), pooledVector(2), pooledVector(3), pooledVector(4),
-                              pooledRow(5), pooledRow(6), pooledRow(7), pooledRow(8), pooledVector(9), pooledVector(10),
-                              pooledRow(INSTANCE_VECTORS), pooledRow(INSTANCE_VECTORS + 1),
+                              pooledRow(5), pooledRow(kGridSizeRow), pooledRow(kGridWordsRow), pooledRow(8),
+                              pooledVector(9), pooledVector(10), pooledRow(kWordsRow), pooledRow(kQuadsRow),
                               pooledRow(INSTANCE_VECTORS + 2).x);
+}
+
+// What a lane has of its tile and its ray is loaded again where it is needed: GPUs have more rays under way with the 64
+// registers of a walk than with the 96 that all of it would take in between. Compilers keep what they have loaded from
+// the same place, so the place depends on a row that is never negative, which they do not know.
+uint again(uint index) { return index + (pooled_row < 0 ? 1u : 0u); }
+
+// What the walk needs from cell to cell.
+void reloadGrid() {
+    pooled_row = int(again(uint(pooled_row)));
+    instance.grid_size = pooledRow(kGridSizeRow);
+    instance.grid_words = pooledRow(kGridWordsRow);
+    instance.words = pooledRow(kWordsRow);
+}
+
+// What it needs for the list of a cell.
+void reloadLists() {
+    pooled_row = int(again(uint(pooled_row)));
+    instance.quads = pooledRow(kQuadsRow);
 }
 
 #define loadClipPlane(i) pooledVector(kClipPlaneRow + int(i))

@@ -16,16 +16,22 @@ void accumulateLight(uint path, vec3 light, uint scatterings) {
     film[filmIndex(path, LAYER_INDIRECT)].w += luminance(light);
 }
 
+// Whether paths may change LAYER_DIRECT. The light that reaches those that have scattered more than once is indirect.
+bool mayAddDirect() { return kCameraPass || !kOneBounce || hasStep(STEP_DIRECT); }
+
 // The layers from first on: 0, or FILM_LAYERS for the earlier batches. Without those that only the camera pass changes,
 // or photons.
 PixelSums loadSums(uint path, uint first) {
-    return PixelSums(film[filmIndex(path, first + LAYER_DIRECT)], film[filmIndex(path, first + LAYER_INDIRECT)],
-                     kGathersPhotons || kCameraPass ? film[filmIndex(path, first + LAYER_CAUSTIC)] : vec4(0.0),
-                     kCameraPass ? film[filmIndex(path, first + LAYER_ALBEDO)] : vec4(0.0));
+    PixelSums sums = kNoSums;
+    if (mayAddDirect()) sums.direct = film[filmIndex(path, first + LAYER_DIRECT)];
+    sums.indirect = film[filmIndex(path, first + LAYER_INDIRECT)];
+    if (kGathersPhotons || kCameraPass) sums.caustic = film[filmIndex(path, first + LAYER_CAUSTIC)];
+    if (kCameraPass) sums.albedo = film[filmIndex(path, first + LAYER_ALBEDO)];
+    return sums;
 }
 
 void storeSums(uint path, uint first, PixelSums sums) {
-    film[filmIndex(path, first + LAYER_DIRECT)] = sums.direct;
+    if (mayAddDirect()) film[filmIndex(path, first + LAYER_DIRECT)] = sums.direct;
     film[filmIndex(path, first + LAYER_INDIRECT)] = sums.indirect;
     if (kGathersPhotons || kCameraPass) film[filmIndex(path, first + LAYER_CAUSTIC)] = sums.caustic;
     if (kCameraPass) film[filmIndex(path, first + LAYER_ALBEDO)] = sums.albedo;

@@ -4,11 +4,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/shade/direct_light.glsl"
+#define loadRay(entry) shadowRayOfEntry(entry)
 #include "shaders/shade/occlusion.glsl"
 
 void main() {
     uint entry = listEntry(balancedLane());
     if (entry == NO_INDEX) return;
-    if (isOccluded(shadowRayOfEntry(entry)))
+    if (isOccluded(entry))
         atomicOr(light_masks[pathOfEntry(entry)], 1u << lightSampleOfEntry(entry));
 }

@@ -4,17 +4,18 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/shade/film.glsl"
-#include "shaders/shade/occlusion.glsl"
 #include "shaders/shade/shadow_ray.glsl"
+#define loadRay(path) loadShadowRay(path)
+#include "shaders/shade/occlusion.glsl"
 
 void main() {
     uint path = listEntry(balancedLane());
     if (path == NO_INDEX) return;
-    ShadowRay ray = loadShadowRay(path);
-    bool occluded = isOccluded(ray);
+    bool occluded = isOccluded(path);
     if (!hasStep(STEP_LAST)) {
         if (occluded) shadow_rays[path].t_max = -1.0;
         return;
     }
+    ShadowRay ray = loadShadowRay(again(path));
     if (!occluded && ray.t_max >= 0.0) accumulateLight(path, ray.light, ray.scatterings);
 }

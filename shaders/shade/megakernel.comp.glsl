@@ -98,7 +98,10 @@ void main() {
     bool live = index != NO_INDEX;
     index = live ? index : 0u; // idle lanes take part: appending needs the whole subgroup
     uvec4 hit = live ? loadHit(index) : kNoHit;
-    SurfaceInteraction splats = splatInteraction(index);
+    // on lavapipe a branch would cost as much as what it skips
+    bool on_splats = !kOneBounce || (hit.z != NO_INDEX && hit.w != OWNER_SHAPES);
+    SurfaceInteraction splats = noInteraction();
+    if (on_splats) splats = splatInteraction(index, path, hit);
     PathLoop loop = PathLoop(path, hit, loadSums(index, 0u), live, false, false, 0u, kNoShadow, kNoQuery, 0u, 0u);
     vec4 gaussians = loadGaussianLight(index);
     if (kCameraPass) {

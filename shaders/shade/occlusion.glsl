@@ -15,20 +15,23 @@ bool isOccludedByInstance(ShadowRay ray) {
     return trace(in_cube).disc != NO_INDEX;
 }
 
-// A ray with negative t_max hits nothing.
+// Whether something occludes the ray that the program's loadRay loads by this entry. A ray with negative t_max hits
+// nothing.
 #ifdef POOLED
-bool isOccluded(ShadowRay ray) {
+bool isOccluded(uint entry) {
+    ShadowRay ray = loadRay(entry);
     uint tiles = ray.t_max >= 0.0 ? cullMask(cullRay(ray.origin, ray.direction, ray.t_max)) : 0u;
     bool occluded = false;
     while (tiles != 0u) {
         selectTile(uint(findLSB(tiles)));
-        occluded = isOccludedByInstance(ray);
+        occluded = isOccludedByInstance(loadRay(again(entry)));
         tiles = occluded ? 0u : tiles & (tiles - 1u);
     }
     return occluded;
 }
 #else
-bool isOccluded(ShadowRay ray) { return isOccludedByInstance(ray); }
+#define again(entry) entry
+bool isOccluded(uint entry) { return isOccludedByInstance(loadRay(entry)); }
 #endif
 
 #endif

@@ -194,20 +194,14 @@ struct PathState {
 // Most deferred rays of a pixel: the second rays of reflection and refraction pairs, traced later.
 #define MAX_DEFERRED 2u
 
-// A ray's hit as shading sees it. Hits of splats are stored between two dispatches.
-struct SurfaceInteraction {
-    vec3 position;
-    float radius; // mean radius of the blended splats, larger if they are noisy (offsetRadius); 0 on shapes
-    vec3 normal;  // facing the viewer
-    uint bits;    // material and SURFACE_*
-    vec3 albedo;  // linear
-    float t;      // along the ray; negative: a miss
-    uint owner;
-    uint primitive; // splat, or shape
-    uint tile;      // 1 + number of the splat's tile in its set; 0: not in a set
-    uint unused;
+// What surface stores of a hit on splats, beside the words of hit_texels (shaders/trace/surface_interaction.glsl).
+struct StoredSurface {
+    vec3 normal; // facing the viewer
+    uint bits;   // material and SURFACE_*
+    vec3 albedo; // linear
+    float t;     // along the ray, of the blended surface
 };
-#define SURFACE_VECTORS 4
+#define SURFACE_VECTORS 2
 #define SURFACE_MATERIAL_MASK 0xFFFFFFu
 #define SURFACE_SELF_REACH_SHIFT                                                                                       \
     24u // longest self-intersection distance of rays that leave it (shaders/trace/offset.glsl)
@@ -219,7 +213,7 @@ struct SurfaceInteraction {
 // A surface point that needs direct light: the input of next event estimation.
 struct DirectLightQuery {
     vec3 position;
-    float radius;  // of the SurfaceInteraction
+    float radius;  // of the SurfaceInteraction (shaders/trace/surface_interaction.glsl)
     vec3 normal;   // facing the viewer
     uint material; // and the surface's SURFACE_SELF_REACH bits
     vec3 albedo;
@@ -283,10 +277,10 @@ struct PushParams {
 #define STEP_FINAL 4096u      // composite_gaussians: no run of this instance follows; blend_gaussians: no round follows
 #define STEP_FIRST_HITS 8192u // gather_gaussians: for first hits, not for light
 #define STEP_COUNT_HITS 16384u // intersect_closest: count the hits on each pooled tile
+#define STEP_DIRECT 32768u // megakernel with one bounce: some paths have scattered once only, whose light may be direct
 
 // hit_texels, pooled tiles: the tile's place among those of its program, above the owner, until surface has read it.
 #define HIT_PLACE_SHIFT 8u
-#define HIT_OWNER_MASK 0xFFu
 
 // An entry of LIST_SHADOW_RAYS: the path, and above it the index of its light sample.
 #define SHADOW_RAY_LIGHT_SHIFT 27u
@@ -310,8 +304,7 @@ static_assert(sizeof(WaitingGaussians) == 256);
 POINTRT_ROWS(CullBoxes, 4 + CULL_INSTANCES / 2);
 POINTRT_ROWS(PathState, PATH_VECTORS);
 POINTRT_ROW(PathState, self_normal);
-POINTRT_ROWS(SurfaceInteraction, SURFACE_VECTORS);
-POINTRT_ROW(SurfaceInteraction, owner);
+POINTRT_ROWS(StoredSurface, SURFACE_VECTORS);
 POINTRT_ROWS(DirectLightQuery, LIGHT_QUERY_VECTORS);
 POINTRT_ROW(DirectLightQuery, view);
 POINTRT_ROWS(ShadowRay, SHADOW_RAY_VECTORS);

@@ -14,20 +14,20 @@
 #include "shaders/trace/pool_beam.glsl"
 #include "shaders/trace/pool_hit.glsl"
 
-// tile: of the picture.
-PooledHit closestInTiles(CameraRay ray, uint tile, bool live, uvec4 hit) {
-    PooledHit closest = PooledHit(hit, false);
+// tile, pixel: the path's tile of the picture, and its pixel there.
+bool hitsInTiles(uint path, uint tile, uint pixel, bool live) {
+    ClosestHit closest = closestBefore(path);
     uint tiles = live ? beamMask(tile) : 0u;
     while (tiles != 0u) {
-        uint place = uint(findLSB(tiles));
-        tiles &= tiles - 1u;
+        uint place = firstTile(tiles);
         selectTile(place);
-        takeHit(place,
-                trace(TraceRay(cubePoint(ray.origin), cubeDirection(ray.direction), loadBeam(beamPlace(tile, place)),
-                               maxDistance(closest), vec3(0.0), 0.0)),
-                closest);
+        CameraRay ray = cameraRay(tilePixel(tile, again(pixel)));
+        TraceRay in_cube = TraceRay(cubePoint(ray.origin), cubeDirection(ray.direction), loadBeam(beamPlace(tile, place)),
+                                    closest.t * cubeScale(), vec3(0.0), 0.0);
+        takeHit(path, tiles, trace(in_cube), closest);
+        tiles &= tiles - 1u;
     }
-    return closest;
+    return closest.found;
 }
 #endif
 
@@ -37,11 +37,10 @@ void main() {
     uint tile = loadQueue(queued ? lane / TILE_PIXELS : 0u), index = tile * TILE_PIXELS + lane % TILE_PIXELS;
     bool live = queued && isPixel(index);
     index = live ? index : 0u; // idle lanes take part: appending needs the whole subgroup
-    CameraRay ray = cameraRay(tilePixel(tile, lane % TILE_PIXELS));
 #ifdef POOLED
-    PooledHit closest = closestInTiles(ray, tile, live, loadHit(index));
-    storeHit(closest.found, index, closest.words);
+    appendEntry(APPEND_HIT, hitsInTiles(index, tile, lane % TILE_PIXELS, live), index);
 #else
+    CameraRay ray = cameraRay(tilePixel(tile, lane % TILE_PIXELS));
     storeHit(live, index, trace(TraceRay(cubePoint(ray.origin), cubeDirection(ray.direction), loadBeam(tile),
                                          live ? maxDistance(index) : -1.0, vec3(0.0), 0.0)));
 #endif

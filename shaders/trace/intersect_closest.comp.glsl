@@ -10,17 +10,16 @@
 #include "shaders/trace/cull.glsl"
 #include "shaders/trace/pool_hit.glsl"
 
-PooledHit closestInTiles(uint path, bool live) {
+bool hitsInTiles(uint path, bool live) {
     QueuedRay ray = queuedRay(path);
-    PooledHit closest = PooledHit(loadHit(path), false);
-    uint tiles = live ? cullMask(cullRay(ray.origin, ray.direction, uintBitsToFloat(closest.words.x))) : 0u;
+    ClosestHit closest = closestBefore(path);
+    uint tiles = live ? cullMask(cullRay(ray.origin, ray.direction, closest.t)) : 0u;
     while (tiles != 0u) {
-        uint place = uint(findLSB(tiles));
+        selectTile(firstTile(tiles));
+        takeHit(path, tiles, tracePath(again(path), closest.t * cubeScale()), closest);
         tiles &= tiles - 1u;
-        selectTile(place);
-        takeHit(place, traceQueued(ray, maxDistance(closest)), closest);
     }
-    return closest;
+    return closest.found;
 }
 #endif
 
@@ -29,8 +28,7 @@ void main() {
     bool live = path != NO_INDEX; // idle lanes take part: appending to the hit list needs the whole subgroup
     path = live ? path : 0u;
 #ifdef POOLED
-    PooledHit closest = closestInTiles(path, live);
-    storeHit(closest.found, path, closest.words);
+    appendEntry(APPEND_HIT, hitsInTiles(path, live), path);
 #else
     storeHit(live, path, tracePath(path, live ? maxDistance(path) : -1.0));
 #endif

@@ -4,23 +4,27 @@
 #ifndef POINTRT_SHADERS_POOL_HIT_GLSL
 #define POINTRT_SHADERS_POOL_HIT_GLSL
 
-// The closest hit so far, encoded as in hit_texels.
-struct PooledHit {
-    uvec4 words;
+// The closest hit of a path so far, which is stored at once.
+struct ClosestHit {
+    float t;    // render units
     bool found; // in one of these tiles
 };
 
-// t_max of the ray in the cube of the selected tile.
-float maxDistance(PooledHit closest) { return uintBitsToFloat(closest.words.x) * cubeScale(); }
+ClosestHit closestBefore(uint path) { return ClosestHit(uintBitsToFloat(loadHit(path).x), false); }
 
-// Takes a hit in the selected tile if there is one. Counts it as dispatches for each tile would: a nearer hit in a later
-// tile does not take it back.
-void takeHit(uint place, TraceHit hit, inout PooledHit closest) {
-    bool hits = hit.disc != NO_INDEX;
+// The first one of the tiles in a mask, as a place among those of the program.
+uint firstTile(uint tiles) { return uint(findLSB(tiles)); }
+
+// Takes a hit in the first tile of the mask if there is one. Counts it as dispatches for each tile would: a nearer hit in
+// a later tile does not take it back.
+void takeHit(uint path, uint tiles, TraceHit hit, inout ClosestHit closest) {
+    if (hit.disc == NO_INDEX) return;
+    uint place = again(firstTile(tiles));
+    selectTile(place);
     uvec4 words = storedHit(hit) | uvec4(0u, 0u, 0u, place << HIT_PLACE_SHIFT);
-    closest.words = hits ? words : closest.words;
-    closest.found = closest.found || hits;
-    if (hits && hasStep(STEP_COUNT_HITS)) atomicAdd(control.lists[LIST_CULLED + place].hits, 1u);
+    imageStore(hit_texels, int(path), words);
+    closest = ClosestHit(uintBitsToFloat(words.x), true);
+    if (hasStep(STEP_COUNT_HITS)) atomicAdd(control.lists[LIST_CULLED + place].hits, 1u);
 }
 
 #endif

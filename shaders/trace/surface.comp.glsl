@@ -7,6 +7,7 @@
 #include "shaders/trace/blend.glsl"
 #include "shaders/trace/offset.glsl"
 #include "shaders/lib/color.glsl"
+#include "shaders/shared/film_parts.h"
 
 bool between(vec3 v, uint low, uint high) {
     // stored colours have 256 steps, blended ones are continuous: half a step of tolerance
@@ -36,6 +37,7 @@ void main() {
     selectTile(hit.w >> HIT_PLACE_SHIFT);
     hit.w &= HIT_OWNER_MASK;
 #endif
+    uint t_hit = hit.x; // which further instances compare with theirs
     hit.x = floatBitsToUint(uintBitsToFloat(hit.x) * cubeScale());
     BlendedSurface surface = surfaceAt(cubePoint(path.origin), cubeDirection(path.direction), path.self_t * cubeScale(), hit,
                                        isSeen(path.bits));
@@ -48,7 +50,9 @@ void main() {
     uint reach = 0u;
     float radius = surface.radius * instance.core_high.w;
     if (kNoisy) radius = offsetRadius(radius, surface.noise, reach);
-    surfaces[index] = SurfaceInteraction(path.origin + t * path.direction, radius / cubeScale(),
-                                         renderDirection(surface.normal), material | sides | casts | reach, albedo, t,
-                                         hit.w, surface.splat, instance.grid_origin.w, 0u);
+    surfaces[index] =
+        StoredSurface(renderDirection(surface.normal), material | sides | casts | reach, albedo, t);
+    imageStore(hit_texels, int(index),
+               uvec4(t_hit, floatBitsToUint(radius / cubeScale()), surface.splat,
+                     hit.w | instance.grid_origin.w << HIT_TILE_SHIFT));
 }

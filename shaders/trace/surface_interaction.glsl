@@ -4,6 +4,20 @@
 #define POINTRT_SHADERS_SURFACE_INTERACTION_GLSL
 #include "shaders/lib/path.glsl"
 #include "shaders/trace/shapes.glsl"
+#include "shaders/shared/film_parts.h"
+
+// A ray's hit as shading sees it.
+struct SurfaceInteraction {
+    vec3 position;
+    float radius; // mean radius of the blended splats, larger if they are noisy (offsetRadius); 0 on shapes
+    vec3 normal;  // facing the viewer
+    uint bits;    // material and SURFACE_*
+    vec3 albedo;  // linear
+    float t;      // along the ray; negative: a miss
+    uint owner;
+    uint primitive; // splat, or shape
+    uint tile;      // 1 + number of the splat's tile in its set; 0: not in a set
+};
 
 uint materialOf(SurfaceInteraction point) { return point.bits & SURFACE_MATERIAL_MASK; }
 bool isBack(SurfaceInteraction point) { return (point.bits & SURFACE_BACK) != 0u; }
@@ -16,7 +30,7 @@ void resolveSides(inout SurfaceInteraction point, PathState path) {
 }
 
 SurfaceInteraction noInteraction() {
-    return SurfaceInteraction(vec3(0.0), 0.0, vec3(0.0), SURFACE_SIDED, vec3(0.0), -1.0, NO_OWNER, NO_INDEX, 0u, 0u);
+    return SurfaceInteraction(vec3(0.0), 0.0, vec3(0.0), SURFACE_SIDED, vec3(0.0), -1.0, NO_OWNER, NO_INDEX, 0u);
 }
 
 SurfaceInteraction shapeInteraction(PathState path, uvec4 hit) {
@@ -28,21 +42,21 @@ SurfaceInteraction shapeInteraction(PathState path, uvec4 hit) {
     bool casts = (shape.kind.z & SHAPE_CASTS_CAUSTICS) != 0u;
     uint bits = shape.kind.y | SURFACE_SIDED | (back ? SURFACE_BACK : 0u) | (casts ? SURFACE_CASTS : 0u);
     return SurfaceInteraction(position, 0.0, normal, bits, loadMaterial(shape.kind.y).base.rgb, t, OWNER_SHAPES, hit.z,
-                              0u, 0u);
+                              0u);
 }
 
-// The interaction that surface.comp.glsl has stored.
-SurfaceInteraction splatInteraction(uint index) {
-    uvec4 position = loadSurfaceTexel(index, 0), normal = loadSurfaceTexel(index, 1),
-          albedo = loadSurfaceTexel(index, 2), ids = loadSurfaceTexel(index, 3);
-    return SurfaceInteraction(asVector(position), asFloat(position.w), asVector(normal), normal.w, asVector(albedo),
-                              asFloat(albedo.w), ids.x, ids.y, ids.z, 0u);
+// The interaction at a hit on splats, of which surface.comp.glsl has stored a part.
+SurfaceInteraction splatInteraction(uint index, PathState path, uvec4 hit) {
+    uvec4 normal = loadSurfaceTexel(index, 0), albedo = loadSurfaceTexel(index, 1);
+    float t = asFloat(albedo.w);
+    return SurfaceInteraction(path.origin + t * path.direction, asFloat(hit.y), asVector(normal), normal.w,
+                              asVector(albedo), t, hit.w & HIT_OWNER_MASK, hit.z, hit.w >> HIT_TILE_SHIFT);
 }
 
 SurfaceInteraction findInteraction(uint index, PathState path, uvec4 hit) {
     if (hit.z == NO_INDEX) return noInteraction();
     if (hit.w == OWNER_SHAPES) return shapeInteraction(path, hit);
-    return splatInteraction(index);
+    return splatInteraction(index, path, hit);
 }
 
 // Whether a hit is on the surroundings of the scene: a studio's floor, a room.

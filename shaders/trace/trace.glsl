@@ -295,7 +295,14 @@ TraceHit trace(TraceRay given) {
 #else
     uint steps = 0u;
     do {
+#ifdef POOLED
+        reloadGrid();
+        grid = loadGridFrame();
+#endif
         Visit visit = nextVisit(walk, grid, t_end);
+#ifdef POOLED
+        reloadLists();
+#endif
         testCell(walk, visit, ray, t_start, hit);
         t_end = hit.t < t_end ? hit.t : t_end;
 #ifdef ANY_HIT

@@ -90,7 +90,7 @@ struct RayCaster::State {
             texels("beam buffer", (rays + TILE_PIXELS - 1) / TILE_PIXELS * sizeof(float), VK_FORMAT_R32_SFLOAT);
         buffers.film = storage("film buffer", rays * sizeof(gpu::vec4));
         buffers.first_hits = storage("first hit buffer", rays * sizeof(gpu::vec4));
-        buffers.surfaces = texels("surface buffer", sizeof(gpu::SurfaceInteraction), VK_FORMAT_R32G32B32A32_UINT);
+        buffers.surfaces = texels("surface buffer", sizeof(gpu::StoredSurface), VK_FORMAT_R32G32B32A32_UINT);
         buffers.light_queries =
             texels("light query buffer", sizeof(gpu::DirectLightQuery), VK_FORMAT_R32G32B32A32_UINT);
         buffers.light_masks = storage("light mask buffer", rays * sizeof(std::uint32_t));

@@ -5,6 +5,7 @@
 // POINTRT_LAYER_LIMITS=NAME=N,...            smaller limits: members of VkPhysicalDeviceLimits (setLimit)
 // POINTRT_LAYER_SUBGROUPS=N                  subgroups of N lanes, and of 32 to N for programs that ask for them
 // POINTRT_LAYER_SUBMIT_US=N, POINTRT_LAYER_ALLOCATE_US=N    latency added to each submission and allocation
+// POINTRT_LAYER_FASTER=N                     by its own clock the device takes an N-th of the time
 // POINTRT_LAYER_LOST_AT=N                    the N-th submission to a device and all after it lose the device
 // POINTRT_LAYER_LOST_DEVICES=N               only the first N devices of the process are lost
 // POINTRT_LAYER_BUDGET=N                     bytes of the heap that VK_EXT_memory_budget allows; half are in use

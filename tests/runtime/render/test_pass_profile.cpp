@@ -109,12 +109,25 @@ TEST(PassProfile, CountsBytesByLanesAndEntries) {
     const PassTally& trace = profile.passes.front();
     EXPECT_EQ(trace.lanes_in, 100u);
     EXPECT_EQ(trace.lanes_out, 10u);
-    // read: a word of the list, a path of four vectors, and the previous hit; written: a word and a vector per hit
-    EXPECT_EQ(trace.bytes, 100u * (4 + 64 + 16) + 10u * (4 + 16));
+    // read: a word of the list, three vectors of the path, and the previous hit; written: a word and a vector per hit
+    EXPECT_EQ(trace.bytes, 100u * (4 + 48 + 16) + 10u * (4 + 16));
     EXPECT_EQ(trace.host_ms, 3);
     EXPECT_EQ(trace.cpu_ms, 6);
     EXPECT_EQ(trace.device_ms, 2);
     EXPECT_THROW(addRun(profile, {"unheard of", PassLanes::kOne, 0, {}, {}, 0, 0, {}}), std::logic_error);
+}
+
+// After the first bounce, megakernels of one bounce leave the film's direct layer alone.
+TEST(PassProfile, CountsTheDirectLayerWhereLightMayBeDirect) {
+    for (const std::uint32_t step : {0u, STEP_DIRECT}) {
+        PassProfile profile;
+        PassRun run{"megakernel", PassLanes::kQueueZero, 4, {}, {}, 1, 0, {}};
+        run.before.queued[0] = run.after.queued[0] = 100;
+        run.step = step;
+        addRun(profile, run);
+        // read: a word of the queue, the path, its hit; read and written: a layer of the film, or two
+        EXPECT_EQ(profile.passes.front().bytes, 100u * (4 + 64 + 16 + (step ? 64 : 32)));
+    }
 }
 
 TEST(PassProfile, EmptyingListsIsNotOutput) {
