@@ -32,7 +32,7 @@ quiet() { "$@" >"$work/log" 2>&1 || die "$(cat "$work/log")"; }
 
 quiet python3 -m venv "$work/maker"
 maker=$work/maker/bin
-quiet "$maker/pip" install 'scikit-build-core>=0.11' 'nanobind>=2.4'
+quiet "$maker/pip" install 'scikit-build-core>=0.11' 'nanobind>=2.4' wheel
 quiet python3 -m zipfile -e "$linux_wheel" "$work/linux"
 quiet cmake --install "$build" --prefix "$work/prefix" --component dev
 copyLicences "$work/licences" libcli11-dev libfmt-dev libpng-dev libproj-dev libtinyexr-dev libtomlplusplus-dev \
@@ -44,7 +44,11 @@ settings=(CMAKE_TOOLCHAIN_FILE="$PWD/cmake/mingw-w64.cmake" CMAKE_CXX_FLAGS="$pa
     POINTRT_WINDOWS_LIBRARIES="$build/libraries" POINTRT_WINDOWS_PYTHON="$python" POINTRT_STUB="$work/linux/pointrt/_core.pyi"
     POINTRT_LICENCES="$work/licences" pointrt_DIR="$work/prefix/lib/cmake/pointrt"
     nanobind_DIR="$("$maker/python" -m nanobind --cmake_dir)")
-PATH=$maker:$PATH quiet "$maker/pip" wheel "$PWD/python" --no-build-isolation --no-deps -w "$build/packages" \
+PATH=$maker:$PATH quiet "$maker/pip" wheel "$PWD/python" --no-build-isolation --no-deps -w "$work/wheels" \
     -C build-dir="$work/build" -C build.targets=_core -C wheel.tags=cp312-abi3-win_amd64 "${settings[@]/#/-Ccmake.define.}" "${@:4}"
+# packed again, since scikit-build-core takes files of metadata in the order of the file system
+quiet "$maker/wheel" unpack -d "$work/unpacked" "$work/wheels"/*.whl
+mkdir -p "$build/packages"
+quiet "$maker/wheel" pack -d "$build/packages" "$work/unpacked/pointrt-$version"
 wheel=$build/packages/pointrt-$version-cp312-abi3-win_amd64.whl
 say "wheel: $wheel, $(du -h "$wheel" | cut -f1)"
