@@ -29,7 +29,10 @@ x86_64-w64-mingw32-nm python/libs/python3.lib 2>/dev/null | sed -n 's/.* I __imp
 x86_64-w64-mingw32-gcc-posix -shared -nostdlib -Wl,--entry=0 python3.def -o python/python3.dll
 for package in packages/*.whl; do python3 -m zipfile -e "$package" python/lib/site-packages; done
 # here, there ARGUMENT...: runs Python of either system. In Wine 8, Python takes pipes for standard streams, but no files.
-export PYTHONDONTWRITEBYTECODE=1
+# A temporary folder of their own: in Wine, links are folders, and pytest deletes all that is in its older folders, which
+# would follow those that tests of this system have left.
+mkdir temporary
+export PYTHONDONTWRITEBYTECODE=1 TMPDIR=$work/temporary
 here() { linux/bin/python "$@"; }
 there() { WINEDLLOVERRIDES='ucrtbase=n,b;winedbg.exe=d' wine python/python.exe "$@" </dev/null 2>&1 | cat; }
 
