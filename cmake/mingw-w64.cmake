@@ -18,6 +18,7 @@ endforeach()
 set(ENV{PKG_CONFIG_LIBDIR} ${POINTRT_WINDOWS_LIBRARIES}/lib/pkgconfig) # not this system's
 set(ZLIB_USE_STATIC_LIBS ON)
 # -static: GCC's libraries, and winpthreads. Stacks of 8 MiB, as Linux gives threads; the linker's default is 2. Programs
-# have no date.
+# and libraries have no date.
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-static -Wl,--stack,8388608 -Wl,--no-insert-timestamp")
 set(CMAKE_SHARED_LINKER_FLAGS_INIT -Wl,--no-insert-timestamp)
+set(CMAKE_MODULE_LINKER_FLAGS_INIT "-static -Wl,--no-insert-timestamp")

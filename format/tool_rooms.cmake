@@ -12,7 +12,7 @@ target_link_libraries(pointrt_os PRIVATE ${CMAKE_DL_LIBS})
 target_compile_options(pointrt_os PRIVATE -Wconversion)
 if(WIN32)
   # Names of files are UTF-8 in all programs: by their manifest (WindowsResources), and by utf8_names_windows.cpp.
-  target_link_options(pointrt_os INTERFACE -Wl,--wrap=mbrtowc -Wl,-u,__wrap_mbrtowc)
+  target_link_options(pointrt_os INTERFACE -Wl,--wrap=mbrtowc,--wrap=fopen,--wrap=fopen64,-u,__wrap_mbrtowc)
   target_link_libraries(pointrt_os PRIVATE psapi)
 endif()
 

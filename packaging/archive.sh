@@ -17,3 +17,15 @@ installTree() {
         cmake --install "$1" --prefix "$tree" --component $component --strip >"$work/log" || die "$(tail -1 "$work/log")"
     done
 }
+
+# copyLicences FOLDER PACKAGE...: copies the licences of packages, which may be unpacked and not installed, into a folder.
+copyLicences() {
+    local folder=$1 package copyright
+    shift
+    mkdir -p "$folder"
+    for package in "$@"; do
+        copyright=/usr/share/doc/$package/copyright
+        [ -e "$copyright" ] || copyright=build/headers$copyright
+        cp -L "$copyright" "$folder/$package.copyright"
+    done
+}

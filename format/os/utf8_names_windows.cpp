@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// std::filesystem::path of libstdc++ makes names in bytes wide by the C library's mbrtowc. That of msvcrt.dll knows no
-// UTF-8, whatever the code page of the process; this one knows nothing else. The linker gives it to who calls mbrtowc
-// (--wrap): libstdc++ also links others of msvcrt's functions, which bring msvcrt's own mbrtowc.
+// Names of files are UTF-8 in the C library's functions, too. The linker gives these to who calls those of msvcrt.dll
+// (--wrap): libstdc++ and libpng among them, which are linked statically.
+// - mbrtowc, by which std::filesystem::path of libstdc++ makes names in bytes wide, knows no UTF-8 in msvcrt.dll,
+//   whatever the code page of the process.
+// - fopen takes names in the code page of the process. The tools' manifest sets that to UTF-8, but a library has the
+// code
+//   page of the program that loads it: Python's is the system's.
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cwchar>
 #include <string>
 
@@ -40,3 +45,10 @@ extern "C" std::size_t __wrap_mbrtowc(wchar_t* to, const char* from, std::size_t
     if (to) *to = unit;
     return unit == 0 ? 0 : read;
 }
+
+extern "C" std::FILE* __wrap_fopen(const char* path, const char* mode) {
+    return _wfopen(pointrt::format::widePath(path).c_str(), pointrt::format::widePath(mode).c_str());
+}
+
+/// libstdc++'s name for it.
+extern "C" std::FILE* __wrap_fopen64(const char* path, const char* mode) { return __wrap_fopen(path, mode); }

@@ -24,16 +24,11 @@ installTree "$build" "$name"
 rm -rf "$tree/share/mime" "$tree/share/applications" "$tree/share/icons" "$tree/share/thumbnailers" # of Linux's desktops
 
 # what the programs are linked with
-mkdir -p "$tree/share/doc/pointrt/libraries"
 boost=$(dpkg-query -S /usr/include/boost/version.hpp | cut -d: -f1)
-for package in "$boost" libbrotli-dev libbz2-dev libc6 libcgal-dev libcli11-dev libdraco-dev libeigen3-dev libflann-dev \
-    libfmt-dev libglfw3-dev libimgui-dev libjpeg62-turbo-dev liblerc-dev liblz4-dev libpcl-dev libpng-dev libproj-dev \
-    libstb-dev libtbb-dev libtiff-dev libtinyexr-dev libtomlplusplus-dev libvulkan-dev libwebp-dev libxxhash-dev \
-    libz-mingw-w64-dev libzstd-dev nlohmann-json3-dev; do
-    copyright=/usr/share/doc/$package/copyright
-    [ -e "$copyright" ] || copyright=build/headers$copyright # unpacked, not installed
-    cp -L "$copyright" "$tree/share/doc/pointrt/libraries/$package.copyright"
-done
+copyLicences "$tree/share/doc/pointrt/libraries" "$boost" libbrotli-dev libbz2-dev libc6 libcgal-dev libcli11-dev \
+    libdraco-dev libeigen3-dev libflann-dev libfmt-dev libglfw3-dev libimgui-dev libjpeg62-turbo-dev liblerc-dev liblz4-dev \
+    libpcl-dev libpng-dev libproj-dev libstb-dev libtbb-dev libtiff-dev libtinyexr-dev libtomlplusplus-dev libvulkan-dev \
+    libwebp-dev libxxhash-dev libz-mingw-w64-dev libzstd-dev nlohmann-json3-dev
 
 out=$build/packages
 mkdir -p "$out"

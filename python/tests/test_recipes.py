@@ -4,14 +4,17 @@ import os
 import pathlib
 import re
 import subprocess
+import sys
 
 import numpy as np
 import pytest
 
 import pointrt
 
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="the recipes are commands of a Unix shell")
+
 DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
-SECTIONS = dict(re.findall(r"^## (.+?)\n(.*?)(?=^## |\Z)", (DOCS / "RECIPES.md").read_text(), re.M | re.S))
+SECTIONS = dict(re.findall(r"^## (.+?)\n(.*?)(?=^## |\Z)", (DOCS / "RECIPES.md").read_text("utf-8"), re.M | re.S))
 CODE = re.compile(r"^```(\w*)\n(.*?)^```$", re.M | re.S)
 
 #: Checks of the snippets' results.

@@ -56,8 +56,8 @@ def test_hits_are_the_same_in_any_memory(hills_in_tiles):
 
 def test_scene_files(field, tmp_path):
     (tmp_path / "scene.toml").write_text(
-        f'[[instance]]\nfile = "{field}"\n'
-        f'[[instance]]\nfile = "{field}"\ntranslate = [0, 0, 5]\n'
+        f"[[instance]]\nfile = '{field}'\n"
+        f"[[instance]]\nfile = '{field}'\ntranslate = [0, 0, 5]\n"
         f'[[shape]]\ntype = "plane"\npoint = [0, 0, 20]\nnormal = [0, 0, 1]\nmaterial = "ground"\n'
         f'[material.ground]\ncolor = [1, 1, 1]\n')
     scene = pointrt.Scene(tmp_path / "scene.toml")
@@ -73,7 +73,7 @@ def test_scene_files(field, tmp_path):
 
 
 def test_a_set_that_lacks_a_tile(hills_in_tiles, tmp_path):
-    copy = pathlib.Path(shutil.copytree(hills_in_tiles, tmp_path / "copy.proset"))
+    copy = pathlib.Path(shutil.copytree(hills_in_tiles, tmp_path / "copy.proset", copy_function=shutil.copyfile))
     tile = copy / originals_of(copy)[0]["file"]
     tile.unlink()
     with pytest.raises(pointrt.Error, match=f"{tile.name}: No such file"):

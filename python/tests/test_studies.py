@@ -75,7 +75,7 @@ def test_studies_of_a_set_match_one_file(hills, hills_in_tiles):
 
 
 def test_studies_use_placed_instances(field, tmp_path):
-    (tmp_path / "two.toml").write_text(f'[[instance]]\nfile = "{field}"\n[[instance]]\nfile = "{field}"\n'
+    (tmp_path / "two.toml").write_text(f"[[instance]]\nfile = '{field}'\n[[instance]]\nfile = '{field}'\n"
                                        'translate = [0, 0, 5]\n')
     scene = pointrt.Scene(tmp_path / "two.toml")
     (points,) = scene.points()

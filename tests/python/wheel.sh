@@ -4,6 +4,7 @@
 # package's tests, the example of its README and docs/examples/minimal.py. Skips, with the reason, where packages cannot
 # be downloaded.
 # usage: wheel.sh REPOSITORY BUILD_FOLDER
+# Leaves the wheel in BUILD_FOLDER/wheels.
 set -euo pipefail
 repository=$1 build=$2
 work=$(mktemp -d)
@@ -38,6 +39,10 @@ quiet install cmake --install "$build" --prefix "$work/prefix"
 CMAKE_PREFIX_PATH=$work/prefix PATH=$work/env_maker/bin:$PATH pip maker wheel "$repository/python" \
     --no-build-isolation --no-deps -w "$work/wheels" -C cmake.define.CMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG"
 wheel=$(echo "$work"/wheels/pointrt-*.whl)
+python3 -m zipfile -l "$wheel" | grep -q '^pointrt/_core.pyi ' || {
+    echo "the wheel does not describe its module to type checkers" >&2
+    exit 1
+}
 "$work/env_maker/bin/auditwheel" show "$wheel" | tr '\n' ' '
 
 environment user --without-pip # a pip of its own takes 5 s
@@ -57,3 +62,5 @@ grep -Eq '^splat [0-9]+ at .*, distance (49\.99|50\.0)' minimal.txt && grep -q '
     echo "docs/examples/minimal.py printed something else" >&2
     exit 1
 }
+rm -rf "$build/wheels"
+cp -r "$work/wheels" "$build/wheels"

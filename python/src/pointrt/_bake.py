@@ -54,7 +54,8 @@ def _run(tool: str, scan: str | os.PathLike[str], output: str | os.PathLike[str]
             command.append(option)
         elif value is not False and value is not None:
             command += [option, str(value)]
-    done = subprocess.run(command, stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors="replace")
+    done = subprocess.run(command, stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, encoding="utf-8",
+                          errors="replace")
     if done.returncode != 0:
         lines = done.stderr.strip().splitlines()
         raise Error(lines[-1] if lines else f"pointrt-bake exited with {done.returncode}")
