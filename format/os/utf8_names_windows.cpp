@@ -4,8 +4,7 @@
 // - mbrtowc, by which std::filesystem::path of libstdc++ makes names in bytes wide, knows no UTF-8 in msvcrt.dll,
 //   whatever the code page of the process.
 // - fopen takes names in the code page of the process. The tools' manifest sets that to UTF-8, but a library has the
-// code
-//   page of the program that loads it: Python's is the system's.
+//   code page of the program that loads it: Python's is the system's.
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
