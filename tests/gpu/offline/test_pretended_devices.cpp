@@ -219,12 +219,12 @@ TEST_F(PretendedDevices, ThatAreLost_EndWithAnError) {
 TEST_F(PretendedDevices, LeaveTilesTheirBudget) {
     constexpr std::uint64_t kGibibyte = 1ull << 30;
     auto variables = layered({{"POINTRT_LAYER_TYPE", "discrete"}, {"POINTRT_LAYER_MEMORY", "discrete"}});
-    std::uint64_t whole = 0;
     {
         const Environment environment(variables);
-        ValidatedDevice validated;
-        whole = availableDeviceMemory(validated.device);
-        EXPECT_EQ(whole, validated.device.memory.memoryHeaps[0].size);
+        const ValidatedDevice validated;
+        const std::uint64_t available = availableDeviceMemory(validated.device);
+        EXPECT_LE(available, validated.device.memory.memoryHeaps[0].size); // less where the driver has budgets: Mesa 25
+        EXPECT_GT(available, kGibibyte);
     }
     variables["POINTRT_LAYER_BUDGET"] = std::to_string(kGibibyte); // half of it is in use
     const Environment environment(variables);
