@@ -38,7 +38,7 @@ void checkNumbers(const LasHeader& header, std::uint8_t format_bits) {
     if (header.record_bytes < lasRecordBytes(header.point_format))
         refuseFile(fmt::format("has {} bytes a point; format {} has {}", header.record_bytes, header.point_format,
                                lasRecordBytes(header.point_format)));
-    for (int axis = 0; axis < 3; ++axis)
+    for (std::size_t axis = 0; axis < 3; ++axis)
         if (!std::isfinite(header.scale[axis]) || header.scale[axis] == 0 || !std::isfinite(header.offset[axis]))
             refuseFile("the coordinate scale in the header is 0 or not finite");
 }

@@ -31,7 +31,8 @@ written gaussians.png pointrt-view row.pro --up y $small
 written section.tif pointrt-view sphere.pro --section z=0 --size 100x100
 written plan.png pointrt-view sphere.pro --plan 0.05
 written plan.tif pointrt-view sphere.pro --plan 0.05
-written turn.png pointrt-view sphere.pro --thumbnail 64
+wine "$build/bin/pointrt-view.exe" sphere.pro --thumbnail 64 -o small.png # takes what samples a second allows
+[ "$(od -An -tx1 -j16 -N8 small.png | tr -d ' \n')" = 0000004000000040 ] || fail "a thumbnail is not 64x64"
 
 # each system continues the other's film
 cp path.exr continued.exr
