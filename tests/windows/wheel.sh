@@ -29,10 +29,7 @@ x86_64-w64-mingw32-nm python/libs/python3.lib 2>/dev/null | sed -n 's/.* I __imp
 x86_64-w64-mingw32-gcc-posix -shared -nostdlib -Wl,--entry=0 python3.def -o python/python3.dll
 for package in packages/*.whl; do python3 -m zipfile -e "$package" python/lib/site-packages; done
 # here, there ARGUMENT...: runs Python of either system. In Wine 8, Python takes pipes for standard streams, but no files.
-# A temporary folder of their own: in Wine, links are folders, and pytest deletes all that is in its older folders, which
-# would follow those that tests of this system have left.
-mkdir temporary
-export PYTHONDONTWRITEBYTECODE=1 TMPDIR=$work/temporary
+export PYTHONDONTWRITEBYTECODE=1
 here() { linux/bin/python "$@"; }
 there() { WINEDLLOVERRIDES='ucrtbase=n,b;winedbg.exe=d' wine python/python.exe "$@" </dev/null 2>&1 | cat; }
 
@@ -47,8 +44,10 @@ libraries=$(x86_64-w64-mingw32-objdump -p files/pointrt/_core.pyd | sed -n 's/.*
 
 there -m pip install --no-index --no-deps --disable-pip-version-check "$wheel" >log || fail "pip: $(cat log)"
 export POINTRT_BAKE=$build/bin/pointrt-bake.exe
-# but for a test that hides drivers by the environment, which Wine's programs do not hand on to Linux's Vulkan loader
-there -m pytest -q -p no:cacheprovider -k "not test_no_device" "$repository/python/tests" >log || fail "$(cat log)"
+# but for a test that hides drivers by the environment, which Wine's programs do not hand on to Linux's Vulkan loader. A new
+# folder for temporary files: in Wine, links are folders, and where pytest deletes older ones it would follow links that
+# tests of this system have left there. TMPDIR must stay as it is, since it has Wine's socket.
+there -m pytest -q -p no:cacheprovider --basetemp="$work/temporary" -k "not test_no_device" "$repository/python/tests" >log || fail "$(cat log)"
 tail -1 log
 
 cp "$golden/tiny_v1_5.pro" tiny.pro
