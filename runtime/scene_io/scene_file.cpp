@@ -156,12 +156,13 @@ void takeLayer(const SceneValue& table, Layer& layer) {
 }
 
 std::string fileOf(const SceneValue& value, const SceneReading& reading) {
+    constexpr std::size_t kLongestPath = 4096; // of Linux: the end is what tells files apart
     const std::string name = textOf(value);
     const std::filesystem::path path = std::filesystem::path(reading.scene.path).parent_path() / name;
     std::error_code error;
     const bool is_folder = std::filesystem::is_directory(path, error) && !isTileSet(path.string());
     if (!std::filesystem::exists(path, error) || is_folder)
-        refuse(value, "there is no file \"" + printable(path.string()) + "\"");
+        refuse(value, "there is no file \"" + printable(path.string(), kLongestPath) + "\"");
     return path.string();
 }
 

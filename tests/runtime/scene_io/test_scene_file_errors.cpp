@@ -207,6 +207,8 @@ TEST_F(SceneFile, RefusesMissingFiles) {
     EXPECT_SAYS(refusal("[[instance]]"), "scene.toml:1: key \"instance[0]\": \"file\" *missing");
     EXPECT_SAYS(refusal("\n[[instance]]\nfile = 'gone.pro'"),
                 "scene.toml:3: key \"instance[0].file\": *\"" + path("gone.pro") + "\"");
+    const std::string deep = std::string(100, 'a') + "/gone.pro";
+    EXPECT_HAS(refusal("\n[[instance]]\nfile = '" + deep + "'"), path(deep.c_str()));
     EXPECT_SAYS(refusal("[[instance]]\nfile = 'sub.pro'"),
                 "scene.toml:2: key \"instance[0].file\": *\"" + path("sub.pro") + "\"");
     EXPECT_SAYS(refusal("[[instance]]\nfile = \"statue.pro\\u0000\""),
