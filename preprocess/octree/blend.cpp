@@ -116,7 +116,7 @@ POINTRT_WIDE FirstHits castRay(DiscList& list, const Vec3f& origin, const Vec3f&
         const Lanes t = (nx * x + ny * y + nz * z) / (nx * dx + ny * dy + nz * dz);
         const Lanes ax = t * dx - x, ay = t * dy - y, az = t * dz - z;
         const auto inside = ax * ax + ay * ay + az * az < LOAD(list.radius_squared, i);
-        const Lanes hit = inside & (t >= 0.0f) & (t <= t_max) ? t : missed;
+        const Lanes hit = (inside & (t >= 0.0f) & (t <= t_max)) ? t : missed;
         STORE(list.distance, i, hit);
         any = hit < any ? hit : any;
         const Lanes hit_kept = LOAD(list.kept, i) > 0.0f ? hit : missed;
