@@ -59,9 +59,13 @@ for picture in "$@"; do
         bake pc_tree.txt tree
         view tree tree.toml --size 1280x800 --spp 32
         ;;
-    building | hall)
+    building)
         bake indoor.laz indoor
-        view "$picture" "$picture.toml" --size 1280x800 --spp 16
+        view building building.toml --size 1280x800 --spp 16
+        ;;
+    hall)
+        bake indoor.laz indoor
+        view hall hall.toml --size 1600x1000 --spp 16
         ;;
     sun)
         bake stadium.laz stadium --up z
