@@ -55,7 +55,7 @@ bool mayBeScan(const std::string& path) {
     }
 }
 
-/// Links to files that are gone count: who opens them names them.
+/// A link whose target is gone counts as a file: opening it then reports its name.
 bool isFileOrGone(const std::string& path) {
     std::error_code failure;
     const fs::file_type type = fs::status(path, failure).type();

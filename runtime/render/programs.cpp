@@ -104,7 +104,8 @@ void build(Device& device, const Order& order) {
         createProgram(device, order.name, order.spirv, std::span<const SpecConstant>(listed(order.constants)));
 }
 
-bool tracesOneBounce(const Device& device) { return device.type != VK_PHYSICAL_DEVICE_TYPE_CPU; }
+bool isCpu(const Device& device) { return device.type == VK_PHYSICAL_DEVICE_TYPE_CPU; }
+bool tracesOneBounce(const Device& device) { return !isCpu(device); }
 
 Constants constantsFor(const Device& device, const DeviceScene& scene, const RenderSettings& settings) {
     Constants constants;
@@ -362,6 +363,7 @@ Programs createPrograms(Device& device, const DeviceScene& scene, const RenderSe
     programs.defers_rays = mayDefer(scene, settings.integrator);
     programs.inline_nee = (scene.features & FEATURE_INLINE_NEE) != 0;
     programs.relights = (scene.features & FEATURE_RELIGHT) != 0;
+    programs.cuts_loops = isCpu(device);
     programs.merges_gaussians = mergesGaussians(scene);
     programs.catches_shadows = hasGaussians(scene) && usesLights(settings.integrator);
     const OnError undo([&] { destroyPrograms(device, programs); });

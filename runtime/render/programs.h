@@ -50,7 +50,8 @@ struct Programs {
     bool inline_nee = false;                                    ///< see FEATURE_INLINE_NEE
     bool relights = false;                                      ///< Gaussians are lit: what catches shadows shades them
     bool catches_shadows = false;                               ///< Gaussians do, of the objects among them
-    bool merges_gaussians = false;                              ///< of several instances
+    bool cuts_loops = true;        ///< the device does, as lavapipe, after 65,535 iterations
+    bool merges_gaussians = false; ///< of several instances
     Program prepare, first_hits, beam, intersect_shadow_shapes, shade_shadow, photon, caustic, fold_film;
     Program shade_shadow_catcher, blend_first_hits;
     PassPrograms camera, queued;

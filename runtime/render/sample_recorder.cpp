@@ -8,9 +8,9 @@
 namespace pointrt {
 namespace {
 
-/// Rounds that composite Gaussians. Hardly a ray lets light pass behind 640 Gaussians, which is what so many rounds of
-/// WAITING_GAUSSIANS composite, of several instances. Of a single one, lavapipe cuts the loops of a round after 65,535
-/// iterations, some hundreds of Gaussians.
+/// Most rounds that composite Gaussians. With several instances a round composites WAITING_GAUSSIANS for each ray, and
+/// hardly any ray lets light pass behind the 640 of so many rounds. With a single instance a round ends where lavapipe
+/// cuts its loops, after 65,535 iterations: some hundreds of Gaussians.
 constexpr std::uint32_t kMostRounds = 64;
 
 /// Rays that a round leaves are listed in the one of these that it does not read.
@@ -149,11 +149,21 @@ void SampleRecorder::compositeQueued(std::uint32_t bits) {
 /// along its walk, in further rounds for rays that lavapipe has cut; those of several in rounds.
 void SampleRecorder::compositeGaussians(const GaussianPass& pass, std::uint32_t bits) {
     if (!has_gaussians_) return;
-    for (std::uint32_t round = 0; round < kMostRounds; ++round)
+    const std::uint32_t rounds = roundsOf(pass);
+    for (std::uint32_t round = 0; round < rounds; ++round) {
+        const std::uint32_t step = bits | (round + 1 == rounds ? STEP_FINAL : 0u);
         if (tracer_.programs.merges_gaussians)
-            gatherRound(pass, round, bits);
+            gatherRound(pass, round, step);
         else
-            compositeRound(pass, round, bits);
+            compositeRound(pass, round, step);
+        closeList(kRoundLists[(round + 1) % 2], bits);
+    }
+}
+
+/// First hits of a single instance have one: rays end where half of the light is hidden.
+std::uint32_t SampleRecorder::roundsOf(const GaussianPass& pass) const {
+    if (tracer_.programs.merges_gaussians) return kMostRounds;
+    return tracer_.programs.cuts_loops && !(pass.bits & STEP_FIRST_HITS) ? kMostRounds : 1;
 }
 
 /// Runs a program in a round: over the current rays, and then those that the round before has listed.
@@ -164,13 +174,10 @@ void SampleRecorder::runRound(const Program& program, const DescriptorSets& sets
     commands_.run({program, sets, pushBytes(params), round > 0 ? PassLanes::kList : rays_, 0, list});
 }
 
-/// A round of the only instance of Gaussians. First hits have one: rays end where half of the light is hidden.
+/// A round of the only instance of Gaussians.
 void SampleRecorder::compositeRound(const GaussianPass& pass, std::uint32_t round, std::uint32_t bits) {
-    if (round > 0 && pass.bits & STEP_FIRST_HITS) return;
-    const std::uint32_t final_bit = round + 1 == kMostRounds ? STEP_FINAL : 0u;
     for (const TracedInstance* instance : gaussians_)
-        runRound(instance->programs->*pass.composite, instance->sets, round, bits | STEP_FIRST | STEP_LAST | final_bit);
-    closeList(kRoundLists[(round + 1) % 2], bits);
+        runRound(instance->programs->*pass.composite, instance->sets, round, bits | STEP_FIRST | STEP_LAST);
 }
 
 /// A round of all instances.
@@ -179,8 +186,7 @@ void SampleRecorder::gatherRound(const GaussianPass& pass, std::uint32_t round, 
     for (const TracedInstance* instance : gaussians_)
         runRound(instance->programs->*pass.gather, instance->sets, round,
                  bits | pass.bits | (std::exchange(is_first, false) ? STEP_FIRST : 0u));
-    runRound(pass.blend, tracer_.instances.sets, round, bits | (round + 1 == kMostRounds ? STEP_FINAL : 0u));
-    closeList(kRoundLists[(round + 1) % 2], bits);
+    runRound(pass.blend, tracer_.instances.sets, round, bits);
 }
 
 /// Shadows of surfaces on what Gaussians have captured. The shadows among Gaussians are part of that, unless they are

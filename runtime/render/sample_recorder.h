@@ -38,6 +38,7 @@ private:
     void compositeQueued(std::uint32_t bits);
     void compositeGaussians(const GaussianPass& pass, std::uint32_t bits);
     void runRound(const Program& program, const DescriptorSets& sets, std::uint32_t round, std::uint32_t bits);
+    std::uint32_t roundsOf(const GaussianPass& pass) const;
     void compositeRound(const GaussianPass& pass, std::uint32_t round, std::uint32_t bits);
     void gatherRound(const GaussianPass& pass, std::uint32_t round, std::uint32_t bits);
     void catchShadows(const Program& query, std::uint32_t bits);

@@ -26,6 +26,13 @@ SceneDescription sceneOf(const std::string& path) {
     return scene;
 }
 
+/// Decibels of a capture's picture against brute force.
+double psnrOf(const Rendered& rendered, const RenderSettings& settings, const GaussianFile& file) {
+    return psnrAgainst(rendered, settings, [&](Vec3 direction) {
+        return lightOf(compositeAlong(file.scene, rendered.camera.eye, direction));
+    });
+}
+
 class GaussianKinds : public testing::TestWithParam<std::string> {};
 
 TEST_P(GaussianKinds, EqualBruteForce) {
@@ -35,10 +42,7 @@ TEST_P(GaussianKinds, EqualBruteForce) {
         for (const KernelForm form : {KernelForm::kWavefront, KernelForm::kMegakernel}) {
             const Rendered rendered = renderScene(sceneOf(file.path), settings, {form});
             EXPECT_EQ(rendered.rays.cut, 0u);
-            const double psnr_db = psnrAgainst(rendered, settings, [&](Vec3 direction) {
-                return lightOf(compositeAlong(file.scene, rendered.camera.eye, direction));
-            });
-            EXPECT_GT(psnr_db, 60) << "from " << eye.x << ", " << eye.y << ", " << eye.z;
+            EXPECT_GT(psnrOf(rendered, settings, file), 60) << "from " << eye.x << ", " << eye.y << ", " << eye.z;
         }
     }
 }
@@ -52,9 +56,7 @@ TEST(Gaussians, RaysThroughThousandsGoOnInFurtherRuns) {
     const RenderSettings settings = lookingFrom({0, 0, 0}, {0, 1, 0.2}, 8);
     const Rendered rendered = renderScene(sceneOf(file.path), settings);
     EXPECT_EQ(rendered.rays.cut, 0u);
-    EXPECT_GT(psnrAgainst(
-                  rendered, settings,
-                  [&](Vec3 direction) { return lightOf(compositeAlong(file.scene, rendered.camera.eye, direction)); }),
+    EXPECT_GT(psnrOf(rendered, settings, file),
               55); // where thousands are faint, floats end rays one Gaussian sooner or later
 }
 
@@ -63,10 +65,7 @@ TEST(Gaussians, RaysThroughThousandsOfFaintLayersGoOnUntilNothingPasses) {
     const RenderSettings settings = lookingFrom({0.3, 0.2, 4}, {0, 0, 0}, 16);
     const Rendered rendered = renderScene(sceneOf(file.path), settings);
     EXPECT_EQ(rendered.rays.cut, 0u);
-    EXPECT_GT(psnrAgainst(
-                  rendered, settings,
-                  [&](Vec3 direction) { return lightOf(compositeAlong(file.scene, rendered.camera.eye, direction)); }),
-              80);
+    EXPECT_GT(psnrOf(rendered, settings, file), 80);
 }
 
 // A sky of a thousand scenes would leave a thin Gaussian half of its deviation.
@@ -74,10 +73,7 @@ TEST(Gaussians, GiantsLeaveFloatsToTheOthers) {
     const GaussianFile file(makeGaussians("mixed", 4000));
     const RenderSettings settings = lookingFrom({0, 0, 0.1}, {0, 0, 0});
     const Rendered rendered = renderScene(sceneOf(file.path), settings);
-    EXPECT_GT(psnrAgainst(
-                  rendered, settings,
-                  [&](Vec3 direction) { return lightOf(compositeAlong(file.scene, rendered.camera.eye, direction)); }),
-              70);
+    EXPECT_GT(psnrOf(rendered, settings, file), 70);
 }
 
 // Training leaves a few that have blown up, and some that have collapsed.

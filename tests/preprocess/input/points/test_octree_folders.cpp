@@ -225,7 +225,7 @@ TEST_F(FolderTest, FoldersInFolders) {
     EXPECT_EQ(filesOf({(folder / "about").string()}), std::vector{text});
     const std::string own = writeIn("top/0.ply", "x"); // then the folder itself is meant
     EXPECT_EQ(filesOf({(folder / "top").string()}), std::vector{own});
-    std::filesystem::create_symlink(folder / "gone.ply", folder / "top/gone.ply"); // who opens it says so
+    std::filesystem::create_symlink(folder / "gone.ply", folder / "top/gone.ply"); // reported when opened
     EXPECT_EQ(filesOf({(folder / "top").string()}), (std::vector{own, (folder / "top/gone.ply").string()}));
     std::filesystem::create_directories(folder / "loop");
     std::filesystem::create_directory_symlink(folder / "loop", folder / "loop/again");
