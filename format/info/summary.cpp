@@ -64,7 +64,7 @@ std::uint64_t indexBytes(const std::vector<SectionSummary>& sections) {
 }
 
 GaussianSummary summarizeGaussians(const std::vector<SectionSummary>& sections) {
-    constexpr std::array<std::string_view, 4> kKinds = {"GAUS", "GHRM", "GNOD", "GLST"};
+    constexpr std::array<std::string_view, 5> kKinds = {"GAUS", "GHRM", "GNOD", "GLST", "GEXA"};
     GaussianSummary summary;
     for (const SectionSummary& section : sections) {
         if (std::find(kKinds.begin(), kKinds.end(), section.kind) == kKinds.end()) continue;

@@ -28,7 +28,7 @@ struct NoiseSummary {
     double low = 0, high = 0; ///< the median is in the header
 };
 
-/// Of the sections GAUS, GHRM, GNOD and GLST; 0 without them.
+/// Of the sections GAUS, GHRM, GNOD, GLST and GEXA; 0 without them.
 struct GaussianSummary {
     std::vector<SectionSummary> sections; ///< in the order of the file
     std::uint64_t bytes = 0;

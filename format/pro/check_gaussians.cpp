@@ -109,6 +109,27 @@ void checkHarmonics(const pro_info& info, const pro_gaussians& gaussians, Findin
     }).addTo(findings, Finding::kHarmonicCode, "harmonic", "its code is -128");
 }
 
+/// False for NaN, infinity and rotations that are not of unit length.
+bool isExact(const pro_exact_gaussian& exact) {
+    constexpr double kUnitTolerance = 1e-5; // some hundred times what floats leave to a unit quaternion
+    const float least = std::exp2(PRO_DEVIATION_LOG2_MIN), most = std::exp2(PRO_DEVIATION_LOG2_MAX);
+    double squared = 0;
+    for (const float each : exact.rotation) squared += double{each} * each;
+    return std::fabs(squared - 1) <= kUnitTolerance && isWithin(exact.opacity, 0, 1) &&
+           std::all_of(exact.deviation, exact.deviation + 3, [&](float each) { return isWithin(each, least, most); });
+}
+
+void checkExact(const pro_info& info, const pro_gaussians& gaussians, Findings& findings) {
+    Tally order, values;
+    for (std::size_t i = 0; i < gaussians.exact_count; ++i) {
+        const pro_exact_gaussian& each = gaussians.exact[i];
+        if (each.index >= info.splat_count || (i > 0 && each.index <= gaussians.exact[i - 1].index)) order.hit(i);
+        if (!isExact(each)) values.hit(i);
+    }
+    order.addTo(findings, Finding::kExactIndex, "exact Gaussian", "out of range, or not above the one before");
+    values.addTo(findings, Finding::kExactValue, "exact Gaussian", "its parameters are out of range");
+}
+
 /// A Gaussian that two nodes of a path list would count twice along a ray, so all that list it must have one depth.
 void checkListedOnce(const pro_info& info, const pro_gaussians& gaussians, Findings& findings) {
     constexpr std::uint8_t kUnlisted = 0xFF;
@@ -155,6 +176,7 @@ void checkGaussians(const pro_info& info, const pro_gaussians& gaussians, Level 
     checkEntries(info, gaussians, findings);
     if (level == Level::kVerify && findings.count() == before) checkListedOnce(info, gaussians, findings);
     checkHarmonics(info, gaussians, findings);
+    checkExact(info, gaussians, findings);
 }
 
 } // namespace pointrt::format

@@ -55,8 +55,8 @@ void checkIndex(const pro_info& info, const pro_index& index, Findings& findings
 /// sections.
 bool checkGaussianCoding(const pro_gaussians& gaussians, Findings& findings);
 
-/// GHRM, GNOD and GLST: the nodes are one octree, lists and their entries are in range; at kVerify also that no
-/// Gaussian is listed twice. Needs all sections, and checkGaussianCoding to have passed.
+/// GHRM, GNOD, GLST and GEXA: the nodes are one octree, lists, their entries and exact parameters are in range; at
+/// kVerify also that no Gaussian is listed twice. Needs all sections, and checkGaussianCoding to have passed.
 void checkGaussians(const pro_info& info, const pro_gaussians& gaussians, Level level, Findings& findings);
 
 /// Header fields PRO_OFF_UP and PRO_OFF_METRES.

@@ -110,6 +110,8 @@ enum class Finding : std::uint32_t {
     kGaussianIndex = 9509,
     kGaussianTwice = 9510,
     kHarmonicCode = 9511,
+    kExactIndex = 9512,
+    kExactValue = 9513,
 };
 
 /// Reports and counts findings; with stop_at_first only the first one.

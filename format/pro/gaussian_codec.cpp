@@ -134,6 +134,21 @@ void pro_gaussian_decode(const pro_gaussians* coding, const uint32_t splat[4], c
     gaussian->color[2] = colorOf(2 * (words[3] >> PRO_GAUSSIAN_BLUE_SHIFT));
 }
 
+void pro_gaussian_at(const pro_gaussians* gaussians, const uint32_t* splats, uint32_t index, pro_gaussian* gaussian) {
+    const std::size_t k = index;
+    pro_gaussian_decode(gaussians, splats + k * PRO_SPLAT_WORDS, gaussians->words + k * PRO_GAUSSIAN_WORDS, gaussian);
+    const pro_exact_gaussian *const end = gaussians->exact + gaussians->exact_count,
+                                    *const found =
+                                        std::lower_bound(gaussians->exact, end, index,
+                                                         [](const pro_exact_gaussian&each, std::uint32_t wanted) {
+                                                             return each.index < wanted;
+                                                         });
+    if (found == end || found->index != index) return;
+    std::copy_n(found->rotation, 4, gaussian->rotation);
+    std::copy_n(found->deviation, 3, gaussian->deviation);
+    gaussian->opacity = found->opacity;
+}
+
 uint32_t pro_harmonic_count(uint32_t degree) {
     return degree <= PRO_HARMONICS_DEGREE_MAX ? (degree + 1) * (degree + 1) - 1 : 0;
 }

@@ -75,10 +75,11 @@ constexpr auto kIndexPart = &Content::index;
 constexpr auto kGaussianPart = &Content::gaussians;
 constexpr auto kGaussians = Presence::kGaussians, kHarmonics = Presence::kHarmonics;
 constexpr CountAccess kSplatCount = kInfoCount<&pro_info::splat_count>;
+static_assert(sizeof(pro_exact_gaussian) == PRO_EXACT_GAUSSIAN_BYTES); // GEXA is read in place
 
 } // namespace
 
-constexpr std::array<SectionRule, 21> kSectionRules = {{
+constexpr std::array<SectionRule, 22> kSectionRules = {{
     {PRO_KIND_NODE, 4, kMandatory, false, kPointer<kViewPart, &pro_view::nodes>, kInfoCount<&pro_info::node_count>},
     {PRO_KIND_LEAF, 4 * PRO_LEAF_WORDS, kMandatory, false, kPointer<kViewPart, &pro_view::leaves>,
      kInfoCount<&pro_info::leaf_count>},
@@ -107,6 +108,8 @@ constexpr std::array<SectionRule, 21> kSectionRules = {{
      kGaussianCount<&pro_gaussians::node_count>},
     {PRO_KIND_GLST, 4, kGaussians, true, kPointer<kGaussianPart, &pro_gaussians::lists>,
      kGaussianCount<&pro_gaussians::list_count>},
+    {PRO_KIND_GEXA, PRO_EXACT_GAUSSIAN_BYTES, Presence::kExactGaussians, true,
+     kPointer<kGaussianPart, &pro_gaussians::exact>, kGaussianCount<&pro_gaussians::exact_count>},
     {PRO_KIND_NOIS, 1, kOptional, true, kPointer<&Content::sampling, &pro_sampling::noise>, kSplatCount},
     {PRO_KIND_SENS, 8 * PRO_SENSOR_DOUBLES, kOptional, true, kPointer<&Content::world, &pro_world::sensors>,
      kSensorCount},

@@ -27,8 +27,8 @@ struct Content {
 constexpr std::uint32_t kBrickGroups = PRO_BRICK_WORDS / PRO_GROUP_WORDS;
 
 /// kIndex, kGaussians: a file has all of these sections or none of them. kHarmonics: a file has it if and only if it
-/// has Gaussians of a degree above 0.
-enum class Presence { kMandatory, kOptional, kIndex, kGaussians, kHarmonics };
+/// has Gaussians of a degree above 0. kExactGaussians: a file may have it if it has Gaussians.
+enum class Presence { kMandatory, kOptional, kIndex, kGaussians, kHarmonics, kExactGaussians };
 
 /// Reads and sets the pointer of a section in a Content.
 struct DataAccess {
@@ -52,7 +52,7 @@ struct SectionRule {
     DataAccess data;
     CountAccess count;
 };
-extern const std::array<SectionRule, 21> kSectionRules; ///< in file order
+extern const std::array<SectionRule, 22> kSectionRules; ///< in file order
 
 /// Null for unknown kinds.
 const SectionRule* findRule(std::uint32_t kind);
@@ -69,7 +69,7 @@ std::array<char, 5> kindName(std::uint32_t kind);
 /// Whether all sections of the index are present.
 bool isComplete(const pro_index& index);
 
-/// Whether all sections of the Gaussians are present, those of their harmonics aside.
+/// Whether all sections that every file of Gaussians has are present.
 bool isComplete(const pro_gaussians& gaussians);
 
 /// Words in the entry grid by its frame, saturated at 2^64 - 1.

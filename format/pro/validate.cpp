@@ -215,7 +215,9 @@ void checkIndexSections(Bytes bytes, const std::vector<Section>& placed, Parsed&
 
 bool isOfGaussians(const Section& section) {
     const SectionRule* rule = findRule(section.kind);
-    return rule && (rule->presence == Presence::kGaussians || rule->presence == Presence::kHarmonics);
+    if (!rule) return false;
+    return rule->presence == Presence::kGaussians || rule->presence == Presence::kHarmonics ||
+           rule->presence == Presence::kExactGaussians;
 }
 
 /// Checks the sections of the Gaussians against one another and against the header; placed ones must have been set.

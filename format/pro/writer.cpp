@@ -138,13 +138,15 @@ bool hasNulls(const pro_content& content) {
 
 bool hasNulls(const pro_gaussians& gaussians) {
     return !gaussians.words || !gaussians.nodes || (!gaussians.lists && gaussians.list_count > 0) ||
-           (!gaussians.harmonics && gaussians.degree > 0);
+           (!gaussians.harmonics && gaussians.degree > 0) || (!gaussians.exact && gaussians.exact_count > 0);
 }
 
-/// The Gaussians as a reader would set them: GLST is there even if it is empty, GHRM only with a degree.
+/// The Gaussians as a reader would set them: GLST is there even if it is empty, GHRM only with a degree, GEXA only if
+/// it is not empty.
 pro_gaussians normalized(pro_gaussians gaussians) {
     if (gaussians.list_count == 0) gaussians.lists = gaussians.nodes;
     if (gaussians.degree == 0) gaussians.harmonics = nullptr;
+    if (gaussians.exact_count == 0) gaussians.exact = nullptr;
     return gaussians;
 }
 

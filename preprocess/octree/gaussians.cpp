@@ -13,7 +13,9 @@
 #include "format/index/gaussian_tree.h"
 #include "preprocess/cloud/bounds.h"
 #include "preprocess/cloud/curve_key.h"
+#include "preprocess/cloud/median.h"
 #include "preprocess/cloud/morton.h"
+#include "preprocess/octree/exact_gaussians.h"
 
 namespace pointrt {
 
@@ -183,6 +185,38 @@ pro_gaussian inCube(const GaussianCloud& cloud, std::size_t i, const pro_info& f
     return gaussian;
 }
 
+/// The parameters of the Gaussians whose codes show, in the order of the splats.
+/// @param coding with the words of GAUS
+std::vector<pro_exact_gaussian> exactWhereCodesShow(const GaussianCloud& gaussians, const PackedSplats& splats,
+                                                    const pro_gaussians& coding) {
+    const std::size_t count = splats.words.size();
+    const float* const deviations = gaussians.columns.deviation;
+    const double median = double{medianOf(std::vector<float>(deviations, deviations + 3 * count))} / splats.frame.scale;
+    std::vector<pro_exact_gaussian> all(count);
+    std::vector<char> shows(count);
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+        all[k] = exactOf(inCube(gaussians, splats.input_index[k], splats.frame), static_cast<std::uint32_t>(k));
+        pro_gaussian decoded;
+        pro_gaussian_decode(&coding, splats.words[k].data(), coding.words + k * PRO_GAUSSIAN_WORDS, &decoded);
+        shows[k] = codesShow(all[k], decoded, median);
+    });
+    std::vector<pro_exact_gaussian> exact;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(exact),
+                 [&](const pro_exact_gaussian& each) { return shows[each.index] != 0; });
+    return exact;
+}
+
+/// As readers see them. @param gaussians with words and exact parameters
+std::vector<GaussianEllipsoid> ellipsoidsOf(const pro_gaussians& gaussians, const PackedSplats& splats) {
+    std::vector<GaussianEllipsoid> ellipsoids(splats.words.size());
+    tbb::parallel_for(std::size_t{0}, ellipsoids.size(), [&](std::size_t k) {
+        pro_gaussian gaussian;
+        pro_gaussian_at(&gaussians, splats.words[0].data(), static_cast<std::uint32_t>(k), &gaussian);
+        ellipsoids[k] = ellipsoidOf(gaussian);
+    });
+    return ellipsoids;
+}
+
 } // namespace
 
 GaussianCloud takeGaussians(Cloud& cloud) {
@@ -244,21 +278,19 @@ GaussianSections packGaussians(const GaussianCloud& gaussians, const PackedSplat
     const std::size_t count = splats.words.size(), bytes = 3 * pro_harmonic_count(view.degree);
     sections.words.resize(count * PRO_GAUSSIAN_WORDS);
     sections.harmonics.resize(count * bytes);
-    std::vector<GaussianEllipsoid> ellipsoids(count);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
         const std::size_t i = splats.input_index[k];
         const pro_gaussian gaussian = inCube(gaussians, i, splats.frame);
-        std::uint32_t* const words = &sections.words[k * PRO_GAUSSIAN_WORDS];
-        pro_gaussian_encode(&gaussian, &view, splats.words[k].data(), words);
+        pro_gaussian_encode(&gaussian, &view, splats.words[k].data(), &sections.words[k * PRO_GAUSSIAN_WORDS]);
         if (bytes > 0) packHarmonics(gaussians, i, view, &sections.harmonics[k * bytes]);
-        pro_gaussian decoded;
-        pro_gaussian_decode(&view, splats.words[k].data(), words, &decoded);
-        ellipsoids[k] = ellipsoidOf(decoded);
     });
-    GaussianTree tree = buildGaussianTree(ellipsoids, kStoredFineness);
+    view.words = sections.words.data();
+    sections.exact = exactWhereCodesShow(gaussians, splats, view);
+    view.exact = sections.exact.data();
+    view.exact_count = static_cast<std::uint32_t>(sections.exact.size());
+    GaussianTree tree = buildGaussianTree(ellipsoidsOf(view, splats), kStoredFineness);
     sections.nodes = std::move(tree.nodes);
     sections.lists = std::move(tree.lists);
-    view.words = sections.words.data();
     view.harmonics = sections.harmonics.empty() ? nullptr : sections.harmonics.data();
     view.nodes = sections.nodes.data();
     view.lists = sections.lists.data();

@@ -28,12 +28,13 @@ PackedSplats packGaussianSplats(const GaussianCloud& gaussians);
 /// The leaves of the octree of centres, without references.
 Octree buildCenterOctree(PackedSplats& splats);
 
-/// The sections GAUS, GHRM, GNOD and GLST.
+/// The sections GAUS, GHRM, GNOD, GLST and GEXA.
 struct GaussianSections {
     pro_gaussians view{}; ///< points to the vectors below
     std::vector<std::uint32_t> words;
     std::vector<std::int8_t> harmonics;
     std::vector<std::uint32_t> nodes, lists;
+    std::vector<pro_exact_gaussian> exact;
 };
 
 /// Packs the Gaussians in the order of the splats.

@@ -161,8 +161,7 @@ GaussianBuffers decodeGaussians(const pro_gaussians& gaussians, const std::uint3
     forAll((count + kEach - 1) / kEach, [&](std::size_t task) {
         for (std::size_t k = task * kEach; k < std::min<std::size_t>(count, (task + 1) * kEach); ++k) {
             pro_gaussian gaussian;
-            pro_gaussian_decode(&gaussians, splats + k * PRO_SPLAT_WORDS, gaussians.words + k * PRO_GAUSSIAN_WORDS,
-                                &gaussian);
+            pro_gaussian_at(&gaussians, splats, static_cast<std::uint32_t>(k), &gaussian);
             ellipsoids[k] = ellipsoidOf(gaussian);
             buffers.rows[k].look = {gaussian.opacity, gaussian.color[0], gaussian.color[1], gaussian.color[2]};
             if (coefficients > 0)

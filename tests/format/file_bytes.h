@@ -183,8 +183,7 @@ inline std::uint64_t touchGaussians(const pro_info& info, const pro_view& view, 
     }
     for (std::size_t i = 0; i < info.splat_count; ++i) {
         pro_gaussian each;
-        pro_gaussian_decode(&gaussians, view.splats + i * PRO_SPLAT_WORDS, gaussians.words + i * PRO_GAUSSIAN_WORDS,
-                            &each);
+        pro_gaussian_at(&gaussians, view.splats, static_cast<std::uint32_t>(i), &each);
         for (int k = 0; k < 3; ++k)
             if (!std::isfinite(each.color[k]) || !(each.deviation[k] > 0) || !std::isfinite(each.deviation[k]))
                 throw std::logic_error("a Gaussian that is not finite");

@@ -284,6 +284,49 @@ TEST(Gaussians, HarmonicsOfDegreeZeroAreNotWritten) {
     EXPECT_EQ(ProFile(folder.file("a.pro")).gaussians()->harmonics, nullptr);
 }
 
+/// Of splats 1 and 3; splat 4 and others have codes alone.
+std::vector<pro_exact_gaussian> twoExact() {
+    return {{1, {0.8f, 0, 0.6f, 0}, {0.011f, 0.012f, 1e-15f}, 0.004f}, {3, {0, 0, 0, -1}, {1, 2, 3}, 0.987654f}};
+}
+
+TEST(Gaussians, ExactParametersTakeThePlaceOfCodes) {
+    const TemporaryFolder folder;
+    Scene scene = tinyScene();
+    TinyGaussians gaussians(scene);
+    ASSERT_EQ(gaussians.write(scene, folder.file("coded.pro")), PRO_OK);
+    gaussians.exact = twoExact();
+    ASSERT_EQ(gaussians.write(scene, folder.file("exact.pro")), PRO_OK);
+    EXPECT_TRUE(findingsOf(readBytes(folder.file("exact.pro"))).empty());
+    const ProFile coded(folder.file("coded.pro")), exact(folder.file("exact.pro"), PRO_OPEN_TRACE);
+    EXPECT_EQ(coded.gaussians()->exact, nullptr);
+    ASSERT_EQ(exact.gaussians()->exact_count, 2u);
+    for (const pro_exact_gaussian& written : gaussians.exact) {
+        const pro_gaussian read = exact.gaussian(written.index), rounded = coded.gaussian(written.index);
+        EXPECT_TRUE(std::ranges::equal(read.rotation, written.rotation));
+        EXPECT_TRUE(std::ranges::equal(read.deviation, written.deviation));
+        EXPECT_EQ(read.opacity, written.opacity);
+        EXPECT_TRUE(std::ranges::equal(read.mean, rounded.mean));
+        EXPECT_TRUE(std::ranges::equal(read.color, rounded.color));
+    }
+    for (const std::size_t other : {0, 2, 4}) {
+        EXPECT_EQ(exact.gaussian(other).opacity, coded.gaussian(other).opacity);
+        EXPECT_TRUE(std::ranges::equal(exact.gaussian(other).rotation, coded.gaussian(other).rotation));
+    }
+}
+
+TEST(Gaussians, ReadersWithoutExactParametersSeeCodes) {
+    const TemporaryFolder folder;
+    Scene scene = tinyScene();
+    TinyGaussians gaussians(scene);
+    gaussians.exact = twoExact();
+    ASSERT_EQ(gaussians.write(scene, folder.file("a.pro")), PRO_OK);
+    Bytes bytes = readBytes(folder.file("a.pro"));
+    EXPECT_EQ(loadAt(bytes, recordOf(bytes, PRO_KIND_GEXA) + PRO_SEC_OFF_FLAGS), 0u);
+    storeAt(bytes, recordOf(bytes, PRO_KIND_GEXA) + PRO_SEC_OFF_KIND, 0x78787878u); // a kind that none knows
+    fixHeaderChecksum(bytes);
+    EXPECT_EQ(openCopy(bytes).result, PRO_OK);
+}
+
 TEST(Gaussians, WriterRefusesNulls) {
     Scene scene = tinyScene();
     const TinyGaussians gaussians(scene);
@@ -298,6 +341,7 @@ TEST(Gaussians, WriterRefusesNulls) {
     EXPECT_TRUE(refuses([](pro_gaussians& each) { each.nodes = nullptr; }));
     EXPECT_TRUE(refuses([](pro_gaussians& each) { each.lists = nullptr; }));
     EXPECT_TRUE(refuses([](pro_gaussians& each) { each.harmonics = nullptr; }));
+    EXPECT_TRUE(refuses([](pro_gaussians& each) { each.exact = nullptr, each.exact_count = 1; }));
 }
 
 TEST(Gaussians, NullMeansNone) {

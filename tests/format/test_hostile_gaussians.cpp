@@ -18,13 +18,16 @@ const Bytes& soundGaussians() {
     static const Bytes bytes = [] {
         const TemporaryFolder folder;
         Scene scene = tinyScene();
-        EXPECT_EQ(TinyGaussians(scene).write(scene, folder.file("a.pro")), PRO_OK);
+        TinyGaussians gaussians(scene);
+        gaussians.exact = {{1, {1, 0, 0, 0}, {0.5f, 0.25f, 0.125f}, 0.5f}, {3, {0, 1, 0, 0}, {1, 1, 1}, 1}};
+        EXPECT_EQ(gaussians.write(scene, folder.file("a.pro")), PRO_OK);
         return readBytes(folder.file("a.pro"));
     }();
     return bytes;
 }
 
-constexpr std::uint32_t kGaussianKinds[] = {PRO_KIND_GAUS, PRO_KIND_GHRM, PRO_KIND_GNOD, PRO_KIND_GLST};
+constexpr std::uint32_t kNeededKinds[] = {PRO_KIND_GAUS, PRO_KIND_GHRM, PRO_KIND_GNOD, PRO_KIND_GLST};
+constexpr std::uint32_t kGaussianKinds[] = {PRO_KIND_GAUS, PRO_KIND_GHRM, PRO_KIND_GNOD, PRO_KIND_GLST, PRO_KIND_GEXA};
 constexpr std::uint32_t kUnknownKind = 0x78787878;
 
 void expectRefusedWith(const Bytes& bytes, std::uint32_t finding) {
@@ -122,11 +125,13 @@ TEST(HostileGaussians, HarmonicsFitTheDegree) {
 }
 
 TEST(HostileGaussians, AllSectionsOrNone) {
-    for (const std::uint32_t kind : kGaussianKinds)
+    for (const std::uint32_t kind : kNeededKinds)
         expectRefusedGaussians(gaussianRecord(kind, PRO_SEC_OFF_KIND), kUnknownKind, 9502);
     Bytes bytes = soundGaussians();
-    for (const std::uint32_t kind : kGaussianKinds)
-        storeAt(bytes, gaussianRecord(kind, PRO_SEC_OFF_KIND), kUnknownKind);
+    for (const std::uint32_t kind : kNeededKinds) storeAt(bytes, gaussianRecord(kind, PRO_SEC_OFF_KIND), kUnknownKind);
+    fixHeaderChecksum(bytes);
+    expectRefusedWith(bytes, 9502); // exact parameters of none
+    storeAt(bytes, gaussianRecord(PRO_KIND_GEXA, PRO_SEC_OFF_KIND), kUnknownKind);
     fixHeaderChecksum(bytes);
     expectRefusedWith(bytes, 9501); // a coding without sections
     for (std::size_t offset = PRO_OFF_HARMONICS_DEGREE; offset < PRO_FIELDS_END; offset += 4)
@@ -210,6 +215,25 @@ TEST(HostileGaussians, HarmonicCodes) {
         expectRefusedGaussians(first + at, std::int8_t{-128}, 9511);
 }
 
+TEST(HostileGaussians, ExactParameters) {
+    constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinite = std::numeric_limits<float>::infinity();
+    const std::size_t first = sectionOf(soundGaussians(), PRO_KIND_GEXA), second = first + PRO_EXACT_GAUSSIAN_BYTES;
+    const auto word = [](std::size_t record, std::size_t i) { return record + 4 * i; };
+    for (const std::uint32_t index : {3u, 4u, 5u, 0xFFFFFFFFu}) expectRefusedGaussians(first, index, 9512);
+    for (const std::uint32_t index : {0u, 1u, 5u, 0x80000000u}) expectRefusedGaussians(second, index, 9512);
+    for (const float component : {kNan, kInfinite, 0.999f, 0.0f})
+        expectRefusedGaussians(word(first, 1), component, 9513);
+    for (const float deviation : {kNan, kInfinite, 0.0f, -1.0f, 0x1p-61f, 0x1p61f})
+        expectRefusedGaussians(word(second, 7), deviation, 9513);
+    for (const float opacity : {kNan, -0.1f, 1.1f}) expectRefusedGaussians(word(second, 8), opacity, 9513);
+    EXPECT_EQ(openCopy(changedGaussians(word(first, 1), -1.0f), PRO_OPEN_SKIP_CHECKSUMS).result, PRO_OK);
+    for (const std::uint64_t count :
+         {std::uint64_t{3}, std::uint64_t{1} << 40}) { // more than there are, and than memory
+        const Bytes bytes = withGaussianCount(PRO_KIND_GEXA, count);
+        EXPECT_EQ(openCopy(bytes, PRO_OPEN_SKIP_CHECKSUMS).result, PRO_INVALID);
+    }
+}
+
 TEST(HostileGaussians, OnlyVerifyFindsGaussiansThatCountTwice) {
     for (const auto& [entry, index] : {std::pair<std::size_t, std::uint32_t>{2, 0}, {3, 4}, {4, 0}}) {
         Bytes bytes = changedGaussians(listWord(entry), index); // twice in a node; or in nodes of two depths
@@ -229,9 +253,10 @@ TEST(HostileGaussians, RandomDamageStaysInBounds) {
     for (int round = 0; round < 20000; ++round) {
         Bytes bytes = soundGaussians();
         for (unsigned changes = 1 + random() % 2; changes > 0; --changes) {
-            const std::size_t kind = random() % 5, used = PRO_TABLE_OFFSET + 11 * PRO_SECTION_BYTES;
-            const std::size_t start = kind < 4 ? sectionOf(soundGaussians(), kGaussianKinds[kind]) : 0;
-            const std::size_t offset = start + random() % (kind < 4 ? 200 : used) / 4 * 4;
+            const std::size_t kinds = std::size(kGaussianKinds), kind = random() % (kinds + 1);
+            const std::size_t used = PRO_TABLE_OFFSET + 12 * PRO_SECTION_BYTES;
+            const std::size_t start = kind < kinds ? sectionOf(soundGaussians(), kGaussianKinds[kind]) : 0;
+            const std::size_t offset = start + random() % (kind < kinds ? 200 : used) / 4 * 4;
             storeAt(bytes, offset, random() % 2 ? extremes[random() % 8] : static_cast<std::uint32_t>(random() % 30));
         }
         fixHeaderChecksum(bytes);

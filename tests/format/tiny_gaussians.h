@@ -15,6 +15,7 @@ struct TinyGaussians {
     pro_gaussians coding{};
     std::vector<std::uint32_t> words, nodes, lists;
     std::vector<std::int8_t> harmonics;
+    std::vector<pro_exact_gaussian> exact; ///< none in the golden file
 
     explicit TinyGaussians(const Scene& scene, std::uint32_t degree = 1) {
         coding.degree = degree;
@@ -48,6 +49,8 @@ struct TinyGaussians {
         view.lists = lists.data();
         view.node_count = static_cast<std::uint32_t>(nodes.size() / PRO_GAUSSIAN_NODE_WORDS);
         view.list_count = static_cast<std::uint32_t>(lists.size());
+        view.exact = exact.data();
+        view.exact_count = static_cast<std::uint32_t>(exact.size());
         return view;
     }
 

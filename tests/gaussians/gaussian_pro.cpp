@@ -60,7 +60,7 @@ std::vector<OracleGaussian> readGaussianPro(const std::string& path) {
     std::vector<OracleGaussian> gaussians(info.splat_count);
     for (std::size_t k = 0; k < gaussians.size(); ++k) {
         pro_gaussian decoded;
-        pro_gaussian_decode(&all, view.splats + k * PRO_SPLAT_WORDS, all.words + k * PRO_GAUSSIAN_WORDS, &decoded);
+        pro_gaussian_at(&all, view.splats, static_cast<std::uint32_t>(k), &decoded);
         gaussians[k] = placed(decoded, info);
         gaussians[k].harmonics = harmonicsOf(all, k);
     }

@@ -27,10 +27,13 @@ SceneDescription sceneOf(const std::string& path) {
 }
 
 /// Decibels of a capture's picture against brute force.
+double psnrOf(const Rendered& rendered, const RenderSettings& settings, const OracleScene& scene) {
+    return psnrAgainst(rendered, settings,
+                       [&](Vec3 direction) { return lightOf(compositeAlong(scene, rendered.camera.eye, direction)); });
+}
+
 double psnrOf(const Rendered& rendered, const RenderSettings& settings, const GaussianFile& file) {
-    return psnrAgainst(rendered, settings, [&](Vec3 direction) {
-        return lightOf(compositeAlong(file.scene, rendered.camera.eye, direction));
-    });
+    return psnrOf(rendered, settings, file.scene);
 }
 
 class GaussianKinds : public testing::TestWithParam<std::string> {};
@@ -49,6 +52,17 @@ TEST_P(GaussianKinds, EqualBruteForce) {
 
 INSTANTIATE_TEST_SUITE_P(Each, GaussianKinds, testing::ValuesIn(gaussianKinds()),
                          [](const auto& kind) { return kind.param; });
+
+// Not only what their files hold: opacities near 1/255, and Gaussians of all sizes seen from among them.
+TEST(Gaussians, FilesShowWhatTheirInputHas) {
+    const auto psnrFrom = [](Vec3 eye, const std::vector<OracleGaussian>& input) {
+        const GaussianFile file(input);
+        const RenderSettings settings = lookingFrom(eye, {0, 0, 0}, 24);
+        return psnrOf(renderScene(sceneOf(file.path), settings), settings, oracleScene(input));
+    };
+    EXPECT_GT(psnrFrom({0.3, 0.2, 4}, makeGaussians("layers", 3000)), 45);
+    EXPECT_GT(psnrFrom({0, 0, 0.1}, makeGaussians("mixed", 12000)), 45);
+}
 
 // More than one run of lavapipe's loops can test: the next one goes on after the last Gaussian added.
 TEST(Gaussians, RaysThroughThousandsGoOnInFurtherRuns) {

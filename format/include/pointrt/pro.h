@@ -127,6 +127,14 @@ typedef struct pro_gaussian {
     float color[3];     /* display-encoded (sRGB), not limited to 0 to 1; without the view-dependent part */
 } pro_gaussian;
 
+/* What a file holds exactly of a Gaussian whose codes would show. Units as above. */
+typedef struct pro_exact_gaussian {
+    uint32_t index; /* of the Gaussian */
+    float rotation[4];
+    float deviation[3];
+    float opacity;
+} pro_exact_gaussian;
+
 /* The Gaussians of a file: their coding, and the sections. All indices are in range, and the octree has no cycles and
  * no node deeper than PRO_MAX_DEPTH; that each Gaussian is listed wherever it counts is not checked. */
 typedef struct pro_gaussians {
@@ -139,6 +147,8 @@ typedef struct pro_gaussians {
     uint32_t node_count, list_count;
     const uint32_t* nodes; /* [node_count][2] */
     const uint32_t* lists; /* [list_count] */
+    uint32_t exact_count;
+    const pro_exact_gaussian* exact; /* [exact_count], index increasing; NULL without GEXA */
 } pro_gaussians;
 
 typedef struct pro_file pro_file;
@@ -235,8 +245,13 @@ PRO_API void pro_splat_set_ball(uint32_t words[4]);
  * the position is used; the mean must be in the same position step. */
 PRO_API void pro_gaussian_encode(const pro_gaussian* gaussian, const pro_gaussians* coding, const uint32_t splat[4],
                                  uint32_t words[4]);
+/* Unpacks the codes alone; pro_gaussian_at also reads the exact parameters. */
 PRO_API void pro_gaussian_decode(const pro_gaussians* coding, const uint32_t splat[4], const uint32_t words[4],
                                  pro_gaussian* gaussian);
+
+/* The Gaussian of a splat as the file holds it. splats: SPLT; index: below splat_count. */
+PRO_API void pro_gaussian_at(const pro_gaussians* gaussians, const uint32_t* splats, uint32_t index,
+                             pro_gaussian* gaussian);
 
 /* Coefficients per colour of view-dependent colour up to this degree, without the constant one: 0, 3, 8, 15; 0 for
  * other degrees. */

@@ -107,8 +107,7 @@ public:
     /// The Gaussian of a splat in cube units. The file must have Gaussians. @param index below info().splat_count
     pro_gaussian gaussian(std::size_t index) const {
         pro_gaussian result;
-        pro_gaussian_decode(&gaussians_, view_.splats + index * PRO_SPLAT_WORDS,
-                            gaussians_.words + index * PRO_GAUSSIAN_WORDS, &result);
+        pro_gaussian_at(&gaussians_, view_.splats, static_cast<std::uint32_t>(index), &result);
         return result;
     }
     /// The codes of a Gaussian's view-dependent colour; empty if the degree is 0.

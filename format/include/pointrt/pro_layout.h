@@ -25,6 +25,7 @@
  *                   GHRM  int8[splat_count][]     view-dependent colour of each Gaussian
  *                   GNOD  uint32[][2]             octree of Gaussians, groups of 8, breadth first
  *                   GLST  uint32[]                Gaussians listed in its nodes
+ *                   GEXA  bytes[][36]             optional: exact parameters of some Gaussians
  *                 and, all optional:
  *                   NOIS  uint8[splat_count]      noise of the surface around each splat
  *                   SENS  double[][4]             scanner position of each scan
@@ -129,6 +130,7 @@
 #define PRO_KIND_GHRM 0x4D524847u
 #define PRO_KIND_GNOD 0x444F4E47u
 #define PRO_KIND_GLST 0x54534C47u
+#define PRO_KIND_GEXA 0x41584547u
 #define PRO_KIND_NOIS 0x53494F4Eu
 #define PRO_KIND_SENS 0x534E4553u
 #define PRO_KIND_ATTD 0x44545441u
@@ -263,6 +265,15 @@
 #define PRO_GAUSSIAN_NODE_CHILDREN 0u
 #define PRO_GAUSSIAN_NODE_FIRST 1u
 #define PRO_GAUSSIAN_LISTED_MAX 0x7FFFFFFFu /* maximum number of nodes, and of entries of GLST */
+
+/*
+ * GEXA: nine words per record, in increasing order of the Gaussian. They take the place of what GAUS rounds.
+ *   word 0     Gaussian
+ *   words 1-4  float, rotation w x y z: of unit length
+ *   words 5-7  float, deviation of axes 0 to 2
+ *   word 8     float, opacity, 0 to 1
+ */
+#define PRO_EXACT_GAUSSIAN_BYTES 36u
 
 /* NOIS: one byte per splat, the standard deviation of the surface around it, in 1/32 of its radius. */
 #define PRO_NOISE_STEPS 32.0f

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which Gaussians a file holds exactly besides their codes (section GEXA): those that look different after rounding.
+#pragma once
+
+#include <cstdint>
+
+#include "pointrt/pro.h"
+
+namespace pointrt {
+
+/// Whether a Gaussian looks different after rounding: opacity off by more than a twentieth, or across the least one
+/// that counts; or the end of an axis moved by more than 0.003 of the median deviation.
+/// @param median_deviation of all Gaussians of the file, cube units
+bool codesShow(const pro_exact_gaussian& exact, const pro_gaussian& decoded, double median_deviation);
+
+/// The parameters within the range that a file may hold: a rotation of unit length (none if it is not finite),
+/// deviations that can be squared, an opacity of 0 to 1.
+pro_exact_gaussian exactOf(const pro_gaussian& gaussian, std::uint32_t index);
+
+} // namespace pointrt
