@@ -43,8 +43,8 @@ pro_exact_gaussian exactOf(const pro_gaussian& gaussian, std::uint32_t index) {
     const Eigen::Vector4d rotation(given[0], given[1], given[2], given[3]);
     const double length = rotation.norm();
     const bool is_rotation = length > 0 && std::isfinite(length);
-    const Eigen::Vector4f unit = is_rotation ? (rotation / length).cast<float>() : Eigen::Vector4f::UnitX();
-    std::copy_n(unit.data(), 4, exact.rotation);
+    for (int i = 0; i < 4; ++i)
+        exact.rotation[i] = static_cast<float>(is_rotation ? rotation[i] / length : Eigen::Vector4d::UnitX()[i]);
     const float least = std::exp2(PRO_DEVIATION_LOG2_MIN), most = std::exp2(PRO_DEVIATION_LOG2_MAX);
     for (int axis = 0; axis < 3; ++axis) // in this order, so that NaN becomes the least
         exact.deviation[axis] = std::min(std::max(least, gaussian.deviation[axis]), most);

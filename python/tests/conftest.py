@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 import os
 import shutil
+import signal
 
 import numpy as np
 import pytest
 
 import pointrt
+
+# A shell ignores Ctrl-C in what it runs in the background, and Python keeps to that.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 #: Coordinates in a UTM zone, where floats have a resolution of half a metre.
 GRID = np.array([500000.0, 4500000.0, 100.0])

@@ -45,8 +45,8 @@ _LONG = """
 import sys, numpy as np, pointrt
 scene = pointrt.Scene(sys.argv[1])
 rays = np.tile([500010.0, 4500010.0, 150.0, 0.0, 0.0, -1.0], (1 << 20, 1))
-print("casting", flush=True)
 try:
+    print("casting", flush=True)
     while True:
         scene.cast_rays(rays)
 except KeyboardInterrupt:

@@ -219,7 +219,7 @@ case_intensity_after_colors() {
     expectDone pointrt-bake -q sphere.xyz -o out/scene.pro
     expectDone pointrt-info out/scene.pro --export splats.ply
     # behind them two bytes of intensity
-    tail -c 5 splats.ply | head -c 3 | od -An -t u1 | grep -Eq '^ +200 +10[0-6] +50$' || fail "not the colours of the file"
+    tail -c 5 splats.ply | head -c 3 | od -An -t u1 | grep -E '^ +200 +10[0-6] +50$' >/dev/null || fail "not the colours of the file"
     grep -aq '^property ushort intensity$' splats.ply || fail "the intensity is lost"
 }
 

@@ -58,7 +58,7 @@ case_manual_pages() {
     grep -q "pointrt-bake - bakes point scans into a .pro file" bake.txt || fail "whatis says nothing"
     grep -q "pointrt-bake \[OPTION\]\.\.\. SCAN\.\.\. -o FILE" bake.txt || fail "the synopsis is another"
     grep -q "zcat scan.xyz.gz | pointrt-bake - -f -o scan.pro" bake.txt || fail "an example is not as it was"
-    manual pointrt-rays | grep -q "pointrt-rays-viewshed(1)" || fail "pointrt-rays(1) does not name its commands' pages"
+    manual pointrt-rays | grep "pointrt-rays-viewshed(1)" >/dev/null || fail "pointrt-rays(1) does not name its commands' pages"
 }
 
 # bashOffers WORD...: the completions that bash offers for the last word, one per line.

@@ -68,7 +68,7 @@ case_sets_export_each_gaussian_once() {
     tail -c $((3375 * 68)) out/back.ply | od -An -v -t f4 -w68 |
         awk '{ printf "%.0f %.0f %.0f\n", $1, $2, $3 }' | sed 's/-0/0/g' | sort -u >means.txt
     [ "$(wc -l <means.txt)" = 3375 ] || fail "$(wc -l <means.txt) different means of 3375"
-    head -3 out/back.ply | grep -qx 'element vertex 3375' || fail "$(head -3 out/back.ply) does not announce 3375"
+    head -3 out/back.ply | grep -x 'element vertex 3375' >/dev/null || fail "$(head -3 out/back.ply) does not announce 3375"
     expectDone pointrt-info out/lattice.proset --export out/back.spz
     pointrt-bake -q out/back.spz -o again.pro --stats again.json
     [ "$(jsonValue again.json input_points)" = 3375 ] || fail "the SPZ does not read back"

@@ -47,7 +47,7 @@ CONF
     munged --key-file="$folder/munge.key" --socket="$folder/munge.socket" --pid-file="$folder/munged.pid" \
         --log-file="$folder/munged.log" --seed-file="$folder/munge.seed" && slurmctld -c && slurmd || return 1
     for _ in $(seq 100); do
-        sinfo -h -t idle 2>/dev/null | grep -q idle && return
+        sinfo -h -t idle 2>/dev/null | grep idle >/dev/null && return
         sleep 0.1
     done
     return 1

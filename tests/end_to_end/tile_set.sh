@@ -226,7 +226,7 @@ wasKilled() {
 }
 
 case_gnu_parallel() {
-    parallel --version 2>/dev/null | grep -q '^GNU' || skip "GNU parallel is not installed"
+    parallel --version 2>/dev/null | grep '^GNU' >/dev/null || skip "GNU parallel is not installed"
     makeKilledOnce
     bakeHills out/whole.proset
     expectDone "$engine/parallel.sh" 2 out/shared.proset a.xyz b.xyz --tile-splats 1000 # retries failed jobs

@@ -74,7 +74,7 @@ case_saved_room_is_chosen_again() {
     for room in studio matte; do
         option=() && [ $room = studio ] || option=(--room $room)
         replay "$save" --spp 1 "${option[@]}"
-        grep -A1 '^\[surroundings\]' half-1.toml | grep -q "^room = \"$room\"" || fail "the scene does not name its room"
+        grep -A1 '^\[surroundings\]' half-1.toml | grep "^room = \"$room\"" >/dev/null || fail "the scene does not name its room"
         expectDone pointrt-view half-1.toml --replay user.txt --offscreen
         cmp half-1.toml half-1-1.toml || fail "the reopened scene is another one, room $room"
         expectDone pointrt-view half-1.toml --room none --size 32x24 -o none.png

@@ -39,7 +39,7 @@ quiet install cmake --install "$build" --prefix "$work/prefix"
 CMAKE_PREFIX_PATH=$work/prefix PATH=$work/env_maker/bin:$PATH pip maker wheel "$repository/python" \
     --no-build-isolation --no-deps -w "$work/wheels" -C cmake.define.CMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG"
 wheel=$(echo "$work"/wheels/pointrt-*.whl)
-python3 -m zipfile -l "$wheel" | grep -q '^pointrt/_core.pyi ' || {
+python3 -m zipfile -l "$wheel" | grep '^pointrt/_core.pyi ' >/dev/null || {
     echo "the wheel does not describe its module to type checkers" >&2
     exit 1
 }

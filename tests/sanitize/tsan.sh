@@ -74,7 +74,7 @@ output=$(cmake --preset tsan 2>&1) || {
     die "cmake could not configure the build"
 }
 cmake --build --preset tsan --parallel "$(buildJobs)" --target "${targets[@]}"
-readelf -d "$build"/bin/test_octree | grep -q "RUNPATH.*$tbb/lib" || die "the tests have another TBB than $tbb/lib"
+readelf -d "$build"/bin/test_octree | grep "RUNPATH.*$tbb/lib" >/dev/null || die "the tests have another TBB than $tbb/lib"
 
 rm -rf "$reports" "$junit"
 mkdir -p "$reports"

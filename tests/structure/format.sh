@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$1"
 program=
 for each in clang-format-14 clang-format; do
-    command -v "$each" >/dev/null && "$each" --version | grep -q 'version 14\.' && program=$each && break
+    command -v "$each" >/dev/null && "$each" --version | grep 'version 14\.' >/dev/null && program=$each && break
 done
 if [ -z "$program" ]; then
     echo "skipped: no clang-format 14 here"

@@ -28,7 +28,7 @@ scan=(lidar sphere.pro --sensor "$sensor" --pose 3,0,0 --duration 0.05 --metres-
 wine "$build/bin/pointrt-rays.exe" "${scan[@]}" -o windows.csv
 # but for incidence_deg, an arccosine in single precision, whose last digit is the C library's
 for system in here windows; do cut -d, -f11 --complement $system.csv >$system.columns; done
-head -1 here.csv | cut -d, -f11 | grep -q incidence_deg
+head -1 here.csv | cut -d, -f11 | grep incidence_deg >/dev/null
 cmp here.columns windows.columns || fail "pointrt-rays ${scan[*]}: other points in Windows"
 paste -d, <(cut -d, -f11 here.csv) <(cut -d, -f11 windows.csv) |
     awk -F, 'NR > 1 && ($1 - $2) ^ 2 > 3e-5 ^ 2 { bad = 1 } END { exit bad }' || # two steps of a float of 90

@@ -30,7 +30,7 @@ python() { taskset -c "$cores" "$out/environment/bin/python" "$@"; }
 installPackages() {
     local package missing=() as_root=()
     for package in libllvm19 python3-venv; do
-        dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
+        dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -x installed >/dev/null || missing+=("$package")
     done
     [ ${#missing[@]} -gt 0 ] || return 0
     say "installing ${missing[*]}"

@@ -38,7 +38,7 @@ say() { printf '==> %s\n' "$*" >&2; }
 installPackages() {
     local package missing=()
     for package in libllvm19 python3-venv $([ "$cycles_spp" = 0 ] || echo blender); do
-        dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
+        dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -x installed >/dev/null || missing+=("$package")
     done
     [ ${#missing[@]} -gt 0 ] || return 0
     say "installing ${missing[*]}"

@@ -61,7 +61,7 @@ flip() {
 # asIs NAME SCAN: points and normals without cleaning, so that it does not help the other methods
 asIs() {
     local clean=()
-    if "$bin/pointrt-bake" --help | grep -q -- --clean; then clean=(--clean off); fi
+    if "$bin/pointrt-bake" --help | grep -- --clean >/dev/null; then clean=(--clean off); fi
     "$bin/pointrt-bake" -q "$2" "${clean[@]}" --force -o "$out/$1.as_is.pro"
     "$bin/dump_splats" "$out/$1.as_is.pro" "$out/$1.as_is.ply"
 }
@@ -78,7 +78,7 @@ poisson() {
 peer() {
     local name=$2.$1 clean=() pictures=() seconds eye
     seconds=$("$bin/smooth_peers" "$1" 0.002 "$out/$2.as_is.ply" "$out/$name.ply")
-    if "$bin/pointrt-bake" --help | grep -q -- --clean; then clean=(--clean off); fi
+    if "$bin/pointrt-bake" --help | grep -- --clean >/dev/null; then clean=(--clean off); fi
     "$bin/pointrt-bake" -q "$out/$name.ply" "${clean[@]}" --force -o "$out/$name.pro"
     for eye in "${seen_from[@]}"; do
         pictures+=("$out/$name.${#pictures[@]}.exr")
