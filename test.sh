@@ -32,6 +32,17 @@ status=0
 ctest --preset dev -j 2 --timeout 600 --no-tests=error --output-junit "$report" "$@" || status=$?
 [ -s "$report" ] || die "ctest left no report"
 
+# What failed says why in its last lines; here they are not lost among thousands of others.
+awk -v shown=15 '
+    /<testcase / { name = $0; sub(/.* name="/, "", name); sub(/".*/, "", name); failed = / status="fail"/; lines = 0 }
+    failed && /<system-out>/ { inside = 1; sub(/.*<system-out>/, "") }
+    inside { line[lines++] = $0 }
+    /<\/system-out>/ && inside {
+        inside = 0
+        printf "==> %s failed:\n", name
+        for (i = lines > shown ? lines - shown : 0; i < lines; ++i) { sub(/<\/system-out>/, "", line[i]); print line[i] }
+    }' "$report"
+
 # The counts of the <testsuite> element, which CTest writes one attribute a line.
 awk -v RS='[ \t\n]+' -F '"' '
     /^tests=/ { tests = $2 } /^failures=/ { failed = $2 } /^skipped=/ { skipped += $2 } /^disabled=/ { skipped += $2 }
