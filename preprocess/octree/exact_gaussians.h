@@ -9,9 +9,9 @@
 namespace pointrt {
 
 /// Whether a Gaussian looks different after rounding: opacity off by more than a twentieth, or across the least one
-/// that counts; or the end of an axis moved by more than 0.003 of the median deviation.
-/// @param median_deviation of all Gaussians of the file, cube units
-bool codesShow(const pro_exact_gaussian& exact, const pro_gaussian& decoded, double median_deviation);
+/// that counts; or the end of an axis moved by more than 0.003 of the usual deviation.
+/// @param usual_deviation the median of the longest deviations of the file's Gaussians, cube units
+bool codesShow(const pro_exact_gaussian& exact, const pro_gaussian& decoded, double usual_deviation);
 
 /// The parameters within the range that a file may hold: a rotation of unit length (none if it is not finite),
 /// deviations that can be squared, an opacity of 0 to 1.

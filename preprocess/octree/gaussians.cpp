@@ -185,20 +185,29 @@ pro_gaussian inCube(const GaussianCloud& cloud, std::size_t i, const pro_info& f
     return gaussian;
 }
 
+/// The median of the deviations of their longest axes, input units.
+double usualDeviation(const GaussianCloud& gaussians) {
+    std::vector<float> longest(gaussians.points.positions.size());
+    for (std::size_t i = 0; i < longest.size(); ++i) {
+        const float* const deviations = gaussians.columns.deviation + 3 * i;
+        longest[i] = *std::max_element(deviations, deviations + 3);
+    }
+    return double{medianInPlace(longest)};
+}
+
 /// The parameters of the Gaussians whose codes show, in the order of the splats.
 /// @param coding with the words of GAUS
 std::vector<pro_exact_gaussian> exactWhereCodesShow(const GaussianCloud& gaussians, const PackedSplats& splats,
                                                     const pro_gaussians& coding) {
     const std::size_t count = splats.words.size();
-    const float* const deviations = gaussians.columns.deviation;
-    const double median = double{medianOf(std::vector<float>(deviations, deviations + 3 * count))} / splats.frame.scale;
+    const double usual = usualDeviation(gaussians) / splats.frame.scale;
     std::vector<pro_exact_gaussian> all(count);
     std::vector<char> shows(count);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
         all[k] = exactOf(inCube(gaussians, splats.input_index[k], splats.frame), static_cast<std::uint32_t>(k));
         pro_gaussian decoded;
         pro_gaussian_decode(&coding, splats.words[k].data(), coding.words + k * PRO_GAUSSIAN_WORDS, &decoded);
-        shows[k] = codesShow(all[k], decoded, median);
+        shows[k] = codesShow(all[k], decoded, usual);
     });
     std::vector<pro_exact_gaussian> exact;
     std::copy_if(all.begin(), all.end(), std::back_inserter(exact),

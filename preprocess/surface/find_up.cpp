@@ -281,10 +281,10 @@ const char* nameOf(UpBasis basis) {
 FoundUp findUp(const Splats& splats, const std::vector<Scan>& scans, const UpPrior& prior) {
     using namespace upright;
     Evidence evidence{splats, sampleSurface(splats), distinctSensors(scans, splats.origin), {}};
-    if (evidence.sample.positions.empty()) return {};
-    addCandidates(evidence);
     const FoundUp custom{prior.custom, UpBasis::kCustom, "as usual in this format"};
     const bool has_custom = !prior.custom.isZero();
+    if (evidence.sample.positions.empty()) return has_custom ? custom : FoundUp{};
+    addCandidates(evidence);
     if (has_custom && fromMap(evidence) == prior.custom) return custom;
     for (const auto& rule : kRules)
         if (const Answer up = rule.infer(evidence))

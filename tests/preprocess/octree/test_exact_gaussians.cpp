@@ -10,7 +10,7 @@
 namespace pointrt::test {
 namespace {
 
-constexpr double kMedian = 1;
+constexpr double kUsual = 1;
 
 /// Of deviations 10, 1 and 0.1, and opacity 0.5.
 pro_exact_gaussian longGaussian() { return {7, {1, 0, 0, 0}, {10, 1, 0.1f}, 0.5f}; }
@@ -32,18 +32,18 @@ pro_gaussian turned(double radians) {
 }
 
 TEST(ExactGaussians, AreThoseWhoseAxesMove) {
-    EXPECT_FALSE(codesShow(longGaussian(), decodedAs(longGaussian()), kMedian));
-    EXPECT_FALSE(codesShow(longGaussian(), turned(0.00029), kMedian));
-    EXPECT_TRUE(codesShow(longGaussian(), turned(0.00031), kMedian));
-    EXPECT_FALSE(codesShow(longGaussian(), turned(0.00031), 2 * kMedian)) << "small among others";
+    EXPECT_FALSE(codesShow(longGaussian(), decodedAs(longGaussian()), kUsual));
+    EXPECT_FALSE(codesShow(longGaussian(), turned(0.00029), kUsual));
+    EXPECT_TRUE(codesShow(longGaussian(), turned(0.00031), kUsual));
+    EXPECT_FALSE(codesShow(longGaussian(), turned(0.00031), 2 * kUsual)) << "small among others";
     pro_gaussian longer = decodedAs(longGaussian());
     longer.deviation[0] = 10.0029f;
-    EXPECT_FALSE(codesShow(longGaussian(), longer, kMedian));
+    EXPECT_FALSE(codesShow(longGaussian(), longer, kUsual));
     longer.deviation[0] = 9.9968f;
-    EXPECT_TRUE(codesShow(longGaussian(), longer, kMedian));
+    EXPECT_TRUE(codesShow(longGaussian(), longer, kUsual));
     pro_gaussian negative = decodedAs(longGaussian());
     negative.rotation[0] = -1;
-    EXPECT_FALSE(codesShow(longGaussian(), negative, kMedian)) << "the same rotation";
+    EXPECT_FALSE(codesShow(longGaussian(), negative, kUsual)) << "the same rotation";
 }
 
 TEST(ExactGaussians, AreThoseWhoseOpacityShows) {
@@ -52,7 +52,7 @@ TEST(ExactGaussians, AreThoseWhoseOpacityShows) {
         exact.opacity = given;
         pro_gaussian rounded = decodedAs(exact);
         rounded.opacity = decoded;
-        return codesShow(exact, rounded, kMedian);
+        return codesShow(exact, rounded, kUsual);
     };
     EXPECT_FALSE(shows(0.5f, 0.52f));
     EXPECT_TRUE(shows(0.5f, 0.53f));

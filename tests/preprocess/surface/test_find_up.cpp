@@ -119,6 +119,13 @@ TEST(FindUp, RoomsStandOnTheirFloor) {
     EXPECT_EQ(findUp(turned(room(), kYUp.transpose()), {}).up, -Vec3d::UnitY()) << "as in camera frames";
 }
 
+TEST(FindUp, WithoutASurfaceTheCustomOfTheFormatCounts) {
+    const FoundUp found = findUp({}, {}, {-Vec3d::UnitY(), false});
+    EXPECT_EQ(found.up, -Vec3d::UnitY());
+    EXPECT_FALSE(found.reason.empty());
+    EXPECT_TRUE(findUp({}, {}).up.isZero());
+}
+
 TEST(FindUp, ACeilingIsNoGround) {
     // what stands in a room hides its floor, but not its ceiling
     Scene scene;
