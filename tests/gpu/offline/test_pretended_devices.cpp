@@ -13,9 +13,12 @@
 #include "runtime/gpu/memory_budget.h"
 #include "runtime/render/loaded_scene.h"
 #include "runtime/render/progressive_renderer.h"
+#include "tests/gaussians/nasty_gaussians.h"
 #include "tests/gpu/offline/pretended.h"
 #include "tests/support/says.h"
 #include "tests/support/validated_device.h"
+#include "tests/trace/gaussian_file.h"
+#include "tests/trace/gaussian_picture.h"
 #include "tests/trace/render_helper.h"
 
 namespace pointrt::test {
@@ -125,6 +128,34 @@ TEST_F(PretendedDevices, TraceASampleInOneSubmission) {
         EXPECT_LE(counts.of("barriers"), 29 * parts);
         films[parts / 2].resize(loaded->tracer.buffers.film.bytes / sizeof(float));
         downloadBuffer(device, loaded->tracer.buffers.film, films[parts / 2].data(), loaded->tracer.buffers.film.bytes);
+    }
+    EXPECT_EQ(films[0], films[1]);
+}
+
+// Only lavapipe cuts loops, for which there are rounds.
+TEST_F(PretendedDevices, CompositeACaptureInOneDispatch) {
+    const GaussianFile capture(makeGaussians("random", 200));
+    std::vector<float> films[2];
+    for (const bool pretends : {false, true}) {
+        const Environment environment(pretends ? layered({{"POINTRT_LAYER_TYPE", "discrete"}})
+                                               : std::map<std::string, std::string>{});
+        ValidatedDevice validated;
+        Device& device = validated.device;
+        LoadRequest request;
+        request.scene.instances.push_back({capture.path, {}, {}, {}});
+        request.settings = lookingFrom({0.3, 0.2, 4}, {0, 0, 0}, kSide);
+        const std::unique_ptr<LoadedScene> loaded = loadScene(device, device, request, {});
+        PassProfile profile;
+        loaded->tracer.profile = &profile;
+        BandSample sample = openBand(loaded->tracer, request.settings, loaded->camera, {0, kSide}, {kSide * kSide, 0});
+        RayCounts rays;
+        tracePasses(device, loaded->tracer, sample, 0, rays);
+        std::uint64_t composites = 0;
+        for (const PassTally& pass : profile.passes)
+            if (pass.name == "composite_gaussians (camera)") composites += pass.runs;
+        EXPECT_EQ(composites, pretends ? 1u : 64u);
+        films[pretends].resize(loaded->tracer.buffers.film.bytes / sizeof(float));
+        downloadBuffer(device, loaded->tracer.buffers.film, films[pretends].data(), loaded->tracer.buffers.film.bytes);
     }
     EXPECT_EQ(films[0], films[1]);
 }
