@@ -193,7 +193,7 @@ class Scene(Measures):
         """
         file = _lidar.sensor_of(sensor)
         if trajectory is not None and pose is not None:
-            raise ValueError("trajectory and pose exclude each other")
+            raise ValueError("trajectory and pose cannot be combined")
         poses = (_lidar.pose_of(pose) if pose is not None else
                  _lidar.poses_of(trajectory) if trajectory is not None else file.poses)
         kinds = [self._kind_of(name) for name in attributes]
