@@ -38,7 +38,7 @@ struct GeographicPlace {
     double latitude_deg = 0, longitude_deg = 0; ///< north and east positive, from Greenwich
 };
 
-/// Where a point of a projected system lies, in WGS 84; without grids of datum shifts accurate to some 100 m.
+/// The position of a point of a projected system in WGS 84; without grids of datum shifts accurate to some 100 m.
 /// @param crs as for projectedCrs
 /// @param easting, northing in the system's unit
 /// @return none where projectedCrs has none, and outside the projection

@@ -11,7 +11,7 @@
 
 namespace pointrt {
 
-/// Points with their columns, and what rays from them need.
+/// Points with their columns, and the data that rays from them need.
 struct StudyBlock {
     PointBlock points;
     std::vector<float> normals, radii, noise; ///< each may be empty

@@ -28,8 +28,8 @@ struct Photon {
 // A disc lights points within its radius and within this share of the radius from its plane.
 #define PHOTON_REACH 0.5f
 
-// Teschner et al., Optimized Spatial Hashing for Collision Detection of Deformable Objects (2003); the last one hashes
-// the level.
+// Teschner et al., Optimized Spatial Hashing for Collision Detection of Deformable Objects (2003); the last number
+// hashes the level.
 #define PHOTON_HASH_X 73856093u
 #define PHOTON_HASH_Y 19349663u
 #define PHOTON_HASH_Z 83492791u

@@ -9,7 +9,8 @@
 #include "shaders/trace/waiting_gaussians.glsl"
 #include "shaders/trace/gaussian_rounds.glsl"
 
-// Between rounds in GaussianLight: light.x: the most that one Gaussian adds; light.a; last.xyz: the ids of that one.
+// Use of GaussianLight between rounds: light.x: the most that one Gaussian adds; light.a: as always; last.xyz: the ids
+// of that Gaussian.
 void meetWaiting(WaitingGaussian next, inout GaussianLight sum) {
     float alpha = unpackUnorm2x16(next.blue_opacity).y, added = sum.light.a * alpha;
     uvec3 ids = uvec3(next.gaussian, next.red_green, next.blue_opacity & 0xFFFFu);

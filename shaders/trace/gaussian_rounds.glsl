@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rounds that composite Gaussians: the first one is over the current rays, each further one over those that the round
-// before has listed.
+// Rounds that composite Gaussians: the first round is over the current rays, each further one over the rays that the
+// previous round listed.
 #ifndef POINTRT_SHADERS_GAUSSIAN_ROUNDS_GLSL
 #define POINTRT_SHADERS_GAUSSIAN_ROUNDS_GLSL
 #include "shaders/lib/append.glsl"

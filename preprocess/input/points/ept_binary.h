@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nodes of Entwine Point Tiles whose points are bare records, as the schema describes them.
+// Nodes of Entwine Point Tiles whose points are bare records that the schema describes.
 #pragma once
 
 #include <deque>

@@ -64,7 +64,7 @@ std::string unpackPotreeNode(const InputFile& file, std::string_view packed, std
     if (!good) refuse(file, fmt::format("the Brotli data of a node of {} points is invalid", points));
     std::string records(record_bytes * points, '\0');
     const char* from = values.data();
-    for (const PotreeColumn& column : columns) // all values of one, then those of the next
+    for (const PotreeColumn& column : columns) // all values of one column, then those of the next
         for (std::uint64_t i = 0; i < points; ++i, from += packedSize(column))
             unpackValue(column, from, records.data() + i * record_bytes + column.at);
     return records;

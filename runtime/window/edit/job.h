@@ -77,7 +77,7 @@ private:
     const std::string title_;
     const bool can_cancel_;
     JobControl control_;
-    std::jthread thread_; ///< last, so that it ends before the others are destroyed
+    std::jthread thread_; ///< declared last, so that it ends before the others are destroyed
 };
 
 /// Throws the job's error if it failed.

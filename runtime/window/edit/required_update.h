@@ -13,8 +13,8 @@ namespace pointrt {
 enum class UpdateKind : std::uint8_t {
     kNothing,
     kTables,     ///< tables of materials, shapes and lights: a few milliseconds
-    kPlacements, ///< tables, and where scans lie: as fast
-    kPrograms,   ///< shader programs, the sky's image or splat colours as well: needs a job
+    kPlacements, ///< tables, and the places of scans: as fast
+    kPrograms,   ///< also shader programs, the sky's image or splat colours: needs a job
     kReload      ///< other scans: the scene must be reloaded
 };
 

@@ -18,8 +18,8 @@ struct ImDrawData;
 
 namespace pointrt {
 
-/// For use by one thread. Pixels are packed BGRA8, 0xAARRGGBB each, rows from the top, sRGB-encoded, which windows take
-/// without conversion.
+/// For use by one thread. Pixels are packed BGRA8, 0xAARRGGBB each, rows from the top, sRGB-encoded, which windows
+/// display without conversion.
 struct Presenter {
     VkSurfaceKHR surface = VK_NULL_HANDLE; ///< owned; null when headless
     Swapchain swapchain;
@@ -32,7 +32,7 @@ struct Presenter {
     VkFramebuffer framebuffer = VK_NULL_HANDLE; ///< of target
     UiRenderer ui;
     std::array<std::uint64_t, kFramesInFlight> frames{}; ///< submissions of the last frames
-    std::uint32_t frame = 0;                             ///< index of the next one
+    std::uint32_t frame = 0;                             ///< index of the next frame
 };
 
 /// For a window's surface, or headless without one. Owns the surface, even if this throws. The canvas is black, width x
