@@ -81,7 +81,7 @@ bool isInOriginalTile(const TileSet& set, std::uint32_t level, TileCell cell) {
     return false;
 }
 
-/// Whether one of the extreme points of the disc along the axes lies in the core; also of a ball's disc.
+/// Whether one of the extreme points of the disc along the axes lies in the core; balls count as discs here.
 /// @param splat in the cube of the tile
 bool surelyCrossesCore(const pro_splat& splat) {
     for (std::size_t axis = 0; axis < 3; ++axis) {

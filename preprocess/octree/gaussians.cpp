@@ -195,8 +195,8 @@ double usualDeviation(const GaussianCloud& gaussians) {
     return double{medianInPlace(longest)};
 }
 
-/// The parameters of the Gaussians whose codes show, in the order of the splats.
-/// @param coding with the words of GAUS
+/// The exact parameters of the Gaussians whose codes would change the picture visibly, in the order of the splats.
+/// @param coding includes the words of GAUS
 std::vector<pro_exact_gaussian> exactWhereCodesShow(const GaussianCloud& gaussians, const PackedSplats& splats,
                                                     const pro_gaussians& coding) {
     const std::size_t count = splats.words.size();

@@ -41,7 +41,7 @@ struct SurfaceDecisions {
 /// Statistics of a cloud, sampled at several places in it; common_reach is left out.
 class StatisticsSampler {
 public:
-    /// @param splats those of one place, estimated with radius_limit infinity and radius_scale 1
+    /// @param splats of one place, estimated with radius_limit infinity and radius_scale 1
     void add(const SurfaceReport& report, const Splats& splats);
 
     /// Empty for fewer than kMinPointsForPlanarity points, and the noise for fewer than kFewForNoise.

@@ -43,7 +43,7 @@ constexpr float kIsolated = 4;
 /// corner is 1.0.
 constexpr float kSureSpacings = 1;
 
-/// Where distances underflow: finer than the positions of a cloud whose extent is about 1.
+/// Smaller distances underflow: they are finer than the positions of a cloud whose extent is about 1.
 constexpr float kMinRadius = 0x1p-24f;
 
 /// Limit of radii: kLimit times the kLimitShare quantile. Affects at most one point in a thousand, so that a sparse
@@ -268,8 +268,8 @@ bool isSurrounded(const PointGraph& graph, std::size_t point) {
     return gapsBetween(angles).widest < kWidest;
 }
 
-/// What makes a disc part of a surface: points up to so far off its plane, in radii, their share of all around, and how
-/// far away, in radii, those must be that leave no wide angle empty.
+/// A disc is part of a surface if, among the points up to this many radii off its plane, which must be this share of
+/// all points around, those within this distance (in radii) leave no wide angle empty.
 struct Support {
     float off_plane;
     double share;
@@ -318,7 +318,7 @@ bool isBetweenLines(const PointGraph& graph, std::size_t point) {
 }
 
 struct PlateLimits {
-    float sparse_reach; ///< as of shrinkPlates
+    float sparse_reach; ///< see shrinkPlates
     float large;        ///< radius above which support must be better
 };
 
@@ -335,7 +335,7 @@ float unprovenRadius(const PointGraph& graph, float radius, const PlateLimits& l
     const NeighborLists& lists = graph.lists;
     if (lists.k < kSixth) return radius;
     const float sixth = lists.distance(graph.points, point, kSixth - 1), reach = lists.radius(graph.points, point);
-    const bool in_clump = lists.thinned[point] & kClump; // distances within clumps tell nothing
+    const bool in_clump = lists.thinned[point] & kClump; // distances within clumps say nothing about the spacing
     const bool wide = radius > kWide * sixth;
     const bool sparse = lists.completeRadius(graph.points, point) > limits.sparse_reach;
     const bool large = radius > limits.large;

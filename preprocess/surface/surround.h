@@ -22,7 +22,7 @@ struct SurroundCounts {
 void countUnsurrounded(const NeighborLists& lists, const PointSet& points, const NearestSearch& nearest,
                        const std::vector<std::uint8_t>& inner, SurroundCounts& counts);
 
-/// How a cloud is thinned, and whether for its lists, too.
+/// How a cloud is thinned, and whether its neighbour lists are searched again.
 struct Thinning {
     float finest_cells = 0;      ///< edge, input units: as wide as all but the smallest lists; 0: no thinned clouds
     bool replaces_lists = false; ///< false: hardly any list is to be replaced

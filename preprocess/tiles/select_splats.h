@@ -13,7 +13,7 @@ namespace pointrt {
 TileSplats selectSplats(const Splats& splats, const std::vector<Attribute>& attributes,
                         const std::vector<PositionCode>& codes, const std::vector<std::uint8_t>& kept, double edge);
 
-/// Indices of the codes along the same curve; none is left out.
+/// Indices of all codes along the same curve.
 std::vector<std::uint32_t> orderAlongCurve(const std::vector<PositionCode>& codes);
 
 /// [splats]

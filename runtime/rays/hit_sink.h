@@ -35,7 +35,7 @@ enum class SinkKind { kNpz, kNpy, kCsv, kPly };
 /// kBadUsage for other suffixes, and for PLY with any.
 SinkKind sinkKind(const SinkRequest& request);
 
-/// @param columns those of all blocks; their values are ignored
+/// @param columns the columns that all blocks will have; their values are ignored
 std::unique_ptr<HitSink> openSink(const SinkRequest& request, std::span<const HitColumn> columns);
 
 } // namespace pointrt

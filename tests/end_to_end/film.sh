@@ -105,7 +105,7 @@ bakeCrowd() {
     pointrt-bake -q --radius-scale 40 crowd.xyz -o crowd.pro
 }
 
-# millisecondsSince START: START in nanoseconds.
+# millisecondsSince START: prints the milliseconds since START (in nanoseconds).
 millisecondsSince() { printf '%d\n' $((($(date +%s%N) - $1) / 1000000)); }
 
 case_time_limit_of_a_crowded_scene() {

@@ -61,7 +61,7 @@ outcomes() {
             status = /status="run"/ ? "passed" : "failed"
         }
         /<skipped/ { status = "skipped" }
-        # 3 is the exit code of tools for what this machine cannot do; some tests print only that code
+        # 3 is the tools' exit code for what this machine cannot do; some tests print only that code
         /no Vulkan driver: install one|^    Which is: 3$/ && status == "failed" { status = "device" }
         name != "" && /<\/testcase>/ { end() }' "$junit"
 }

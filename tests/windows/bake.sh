@@ -23,7 +23,7 @@ writeGaussians
 mv row.splat scans
 python3 "$repository/tests/windows/bake_inputs.py" "$bin" "$build" scans/*
 
-# every stage that rounds: cleaning, orientation, filling, Gaussians, Windows's own paths among several scans
+# every stage that rounds: cleaning, orientation, filling, Gaussians. Paths in Windows syntax among several scans
 for options in '--clean 2' '--clean off --orient up' '--orient mst' '--splat ball' '--normals estimate --neighbors 24' \
     '--thin 0.1' '--bounds -1,-1,-1,1,1,0.5' '--every 3 --attributes none' '--compact' '--prune off --up y' '--threads 1'; do
     # shellcheck disable=SC2086 # a list of words

@@ -16,7 +16,7 @@ def answer(program, scan):
     OUTPUT.unlink(missing_ok=True)
     result = subprocess.run([*program, "-q", scan, "-o", OUTPUT], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                             stderr=subprocess.PIPE, timeout=600, check=False)
-    # Windows joins names of files with \
+    # Windows joins paths with \
     words = (result.stdout + result.stderr).replace(b"\\", b"/").decode(errors="replace")
     return result.returncode, words, OUTPUT.read_bytes() if OUTPUT.exists() else None
 

@@ -21,7 +21,7 @@ trap finishDisks EXIT
 ln -sfn "$work/full" "$WINEPREFIX/dosdevices/f:"
 ln -sfn "$work/read_only" "$WINEPREFIX/dosdevices/r:"
 
-# refusedOnDrive DRIVE SUFFIX: exporting there fails with one line and code 4
+# refusedOnDrive DRIVE SUFFIX: exporting to this drive fails with one line and code 4
 refusedOnDrive() {
     local code=0
     wine "$build/bin/pointrt-info.exe" scan.pro --export "$1:\\a.$2" 2>windows.err || code=$?

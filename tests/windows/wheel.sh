@@ -28,12 +28,13 @@ x86_64-w64-mingw32-nm python/libs/python3.lib 2>/dev/null | sed -n 's/.* I __imp
     awk 'BEGIN { print "LIBRARY python3\nEXPORTS" } { print $1 " = python313." $1 }' >python3.def
 x86_64-w64-mingw32-gcc-posix -shared -nostdlib -Wl,--entry=0 python3.def -o python/python3.dll
 for package in packages/*.whl; do python3 -m zipfile -e "$package" python/lib/site-packages; done
-# here, there ARGUMENT...: runs Python of either system. In Wine 8, Python takes pipes for standard streams, but no files.
+# here, there ARGUMENT...: runs Python of this system or of Windows. In Wine 8, Python accepts pipes as standard
+# streams, but not files.
 export PYTHONDONTWRITEBYTECODE=1
 here() { linux/bin/python "$@"; }
 there() { WINEDLLOVERRIDES='ucrtbase=n,b;winedbg.exe=d' wine python/python.exe "$@" </dev/null 2>&1 | cat; }
 
-# -O1: what calls the libraries need not be fast here
+# -O1: the calls into the libraries need not be fast here
 "$repository/packaging/windows/wheel.sh" "$linux_wheel" "$build" "$build/python" \
     -C cmake.define.CMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG"
 wheel=$(echo "$build"/packages/pointrt-*-cp312-abi3-win_amd64.whl)

@@ -16,7 +16,7 @@ public:
     EptRecords(const InputFile& input, const JsonValue& schema);
 
     /// Adds the points of a node to the current scan, which the first node begins.
-    /// @param bytes its records
+    /// @param bytes the records of the node
     void add(const InputFile& part, std::string_view bytes, Sink& sink);
 
     std::size_t recordBytes() const { return record_bytes_; }

@@ -117,7 +117,7 @@ std::uint64_t wholePoints(const PcdHeader& header, const std::string& bytes) {
     return points;
 }
 
-/// @param points receives the number of points that are there
+/// Returns the uncompressed values. @param points receives the number of complete points
 std::string unpackBody(const InputFile& input, const PcdHeader& header, Sink& sink, std::uint64_t& points) {
     // Two 32-bit sizes: of the compressed and of the uncompressed bytes.
     if (header.body.size() < 8) refuse(input, "truncated: the sizes of the compressed data are missing");

@@ -147,7 +147,7 @@ def writePly(path, positions, normals, faces):
 
 
 def readPly(path):
-    """What writePly wrote, and only that."""
+    """Reads what writePly wrote, and nothing else."""
     with open(path, "rb") as file:
         content = file.read()
     start = content.index(b"end_header\n") + len(b"end_header\n")

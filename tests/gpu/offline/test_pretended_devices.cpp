@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::uint32_t kSide = 48;
 constexpr std::uint32_t kBounces = 4;
-/// Of a sample of a pixel, path traced in a room: 1,200 MB for 4 samples of 512x512.
+/// For one sample of a pixel, path traced in a room: 1,200 MB for 4 samples of 512x512.
 constexpr std::uint64_t kMostBytes = 1'200'000'000 / (4 * 512 * 512);
 
 RenderSettings pathSettings() {
@@ -36,7 +36,7 @@ RenderSettings pathSettings() {
     return settings;
 }
 
-/// Where light that mirrors reflect counts as direct.
+/// Settings with which light that mirrors reflect counts as direct.
 RenderSettings mirrorSettings() {
     RenderSettings settings = pathSettings();
     settings.integrator = Integrator::kWhitted;
@@ -129,7 +129,7 @@ TEST_F(PretendedDevices, TraceASampleInOneSubmission) {
     EXPECT_EQ(films[0], films[1]);
 }
 
-/// In place of texels, which GPUs read more slowly.
+/// Instead of as texels, which GPUs read more slowly.
 TEST_F(PretendedDevices, ReadScansOfOnePageAsStorageBuffers) {
     const Film expected = renderOn({}, ball);
     const Environment environment(layered({{"POINTRT_LAYER_TYPE", "discrete"}, {"POINTRT_LAYER_MEMORY", "discrete"}}));
@@ -215,7 +215,7 @@ TEST_F(PretendedDevices, ThatAreLost_EndWithAnError) {
     }
 }
 
-// What other programs use of the device's memory is not for tiles.
+// Device memory that other programs use is not available for tiles.
 TEST_F(PretendedDevices, LeaveTilesTheirBudget) {
     constexpr std::uint64_t kGibibyte = 1ull << 30;
     auto variables = layered({{"POINTRT_LAYER_TYPE", "discrete"}, {"POINTRT_LAYER_MEMORY", "discrete"}});

@@ -49,7 +49,7 @@ TEST_F(CastCommand, ArraysOfOtherThanRaysAreRefused) {
 }
 
 TEST_F(CastCommand, InvalidRaysAreNamedByTheirRow) {
-    std::vector<double> rays(6 * 300000, 1.0); // the second chunk
+    std::vector<double> rays(6 * 300000, 1.0); // in the second chunk
     rays[6 * 299999 + 4] = std::numeric_limits<double>::quiet_NaN();
     folder.write("rays.npy", rayArray(rays));
     expectRefused(1, "rays.npy: ray 299999: *direction*finite", kCast + "rays.npy -o out.npz");

@@ -97,7 +97,7 @@ TEST_F(StudyCommand, PointsOfAListGetResults) {
 }
 
 TEST_F(StudyCommand, PointsOfScanFilesKeepTheirColumns) {
-    // the scan's points as a file, with their discs: the same hours
+    // the scan's points and discs from a file give the same hours
     ASSERT_EQ(sun("plane.pro tower.pro" + kDay + "--every 60 -q -o own.ply").code, 0);
     ASSERT_EQ(sun("plane.pro tower.pro --points own.ply" + kDay + "--every 60 -q -o again.ply").code, 0);
     EXPECT_EQ(text("again.ply"), text("own.ply"));

@@ -198,7 +198,7 @@ TEST_F(SceneFile, RefusesInvalidLights) {
     for (const char* time : {"2026-06-21", "12:00:00", "2026-06-21T12:00:00", "'noon'", "7"})
         EXPECT_SAYS(refusal(zero + "time = " + time), wants_offset);
     EXPECT_SAYS(refusal(zero + "time = 1899-06-21T12:00:00Z"), "scene.toml:6: key \"light[0].time\": *1900 *2100");
-    // Midnight on the equator at the solstice: 90 less the ecliptic's 23.44 degrees.
+    // Midnight on the equator at the solstice: 90 degrees minus the ecliptic's 23.44.
     EXPECT_SAYS(refusal(zero + "time = 2024-06-21T00:00:00Z"), "scene.toml:6: key \"light[0].time\": *66.6 *below");
     EXPECT_SAYS(refusal("up = [0, 1, 0]\n" + zero + "time = 2024-03-20T12:00:00Z\nnorth = [0, 1, 0]"),
                 "scene.toml:8: key \"light[0].north\": *along*\"up\"");

@@ -21,7 +21,7 @@ Options parse(Arguments arguments) {
     return options;
 }
 
-/// The message of a usage error, "" where there was none.
+/// The message of a usage error; "" if there is no error.
 std::string refusal(Arguments arguments) {
     arguments.insert(arguments.begin(), {"pointrt-view", "a.pro", "-o", "a.png"});
     Options options;
