@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
-# What demo.sh and test.sh share. Sourced from the repository's root, after `set -euo pipefail`.
+# Functions shared by demo.sh and test.sh. Sourced from the repository's root, after `set -euo pipefail`.
 
 # The build and the scripts read and write plain ASCII numbers whatever the user's language is.
 export LC_ALL=C.UTF-8
@@ -125,8 +125,8 @@ buildPreset() {
     say "built in $((SECONDS - started)) s"
 }
 
-# folderInMemory MIB: makes a folder in memory with room for so many MiB, from which programs can be started, and prints it.
-# Returns 1 if no folder in memory will do.
+# folderInMemory MIB: makes a folder in memory with room for MIB MiB that allows starting programs, and prints its
+# path. Returns 1 if there is no such folder.
 folderInMemory() {
     local folder
     [ "$(stat -f -c %T /dev/shm 2>/dev/null)" = tmpfs ] || return 1

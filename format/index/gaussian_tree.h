@@ -35,8 +35,8 @@ struct GaussianTree {
 };
 
 /// How much shorter the cells of a Gaussian are than its ellipsoid, in halvings. Finer trees take more memory and need
-/// fewer tests: of the 90,854 Gaussians of a guitar, a ray that hits it tests 3,600 at fineness 0 (4.6 list entries per
-/// Gaussian), 1,430 at 1 (9.8) and 700 at 2 (25.6), of which 47 count.
+/// fewer tests: in a guitar of 90,854 Gaussians, a ray that hits it tests 3,600 of them at fineness 0 (4.6 list entries
+/// per Gaussian), 1,430 at 1 (9.8) and 700 at 2 (25.6); 47 of them count.
 constexpr int kStoredFineness = 0, kTracedFineness = 2;
 
 /// Lists each Gaussian in the nodes whose cubes its ellipsoid meets, all at one depth: the deepest whose cubes are as

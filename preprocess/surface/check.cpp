@@ -17,7 +17,7 @@ namespace {
 
 [[noreturn]] void fail(const std::string& reason) { throw Error{ExitCode::kBadInput, reason}; }
 
-/// The position farthest from the given one; of equally distant ones the first.
+/// The position farthest from the given one; the first one of equally distant positions.
 Vec3d farthestFrom(const std::vector<Vec3f>& positions, const Vec3d& from) {
     struct Farthest {
         double distance = -1;

@@ -31,7 +31,7 @@ constexpr double kCommonShare = 0.95;
 constexpr float kNoPlane = 0.15f;
 
 /// At more than twice the distance, the neighbours may be the near side of the whole scan, which looks flatter from
-/// there. Of caps of 17 random points and 0.4 radians, one in ten thousand is above.
+/// there. One in ten thousand caps of 17 random points and 0.4 radians is above.
 constexpr float kFarOut = 2, kNoPlaneFarOut = 0.1f;
 
 /// For points near a surface, below kFarTimes: height over the plane of the neighbours, over theirs, and distance to

@@ -21,7 +21,7 @@ constexpr double kSteepest = 6;
 /// Least step of the surface, in standard deviations of the scan.
 constexpr double kNoisySteps = 6;
 
-/// A scanner further away than so many diagonals of its points sees them all in nearly the same direction, where a
+/// A scanner further away than this many diagonals of its points sees them all in nearly the same direction, where a
 /// slope means the same everywhere.
 constexpr double kFarDiagonals = 3;
 

@@ -433,7 +433,8 @@ void adopt(NeighborLists& lists, const PointSet& points, std::size_t point, cons
                std::pair(squaredDistance(points.positions[b], from), b);
     });
     std::copy(chosen.begin(), chosen.end(), list);
-    // Points around at a distance r, less than a third of a turn apart, bound a Voronoi cell of a radius of r at most.
+    // If surrounding points at a distance r are less than a third of a turn apart, the Voronoi cell has a radius of at
+    // most r.
     constexpr float kSpacings = 2; // most spacings in the radius of a cell (kCapSpacings in radii.cpp)
     if (!around.keeps_spacing) lists.spacings[point] = std::max(lists.spacings[point], around.reach / kSpacings);
     lists.thinned[point] = around.flags;
@@ -477,7 +478,7 @@ bool isInNoPlane(const NeighborLists& lists, const PointSet& points, std::size_t
 }
 
 /// Whether the neighbours of a point are on one side of it: their mean is as far off as in half a disc (0.42 radii),
-/// but for chance. Of random neighbours all around, 1 list in 50 is.
+/// but for chance. 1 in 50 lists of random neighbours all around is.
 bool isOneSided(const NeighborLists& lists, const PointSet& points, std::size_t point) {
     constexpr float kOffCenter = 0.35f;
     return quickMoments(lists, points, point).mean.norm() > kOffCenter * lists.radius(points, point);

@@ -27,7 +27,7 @@ constexpr std::size_t kTileAllocations = 16;
 /// Margin around a file's box as a share of its size, larger than the rounding errors of the box tests.
 constexpr double kFileMargin = 1e-4;
 
-/// What rays can hit of a file, in cube units: the discs in its entry grid, or its Gaussians.
+/// The box of everything that rays can hit in a file, in cube units: the discs in its entry grid, or its Gaussians.
 CubeBox reachOf(const DeviceScan& scan) {
     if (scan.is_gaussian) return scan.gaussian_box;
     const double cell = std::ldexp(1.0, static_cast<int>(scan.index.shift) - PRO_POSITION_BITS);

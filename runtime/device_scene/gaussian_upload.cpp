@@ -107,9 +107,9 @@ TracedCube enlargedCube(const std::vector<GaussianEllipsoid>& ellipsoids) {
     return {{low, low, low}, edge};
 }
 
-/// A few giants or far floaters can make the cube so large that floats lose all others: 2^-24 of a cube of 1,000 scenes
-/// is half the deviation of a thin Gaussian. Then the cube is chosen around the others, if it becomes so much smaller
-/// that floats gain four bits.
+/// A few giants or distant floaters can make the cube so large that floats cannot resolve the other Gaussians: 2^-24 of
+/// a cube 1,000 times as wide as the scene is half the deviation of a thin Gaussian. In that case the cube is chosen
+/// around the others, provided that its smaller size gains floats at least four bits.
 constexpr std::size_t kMostApart = 256;
 constexpr double kLeastGain = 16, kCoreMargin = 1 + 1.0 / 1024;
 /// Means in files have steps of 2^-27. In a cube of this edge, floats are finer than that, and positions outside it

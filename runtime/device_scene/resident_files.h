@@ -55,8 +55,8 @@ public:
     /// Marks the file as used now.
     void use(Slot slot);
 
-    /// The least recently used file among those that may be evicted and for which mayGo(slot) is true; of several that
-    /// were never used, the one added first.
+    /// The least recently used file among those that may be evicted and for which mayGo(slot) is true; among
+    /// several that were never used, the one added first.
     template <typename MayGo>
     std::optional<Slot> leastRecentlyUsed(const MayGo& mayGo) const {
         std::optional<Slot> oldest;

@@ -13,7 +13,7 @@
 
 namespace pointrt {
 
-/// What to choose tiles for.
+/// The pictures for which tiles are chosen.
 struct TileRequest {
     std::vector<Camera> cameras; ///< of the scene, at least one
     PixelSize size;              ///< of their pictures

@@ -25,8 +25,7 @@ public:
 private:
     void intersectCamera(std::uint32_t bits);
     void intersectClosest(std::uint32_t bits);
-    /// The programs that composite Gaussians: of each instance if there is one, of all instances together if there are
-    /// several.
+    /// The programs that composite Gaussians: those of a single instance, or those for several instances together.
     struct GaussianPass {
         Program InstancePrograms::*composite;
         Program InstancePrograms::*gather;

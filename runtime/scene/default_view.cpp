@@ -330,8 +330,8 @@ ViewChoice fullestPlace(const SceneSample& sample, const Ground& ground, const s
 /// and face the eye.
 bool looksScannedFrom(const SceneSample& sample, Vec3 eye) {
     // A frame's spacing is proportional to the distance on surfaces of one slope. In seven frames, growth is 0.6 to 1.2
-    // and correlation 0.32 to 0.92. Of 50 other scans, in seven the distances, growth and correlation are as large from
-    // the origin; they reach around it, face away from it, or their scanner is known.
+    // and correlation 0.32 to 0.92. In seven of 50 other scans, the distances, growth and correlation are as large from
+    // the origin; those scans reach around it, face away from it, or have a known scanner.
     constexpr double kLeastGrowth = 0.4, kLeastCorrelation = 0.3, kLeastRange = 1.7, kFacing = 0.6;
     std::vector<double> distances;
     double xx = 0, xy = 0, yy = 0, x = 0, y = 0, facing = 0, discs = 0;

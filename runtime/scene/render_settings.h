@@ -48,7 +48,7 @@ struct Camera {
     double fov_deg = 40;     ///< vertical
     double ortho_height = 0; ///< above 0: parallel projection, with the picture's height in input units
     bool panorama = false;   ///< equirectangular (panorama.h); forward is in the middle of the picture
-    /// Of a panorama: distance between the eyes in input units; if above 0, the left eye's picture is above the right
+    /// For panoramas: distance between the eyes in input units. If above 0, the left eye's picture is above the right
     /// eye's.
     double eyes_apart = 0;
     bool operator==(const Camera&) const = default;

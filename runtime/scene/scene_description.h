@@ -52,7 +52,7 @@ struct MaterialOverride {
     };
     std::variant<Row, ColorRange, SplatSelection> splats;
     std::uint32_t material = 0; ///< in SceneDescription::materials
-    /// Of the override in the scene file, begins messages: whether it is valid is known only with the scan.
+    /// Place of the override in the scene file, to begin messages: only the scan shows whether it is valid.
     std::string place;
     bool operator==(const MaterialOverride&) const = default;
 };

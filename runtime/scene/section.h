@@ -29,7 +29,7 @@ struct LineSection {
 /// A section as users give it; the up direction is known only once the scene is loaded.
 struct SectionRequest {
     std::variant<AxisSection, LineSection> plane;
-    /// Of a slice, half on either side, above 0; none: everything behind the plane remains.
+    /// Thickness of a slice, half on either side, above 0; nullopt: keeps everything behind the plane.
     std::optional<double> thickness;
 };
 

@@ -167,7 +167,7 @@ TEST(Caustics, OfAMirrorRingOfSplats) {
 struct BrightScene {
     const char* name;
     SceneDescription scene;
-    bool gathers = true; ///< on the floor
+    bool gathers = true; ///< whether the floor gathers photons
 };
 
 SceneDescription brightScene(std::vector<MaterialDescription> materials, std::vector<ShapeDescription> shapes,

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Gives bad input to the tools of this system and, in Wine, to those of Windows: both must refuse it with the same words
-and the same exit code.
-   bad_input.py BIN BUILD COUNT   BIN, BUILD: see lib.sh; in a folder with sphere.pro and what bad_input.sh puts there
-The cases follow from their number alone, so that COUNT more are a superset of COUNT.
+"""Gives bad input to the tools of this system and, in Wine, to those for Windows: both must refuse it with the same
+message and exit code.
+   bad_input.py BIN BUILD COUNT   BIN, BUILD: see lib.sh; run it in a folder with the files that bad_input.sh creates
+Each case depends only on its number, so a larger COUNT includes the cases of a smaller one.
 """
 import pathlib
 import random

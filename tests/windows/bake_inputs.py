@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Bakes each input here and, in Wine, by pointrt-bake of Windows: the same exit code, words and bytes.
-   bake_inputs.py BIN BUILD INPUT...   BIN, BUILD: see lib.sh; what is baked is written to the current folder
+"""Bakes each input with pointrt-bake of this system and, in Wine, with that for Windows: exit code, messages and output
+files must be the same.
+   bake_inputs.py BIN BUILD INPUT...   BIN, BUILD: see lib.sh; writes to the current folder
 """
 import pathlib
 import subprocess

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Builds the tools for Windows, again where they have been built: pointrt-info, and the others if the sources of the
-# libraries that they need can be had. Sets Wine up, to run them.
+# Builds or updates the tools for Windows: pointrt-info, and the others if the sources of their libraries can be
+# downloaded. Sets up Wine to run them.
 #   build.sh REPOSITORY BUILD
 set -euo pipefail
 repository=$1 build=$2

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The tools for Windows on disks that are full or cannot be written, as drives and as folders: what they say, that they
-# leave no part of a file, and that they read from such disks.
+# The tools for Windows on full and on read-only disks, mounted as drives and as folders: error messages, no partial
+# files left behind, and reading from such disks.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 [ "$(id -u)" = 0 ] || skip "only root can mount the disks"

@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# pointrt-info of Windows: what it prints and writes, its exit codes, names of files with any characters, long paths,
-# and hostile files.
+# pointrt-info for Windows: output, exports, exit codes, file names with any characters, long paths, and hostile files.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 needs pointrt-info

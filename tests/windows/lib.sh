@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
-# Tests of the tools for Windows in Wine, beside those of this system: a script sources this with
+# Shared by the tests that compare the tools for Windows, run in Wine, with those of this system. A script sources this
+# with the arguments
 #   REPOSITORY BIN BUILD   BIN: the tools of this system; BUILD: where build.sh has built those for Windows
-# and is then in an empty folder.
+# and then runs in an empty folder.
 set -euo pipefail
 repository=$1 bin=$2 build=$3
 golden=$repository/tests/format/golden

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# pointrt-rays of Windows: the files that all its commands write, its reports, names of files with any characters, long
-# paths, standard streams, and bad input.
+# pointrt-rays for Windows: the output files of all commands, reports, file names with any characters, long paths,
+# standard streams, and bad input.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 needsDisplay

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# pointrt-view of Windows without its window: pictures of all kinds, names of files with any characters, long paths, bad
+# pointrt-view for Windows without a window: pictures of all kinds, file names with any characters, long paths, bad
 # input, and Ctrl-C.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"

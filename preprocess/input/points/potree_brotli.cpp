@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t kMortonWord = 8; // bytes: 16 bits of each of three numbers
 
-/// Bytes of a value before compression: positions are two Morton codes, of the high and the low 16 bits, colours one.
+/// Bytes of a value before compression. Positions are two Morton codes, of the high and the low 16 bits; colours are a
+/// single one.
 std::size_t packedSize(const PotreeColumn& column) {
     if (column.kind == PotreeKind::kPosition) return 2 * kMortonWord;
     return column.kind == PotreeKind::kColor ? kMortonWord : column.size;

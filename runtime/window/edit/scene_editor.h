@@ -35,7 +35,7 @@ struct RoomLights {
     std::optional<SkyDescription> sky;
 };
 
-/// What the surroundings were made for and with.
+/// The inputs from which the surroundings were made.
 struct Surroundings {
     SceneDescription resolved; ///< the scene after the last rebuild of the surroundings
     std::optional<Vec3> up;

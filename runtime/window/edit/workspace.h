@@ -123,7 +123,7 @@ struct Workspace {
     bool show_panel = true, show_cheat_sheet = false, show_hud = true;
     bool show_palette = false;
     bool light_theme = false;
-    /// Of the panel, by name; sections not listed are open or closed by default.
+    /// Sections of the panel by name: whether they are open; others have their defaults.
     std::map<std::string, bool> open_sections;
     bool pin_measurement = false;
     std::vector<PickedPoint> picks;       ///< oldest first; the last two, or all of a path with pin_measurement

@@ -10,8 +10,8 @@
 namespace pointrt {
 namespace {
 
-// Priorities in frames of age: of empty pixels; of interpolated points and of empty pixels that only sky surrounds; and
-// of points near an error of a full step from black to white. While the camera moves, view-dependent points age this
+// Priorities in frames of age, for empty pixels; for interpolated points, and empty pixels with only sky around; and
+// for points near an error of a full step from black to white. While the camera moves, view-dependent points age this
 // much faster.
 constexpr float kEmptyPriority = 1500, kInterpolatedPriority = 150, kErrorPriority = 3000, kViewDependentAging = 8;
 /// Gain at the attention point, and its radius as a fraction of the picture's height.
