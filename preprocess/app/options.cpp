@@ -120,7 +120,7 @@ void addInputOptions(CommandLine& app, BakeOptions& options) {
     app.add_flag("-f,--force", options.force, "Overwrite existing output");
     app.add_flag_callback(
         "--compact", [&] { options.index = false; },
-        "Omit the tracing index: the file is a quarter of the size, but pointrt-view takes longer to open it");
+        "Omit the tracing index: the file is less than half the size, but pointrt-view takes longer to open it");
     addInputFormat(app, options.read.format);
     app.add_option_function<std::uint64_t>(
            "--sample", [&](std::uint64_t count) { options.read.sample_count = count; },
