@@ -23,7 +23,7 @@ bool isVolume(std::size_t scattered, std::size_t points);
 void setBallRadii(PointGraph& graph, const StageShare& share);
 
 /// Whether points may become balls by themselves: not if so few are on no surface that the cloud consists of surfaces,
-/// nor if the cloud is so small that sparsity alone could tell.
+/// nor if the cloud is so small that only its sparsity could show it.
 /// @param decided for a part of a larger cloud: whether that has scattered points
 bool mayHaveBalls(const PointSet& points, std::optional<bool> decided);
 

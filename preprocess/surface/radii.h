@@ -14,7 +14,7 @@ namespace pointrt::surface {
 /// out of a ridge or over an open border. Corners further away than gaps of the sampling can be (at an open border, of
 /// a lone point), or with nothing behind them, do not count. Discs of points scattered in space (planarity) are half as
 /// wide as the distance to the second neighbour.
-/// @param oriented normals tell the two sides of a thin sheet apart
+/// @param oriented normals distinguish the two sides of a thin sheet
 void computeRadii(PointGraph& graph, bool oriented, const StageShare& share);
 
 /// Shrinks discs of smoothed points (noise above 0): smoothing moved such points from behind one another into one

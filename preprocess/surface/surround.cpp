@@ -98,7 +98,8 @@ bool isElongated(const Moments& moments, double limit) {
     return invariant < limit * trace * trace;
 }
 
-/// Moments of a list, in float: that is enough to tell lines from planes, and takes a third of the time of momentsOf.
+/// Moments of a list, in float: that is precise enough to distinguish lines from planes, and takes a third of the time
+/// of momentsOf.
 Moments quickMoments(const NeighborLists& lists, const PointSet& points, std::size_t point) {
     const Vec3f from = points.positions[point];
     Vec3f sum = Vec3f::Zero();

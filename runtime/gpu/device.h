@@ -85,7 +85,7 @@ struct Device {
     bool sets_subgroup_size = false; ///< whether programs set subgroup_size (VK_EXT_subgroup_size_control)
     bool unified_memory = false;     ///< CPU or integrated GPU: memory is the host's, so importing saves a copy
     bool doubles = false;            ///< shaders may use 64-bit floats
-    bool queries_rays = false; ///< whether DeviceRequest::traversal asks for ray queries and the device supports them
+    bool queries_rays = false; ///< whether DeviceRequest::traversal requests ray queries and the device supports them
     RayFunctions rays;
     bool external_memory_host = false;       ///< VK_EXT_external_memory_host is enabled
     std::uint64_t host_import_alignment = 0; ///< bytes, for pointers and sizes given to importHostBuffer

@@ -96,7 +96,7 @@ std::uint64_t submitWithNext(Device& device, VkCommandBuffer commands) {
 
 bool isDone(const Device& device, std::uint64_t submission) {
     std::uint64_t done = 0;
-    check(vkGetSemaphoreCounterValue(device.handle, device.timeline->semaphore, &done), "ask the device's progress");
+    check(vkGetSemaphoreCounterValue(device.handle, device.timeline->semaphore, &done), "query the device's progress");
     return done >= submission;
 }
 

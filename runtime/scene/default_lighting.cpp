@@ -246,7 +246,7 @@ bool isLeftToDefaults(const SceneDescription& scene, const RenderSettings& setti
     return is_bare && !room && !settings.lights && castsShadowRays(settings.integrator);
 }
 
-/// Lights for an unlit scene in front of a plain background. Gaussian captures bring their own, also for shapes among
+/// Lights for an unlit scene in front of a plain background. Gaussian captures contain their own, also for shapes among
 /// them.
 void addLampsBeforeBackground(SceneDescription& scene, const RenderSettings& settings, const Staging& staging,
                               const StudioSubject& subject, bool in_room) {

@@ -48,7 +48,7 @@ bool isLitByDefault(const SceneDescription& scene, const RenderSettings& setting
 ///    lamps over a matte floor, which is a backdrop without first hits and coverage. Gaussian captures alone get a
 ///    black background instead.
 ///  - settings.background: a sky of that colour in place of the scene's. Unlit scenes then get the studio's lamps
-///    without its floor, and only_gaussians none unless settings.lights or a room asks for them.
+///    without its floor, and only_gaussians none unless settings.lights or a room adds them.
 /// Stores the chosen room and number of lamps in scene.surroundings, unless a choice is already there.
 /// They are placed for the eye scene.staged_for, else for camera's eye, and do not move with it.
 /// low and high: corners of the scene's bounds, world frame.

@@ -33,7 +33,7 @@ case_noise_target() {
     bakeSphere
     expectDone "${view[@]}" -v --noise 0.1 -o out/a.png --stats stats.json
     awk -v noise="$(jsonValue stats.json noise)" 'BEGIN { exit !(noise > 0.05 && noise <= 0.1) }' || fail "not the noise"
-    grep -q "noise 0\." stderr || fail "the progress does not tell the noise"
+    grep -q "noise 0\." stderr || fail "the progress does not show the noise"
     expectDone "${view[@]}" -q --noise 0.0001 --spp 9 -o out/a.png --stats stats.json
     [ "$(samplesOf stats.json)" = 9 ] || fail "--spp is not the most"
 }

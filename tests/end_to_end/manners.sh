@@ -103,7 +103,7 @@ case_quiet() {
     expectDone pointrt-info -q scan.pro --export out/a.ply
     [ ! -s stdout ] && [ ! -s stderr ] || fail "pointrt-info -q says something"
     expectDone pointrt-info -q scan.pro
-    [ -s stdout ] || fail "-q keeps back what was asked for"
+    [ -s stdout ] || fail "-q suppresses the requested output"
 }
 
 # All examples of --help work (except the one that opens a window). cat replaces other programs.
@@ -298,7 +298,7 @@ case_progress_of_a_bake_on_a_terminal() {
     [ "$(sed 's/.*: \([a-z]*\) .*/\1/' drawn | uniq | wc -l)" -ge 3 ] || fail "not the stages"
     # no estimate during the first two seconds, by which time a fast machine may have finished
     [ "$took_ms" -lt 4000 ] || grep -q ' left' drawn || fail "no time left after $took_ms ms"
-    ! head -n 1 drawn | grep ' left' >/dev/null || fail "a time that is left is told at the beginning"
+    ! head -n 1 drawn | grep ' left' >/dev/null || fail "a time left is shown at the beginning"
     tail -n 3 screen | grep $'\r\033\\[Kpointrt-bake: every point' >/dev/null || fail "the line is not wiped for the summary"
     tail -n 2 screen | grep '^out/a.pro: 300000 splats' >/dev/null || fail "no summary"
 }

@@ -241,7 +241,7 @@ case_up_directions() {
     grep -q 'up is z, from .*--up' log || fail "the bake does not say that it found what is up"
     [ "$(jsonValue found.json up_from)" = data ] || fail "the report does not say so"
     [ "$(jsonValue known.json up_from)" = option ] || fail "the report does not say who said it"
-    [ "$(jsonValue silent.json up_from)" = guess ] || fail "a ball does not tell what is up"
+    [ "$(jsonValue silent.json up_from)" = guess ] || fail "a ball does not show its up axis"
     local picture="--integrator normal --size 48x32 --spp 1"
     # shellcheck disable=SC2086
     {

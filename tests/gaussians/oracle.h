@@ -91,7 +91,7 @@ struct OracleComposite {
     bool operator==(const OracleComposite&) const = default;
 };
 
-/// Composites sorted hits front to back. The Gaussian that brings the transmittance below stop_below still counts, the
+/// Composites sorted hits front to back. The Gaussian that lowers the transmittance below stop_below still counts, the
 /// next one does not; kNeverStop: all count.
 OracleComposite composite(const OracleScene& scene, const OracleRay& ray, std::span<const OracleHit> hits,
                           double stop_below = kOracleStop);

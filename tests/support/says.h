@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What errors, notes and findings say: their place, key and numbers, and a word if faults must be told apart. The
+// What errors, notes and findings say: their place, key and numbers, and a word if faults must be distinguished. The
 // sentences themselves are only in tests/structure/sentences.
 #pragma once
 

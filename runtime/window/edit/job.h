@@ -84,7 +84,7 @@ private:
 void throwIfFailed(const Job& job);
 
 /// Estimated seconds left at now_s, if share was done at reported_s and the speed stays the same; both in seconds since
-/// the start. None while it is too early to tell.
+/// the start. nullopt while it is too early for an estimate.
 std::optional<double> secondsLeft(double share, double reported_s, double now_s);
 
 } // namespace pointrt

@@ -89,7 +89,7 @@ struct Requests {
     bool dragging = false;         ///< an edit is in progress: more changes of its kind follow
     bool typing = false;           ///< a text field has the keyboard
     bool undo = false, redo = false;
-    bool open = false;                   ///< ask for files to open
+    bool open = false;                   ///< show the dialog for files to open
     std::optional<Action> action;        ///< chosen from a list
     std::optional<std::string> browse;   ///< folder for the browser
     std::vector<std::string> open_files; ///< chosen in the browser

@@ -62,7 +62,7 @@ void recordUploadPreview(Device& device, VkCommandBuffer commands, Presenter& pr
 /// Presents the canvas with ui on top (null: none) and returns without waiting for the device; waits for the frame
 /// kFramesInFlight before. If the window's size has just changed, the canvas is scaled. Returns false if nothing can be
 /// shown: minimised or hidden. Throws Error kCannotRun (surface or device lost).
-/// @param uploads records commands that bring the canvas up to date, in the same submission; they run in any case
+/// @param uploads records commands that update the canvas, in the same submission; they run in any case
 bool present(Device& device, Presenter& presenter, const ImDrawData* ui,
              const std::function<void(VkCommandBuffer)>& uploads = {});
 

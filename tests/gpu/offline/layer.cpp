@@ -3,7 +3,7 @@
 // device. Environment variables: POINTRT_LAYER_TYPE=discrete|integrated     the device's type
 // POINTRT_LAYER_MEMORY=discrete|write_combined|incoherent   its memory types (kTables)
 // POINTRT_LAYER_LIMITS=NAME=N,...            smaller limits: members of VkPhysicalDeviceLimits (setLimit)
-// POINTRT_LAYER_SUBGROUPS=N                  subgroups of N lanes, and of 32 to N for programs that ask for them
+// POINTRT_LAYER_SUBGROUPS=N                  subgroups of N lanes, and of 32 to N for programs that request them
 // POINTRT_LAYER_SUBMIT_US=N, POINTRT_LAYER_ALLOCATE_US=N    latency added to each submission and allocation
 // POINTRT_LAYER_FASTER=N                     by its own clock the device takes an N-th of the time
 // POINTRT_LAYER_LOST_AT=N                    the N-th submission to a device and all after it lose the device

@@ -145,7 +145,7 @@ TEST_F(PretendedDevices, ReadScansOfOnePageAsStorageBuffers) {
     }
 }
 
-// RDNA has subgroups of 64 lanes unless a program asks for 32; GCN has no others, Intel and NVIDIA none larger.
+// RDNA has subgroups of 64 lanes unless a program requests 32; GCN has no others, Intel and NVIDIA none larger.
 TEST_F(PretendedDevices, HaveSubgroupsOf32LanesIfTheyCan) {
     const Film expected = renderOn({}, ball);
     for (const auto& [lanes, asks] : {std::pair("64", true), {"32", false}}) {

@@ -145,7 +145,7 @@ TEST_F(StudyCommand, ResultsBecomeAttributesInTheOrderOfTheFile) {
     const std::vector<std::uint32_t> order = inputOrder(copy);
     for (std::size_t i = 0; i < order.size(); ++i)
         ASSERT_NEAR(pro_attribute_value(hours, order[i]), std::stod(rows[i + 1][7]), 1e-4) << i;
-    EXPECT_LT(hours->low, hours->high) << "they must differ to tell orders apart";
+    EXPECT_LT(hours->low, hours->high) << "they must differ to distinguish orders";
     expectRefused(2, "-o: *one scan*", POINTRT_RAYS " sun plane.pro tower.pro" + kDay + "--every 60 -o other.pro");
 }
 

@@ -210,7 +210,7 @@ TEST(PlainBackground, LightsNoGaussianCaptures) {
         EXPECT_EQ(scene.sky->ambient, 0);
     }
     settings.lights = 2;
-    EXPECT_EQ(surrounded({}, settings, kGaussians).lights.size(), 2u) << "asked for";
+    EXPECT_EQ(surrounded({}, settings, kGaussians).lights.size(), 2u) << "requested";
     settings.lights.reset();
     settings.room = Room::kMatte;
     EXPECT_EQ(surrounded({}, settings, kGaussians).lights.size(), kRingLights) << "walls need some";
