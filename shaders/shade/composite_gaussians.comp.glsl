@@ -46,12 +46,12 @@ bool compositeAlong(inout GaussianHits hits, bool enters, bool live, inout Compo
     bool going, lives = live;
     do {
         do {
-            going = lives && mayGoOn(hits) && isTransparent(sum);
+            going = lives && mayContinue(hits) && isTransparent(sum);
             addGaussian(sum, nextHit(hits, going), hits.ray.direction);
         } while (going);
         lives = restartIfLost(hits, enters, lives && isTransparent(sum));
     } while (lives);
-    return live && (mayGoOn(hits) || hits.lost.gaussian != NO_INDEX) && isTransparent(sum);
+    return live && (mayContinue(hits) || hits.lost.gaussian != NO_INDEX) && isTransparent(sum);
 }
 
 // In the form that GaussianLight stores.

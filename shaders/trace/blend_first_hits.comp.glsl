@@ -30,10 +30,10 @@ void main() {
     if (hasStep(STEP_RESUME)) sum = gaussian_light[path];
     for (uint k = 0u; k < count && sum.light.a > kHalf; k++) meetWaiting(waiting_gaussians[path].each[k], sum);
 
-    bool goes_on = count == WAITING_GAUSSIANS && sum.light.a > kHalf && !hasStep(STEP_FINAL);
-    listForNextRound(goes_on, path);
+    bool continues = count == WAITING_GAUSSIANS && sum.light.a > kHalf && !hasStep(STEP_FINAL);
+    listForNextRound(continues, path);
     if (!live) return;
-    if (goes_on) setLastComposited(path, waiting_gaussians[path].each[WAITING_GAUSSIANS - 1u]);
+    if (continues) setLastComposited(path, waiting_gaussians[path].each[WAITING_GAUSSIANS - 1u]);
     gaussian_light[path] = sum;
     if (sum.middle.w >= kWalkEnded) return;
     uint at = FIRST_HIT_VECTORS * (params.film_first + bandPixel(path));

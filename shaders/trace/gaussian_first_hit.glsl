@@ -42,7 +42,7 @@ FirstHit firstHitAlong(GaussianRay ray, bool enters, bool live) {
     bool going, lives = live;
     do {
         do {
-            going = lives && mayGoOn(hits) && first.transmittance > kHalf;
+            going = lives && mayContinue(hits) && first.transmittance > kHalf;
             meetGaussian(first, nextHit(hits, going));
         } while (going);
         lives = restartIfLost(hits, enters, lives && first.transmittance > kHalf);

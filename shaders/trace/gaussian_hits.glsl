@@ -134,9 +134,9 @@ GaussianHit takeHit(inout GaussianHits hits, bool going) {
 }
 
 // Whether this pass may find more hits.
-bool mayGoOn(GaussianHits hits) { return !hasWalked(hits) || hits.waiting[0].t < endOf(hits); }
+bool mayContinue(GaussianHits hits) { return !hasWalked(hits) || hits.waiting[0].t < endOf(hits); }
 
-// The next hit in order, or none: then call again while mayGoOn. enters: from gaussianRay.
+// The next hit in order, or none: then call again while mayContinue. enters: from gaussianRay.
 GaussianHit nextHit(inout GaussianHits hits, bool going) {
     nextList(hits, going);
     insertHit(hits, nextPeak(hits, going));

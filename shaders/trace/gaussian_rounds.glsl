@@ -14,8 +14,8 @@ PathState pathOfRound(out uint index) {
 }
 
 // All lanes of the subgroup must call it.
-void listForNextRound(bool goes_on, uint path) {
-    appendEntry(push.list == LIST_DIRECT_LIGHT ? LIST_SHADOW_RAYS : LIST_DIRECT_LIGHT, goes_on, path);
+void listForNextRound(bool continues, uint path) {
+    appendEntry(push.list == LIST_DIRECT_LIGHT ? LIST_SHADOW_RAYS : LIST_DIRECT_LIGHT, continues, path);
 }
 
 #endif

@@ -43,8 +43,8 @@ std::vector<std::string> wordsOf(const std::string& text) {
             parted = true;
             continue;
         }
-        const bool goes_on = !words.empty() && (c == ',' || words.back().back() == ',');
-        if (parted && !goes_on) words.emplace_back();
+        const bool continues = !words.empty() && (c == ',' || words.back().back() == ',');
+        if (parted && !continues) words.emplace_back();
         words.back() += c;
         parted = false;
     }
