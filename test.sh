@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Installs what is missing (Debian 12 or 13, root or sudo), builds everything and runs every test.
 #   ./test.sh [CTEST OPTION...]      for example ./test.sh -R octree
-# POINTRT_DATA names a folder of real scans for the tests that can use one; without it they say that they skip.
+# POINTRT_DATA names a folder of real scans for the tests that can use one; without it, they are skipped with a message.
 set -euo pipefail
 cd "$(dirname "$0")"
 . .ci/common.sh

@@ -41,7 +41,7 @@ rustUse() {
 installPackages() {
     local missing headers="" as_root=""
     if ! command -v dpkg-query >/dev/null; then
-        say "no dpkg here: expecting the libraries of .ci/packages.txt to be there"
+        say "no dpkg here: the libraries in .ci/packages.txt must be installed already"
         return
     fi
     case " $* " in
@@ -53,7 +53,7 @@ installPackages() {
     missing=$(missingPackages "$@" | tr '\n' ' ')
     [ -n "$missing$headers" ] || return 0
     if [ "$(id -u)" != 0 ]; then
-        command -v sudo >/dev/null || die "run this as root, or as root install: $missing$headers"
+        command -v sudo >/dev/null || die "run this as root, or install as root: $missing$headers"
         as_root="sudo"
     fi
     say "installing $missing$headers"

@@ -240,7 +240,8 @@ float sparseReach(const PointGraph& graph, const Estimation& job) {
     constexpr float kFarBeyond =
         12; // raw range scans have at most 4, by overlap; as a power of two, half of it may be lost
     const float finest = *inPoints(graph.points, job.thinning.finest_cells);
-    // A power of two, as in ThinnedCloud, so that samples of a set's places and of the whole rarely differ in it.
+    // A power of two, as in ThinnedCloud, so that it is mostly the same for samples of a set's places and of all
+    // points.
     const float dense = finest > 0 ? std::ldexp(1.0f, std::ilogb(finest)) : 0;
     return std::max(std::ldexp(job.common_reach, -graph.points.scale_exponent), kFarBeyond * dense);
 }

@@ -18,7 +18,7 @@ constexpr double kTickGap = 80;                         ///< distance between ti
 /// The transform from stations and heights to pixels.
 struct ChartScale {
     double start = 0, end = 0, low = 0, high = 0; ///< limits of the axes
-    double pixels_per_unit = 1;                   ///< of stations
+    double pixels_per_unit = 1;                   ///< along the stations
     double exaggeration = 1;                      ///< factor for heights
     double area = 0;                              ///< height of the chart's area
 

@@ -106,7 +106,8 @@ std::optional<std::array<double, 3>> colorOfFace(std::string_view line) {
     return color;
 }
 
-/// @param line after the corners. full: the largest value
+/// @param line the rest of the line after the corners
+/// @param full the largest value
 PolygonPaint faceColor(std::string_view line, double full) {
     PolygonPaint paint;
     const auto color = colorOfFace(line);
