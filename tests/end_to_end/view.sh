@@ -275,7 +275,7 @@ case_sections_are_clips_seen_in_true_scale() {
     # shellcheck disable=SC2086
     {
         expectDone pointrt-view ball.pro --section z=0.3 $look -o out/plan.png
-        grep -q 'section .* a pixel' stderr || fail "the viewer does not say the scale"
+        grep -q 'section .* per pixel' stderr || fail "the viewer does not say the scale"
         expectDone pointrt-view -q cut.toml --up z --view top --ortho fit $look -o out/top.png
         expectDone pointrt-view -q ball.pro --view top --ortho fit $look -o out/whole.png
         expectDone pointrt-view -q ball.pro --clip=-2,-2,-2,2,2,0.3 --view top --ortho fit $look -o out/box.png

@@ -151,8 +151,8 @@ TEST_F(CameraSets, RefuseInvalidOptions) {
     expectRefused(1, "far.json: frame 0: *10000", "--cameras far.json -o set");
     expectRefused(1, "bent.json: frame 0: *distortion (k1 0.1)", "--cameras bent.json -o set");
     expectRefused(2, "--cameras: *FOLDER", "--cameras list.json");
-    expectRefused(2, "--cameras *--eye *exclude", "--cameras list.json -o set --eye 1,2,3");
-    expectRefused(2, "--cameras *--turntable *exclude", "--cameras list.json -o set --turntable 3");
+    expectRefused(2, "--cameras *--eye *combined", "--cameras list.json -o set --eye 1,2,3");
+    expectRefused(2, "--cameras *--turntable *combined", "--cameras list.json -o set --turntable 3");
     expectRefused(2, "--layers: \"deph\" *rgb, albedo", "--cameras list.json -o set --layers rgb,deph");
     expectRefused(2, "--size: ", "--cameras list.json -o set --size 40x31");
     expectRefused(2, "need --cameras", "-o a.png --layers rgb");

@@ -93,7 +93,7 @@ TEST(RenderSettingTable, AgreesWithHelp) {
         const auto standard = settingOf(RenderSettings{}, row.member);
         EXPECT_TRUE(contains(help, standard ? "(default " + valueText(row.limits, *standard) : "(default")) << help;
         if (option == "--reflectivity") // its help explains both limits
-            EXPECT_TRUE(contains(help, "0 matte to 1 mirror") && limitsText(row.limits) == "0 to 1") << help;
+            EXPECT_TRUE(contains(help, "0 (matte) to 1 (mirror)") && limitsText(row.limits) == "0 to 1") << help;
         else
             for (const std::string& word : limitWords(row.limits)) EXPECT_TRUE(contains(help, word)) << option << word;
     });

@@ -361,7 +361,7 @@ TEST_F(SceneFile, RefusesMatricesOtherThanRotations) {
     EXPECT_NE(rotated("[[1, 0, 0], [0.6, 0.8, 0], [0, 0, 1]]").find("perpendicular"), std::string::npos);
     EXPECT_NE(rotated("[[1, 0, 0], [0, 1, 0], [0, 0, -1]]").find("right-handed"), std::string::npos);
     EXPECT_NE(rotated("[[1, 0, 0], [0, 1, 0]]").find("3 vectors"), std::string::npos);
-    EXPECT_NE(rotated("[[1, 0, 0], [0, 1, 0], [0, 0, 1]], degrees=1").find("excludes"), std::string::npos);
+    EXPECT_NE(rotated("[[1, 0, 0], [0, 1, 0], [0, 0, 1]], degrees=1").find("cannot be combined"), std::string::npos);
 }
 
 TEST_F(SceneFile, RefusesAxesThatDoNotFitTheShape) {
@@ -373,7 +373,8 @@ TEST_F(SceneFile, RefusesAxesThatDoNotFitTheShape) {
     EXPECT_NE(shape("quad", "[[1, 0, 0], [0, 3, 0], [0, 0, 2]]").find("length"), std::string::npos);
     EXPECT_NE(shape("disc", "[[1, 0, 0], [0, 3, 0], [0, 0, 1]]").find("first two"), std::string::npos);
     EXPECT_NE(shape("sphere", "[[2, 0, 0], [0, 2, 0], [0, 0, 1]]").find("the radius"), std::string::npos);
-    EXPECT_NE(shape("sphere", "[[2, 0, 0], [0, 2, 0], [0, 0, 2]]\nradius=2").find("excludes"), std::string::npos);
+    EXPECT_NE(shape("sphere", "[[2, 0, 0], [0, 2, 0], [0, 0, 2]]\nradius=2").find("cannot be combined"),
+              std::string::npos);
     EXPECT_NE(refusal("[[shape]]\ntype='plane'\npoint=[0, 0, 0]\nnormal=[0, 1, 0]\ncenter=[0, 0, 0]").find("center"),
               std::string::npos);
 }
